@@ -1,0 +1,9 @@
+// The few platform globals the core may use: those that browsers, workers and Node all have.
+// Only tsconfig.core.json needs this file; elsewhere the DOM library declares the same names.
+declare class TextDecoder {
+  constructor(label?: string, options?: { fatal?: boolean; ignoreBOM?: boolean });
+  decode(input?: ArrayBufferView | ArrayBuffer): string;
+}
+declare class TextEncoder {
+  encode(input?: string): Uint8Array<ArrayBuffer>;
+}

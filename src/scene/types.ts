@@ -1,0 +1,217 @@
+import type { Quat } from '../math/quat.ts';
+import type { Vec3 } from '../math/vec3.ts';
+
+/**
+ * What is observed. Everything is in the world frame (the inertial frame the scene is authored in), in SI:
+ * metres, seconds, metres per second, radians. The axes are the file's own; only its lengths are scaled to metres.
+ */
+export interface Scene {
+  readonly name: string;
+  /** The axis of the file that points up; it only chooses the default camera's up, the grid's plane and the sky's zenith. */
+  readonly upAxis: 'Y' | 'Z';
+  /** As the file had it, for writing it back. All lengths here are metres already. */
+  readonly metersPerUnit: number;
+  readonly timeCodesPerSecond: number;
+  /** Range of the animation [s]. */
+  readonly startTime: number;
+  readonly endTime: number;
+  readonly objects: readonly SceneObject[];
+  readonly materials: readonly Material[];
+  readonly lights: readonly Light[];
+  readonly cameras: readonly SceneCamera[];
+  /** What the author suggests for viewing; a user's choice comes before it. */
+  readonly hints: SceneHints;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+export interface SceneHints {
+  /** Speed of light [m/s]. */
+  readonly speedOfLight?: number;
+  readonly title?: string;
+  /** What to look for, one or two sentences. */
+  readonly lookFor?: string;
+  /** The observer's velocity in units of c, where the scene wants one from the start. */
+  readonly beta?: Vec3;
+  /** Time the page opens at [s]. */
+  readonly openAt?: number;
+}
+
+export interface SceneObject {
+  /** Prim path, unique: `/World/Cube`. Its place in `objects` plus one is the id in the object AOV (0 is background). */
+  readonly path: string;
+  readonly mesh: Mesh;
+  readonly motion: Motion;
+  readonly lifetime: Lifetime;
+  /**
+   * `world`: at each world time the object has the shape as written. `rest`: the mesh is the shape in the object's own
+   * rest frame, so that in the world it is contracted along its velocity.
+   */
+  readonly authoredIn: 'world' | 'rest';
+}
+
+/** World times between which the object exists [s]; ±Infinity where it always did or always will. */
+export interface Lifetime {
+  readonly birth: number;
+  readonly death: number;
+}
+
+/** Triangles in the object's own frame. Vertices are split where normals or uvs differ. */
+export interface Mesh {
+  /** [m], 3 per vertex. For `sampled-points` the rest shape (the first sample). */
+  readonly positions: Float32Array;
+  /** Unit, 3 per vertex. */
+  readonly normals: Float32Array;
+  /** 2 per vertex, v up (v = 0 is the image's bottom row). */
+  readonly uvs: Float32Array;
+  /** Linear RGB, 3 per vertex, multiplied with the base colour; absent where all is white. */
+  readonly colors?: Float32Array;
+  readonly indices: Uint32Array;
+  /** Runs of `indices`, each with its material; together they cover `indices`. */
+  readonly groups: readonly MeshGroup[];
+  readonly doubleSided: boolean;
+}
+
+export interface MeshGroup {
+  readonly start: number;
+  readonly count: number;
+  /** Place in `Scene.materials`. */
+  readonly material: number;
+}
+
+/** Position [m] and orientation: x_world = position + orientation · x_object. */
+export interface Pose {
+  readonly position: Vec3;
+  readonly orientation: Quat;
+}
+
+/** How an object's frame, or each of its points, moves through the world. */
+export type Motion = StaticMotion | UniformMotion | HyperbolicMotion | SampledMotion | SampledPointsMotion;
+
+export interface StaticMotion {
+  readonly kind: 'static';
+  readonly pose: Pose;
+}
+export interface UniformMotion {
+  readonly kind: 'uniform';
+  /** At world time 0. */
+  readonly pose: Pose;
+  /** [m/s], |v| < c. */
+  readonly velocity: Vec3;
+}
+/** Constant proper acceleration along a line, momentarily at rest at `t0`; for all times, before and after. */
+export interface HyperbolicMotion {
+  readonly kind: 'hyperbolic';
+  /** At world time `t0`. */
+  readonly pose: Pose;
+  /** [m/s²]. With `authoredIn: 'rest'` it is the frame origin's, and the body is Born rigid. */
+  readonly properAcceleration: Vec3;
+  /** [s] */
+  readonly t0: number;
+}
+/**
+ * Rigid poses at rising times. Between samples every *vertex* moves in a straight line from its place in one pose to its
+ * place in the next; before the first and after the last sample it rests. Rotation is resampled so that the chord error stays small.
+ */
+export interface SampledMotion {
+  readonly kind: 'sampled';
+  /** [s], strictly rising, at least 2. */
+  readonly times: Float64Array;
+  /** 7 per sample: position x y z [m], orientation x y z w (unit). */
+  readonly poses: Float64Array;
+}
+/** A deforming mesh: every vertex moves in a straight line between its places at rising times; rests outside them. */
+export interface SampledPointsMotion {
+  readonly kind: 'sampled-points';
+  /** [s], strictly rising, at least 2. */
+  readonly times: Float64Array;
+  /** Where `points` are measured from [m], so that f32 holds them well. */
+  readonly origin: Vec3;
+  /** One array per sample, 3 per vertex, world-oriented, relative to `origin` [m]. */
+  readonly points: readonly Float32Array[];
+  /** World-frame normals per sample, where they were given or could be computed; else from the mesh. */
+  readonly normals?: readonly Float32Array[];
+}
+
+export interface Material {
+  readonly name: string;
+  /** Linear sRGB. */
+  readonly baseColor: Vec3;
+  readonly baseColorTexture?: Texture;
+  /** Linear sRGB radiance. */
+  readonly emissive: Vec3;
+  readonly emissiveTexture?: Texture;
+  readonly roughness: number;
+  readonly metallic: number;
+  /** 0 … 1 */
+  readonly opacity: number;
+  /** Fragments less opaque than this are cut out; 0: none is. */
+  readonly opacityThreshold: number;
+}
+
+export interface Texture {
+  /** Where it came from, for messages. */
+  readonly name: string;
+  readonly width: number;
+  readonly height: number;
+  /** RGBA, rows from the top. */
+  readonly data: Uint8Array;
+  readonly colorSpace: 'srgb' | 'linear';
+  readonly filter: 'nearest' | 'linear';
+  readonly wrapS: TextureWrap;
+  readonly wrapT: TextureWrap;
+}
+export type TextureWrap = 'repeat' | 'clamp' | 'mirror';
+
+export type Light = DistantLight | SphereLight | DomeLight;
+
+export interface DistantLight {
+  readonly kind: 'distant';
+  readonly path: string;
+  /** Unit, the way the light travels. */
+  readonly direction: Vec3;
+  /** Linear sRGB times intensity and exposure: irradiance on a facing surface. */
+  readonly color: Vec3;
+}
+export interface SphereLight {
+  readonly kind: 'sphere';
+  readonly path: string;
+  /** [m] */
+  readonly position: Vec3;
+  readonly radius: number;
+  readonly color: Vec3;
+}
+export interface DomeLight {
+  readonly kind: 'dome';
+  readonly path: string;
+  readonly color: Vec3;
+  readonly texture?: Texture;
+}
+
+/** A perspective camera that looks down −Z with +Y up; animated by its poses. */
+export interface SceneCamera {
+  readonly path: string;
+  /** Static, or `sampled`. */
+  readonly motion: StaticMotion | SampledMotion;
+  /** Vertical field of view [rad]. */
+  readonly fovY: number;
+}
+
+/** Something a person should know about the file: named by place, with what to do. */
+export interface Diagnostic {
+  readonly severity: 'error' | 'warning' | 'info';
+  /** Short and stable, for programs: `usd.unsupported-arc`. */
+  readonly code: string;
+  /** File, or file and prim path. */
+  readonly place: string;
+  readonly message: string;
+}
+
+/** A clear refusal of an input: names file, place and value and says what to do. The only error type readers throw. */
+export class InputError extends Error {
+  readonly diagnostic: Diagnostic;
+  constructor(diagnostic: Diagnostic) {
+    super(`${diagnostic.place}: ${diagnostic.message}`);
+    this.name = 'InputError';
+    this.diagnostic = diagnostic;
+  }
+}
