@@ -1,0 +1,207 @@
+// What `npm start`, `npm test` and `npm run bench` need before they can begin. Node's own modules only: this runs before
+// `npm ci` has. Every step first looks whether it is needed, so that a second run costs little.
+import { spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { delimiter, join, sep } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const root = fileURLToPath(new URL('..', import.meta.url));
+const at = (...parts) => join(root, ...parts);
+export const say = (text) => console.log(`\x1b[2m·\x1b[0m ${text}`);
+
+export class SetupError extends Error {}
+
+/** Runs a program in the project folder with its output shown; throws where it fails. */
+export function run(command, args, options = {}) {
+  const done = spawnSync(command, args, { cwd: root, stdio: 'inherit', ...options });
+  if (done.error) throw new SetupError(`${command} could not be started: ${done.error.message}`);
+  if (done.status !== 0)
+    throw new SetupError(`\`${command} ${args.join(' ')}\` failed (exit ${done.status ?? done.signal}).`);
+}
+
+/** Runs a program quietly; its output, or undefined where it is absent or fails. */
+function ask(command, args) {
+  const done = spawnSync(command, args, { cwd: root, encoding: 'utf8' });
+  return done.error || done.status !== 0 ? undefined : done.stdout;
+}
+
+export function onPath(name) {
+  const folders = (process.env.PATH ?? '').split(delimiter).filter(Boolean);
+  return folders.map((folder) => join(folder, name)).find((path) => existsSync(path));
+}
+
+// ── Node and its packages ──────────────────────────────────────────────────────────────────────────────────────────
+
+const leastNode = [20, 19];
+
+export function checkNode() {
+  const [major, minor] = process.versions.node.split('.').map(Number);
+  if (major > leastNode[0] || (major === leastNode[0] && minor >= leastNode[1])) return;
+  throw new SetupError(
+    `Slowlight needs Node ${leastNode.join('.')} or newer; this is ${process.versions.node}. See https://nodejs.org`,
+  );
+}
+
+/** npm keeps in node_modules what it has installed there: compare that with what package-lock.json wants. */
+function modulesAreCurrent() {
+  const installedFile = at('node_modules', '.package-lock.json');
+  if (!existsSync(installedFile)) return false;
+  const wanted = JSON.parse(readFileSync(at('package-lock.json'), 'utf8')).packages;
+  const installed = JSON.parse(readFileSync(installedFile, 'utf8')).packages;
+  return Object.entries(wanted).every(
+    ([path, { version, optional }]) => path === '' || optional || installed[path]?.version === version,
+  );
+}
+
+export function ensureModules() {
+  if (modulesAreCurrent()) return;
+  say('Installing packages (npm ci) …');
+  // npm on Windows is a .cmd file, which only a shell can start.
+  run('npm', ['ci', '--include=dev', '--no-audit', '--no-fund'], { shell: process.platform === 'win32' });
+}
+
+// ── System packages ────────────────────────────────────────────────────────────────────────────────────────────────
+
+/** A Debian package, and another sign that what it gives is there already. */
+const systemPackages = {
+  chromium: () => process.env.CHROMIUM ?? onPath('chromium'),
+  ffmpeg: () => onPath('ffmpeg'),
+  libvulkan1: () => sharedLibrary('libvulkan.so.1'),
+  'libegl-mesa0': () => sharedLibrary('libEGL_mesa.so.0'),
+  'libgl1-mesa-dri': () => undefined,
+};
+/** For the tests against Pixar's own USD; they are optional, the rest is not. */
+const oraclePackages = {
+  python3: () => onPath('python3'),
+  'python3-venv': () => ask('python3', ['-c', 'import ensurepip']),
+};
+
+let libraries;
+function sharedLibrary(name) {
+  libraries ??= ask('ldconfig', ['-p']) ?? ask('/sbin/ldconfig', ['-p']) ?? '';
+  return libraries.includes(name);
+}
+
+const isDebian = () => onPath('apt-get') !== undefined && onPath('dpkg-query') !== undefined;
+const isInstalled = (name) => (ask('dpkg-query', ['-W', '-f', '${Status}', name]) ?? '').includes('ok installed');
+
+function missingPackages(wanted) {
+  return Object.entries(wanted)
+    .filter(([name, isThere]) => isThere() === undefined || isThere() === false)
+    .map(([name]) => name)
+    .filter((name) => !isInstalled(name));
+}
+
+function installLine(names) {
+  return `apt-get update && apt-get install -y --no-install-recommends ${names.join(' ')}`;
+}
+
+function aptInstall(names) {
+  say(`Installing system packages (apt): ${names.join(' ')} …`);
+  const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
+  run('apt-get', ['update', '-qq'], { env });
+  run('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...names], { env });
+}
+
+/** Installs what is missing where this may; else says which line a person should run. Returns what is missing still. */
+function ensurePackages(wanted, purpose) {
+  if (process.platform !== 'linux') return otherSystem();
+  if (!isDebian()) return otherSystem();
+  const missing = missingPackages(wanted);
+  if (missing.length === 0) return [];
+  if (process.getuid?.() === 0) {
+    aptInstall(missing);
+    return missingPackages(wanted);
+  }
+  say(`Missing system packages, ${purpose}. Run once:\n\n    sudo sh -c '${installLine(missing)}'\n`);
+  return missing;
+}
+
+function otherSystem() {
+  const missing = ['chromium', 'ffmpeg'].filter((name) => !systemPackages[name]());
+  if (missing.length > 0) {
+    say(`Not a Debian-like system. Please install ${missing.join(' and ')} (CHROMIUM may name the browser's program).`);
+  }
+  return missing;
+}
+
+export const ensureSystem = (purpose) => ensurePackages(systemPackages, purpose);
+
+// ── The build ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+const products = {
+  lib: { inputs: ['src', 'tsconfig.json', 'tsconfig.build.json'], clean: ['lib', 'lib.tsbuildinfo'] },
+  app: { inputs: ['src', 'examples', 'vite.config.ts', 'tsconfig.json'], clean: [] },
+};
+const stampFile = at('dist', '.stamps.json');
+
+function* filesUnder(path) {
+  if (!existsSync(path)) return;
+  const entries = readdirSync(path, { withFileTypes: true }).sort((a, b) => (a.name < b.name ? -1 : 1));
+  for (const entry of entries) {
+    const child = join(path, entry.name);
+    if (entry.isDirectory()) yield* filesUnder(child);
+    else yield child;
+  }
+}
+
+/** Changes when any input's name or content does; not with time stamps, which a fresh checkout sets anew. */
+function fingerprint(inputs) {
+  const hash = createHash('sha256');
+  for (const input of [...inputs, 'package-lock.json', 'scripts/setup.mjs']) {
+    const path = at(input);
+    const files = /\.\w+$/.test(input) ? [path].filter((file) => existsSync(file)) : filesUnder(path);
+    for (const file of files) {
+      if (/\.test\.tsx?$/.test(file)) continue;
+      hash.update(file.slice(root.length).split(sep).join('/')).update('\0').update(readFileSync(file)).update('\0');
+    }
+  }
+  return hash.digest('hex');
+}
+
+const readStamps = () => (existsSync(stampFile) ? JSON.parse(readFileSync(stampFile, 'utf8')) : {});
+
+/** Builds what has changed since it was last built. */
+export function ensureBuilt(...names) {
+  for (const name of names) {
+    const { inputs, clean } = products[name];
+    const stamp = fingerprint(inputs);
+    if (readStamps()[name] === stamp) continue;
+    say(name === 'lib' ? 'Building the library and the command line …' : 'Building the page …');
+    for (const path of clean) rmSync(at('dist', path), { recursive: true, force: true });
+    build(name);
+    mkdirSync(at('dist'), { recursive: true });
+    writeFileSync(stampFile, JSON.stringify({ ...readStamps(), [name]: stamp }));
+  }
+}
+
+function build(name) {
+  if (name === 'lib') run(process.execPath, [at('node_modules/typescript/bin/tsc'), '-p', 'tsconfig.build.json']);
+  else run(process.execPath, [at('node_modules/vite/bin/vite.js'), 'build', '--logLevel', 'warn']);
+}
+
+// ── Pixar's USD, as an independent judge in tests ──────────────────────────────────────────────────────────────────
+
+const usdCore = 'usd-core==25.11';
+
+/** The Python that has usd-core, or undefined with the reason said. Kept in .cache/, never in the system. */
+export function ensureOracle() {
+  const python =
+    process.platform === 'win32'
+      ? at('.cache', 'venv', 'Scripts', 'python.exe')
+      : at('.cache', 'venv', 'bin', 'python');
+  const hasUsd = () => existsSync(python) && ask(python, ['-c', 'from pxr import Usd']) !== undefined;
+  if (hasUsd()) return python;
+  try {
+    if (ensurePackages(oraclePackages, 'for the optional tests against usd-core').length > 0) return undefined;
+    say(`Installing ${usdCore} into .cache/venv (the judge of our USD files) …`);
+    run('python3', ['-m', 'venv', at('.cache', 'venv')]);
+    run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', usdCore]);
+    return hasUsd() ? python : undefined;
+  } catch (error) {
+    if (!(error instanceof SetupError)) throw error;
+    say(error.message);
+    return undefined;
+  }
+}

@@ -1,0 +1,81 @@
+// `npm test`: all the set-up, then every check and test, the quick ones first; stops at the first stage that fails.
+// `npm test -- unit cli` runs some stages only.
+import { spawnSync } from 'node:child_process';
+import { join } from 'node:path';
+import { checkNode, ensureBuilt, ensureModules, ensureOracle, ensureSystem, root, SetupError, say } from './setup.mjs';
+
+const tool = (path, ...args) => ({ path: join(root, 'node_modules', path), args });
+const vitest = (project) => [tool('vitest/vitest.mjs', 'run', '--project', project)];
+
+/** In running order. `needs`: what a stage cannot do without. */
+const stages = {
+  check: {
+    steps: [
+      tool('@biomejs/biome/bin/biome', 'check', '--error-on-warnings', '.'),
+      tool('typescript/bin/tsc', '-p', 'tsconfig.json'),
+      tool('typescript/bin/tsc', '-p', 'tsconfig.core.json'),
+      tool('knip/bin/knip.js'),
+    ],
+  },
+  unit: { steps: vitest('unit') },
+  oracle: { steps: vitest('oracle'), needs: ['python'] },
+  cli: { steps: vitest('cli'), needs: ['system', 'build'] },
+  gpu: { steps: vitest('gpu'), needs: ['system'] },
+  e2e: { steps: vitest('e2e'), needs: ['system', 'build'] },
+};
+
+const results = [];
+try {
+  checkNode();
+  ensureModules();
+  const chosen = choose(process.argv.slice(2));
+  const need = new Set(chosen.flatMap((name) => stages[name].needs ?? []));
+  if (need.has('system')) requireSystem();
+  const python = need.has('python') ? ensureOracle() : undefined;
+  if (need.has('build')) ensureBuilt('lib', 'app');
+  for (const name of chosen) runStage(name, python);
+} catch (error) {
+  if (!(error instanceof SetupError)) throw error;
+  console.error(`\nnpm test: ${error.message}`);
+  process.exitCode = 1;
+}
+summarize();
+
+function choose(names) {
+  const unknown = names.filter((name) => !(name in stages));
+  if (unknown.length > 0) {
+    throw new SetupError(`no stage ${unknown.join(', ')}; there are ${Object.keys(stages).join(', ')}.`);
+  }
+  return Object.keys(stages).filter((name) => names.length === 0 || names.includes(name));
+}
+
+function requireSystem() {
+  const missing = ensureSystem('which the tests need');
+  if (missing.length === 0) return;
+  throw new SetupError(
+    `${missing.join(', ')} missing: see the line above. Without them: npm test -- check unit oracle`,
+  );
+}
+
+function runStage(name, python) {
+  if (stages[name].needs?.includes('python') && !python) {
+    results.push([name, 'NOT RUN: it needs Python 3 with venv, and usd-core from PyPI']);
+    return;
+  }
+  console.log(`\n\x1b[1m── ${name}\x1b[0m`);
+  const began = Date.now();
+  for (const { path, args } of stages[name].steps) {
+    const env = { ...process.env, ...(python && { SLOWLIGHT_PYTHON: python }) };
+    const done = spawnSync(process.execPath, [path, ...args], { cwd: root, stdio: 'inherit', env });
+    if (done.status === 0) continue;
+    results.push([name, `FAILED (${args.join(' ') || path})`]);
+    throw new SetupError(`${name} failed.`);
+  }
+  results.push([name, `passed in ${((Date.now() - began) / 1000).toFixed(0)} s`]);
+}
+
+function summarize() {
+  if (results.length === 0) return;
+  console.log('\n\x1b[1m── summary\x1b[0m');
+  for (const [name, result] of results) console.log(`${name.padEnd(8)}${result}`);
+}
