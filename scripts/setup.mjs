@@ -83,14 +83,13 @@ function sharedLibrary(name) {
   return libraries.includes(name);
 }
 
-const isDebian = () => onPath('apt-get') !== undefined && onPath('dpkg-query') !== undefined;
-const isInstalled = (name) => (ask('dpkg-query', ['-W', '-f', '${Status}', name]) ?? '').includes('ok installed');
+const isDebian = () => onPath('apt-get') !== undefined && onPath('dpkg') !== undefined;
+const isInstalled = (name) => (ask('dpkg', ['-s', name]) ?? '').includes('Status: install ok installed');
 
 function missingPackages(wanted) {
   return Object.entries(wanted)
-    .filter(([name, isThere]) => isThere() === undefined || isThere() === false)
-    .map(([name]) => name)
-    .filter((name) => !isInstalled(name));
+    .filter(([name, isThere]) => !isThere() && !isInstalled(name))
+    .map(([name]) => name);
 }
 
 function installLine(names) {

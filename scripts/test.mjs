@@ -2,7 +2,7 @@
 // `npm test -- unit cli` runs some stages only.
 import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
-import { checkNode, ensureBuilt, ensureModules, ensureOracle, ensureSystem, root, SetupError, say } from './setup.mjs';
+import { checkNode, ensureBuilt, ensureModules, ensureOracle, ensureSystem, root, SetupError } from './setup.mjs';
 
 const tool = (path, ...args) => ({ path: join(root, 'node_modules', path), args });
 const vitest = (project) => [tool('vitest/vitest.mjs', 'run', '--project', project)];
