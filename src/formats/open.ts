@@ -1,0 +1,68 @@
+import { InputError, type Scene } from '../scene/types.ts';
+import { formatBytes, inputError, messageOf } from './fail.ts';
+import { formatOf, type ReadOptions, sceneFormats } from './registry.ts';
+import { extensionOf, type FileSource, normalizePath } from './source.ts';
+
+export interface OpenOptions extends ReadOptions {
+  /** Most bytes read for one scene, all its files together. */
+  readonly maxBytes?: number;
+}
+
+/** 2 GiB: what one typed array holds everywhere. */
+const MAX_BYTES = 2 ** 31;
+
+/**
+ * Reads a scene. Throws an InputError, and nothing else, where the file is missing, empty, too large, damaged or of a
+ * kind that no reader knows.
+ */
+export async function openScene(files: FileSource, entry: string, options: OpenOptions = {}): Promise<Scene> {
+  const path = normalizePath(entry);
+  const format = formatOf(path);
+  if (!format) throw unknownFormat(path);
+  const source = boundedSource(files, options.maxBytes ?? MAX_BYTES);
+  const bytes = await source.read(path);
+  if (!bytes) throw await missingFile(files, path);
+  if (bytes.length === 0) throw inputError('file.empty', path, 'the file is empty (0 bytes); export or copy it again');
+  try {
+    return await format.read(source, path, options);
+  } catch (thrown) {
+    if (thrown instanceof InputError) throw thrown;
+    const message = `cannot be read as ${format.name}: ${messageOf(thrown)}; the file may be damaged, export it again`;
+    throw inputError('file.unreadable', path, message, thrown);
+  }
+}
+
+function unknownFormat(path: string): InputError {
+  const known = sceneFormats.map((f) => `${f.name} (${f.extensions.map((e) => `.${e}`).join(', ')})`).join(' and ');
+  const extension = extensionOf(path);
+  const what = extension ? `.${extension} is not a scene format that can be opened` : 'the name has no extension';
+  return inputError('file.unknown-format', path, `${what}; ${known} can`);
+}
+
+async function missingFile(files: FileSource, path: string): Promise<InputError> {
+  const known = (await files.list?.())?.filter((file) => formatOf(file)) ?? [];
+  const hint = known.length > 0 ? `; there is ${known.slice(0, 5).join(', ')}` : '';
+  return inputError('file.missing', path, `no such file${hint}`);
+}
+
+/** The same files, each read once, with a bound on what they hold together. */
+function boundedSource(files: FileSource, maxBytes: number): FileSource {
+  const held = new Map<string, Promise<Uint8Array | undefined>>();
+  let total = 0;
+  const load = async (path: string): Promise<Uint8Array | undefined> => {
+    const bytes = await files.read(path);
+    total += bytes?.length ?? 0;
+    if (total > maxBytes) {
+      const message = `with this file the scene takes ${formatBytes(total)}, more than the ${formatBytes(maxBytes)} that are read; use smaller textures or fewer samples`;
+      throw inputError('file.too-large', path, message);
+    }
+    return bytes;
+  };
+  const read = (path: string): Promise<Uint8Array | undefined> => {
+    const key = normalizePath(path);
+    const bytes = held.get(key) ?? load(key);
+    held.set(key, bytes);
+    return bytes;
+  };
+  return files.list ? { read, list: () => files.list!() } : { read };
+}

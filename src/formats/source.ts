@@ -1,0 +1,43 @@
+/**
+ * Where a scene's files come from: a folder on disk, files dropped on the page, a web server, memory. Paths use '/' and
+ * are relative to the folder of the source; `..` may lead out of it, where the source allows that.
+ */
+export interface FileSource {
+  /** The file's bytes, or undefined where there is no such file. */
+  read(path: string): Promise<Uint8Array | undefined>;
+  /** Every file there is, where that can be told; for messages and suggestions. */
+  list?(): Promise<string[]>;
+}
+
+/** Files held in memory, by path. */
+export function memorySource(files: Readonly<Record<string, Uint8Array>>): FileSource {
+  const byPath = new Map(Object.entries(files).map(([path, bytes]) => [normalizePath(path), bytes]));
+  return {
+    read: async (path) => byPath.get(normalizePath(path)),
+    list: async () => [...byPath.keys()],
+  };
+}
+
+/** `./a//b/../c` → `a/c`. A leading `..` stays, and so does a leading `/`. */
+export function normalizePath(path: string): string {
+  const parts: string[] = [];
+  for (const part of path.replaceAll('\\', '/').split('/')) {
+    if (part === '' || part === '.') continue;
+    if (part === '..' && parts.length > 0 && parts.at(-1) !== '..') parts.pop();
+    else parts.push(part);
+  }
+  return (path.startsWith('/') ? '/' : '') + parts.join('/');
+}
+
+/** The path of what `file` refers to as `reference`: relative to the folder of `file`, unless it is absolute. */
+export function resolvePath(file: string, reference: string): string {
+  if (reference.startsWith('/')) return normalizePath(reference);
+  return normalizePath(`${file.slice(0, file.lastIndexOf('/') + 1)}${reference}`);
+}
+
+/** `a/b/Scene.GLB` → `glb`; empty where the name has no extension. */
+export function extensionOf(path: string): string {
+  const name = path.slice(path.lastIndexOf('/') + 1);
+  const dot = name.lastIndexOf('.');
+  return dot > 0 ? name.slice(dot + 1).toLowerCase() : '';
+}
