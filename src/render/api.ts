@@ -1,0 +1,28 @@
+import type { Scene } from '../scene/types.ts';
+import type { AovName, PickResult, RendererInfo, RenderSettings, ViewPoint } from './settings.ts';
+
+/**
+ * What a page, a command line and a benchmark may ask of the renderer; `SceneRenderer` (renderer.ts) is the one that does it:
+ * `const renderer = await SceneRenderer.create({ canvas })`. Pixels have their rows from the top, on every backend.
+ */
+export interface PictureMaker {
+  readonly info: RendererInfo;
+  readonly width: number;
+  readonly height: number;
+  /** Uploads a scene in place of the one before; the scene is not changed and may be shared. */
+  setScene(scene: Scene): Promise<void>;
+  /** Size of the picture in device pixels. */
+  setSize(width: number, height: number): void;
+  /**
+   * Makes one picture, and shows it where there is a canvas. `samples`: n × n ordered samples per pixel; 1 is antialiased
+   * by FXAA instead. Synchronous: the GPU may still be at work when it returns.
+   */
+  render(viewPoint: ViewPoint, settings: RenderSettings, samples?: number): void;
+  /** The last picture, sRGB, RGBA8. Also the way to wait for the GPU. */
+  readPixels(): Promise<Uint8Array>;
+  /** Of the last picture; as many values per pixel as the AOV has channels. */
+  readAov(name: AovName): Promise<Float32Array>;
+  /** What opaque surface is at a pixel of the last picture (from the top left); undefined: none. */
+  pick(x: number, y: number): Promise<PickResult | undefined>;
+  dispose(): void;
+}
