@@ -1,0 +1,287 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { applyCommand, type Command } from './commands.ts';
+import { emptyDocument, type GraphDocument, parseDocument, serializeDocument } from './document.ts';
+import { CancelledError, Evaluator } from './evaluate.ts';
+import { endGesture, execute, newHistory, redo, undo } from './history.ts';
+import { CURRENT_VERSION, migrate } from './migrations.ts';
+import { NodeRefusal, type NodeType, refuseValue, resolveParams } from './nodeType.ts';
+import { refuseEdge, validateDocument } from './validate.ts';
+
+/** A toy library of numbers: `value` → `sum` → `sum`. */
+const runs: string[] = [];
+const value: NodeType = {
+  id: 'value',
+  title: 'value',
+  help: 'value',
+  category: 'utility',
+  params: { value: { kind: 'number', title: 'value', default: 1, min: -100, max: 100, step: 1 } },
+  inputs: {},
+  outputs: { number: { type: 'number' } },
+  evaluate: (_inputs, params, work) => {
+    runs.push(work.node);
+    const result = params.value as number;
+    if (result === 13)
+      throw new NodeRefusal({ severity: 'error', code: 'test.unlucky', place: work.node, message: '13 is refused' });
+    return { number: result };
+  },
+};
+const sum: NodeType = {
+  ...value,
+  id: 'sum',
+  params: {},
+  inputs: { a: { type: 'number' }, b: { type: 'number', optional: true } },
+  evaluate: async (inputs, _params, work) => {
+    runs.push(work.node);
+    return { number: (inputs.a as number) + ((inputs.b as number | undefined) ?? 0) };
+  },
+};
+const text: NodeType = { ...value, id: 'text', params: {}, outputs: { text: { type: 'text' } } };
+const registry = { value, sum, text };
+
+const add = (node: string, type: string): Command => ({ kind: 'add-node', node, type, at: [0, 0] });
+const edge = (from: string, to: string, input: string, output = 'number') => ({
+  from: { node: from, output },
+  to: { node: to, input },
+});
+const build = (...commands: Command[]): GraphDocument =>
+  applyCommand(emptyDocument(), { kind: 'batch', commands }).document;
+const example = () =>
+  build(
+    add('x', 'value'),
+    add('y', 'value'),
+    add('s', 'sum'),
+    { kind: 'connect', edge: edge('x', 's', 'a') },
+    { kind: 'connect', edge: edge('y', 's', 'b') },
+  );
+const set = (node: string, number?: number): Command => ({
+  kind: 'set-param',
+  node,
+  param: 'value',
+  ...(number === undefined ? {} : { value: number }),
+});
+
+describe('the document', () => {
+  it('comes back from its text', () => {
+    const document = example();
+    expect(parseDocument(serializeDocument(document))).toEqual(document);
+  });
+
+  it('has one text, in whatever order it was made', () => {
+    const one = build(add('b', 'value'), add('a', 'value'));
+    const other = build(add('a', 'value'), add('b', 'value'));
+    expect(serializeDocument(one)).toBe(serializeDocument(other));
+  });
+
+  it.each([
+    ['{', /not JSON/],
+    ['[]', /expected/i],
+    [JSON.stringify({ ...example(), version: CURRENT_VERSION + 1 }), /^version/],
+    [JSON.stringify({ ...example(), extra: 1 }), /extra/],
+    [JSON.stringify({ ...example(), nodes: { x: { type: 'value' } } }), /nodes\.x\.params/],
+  ])('refuses %s with the place', (input, message) => {
+    expect(() => parseDocument(input)).toThrow(message);
+  });
+
+  it('migrates step by step', () => {
+    const steps = {
+      1: (data: Record<string, unknown>) => ({ ...data, trace: '1' }),
+      2: (data: Record<string, unknown>) => ({ ...data, trace: `${String(data.trace)}2` }),
+    };
+    expect(migrate({ version: 1 }, steps, 3)).toEqual({ version: 3, trace: '12' });
+    expect(migrate('no document')).toBe('no document');
+  });
+});
+
+describe('commands', () => {
+  const ids = fc.constantFrom('a', 'b', 'c', 'd');
+  const anyCommand: fc.Arbitrary<Command> = fc.oneof(
+    fc.record({
+      kind: fc.constant('add-node' as const),
+      node: ids,
+      type: fc.constantFrom('value', 'sum'),
+      at: point(),
+    }),
+    fc.record({ kind: fc.constant('remove-node' as const), node: ids }),
+    fc.record({ kind: fc.constant('move-node' as const), node: ids, to: point() }),
+    fc.record({ kind: fc.constant('set-param' as const), node: ids, param: fc.constant('value'), value: fc.integer() }),
+    fc.record({ kind: fc.constant('set-param' as const), node: ids, param: fc.constant('value') }),
+    fc.tuple(ids, ids, fc.constantFrom('a', 'b')).map(([from, to, input]) => ({
+      kind: 'connect' as const,
+      edge: edge(from, to, input),
+    })),
+    fc.record({ kind: fc.constant('disconnect' as const), to: fc.record({ node: ids, input: fc.constant('a') }) }),
+  );
+  function point() {
+    return fc.tuple(fc.integer(), fc.integer());
+  }
+
+  it('undo and redo are exact for any sequence, with any gestures', () => {
+    const step = fc.tuple(anyCommand, fc.option(fc.constantFrom('g', 'h'), { nil: undefined }));
+    fc.assert(
+      fc.property(fc.array(step, { maxLength: 30 }), (steps) => {
+        let history = newHistory(emptyDocument());
+        for (const [command, gesture] of steps) {
+          try {
+            history = execute(history, command, command.kind, gesture);
+          } catch {}
+        }
+        const walk = [serializeDocument(history.document)];
+        for (; history.past.length > 0; history = undo(history)) walk.push(serializeDocument(undo(history).document));
+        expect(walk.at(-1)).toBe(serializeDocument(emptyDocument()));
+        for (const state of walk.slice(0, -1).reverse()) {
+          history = redo(history);
+          expect(serializeDocument(history.document)).toBe(state);
+        }
+        expect(history.past.length).toBe(walk.length - 1);
+      }),
+      { numRuns: 300 },
+    );
+  });
+
+  it('one drag is one step', () => {
+    let history = newHistory(example());
+    for (let i = 0; i < 20; i++) history = execute(history, set('x', i), 'value', 'drag');
+    expect(history.past).toHaveLength(1);
+    history = execute(endGesture(history), set('x', 50), 'value', 'drag');
+    expect(history.past).toHaveLength(2);
+    expect(undo(undo(history)).document).toEqual(example());
+  });
+
+  it('an edit that changes nothing is no step', () => {
+    const history = execute(newHistory(example()), set('x'), 'value');
+    expect(history.past).toHaveLength(0);
+  });
+
+  it('a refused command leaves the document alone', () => {
+    const document = example();
+    expect(() => applyCommand(document, set('nobody', 1))).toThrow(/no node "nobody"/);
+    expect(() => applyCommand(document, add('x', 'sum'))).toThrow(/already a node/);
+    expect(document).toEqual(example());
+  });
+
+  it('removing a node removes its edges, and undo brings them back', () => {
+    const history = execute(newHistory(example()), { kind: 'remove-node', node: 'x' }, 'remove');
+    expect(Object.keys(history.document.edges)).toEqual(['s.b']);
+    expect(undo(history).document).toEqual(example());
+  });
+});
+
+describe('validation', () => {
+  it('a whole document has no problems', () => {
+    expect(validateDocument(example(), registry)).toEqual([]);
+  });
+
+  it('names what is wrong', () => {
+    const document = build(
+      add('s', 'sum'),
+      add('t', 'text'),
+      add('odd', 'nothing'),
+      add('v', 'value'),
+      set('v', 1000),
+      { kind: 'connect', edge: edge('t', 's', 'a', 'text') },
+    );
+    const codes = validateDocument(document, registry).map((problem) => `${problem.code} ${problem.place}`);
+    expect(codes.sort()).toEqual(['graph.edge s', 'graph.param v.value', 'graph.unknown-node odd']);
+  });
+
+  it('refuses a circle of any length', () => {
+    const document = build(add('a', 'sum'), add('b', 'sum'), { kind: 'connect', edge: edge('a', 'b', 'a') });
+    expect(refuseEdge(document, edge('b', 'a', 'a'), registry)).toMatch(/circle/);
+    expect(refuseEdge(document, edge('a', 'a', 'a'), registry)).toMatch(/circle/);
+    expect(refuseEdge(document, edge('a', 'b', 'b'), registry)).toBeUndefined();
+    expect(refuseEdge(document, edge('a', 'b', 'z'), registry)).toMatch(/no input "z"/);
+  });
+
+  it('checks values against their descriptions', () => {
+    const number = value.params.value!;
+    expect(refuseValue(number, 5)).toBeUndefined();
+    expect(refuseValue(number, Number.NaN)).toMatch(/not a number/);
+    expect(refuseValue({ ...number, integer: true } as typeof number, 0.5)).toMatch(/whole/);
+    expect(refuseValue({ kind: 'boolean', title: '', default: true }, 'yes')).toMatch(/not a boolean/);
+    const choice = { kind: 'choice', title: '', default: 'a', options: [{ value: 'a', title: '' }] } as const;
+    expect(refuseValue(choice, 'b')).toMatch(/none of the choices/);
+  });
+
+  it('a parameter is as set, else suggested, else the default', () => {
+    const suggested = { ...value, params: { value: { ...value.params.value!, suggestion: 'c' } } } as NodeType;
+    expect(resolveParams(value, {})).toEqual({ value: 1 });
+    expect(resolveParams(suggested, {})).toEqual({ value: undefined });
+    expect(resolveParams(suggested, { value: 3 })).toEqual({ value: 3 });
+  });
+});
+
+describe('evaluation', () => {
+  const evaluate = async (evaluator: Evaluator<unknown>, document: GraphDocument, target = 's') => {
+    runs.length = 0;
+    const { target: result } = await evaluator.evaluate(document, target, {});
+    return { result, ran: [...runs].sort() };
+  };
+
+  it('runs only what the target needs, and after an edit only what depends on it', async () => {
+    const evaluator = new Evaluator(registry);
+    const document = applyCommand(applyCommand(example(), add('idle', 'value')).document, set('y', 2)).document;
+    expect(await evaluate(evaluator, document)).toEqual({
+      result: { status: 'done', outputs: { number: 3 } },
+      ran: ['s', 'x', 'y'],
+    });
+    const edited = applyCommand(document, set('y', 5)).document;
+    expect((await evaluate(evaluator, edited)).ran).toEqual(['s', 'y']);
+    expect((await evaluate(evaluator, document)).ran).toEqual([]);
+  });
+
+  it('equal content is computed once', async () => {
+    expect((await evaluate(new Evaluator(registry), example())).ran.filter((id) => id !== 's')).toHaveLength(1);
+  });
+
+  it('an error stays on its node with its cause, and blocks what follows', async () => {
+    const document = applyCommand(example(), set('x', 13)).document;
+    const evaluation = await new Evaluator(registry).evaluate(document, 's', {});
+    expect(evaluation.target).toEqual({ status: 'blocked', by: 'x' });
+    expect(evaluation.results.get('x')).toMatchObject({
+      status: 'failed',
+      problem: { code: 'test.unlucky', place: 'x' },
+    });
+  });
+
+  it('a circle and a missing input are problems, not hangs', async () => {
+    const circle = build(add('a', 'sum'), { kind: 'connect', edge: edge('a', 'a', 'a') });
+    expect((await evaluate(new Evaluator(registry), circle, 'a')).result).toMatchObject({
+      problem: { code: 'graph.cycle' },
+    });
+    expect((await evaluate(new Evaluator(registry), build(add('a', 'sum')), 'a')).result).toMatchObject({
+      problem: { code: 'graph.input' },
+    });
+  });
+
+  it('stops where it is cancelled', async () => {
+    const abort = new AbortController();
+    abort.abort();
+    const evaluation = new Evaluator(registry).evaluate(example(), 's', {}, { signal: abort.signal });
+    await expect(evaluation).rejects.toThrow(CancelledError);
+  });
+
+  it('two evaluations at once share the work', async () => {
+    let started = 0;
+    const slow: NodeType = {
+      ...value,
+      evaluate: async () => {
+        started++;
+        await new Promise((done) => setTimeout(done, 5));
+        return { number: 1 };
+      },
+    };
+    const evaluator = new Evaluator({ value: slow });
+    const document = build(add('x', 'value'));
+    await Promise.all([evaluator.evaluate(document, 'x', {}), evaluator.evaluate(document, 'x', {})]);
+    expect(started).toBe(1);
+  });
+
+  it('forgets the least recently used result first', async () => {
+    const evaluator = new Evaluator(registry, 2);
+    const at = (number: number) => evaluate(evaluator, build(add('x', 'value'), set('x', number)), 'x');
+    for (const number of [1, 2, 1, 3]) await at(number);
+    expect((await at(1)).ran).toEqual([]);
+    expect((await at(2)).ran).toEqual(['x']);
+  });
+});

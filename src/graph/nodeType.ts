@@ -1,0 +1,145 @@
+import type { ParamValue } from './document.ts';
+
+/**
+ * How a node type describes itself. Panels, menus, the reference pages and the tests are made from these descriptions,
+ * so that a new node is one file.
+ */
+export interface Socket<Type extends string = string> {
+  /** Two sockets connect where their types are the same. */
+  readonly type: Type;
+  /** An input without a source is an error, unless it is optional. */
+  readonly optional?: boolean;
+}
+
+interface ParamBase {
+  /** Key of the catalogue of messages. */
+  readonly title: string;
+  /** Key of the sentence that explains it. */
+  readonly help?: string;
+  /** Matters only while another parameter of the node has this value. */
+  readonly onlyWhen?: { readonly param: string; readonly is: ParamValue };
+}
+export interface NumberParam extends ParamBase {
+  readonly kind: 'number';
+  readonly default: number;
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+  /** `log`: a control moves in equal ratios. `approach`: in equal steps of how near the value comes to 1. */
+  readonly scale?: 'linear' | 'log' | 'approach';
+  /** As written beside the number: `m/s`, `c`, `EV`, `°`. */
+  readonly unit?: string;
+  readonly integer?: boolean;
+  /** While the parameter is not set, what the scene suggests under this name comes before the default. */
+  readonly suggestion?: string;
+}
+export interface BooleanParam extends ParamBase {
+  readonly kind: 'boolean';
+  readonly default: boolean;
+}
+export interface ChoiceParam<Value extends string = string> extends ParamBase {
+  readonly kind: 'choice';
+  readonly default: Value;
+  readonly options: readonly { readonly value: Value; readonly title: string }[];
+}
+export interface TextParam extends ParamBase {
+  readonly kind: 'text';
+  readonly default: string;
+  /** Not shown as a field of its own: a special control of the program sets it (the opened file). */
+  readonly hidden?: boolean;
+}
+export type ParamSpec = NumberParam | BooleanParam | ChoiceParam | TextParam;
+
+/** The value that a node's code gets for a parameter. */
+export type ParamOf<Spec> =
+  Spec extends ChoiceParam<infer Value>
+    ? Value
+    : Spec extends { readonly suggestion: string }
+      ? number | undefined
+      : Spec extends NumberParam
+        ? number
+        : Spec extends BooleanParam
+          ? boolean
+          : string;
+
+/** What an `AbortSignal` is, as far as the engine needs it. */
+export interface Cancellation {
+  readonly aborted: boolean;
+  addEventListener(type: 'abort', listener: () => void): void;
+}
+
+export interface Work<Services> {
+  readonly services: Services;
+  readonly signal?: Cancellation;
+  /** Reports a part done, 0 … 1, and what is being done. */
+  readonly progress: (part: number, what?: string) => void;
+}
+
+/** Cause and remedy of a refusal, as it is shown on the node. */
+export interface Problem {
+  readonly severity: 'error' | 'warning';
+  readonly code: string;
+  /** Node, or file and prim path. */
+  readonly place: string;
+  readonly message: string;
+  /** A change of a parameter that would put it right. */
+  readonly remedy?: { readonly node: string; readonly param: string; readonly value: ParamValue };
+}
+
+/** Thrown by a node's evaluation to refuse its inputs; the engine sets it on the node. */
+export class NodeRefusal extends Error {
+  readonly problem: Problem;
+  constructor(problem: Problem) {
+    super(problem.message);
+    this.name = 'NodeRefusal';
+    this.problem = problem;
+  }
+}
+
+/** A node type with its types erased, as the engine and the panels see it. */
+export interface NodeType<Services = unknown> {
+  readonly id: string;
+  readonly title: string;
+  readonly help: string;
+  readonly category: 'geometry' | 'composition' | 'render' | 'utility';
+  readonly params: Readonly<Record<string, ParamSpec>>;
+  readonly inputs: Readonly<Record<string, Socket>>;
+  readonly outputs: Readonly<Record<string, Socket>>;
+  evaluate(
+    inputs: Readonly<Record<string, unknown>>,
+    params: Readonly<Record<string, ParamValue | undefined>>,
+    work: Work<Services> & { readonly node: string },
+  ): Record<string, unknown> | Promise<Record<string, unknown>>;
+}
+
+export type Registry<Services = unknown> = Readonly<Record<string, NodeType<Services>>>;
+
+/** Every parameter with its value: as set, else the default; undefined where the scene may suggest one. */
+export function resolveParams(
+  type: NodeType,
+  set: Readonly<Record<string, ParamValue>>,
+): Record<string, ParamValue | undefined> {
+  return Object.fromEntries(
+    Object.entries(type.params).map(([name, spec]) => {
+      if (Object.hasOwn(set, name)) return [name, set[name]];
+      return [name, spec.kind === 'number' && spec.suggestion ? undefined : spec.default];
+    }),
+  );
+}
+
+/** Why a value cannot stand for a parameter, or undefined where it can. */
+export function refuseValue(spec: ParamSpec, value: ParamValue): string | undefined {
+  if (spec.kind === 'number') return refuseNumber(spec, value);
+  if (spec.kind === 'choice')
+    return spec.options.some((option) => option.value === value)
+      ? undefined
+      : `${String(value)} is none of the choices`;
+  const wanted = spec.kind === 'boolean' ? 'boolean' : 'string';
+  return typeof value === wanted ? undefined : `${String(value)} is not a ${wanted}`;
+}
+
+function refuseNumber(spec: NumberParam, value: ParamValue): string | undefined {
+  if (typeof value !== 'number' || !Number.isFinite(value)) return `${String(value)} is not a number`;
+  if (spec.integer && !Number.isInteger(value)) return `${value} is not a whole number`;
+  return value < spec.min || value > spec.max ? `${value} is outside ${spec.min} … ${spec.max}` : undefined;
+}
