@@ -1,0 +1,7 @@
+export { type ExrChannel, type ExrImage, writeExr } from './exr.ts';
+export { readExr } from './exrRead.ts';
+export { type DecodedImage, decodeImage } from './images.ts';
+export { type OpenOptions, openScene } from './open.ts';
+export { encodePng } from './png.ts';
+export { formatOf, type ReadOptions, type SceneFormat, sceneFormats } from './registry.ts';
+export { extensionOf, type FileSource, memorySource, normalizePath, resolvePath } from './source.ts';
