@@ -1,0 +1,80 @@
+import { existsSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { basename, dirname, join, resolve } from 'node:path';
+import { EXIT, inputProblem } from './exit.ts';
+
+/**
+ * A file that appears under its name only when it is whole: it is written beside and then renamed. Ctrl-C and failures
+ * remove what was begun.
+ */
+export class OutputFile {
+  readonly path: string;
+  /** Write here, then `commit`. */
+  readonly temporary: string;
+
+  constructor(path: string) {
+    this.path = resolve(path);
+    this.temporary = join(dirname(this.path), `.${basename(this.path)}.${process.pid}.partial`);
+    checkWritable(this.path);
+    watchSignals();
+    begun.add(this);
+  }
+
+  write(bytes: Uint8Array): void {
+    writeFileSync(this.temporary, bytes);
+  }
+
+  commit(): void {
+    renameSync(this.temporary, this.path);
+    begun.delete(this);
+  }
+
+  discard(): void {
+    rmSync(this.temporary, { force: true });
+    begun.delete(this);
+  }
+}
+
+/** Writes one whole file. */
+export function writeWhole(path: string, bytes: Uint8Array): void {
+  const file = new OutputFile(path);
+  try {
+    file.write(bytes);
+    file.commit();
+  } finally {
+    file.discard();
+  }
+}
+
+/** Said before the work begins, not after hours of it. */
+export function checkWritable(path: string): void {
+  const folder = dirname(resolve(path));
+  if (!existsSync(folder)) throw inputProblem(`${path}: there is no folder ${folder} to write into; make it first`);
+  if (existsSync(path) && statSync(path).isDirectory()) throw inputProblem(`${path} is a folder; name a file`);
+}
+
+const begun = new Set<OutputFile>();
+/** Programs that were started for the output, as ffmpeg. */
+const helpers = new Set<{ kill(signal: NodeJS.Signals): unknown }>();
+
+/** Stops `helper` too when this program is stopped; returns how to forget it. */
+export function stopWithUs(helper: { kill(signal: NodeJS.Signals): unknown }): () => void {
+  watchSignals();
+  helpers.add(helper);
+  return () => helpers.delete(helper);
+}
+
+let watching = false;
+
+function watchSignals(): void {
+  if (watching) return;
+  watching = true;
+  process.once('SIGINT', () => stop(EXIT.cancelled));
+  process.once('SIGTERM', () => stop(143));
+}
+
+function stop(exitCode: number): never {
+  for (const helper of helpers) helper.kill('SIGKILL');
+  for (const file of [...begun]) file.discard();
+  if (process.stderr.isTTY) process.stderr.write('\n');
+  process.exit(exitCode);
+}

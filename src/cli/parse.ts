@@ -1,0 +1,92 @@
+import { InvalidArgumentError } from 'commander';
+import { length, type Vec3 } from '../math/vec3.ts';
+import { AOVS, type AovName } from '../render/settings.ts';
+
+/** Readers of flag values. Each throws an InvalidArgumentError, which names what was expected. */
+
+export function parseNumber(text: string): number {
+  const value = Number(text);
+  if (text.trim() === '' || !Number.isFinite(value)) throw new InvalidArgumentError('Expected a number.');
+  return value;
+}
+
+/** A number with a condition, told in the message where it fails. */
+const numberWhere =
+  (condition: (value: number) => boolean, expected: string) =>
+  (text: string): number => {
+    const value = parseNumber(text);
+    if (!condition(value)) throw new InvalidArgumentError(`Expected ${expected}.`);
+    return value;
+  };
+
+export const parsePositive = numberWhere((x) => x > 0, 'a number above 0');
+export const parseFraction = numberWhere((x) => x >= 0 && x <= 1, 'a number from 0 to 1');
+export const parseDamping = numberWhere((x) => x > 0 && x <= 1, 'a number above 0 and at most 1');
+export const parseFov = numberWhere((x) => x > 0 && x < 180, 'degrees between 0 and 180');
+export const parseIterations = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 64, 'a whole number, 1 to 64');
+export const parseSamples = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 16, 'a whole number, 1 to 16');
+export const parsePort = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 65535, 'a port, 0 to 65535');
+
+export function parseVec3(text: string): Vec3 {
+  const parts = text.split(',');
+  if (parts.length !== 3) throw new InvalidArgumentError('Expected three numbers, X,Y,Z.');
+  const [x, y, z] = parts.map(parseNumber) as [number, number, number];
+  return [x, y, z];
+}
+
+/** A velocity in units of c. */
+export function parseBeta(text: string): Vec3 {
+  const beta = parseVec3(text);
+  if (length(beta) >= 1) {
+    throw new InvalidArgumentError(
+      `Its length is ${length(beta)}, and nothing with mass reaches 1 (the speed of light).`,
+    );
+  }
+  return beta;
+}
+
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+export function parseSize(text: string): Size {
+  const match = /^(\d+)[x×](\d+)$/i.exec(text.trim());
+  const width = Number(match?.[1]);
+  const height = Number(match?.[2]);
+  if (!(width >= 1 && height >= 1 && width <= 16384 && height <= 16384)) {
+    throw new InvalidArgumentError('Expected WIDTHxHEIGHT in pixels, like 1280x720.');
+  }
+  return { width, height };
+}
+
+export interface FrameRange {
+  readonly first: number;
+  readonly last: number;
+}
+
+/** `A:B`, both included. */
+export function parseFrames(text: string): FrameRange {
+  const match = /^(-?\d+):(-?\d+)$/.exec(text.trim());
+  const first = Number(match?.[1]);
+  const last = Number(match?.[2]);
+  if (!match || last < first) throw new InvalidArgumentError('Expected FIRST:LAST, two whole numbers, like 1:48.');
+  return { first, last };
+}
+
+export function parseAovs(text: string): AovName[] {
+  const names = text.split(',').map((name) => name.trim());
+  const unknown = names.filter((name) => !(name in AOVS));
+  if (unknown.length > 0) {
+    throw new InvalidArgumentError(`There is no AOV ${unknown.join(', ')}; there are ${Object.keys(AOVS).join(', ')}.`);
+  }
+  return [...new Set(names)] as AovName[];
+}
+
+/** Pixel coordinates from the top left; the centre of the first pixel is 0,0. */
+export function parsePixel(text: string): readonly [number, number] {
+  const parts = text.split(',');
+  if (parts.length !== 2) throw new InvalidArgumentError('Expected two numbers, X,Y.');
+  const [x, y] = parts.map(parseNumber) as [number, number];
+  return [x, y];
+}

@@ -1,0 +1,29 @@
+/** One line on a terminal that is written over; silent where standard error is not a terminal. */
+export class Progress {
+  private shown = false;
+  private readonly began = performance.now();
+
+  show(text: string): void {
+    if (!process.stderr.isTTY) return;
+    process.stderr.write(`\r\x1b[2K${text}`);
+    this.shown = true;
+  }
+
+  /** `done` of `total` frames, with the time that is left if it goes on so. */
+  frames(done: number, total: number): void {
+    const elapsed = (performance.now() - this.began) / 1000;
+    const left = done > 0 ? `, ${duration((elapsed / done) * (total - done))} left` : '';
+    this.show(`frame ${done}/${total}${left}`);
+  }
+
+  clear(): void {
+    if (this.shown) process.stderr.write('\r\x1b[2K');
+    this.shown = false;
+  }
+}
+
+/** 75 → `1 min 15 s`. */
+function duration(seconds: number): string {
+  const whole = Math.ceil(seconds);
+  return whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${whole % 60} s`;
+}
