@@ -1,0 +1,11 @@
+export type { BuiltMesh } from './geometry.ts';
+export { gatherPoints, makeMesh } from './geometry.ts';
+export { mergeMeshes, transformMesh, withMaterial } from './meshOps.ts';
+export { cornerNormals, deformedNormals, smoothingGroups } from './normals.ts';
+export type { Polygons, PolygonValues } from './polygons.ts';
+export type { Axis, Band, RoundOptions } from './primitives.ts';
+export { box, capsule, cone, cylinder, grid, plane, revolve, sphere, torus } from './primitives.ts';
+export type { Subdivision } from './subdivide.ts';
+export { subdivideLongEdges, subdivideObject } from './subdivide.ts';
+export type * from './types.ts';
+export { InputError } from './types.ts';

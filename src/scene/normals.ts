@@ -1,0 +1,105 @@
+import { cross, dot, length, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { forEachFace, type Polygons, pointAt } from './polygons.ts';
+import { newellNormal } from './triangulate.ts';
+import type { Mesh } from './types.ts';
+
+/**
+ * A normal for each corner: the mean, weighted by the angle at the corner, over the faces around its point that meet
+ * its own face at less than `smoothAngle` [rad]. 0: flat; π: smooth everywhere.
+ *
+ * @returns 3 per corner; zero where the face has no area
+ */
+export function cornerNormals(polygons: Polygons, smoothAngle: number): Float32Array {
+  const corners = polygons.faceIndices.length;
+  const faceNormal = new Float64Array(corners * 3);
+  const weight = new Float64Array(corners);
+  forEachFace(polygons, (_, first, count) => measureFace(polygons, first, count, faceNormal, weight));
+  if (smoothAngle <= 0) return Float32Array.from(faceNormal);
+  return smoothed(faceNormal, weight, polygons.faceIndices, polygons.points.length / 3, Math.cos(smoothAngle));
+}
+
+function measureFace(
+  polygons: Polygons,
+  first: number,
+  count: number,
+  normals: Float64Array,
+  weight: Float64Array,
+): void {
+  const outline = Array.from({ length: count }, (_, k) => pointAt(polygons.points, polygons.faceIndices[first + k]));
+  const area = newellNormal(outline);
+  const n = normalize(polygons.leftHanded ? scale(area, -1) : area);
+  for (let k = 0; k < count; k++) {
+    const p = outline[k];
+    normals.set(n, 3 * (first + k));
+    weight[first + k] = angleBetween(sub(outline[(k + 1) % count], p), sub(outline[(k + count - 1) % count], p)) || 0;
+  }
+}
+
+const angleBetween = (a: Vec3, b: Vec3): number => Math.atan2(length(cross(a, b)), dot(a, b));
+
+function smoothed(
+  faceNormal: Float64Array,
+  weight: Float64Array,
+  pointOfCorner: ArrayLike<number>,
+  points: number,
+  cosine: number,
+): Float32Array {
+  const around = cornersAround(pointOfCorner, points);
+  const out = new Float32Array(faceNormal.length);
+  for (let c = 0; c < weight.length; c++) {
+    const own = pointAt(faceNormal, c);
+    const sum = [0, 0, 0];
+    for (const other of around(pointOfCorner[c])) {
+      const n = pointAt(faceNormal, other);
+      // A face's own normal counts even where rounding puts n·n under the cosine of 0.
+      if (other !== c && dot(own, n) < cosine) continue;
+      for (let k = 0; k < 3; k++) sum[k] = sum[k] + n[k] * weight[other];
+    }
+    out.set(normalize([sum[0], sum[1], sum[2]], own), 3 * c);
+  }
+  return out;
+}
+
+/** Point → its corners, from one pass of counting. */
+function cornersAround(pointOfCorner: ArrayLike<number>, points: number): (point: number) => Uint32Array {
+  const start = new Uint32Array(points + 1);
+  for (let c = 0; c < pointOfCorner.length; c++) start[pointOfCorner[c] + 1]++;
+  for (let p = 0; p < points; p++) start[p + 1] += start[p];
+  const fill = start.slice();
+  const corners = new Uint32Array(pointOfCorner.length);
+  for (let c = 0; c < pointOfCorner.length; c++) corners[fill[pointOfCorner[c]]++] = c;
+  return (point) => corners.subarray(start[point], start[point + 1]);
+}
+
+/**
+ * The smoothing groups of a mesh: vertices that share place and normal (a seam of uv or colour lies between them) get
+ * one number, so that the normals of deformed points do not show the seam.
+ */
+export function smoothingGroups(mesh: Mesh): Uint32Array {
+  const groups = new Uint32Array(mesh.positions.length / 3);
+  const known = new Map<string, number>();
+  for (let v = 0; v < groups.length; v++) {
+    const key = `${pointAt(mesh.positions, v)}/${pointAt(mesh.normals, v)}`;
+    const group = known.get(key) ?? known.size;
+    known.set(key, group);
+    groups[v] = group;
+  }
+  return groups;
+}
+
+/** Normals of a mesh with its vertices at `points` (3 per vertex), weighted by area within each smoothing group. */
+export function deformedNormals(
+  points: ArrayLike<number>,
+  indices: ArrayLike<number>,
+  groups: Uint32Array,
+): Float32Array {
+  const sums = new Float64Array(groups.length * 3);
+  for (let i = 0; i + 2 < indices.length; i += 3) {
+    const a = pointAt(points, indices[i]);
+    const n = cross(sub(pointAt(points, indices[i + 1]), a), sub(pointAt(points, indices[i + 2]), a));
+    for (let k = 0; k < 3; k++) for (let d = 0; d < 3; d++) sums[3 * groups[indices[i + k]] + d] += n[d];
+  }
+  const out = new Float32Array(groups.length * 3);
+  for (let v = 0; v < groups.length; v++) out.set(normalize(pointAt(sums, groups[v]), [0, 0, 1]), 3 * v);
+  return out;
+}

@@ -1,0 +1,50 @@
+import type { Vec3 } from '../math/vec3.ts';
+
+/** Polygons as modelling programs hold them: points, faces as runs of corners, and values on points, corners or faces. */
+export interface Polygons {
+  /** [m], 3 per point. */
+  readonly points: ArrayLike<number>;
+  /** Corners per face. */
+  readonly faceCounts: ArrayLike<number>;
+  /** The point of each corner. */
+  readonly faceIndices: ArrayLike<number>;
+  /** 3 per value. Absent: computed with `smoothAngle`. */
+  readonly normals?: PolygonValues;
+  /** 2 per value; zero where absent. */
+  readonly uvs?: PolygonValues;
+  /** Linear RGB, 3 per value. */
+  readonly colors?: PolygonValues;
+  /** Place in `Scene.materials` for each face; absent: material 0. */
+  readonly faceMaterials?: ArrayLike<number>;
+  /** Faces are clockwise seen from outside. */
+  readonly leftHanded?: boolean;
+  readonly doubleSided?: boolean;
+  /** Computed normals join faces that meet at less than this angle [rad]: 0 is flat, π is smooth everywhere. Default 0. */
+  readonly smoothAngle?: number;
+}
+
+export interface PolygonValues {
+  readonly per: 'point' | 'corner' | 'face' | 'constant';
+  readonly values: ArrayLike<number>;
+  /** Place in `values` for each point, corner or face; absent: in order. */
+  readonly indices?: ArrayLike<number>;
+}
+
+/** Calls back with each face's number, first corner and corner count. */
+export function forEachFace(
+  polygons: Pick<Polygons, 'faceCounts' | 'faceIndices'>,
+  visit: (face: number, firstCorner: number, count: number) => void,
+): void {
+  let first = 0;
+  for (let face = 0; face < polygons.faceCounts.length; face++) {
+    const count = polygons.faceCounts[face];
+    if (first + count <= polygons.faceIndices.length) visit(face, first, count);
+    first += count;
+  }
+}
+
+export const pointAt = (points: ArrayLike<number>, i: number): Vec3 => [
+  points[3 * i],
+  points[3 * i + 1],
+  points[3 * i + 2],
+];
