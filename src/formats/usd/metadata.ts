@@ -1,0 +1,186 @@
+import type { Arc, Dictionary, ListOp, MetadataValue, Value } from './layer.ts';
+import { absolutePath } from './paths.ts';
+import type { Scanner } from './scanner.ts';
+import { parseDictionary, parseItems, parseTypeName, parseValue, rawValue } from './values.ts';
+
+type Metadata = Map<string, MetadataValue>;
+
+/** Key → type of its value, for those that OpenUSD registers (sdf/schema.cpp and the plugInfo of usd, usdGeom, usdShade …). */
+const KEY_TYPES: ReadonlyMap<string, string> = new Map(
+  Object.entries({
+    bool: 'active autoPlay hasOwnedSubLayers hidden instanceable',
+    int: 'elementSize framePrecision unauthoredValuesIndex',
+    int64: 'arraySizeConstraint',
+    double: 'startTimeCode endTimeCode timeCodesPerSecond framesPerSecond metersPerUnit kilogramsPerUnit',
+    token:
+      'bindMaterialAs colorManagementSystem colorSpace connectability defaultPrim interpolation kind outputName playbackMode renderType upAxis',
+    string: 'comment displayGroup displayName documentation owner prefix sessionOwner startFrame suffix symmetricPeer',
+    'token[]': 'allowedTokens',
+    asset: 'colorConfiguration',
+    dictionary:
+      'assetInfo clips customData customLayerData expressionVariables fallbackPrimTypes limits sdrMetadata symmetryArguments',
+  }).flatMap(([type, keys]) => keys.split(' ').map((key): [string, string] => [key, type])),
+);
+
+const QUALIFIERS: ReadonlyMap<string, keyof ListOp<unknown>> = new Map([
+  ['prepend', 'prepended'],
+  ['append', 'appended'],
+  ['delete', 'deleted'],
+  ['add', 'added'],
+  ['reorder', 'ordered'],
+]);
+
+/** `prepend`, `append`, `delete`, `add` or `reorder` where a name follows it. */
+export function takeQualifier(s: Scanner): keyof ListOp<unknown> {
+  const { pos } = s;
+  const word = s.peekName();
+  const qualifier = word === undefined ? undefined : QUALIFIERS.get(word);
+  if (!qualifier) return 'explicit';
+  s.takeName();
+  if (s.peekName() !== undefined) return qualifier;
+  s.pos = pos;
+  return 'explicit';
+}
+
+/** `[a, b]`, `a` or `None`, put into the list op under its qualifier. */
+export function parseListOp<T>(s: Scanner, op: ListOp<T>, qualifier: keyof ListOp<T>, item: () => T): void {
+  if (s.takeWord('None')) op[qualifier] = [];
+  else op[qualifier] = s.peek() === '[' ? parseItems(s, item) : [item()];
+}
+
+/** The `( … )` after a layer's header, a prim's name or a property, where there is one. `owner`: path of the prim. */
+export function parseMetadata(s: Scanner, owner: string, into: Metadata): void {
+  if (!s.take('(')) return;
+  while (!s.take(')')) {
+    if (s.atEnd()) s.expected("')' after metadata");
+    const c = s.peek();
+    if (c === '"' || c === "'") into.set('comment', { type: 'string', data: s.string('a comment') });
+    else parseEntry(s, owner, into);
+    s.endStatement('metadata');
+  }
+}
+
+function parseEntry(s: Scanner, owner: string, into: Metadata): void {
+  const qualifier = takeQualifier(s);
+  const written = s.joinedName(':', "a metadata key or ')'");
+  const key = written === 'doc' ? 'documentation' : written;
+  s.expect('=', `after the metadata key '${written}'`);
+  const special = SPECIAL.get(key);
+  if (special) into.set(key, special(s, into.get(key), qualifier, owner));
+  else if (qualifier !== 'explicit') into.set(key, unregisteredList(s, into.get(key), qualifier));
+  else into.set(key, plainEntry(s, key));
+}
+
+function plainEntry(s: Scanner, key: string): Value {
+  const type = KEY_TYPES.get(key) ?? (s.peek() === '{' ? 'dictionary' : '');
+  return parseValue(s, type);
+}
+
+function unregisteredList(s: Scanner, old: MetadataValue | undefined, qualifier: keyof ListOp<Value>): MetadataValue {
+  const op = old?.type === 'unregistereds' ? old.op : {};
+  parseListOp(s, op, qualifier, () => rawValue(s));
+  return { type: 'unregistereds', op };
+}
+
+type SpecialParser = (
+  s: Scanner,
+  old: MetadataValue | undefined,
+  qualifier: keyof ListOp<unknown>,
+  owner: string,
+) => MetadataValue;
+
+const arcs: SpecialParser = (s, old, qualifier, owner) => {
+  const op = old?.type === 'arcs' ? old.op : {};
+  parseListOp(s, op, qualifier, () => parseArc(s, owner));
+  return { type: 'arcs', op };
+};
+const paths: SpecialParser = (s, old, qualifier, owner) => {
+  const op = old?.type === 'paths' ? old.op : {};
+  parseListOp(s, op, qualifier, () => absolutePath(s.path(), owner));
+  return { type: 'paths', op };
+};
+const texts: SpecialParser = (s, old, qualifier) => {
+  const op = old?.type === 'texts' ? old.op : {};
+  parseListOp(s, op, qualifier, () => s.string('a name in quotes'));
+  return { type: 'texts', op };
+};
+const integers: SpecialParser = (s, old, qualifier) => {
+  const op = old?.type === 'integers' ? old.op : {};
+  parseListOp(s, op, qualifier, () => BigInt(s.integerText().slice(0, 40)));
+  return { type: 'integers', op };
+};
+const word: SpecialParser = (s) => ({ type: 'token', data: s.takeName() ?? s.string('a name') });
+const substitutions: SpecialParser = (s) => ({
+  type: 'texts-by-name',
+  data: new Map(parsePairs(s, () => s.string('a text in quotes'))),
+});
+
+const SPECIAL: ReadonlyMap<string, SpecialParser> = new Map<string, SpecialParser>([
+  ['references', arcs],
+  ['payload', arcs],
+  ['inherits', paths],
+  ['specializes', paths],
+  ['apiSchemas', texts],
+  ['variantSets', texts],
+  ['clipSets', texts],
+  ['inactiveIds', integers],
+  ['permission', word],
+  ['symmetryFunction', word],
+  ['displayUnit', word],
+  ['prefixSubstitutions', substitutions],
+  ['suffixSubstitutions', substitutions],
+  ['variants', (s) => ({ type: 'texts-by-name', data: parseSelections(s) })],
+  ['subLayers', (s, _old, _qualifier, owner) => ({ type: 'subLayers', data: parseItems(s, () => parseArc(s, owner)) })],
+  [
+    'relocates',
+    (s, _old, _qualifier, owner) => ({ type: 'relocates', data: parsePairs(s, () => absolutePath(s.path(), owner)) }),
+  ],
+]);
+
+/** `{ a: b, c: d }` */
+function parsePairs(s: Scanner, item: () => string): [string, string][] {
+  const pairs: [string, string][] = [];
+  s.expect('{', 'before pairs');
+  while (!s.take('}')) {
+    const from = item();
+    s.expect(':', 'between the parts of a pair');
+    pairs.push([from, item()]);
+    if (!s.take(',') && s.peek() !== '}') s.expected("',' or '}' after a pair");
+  }
+  return pairs;
+}
+
+/** `{ string set = "variant" }` */
+function parseSelections(s: Scanner): Map<string, string> {
+  const selections = new Map<string, string>();
+  s.expect('{', 'before variant selections');
+  while (!s.take('}')) {
+    const type = parseTypeName(s);
+    if (type !== 'string') s.fail(`a variant selection is a string, not a ${type}`);
+    const set = s.takeName() ?? s.string('the name of a variant set');
+    s.expect('=', `after '${set}'`);
+    selections.set(set, s.string('the name of a variant'));
+    s.endStatement(`the selection of '${set}'`);
+  }
+  return selections;
+}
+
+/** `@file@</Prim> (offset = 1; scale = 2; customData = { … })`, with either part left out. */
+function parseArc(s: Scanner, owner: string): Arc {
+  const asset = s.peek() === '@' ? s.asset() : '';
+  const path = s.peek() === '<' ? absolutePath(s.path(), owner) : asset === '' ? s.expected('@file@ or </Prim>') : '';
+  let [offset, scale] = [0, 1];
+  let customData: Dictionary | undefined;
+  if (s.take('(')) {
+    while (!s.take(')')) {
+      const key = s.name("offset, scale, customData or ')'");
+      s.expect('=', `after '${key}'`);
+      if (key === 'offset') offset = s.number();
+      else if (key === 'scale') scale = s.number();
+      else if (key === 'customData') customData = parseDictionary(s);
+      else s.fail(`'${key}' is not offset, scale or customData`);
+      s.endStatement(`'${key}'`);
+    }
+  }
+  return { asset, path, offset, scale, ...(customData ? { customData } : {}) };
+}

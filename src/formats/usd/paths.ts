@@ -1,0 +1,25 @@
+/** `/A{set=variant}B` → `/A/B`: where the prim is in the stage. */
+export const withoutVariants = (path: string): string =>
+  path
+    .replaceAll(/\{[^}]*\}/g, '/')
+    .replaceAll(/\/{2,}/g, '/')
+    .replace(/(?<=.)\/$/, '');
+
+/** A path as written in the prim `anchor`, made absolute: `../B.x` in `/W/A` is `/W/B.x`. */
+export function absolutePath(path: string, anchor: string): string {
+  if (path === '' || path.startsWith('/')) return path;
+  const parts = withoutVariants(anchor).split('/').filter(Boolean);
+  let property = '';
+  for (const part of path.split('/')) {
+    if (part === '..') parts.pop();
+    else if (part.startsWith('.') && part.length > 1) property = part;
+    else if (part !== '.') parts.push(part);
+  }
+  return `/${parts.join('/')}${property}`;
+}
+
+/** `/A/B.x` → [`/A/B`, `x`]; the property is empty for the path of a prim. */
+export function splitProperty(path: string): readonly [prim: string, property: string] {
+  const dot = path.indexOf('.', path.lastIndexOf('/') + 1);
+  return dot < 0 ? [path, ''] : [path.slice(0, dot), path.slice(dot + 1)];
+}
