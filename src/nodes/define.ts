@@ -1,0 +1,76 @@
+import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
+import type { Solver, View } from '../render/settings.ts';
+import type { LoadedScene, Services } from './services.ts';
+
+/** A scene with how light travels in it. */
+export interface Relativity extends LoadedScene {
+  /** [m/s] */
+  readonly speedOfLight: number;
+  /** The observer's greatest speed, as a fraction of c. */
+  readonly maxSpeed: number;
+  readonly lightDelay: boolean;
+  readonly aberration: boolean;
+  readonly solver: Solver;
+  readonly iterations: number;
+  readonly damping: number;
+  readonly view: View;
+}
+
+/** A scene with where it is looked at from. */
+export interface CameraView extends Relativity {
+  /** Prim path; empty: the scene's first camera, or a view of all of it. */
+  readonly camera: string;
+  /** The observer rides on the file's camera, with its velocity, instead of flying freely. */
+  readonly ride: boolean;
+  /** Vertical field of view [rad]; undefined: the camera's own. */
+  readonly fovY: number | undefined;
+}
+
+/** What the rasterizer is to draw. A description: the pass itself runs once a frame. */
+export interface GBuffer extends CameraView {
+  readonly dopplerMix: number;
+  readonly beaming: number;
+  readonly grid: boolean;
+}
+
+/** A whole picture, but for the time and the observer, which change by themselves. */
+export interface Picture extends GBuffer {
+  /** [EV] */
+  readonly exposure: number;
+}
+
+/** What flows through a socket of each type. */
+interface SocketValues {
+  readonly scene: LoadedScene;
+  readonly relativity: Relativity;
+  readonly view: CameraView;
+  readonly gbuffer: GBuffer;
+  readonly image: Picture;
+}
+type SocketType = keyof SocketValues;
+type Sockets = Readonly<Record<string, Socket<SocketType>>>;
+type ValuesOf<S extends Sockets> = { readonly [K in keyof S]: SocketValues[S[K]['type']] };
+type Params = Readonly<Record<string, ParamSpec>>;
+type ParamsOf<P extends Params> = { readonly [K in keyof P]: ParamOf<P[K]> };
+
+interface Definition<P extends Params, I extends Sockets, O extends Sockets>
+  extends Omit<NodeType<Services>, 'params' | 'inputs' | 'outputs' | 'evaluate'> {
+  readonly params: P;
+  readonly inputs: I;
+  readonly outputs: O;
+  evaluate(
+    inputs: ValuesOf<I>,
+    params: ParamsOf<P>,
+    work: Work<Services> & { readonly node: string },
+  ): ValuesOf<O> | Promise<ValuesOf<O>>;
+}
+
+/**
+ * A node whose code is typed by its own description. The engine connects only sockets of one type and the document's
+ * values are checked against the description, so the erased types are what the code was promised.
+ */
+export function defineNode<const P extends Params, const I extends Sockets, const O extends Sockets>(
+  definition: Definition<P, I, O>,
+): NodeType<Services> & Definition<P, I, O> {
+  return definition as unknown as NodeType<Services> & Definition<P, I, O>;
+}

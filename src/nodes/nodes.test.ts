@@ -1,0 +1,127 @@
+import { describe, expect, it } from 'vitest';
+import { applyCommand, type Command } from '../graph/commands.ts';
+import { parseDocument, serializeDocument } from '../graph/document.ts';
+import { Evaluator } from '../graph/evaluate.ts';
+import { refuseValue, resolveParams } from '../graph/nodeType.ts';
+import { validateDocument } from '../graph/validate.ts';
+import { DEFAULT_SETTINGS } from '../render/settings.ts';
+import { InputError, type Scene } from '../scene/types.ts';
+import { nodeLibrary } from './library.ts';
+import { pictureOf, renderSettings } from './picture.ts';
+import { newProject, openCommand } from './project.ts';
+import type { LoadedScene, Services } from './services.ts';
+
+const scene: Scene = {
+  name: 'test',
+  upAxis: 'Y',
+  metersPerUnit: 1,
+  timeCodesPerSecond: 24,
+  startTime: 0,
+  endTime: 1,
+  objects: [],
+  materials: [],
+  lights: [],
+  cameras: [
+    { path: '/cam', fovY: 1, motion: { kind: 'static', pose: { position: [0, 0, 0], orientation: [0, 0, 0, 1] } } },
+  ],
+  hints: {},
+  diagnostics: [],
+};
+const serving = (loaded: LoadedScene): Services => ({ readScene: async () => loaded });
+const set = (node: string, param: string, value: string | number | boolean): Command => ({
+  kind: 'set-param',
+  node,
+  param,
+  value,
+});
+
+async function evaluate(loaded: LoadedScene, ...commands: Command[]) {
+  const { document } = applyCommand(newProject('a.usda'), { kind: 'batch', commands });
+  const evaluation = await new Evaluator(nodeLibrary).evaluate(document, 'output', serving(loaded));
+  return { picture: pictureOf(evaluation), evaluation };
+}
+
+describe('the library', () => {
+  it.each(Object.values(nodeLibrary))('$id describes itself fully', (type) => {
+    expect(type.id).toMatch(/^[a-z-]+$/);
+    for (const spec of Object.values(type.params)) {
+      expect(refuseValue(spec, spec.default)).toBeUndefined();
+      if (spec.onlyWhen) expect(type.params).toHaveProperty(spec.onlyWhen.param);
+    }
+  });
+
+  it('every node is exercised by the project that the page opens with', () => {
+    const used = new Set(Object.values(newProject().nodes).map((node) => node.type));
+    expect([...used].sort()).toEqual(Object.keys(nodeLibrary).sort());
+  });
+
+  it("the nodes' defaults are the renderer's", async () => {
+    const { picture } = await evaluate({ scene: { ...scene, hints: { speedOfLight: DEFAULT_SETTINGS.speedOfLight } } });
+    expect(renderSettings(picture!)).toEqual(DEFAULT_SETTINGS);
+  });
+});
+
+describe('the project', () => {
+  it('is a whole document that comes back from its file', () => {
+    const project = newProject('a.usda');
+    expect(validateDocument(project, nodeLibrary)).toEqual([]);
+    expect(parseDocument(serializeDocument(project))).toEqual(project);
+  });
+
+  it('takes the speed of light from the person, else the file, else what fits', async () => {
+    const hinted = { scene: { ...scene, hints: { speedOfLight: 12 } } };
+    const fast = { scene, fastest: { path: '/a', time: 1, speed: 400 } };
+    expect((await evaluate(hinted)).picture?.speedOfLight).toBe(12);
+    expect((await evaluate(hinted, set('console', 'speedOfLight', 50))).picture?.speedOfLight).toBe(50);
+    expect((await evaluate({ scene })).picture?.speedOfLight).toBe(30);
+    expect((await evaluate(fast)).picture?.speedOfLight).toBe(501);
+  });
+
+  it('refuses what is faster than light at its place, with a remedy that works', async () => {
+    const loaded = { scene, fastest: { path: '/World/Cube', time: 2, speed: 13.1 } };
+    const { evaluation, picture } = await evaluate(loaded, set('console', 'speedOfLight', 10));
+    expect(picture).toBeUndefined();
+    const result = evaluation.results.get('console');
+    expect(result).toMatchObject({
+      status: 'failed',
+      problem: {
+        code: 'motion.superluminal',
+        place: '/World/Cube',
+        message: expect.stringContaining('1.31 c at t = 2'),
+      },
+    });
+    const remedy = result?.status === 'failed' ? result.problem.remedy! : undefined;
+    const repaired = await evaluate(loaded, set('console', 'speedOfLight', 10), { kind: 'set-param', ...remedy! });
+    expect(repaired.picture?.speedOfLight).toBe(13.2);
+  });
+
+  it('lights a scene that has no light, unless asked not to', async () => {
+    expect((await evaluate({ scene })).picture?.scene.lights.map(({ kind }) => kind)).toEqual(['distant', 'dome']);
+    expect((await evaluate({ scene }, set('scene', 'daylight', false))).picture?.scene.lights).toEqual([]);
+  });
+
+  it('refuses a camera that is not there', async () => {
+    const { evaluation } = await evaluate({ scene }, set('camera', 'camera', '/gone'));
+    expect(evaluation.results.get('camera')).toMatchObject({ problem: { message: expect.stringContaining('/cam') } });
+  });
+
+  it('keeps a reader’s diagnostic as it is, and blocks what follows', async () => {
+    const services: Services = {
+      readScene: async () => {
+        throw new InputError({ severity: 'error', code: 'file.empty', place: 'a.usda', message: 'the file is empty' });
+      },
+    };
+    const evaluation = await new Evaluator(nodeLibrary).evaluate(newProject('a.usda'), 'output', services);
+    expect(evaluation.results.get('read')).toMatchObject({ problem: { code: 'file.empty', place: 'a.usda' } });
+    expect(evaluation.target.status).toBe('blocked');
+  });
+
+  it('opening another file gives way to its own suggestions', () => {
+    const before = applyCommand(newProject('a.usda'), set('console', 'speedOfLight', 5)).document;
+    const { document } = applyCommand(before, openCommand('b.usda'));
+    expect(
+      resolveParams(nodeLibrary['relativity-console']!, document.nodes.console!.params).speedOfLight,
+    ).toBeUndefined();
+    expect(document.nodes.read!.params.source).toBe('b.usda');
+  });
+});

@@ -1,0 +1,33 @@
+import { defineNode } from './define.ts';
+
+/** Draws what the observer sees into a G-buffer. */
+export const relativityRasterize = defineNode({
+  id: 'relativity-rasterize',
+  title: 'node.rasterize',
+  help: 'node.rasterize.help',
+  category: 'render',
+  params: {
+    dopplerMix: {
+      kind: 'number',
+      title: 'param.dopplerMix',
+      help: 'param.dopplerMix.help',
+      default: 1,
+      min: 0,
+      max: 1,
+      step: 0.01,
+    },
+    beaming: {
+      kind: 'number',
+      title: 'param.beaming',
+      help: 'param.beaming.help',
+      default: 1,
+      min: 0,
+      max: 1,
+      step: 0.01,
+    },
+    grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },
+  },
+  inputs: { view: { type: 'view' } },
+  outputs: { gbuffer: { type: 'gbuffer' } },
+  evaluate: ({ view }, params) => ({ gbuffer: { ...view, ...params } }),
+});

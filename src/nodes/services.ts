@@ -1,0 +1,27 @@
+import type { Cancellation } from '../graph/nodeType.ts';
+import type { Scene } from '../scene/types.ts';
+
+/** A scene as read, with what the checks need that is dear to compute: done where the file is read, off the main thread. */
+export interface LoadedScene {
+  readonly scene: Scene;
+  /** The fastest point of all; undefined where nothing moves. */
+  readonly fastest?: FastestPoint;
+}
+
+export interface FastestPoint {
+  /** Prim path. */
+  readonly path: string;
+  /** World time [s]. */
+  readonly time: number;
+  /** [m/s] */
+  readonly speed: number;
+}
+
+/** What the nodes need from where they run: a page reads in a worker, a command line reads directly. */
+export interface Services {
+  /** Throws an `InputError` where the file cannot be read. */
+  readScene(
+    source: string,
+    options: { readonly signal?: Cancellation; readonly progress: (part: number, what?: string) => void },
+  ): Promise<LoadedScene>;
+}

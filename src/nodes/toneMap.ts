@@ -1,0 +1,24 @@
+import { defineNode } from './define.ts';
+
+/** Brings linear light to what a screen can show. */
+export const toneMap = defineNode({
+  id: 'tone-map',
+  title: 'node.toneMap',
+  help: 'node.toneMap.help',
+  category: 'render',
+  params: {
+    exposure: {
+      kind: 'number',
+      title: 'param.exposure',
+      help: 'param.exposure.help',
+      unit: 'EV',
+      default: 0,
+      min: -10,
+      max: 10,
+      step: 0.1,
+    },
+  },
+  inputs: { gbuffer: { type: 'gbuffer' } },
+  outputs: { image: { type: 'image' } },
+  evaluate: ({ gbuffer }, { exposure }) => ({ image: { ...gbuffer, exposure } }),
+});
