@@ -1,2 +1,80 @@
+import type { Mat3 } from './mat3.ts';
+import { normalize, type Vec3 } from './vec3.ts';
+
 /** A quaternion x i + y j + z k + w; unit where it stands for a rotation. */
 export type Quat = readonly [x: number, y: number, z: number, w: number];
+
+export const IDENTITY: Quat = [0, 0, 0, 1];
+
+/** Hamilton product a b: as rotations, first `b`, then `a`. */
+export const multiply = (a: Quat, b: Quat): Quat => [
+  a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
+  a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
+  a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3],
+  a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2],
+];
+/** The inverse of a rotation. */
+export const conjugate = (q: Quat): Quat => [-q[0], -q[1], -q[2], q[3]];
+
+/** q v q⁻¹ = v + 2 w (q × v) + 2 q × (q × v), for a unit q. */
+export function rotate(q: Quat, v: Vec3): Vec3 {
+  const [x, y, z, w] = q;
+  const tx = 2 * (y * v[2] - z * v[1]);
+  const ty = 2 * (z * v[0] - x * v[2]);
+  const tz = 2 * (x * v[1] - y * v[0]);
+  return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
+}
+
+/** q/|q|; the identity where |q| = 0. */
+export function normalizeQuat(q: Quat): Quat {
+  const l = Math.hypot(q[0], q[1], q[2], q[3]);
+  return l > 0 ? [q[0] / l, q[1] / l, q[2] / l, q[3] / l] : IDENTITY;
+}
+
+/** Right-handed rotation by `angle` [rad] about `axis` (any length but 0). */
+export function fromAxisAngle(axis: Vec3, angle: number): Quat {
+  const [x, y, z] = normalize(axis);
+  const s = Math.sin(angle / 2);
+  return [x * s, y * s, z * s, Math.cos(angle / 2)];
+}
+
+/** The rotation angle of a unit quaternion [rad], 0 … π; right for tiny angles too. */
+export const rotationAngle = (q: Quat): number => 2 * Math.atan2(Math.hypot(q[0], q[1], q[2]), Math.abs(q[3]));
+
+/** Constant angular speed along the shorter arc from `a` (s = 0) to `b` (s = 1). */
+export function slerp(a: Quat, b: Quat, s: number): Quat {
+  const d = multiply(conjugate(a), b);
+  const turn: Quat = d[3] < 0 ? [-d[0], -d[1], -d[2], -d[3]] : d;
+  const axis: Vec3 = [turn[0], turn[1], turn[2]];
+  return normalizeQuat(multiply(a, fromAxisAngle(axis, s * rotationAngle(turn))));
+}
+
+/** Of a proper rotation matrix, by the largest component first (Shepperd 1978), so that no root of a small number is divided by. */
+export function fromMatrix(m: Mat3): Quat {
+  const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
+  const candidates: readonly Quat[] = [
+    [1 + xx - yy - zz, xy + yx, zx + xz, zy - yz],
+    [xy + yx, 1 - xx + yy - zz, yz + zy, xz - zx],
+    [zx + xz, yz + zy, 1 - xx - yy + zz, yx - xy],
+    [zy - yz, xz - zx, yx - xy, 1 + xx + yy + zz],
+  ];
+  let best = 3;
+  for (let i = 0; i < 3; i++) if (candidates[i][i] > candidates[best][best]) best = i;
+  return normalizeQuat(candidates[best]);
+}
+
+/** The rotation matrix of a unit quaternion. */
+export function toMatrix(q: Quat): Mat3 {
+  const [x, y, z, w] = q;
+  return [
+    1 - 2 * (y * y + z * z),
+    2 * (x * y - z * w),
+    2 * (x * z + y * w),
+    2 * (x * y + z * w),
+    1 - 2 * (x * x + z * z),
+    2 * (y * z - x * w),
+    2 * (x * z - y * w),
+    2 * (y * z + x * w),
+    1 - 2 * (x * x + y * y),
+  ];
+}

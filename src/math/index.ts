@@ -1,0 +1,10 @@
+export type { Mat3 } from './mat3.ts';
+export * as mat3 from './mat3.ts';
+export type { Mat4, RigidPose } from './mat4.ts';
+export * as mat4 from './mat4.ts';
+export type { Quat } from './quat.ts';
+export * as quat from './quat.ts';
+export { random } from './random.ts';
+export { bisect, brent } from './roots.ts';
+export type { Vec3 } from './vec3.ts';
+export * as vec3 from './vec3.ts';

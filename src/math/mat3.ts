@@ -1,0 +1,41 @@
+import type { Vec3 } from './vec3.ts';
+
+/** A 3×3 matrix, 9 numbers, row by row; it acts on column vectors (x′ = M x). */
+export type Mat3 = readonly number[];
+
+export const IDENTITY: Mat3 = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+
+export const multiply = (a: Mat3, b: Mat3): Mat3 => {
+  const m = new Array<number>(9);
+  for (let i = 0; i < 3; i++)
+    for (let j = 0; j < 3; j++) m[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
+  return m;
+};
+export const transform = (m: Mat3, v: Vec3): Vec3 => [
+  m[0] * v[0] + m[1] * v[1] + m[2] * v[2],
+  m[3] * v[0] + m[4] * v[1] + m[5] * v[2],
+  m[6] * v[0] + m[7] * v[1] + m[8] * v[2],
+];
+export const transpose = (m: Mat3): Mat3 => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
+
+/** The cofactors of `m`: det(M) M⁻ᵀ, the matrix that carries normals, defined for singular M too. */
+export const cofactors = (m: Mat3): Mat3 => [
+  m[4] * m[8] - m[5] * m[7],
+  m[5] * m[6] - m[3] * m[8],
+  m[3] * m[7] - m[4] * m[6],
+  m[2] * m[7] - m[1] * m[8],
+  m[0] * m[8] - m[2] * m[6],
+  m[1] * m[6] - m[0] * m[7],
+  m[1] * m[5] - m[2] * m[4],
+  m[2] * m[3] - m[0] * m[5],
+  m[0] * m[4] - m[1] * m[3],
+];
+export const determinant = (m: Mat3): number => {
+  const c = cofactors(m);
+  return m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
+};
+/** M⁻¹, or undefined where det M = 0. */
+export const invert = (m: Mat3): Mat3 | undefined => {
+  const d = determinant(m);
+  return d === 0 || !Number.isFinite(d) ? undefined : transpose(cofactors(m)).map((x) => x / d);
+};

@@ -1,0 +1,101 @@
+import * as mat3 from './mat3.ts';
+import { closestRotation } from './polar.ts';
+import * as quat from './quat.ts';
+import type { Vec3 } from './vec3.ts';
+
+/** A 4×4 matrix, 16 numbers, row by row; it acts on column vectors (x′ = M x), a translation is the last column. */
+export type Mat4 = readonly number[];
+
+/** x′ = position + orientation · x */
+export interface RigidPose {
+  readonly position: Vec3;
+  readonly orientation: quat.Quat;
+}
+
+export const IDENTITY: Mat4 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+/** a b: first `b`, then `a`. */
+export function multiply(a: Mat4, b: Mat4): Mat4 {
+  const m = new Array<number>(16);
+  for (let i = 0; i < 16; i += 4)
+    for (let j = 0; j < 4; j++)
+      m[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j] + a[i + 3] * b[12 + j];
+  return m;
+}
+
+export function transpose(m: Mat4): Mat4 {
+  const t = new Array<number>(16);
+  for (let i = 0; i < 4; i++) for (let j = 0; j < 4; j++) t[4 * i + j] = m[4 * j + i];
+  return t;
+}
+
+/** M⁻¹ by Gauss–Jordan elimination with row pivoting, or undefined where M is singular. */
+export function invert(m: Mat4): Mat4 | undefined {
+  const rows = [0, 1, 2, 3].map((i) => [...m.slice(4 * i, 4 * i + 4), ...IDENTITY.slice(4 * i, 4 * i + 4)]);
+  for (let k = 0; k < 4; k++) {
+    let pivot = k;
+    for (let i = k + 1; i < 4; i++) if (Math.abs(rows[i][k]) > Math.abs(rows[pivot][k])) pivot = i;
+    [rows[k], rows[pivot]] = [rows[pivot], rows[k]];
+    const p = rows[k][k];
+    if (p === 0 || !Number.isFinite(p)) return undefined;
+    rows[k] = rows[k].map((x) => x / p);
+    for (let i = 0; i < 4; i++) if (i !== k) rows[i] = rows[i].map((x, j) => x - rows[i][k] * rows[k][j]);
+  }
+  return rows.flatMap((r) => r.slice(4));
+}
+
+/** M applied to a point, with its translation; the last row is taken as 0 0 0 1. */
+export const transformPoint = (m: Mat4, p: Vec3): Vec3 => [
+  m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3],
+  m[4] * p[0] + m[5] * p[1] + m[6] * p[2] + m[7],
+  m[8] * p[0] + m[9] * p[1] + m[10] * p[2] + m[11],
+];
+/** M applied to a direction, without its translation. */
+export const transformVector = (m: Mat4, v: Vec3): Vec3 => [
+  m[0] * v[0] + m[1] * v[1] + m[2] * v[2],
+  m[4] * v[0] + m[5] * v[1] + m[6] * v[2],
+  m[8] * v[0] + m[9] * v[1] + m[10] * v[2],
+];
+
+/** The upper left 3×3: what happens to directions. */
+export const linearPart = (m: Mat4): mat3.Mat3 => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
+
+/** From a linear part and a translation. */
+export const fromParts = (l: mat3.Mat3, t: Vec3): Mat4 => [
+  l[0],
+  l[1],
+  l[2],
+  t[0],
+  l[3],
+  l[4],
+  l[5],
+  t[1],
+  l[6],
+  l[7],
+  l[8],
+  t[2],
+  0,
+  0,
+  0,
+  1,
+];
+export const fromPose = (pose: RigidPose): Mat4 => fromParts(quat.toMatrix(pose.orientation), pose.position);
+
+/**
+ * M = T(position) · R(orientation) · S with a symmetric stretch S (scale and shear in the body's own frame). S is positive
+ * where det M > 0; a mirror leaves one negative eigenvalue in S, so that R is always a proper rotation.
+ */
+export function decomposeRigid(m: Mat4): { readonly pose: RigidPose; readonly stretch: mat3.Mat3 } {
+  const linear = linearPart(m);
+  const orientation = closestRotation(linear);
+  const s = mat3.multiply(mat3.transpose(quat.toMatrix(orientation)), linear);
+  const symmetric = s.map((x, i) => (x + s[3 * (i % 3) + Math.floor(i / 3)]) / 2);
+  return { pose: { position: [m[3], m[7], m[11]], orientation }, stretch: symmetric };
+}
+
+/** Whether M is a rotation and a translation only: |MᵀM − 1| ≤ `tolerance` in every element, and no mirror. */
+export function isRigid(m: Mat4, tolerance = 1e-9): boolean {
+  const l = linearPart(m);
+  const gram = mat3.multiply(mat3.transpose(l), l);
+  return mat3.determinant(l) > 0 && gram.every((x, i) => Math.abs(x - mat3.IDENTITY[i]) <= tolerance);
+}

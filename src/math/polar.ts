@@ -1,0 +1,52 @@
+import type { Mat3 } from './mat3.ts';
+import { normalizeQuat, type Quat } from './quat.ts';
+
+type Symmetric4 = number[][];
+
+/**
+ * The proper rotation R that maximises tr(RᵀM): the rotation of the polar decomposition M = R S. Defined for singular
+ * matrices and mirrors too. Source: Horn 1987, "Closed-form solution of absolute orientation using unit quaternions", §4.
+ */
+export function closestRotation(m: Mat3): Quat {
+  const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
+  // Rows and columns in the order w x y z, so that a tie goes to the smallest rotation.
+  const k: Symmetric4 = [
+    [xx + yy + zz, zy - yz, xz - zx, yx - xy],
+    [zy - yz, xx - yy - zz, xy + yx, zx + xz],
+    [xz - zx, xy + yx, yy - xx - zz, yz + zy],
+    [yx - xy, zx + xz, yz + zy, zz - xx - yy],
+  ];
+  const vectors = diagonalize(k);
+  let best = 0;
+  for (let i = 1; i < 4; i++) if (k[i][i] > k[best][best]) best = i;
+  const [w, x, y, z] = vectors.map((row) => row[best]);
+  return normalizeQuat(w < 0 ? [-x, -y, -z, -w] : [x, y, z, w]);
+}
+
+/** Jacobi's method: makes `k` diagonal in place and returns its eigenvectors as columns. */
+function diagonalize(k: Symmetric4): Symmetric4 {
+  const vectors: Symmetric4 = [0, 1, 2, 3].map((i) => [0, 1, 2, 3].map((j) => (i === j ? 1 : 0)));
+  const size = Math.max(...k.flat().map(Math.abs));
+  // Convergence is quadratic: five sweeps are typical, and 32 is never reached.
+  for (let sweep = 0; sweep < 32; sweep++) {
+    let off = 0;
+    for (let p = 0; p < 3; p++)
+      for (let q = p + 1; q < 4; q++) {
+        off = Math.max(off, Math.abs(k[p][q]));
+        if (k[p][q] !== 0) rotatePlane(k, vectors, p, q);
+      }
+    if (off <= size * 1e-17) break;
+  }
+  return vectors;
+}
+
+function rotatePlane(k: Symmetric4, vectors: Symmetric4, p: number, q: number): void {
+  const theta = (k[q][q] - k[p][p]) / (2 * k[p][q]);
+  const t = (theta < 0 ? -1 : 1) / (Math.abs(theta) + Math.hypot(theta, 1));
+  const c = 1 / Math.hypot(t, 1);
+  const s = t * c;
+  for (const row of [...k, ...vectors]) [row[p], row[q]] = [c * row[p] - s * row[q], s * row[p] + c * row[q]];
+  [k[p], k[q]] = [k[p].map((x, i) => c * x - s * k[q][i]), k[p].map((x, i) => s * x + c * k[q][i])];
+  k[p][q] = 0;
+  k[q][p] = 0;
+}

@@ -1,0 +1,17 @@
+/**
+ * A seeded generator of numbers in [0, 1): the same sequence on every machine. sfc32 of PractRand (Doty-Humphrey), 2³² seeds
+ * with periods of at least 2³².
+ */
+export function random(seed: number): () => number {
+  let [a, b, c, counter] = [0, seed | 0, seed ^ 0x9e3779b9, 1];
+  const next = () => {
+    const t = (a + b + counter) | 0;
+    counter = (counter + 1) | 0;
+    a = b ^ (b >>> 9);
+    b = (c + (c << 3)) | 0;
+    c = (((c << 21) | (c >>> 11)) + t) | 0;
+    return (t >>> 0) / 2 ** 32;
+  };
+  for (let i = 0; i < 15; i++) next();
+  return next;
+}

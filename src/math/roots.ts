@@ -1,0 +1,45 @@
+/** The root of a continuous f between a and b, where f changes sign, to the last bit: halve until no number is between. */
+export function bisect(f: (x: number) => number, a: number, b: number): number {
+  let [lo, hi] = f(a) <= f(b) ? [a, b] : [b, a];
+  for (;;) {
+    const mid = lo + (hi - lo) / 2;
+    if (mid === lo || mid === hi) return mid;
+    if (f(mid) <= 0) lo = mid;
+    else hi = mid;
+  }
+}
+
+/**
+ * The root of a continuous f between a and b, where f changes sign: inverse quadratic steps guarded by bisection, until
+ * the bracket is `tolerance` or one rounding wide. An end where f has no opposite sign counts as the root if it is nearer to zero.
+ * Source: Brent 1973, "Algorithms for Minimization without Derivatives", ch. 4.
+ */
+export function brent(f: (x: number) => number, a: number, b: number, tolerance = 0): number {
+  let [fa, fb] = [f(a), f(b)];
+  if (fa * fb > 0) return Math.abs(fa) < Math.abs(fb) ? a : b;
+  let [c, fc, step, last] = [a, fa, b - a, b - a];
+  for (let i = 0; i < 200; i++) {
+    if (fb > 0 === fc > 0) [c, fc, step, last] = [a, fa, b - a, b - a];
+    if (Math.abs(fc) < Math.abs(fb)) [a, b, c, fa, fb, fc] = [b, c, b, fb, fc, fb];
+    const least = 2 * Number.EPSILON * Math.abs(b) + tolerance / 2;
+    const half = (c - b) / 2;
+    if (Math.abs(half) <= least || fb === 0) return b;
+    const guess =
+      Math.abs(last) >= least && Math.abs(fa) > Math.abs(fb) ? interpolate(a, b, c, fa, fb, fc) : Number.NaN;
+    // Written so that a NaN guess bisects.
+    const good = guess / half > 0 && Math.abs(guess) < Math.min(1.5 * Math.abs(half) - least / 2, Math.abs(last) / 2);
+    [last, step] = good ? [step, guess] : [half, half];
+    [a, fa] = [b, fb];
+    b += Math.abs(step) > least ? step : Math.sign(half) * least;
+    fb = f(b);
+  }
+  return b;
+}
+
+/** The step from b to the root of the inverse quadratic (or line) through three points. */
+function interpolate(a: number, b: number, c: number, fa: number, fb: number, fc: number): number {
+  const s = fb / fa;
+  if (a === c) return ((c - b) * s) / (s - 1);
+  const [q, r] = [fa / fc, fb / fc];
+  return (s * ((c - b) * q * (q - r) - (b - a) * (r - 1))) / -((q - 1) * (r - 1) * (s - 1));
+}

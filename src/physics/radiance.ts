@@ -1,0 +1,24 @@
+// What a Doppler factor D = ν_observed / ν_emitted does to light. From the invariance of L_ν/ν³ (the number of photons per
+// quantum state). Source: Rybicki & Lightman, Radiative Processes in Astrophysics, §4.9; physics.md "Seeing".
+
+/** Frequency seen [Hz]: ν′ = D ν. */
+export const observedFrequency = (nu: number, D: number): number => D * nu;
+/** Wavelength seen [m]: λ′ = λ/D. */
+export const observedWavelength = (lambda: number, D: number): number => lambda / D;
+
+/** L_ν′(ν) = D³ L_ν(ν/D) [W/(m² sr Hz)], of an emitted spectrum L_ν. */
+export const radiancePerFrequency = (emitted: (nu: number) => number, nu: number, D: number): number =>
+  D ** 3 * emitted(nu / D);
+
+/** L_λ′(λ) = D⁵ L_λ(D λ) [W/(m² sr m)], of an emitted spectrum L_λ. */
+export const radiancePerWavelength = (emitted: (lambda: number) => number, lambda: number, D: number): number =>
+  D ** 5 * emitted(D * lambda);
+
+/** Radiance over all wavelengths: L′ = D⁴ L [W/(m² sr)]. */
+export const bolometricRadiance = (L: number, D: number): number => D ** 4 * L;
+
+/** Solid angle under which a small piece of the sky is seen [sr]: dΩ′ = dΩ/D². */
+export const observedSolidAngle = (omega: number, D: number): number => omega / (D * D);
+
+/** A blackbody at T looks exactly like a blackbody at D T [K]. */
+export const blackbodyTemperature = (T: number, D: number): number => D * T;
