@@ -1,0 +1,2 @@
+export { dopplerTint } from './dopplerTint.ts';
+export { toneMap } from './toneMap.ts';
