@@ -1,0 +1,112 @@
+import { fromParts, type Mat4, multiply } from '../../src/math/mat4.ts';
+import { fromAxisAngle, IDENTITY, type Quat, toMatrix } from '../../src/math/quat.ts';
+import type { Vec3 } from '../../src/math/vec3.ts';
+import { mergeMeshes, transformMesh, withMaterial } from '../../src/scene/meshOps.ts';
+import type {
+  Light,
+  Material,
+  Mesh,
+  Motion,
+  Scene,
+  SceneCamera,
+  SceneHints,
+  SceneObject,
+  Texture,
+} from '../../src/scene/types.ts';
+import { linear } from './paint.ts';
+
+/** Where a part goes: turned about the vertical axis [rad], then moved [m]. */
+export const place = (position: Vec3, turn = 0): Mat4 => fromParts(toMatrix(fromAxisAngle([0, 1, 0], turn)), position);
+
+/** A part in several materials: meshes that already know theirs. */
+export type Part = readonly Mesh[];
+
+export const placePart = (part: Part, m: Mat4): Part => part.map((mesh) => transformMesh(mesh, m));
+export const compose = (...m: readonly Mat4[]): Mat4 => m.reduce((a, b) => multiply(a, b));
+
+export interface Look {
+  readonly roughness?: number;
+  readonly metallic?: number;
+  readonly emissive?: string;
+  readonly texture?: Texture;
+  readonly opacity?: number;
+}
+
+export const at = (position: Vec3, orientation: Quat = IDENTITY): Motion => ({
+  kind: 'static',
+  pose: { position, orientation },
+});
+
+/** Collects a scene's materials and objects. */
+export class SceneBuilder {
+  private readonly materials: Material[] = [];
+  private readonly objects: SceneObject[] = [];
+
+  /** A material by colour; the number is what meshes refer to. With a texture the colour tints it (white leaves it). */
+  material(name: string, color: string, look: Look = {}): number {
+    const { roughness = 0.8, metallic = 0, emissive, texture, opacity = 1 } = look;
+    this.materials.push({
+      name,
+      baseColor: linear(color),
+      ...(texture ? { baseColorTexture: texture } : {}),
+      emissive: emissive ? linear(emissive) : [0, 0, 0],
+      roughness,
+      metallic,
+      opacity,
+      opacityThreshold: 0,
+    });
+    return this.materials.length - 1;
+  }
+
+  /** One object of all the parts; groups of one material are drawn together. */
+  object(
+    path: string,
+    parts: Part,
+    motion: Motion = at([0, 0, 0]),
+    options: Partial<Pick<SceneObject, 'lifetime' | 'authoredIn'>> = {},
+  ): void {
+    const sorted = [...parts].sort((a, b) => (a.groups[0]?.material ?? 0) - (b.groups[0]?.material ?? 0));
+    const lifetime = { birth: -Infinity, death: Infinity };
+    this.objects.push({ path, mesh: mergeMeshes(sorted), motion, lifetime, authoredIn: 'world', ...options });
+  }
+
+  finish(
+    name: string,
+    hints: SceneHints,
+    range: readonly [number, number],
+    cameras: readonly SceneCamera[],
+    lights: readonly Light[],
+  ): Scene {
+    return {
+      name,
+      upAxis: 'Y',
+      metersPerUnit: 1,
+      timeCodesPerSecond: 24,
+      startTime: range[0],
+      endTime: range[1],
+      objects: this.objects,
+      materials: this.materials,
+      lights,
+      cameras,
+      hints,
+      diagnostics: [],
+    };
+  }
+}
+
+export const paint = (mesh: Mesh, material: number): Mesh => withMaterial(mesh, material);
+
+/** A late-morning sun and the sky's own light. `from`: direction towards the sun. */
+export function daylight(from: Vec3, sun = '#fff1d8', intensity = 3.2): Light[] {
+  const l = Math.hypot(...from);
+  const [r, g, b] = linear(sun);
+  return [
+    {
+      kind: 'distant',
+      path: '/World/Sun',
+      direction: [-from[0] / l, -from[1] / l, -from[2] / l],
+      color: [r * intensity, g * intensity, b * intensity],
+    },
+    { kind: 'dome', path: '/World/Sky', color: linear('#b9cfe8') },
+  ];
+}

@@ -1,0 +1,64 @@
+import { fromMatrix, multiply, type Quat } from '../../src/math/quat.ts';
+import { cross, normalize, sub, type Vec3 } from '../../src/math/vec3.ts';
+import type { SampledMotion, SceneCamera } from '../../src/scene/types.ts';
+
+const UP: Vec3 = [0, 1, 0];
+
+/** Camera axes that look from `eye` to `target` with the world's up (−Z forward). */
+export function lookFrom(eye: Vec3, target: Vec3): Quat {
+  const back = normalize(sub(eye, target));
+  const right = normalize(cross(UP, back));
+  const up = cross(back, right);
+  return fromMatrix([right[0], up[0], back[0], right[1], up[1], back[1], right[2], up[2], back[2]]);
+}
+
+/** Samples of a motion given as functions of time [s]. */
+export function sampled(
+  from: number,
+  to: number,
+  rate: number,
+  at: (t: number) => { position: Vec3; orientation: Quat },
+): SampledMotion {
+  const count = Math.round((to - from) * rate) + 1;
+  const times = new Float64Array(count);
+  const poses = new Float64Array(count * 7);
+  let before: Quat | undefined;
+  for (let k = 0; k < count; k++) {
+    times[k] = from + ((to - from) * k) / (count - 1);
+    const { position, orientation } = at(times[k]);
+    // Of the two quaternions of a rotation the one nearer to the last, so that nothing spins between samples.
+    const q =
+      before && multiply([-before[0], -before[1], -before[2], before[3]], orientation)[3] < 0
+        ? orientation.map((x) => -x)
+        : orientation;
+    before = [q[0], q[1], q[2], q[3]];
+    poses.set([...position, ...q], 7 * k);
+  }
+  return { kind: 'sampled', times, poses };
+}
+
+/** 0 → 1 with rest at both ends and a steady middle: the integral of a trapezium whose ramps are smooth. `ramp`: their share, 0 … 0.5. */
+export function cruise(s: number, ramp = 0.3): number {
+  const x = Math.max(0, Math.min(1, s));
+  const rise = (y: number) => (y * y * y - (y * y * y * y) / 2) * ramp;
+  const total = 1 - ramp;
+  if (x < ramp) return rise(x / ramp) / total;
+  if (x > 1 - ramp) return 1 - rise((1 - x) / ramp) / total;
+  return (x - ramp / 2) / total;
+}
+
+export interface Flight {
+  /** [s] */
+  readonly from: number;
+  readonly to: number;
+  readonly eye: (t: number) => Vec3;
+  readonly target: (t: number) => Vec3;
+  /** [degrees] */
+  readonly fovY?: number;
+}
+
+/** The scene's camera: /World/Camera. */
+export function camera({ from, to, eye, target, fovY = 55 }: Flight): SceneCamera {
+  const motion = sampled(from, to, 24, (t) => ({ position: eye(t), orientation: lookFrom(eye(t), target(t)) }));
+  return { path: '/World/Camera', motion, fovY: (fovY * Math.PI) / 180 };
+}
