@@ -1,0 +1,64 @@
+import fc from 'fast-check';
+import { expect } from 'vitest';
+import { addScaled, cross, length, normalize, scale, type Vec3 } from '../src/math/vec3.ts';
+
+/** Of γ = 1000. */
+export const MAX_RAPIDITY = Math.acosh(1000);
+
+const real = (min: number, max: number) => fc.double({ min, max, noNaN: true, noDefaultInfinity: true });
+
+/** Unit vectors, uniform on the sphere, and the axes. */
+export const direction: fc.Arbitrary<Vec3> = fc.oneof(
+  {
+    weight: 8,
+    arbitrary: fc.tuple(real(-1, 1), real(0, 2 * Math.PI)).map(([z, phi]): Vec3 => {
+      const s = Math.sqrt(1 - z * z);
+      return normalize([s * Math.cos(phi), s * Math.sin(phi), z]);
+    }),
+  },
+  { weight: 1, arbitrary: fc.constantFrom<Vec3>([1, 0, 0], [0, -1, 0], [0, 0, 1]) },
+);
+
+/** |u| = sinh ζ: at rest, slow as walking, anything up to γ = 1000. */
+export const rapidityUpTo = (max: number): fc.Arbitrary<number> =>
+  fc.oneof(
+    { weight: 1, arbitrary: fc.constantFrom(0, max) },
+    { weight: 6, arbitrary: real(0, max) },
+    { weight: 2, arbitrary: real(-12, -1).map((e) => 10 ** e) },
+  );
+
+/** Proper velocities γβ from rest to `maxGamma`. */
+export const properVelocityUpTo = (maxGamma: number): fc.Arbitrary<Vec3> =>
+  fc.tuple(direction, rapidityUpTo(Math.acosh(maxGamma))).map(([n, zeta]) => scale(n, Math.sinh(zeta)));
+
+export const anyProperVelocity = properVelocityUpTo(1000);
+
+/** 10^min … 10^max, either sign of nothing. */
+export const magnitude = (min: number, max: number): fc.Arbitrary<number> => real(min, max).map((e) => 10 ** e);
+
+/** Offsets between a millimetre and 100 km. */
+export const offset: fc.Arbitrary<Vec3> = fc.tuple(direction, magnitude(-3, 5)).map(([n, r]) => scale(n, r));
+
+/** A velocity and an offset that is sometimes nearly along or against it, where formulas cancel. */
+export const velocityAndOffset: fc.Arbitrary<readonly [u: Vec3, dx: Vec3]> = fc
+  .tuple(anyProperVelocity, offset, fc.constantFrom(0, 1, -1), magnitude(-6, 0))
+  .map(([u, dx, way, angle]) => {
+    const ahead = normalize(u);
+    if (way === 0 || length(ahead) === 0) return [u, dx];
+    const side = normalize(cross(ahead, dx));
+    const n = addScaled(scale(ahead, way * Math.cos(angle)), side, Math.sin(angle));
+    return [u, scale(n, length(dx))];
+  });
+
+/** Every number within `tolerance` (absolute) of the expected one. */
+export function expectClose(
+  actual: number | readonly number[],
+  expected: number | readonly number[],
+  tolerance: number,
+) {
+  const [a, b] = [[actual].flat(), [expected].flat()] as number[][];
+  const worst = Math.max(...a.map((x, i) => Math.abs(x - b[i])));
+  const say = () => `${a.join(', ')} is ${worst} from ${b.join(', ')}, more than ${tolerance}`;
+  expect(a.length, 'as many numbers').toBe(b.length);
+  if (!(worst <= tolerance)) expect.fail(say());
+}
