@@ -1,6 +1,7 @@
 import { fromAxisAngle, rotate } from '../math/quat.ts';
 import { brent } from '../math/roots.ts';
 import { add, addScaled, cross, dot, length, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { oneMinusSquare } from './boost.ts';
 
 // The emission events in relative form, c = 1: lengths in metres, times in metres of light travel (c t), velocities in units
 // of c, everything relative to the observer's event. These are the functions that have twins in shaders/.
@@ -42,22 +43,28 @@ export function uniformEmission(centre: Vec3, v: Vec3, oneMinusV2: number, o: Ve
 
 /**
  * A straight piece from A (time tA) to B (time tB) that crosses the past light cone: A on it or inside, B on it or outside.
- * The time since A is s = q/(g + √(g² − (1 − v²)q)), q = T² − d², g = T + d·v, T = −tA, d = A, held inside the piece.
- * The root is taken of (d + vT)·v and d + vT, a sum of squares, and 1 + n·v by its conjugate where v comes head-on.
+ * Where the piece, prolonged to the observer's time, comes nearer then, the time since A is s = q/(g + √(g² − (1 − v²)q)),
+ * q = T² − d², g = T + d·v, T = −tA, d = A; where it goes away, as `presentEmission`. Both are sums of positive terms; the root
+ * is that of ((d + vT)·v)² + (1 − v²)(d + vT)². The event is held inside the piece.
  * A, B [m]: observer → sample; tA < tB [m of light]: relative to the observer's time. Source: physics.md "Seeing".
  */
 export function polylineEmission(a: Vec3, tA: number, b: Vec3, tB: number): Seen {
   const span = tB - tA;
   const v = scale(sub(b, a), 1 / span);
-  const [T, r] = [-tA, length(a)];
-  const speed = length(v);
-  const oneMinusV2 = (1 - speed) * (1 + speed);
-  const now = addScaled(a, v, T);
-  const towards = dot(now, v);
-  const root = Math.sqrt(Math.max(0, towards * towards + oneMinusV2 * dot(now, now)));
-  const g = T - r + headOn(a, r, v, oneMinusV2);
-  const s = Math.min(span, Math.max(0, ((T - r) * (T + r)) / (g + root) || 0));
+  const T = 0 - tA;
+  const s = Math.min(span, Math.max(0, pieceRoot(a, T, v) || 0));
   return { offset: addScaled(a, v, s), delay: T - s };
+}
+
+/** The time since A of the retarded root; NaN where A is at the observer's event. */
+function pieceRoot(a: Vec3, T: number, v: Vec3): number {
+  const r = length(a);
+  const oneMinusV2 = oneMinusSquare(v);
+  const now = addScaled(a, v, T);
+  const away = dot(now, v);
+  const root = Math.sqrt(Math.max(0, away * away + oneMinusV2 * dot(now, now)));
+  if (away > 0) return T - dot(now, now) / (away + root);
+  return ((T - r) * (T + r)) / (T - r + headOn(a, r, v, oneMinusV2) + root);
 }
 
 /** r(1 + n·v) = r + d·v without cancellation. */
