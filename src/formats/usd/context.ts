@@ -1,0 +1,75 @@
+import type { Diagnostic } from '../../scene/types.ts';
+import type { FileSource } from '../source.ts';
+import { valueAt } from './attributes.ts';
+import type { Layer, MetadataValue, PrimSpec } from './layer.ts';
+import { splitProperty } from './paths.ts';
+
+/** One stage while it is read: what its parts need to know, and what they have to say about the file. */
+export interface StageContext {
+  readonly layer: Layer;
+  /** Where textures come from, by paths relative to the layer's own. */
+  readonly source: FileSource;
+  /** Metres in one unit of the file. */
+  readonly unit: number;
+  readonly codesPerSecond: number;
+  /** The time code at which what cannot change with time is read. */
+  readonly startCode: number;
+  /** Greatest distance between a resampled path and the true one, as a fraction of the object's size. */
+  readonly chordTolerance: number;
+  readonly diagnostics: Diagnostic[];
+  /** Paths of the subdivision surfaces that are drawn as their polygons. */
+  readonly subdivided: string[];
+}
+
+/** Says something about a prim; the same thing about the same prim is said once. */
+export function report(
+  context: Pick<StageContext, 'layer' | 'diagnostics'>,
+  severity: Diagnostic['severity'],
+  code: string,
+  path: string,
+  message: string,
+): void {
+  const place = path === '' ? context.layer.name : `${context.layer.name}<${path}>`;
+  const known = context.diagnostics.some((d) => d.place === place && d.code === code && d.message === message);
+  if (!known) context.diagnostics.push({ severity, code, place, message });
+}
+
+/** The prim at an absolute path. */
+export function primAt(layer: Layer, path: string): PrimSpec | undefined {
+  const names = path.split('/').filter(Boolean);
+  let prim = layer.rootPrims.get(names[0] ?? '');
+  for (const name of names.slice(1)) prim = prim?.children.get(name);
+  return prim;
+}
+
+/** Targets of a relationship, or sources of a connection, once its list op is applied to nothing. */
+export function targetsOf(prim: PrimSpec, name: string): readonly string[] {
+  const property = prim.properties.get(name);
+  const op = property?.kind === 'relationship' ? property.targets : property?.connections;
+  if (!op) return [];
+  return op.explicit ?? [...(op.prepended ?? []), ...(op.added ?? []), ...(op.appended ?? [])];
+}
+
+/** The prim and the property that a connection or a relationship to a property leads to. */
+export function propertyAt(layer: Layer, path: string): readonly [PrimSpec, string] | undefined {
+  const [primPath, property] = splitProperty(path);
+  const prim = primAt(layer, primPath);
+  return prim && property !== '' ? [prim, property] : undefined;
+}
+
+export function metadataNumber(metadata: ReadonlyMap<string, MetadataValue>, key: string): number | undefined {
+  const value = metadata.get(key);
+  return value && 'data' in value && typeof value.data === 'number' ? value.data : undefined;
+}
+
+export function metadataText(metadata: ReadonlyMap<string, MetadataValue>, key: string): string | undefined {
+  const value = metadata.get(key);
+  return value && 'data' in value && typeof value.data === 'string' ? value.data : undefined;
+}
+
+/** Whether an attribute says `true` at the stage's start. */
+export function isTrue(context: StageContext, prim: PrimSpec, name: string): boolean {
+  const property = prim.properties.get(name);
+  const value = property?.kind === 'attribute' ? valueAt(property, context.startCode) : undefined;
+  return value?.type === 'bool' && value.data;
+}

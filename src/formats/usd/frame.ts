@@ -1,0 +1,32 @@
+import * as mat4 from '../../math/mat4.ts';
+import type { TimeCode } from './attributes.ts';
+import { localMatrix, opTimes, unionOfTimes, type XformOp } from './xformOps.ts';
+
+/** Where a prim's own axes are: its transform and those above it, at every time. */
+export interface Frame {
+  /** Codes at which the ops have samples; empty where nothing moves. */
+  readonly times: Float64Array;
+  /** x_stage = M x_local, in stage units. */
+  matrixAt(time: TimeCode): mat4.Mat4;
+}
+
+export const ROOT_FRAME: Frame = { times: new Float64Array(0), matrixAt: () => mat4.IDENTITY };
+
+export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
+  if (ops.length === 0) return parent;
+  const own = opTimes(ops);
+  const fixed = own.length === 0 ? localMatrix(ops, 0) : undefined;
+  const local = (time: TimeCode): mat4.Mat4 => fixed ?? localMatrix(ops, time);
+  const times = unionOfTimes([parent.times, own]);
+  if (times.length === 0) {
+    const fixedToStage = mat4.multiply(parent.matrixAt(0), local(0));
+    return { times, matrixAt: () => fixedToStage };
+  }
+  return { times, matrixAt: (time) => mat4.multiply(parent.matrixAt(time), local(time)) };
+}
+
+/** The frame in metres. */
+export function scaledFrame(frame: Frame, unit: number): Frame {
+  const scale: mat4.Mat4 = [unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1];
+  return { times: frame.times, matrixAt: (time) => mat4.multiply(scale, frame.matrixAt(time)) };
+}

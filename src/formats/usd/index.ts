@@ -1,0 +1,3 @@
+export type * from './layer.ts';
+export { parseLayer } from './parser.ts';
+export { readUsd } from './read.ts';

@@ -1,0 +1,83 @@
+import * as mat4 from '../../math/mat4.ts';
+import { normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import type { Light } from '../../scene/types.ts';
+import { attributeOf, numberAt, sampleTimes, textAt, vec3At } from './attributes.ts';
+import { isTrue, report, type StageContext } from './context.ts';
+import { type Frame, scaledFrame } from './frame.ts';
+import type { PrimSpec, PropertySpec } from './layer.ts';
+import { type TextureLoader, textureOf } from './textures.ts';
+
+const LIGHTS = new Set(['DistantLight', 'SphereLight', 'DomeLight', 'DomeLight_1']);
+const OTHER_LIGHTS = new Set([
+  'RectLight',
+  'DiskLight',
+  'CylinderLight',
+  'GeometryLight',
+  'PortalLight',
+  'PluginLight',
+]);
+
+export const isLight = (typeName: string): boolean => LIGHTS.has(typeName);
+export const isUnreadLight = (typeName: string): boolean => OTHER_LIGHTS.has(typeName);
+
+/** A light as it is at the stage's start. */
+export async function lightOf(
+  context: StageContext,
+  textures: TextureLoader,
+  prim: PrimSpec,
+  frame: Frame,
+): Promise<Light> {
+  noteWhatIsNotRead(context, prim, frame);
+  const matrix = scaledFrame(frame, context.unit).matrixAt(context.startCode);
+  const { path } = prim;
+  const color = colorOf(context, prim);
+  if (prim.typeName === 'DistantLight') {
+    const direction = normalize(mat4.transformVector(matrix, [0, 0, -1]), [0, 0, -1]);
+    return { kind: 'distant', path, direction, color };
+  }
+  if (prim.typeName === 'SphereLight') {
+    const size = Math.hypot(...mat4.transformVector(matrix, normalize([1, 1, 1])));
+    const radius = isTrue(context, prim, 'treatAsPoint') ? 0 : (input(context, prim, 'radius') ?? 0.5) * size;
+    return { kind: 'sphere', path, position: mat4.transformPoint(matrix, [0, 0, 0]), radius, color };
+  }
+  const file = textAt(prim, 'inputs:texture:file', context.startCode);
+  const image = file ? await textures.file(file, path) : undefined;
+  if (!image) return { kind: 'dome', path, color };
+  return { kind: 'dome', path, color, texture: { ...textureOf(context, prim, image, false), name: file! } };
+}
+
+/** `inputs:name`, or `name` as files before USD 21 wrote it. */
+const input = (context: StageContext, prim: PrimSpec, name: string): number | undefined =>
+  numberAt(prim, `inputs:${name}`, context.startCode) ?? numberAt(prim, name, context.startCode);
+
+/** What UsdLux takes for a distant light without an intensity: 50000 over its disc of 0.53° is near daylight's 1 … 5. */
+const FALLBACK_INTENSITY = { DistantLight: 50000, other: 1 };
+const FALLBACK_ANGLE = 0.53;
+
+/** color · intensity · 2^exposure. A distant light without an intensity gets the irradiance of its fallback. */
+function colorOf(context: StageContext, prim: PrimSpec): Vec3 {
+  const color = vec3At(prim, 'inputs:color', context.startCode) ??
+    vec3At(prim, 'color', context.startCode) ?? [1, 1, 1];
+  const exposure = 2 ** (input(context, prim, 'exposure') ?? 0);
+  const intensity = input(context, prim, 'intensity');
+  if (intensity !== undefined) return scale(color, intensity * exposure);
+  if (prim.typeName !== 'DistantLight') return scale(color, FALLBACK_INTENSITY.other * exposure);
+  const half = (((input(context, prim, 'angle') ?? FALLBACK_ANGLE) / 2) * Math.PI) / 180;
+  return scale(color, FALLBACK_INTENSITY.DistantLight * Math.PI * Math.sin(half) ** 2 * exposure);
+}
+
+function noteWhatIsNotRead(context: StageContext, prim: PrimSpec, frame: Frame): void {
+  const moving = frame.times.length > 0 || [...prim.properties.values()].some(isAnimated);
+  if (moving)
+    report(context, 'warning', 'usd.animated-light', prim.path, 'the light changes with time; it is held at the start');
+  const warm =
+    isTrue(context, prim, 'inputs:enableColorTemperature') || isTrue(context, prim, 'enableColorTemperature');
+  if (warm)
+    report(context, 'info', 'usd.light-input', prim.path, 'its colour temperature is not applied, only its colour');
+  const shaped = attributeOf(prim, 'inputs:shaping:cone:angle');
+  if (shaped && prim.typeName === 'SphereLight')
+    report(context, 'info', 'usd.light-input', prim.path, 'the shaping of the light is not applied');
+}
+
+const isAnimated = (property: PropertySpec): boolean =>
+  property.kind === 'attribute' && sampleTimes(property).length > 0;

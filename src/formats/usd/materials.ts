@@ -1,0 +1,198 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import type { Material, Texture } from '../../scene/types.ts';
+import type { DecodedImage } from '../images.ts';
+import { numberOf, numbersOf, vec3Of } from './attributes.ts';
+import { primAt, report, type StageContext } from './context.ts';
+import type { PrimSpec, Value } from './layer.ts';
+import { type Input, resolveInput, shaderId } from './shading.ts';
+import { meanOf, type TextureLoader, textureOf, withAlphaFrom } from './textures.ts';
+import { type UvSource, uvSourceOf } from './uvs.ts';
+
+/** A material, and what it wants of the meshes that wear it. */
+export interface BoundMaterial {
+  /** Place in `Scene.materials`. */
+  readonly index: number;
+  readonly uv?: UvSource;
+  /** Its diffuse colour is the mesh's displayColor. */
+  readonly readsDisplayColor: boolean;
+}
+
+/** Inputs of UsdPreviewSurface that change the look and are not drawn. */
+const NOT_DRAWN = ['normal', 'displacement', 'occlusion', 'clearcoat'];
+
+/** The scene's materials, each read once. */
+export class MaterialTable {
+  readonly materials: Material[] = [];
+  private readonly context: StageContext;
+  private readonly textures: TextureLoader;
+  private readonly byKey = new Map<string, Promise<BoundMaterial>>();
+
+  constructor(context: StageContext, textures: TextureLoader) {
+    this.context = context;
+    this.textures = textures;
+  }
+
+  /** The material of a mesh without one: its displayColor, grey where there is none. */
+  plain(color: Vec3, opacity: number): Promise<BoundMaterial> {
+    const key = `displayColor ${color.join(' ')} ${opacity}`;
+    const material = { ...DEFAULTS, name: key, baseColor: color, opacity };
+    return this.once(key, async () => ({ index: this.materials.push(material) - 1, readsDisplayColor: false }));
+  }
+
+  /** The Material prim at a path. */
+  at(path: string, user: string): Promise<BoundMaterial> {
+    return this.once(path, async () => {
+      const prim = primAt(this.context.layer, path);
+      const shader = prim && this.surfaceShader(prim);
+      if (shader) return this.preview(path, shader);
+      const why = prim ? 'has no UsdPreviewSurface' : 'is not in this file';
+      report(this.context, 'warning', 'usd.material', user, `its material ${path} ${why}; it is drawn grey`);
+      return { index: this.materials.push({ ...DEFAULTS, name: path }) - 1, readsDisplayColor: false };
+    });
+  }
+
+  private once(key: string, make: () => Promise<BoundMaterial>): Promise<BoundMaterial> {
+    let bound = this.byKey.get(key);
+    if (!bound) {
+      bound = make();
+      this.byKey.set(key, bound);
+    }
+    return bound;
+  }
+
+  private surfaceShader(material: PrimSpec): PrimSpec | undefined {
+    const { shader } = resolveInput(this.context.layer, material, 'outputs:surface', this.context.startCode);
+    return shader && shaderId(shader) === 'UsdPreviewSurface' ? shader : undefined;
+  }
+
+  private async preview(path: string, shader: PrimSpec): Promise<BoundMaterial> {
+    const input = (name: string): Input =>
+      resolveInput(this.context.layer, shader, `inputs:${name}`, this.context.startCode);
+    this.noteWhatIsNotDrawn(path, input);
+    const opacity = await this.opacity(input('opacity'));
+    const diffuse = await this.color(input('diffuseColor'), DEFAULTS.baseColor, opacity.alphaOf);
+    const emissive = await this.color(input('emissiveColor'), [0, 0, 0], undefined);
+    const material: Material = {
+      name: path,
+      baseColor: diffuse.color,
+      ...(diffuse.texture ? { baseColorTexture: diffuse.texture } : {}),
+      emissive: emissive.color,
+      ...(emissive.texture ? { emissiveTexture: emissive.texture } : {}),
+      roughness: await this.scalar(path, input('roughness'), 'roughness', DEFAULTS.roughness),
+      metallic: await this.scalar(path, input('metallic'), 'metallic', 0),
+      opacity: opacity.value,
+      opacityThreshold: numberOf(input('opacityThreshold').value) ?? 0,
+    };
+    const uv = diffuse.uv ?? emissive.uv ?? opacity.uv;
+    if (emissive.uv && diffuse.uv && emissive.uv.name !== diffuse.uv.name)
+      report(
+        this.context,
+        'warning',
+        'usd.uv',
+        path,
+        `textures use ${diffuse.uv.name} and ${emissive.uv.name}; the first is used for both`,
+      );
+    const bound = { index: this.materials.push(material) - 1, readsDisplayColor: diffuse.readsDisplayColor };
+    return uv ? { ...bound, uv } : bound;
+  }
+
+  private noteWhatIsNotDrawn(path: string, input: (name: string) => Input): void {
+    const present = NOT_DRAWN.filter((name) => input(name).shader || (numberOf(input(name).value) ?? 0) !== 0);
+    if (present.includes('occlusion') && !input('occlusion').shader) present.splice(present.indexOf('occlusion'), 1);
+    if (numberOf(input('useSpecularWorkflow').value) === 1) present.push('useSpecularWorkflow');
+    if (present.length > 0)
+      report(this.context, 'info', 'usd.material-input', path, `${present.join(', ')} of this material is not drawn`);
+  }
+
+  private async color(input: Input, fallback: Vec3, alphaOf: AlphaSource | undefined): Promise<Colored> {
+    const { shader } = input;
+    const id = shader && shaderId(shader);
+    if (id === 'UsdUVTexture') return this.texturedColor(shader!, fallback, alphaOf);
+    if (id?.startsWith('UsdPrimvarReader_float3')) return { color: [1, 1, 1], readsDisplayColor: true };
+    if (shader) this.unsupported(shader);
+    const color = vec3Of(input.value) ?? fallback;
+    return alphaOf ? this.alphaOnly(color, alphaOf) : { color, readsDisplayColor: false };
+  }
+
+  private async texturedColor(shader: PrimSpec, fallback: Vec3, alphaOf: AlphaSource | undefined): Promise<Colored> {
+    const image = await this.textures.image(shader);
+    const value = (name: string): Value | undefined =>
+      resolveInput(this.context.layer, shader, `inputs:${name}`, this.context.startCode).value;
+    if (!image) return { color: vec3Of(value('fallback')) ?? fallback, readsDisplayColor: false };
+    if (numbersOf(value('bias'))?.some((x) => x !== 0))
+      report(this.context, 'warning', 'usd.texture-bias', shader.path, 'the bias of a colour texture is not applied');
+    const ownAlpha = alphaOf?.shader === shader && alphaOf.channel === 3;
+    const merged = alphaOf && !ownAlpha ? withAlphaFrom(image, alphaOf.image, alphaOf.channel) : image;
+    const texture = textureOf(this.context, shader, merged, alphaOf !== undefined);
+    const uv = uvSourceOf(this.context, shader);
+    return { color: vec3Of(value('scale')) ?? [1, 1, 1], texture, uv, readsDisplayColor: false };
+  }
+
+  /** A plain colour cut out by a texture: white pixels that carry the alpha. */
+  private alphaOnly(color: Vec3, alpha: AlphaSource): Colored {
+    const image = withAlphaFrom(undefined, alpha.image, alpha.channel);
+    const texture = textureOf(this.context, alpha.shader, image, true);
+    return { color, texture, uv: uvSourceOf(this.context, alpha.shader), readsDisplayColor: false };
+  }
+
+  private async opacity(input: Input): Promise<{ value: number; alphaOf?: AlphaSource; uv?: UvSource }> {
+    const { shader, output } = input;
+    if (!shader) return { value: numberOf(input.value) ?? 1 };
+    if (shaderId(shader) !== 'UsdUVTexture') {
+      this.unsupported(shader);
+      return { value: 1 };
+    }
+    const image = await this.textures.image(shader);
+    if (!image) return { value: 1 };
+    return { value: 1, alphaOf: { shader, image, channel: channelOf(output) }, uv: uvSourceOf(this.context, shader) };
+  }
+
+  /** A number; of a texture its mean, which is said. */
+  private async scalar(path: string, input: Input, name: string, fallback: number): Promise<number> {
+    const { shader } = input;
+    if (!shader) return numberOf(input.value) ?? fallback;
+    if (shaderId(shader) !== 'UsdUVTexture') {
+      this.unsupported(shader);
+      return fallback;
+    }
+    const image = await this.textures.image(shader);
+    if (!image) return fallback;
+    const channel = channelOf(input.output);
+    const part = (which: string, otherwise: number): number => {
+      const { value } = resolveInput(this.context.layer, shader, `inputs:${which}`, this.context.startCode);
+      return numbersOf(value)?.[channel] ?? otherwise;
+    };
+    report(this.context, 'info', 'usd.material-input', path, `the ${name} texture is drawn as its mean`);
+    return Math.min(1, Math.max(0, meanOf(image, channel) * part('scale', 1) + part('bias', 0)));
+  }
+
+  private unsupported(shader: PrimSpec): void {
+    const message = `a shader '${shaderId(shader)}' is not read; the input that it drives keeps its own value`;
+    report(this.context, 'warning', 'usd.shader', shader.path, message);
+  }
+}
+
+/** What UsdPreviewSurface is where nothing is written; the grey is that of a mesh without a material. */
+const DEFAULTS: Omit<Material, 'name'> = {
+  baseColor: [0.18, 0.18, 0.18],
+  emissive: [0, 0, 0],
+  roughness: 0.5,
+  metallic: 0,
+  opacity: 1,
+  opacityThreshold: 0,
+};
+
+interface Colored {
+  readonly color: Vec3;
+  readonly texture?: Texture;
+  readonly uv?: UvSource | undefined;
+  readonly readsDisplayColor: boolean;
+}
+
+interface AlphaSource {
+  readonly shader: PrimSpec;
+  readonly image: DecodedImage;
+  readonly channel: number;
+}
+
+const channelOf = (output: string | undefined): number => Math.max(0, 'rgba'.indexOf(output ?? 'r'));

@@ -1,0 +1,56 @@
+import type { PolygonValues } from '../../scene/polygons.ts';
+import { attributeOf, numbersOf, type TimeCode, valueAt } from './attributes.ts';
+import { metadataText, report, type StageContext } from './context.ts';
+import type { AttributeSpec, NumberArray, PrimSpec } from './layer.ts';
+
+/** How many values each interpolation needs. */
+export interface Topology {
+  readonly points: number;
+  readonly corners: number;
+  readonly faces: number;
+}
+
+const PER: ReadonlyMap<string, PolygonValues['per']> = new Map([
+  ['constant', 'constant'],
+  ['uniform', 'face'],
+  ['varying', 'point'],
+  ['vertex', 'point'],
+  ['faceVarying', 'corner'],
+]);
+
+export interface Primvar {
+  readonly interpolation: PolygonValues['per'];
+  readonly values: NumberArray;
+  readonly indices?: NumberArray;
+  readonly attribute: AttributeSpec;
+}
+
+/** A primvar or `normals` with its indices; undefined where it has no value. */
+export function primvarOf(prim: PrimSpec, name: string, time: TimeCode, fallback = 'constant'): Primvar | undefined {
+  const attribute = attributeOf(prim, name);
+  const values = numbersOf(valueAt(attribute, time));
+  if (!attribute || !values) return undefined;
+  const interpolation = PER.get(metadataText(attribute.metadata, 'interpolation') ?? fallback) ?? 'constant';
+  const indices = numbersOf(valueAt(attributeOf(prim, `${name}:indices`), time));
+  return { interpolation, values, attribute, ...(indices ? { indices } : {}) };
+}
+
+/** The primvar as values on a mesh; undefined, with a warning, where its counts do not fit. */
+export function valuesOnMesh(
+  context: StageContext,
+  prim: PrimSpec,
+  name: string,
+  primvar: Primvar,
+  size: number,
+  topology: Topology,
+): PolygonValues | undefined {
+  const { interpolation: per, values, indices } = primvar;
+  const needed = { point: topology.points, corner: topology.corners, face: topology.faces, constant: 1 }[per];
+  const held = values.length / size;
+  const given = indices ? indices.length : held;
+  const outside = indices?.some((i) => !(i >= 0 && i < held)) ?? false;
+  if (given >= needed && !outside) return { per, values, ...(indices ? { indices } : {}) };
+  const what = outside ? `has an index outside its ${held} values` : `has ${given} values where ${needed} are needed`;
+  report(context, 'warning', 'usd.primvar', prim.path, `${name} ${what}; it is left out`);
+  return undefined;
+}

@@ -1,0 +1,140 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import type { PolygonValues } from '../../scene/polygons.ts';
+import { attributeOf, numbersAt, textAt } from './attributes.ts';
+import { metadataText, report, type StageContext, targetsOf } from './context.ts';
+import type { PrimSpec } from './layer.ts';
+import type { BoundMaterial, MaterialTable } from './materials.ts';
+import { primvarOf, type Topology, valuesOnMesh } from './primvars.ts';
+import { transformUvs } from './uvs.ts';
+
+/** The materials of one prim's faces, and the primvars that they read. */
+export interface Surface {
+  /** Of the faces that no subset holds. */
+  readonly base: BoundMaterial;
+  faceMaterials(faces: number): Uint32Array;
+  uvs(prim: PrimSpec, topology: Topology): PolygonValues | undefined;
+  colors(prim: PrimSpec, topology: Topology): PolygonValues | undefined;
+}
+
+/** Where a material is bound: nearest first, unless an ancestor's binding is stronger than its descendants'. */
+const BINDINGS = ['material:binding', 'material:binding:preview', 'material:binding:full'];
+
+/** The path of the material that holds on a prim, given what its parent has. */
+export function bindingOf(prim: PrimSpec, inherited: Binding | undefined): Binding | undefined {
+  if (inherited?.strong) return inherited;
+  for (const name of BINDINGS) {
+    const path = targetsOf(prim, name)[0];
+    if (path === undefined) continue;
+    const property = prim.properties.get(name)!;
+    return { path, strong: metadataText(property.metadata, 'bindMaterialAs') === 'strongerThanDescendants' };
+  }
+  return inherited;
+}
+export interface Binding {
+  readonly path: string;
+  readonly strong: boolean;
+}
+
+const GREY: Vec3 = [0.5, 0.5, 0.5];
+
+export async function surfaceOf(
+  context: StageContext,
+  table: MaterialTable,
+  prim: PrimSpec,
+  binding: Binding | undefined,
+): Promise<Surface> {
+  const display = displayColor(context, prim);
+  const base = binding ? await table.at(binding.path, prim.path) : await table.plain(display.color, display.opacity);
+  const subsets = await subsetsOf(context, table, prim, binding);
+  const used = [base, ...subsets.map((s) => s.material)];
+  const colored = used.some((m) => m.readsDisplayColor) || (!binding && display.varies);
+  return {
+    base,
+    faceMaterials: (faces) => faceMaterials(base, subsets, faces),
+    uvs: (mesh, topology) => uvsOf(context, mesh, topology, used, faceMaterials(base, subsets, topology.faces)),
+    colors: (mesh, topology) => {
+      const primvar = colored ? primvarOf(mesh, DISPLAY_COLOR, context.startCode) : undefined;
+      return primvar && valuesOnMesh(context, mesh, DISPLAY_COLOR, primvar, 3, topology);
+    },
+  };
+}
+
+const DISPLAY_COLOR = 'primvars:displayColor';
+
+/** One colour for all; white where they vary and come by vertex. */
+function displayColor(context: StageContext, prim: PrimSpec): { color: Vec3; opacity: number; varies: boolean } {
+  const colors = numbersAt(prim, DISPLAY_COLOR, context.startCode);
+  const opacity = numbersAt(prim, 'primvars:displayOpacity', context.startCode)?.[0] ?? 1;
+  const varies = (colors?.length ?? 0) > 3;
+  const color: Vec3 = varies ? [1, 1, 1] : colors?.length === 3 ? [colors[0], colors[1], colors[2]] : GREY;
+  return { color, opacity, varies };
+}
+
+interface Subset {
+  readonly material: BoundMaterial;
+  readonly faces: ArrayLike<number>;
+}
+
+async function subsetsOf(
+  context: StageContext,
+  table: MaterialTable,
+  prim: PrimSpec,
+  binding: Binding | undefined,
+): Promise<Subset[]> {
+  const subsets: Subset[] = [];
+  for (const child of prim.children.values()) {
+    if (child.typeName !== 'GeomSubset' || child.specifier !== 'def') continue;
+    const own = bindingOf(child, binding?.strong ? binding : undefined);
+    if (!own) continue;
+    if ((textAt(child, 'elementType', undefined) ?? 'face') !== 'face') {
+      report(context, 'warning', 'usd.subset', child.path, 'only subsets of faces can have a material; it is left out');
+      continue;
+    }
+    const faces = numbersAt(child, 'indices', context.startCode) ?? [];
+    subsets.push({ material: await table.at(own.path, child.path), faces });
+  }
+  return subsets;
+}
+
+function faceMaterials(base: BoundMaterial, subsets: readonly Subset[], faces: number): Uint32Array {
+  const out = new Uint32Array(faces).fill(base.index);
+  for (const { material, faces: own } of subsets)
+    for (let i = 0; i < own.length; i++) if (own[i] >= 0 && own[i] < faces) out[own[i]] = material.index;
+  return out;
+}
+
+/** The primvar that the materials read; else the one that most programs write. */
+function uvsOf(
+  context: StageContext,
+  prim: PrimSpec,
+  topology: Topology,
+  used: readonly BoundMaterial[],
+  materials: Uint32Array,
+): PolygonValues | undefined {
+  const wanted = new Set(used.flatMap((m) => m.uv?.name ?? []));
+  const name = [...wanted, 'st', ...uvPrimvars(prim)].find((n) => attributeOf(prim, `primvars:${n}`));
+  if (wanted.size > 1)
+    report(context, 'warning', 'usd.uv', prim.path, `its materials use uvs ${[...wanted].join(', ')}; ${name} is used`);
+  if (name === undefined) {
+    if (wanted.size > 0) {
+      const message = `its material reads uvs '${[...wanted].join("', '")}', which it does not have`;
+      report(context, 'warning', 'usd.uv', prim.path, message);
+    }
+    return undefined;
+  }
+  const primvar = primvarOf(prim, `primvars:${name}`, context.startCode);
+  const values = primvar && valuesOnMesh(context, prim, `primvars:${name}`, primvar, 2, topology);
+  if (!values || !used.some((m) => m.uv?.transform)) return values;
+  const points = numbersAt(prim, 'faceVertexIndices', context.startCode)!;
+  const counts = numbersAt(prim, 'faceVertexCounts', context.startCode)!;
+  const byIndex = new Map(used.map((m) => [m.index, m.uv?.transform]));
+  return transformUvs(values, points, counts, (face) => byIndex.get(materials[face]));
+}
+
+function uvPrimvars(prim: PrimSpec): string[] {
+  const names: string[] = [];
+  for (const property of prim.properties.values())
+    if (property.kind === 'attribute' && /^(texCoord2[fhd]|float2)\[\]$/.test(property.typeName))
+      if (property.name.startsWith('primvars:')) names.push(property.name.slice('primvars:'.length));
+  return names;
+}

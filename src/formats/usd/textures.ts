@@ -1,0 +1,108 @@
+import type { Texture, TextureWrap } from '../../scene/types.ts';
+import { InputError } from '../../scene/types.ts';
+import { messageOf } from '../fail.ts';
+import { type DecodedImage, decodeImage } from '../images.ts';
+import { resolvePath } from '../source.ts';
+import { textAt, textOf } from './attributes.ts';
+import { report, type StageContext } from './context.ts';
+import type { PrimSpec } from './layer.ts';
+import { resolveInput } from './shading.ts';
+
+/** Reads pictures, each once. */
+export class TextureLoader {
+  private readonly context: StageContext;
+  private readonly images = new Map<string, Promise<DecodedImage | undefined>>();
+
+  constructor(context: StageContext) {
+    this.context = context;
+  }
+
+  /** The picture of a UsdUVTexture; undefined, with a diagnostic, where there is none. */
+  async image(shader: PrimSpec): Promise<DecodedImage | undefined> {
+    const input = resolveInput(this.context.layer, shader, 'inputs:file', this.context.startCode);
+    const asset = textOf(input.value);
+    if (!asset) {
+      report(this.context, 'warning', 'usd.missing-texture', shader.path, 'the texture names no file');
+      return undefined;
+    }
+    return this.file(asset, shader.path);
+  }
+
+  /** The picture at an asset path as written in the layer. */
+  file(asset: string, user: string): Promise<DecodedImage | undefined> {
+    const path = resolvePath(this.context.layer.name, asset.replaceAll('<UDIM>', '1001'));
+    if (asset.includes('<UDIM>'))
+      report(this.context, 'warning', 'usd.udim', user, `${asset} is a set of tiles; only tile 1001 is used`);
+    let image = this.images.get(path);
+    if (!image) {
+      image = this.load(path, user);
+      this.images.set(path, image);
+    }
+    return image;
+  }
+
+  private async load(path: string, user: string): Promise<DecodedImage | undefined> {
+    const bytes = await this.context.source.read(path);
+    if (!bytes) {
+      const message = `the texture ${path} is not there; put it beside ${this.context.layer.name} or open the folder that holds both`;
+      report(this.context, 'warning', 'usd.missing-texture', user, message);
+      return undefined;
+    }
+    try {
+      return decodeImage(bytes, path);
+    } catch (thrown) {
+      const message = thrown instanceof InputError ? thrown.message : messageOf(thrown);
+      report(this.context, 'warning', 'usd.unreadable-texture', user, message);
+      return undefined;
+    }
+  }
+}
+
+/** How a UsdUVTexture reads its picture. `alpha: false`: opacity does not come from it, so that it is opaque. */
+export function textureOf(context: StageContext, shader: PrimSpec, image: DecodedImage, alpha: boolean): Texture {
+  const text = (name: string): string | undefined =>
+    textOf(resolveInput(context.layer, shader, `inputs:${name}`, context.startCode).value);
+  return {
+    name: text('file') ?? shader.path,
+    width: image.width,
+    height: image.height,
+    data: alpha ? image.data : opaque(image.data),
+    colorSpace: text('sourceColorSpace') === 'raw' ? 'linear' : 'srgb',
+    filter: textAt(shader, 'slowlight:filter', undefined) === 'nearest' ? 'nearest' : 'linear',
+    wrapS: wrapOf(text('wrapS')),
+    wrapT: wrapOf(text('wrapT')),
+  };
+}
+
+/** `black` outside the picture is clamped; `useMetadata` repeats, as pictures without metadata do in most viewers. */
+function wrapOf(mode: string | undefined): TextureWrap {
+  if (mode === 'clamp' || mode === 'black') return 'clamp';
+  return mode === 'mirror' ? 'mirror' : 'repeat';
+}
+
+function opaque(rgba: Uint8Array): Uint8Array {
+  const out = rgba.slice();
+  for (let i = 3; i < out.length; i += 4) out[i] = 255;
+  return out;
+}
+
+/** The picture (white where there is none) with its alpha from one channel of another, read at the nearest pixel. */
+export function withAlphaFrom(image: DecodedImage | undefined, alpha: DecodedImage, channel: number): DecodedImage {
+  const { width, height } = image ?? alpha;
+  const data = image ? image.data.slice() : new Uint8Array(width * height * 4).fill(255);
+  for (let y = 0; y < height; y++) {
+    const row = Math.floor((y * alpha.height) / height) * alpha.width;
+    for (let x = 0; x < width; x++) {
+      const from = row + Math.floor((x * alpha.width) / width);
+      data[4 * (y * width + x) + 3] = alpha.data[4 * from + channel];
+    }
+  }
+  return { width, height, data };
+}
+
+/** Mean of one channel, 0 … 1. */
+export function meanOf(image: DecodedImage, channel: number): number {
+  let sum = 0;
+  for (let i = channel; i < image.data.length; i += 4) sum += image.data[i];
+  return sum / (255 * image.width * image.height);
+}

@@ -1,0 +1,80 @@
+import type { PolygonValues } from '../../scene/polygons.ts';
+import { numberOf, numbersOf, textOf } from './attributes.ts';
+import type { StageContext } from './context.ts';
+import { report } from './context.ts';
+import type { PrimSpec } from './layer.ts';
+import { resolveInput, shaderId } from './shading.ts';
+
+/** Which primvar a texture is looked up by, and what is done to it before. */
+export interface UvSource {
+  readonly name: string;
+  readonly transform?: UvTransform;
+}
+
+/** uv′ = R(rotation) (scale · uv) + translation (UsdTransform2d). */
+export interface UvTransform {
+  readonly scale: readonly [number, number];
+  /** [degrees] */
+  readonly rotation: number;
+  readonly translation: readonly [number, number];
+}
+
+/** Follows `inputs:st` of a UsdUVTexture to its UsdPrimvarReader_float2. */
+export function uvSourceOf(context: StageContext, texture: PrimSpec): UvSource | undefined {
+  const { layer, startCode } = context;
+  const { shader } = resolveInput(layer, texture, 'inputs:st', startCode);
+  if (!shader) return undefined;
+  const id = shaderId(shader);
+  if (id === 'UsdTransform2d') {
+    const reader = resolveInput(layer, shader, 'inputs:in', startCode).shader;
+    const name = reader ? readerVariable(context, reader) : undefined;
+    return name === undefined ? undefined : { name, transform: uvTransformOf(context, shader) };
+  }
+  if (id.startsWith('UsdPrimvarReader_float2')) {
+    const name = readerVariable(context, shader);
+    return name === undefined ? undefined : { name };
+  }
+  report(context, 'warning', 'usd.shader', shader.path, `a shader '${id}' is not read; st is used for uv`);
+  return undefined;
+}
+
+const readerVariable = (context: StageContext, reader: PrimSpec): string | undefined =>
+  textOf(resolveInput(context.layer, reader, 'inputs:varname', context.startCode).value);
+
+function uvTransformOf(context: StageContext, shader: PrimSpec): UvTransform {
+  const input = (name: string) => resolveInput(context.layer, shader, `inputs:${name}`, context.startCode).value;
+  const pair = (name: string, fallback: number): readonly [number, number] => {
+    const v = numbersOf(input(name));
+    return [v?.[0] ?? fallback, v?.[1] ?? fallback];
+  };
+  const rotation = numberOf(input('rotation')) ?? 0;
+  return { scale: pair('scale', 1), rotation, translation: pair('translation', 0) };
+}
+
+/** The uvs with each face's own transform applied, one per corner. */
+export function transformUvs(
+  values: PolygonValues,
+  points: ArrayLike<number>,
+  counts: ArrayLike<number>,
+  transformOfFace: (face: number) => UvTransform | undefined,
+): PolygonValues {
+  const out = new Float32Array(points.length * 2);
+  let corner = 0;
+  for (let face = 0; face < counts.length; face++) {
+    const transform = transformOfFace(face);
+    for (let k = 0; k < counts[face] && corner < points.length; k++, corner++) {
+      const place = { point: points[corner], corner, face, constant: 0 }[values.per];
+      const i = values.indices ? values.indices[place] : place;
+      out.set(apply(transform, values.values[2 * i], values.values[2 * i + 1]), 2 * corner);
+    }
+  }
+  return { per: 'corner', values: out };
+}
+
+function apply(transform: UvTransform | undefined, u: number, v: number): [number, number] {
+  if (!transform) return [u, v];
+  const { scale, rotation, translation } = transform;
+  const [c, s] = [Math.cos((rotation * Math.PI) / 180), Math.sin((rotation * Math.PI) / 180)];
+  const [x, y] = [u * scale[0], v * scale[1]];
+  return [c * x - s * y + translation[0], s * x + c * y + translation[1]];
+}

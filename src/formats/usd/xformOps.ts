@@ -1,0 +1,108 @@
+import * as mat4 from '../../math/mat4.ts';
+import { fromAxisAngle, normalizeQuat, toMatrix } from '../../math/quat.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { attributeOf, numbersOf, sampleTimes, type TimeCode, tokensAt, valueAt } from './attributes.ts';
+import type { AttributeSpec, PrimSpec, Value } from './layer.ts';
+
+/** One step of a prim's `xformOpOrder`. */
+export interface XformOp {
+  /** `translate`, `rotateXYZ`, … without namespace and suffix. */
+  readonly kind: string;
+  readonly inverted: boolean;
+  readonly attribute: AttributeSpec;
+}
+
+export interface LocalTransform {
+  readonly ops: readonly XformOp[];
+  /** The parent's transform does not apply. */
+  readonly resetsStack: boolean;
+  /** Names in `xformOpOrder` that cannot be followed. */
+  readonly unknown: readonly string[];
+}
+
+const RESET = '!resetXformStack!';
+const INVERT = '!invert!';
+const PREFIX = 'xformOp:';
+
+/** The ops of a prim in the order written: the first is the outermost. Ops before the last reset do not count. */
+export function transformOf(prim: PrimSpec): LocalTransform {
+  const order = tokensAt(prim, 'xformOpOrder', undefined) ?? [];
+  const reset = order.lastIndexOf(RESET);
+  const ops: XformOp[] = [];
+  const unknown: string[] = [];
+  for (const written of order.slice(reset + 1)) {
+    const op = opOf(prim, written);
+    if (op) ops.push(op);
+    else unknown.push(written);
+  }
+  return { ops, resetsStack: reset >= 0, unknown };
+}
+
+function opOf(prim: PrimSpec, written: string): XformOp | undefined {
+  const inverted = written.startsWith(INVERT);
+  const name = inverted ? written.slice(INVERT.length) : written;
+  const attribute = attributeOf(prim, name);
+  const kind = name.startsWith(PREFIX) ? name.slice(PREFIX.length).split(':')[0] : '';
+  return attribute && KINDS.test(kind) ? { kind, inverted, attribute } : undefined;
+}
+
+const KINDS = /^(translate[XYZ]?|scale[XYZ]?|rotate([XYZ]|XYZ|XZY|YXZ|YZX|ZXY|ZYX)|orient|transform)$/;
+
+/** x_parent = M x_local at a time; an op without a value there is the identity. */
+export function localMatrix(ops: readonly XformOp[], time: TimeCode): mat4.Mat4 {
+  return ops.reduce<mat4.Mat4>((m, op) => {
+    const step = opMatrix(op, valueAt(op.attribute, time));
+    return step ? mat4.multiply(m, step) : m;
+  }, mat4.IDENTITY);
+}
+
+/** Codes at which any of the ops has a sample, rising. */
+export function opTimes(ops: readonly XformOp[]): Float64Array {
+  return unionOfTimes(ops.map((op) => sampleTimes(op.attribute)));
+}
+
+export function unionOfTimes(lists: readonly Float64Array[]): Float64Array {
+  return Float64Array.from(new Set(lists.flatMap((times) => [...times]))).sort();
+}
+
+function opMatrix(op: XformOp, value: Value | undefined): mat4.Mat4 | undefined {
+  const numbers = value && 'data' in value && typeof value.data === 'number' ? [value.data] : numbersOf(value);
+  if (!numbers) return undefined;
+  const m = forwardMatrix(op.kind, numbers);
+  return op.inverted && m ? mat4.invert(m) : m;
+}
+
+function forwardMatrix(kind: string, v: ArrayLike<number>): mat4.Mat4 | undefined {
+  const axis = 'XYZ'.indexOf(kind.at(-1)!);
+  if (kind === 'transform') return v.length === 16 ? mat4.transpose(Array.from(v)) : undefined;
+  if (kind === 'orient') return v.length === 4 ? fromQuat(v) : undefined;
+  if (kind === 'translate' || kind === 'scale') return v.length === 3 ? moved(kind, [v[0], v[1], v[2]]) : undefined;
+  if (v.length === 1 && kind.startsWith('rotate')) return kind.length !== 7 ? undefined : rotation(axis, v[0]);
+  if (v.length === 1) return moved(kind.slice(0, -1), withAxis(kind.startsWith('scale') ? 1 : 0, axis, v[0]));
+  return v.length === 3 && kind.length === 9 ? eulerMatrix(kind.slice(6), v) : undefined;
+}
+
+const moved = (kind: string, [x, y, z]: Vec3): mat4.Mat4 =>
+  kind === 'scale'
+    ? [x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, 0, 1]
+    : [1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z, 0, 0, 0, 1];
+
+function withAxis(rest: number, axis: number, value: number): Vec3 {
+  const at = (i: number): number => (i === axis ? value : rest);
+  return [at(0), at(1), at(2)];
+}
+
+const fromQuat = (q: ArrayLike<number>): mat4.Mat4 =>
+  mat4.fromParts(toMatrix(normalizeQuat([q[0], q[1], q[2], q[3]])), [0, 0, 0]);
+
+/** About one axis [degrees]. */
+const rotation = (axis: number, degrees: number): mat4.Mat4 =>
+  mat4.fromParts(toMatrix(fromAxisAngle(withAxis(0, axis, 1), (degrees * Math.PI) / 180)), [0, 0, 0]);
+
+/** `XYZ`: first about X, then Y, then Z. The angles are x y z, in any order of application. */
+function eulerMatrix(order: string, degrees: ArrayLike<number>): mat4.Mat4 {
+  return [...order].reduce<mat4.Mat4>((m, letter) => {
+    const axis = 'XYZ'.indexOf(letter);
+    return mat4.multiply(rotation(axis, degrees[axis]), m);
+  }, mat4.IDENTITY);
+}
