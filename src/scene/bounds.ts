@@ -1,0 +1,76 @@
+import { add, distance, scale, type Vec3 } from '../math/vec3.ts';
+import { emissionTime, type ObserverEvent } from '../physics/lightCone.ts';
+import { positionAt, type WorldLine } from '../physics/worldLine.ts';
+import { vertexWorldLine } from './motion.ts';
+import { pointAt } from './polygons.ts';
+import type { Scene, SceneObject } from './types.ts';
+
+export interface Box {
+  readonly min: Vec3;
+  readonly max: Vec3;
+}
+export interface Sphere {
+  readonly center: Vec3;
+  readonly radius: number;
+}
+
+/** The axis-parallel box of points, 3 numbers each [m]; undefined of none. Numbers that are not finite are left out. */
+export function boundingBox(points: ArrayLike<number>): Box | undefined {
+  const min = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
+  const max = min.map((x) => -x);
+  for (let i = 0; i < points.length; i++) {
+    const x = points[i];
+    if (!Number.isFinite(x)) continue;
+    if (x < min[i % 3]) min[i % 3] = x;
+    if (x > max[i % 3]) max[i % 3] = x;
+  }
+  return min.every((x, k) => x <= max[k]) ? { min: pointAt(min, 0), max: pointAt(max, 0) } : undefined;
+}
+
+/** A sphere round the middle of the bounding box that holds all points [m]; at most √3 times the smallest one. */
+export function boundingSphere(points: ArrayLike<number>): Sphere {
+  const box = boundingBox(points);
+  if (!box) return { center: [0, 0, 0], radius: 0 };
+  const center = scale(add(box.min, box.max), 0.5);
+  let radius = 0;
+  for (let i = 0; i < points.length / 3; i++) {
+    const d = distance(pointAt(points, i), center);
+    if (d > radius) radius = d;
+  }
+  return { center, radius };
+}
+
+/** The box of all that exists at world time t [s]; undefined where nothing does. c [m/s]. */
+export function sceneBounds(scene: Scene, t: number, c: number): Box | undefined {
+  const corners: number[] = [];
+  for (const object of scene.objects) {
+    if (t < object.lifetime.birth || t > object.lifetime.death) continue;
+    const box = objectBounds(object, t, c);
+    if (box) corners.push(...box.min, ...box.max);
+  }
+  return boundingBox(corners);
+}
+
+/** The box of an object at world time t [s]. */
+export function objectBounds(object: SceneObject, t: number, c: number): Box | undefined {
+  const points = new Float64Array(object.mesh.positions.length);
+  for (let i = 0; i < points.length / 3; i++) points.set(positionAt(vertexWorldLine(object, i, c), t, c), 3 * i);
+  return boundingBox(points);
+}
+
+/**
+ * World times [s] between which lies the emission of every point that stays within `radius` [m] of `center`, in the world
+ * frame: those of the centre for observers who look radius/c earlier and later at the same place. undefined where the
+ * centre's horizon hides it from one of them.
+ */
+export function emissionWindow(
+  center: WorldLine,
+  radius: number,
+  observer: ObserverEvent,
+  c: number,
+): readonly [from: number, to: number] | undefined {
+  const at = (dt: number) => emissionTime(center, { ...observer, t: observer.t + dt }, c);
+  const from = at(-radius / c);
+  const to = at(radius / c);
+  return from === undefined || to === undefined ? undefined : [from, to];
+}

@@ -1,0 +1,52 @@
+import { IDENTITY } from '../math/quat.ts';
+import { type Vec3, ZERO } from '../math/vec3.ts';
+import type { Lifetime, Material, Mesh, Motion, Pose, Scene, SceneObject, StaticMotion } from './types.ts';
+
+export const FOREVER: Lifetime = { birth: Number.NEGATIVE_INFINITY, death: Number.POSITIVE_INFINITY };
+export const ORIGIN: Pose = { position: ZERO, orientation: IDENTITY };
+
+/** At rest at `position` [m], not turned. */
+export const restingAt = (position: Vec3): StaticMotion => ({
+  kind: 'static',
+  pose: { position, orientation: IDENTITY },
+});
+
+/** A matt, light grey, opaque material; what is given replaces it. The base colour is linear. */
+export const makeMaterial = (given: Partial<Material> & Pick<Material, 'name'>): Material => ({
+  baseColor: [0.5, 0.5, 0.5],
+  emissive: ZERO,
+  roughness: 0.6,
+  metallic: 0,
+  opacity: 1,
+  opacityThreshold: 0,
+  ...given,
+});
+
+/** An object of the world frame, at rest at the origin, that always exists; what is given replaces it. */
+export const makeObject = (
+  given: Partial<SceneObject> & { readonly path: string; readonly mesh: Mesh },
+): SceneObject => ({
+  motion: restingAt(ZERO) satisfies Motion,
+  lifetime: FOREVER,
+  authoredIn: 'world',
+  ...given,
+});
+
+/** A scene of metres with Y up; what is given replaces it. There is always a material 0. */
+export function makeScene(given: Partial<Scene> & Pick<Scene, 'name'>): Scene {
+  const scene: Scene = {
+    upAxis: 'Y',
+    metersPerUnit: 1,
+    timeCodesPerSecond: 24,
+    startTime: 0,
+    endTime: 0,
+    objects: [],
+    materials: [],
+    lights: [],
+    cameras: [],
+    hints: {},
+    diagnostics: [],
+    ...given,
+  };
+  return scene.materials.length > 0 ? scene : { ...scene, materials: [makeMaterial({ name: 'default' })] };
+}

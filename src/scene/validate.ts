@@ -1,0 +1,238 @@
+import { rotate } from '../math/quat.ts';
+import { dot, length, type Vec3 } from '../math/vec3.ts';
+import { makeObject } from './defaults.ts';
+import { fastest } from './fastest.ts';
+import { pointAt } from './polygons.ts';
+import type { Diagnostic, HyperbolicMotion, Mesh, Motion, Scene, SceneCamera, SceneObject } from './types.ts';
+
+/**
+ * What is wrong with a scene at the speed of light c [m/s], object by object. Errors are things that no picture can be made of;
+ * an object with one must be left out or mended.
+ */
+export function validate(scene: Scene, c: number): Diagnostic[] {
+  return [
+    ...duplicatePaths(scene),
+    ...scene.objects.flatMap((object) => validateObject(object, scene, c)),
+    ...scene.cameras.flatMap((camera) => validateCamera(camera, c)),
+  ];
+}
+
+const problem = (severity: Diagnostic['severity'], code: string, place: string, message: string): Diagnostic => ({
+  severity,
+  code,
+  place,
+  message,
+});
+
+function duplicatePaths({ objects }: Scene): Diagnostic[] {
+  const seen = new Set<string>();
+  return objects
+    .filter(({ path }) => seen.has(path) || !seen.add(path))
+    .map(({ path }) => problem('error', 'scene.duplicate-path', path, 'two objects have this path; rename one'));
+}
+
+/** Each later check takes what the earlier ones found in order, so the first that finds an error ends the list. */
+function validateObject(object: SceneObject, scene: Scene, c: number): Diagnostic[] {
+  const { path, mesh, motion } = object;
+  const found = [...validateMesh(mesh, scene, path), ...validateTimes(motion, path), ...validateLifetime(object)];
+  if (hasError(found)) return found;
+  found.push(...finiteness(object));
+  return hasError(found) ? found : [...found, ...validateSpeed(object, c)];
+}
+
+const hasError = (found: readonly Diagnostic[]): boolean => found.some(({ severity }) => severity === 'error');
+
+function validateMesh(mesh: Mesh, scene: Scene, path: string): Diagnostic[] {
+  const vertices = mesh.positions.length / 3;
+  if (mesh.indices.length === 0 || vertices === 0)
+    return [problem('warning', 'mesh.empty', path, 'has no triangle; nothing of it is drawn')];
+  const beyond = mesh.indices.find((v) => v >= vertices);
+  if (beyond !== undefined) {
+    return [problem('error', 'mesh.index', path, `a triangle names vertex ${beyond}, but there are only ${vertices}`)];
+  }
+  if (mesh.normals.length !== mesh.positions.length || mesh.uvs.length !== 2 * vertices) {
+    return [
+      problem(
+        'error',
+        'mesh.length',
+        path,
+        `${vertices} vertices need as many normals and uvs, not ${mesh.normals.length / 3} and ${mesh.uvs.length / 2}`,
+      ),
+    ];
+  }
+  const foreign = mesh.groups.find(({ material }) => material >= scene.materials.length);
+  if (foreign)
+    return [
+      problem(
+        'error',
+        'mesh.material',
+        path,
+        `uses material ${foreign.material}, but there are only ${scene.materials.length}`,
+      ),
+    ];
+  return degenerateTriangles(mesh, path);
+}
+
+/** Two corners in one place, or three in line, to f32: area under a millionth of the square of the longest side. */
+function degenerateTriangles({ positions, indices }: Mesh, path: string): Diagnostic[] {
+  let count = 0;
+  for (let i = 0; i < indices.length; i += 3)
+    if (isDegenerate(positions, indices[i], indices[i + 1], indices[i + 2])) count++;
+  if (count === 0) return [];
+  const share = `${count} of ${indices.length / 3} triangles`;
+  return [
+    problem(
+      'warning',
+      'mesh.degenerate',
+      path,
+      `${share} have no area; merge double points, or leave it: they are not drawn`,
+    ),
+  ];
+}
+
+function isDegenerate(p: Float32Array, a: number, b: number, c: number): boolean {
+  const [i, j, k] = [3 * a, 3 * b, 3 * c];
+  const [ux, uy, uz] = [p[j] - p[i], p[j + 1] - p[i + 1], p[j + 2] - p[i + 2]];
+  const [vx, vy, vz] = [p[k] - p[i], p[k + 1] - p[i + 1], p[k + 2] - p[i + 2]];
+  const area2 = (uy * vz - uz * vy) ** 2 + (uz * vx - ux * vz) ** 2 + (ux * vy - uy * vx) ** 2;
+  const longest = Math.max(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz);
+  return area2 <= 1e-12 * longest * longest;
+}
+
+function validateTimes(motion: Motion, path: string): Diagnostic[] {
+  if (!('times' in motion)) return [];
+  const { times } = motion;
+  const samples = motion.kind === 'sampled' ? motion.poses.length / 7 : motion.points.length;
+  if (times.length < 2 || samples !== times.length) {
+    return [
+      problem(
+        'error',
+        'motion.samples',
+        path,
+        `${times.length} times and ${samples} samples; a motion needs as many of both, two or more`,
+      ),
+    ];
+  }
+  const k = times.findIndex((t, i) => i > 0 && !(t > times[i - 1]));
+  if (k < 0) return [];
+  return [
+    problem(
+      'error',
+      'motion.times',
+      path,
+      `sample ${k} is at ${seconds(times[k])}, not after sample ${k - 1} at ${seconds(times[k - 1])}; times must rise`,
+    ),
+  ];
+}
+
+function validateLifetime({ lifetime, path }: SceneObject): Diagnostic[] {
+  if (lifetime.birth < lifetime.death) return [];
+  return [
+    problem(
+      'warning',
+      'object.lifetime',
+      path,
+      `ends at ${seconds(lifetime.death)}, not after it begins at ${seconds(lifetime.birth)}; it is never there`,
+    ),
+  ];
+}
+
+function finiteness({ path, mesh, motion }: SceneObject): Diagnostic[] {
+  const at = mesh.positions.findIndex((x) => !Number.isFinite(x));
+  if (at >= 0)
+    return [
+      problem(
+        'error',
+        'mesh.not-finite',
+        path,
+        `vertex ${Math.floor(at / 3)} is at ${pointAt(mesh.positions, Math.floor(at / 3)).join(', ')}`,
+      ),
+    ];
+  const bad = badMotion(motion);
+  return bad === undefined ? [] : [problem('error', 'motion.not-finite', path, bad)];
+}
+
+function badMotion(motion: Motion): string | undefined {
+  switch (motion.kind) {
+    case 'sampled': {
+      const at = motion.poses.findIndex((x) => !Number.isFinite(x));
+      return at < 0
+        ? undefined
+        : `the pose at ${seconds(motion.times[Math.floor(at / 7)])} has ${motion.poses[at]} in it`;
+    }
+    case 'sampled-points': {
+      const k = motion.points.findIndex((points) => points.some((x) => !Number.isFinite(x)));
+      return k < 0 ? undefined : `the points at ${seconds(motion.times[k])} have a number that is not finite`;
+    }
+    default: {
+      const given = [...motion.pose.position, ...motion.pose.orientation, ...vectorOf(motion)];
+      const bad = given.find((x) => !Number.isFinite(x));
+      return bad === undefined ? undefined : `its pose or motion has ${bad} in it`;
+    }
+  }
+}
+
+const vectorOf = (motion: Motion): Vec3 =>
+  motion.kind === 'uniform' ? motion.velocity : motion.kind === 'hyperbolic' ? motion.properAcceleration : [0, 0, 0];
+
+function validateSpeed(object: SceneObject, c: number): Diagnostic[] {
+  const place = `motion of ${object.path}`;
+  if (object.motion.kind === 'hyperbolic') return validateHorizon(object, object.motion, c);
+  const { speed, from, to } = fastest(object, c, [0, 0], c * (1 - 1e-9));
+  return speed >= c ? [tooFast(place, speed, from, to, c)] : [];
+}
+
+/** The house's model of a message: what, how much, when, and the least c that would do. */
+function tooFast(place: string, speed: number, from: number, to: number, c: number): Diagnostic {
+  const when = Number.isFinite(from) ? ` between t = ${seconds(from)} and ${seconds(to)}` : ' at all times';
+  const message = `${inUnitsOfC(speed / c)} c${when}; raise c above ${roundedUp(speed)} m/s or slow it down`;
+  return problem('error', 'motion.superluminal', place, message);
+}
+
+/** Speeds just over c are told with as many digits as it takes to see it. */
+function inUnitsOfC(ratio: number): string {
+  for (let digits = 3; digits < 9; digits++)
+    if (Number(ratio.toPrecision(digits)) > 1) return ratio.toPrecision(digits);
+  return '1';
+}
+
+/** Three digits, and never under the number itself. */
+function roundedUp(x: number): string {
+  const step = 10 ** (Math.floor(Math.log10(x)) - 2);
+  const up = Math.ceil(x / step - 1e-9) * step;
+  return Number(up.toPrecision(3)).toString();
+}
+
+const seconds = (t: number): string => `${t.toFixed(Math.abs(t) < 0.01 && t !== 0 ? 6 : 2)} s`;
+
+/** A Born-rigid body must lie wholly before its horizon, c²/a behind the origin of its frame. */
+function validateHorizon({ path, mesh, authoredIn }: SceneObject, motion: HyperbolicMotion, c: number): Diagnostic[] {
+  if (authoredIn !== 'rest') return [];
+  const a = motion.properAcceleration;
+  let depth = 0;
+  for (let i = 0; i < mesh.positions.length / 3; i++) {
+    depth = Math.max(depth, -dot(a, rotate(motion.pose.orientation, pointAt(mesh.positions, i))));
+  }
+  if (depth < c * c) return [];
+  const behind = `a point ${(depth / length(a)).toPrecision(3)} m behind its origin would have to outrun light`;
+  const message = `${behind} (horizon at ${((c * c) / length(a)).toPrecision(3)} m); raise c above ${roundedUp(Math.sqrt(depth))} m/s or accelerate less`;
+  return [problem('error', 'motion.horizon', `motion of ${path}`, message)];
+}
+
+/** A camera's frame is a point: its own speed is what counts. */
+function validateCamera({ path, motion }: SceneCamera, c: number): Diagnostic[] {
+  const found = validateTimes(motion, path);
+  if (hasError(found)) return found;
+  const bad = badMotion(motion);
+  if (bad !== undefined) return [problem('error', 'motion.not-finite', path, bad)];
+  return validateSpeed(makeObject({ path, mesh: POINT, motion }), c);
+}
+
+const POINT: Mesh = {
+  positions: new Float32Array(3),
+  normals: new Float32Array(3),
+  uvs: new Float32Array(2),
+  indices: new Uint32Array(0),
+  groups: [],
+  doubleSided: false,
+};
