@@ -20,7 +20,14 @@ export interface SceneFormat {
 }
 
 /** Every kind of scene file that can be opened. */
-export const sceneFormats: readonly SceneFormat[] = [];
+export const sceneFormats: readonly SceneFormat[] = [
+  {
+    id: 'gltf',
+    name: 'glTF',
+    extensions: ['gltf', 'glb'],
+    read: async (source, entry, options) => (await import('./gltf/index.ts')).readGltf(source, entry, options),
+  },
+];
 
 /** The format of a path by its extension; undefined where none reads it. */
 export function formatOf(path: string): SceneFormat | undefined {

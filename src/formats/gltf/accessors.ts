@@ -1,0 +1,11 @@
+import { type Accessor, MathUtils } from '@gltf-transform/core';
+
+/** All numbers of an accessor in order, with normalised integers as fractions; shared with it where it holds floats. */
+export function floatsOf(accessor: Accessor): Float32Array {
+  const array = accessor.getArray();
+  if (!array) return new Float32Array(0);
+  if (array instanceof Float32Array) return array;
+  const type = accessor.getComponentType();
+  if (!accessor.getNormalized()) return Float32Array.from(array);
+  return Float32Array.from(array, (value: number) => MathUtils.decodeNormalizedInt(value, type));
+}

@@ -1,0 +1,215 @@
+import type { Node as GltfNode } from '@gltf-transform/core';
+import { invert, multiply as times3, transpose } from '../../math/mat3.ts';
+import { fromParts, isRigid, linearPart } from '../../math/mat4.ts';
+import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../math/quat.ts';
+import { add, scale, type Vec3, ZERO } from '../../math/vec3.ts';
+import { boundingBox } from '../../scene/bounds.ts';
+import { transformMesh } from '../../scene/meshOps.ts';
+import type { Mesh, Motion, Pose, SampledMotion, StaticMotion } from '../../scene/types.ts';
+import { formatBytes } from '../fail.ts';
+import type { GltfContext } from './context.ts';
+import type { Deformer } from './deform.ts';
+import type { NodeTree, Placement } from './nodes.ts';
+import type { Geometry } from './primitives.ts';
+import { type Knots, knotsOf, sampleTimes } from './sampling.ts';
+
+/** Distance of straight pieces from the true path, as a fraction of half the object's diagonal. */
+const RIGID_TOLERANCE = 1e-4;
+const DEFORMING_TOLERANCE = 1e-3;
+/** A camera's path and axes, 1 m long [m]. */
+const CAMERA_TOLERANCE = 1e-4;
+/** How far the matrix of a rigid motion may be from a rotation: files hold single precision. */
+const RIGIDITY = 1e-5;
+/** Points of a deforming mesh by whose paths its sample times are chosen. */
+const PROBES = 256;
+/** Most bytes of baked points in a scene. */
+const MAX_BAKED = 2 ** 30;
+
+/** A mesh with its motion, ready for a scene. */
+export interface Baked {
+  readonly mesh: Mesh;
+  readonly motion: Motion;
+}
+
+/** Bakes the objects of one scene, within one budget of memory. */
+export class Baker {
+  readonly #context: GltfContext;
+  readonly #tree: NodeTree;
+  #left = MAX_BAKED;
+  constructor(context: GltfContext, tree: NodeTree) {
+    this.#context = context;
+    this.#tree = tree;
+  }
+
+  /** A mesh that only its node moves: rigid where that is a rotation and a translation, else deforming. */
+  bakeAffine(node: GltfNode, geometry: Geometry, deformer: Deformer): Baked {
+    const placementAt = (t: number): Placement => this.#tree.placementAt(node, t);
+    const knots = knotsOf(deformer.curves);
+    const first = placementAt(knots.times[0] ?? 0);
+    if (knots.times.length === 0) return placed(geometry.mesh, first);
+    this.#noteJumps(node, knots);
+    const corners = boxCorners(geometry.mesh.positions);
+    const shape = cornerPaths(corners, placementAt);
+    const times = sampleTimes(knots, shape, this.#tolerance(RIGID_TOLERANCE) * radiusOf(shape(knots.times[0])));
+    const poses = rigidPoses(placementAt, first, times);
+    if (!poses) return this.bakePoints(node, geometry, deformer);
+    return { mesh: placed(geometry.mesh, first).mesh, motion: rigidMotion(times, poses) };
+  }
+
+  /** A mesh that bends: every vertex at every sample time. */
+  bakePoints(node: GltfNode, geometry: Geometry, deformer: Deformer): Baked {
+    const knots = knotsOf(deformer.curves);
+    this.#noteJumps(node, knots);
+    const start = knots.times[0] ?? 0;
+    const times = this.#pointTimes(node, geometry, deformer, knots);
+    const shapes = times.map((t) => deformer.pointsAt(t));
+    const origin = centerOf(shapes[0] ?? deformer.pointsAt(start));
+    const relative = (shape: Float64Array): Float32Array => Float32Array.from(shape, (x, i) => x - origin[i % 3]);
+    const points = shapes.length > 0 ? shapes.map(relative) : [relative(deformer.pointsAt(start))];
+    const normals = (times.length > 0 ? times : [start]).map((t) => deformer.normalsAt(t));
+    const bent = { ...geometry.mesh, positions: points[0], normals: normals[0] };
+    const mesh = deformer.isMirroredAt(start) ? turnedRound(bent) : bent;
+    if (times.length < 2) return { mesh, motion: resting(origin) };
+    return { mesh, motion: { kind: 'sampled-points', times: Float64Array.from(times), origin, points, normals } };
+  }
+
+  /** Where a camera is and looks; its scale does not count. */
+  bakeCamera(node: GltfNode): StaticMotion | SampledMotion {
+    const placementAt = (t: number): Placement => this.#tree.placementAt(node, t);
+    const knots = knotsOf(this.#tree.curvesAbove(node));
+    const poseAt = (t: number): Pose => poseOf(placementAt(t));
+    if (knots.times.length < 2) return { kind: 'static', pose: poseAt(knots.times[0] ?? 0) };
+    const axes = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+    const rigid = (t: number): Placement => {
+      const { position, orientation } = poseAt(t);
+      return { matrix: fromParts(toMatrix(orientation), position), rotation: orientation };
+    };
+    const times = sampleTimes(knots, cornerPaths(axes, rigid), CAMERA_TOLERANCE);
+    const motion = rigidMotion(times, times.map(poseAt));
+    return motion;
+  }
+
+  #tolerance(byDefault: number): number {
+    return this.#context.options.chordTolerance ?? byDefault;
+  }
+
+  #noteJumps(node: GltfNode, { jumps }: Knots): void {
+    if (jumps.size === 0) return;
+    const message = `jumps ${jumps.size} times (first at ${[...jumps].sort((a, b) => a - b)[0]} s); each jump is shown as a ramp of at most 1 ms, and may be faster than light`;
+    this.#context.notes.add('warning', 'jump', this.#tree.path(node), message);
+  }
+
+  /** Sample times of a deforming mesh; with a wider tolerance, or every n-th, where memory would not hold them. */
+  #pointTimes(node: GltfNode, { mesh }: Geometry, deformer: Deformer, knots: Knots): number[] {
+    if (knots.times.length === 0) return [];
+    const vertices = mesh.positions.length / 3;
+    const probes = Array.from({ length: Math.min(PROBES, vertices) }, (_, i) =>
+      Math.floor((i * vertices) / Math.min(PROBES, vertices)),
+    );
+    const shape = (t: number): Float64Array => deformer.pointsAt(t, probes);
+    const sampleBytes = vertices * 24;
+    const most = Math.max(2, Math.floor(this.#left / Math.max(1, sampleBytes)));
+    const wanted = this.#tolerance(DEFORMING_TOLERANCE) * radiusOf(shape(knots.times[0]));
+    let tolerance = wanted;
+    let times = sampleTimes(knots, shape, tolerance);
+    while (times.length > Math.max(most, knots.times.length)) {
+      tolerance = tolerance > 0 ? tolerance * 4 : radiusOf(shape(knots.times[0])) * 1e-3 || 1;
+      times = sampleTimes(knots, shape, tolerance);
+    }
+    if (times.length > most) times = thinned(times, most);
+    if (times.length < knots.times.length || tolerance > wanted) {
+      const message = `bends too much to hold in ${formatBytes(MAX_BAKED)}; it is sampled at ${times.length} times only`;
+      this.#context.notes.add('warning', 'coarse', this.#tree.path(node), message);
+    }
+    this.#left -= times.length * sampleBytes;
+    return times;
+  }
+}
+
+/** The mesh in a frame that has the node's rotation; scale, shear and mirror are in the mesh. */
+function placed(mesh: Mesh, placement: Placement): Baked {
+  const linear = linearPart(placement.matrix);
+  const stretch = times3(transpose(toMatrix(placement.rotation)), linear);
+  const isPlain = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
+  const own = isPlain ? mesh : transformMesh(mesh, fromParts(stretch, ZERO));
+  return { mesh: own, motion: { kind: 'static', pose: poseOf(placement) } };
+}
+
+const poseOf = ({ matrix, rotation }: Placement): Pose => ({
+  position: [matrix[3], matrix[7], matrix[11]],
+  orientation: rotation,
+});
+
+/** Poses of a rigid motion; undefined where the frame is scaled or sheared on the way. */
+function rigidPoses(
+  placementAt: (t: number) => Placement,
+  first: Placement,
+  times: readonly number[],
+): Pose[] | undefined {
+  const undo = invert(linearPart(first.matrix));
+  if (!undo) return undefined;
+  const poses: Pose[] = [];
+  for (const t of times) {
+    const { matrix } = placementAt(t);
+    const turn = times3(linearPart(matrix), undo);
+    if (!isRigid(fromParts(turn, ZERO), RIGIDITY)) return undefined;
+    poses.push({ position: [matrix[3], matrix[7], matrix[11]], orientation: after(fromMatrix(turn), first.rotation) });
+  }
+  return poses;
+}
+
+function rigidMotion(times: readonly number[], poses: readonly Pose[]): StaticMotion | SampledMotion {
+  const same = (p: Pose): boolean => [...p.position, ...p.orientation].every((x, i) => Math.abs(x - at0[i]) < 1e-12);
+  const at0 = [...poses[0].position, ...poses[0].orientation];
+  if (times.length < 2 || poses.every(same)) return { kind: 'static', pose: poses[0] };
+  const out = new Float64Array(7 * poses.length);
+  let before = poses[0].orientation;
+  for (const [i, { position, orientation }] of poses.entries()) {
+    // q and −q turn alike; neighbours get the same sign, so that they can be blended.
+    const dot = orientation.reduce((sum, x, k) => sum + x * before[k], 0);
+    before = dot < 0 ? (orientation.map((x) => -x) as unknown as Quat) : orientation;
+    out.set([...position, ...before], 7 * i);
+  }
+  return { kind: 'sampled', times: Float64Array.from(times), poses: out };
+}
+
+/** For an affine motion the greatest error of any point inside a box is that of one of its corners. */
+function cornerPaths(corners: readonly number[], placementAt: (t: number) => Placement): (t: number) => Float64Array {
+  return (t) => {
+    const { matrix: m } = placementAt(t);
+    const out = new Float64Array(corners.length);
+    for (let i = 0; i < corners.length; i += 3)
+      for (let k = 0; k < 3; k++)
+        out[i + k] =
+          m[4 * k] * corners[i] + m[4 * k + 1] * corners[i + 1] + m[4 * k + 2] * corners[i + 2] + m[4 * k + 3];
+    return out;
+  };
+}
+
+function boxCorners(positions: Float32Array): number[] {
+  const box = boundingBox(positions) ?? { min: ZERO, max: ZERO };
+  const ends = [box.min, box.max];
+  return [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [ends[i & 1][0], ends[(i >> 1) & 1][1], ends[i >> 2][2]]);
+}
+
+function radiusOf(points: ArrayLike<number>): number {
+  const box = boundingBox(points);
+  return box ? Math.hypot(...box.max.map((x, k) => x - box.min[k])) / 2 : 0;
+}
+
+function centerOf(points: ArrayLike<number>): Vec3 {
+  const box = boundingBox(points);
+  return box ? scale(add(box.min, box.max), 0.5) : ZERO;
+}
+
+const resting = (position: Vec3): StaticMotion => ({ kind: 'static', pose: { position, orientation: [0, 0, 0, 1] } });
+
+function turnedRound(mesh: Mesh): Mesh {
+  const indices = mesh.indices.slice();
+  for (let i = 0; i + 2 < indices.length; i += 3) [indices[i + 1], indices[i + 2]] = [indices[i + 2], indices[i + 1]];
+  return { ...mesh, indices };
+}
+
+/** `count` of the times, the first and the last among them. */
+const thinned = (times: readonly number[], count: number): number[] =>
+  Array.from({ length: count }, (_, i) => times[Math.round((i * (times.length - 1)) / (count - 1))]);

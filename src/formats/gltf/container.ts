@@ -1,0 +1,166 @@
+import { BufferUtils, type Document, type GLTF, type ILogger, WebIO } from '@gltf-transform/core';
+import {
+  KHRLightsPunctual,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsUnlit,
+  KHRMeshQuantization,
+  KHRTextureTransform,
+} from '@gltf-transform/extensions';
+import { formatBytes, messageOf } from '../fail.ts';
+import { type FileSource, resolvePath } from '../source.ts';
+import { checkGltf } from './check.ts';
+import { gltfError, type Notes } from './context.ts';
+
+const GLB_MAGIC = 0x46546c67;
+const JSON_CHUNK = 0x4e4f534a;
+const BIN_CHUNK = 0x004e4942;
+/** Where glTF-Transform looks for the binary chunk of a GLB. */
+const GLB_BUFFER = '@glb.bin';
+
+const EXTENSIONS = [
+  KHRLightsPunctual,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsUnlit,
+  KHRMeshQuantization,
+  KHRTextureTransform,
+];
+const HANDLED: readonly string[] = [...EXTENSIONS.map((e) => e.EXTENSION_NAME), 'KHR_node_visibility'];
+/** Without these a thing looks a little different, but is where it should be. */
+const LOOKS_ONLY =
+  /^(KHR_materials_|KHR_xmp|EXT_structural_metadata|EXT_mesh_features|KHR_texture_basisu|EXT_texture_)/;
+
+type Resources = Record<string, Uint8Array<ArrayBuffer>>;
+
+/** Loads the file and all that it refers to, checks it and parses it. */
+export async function loadGltf(
+  source: FileSource,
+  entry: string,
+  notes: Notes,
+): Promise<{ json: GLTF.IGLTF; document: Document }> {
+  const bytes = await source.read(entry);
+  if (!bytes) throw gltfError(entry, 'missing', '', 'no such file');
+  const { json, binary } = unpackContainer(entry, bytes);
+  const resources = await loadResources(source, entry, json, notes);
+  if (binary) resources[GLB_BUFFER] = binary;
+  checkExtensions(entry, json, notes);
+  checkGltf(entry, json, resources);
+  const quiet = (): void => {};
+  const logger: ILogger = { debug: quiet, info: quiet, warn: quiet, error: quiet };
+  const io = new WebIO().setLogger(logger).registerExtensions(EXTENSIONS);
+  return { json, document: await io.readJSON({ json, resources }) };
+}
+
+function unpackContainer(entry: string, bytes: Uint8Array): { json: GLTF.IGLTF; binary?: Uint8Array<ArrayBuffer> } {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const isBinary = bytes.length >= 4 && view.getUint32(0, true) === GLB_MAGIC;
+  if (!isBinary) return { json: parseJson(entry, bytes) };
+  const size = bytes.length >= 12 ? view.getUint32(8, true) : 12;
+  if (size > bytes.length) {
+    const message = `${formatBytes(bytes.length)} of ${formatBytes(size)}: the file is cut off; copy or export it again`;
+    throw gltfError(entry, 'truncated', '', message);
+  }
+  const version = view.getUint32(4, true);
+  if (version !== 2)
+    throw gltfError(entry, 'version', '', `GLB version ${version}; only 2 is read, export it as glTF 2.0`);
+  const chunks = readChunks(entry, view, bytes, size);
+  const json = chunks.get(JSON_CHUNK);
+  if (!json) throw gltfError(entry, 'damaged', '', 'the GLB has no JSON chunk; export it again');
+  const binary = chunks.get(BIN_CHUNK);
+  return { json: parseJson(entry, json), ...(binary ? { binary: unshared(binary) } : {}) };
+}
+
+function readChunks(entry: string, view: DataView, bytes: Uint8Array, size: number): Map<number, Uint8Array> {
+  const chunks = new Map<number, Uint8Array>();
+  for (let at = 12; at + 8 <= size; ) {
+    const length = view.getUint32(at, true);
+    const type = view.getUint32(at + 4, true);
+    if (at + 8 + length > size) {
+      const message = `a chunk of ${formatBytes(length)} at byte ${at} runs past the end; export it again`;
+      throw gltfError(entry, 'truncated', '', message);
+    }
+    if (!chunks.has(type)) chunks.set(type, bytes.subarray(at + 8, at + 8 + length));
+    at += 8 + length;
+  }
+  return chunks;
+}
+
+function parseJson(entry: string, bytes: Uint8Array): GLTF.IGLTF {
+  try {
+    const json: unknown = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
+    if (typeof json === 'object' && json !== null && 'asset' in json) return json as GLTF.IGLTF;
+  } catch (thrown) {
+    const message = `the JSON is damaged or cut off (${messageOf(thrown)}); copy or export it again`;
+    throw gltfError(entry, 'damaged', '', message, thrown);
+  }
+  throw gltfError(entry, 'damaged', '', 'not a glTF: the JSON has no "asset"');
+}
+
+/** Buffers and images by uri. Data URIs are unpacked under a short name of their own, which then stands in `json`. */
+async function loadResources(source: FileSource, entry: string, json: GLTF.IGLTF, notes: Notes): Promise<Resources> {
+  const resources: Resources = Object.create(null);
+  for (const [kind, list] of [
+    ['buffer', json.buffers ?? []],
+    ['image', json.images ?? []],
+  ] as const) {
+    for (const [i, item] of list.entries()) {
+      if (item.uri === undefined) continue;
+      const what = `${kind} ${i}`;
+      const bytes = await loadUri(source, entry, what, item.uri);
+      if (!bytes && kind === 'buffer') {
+        throw gltfError(entry, 'missing-file', what, `there is no file ${item.uri}; put it beside the scene`);
+      }
+      if (!bytes) notes.add('warning', 'missing-texture', what, `there is no file ${item.uri}; shown without it`);
+      if (item.uri.startsWith('data:')) item.uri = `${kind} ${i}`;
+      resources[item.uri] = bytes ?? new Uint8Array(0);
+    }
+  }
+  return resources;
+}
+
+async function loadUri(
+  source: FileSource,
+  entry: string,
+  what: string,
+  uri: string,
+): Promise<Uint8Array<ArrayBuffer> | undefined> {
+  if (uri.startsWith('data:')) {
+    try {
+      return BufferUtils.createBufferFromDataURI(uri);
+    } catch (thrown) {
+      throw gltfError(entry, 'damaged', what, `its data URI cannot be decoded (${messageOf(thrown)})`, thrown);
+    }
+  }
+  const bytes = (await source.read(resolvePath(entry, unescaped(uri)))) ?? (await source.read(resolvePath(entry, uri)));
+  return bytes && unshared(bytes);
+}
+
+/** File sources give bytes in plain memory; the type alone does not say so. */
+const unshared = (bytes: Uint8Array): Uint8Array<ArrayBuffer> => bytes as Uint8Array<ArrayBuffer>;
+
+/** URIs are percent-encoded, but not by every exporter. */
+function unescaped(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
+/** Refuses what cannot be shown at all, names what is left out, and keeps both from the reader beneath. */
+function checkExtensions(entry: string, json: GLTF.IGLTF, notes: Notes): void {
+  for (const name of json.extensionsRequired ?? []) {
+    if (HANDLED.includes(name) || LOOKS_ONLY.test(name)) continue;
+    const message = /draco|meshopt/i.test(name)
+      ? `its geometry is compressed with ${name}, which is not read; export it without compression`
+      : `it needs the extension ${name}, which is not read; export it without`;
+    throw gltfError(entry, 'unsupported-extension', '', message);
+  }
+  for (const name of json.extensionsUsed ?? []) {
+    if (HANDLED.includes(name)) continue;
+    const severity = LOOKS_ONLY.test(name) ? 'info' : 'warning';
+    notes.add(severity, 'ignored-extension', '', `the extension ${name} is left out`);
+  }
+  json.extensionsRequired = json.extensionsRequired?.filter((name) =>
+    EXTENSIONS.some((e) => e.EXTENSION_NAME === name),
+  );
+}

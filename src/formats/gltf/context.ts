@@ -1,0 +1,37 @@
+import type { Document, GLTF } from '@gltf-transform/core';
+import type { Diagnostic } from '../../scene/types.ts';
+import { inputError } from '../fail.ts';
+import type { ReadOptions } from '../registry.ts';
+
+/** What every part of the reader needs to know of the file it reads. */
+export interface GltfContext {
+  /** Path of the file, for messages. */
+  readonly entry: string;
+  /** As written; already checked. Nodes, meshes and materials of `document` are in the same order. */
+  readonly json: GLTF.IGLTF;
+  readonly document: Document;
+  readonly options: ReadOptions;
+  readonly notes: Notes;
+}
+
+/** Diagnostics, each said once. */
+export class Notes {
+  readonly #byKey = new Map<string, Diagnostic>();
+  readonly #entry: string;
+  constructor(entry: string) {
+    this.#entry = entry;
+  }
+
+  add(severity: Diagnostic['severity'], code: string, what: string, message: string): void {
+    const place = what ? `${this.#entry}: ${what}` : this.#entry;
+    this.#byKey.set(`${code} ${place} ${message}`, { severity, code: `gltf.${code}`, place, message });
+  }
+
+  list(): Diagnostic[] {
+    return [...this.#byKey.values()];
+  }
+}
+
+/** Refuses the file: `what` names the thing in it, `message` the value and what to do. */
+export const gltfError = (entry: string, code: string, what: string, message: string, cause?: unknown) =>
+  inputError(`gltf.${code}`, what ? `${entry}: ${what}` : entry, message, cause);

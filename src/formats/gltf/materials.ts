@@ -1,0 +1,167 @@
+import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
+import type { EmissiveStrength, Transform } from '@gltf-transform/extensions';
+import { scale, type Vec3, ZERO } from '../../math/vec3.ts';
+import { InputError, type Material, type Texture, type TextureWrap } from '../../scene/types.ts';
+import { type DecodedImage, decodeImage } from '../images.ts';
+import type { GltfContext } from './context.ts';
+
+/** How uv coordinates of a primitive are made for its material: (u, v) → offset + rotation · scale · (u, v), v down. */
+export interface UvSource {
+  /** Which TEXCOORD set. */
+  readonly set: number;
+  readonly offset: readonly number[];
+  /** [rad], as KHR_texture_transform counts it. */
+  readonly rotation: number;
+  readonly scale: readonly number[];
+}
+
+/** Materials of a file in the order in which its meshes ask for them; pictures are decoded once. */
+export class MaterialLibrary {
+  readonly materials: Material[] = [];
+  readonly #context: GltfContext;
+  readonly #places = new Map<GltfMaterial | null, number>();
+  readonly #images = new Map<GltfTexture, DecodedImage | undefined>();
+  constructor(context: GltfContext) {
+    this.#context = context;
+  }
+
+  /** Place of a material in `materials`; null is glTF's default one. */
+  placeOf(material: GltfMaterial | null): number {
+    const known = this.#places.get(material);
+    if (known !== undefined) return known;
+    const place = this.materials.length;
+    this.#places.set(material, place);
+    this.materials.push(material ? this.#convert(material) : DEFAULT_MATERIAL);
+    return place;
+  }
+
+  #convert(material: GltfMaterial): Material {
+    const name = nameOf(this.#context, material);
+    this.#noteIgnored(material, name);
+    const [r, g, b, alpha] = material.getBaseColorFactor();
+    const mode = material.getAlphaMode();
+    const strength = material.getExtension<EmissiveStrength>('KHR_materials_emissive_strength');
+    const baseColor: Vec3 = [r, g, b];
+    const baseColorTexture = this.#texture(
+      material.getBaseColorTexture(),
+      material.getBaseColorTextureInfo(),
+      mode === 'OPAQUE',
+    );
+    const emissive = scale(material.getEmissiveFactor(), strength?.getEmissiveStrength() ?? 1);
+    const emissiveTexture = this.#texture(material.getEmissiveTexture(), material.getEmissiveTextureInfo(), true);
+    // An unlit surface sends out its colour and reflects nothing.
+    const isUnlit = material.getExtension('KHR_materials_unlit') !== null;
+    const light = isUnlit ? { emissive: baseColor, emissiveTexture: baseColorTexture } : { emissive, emissiveTexture };
+    return {
+      name,
+      baseColor: isUnlit ? ZERO : baseColor,
+      ...(baseColorTexture && { baseColorTexture }),
+      emissive: light.emissive,
+      ...(light.emissiveTexture && { emissiveTexture: light.emissiveTexture }),
+      roughness: material.getRoughnessFactor(),
+      metallic: isUnlit ? 0 : material.getMetallicFactor(),
+      opacity: mode === 'OPAQUE' ? 1 : alpha,
+      opacityThreshold: mode === 'MASK' ? material.getAlphaCutoff() : 0,
+    };
+  }
+
+  #noteIgnored(material: GltfMaterial, name: string): void {
+    const maps = [
+      material.getNormalTexture() && 'normal',
+      material.getOcclusionTexture() && 'occlusion',
+      material.getMetallicRoughnessTexture() && 'metallic-roughness',
+    ].filter((map) => map !== null);
+    if (maps.length === 0) return;
+    this.#context.notes.add(
+      'info',
+      'ignored-texture',
+      `material ${name}`,
+      `its ${maps.join(', ')} texture is left out`,
+    );
+  }
+
+  #texture(image: GltfTexture | null, info: TextureInfo | null, opaque: boolean): Texture | undefined {
+    if (!image || !info) return undefined;
+    const decoded = this.#decode(image);
+    if (!decoded) return undefined;
+    return {
+      name: this.#imageName(image),
+      width: decoded.width,
+      height: decoded.height,
+      data: opaque ? withoutAlpha(decoded.data) : decoded.data,
+      colorSpace: 'srgb',
+      filter: info.getMagFilter() === NEAREST ? 'nearest' : 'linear',
+      wrapS: WRAPS[info.getWrapS()] ?? 'repeat',
+      wrapT: WRAPS[info.getWrapT()] ?? 'repeat',
+    };
+  }
+
+  #decode(image: GltfTexture): DecodedImage | undefined {
+    if (this.#images.has(image)) return this.#images.get(image);
+    const bytes = image.getImage();
+    const name = this.#imageName(image);
+    let decoded: DecodedImage | undefined;
+    try {
+      // A missing file was already named when it was looked for, and left no bytes.
+      decoded = bytes && bytes.length > 0 ? decodeImage(bytes, name) : undefined;
+    } catch (thrown) {
+      if (!(thrown instanceof InputError)) throw thrown;
+      this.#context.notes.add('warning', 'texture', name, `${thrown.diagnostic.message}; shown without it`);
+    }
+    this.#images.set(image, decoded);
+    return decoded;
+  }
+
+  #imageName(image: GltfTexture): string {
+    const place = this.#context.document.getRoot().listTextures().indexOf(image);
+    return image.getURI() || image.getName() || `image ${place}`;
+  }
+}
+
+const NEAREST = 9728;
+const WRAPS: Readonly<Record<number, TextureWrap>> = { 10497: 'repeat', 33071: 'clamp', 33648: 'mirror' };
+
+const DEFAULT_MATERIAL: Material = {
+  name: 'default',
+  baseColor: [1, 1, 1],
+  emissive: ZERO,
+  roughness: 1,
+  metallic: 1,
+  opacity: 1,
+  opacityThreshold: 0,
+};
+
+function nameOf(context: GltfContext, material: GltfMaterial): string {
+  return material.getName() || `material ${context.document.getRoot().listMaterials().indexOf(material)}`;
+}
+
+/** An opaque material has no alpha, whatever its picture holds. */
+function withoutAlpha(rgba: Uint8Array): Uint8Array {
+  let opaque = true;
+  for (let i = 3; i < rgba.length && opaque; i += 4) opaque = rgba[i] === 255;
+  if (opaque) return rgba;
+  const out = rgba.slice();
+  for (let i = 3; i < out.length; i += 4) out[i] = 255;
+  return out;
+}
+
+/** Where the uvs of a material come from. A mesh has one set: the base colour's, or else the emission's. */
+export function uvSourceOf(context: GltfContext, material: GltfMaterial | null): UvSource {
+  const base = material?.getBaseColorTexture() ? uvSource(material.getBaseColorTextureInfo()) : undefined;
+  const emissive = material?.getEmissiveTexture() ? uvSource(material.getEmissiveTextureInfo()) : undefined;
+  if (material && base && emissive && JSON.stringify(base) !== JSON.stringify(emissive)) {
+    const message = 'its emissive texture has its own uv set or transform; that of the base colour is used for both';
+    context.notes.add('warning', 'second-uvs', `material ${nameOf(context, material)}`, message);
+  }
+  return base ?? emissive ?? { set: 0, offset: [0, 0], rotation: 0, scale: [1, 1] };
+}
+
+function uvSource(info: TextureInfo | null): UvSource {
+  const transform = info?.getExtension<Transform>('KHR_texture_transform');
+  return {
+    set: transform?.getTexCoord() ?? info?.getTexCoord() ?? 0,
+    offset: transform?.getOffset() ?? [0, 0],
+    rotation: transform?.getRotation() ?? 0,
+    scale: transform?.getScale() ?? [1, 1],
+  };
+}

@@ -1,0 +1,150 @@
+import type { Animation, Node as GltfNode } from '@gltf-transform/core';
+import { decomposeRigid, fromParts, IDENTITY, type Mat4, multiply } from '../../math/mat4.ts';
+import { multiply as after, normalizeQuat, type Quat, toMatrix } from '../../math/quat.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { type GltfContext, gltfError } from './context.ts';
+import { type Curve, makeCurve } from './curves.ts';
+
+type Path = 'translation' | 'rotation' | 'scale' | 'weights';
+
+interface TreeNode {
+  /** In the file. */
+  readonly place: number;
+  readonly source: GltfNode;
+  readonly parent: TreeNode | undefined;
+  /** As written, where it is a matrix: it may shear, which translation, rotation and scale cannot tell. */
+  readonly matrix: Mat4 | undefined;
+  readonly curves: Readonly<Partial<Record<Path, Curve>>>;
+  readonly path: string;
+}
+
+/** Where a frame is at a time: its matrix to the world, and the product of the rotations alone along the way. */
+export interface Placement {
+  readonly matrix: Mat4;
+  readonly rotation: Quat;
+}
+
+/** The node tree with one animation on it: where every node is at any time [s]. */
+export class NodeTree {
+  readonly #nodes = new Map<GltfNode, TreeNode>();
+  readonly #names = new PathNames();
+  constructor(context: GltfContext, animation: Animation | undefined) {
+    const all = context.document.getRoot().listNodes();
+    const curves = animation ? readChannels(context, animation) : new Map<GltfNode, Partial<Record<Path, Curve>>>();
+    const places = new Map(all.map((node, i) => [node, i]));
+    const build = (source: GltfNode, parent: TreeNode | undefined): void => {
+      const place = places.get(source) ?? 0;
+      const written = context.json.nodes?.[place].matrix;
+      const path = this.#names.of(parent?.path ?? '', source.getName() || `Node${place}`);
+      const own = curves.get(source) ?? {};
+      const node = { place, source, parent, matrix: written && rowMajor(written), curves: own, path };
+      this.#nodes.set(source, node);
+      for (const child of source.listChildren()) build(child, node);
+    };
+    const children = new Set(all.flatMap((node) => node.listChildren()));
+    for (const node of all) if (!children.has(node)) build(node, undefined);
+  }
+
+  /** Place among the nodes of the file. */
+  placeOf(node: GltfNode): number {
+    return this.#of(node).place;
+  }
+
+  /** A path under a node that no node has. */
+  pathBelow(node: GltfNode, name: string): string {
+    return this.#names.of(this.path(node), name);
+  }
+
+  path(node: GltfNode): string {
+    return this.#of(node).path;
+  }
+
+  /** Everything that moves a node: its curves and its ancestors'. */
+  curvesAbove(node: GltfNode): Curve[] {
+    const found: Curve[] = [];
+    for (let n: TreeNode | undefined = this.#of(node); n; n = n.parent) {
+      const { translation, rotation, scale } = n.curves;
+      for (const curve of [translation, rotation, scale]) if (curve) found.push(curve);
+    }
+    return found;
+  }
+
+  weightsCurve(node: GltfNode): Curve | undefined {
+    return this.#of(node).curves.weights;
+  }
+
+  placementAt(node: GltfNode, t: number): Placement {
+    const chain: TreeNode[] = [];
+    for (let n: TreeNode | undefined = this.#of(node); n; n = n.parent) chain.push(n);
+    return chain.reduceRight<Placement>((above, n) => {
+      const own = localAt(n, t);
+      return { matrix: multiply(above.matrix, own.matrix), rotation: after(above.rotation, own.rotation) };
+    }, WORLD);
+  }
+
+  #of(node: GltfNode): TreeNode {
+    return this.#nodes.get(node)!;
+  }
+}
+
+const WORLD: Placement = { matrix: IDENTITY, rotation: [0, 0, 0, 1] };
+
+function localAt({ source, matrix, curves }: TreeNode, t: number): Placement {
+  const isMoved = curves.translation ?? curves.rotation ?? curves.scale;
+  if (matrix && !isMoved) return { matrix, rotation: decomposeRigid(matrix).pose.orientation };
+  const [x, y, z] = curves.translation?.at(t) ?? source.getTranslation();
+  const [qx, qy, qz, qw] = curves.rotation?.at(t) ?? source.getRotation();
+  const s = curves.scale?.at(t) ?? source.getScale();
+  const rotation = normalizeQuat([qx, qy, qz, qw]);
+  const linear = toMatrix(rotation).map((value, i) => value * s[i % 3]);
+  return { matrix: fromParts(linear, [x, y, z] as Vec3), rotation };
+}
+
+/** glTF writes matrices column by column. */
+const rowMajor = (m: readonly number[]): Mat4 => Array.from({ length: 16 }, (_, i) => m[(i % 4) * 4 + (i >> 2)]);
+
+const WIDTHS: Readonly<Record<string, number>> = { translation: 3, rotation: 4, scale: 3 };
+
+function readChannels(context: GltfContext, animation: Animation): Map<GltfNode, Partial<Record<Path, Curve>>> {
+  const byNode = new Map<GltfNode, Partial<Record<Path, Curve>>>();
+  for (const channel of animation.listChannels()) {
+    const [node, sampler, path] = [channel.getTargetNode(), channel.getSampler(), channel.getTargetPath()];
+    const what = `animation ${animation.getName() || 'without a name'}, ${node?.getName() || 'a node'}.${path}`;
+    const width = path === 'weights' ? morphCount(node) : WIDTHS[path ?? ''];
+    if (!node || width === undefined) {
+      context.notes.add('warning', 'channel', what, 'this kind of animation is not read; it is left out');
+      continue;
+    }
+    if (!sampler?.getInput() || !sampler.getOutput()) {
+      throw gltfError(context.entry, 'bad-animation', what, 'has no keys; export it again');
+    }
+    if (width === 0) continue;
+    const curves = byNode.get(node) ?? {};
+    curves[path as Path] = makeCurve(context.entry, what, sampler, width, path === 'rotation');
+    byNode.set(node, curves);
+  }
+  return byNode;
+}
+
+const morphCount = (node: GltfNode | null): number =>
+  Math.max(
+    0,
+    ...(node
+      ?.getMesh()
+      ?.listPrimitives()
+      .map((p) => p.listTargets().length) ?? []),
+  );
+
+/** Names that USD takes too, each once under its parent. */
+class PathNames {
+  readonly #used = new Map<string, number>();
+  of(parent: string, name: string): string {
+    const clean = name.replace(/[^\p{L}\p{N}_]/gu, '_').replace(/^(?=\p{N})/u, '_') || '_';
+    const wanted = `${parent}/${clean}`;
+    let path = wanted;
+    for (let i = this.#used.get(wanted) ?? 0; this.#used.has(path); ) path = `${wanted}_${++i}`;
+    this.#used.set(wanted, (this.#used.get(wanted) ?? -1) + 1);
+    if (path !== wanted) this.#used.set(path, 0);
+    return path;
+  }
+}

@@ -1,0 +1,175 @@
+import type { Animation, Mesh as GltfMesh, Node as GltfNode } from '@gltf-transform/core';
+import type { Light as GltfLight } from '@gltf-transform/extensions';
+import { rotate } from '../../math/quat.ts';
+import { scale, type Vec3 } from '../../math/vec3.ts';
+import { makeObject, makeScene } from '../../scene/defaults.ts';
+import { InputError, type Light, type Scene, type SceneCamera, type SceneObject } from '../../scene/types.ts';
+import { messageOf } from '../fail.ts';
+import type { ReadOptions } from '../registry.ts';
+import type { FileSource } from '../source.ts';
+import { Baker } from './bake.ts';
+import { loadGltf } from './container.ts';
+import { type GltfContext, gltfError, Notes } from './context.ts';
+import { makeDeformer } from './deform.ts';
+import { MaterialLibrary } from './materials.ts';
+import { NodeTree } from './nodes.ts';
+import { type Geometry, readGeometry } from './primitives.ts';
+
+/** Radius that stands for the point lights of glTF, which have none [m]. */
+const POINT_LIGHT_RADIUS = 0.05;
+/** Most vertices of a scene: glTF may show one mesh many times, a scene has each as an object of its own. */
+const MAX_VERTICES = 2 ** 26;
+
+/**
+ * Reads glTF 2.0 (.gltf with its files, .glb). Node, morph and skin animations become sampled motions in the world frame.
+ * Throws an InputError, and nothing else, where it cannot; what it leaves out is in the scene's diagnostics.
+ */
+export async function readGltf(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
+  try {
+    const notes = new Notes(entry);
+    const context: GltfContext = { entry, options, notes, ...(await loadGltf(source, entry, notes)) };
+    return buildScene(context);
+  } catch (thrown) {
+    if (thrown instanceof InputError) throw thrown;
+    throw gltfError(entry, 'invalid', '', `not a valid glTF (${messageOf(thrown)}); export it again`, thrown);
+  }
+}
+
+function buildScene(context: GltfContext): Scene {
+  const root = context.document.getRoot();
+  const animation = chooseAnimation(context);
+  const tree = new NodeTree(context, animation);
+  const builder = new SceneBuilder(context, tree);
+  const shown = root.getDefaultScene() ?? root.listScenes()[0];
+  for (const node of shown?.listChildren() ?? root.listNodes().filter((n) => !n.getParentNode())) builder.add(node);
+  const times = [...(animation?.listSamplers() ?? [])].flatMap((s) => [...(s.getInput()?.getArray() ?? [])]);
+  return makeScene({
+    name: shown?.getName() || context.entry.replace(/^.*\//, '').replace(/\.[^.]*$/, ''),
+    upAxis: 'Y',
+    metersPerUnit: 1,
+    startTime: times.reduce((a, b) => Math.min(a, b), times[0] ?? 0),
+    endTime: times.reduce((a, b) => Math.max(a, b), 0),
+    objects: builder.objects,
+    materials: builder.library.materials,
+    lights: builder.lights,
+    cameras: builder.cameras,
+    diagnostics: context.notes.list(),
+  });
+}
+
+function chooseAnimation({ document, entry, notes, options }: GltfContext): Animation | undefined {
+  const all = document.getRoot().listAnimations();
+  const names = all.map((a, i) => a.getName() || `animation ${i}`);
+  const place = typeof options.animation === 'string' ? names.indexOf(options.animation) : (options.animation ?? 0);
+  if (options.animation !== undefined && !all[place]) {
+    const known = names.length > 0 ? `there are ${names.join(', ')}` : 'there is none';
+    throw gltfError(entry, 'no-animation', '', `no animation ${options.animation}; ${known}`);
+  }
+  if (all.length > 1) {
+    notes.add('info', 'animations', '', `${all.length} animations (${names.join(', ')}); ${names[place]} is shown`);
+  }
+  return all[place];
+}
+
+/** Walks the nodes of a scene and collects what is in it. */
+class SceneBuilder {
+  readonly objects: SceneObject[] = [];
+  readonly lights: Light[] = [];
+  readonly cameras: SceneCamera[] = [];
+  readonly library: MaterialLibrary;
+  readonly #context: GltfContext;
+  readonly #tree: NodeTree;
+  readonly #baker: Baker;
+  readonly #geometries = new Map<GltfMesh, Geometry | undefined>();
+  #vertices = 0;
+  constructor(context: GltfContext, tree: NodeTree) {
+    this.#context = context;
+    this.#tree = tree;
+    this.#baker = new Baker(context, tree);
+    this.library = new MaterialLibrary(context);
+  }
+
+  add(node: GltfNode): void {
+    const visibility = this.#raw(node, 'KHR_node_visibility');
+    if (visibility?.visible === false) return;
+    this.#addMesh(node);
+    this.#addCamera(node);
+    this.#addLight(node);
+    if (this.#raw(node, 'EXT_mesh_gpu_instancing')) {
+      this.#context.notes.add(
+        'warning',
+        'instances',
+        this.#tree.path(node),
+        'its instances are not read; one is shown',
+      );
+    }
+    for (const child of node.listChildren()) this.add(child);
+  }
+
+  /** An extension as it stands in the file. */
+  #raw(node: GltfNode, extension: string): Record<string, unknown> | undefined {
+    const extensions = this.#context.json.nodes?.[this.#tree.placeOf(node)].extensions;
+    return extensions?.[extension] as Record<string, unknown> | undefined;
+  }
+
+  /** A node's own path where it is nothing else, and no other nodes are below it; else a name under it. */
+  #pathOf(node: GltfNode, name: string): string {
+    const parts = [node.getMesh(), node.getCamera(), node.getExtension('KHR_lights_punctual')];
+    const isAlone = parts.filter((part) => part !== null).length === 1 && node.listChildren().length === 0;
+    return isAlone ? this.#tree.path(node) : this.#tree.pathBelow(node, name);
+  }
+
+  #addMesh(node: GltfNode): void {
+    const mesh = node.getMesh();
+    if (!mesh) return;
+    if (!this.#geometries.has(mesh)) this.#geometries.set(mesh, readGeometry(this.#context, mesh, this.library));
+    const geometry = this.#geometries.get(mesh);
+    if (!geometry) return;
+    this.#vertices += geometry.mesh.positions.length / 3;
+    if (this.#vertices > MAX_VERTICES) {
+      const message = `more than ${MAX_VERTICES} vertices with all copies of its meshes; export fewer`;
+      throw gltfError(this.#context.entry, 'too-large', this.#tree.path(node), message);
+    }
+    const deformer = makeDeformer(this.#context, this.#tree, node, geometry);
+    const bends = geometry.morphs.length > 0 || (geometry.skin && node.getSkin());
+    const baked = bends
+      ? this.#baker.bakePoints(node, geometry, deformer)
+      : this.#baker.bakeAffine(node, geometry, deformer);
+    this.objects.push(makeObject({ path: this.#pathOf(node, 'Mesh'), ...baked }));
+  }
+
+  #addCamera(node: GltfNode): void {
+    const camera = node.getCamera();
+    if (!camera) return;
+    const path = this.#pathOf(node, 'Camera');
+    if (camera.getType() !== 'perspective') {
+      this.#context.notes.add('warning', 'camera', path, 'an orthographic camera is not read; it is left out');
+      return;
+    }
+    this.cameras.push({ path, motion: this.#baker.bakeCamera(node), fovY: camera.getYFov() });
+  }
+
+  #addLight(node: GltfNode): void {
+    const light = node.getExtension<GltfLight>('KHR_lights_punctual');
+    if (!light) return;
+    const path = this.#pathOf(node, 'Light');
+    const curves = this.#tree.curvesAbove(node);
+    if (curves.length > 0) this.#context.notes.add('warning', 'light', path, 'a moving light is shown where it starts');
+    const start = Math.min(...curves.map((curve) => curve.times[0]), Number.MAX_VALUE);
+    const { matrix, rotation } = this.#tree.placementAt(node, curves.length > 0 ? start : 0);
+    const color = scale(light.getColor(), light.getIntensity());
+    if (light.getType() === 'directional') {
+      this.lights.push({ kind: 'distant', path, direction: rotate(rotation, [0, 0, -1]), color });
+      return;
+    }
+    if (light.getType() === 'spot')
+      this.#context.notes.add('info', 'light', path, 'a spot light shines all round here');
+    this.lights.push(pointLight(path, [matrix[3], matrix[7], matrix[11]], color));
+  }
+}
+
+/** A small sphere of radiance L has the luminous intensity I = π r² L of the point [cd]. */
+function pointLight(path: string, position: Vec3, intensity: Vec3): Light {
+  const radius = POINT_LIGHT_RADIUS;
+  return { kind: 'sphere', path, position, radius, color: scale(intensity, 1 / (Math.PI * radius * radius)) };
+}
