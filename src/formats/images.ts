@@ -1,7 +1,7 @@
-import { type DecodedPng, decode as decodePngFile } from 'fast-png';
 import { decode as decodeJpegFile } from 'jpeg-js';
 import { InputError } from '../scene/types.ts';
 import { inputError, messageOf } from './fail.ts';
+import { decodePngPixels } from './pngDecode.ts';
 
 /** A picture as textures use it: RGBA, 8 bits each, rows from the top, alpha not premultiplied. */
 export interface DecodedImage {
@@ -79,64 +79,8 @@ function jpegSize(bytes: Uint8Array): { width: number; height: number } {
 }
 
 function decodePng(bytes: Uint8Array, name: string): DecodedImage {
-  if (bytes.length < 45) throw new Error(`${bytes.length} bytes only`);
-  const header = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  checkSize(header.getUint32(16), header.getUint32(20), name);
-  // fast-png reads interlaced rows as whole bytes per pixel, which is wrong for packed ones.
-  if (header.getUint8(28) === 1 && header.getUint8(24) < 8) {
-    const message = 'interlaced PNG with less than 8 bits a channel is not read; save it without interlacing';
-    throw inputError('image.unknown-format', name, message);
-  }
-  const png = decodePngFile(bytes, { checkCrc: true });
-  return { width: png.width, height: png.height, data: toRgba8(png) };
-}
-
-/** Any PNG pixel layout → RGBA8. 16-bit values are rounded, packed greys scaled to 0 … 255. */
-function toRgba8(png: DecodedPng): Uint8Array {
-  const { width, height, channels } = png;
-  const max = 2 ** png.depth - 1;
-  const samples = unpack(png);
-  const out = new Uint8Array(width * height * 4);
-  const isKey = transparentKey(png);
-  const to8 = (value: number): number => (png.depth === 8 ? value : Math.round((value * 255) / max));
-  for (let i = 0, from = 0, to = 0; i < width * height; i++, from += channels, to += 4) {
-    if (png.palette) {
-      const color = png.palette[samples[from]];
-      if (!color) throw new Error(`palette has no colour ${samples[from]}`);
-      out.set([color[0], color[1], color[2], color[3] ?? 255], to);
-      continue;
-    }
-    const grey = channels < 3;
-    out[to] = to8(samples[from]);
-    out[to + 1] = to8(samples[grey ? from : from + 1]);
-    out[to + 2] = to8(samples[grey ? from : from + 2]);
-    out[to + 3] = channels % 2 === 0 ? to8(samples[from + channels - 1]) : isKey(samples, from) ? 0 : 255;
-  }
-  return out;
-}
-
-/** One number per channel and pixel, also where the PNG packs several pixels in a byte. */
-function unpack(png: DecodedPng): ArrayLike<number> {
-  if (png.depth >= 8) return png.data;
-  const { width, height, depth, data } = png;
-  const rowBytes = Math.ceil((width * depth) / 8);
-  const mask = 2 ** depth - 1;
-  const out = new Uint8Array(width * height);
-  for (let y = 0; y < height; y++) {
-    for (let x = 0; x < width; x++) {
-      const bit = x * depth;
-      out[y * width + x] = (data[y * rowBytes + (bit >> 3)] >> (8 - depth - (bit & 7))) & mask;
-    }
-  }
-  return out;
-}
-
-/** Whether the pixel at `from` has the one colour that the tRNS chunk of a grey or RGB picture makes transparent. */
-function transparentKey(png: DecodedPng): (samples: ArrayLike<number>, from: number) => boolean {
-  const key = png.palette ? undefined : png.transparency;
-  if (!key || key.length < png.channels) return () => false;
-  return (samples, from) => {
-    for (let c = 0; c < png.channels; c++) if (samples[from + c] !== key[c]) return false;
-    return true;
-  };
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const [width, height] = [view.getUint32(16), view.getUint32(20)];
+  checkSize(width, height, name);
+  return { width, height, data: decodePngPixels(bytes) };
 }

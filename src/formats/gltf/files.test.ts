@@ -35,7 +35,7 @@ describe.skipIf(!existsSync(root))('real glTF files', () => {
 
   it('a collection of shapes', async () => {
     const { objects } = await open('functions/test/in/ShapeCollection.glb');
-    expect(objects.length).toBe(6);
+    expect(objects.length).toBe(7);
     for (const { mesh } of objects) expect(mesh.positions.every(Number.isFinite)).toBe(true);
   });
 
