@@ -7,13 +7,22 @@ export const MAX_RAPIDITY = Math.acosh(1000);
 
 const real = (min: number, max: number) => fc.double({ min, max, noNaN: true, noDefaultInfinity: true });
 
+/** Nothing instead of a subnormal number, which has too few digits to be a component of a unit vector. */
+const whole = (x: number) => (Math.abs(x) < 1e-150 ? 0 : x);
+
+/** A unit vector across n, turned by phi [rad]. */
+export function perpendicular(n: Vec3, phi = 0): Vec3 {
+  const e1 = normalize(cross(n, Math.abs(n[0]) < 0.8 * length(n) ? [1, 0, 0] : [0, 1, 0]));
+  return addScaled(scale(e1, Math.cos(phi)), cross(normalize(n), e1), Math.sin(phi));
+}
+
 /** Unit vectors, uniform on the sphere, and the axes. */
 export const direction: fc.Arbitrary<Vec3> = fc.oneof(
   {
     weight: 8,
     arbitrary: fc.tuple(real(-1, 1), real(0, 2 * Math.PI)).map(([z, phi]): Vec3 => {
       const s = Math.sqrt(1 - z * z);
-      return normalize([s * Math.cos(phi), s * Math.sin(phi), z]);
+      return normalize([whole(s * Math.cos(phi)), whole(s * Math.sin(phi)), whole(z)]);
     }),
   },
   { weight: 1, arbitrary: fc.constantFrom<Vec3>([1, 0, 0], [0, -1, 0], [0, 0, 1]) },

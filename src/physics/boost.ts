@@ -61,8 +61,9 @@ export function carry(x: Vec3, m: number, u: Vec3): Vec3 {
   const g = gamma(u);
   const ux = dot(u, x);
   const e = m === 0 ? length(x) : Math.hypot(m, x[0], x[1], x[2]);
-  if (ux >= 0) return addScaled(x, u, ux / (g + 1) + e);
   const w = length(u);
+  // A slow boost cancels nothing either, and its squares could underflow.
+  if (ux >= 0 || w < 1e-100) return addScaled(x, u, ux / (g + 1) + e);
   const p = ux / w;
   const side = cross(u, x);
   const along = ((w * m + p) * (w * m - p) + dot(side, side)) / (w * e - g * p);

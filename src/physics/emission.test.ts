@@ -73,7 +73,8 @@ describe('polyline piece', () => {
         const seen = polylineEmission(addScaled(d, v, tA), tA, addScaled(d, v, tB), tB);
         // The velocity is known from the two samples only, and with it 1 − v²; the event stays on the light cone all the same.
         const size = length(d) + Math.abs(tA) + Math.abs(tB);
-        expectClose(length(seen.offset), seen.delay, 1e-14 * size * (1 + size / (tB - tA)));
+        const there = addScaled(d, v, -seen.delay);
+        expectClose(seen.offset, there, 1e-14 * size * (1 + size / (tB - tA)));
         if (gamma(u) < 10) expectClose(seen.offset, exact.offset, 1e-11 * size * (1 + size / (tB - tA)));
       }),
       { numRuns: 300 },
@@ -132,15 +133,6 @@ describe('hyperbolic emission', () => {
     );
     expect(visible).toBeGreaterThan(100);
   });
-  it('lies on the past light cone', () =>
-    fc.assert(
-      fc.property(offset, since, acceleration, (d, T, a) => {
-        const seen = hyperbolicEmission(d, T, a);
-        if (!seen) return;
-        expectClose(length(seen.offset), seen.delay, 1e-12 * (length(d) + Math.abs(T) + seen.delay));
-      }),
-      { numRuns: 500 },
-    ));
   it('is where a direct search along the rapidity finds it', () =>
     fc.assert(
       fc.property(

@@ -14,6 +14,9 @@ export interface Seen {
   readonly delay: number;
 }
 
+/** A point at rest. d [m]: observer → point. Its delay |d| is that of any event known to be on the past light cone. */
+export const staticEmission = (d: Vec3): Seen => ({ offset: d, delay: length(d) });
+
 /**
  * A uniform mover at d now (when the observer looks): the retarded root of |d + v s| = −s,
  * s = [d·v − √((d·v)² + (1 − v²) d²)]/(1 − v²) ≤ 0, by its conjugate where d·v > 0.
@@ -53,7 +56,7 @@ export function polylineEmission(a: Vec3, tA: number, b: Vec3, tB: number): Seen
   const v = scale(sub(b, a), 1 / span);
   const T = 0 - tA;
   const s = Math.min(span, Math.max(0, pieceRoot(a, T, v) || 0));
-  return { offset: addScaled(a, v, s), delay: T - s };
+  return staticEmission(addScaled(a, v, s));
 }
 
 /** The time since A of the retarded root; NaN where A is at the observer's event. */
@@ -97,8 +100,7 @@ export function hyperbolicEmission(d: Vec3, T: number, a: Vec3): Seen | undefine
   const age = after ? T : -T;
   const phi = hyperbolicRoot(age + (k * sigma) / 2, root, sigma, 1 + k * (xi - age), after);
   const grown = 1 + k * phi;
-  const since = (phi * (1 + grown)) / (2 * grown);
-  return { offset: addScaled(d, a, (phi * phi) / (2 * grown)), delay: T - (after ? since : -since) };
+  return staticEmission(addScaled(d, a, (phi * phi) / (2 * grown)));
 }
 
 /** The root φ ≥ 0 of lead φ² − 2b φ − σ = 0 that belongs to the past light cone; root = √(b² + lead σ). */
@@ -118,6 +120,3 @@ export function circularEmission(center: Vec3, axis: Vec3, arm: Vec3, omega: num
   const delay = brent(late, Math.max(0, far - radius), far + radius);
   return { offset: offsetAt(delay), delay };
 }
-
-/** A point at rest. d [m]: observer → point. */
-export const staticEmission = (d: Vec3): Seen => ({ offset: d, delay: length(d) });
