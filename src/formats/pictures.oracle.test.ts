@@ -14,7 +14,8 @@ afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 const python = process.env.SLOWLIGHT_PYTHON ?? 'python3';
 const hasOpenExr = spawnSync(python, ['-c', 'import OpenEXR, numpy']).status === 0;
-const hasFfmpeg = spawnSync('ffmpeg', ['-version']).status === 0;
+const ffmpeg = 'ffmpeg';
+const hasFfmpeg = spawnSync(ffmpeg, ['-version']).status === 0;
 if (!hasOpenExr)
   console.warn('skipped: EXR against OpenEXR; pip install OpenEXR, or name a Python with it in SLOWLIGHT_PYTHON');
 if (!hasFfmpeg) console.warn('skipped: EXR and PNG against ffmpeg, which is not installed');
@@ -59,7 +60,7 @@ describe.skipIf(!hasOpenExr)('OpenEXR reads what we write', () => {
 
 describe.skipIf(!hasFfmpeg)('ffmpeg reads what we write', () => {
   const rawPixels = (path: string, format: string): Buffer =>
-    spawnSync('ffmpeg', ['-v', 'error', '-i', path, '-f', 'rawvideo', '-pix_fmt', format, '-'], { maxBuffer: 1 << 26 })
+    spawnSync(ffmpeg, ['-v', 'error', '-i', path, '-f', 'rawvideo', '-pix_fmt', format, '-'], { maxBuffer: 1 << 26 })
       .stdout;
 
   it('EXR: R, G and B to the bit', () => {
@@ -83,7 +84,7 @@ describe.skipIf(!hasFfmpeg)('ffmpeg reads what we write', () => {
   it.each(['none', 'sub', 'up', 'avg', 'paeth', 'mixed'])('and we read its PNG with row filter %s', (filter) => {
     const path = join(folder, `${filter}.png`);
     const input = ['-v', 'error', '-y', '-f', 'lavfi', '-i', 'testsrc=size=61x47:duration=1:rate=1'];
-    spawnSync('ffmpeg', [...input, '-frames:v', '1', '-pred', filter, path]);
+    spawnSync(ffmpeg, [...input, '-frames:v', '1', '-pred', filter, path]);
     const { data } = decodeImage(readFileSync(path), path);
     expect(data).toEqual(Uint8Array.from(rawPixels(path, 'rgba')));
   });

@@ -22,6 +22,12 @@ export interface SceneFormat {
 /** Every kind of scene file that can be opened. */
 export const sceneFormats: readonly SceneFormat[] = [
   {
+    id: 'usd',
+    name: 'OpenUSD',
+    extensions: ['usd', 'usda', 'usdc', 'usdz'],
+    read: async (source, entry, options) => (await import('./usd/index.ts')).readUsd(source, entry, options),
+  },
+  {
     id: 'gltf',
     name: 'glTF',
     extensions: ['gltf', 'glb'],
