@@ -23,18 +23,3 @@ export function pumpFrame(): void {
   pending = undefined;
   callback?.(performance.now());
 }
-
-/** A canvas to carry a size; nothing is drawn on it. */
-export function stubCanvas(width: number, height: number): HTMLCanvasElement {
-  const canvas = {
-    width,
-    height,
-    style: {},
-    addEventListener() {},
-    removeEventListener() {},
-    getContext() {
-      throw new Error('there is no canvas to draw on in Node: render to a target');
-    },
-  };
-  return canvas as unknown as HTMLCanvasElement;
-}

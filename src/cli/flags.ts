@@ -1,0 +1,108 @@
+import type { Command } from 'commander';
+import { Option } from 'commander';
+import type { Vec3 } from '../math/vec3.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View } from '../render/settings.ts';
+import type { Scene } from '../scene/types.ts';
+import {
+  parseBeta,
+  parseDamping,
+  parseFov,
+  parseFraction,
+  parseIterations,
+  parseNumber,
+  parsePositive,
+  parseVec3,
+} from './parse.ts';
+
+/** Where the observer is, how fast, and where it looks. */
+export interface ObserverFlags {
+  readonly camera?: string;
+  readonly beta?: Vec3;
+  readonly position?: Vec3;
+  readonly lookAt?: Vec3;
+  readonly fov?: number;
+  readonly c?: number;
+}
+
+export function addObserverFlags(command: Command): Command {
+  return command
+    .option(
+      '--camera <prim>',
+      "the scene's camera to look through (default: its first; without one, a view of the whole scene)",
+    )
+    .option(
+      '--beta <x,y,z>',
+      "the observer's velocity in units of c, world axes (default: the camera's own)",
+      parseBeta,
+    )
+    .option('--position <x,y,z>', 'where the observer is [m]', parseVec3)
+    .option('--look-at <x,y,z>', 'look along target − position, world axes [m]', parseVec3)
+    .option('--fov <degrees>', "vertical field of view in the observer's frame", parseFov)
+    .addOption(speedOfLightOption());
+}
+
+export const speedOfLightOption = (): Option =>
+  new Option('--c <m/s>', "speed of light (default: what the scene's author suggests, else 299792458)").argParser(
+    parsePositive,
+  );
+
+/** [m/s]: what the user says, else the scene's author, else nature. */
+export const speedOfLight = (scene: Scene, flag: number | undefined): number =>
+  flag ?? scene.hints.speedOfLight ?? DEFAULT_SETTINGS.speedOfLight;
+
+/** How the picture is made. */
+export interface SettingFlags {
+  readonly view: View;
+  readonly lightDelay: boolean;
+  readonly aberration: boolean;
+  readonly dopplerMix: number;
+  readonly beaming: number;
+  readonly exposure: number;
+  readonly solver: Solver;
+  readonly iterations: number;
+  readonly damping: number;
+  readonly grid: boolean;
+}
+
+const views: readonly View[] = ['light-cone', 'simultaneity', 'galilean'];
+const solvers: readonly Solver[] = ['exact', 'newton'];
+
+export const viewOption = (): Option =>
+  new Option(
+    '--view <name>',
+    'light-cone: what is seen; simultaneity: where things are at one instant of the observer; galilean: c = ∞',
+  )
+    .choices(views)
+    .default('light-cone');
+
+export function addSettingFlags(command: Command): Command {
+  const { dopplerMix, beaming, exposure, iterations, damping } = DEFAULT_SETTINGS;
+  return command
+    .addOption(viewOption())
+    .option('--no-light-delay', 'as if light were instantaneous')
+    .option('--no-aberration', "directions of the world's frame, not the observer's")
+    .option('--doppler-mix <0…1>', 'how much of the Doppler shift reaches the colours', parseFraction, dopplerMix)
+    .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
+    .option('--exposure <EV>', 'the picture is 2^EV times as bright', parseNumber, exposure)
+    .addOption(new Option('--solver <name>', 'how emission events are found').choices(solvers).default('exact'))
+    .option('--iterations <n>', 'steps of the Newton solver', parseIterations, iterations)
+    .option('--damping <k>', 'step length of the Newton solver, 0 < k ≤ 1', parseDamping, damping)
+    .option('--grid', 'draw the reference grid on the ground, which relativity does not bend', false);
+}
+
+export function renderSettings(flags: SettingFlags, speedOfLight: number): RenderSettings {
+  const { view, lightDelay, aberration, dopplerMix, beaming, exposure, solver, iterations, damping, grid } = flags;
+  return {
+    view,
+    lightDelay,
+    aberration,
+    dopplerMix,
+    beaming,
+    exposure,
+    solver,
+    iterations,
+    damping,
+    grid,
+    speedOfLight,
+  };
+}

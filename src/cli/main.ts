@@ -1,0 +1,57 @@
+import { readFileSync } from 'node:fs';
+import { Command, CommanderError } from 'commander';
+import { InputError } from '../scene/types.ts';
+import { CliError, EXIT } from './exit.ts';
+import { inspectCommand } from './inspect.ts';
+import { probeCommand } from './probe.ts';
+import { renderCommand } from './render.ts';
+import { serveCommand } from './serve.ts';
+
+const exitCodes = `
+Exit codes:
+  0    done
+  1    a fault of the program's own
+  2    a flag or an argument that makes no sense
+  3    a file that is missing, damaged, describes what cannot be, or cannot be written
+  4    no GPU, browser, encoder or port to do it with
+  130  stopped with Ctrl-C; no half-written file is left`;
+
+/** Runs the command line; returns the exit code. */
+export async function main(args: readonly string[]): Promise<number> {
+  try {
+    await program().parseAsync([...args], { from: 'user' });
+    return EXIT.ok;
+  } catch (error) {
+    return report(error);
+  }
+}
+
+function program(): Command {
+  const program = new Command('slowlight')
+    .description('Shows what a fast observer sees, and what is really there.')
+    .version(version())
+    .addHelpText('after', exitCodes)
+    .showHelpAfterError('(see slowlight --help)');
+  for (const add of [renderCommand, probeCommand, inspectCommand, serveCommand]) program.addCommand(add());
+  for (const command of [program, ...program.commands]) command.exitOverride();
+  return program;
+}
+
+function version(): string {
+  const file = new URL('../../../package.json', import.meta.url);
+  return (JSON.parse(readFileSync(file, 'utf8')) as { version: string }).version;
+}
+
+/** Every error ends here, once: what a person can act on in one line, a fault of ours with its stack. */
+function report(error: unknown): number {
+  if (error instanceof CommanderError) return error.exitCode === 0 ? EXIT.ok : EXIT.usage;
+  if (error instanceof CliError) return complain(error.message, error.exitCode);
+  if (error instanceof InputError) return complain(error.message, EXIT.input);
+  const stack = error instanceof Error ? (error.stack ?? error.message) : String(error);
+  return complain(`this is a fault of Slowlight's own, please report it:\n${stack}`, EXIT.internal);
+}
+
+function complain(message: string, exitCode: number): number {
+  console.error(`slowlight: ${message}`);
+  return exitCode;
+}

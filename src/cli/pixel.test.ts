@@ -1,0 +1,49 @@
+import { describe, expect, test } from 'vitest';
+import { addScaled, scale, type Vec3 } from '../math/vec3.ts';
+import { unaberrate } from '../physics/aberration.ts';
+import { properVelocity } from '../physics/boost.ts';
+import { dopplerAtPixel } from '../physics/doppler.ts';
+import type { ViewPoint } from '../render/settings.ts';
+import { lookAtOrientation } from '../scene/camera.ts';
+import { makeObject, makeScene } from '../scene/defaults.ts';
+import { plane, sphere } from '../scene/primitives.ts';
+import { seenAtPixel } from './pixel.ts';
+
+const size = { width: 200, height: 100 };
+const down: Vec3 = [0, -1, -1];
+const view = (beta: Vec3): ViewPoint => ({
+  t: 3,
+  position: [0, 2, 0],
+  u: properVelocity(beta),
+  orientation: lookAtOrientation(down, [0, 1, 0]),
+  fovY: 1,
+});
+
+describe('what is seen at a pixel', () => {
+  test('of a floor at rest is where the ray, taken back into the world, meets it', () => {
+    const floor = makeObject({ path: '/Floor', mesh: plane(400, 400, 'Y') });
+    const scene = makeScene({ name: 'floor', objects: [floor] });
+    // The middle of the picture is the corner between four pixels.
+    const seen = seenAtPixel(scene, view([0.3, 0.2, -0.6]), 10, 'light-cone', size, [99.5, 49.5]);
+    const nPrime = scale(down, Math.SQRT1_2);
+    const n = unaberrate(nPrime, properVelocity([0.3, 0.2, -0.6]));
+    const distance = -2 / n[1];
+    const expected: Vec3 = [n[0] * distance, 0, n[2] * distance];
+    for (const k of [0, 1, 2]) expect(seen?.position[k]).toBeCloseTo(expected[k], 4);
+    expect(seen?.time).toBeCloseTo(3 - distance / 10, 5);
+    expect(seen?.doppler).toBeCloseTo(dopplerAtPixel(nPrime, properVelocity([0.3, 0.2, -0.6])), 6);
+    expect(seen).toMatchObject({ prim: '/Floor', object: 1 });
+  });
+
+  test('is the nearest thing, and nothing where there is none', () => {
+    const ball = (path: string, along: number) =>
+      makeObject({
+        path,
+        mesh: sphere(0.2),
+        motion: { kind: 'static', pose: { position: addScaled([0, 2, 0], down, along), orientation: [0, 0, 0, 1] } },
+      });
+    const scene = makeScene({ name: 'balls', objects: [ball('/Far', 5), ball('/Near', 2)] });
+    expect(seenAtPixel(scene, view([0, 0, 0]), 10, 'light-cone', size, [99.5, 49.5])?.prim).toBe('/Near');
+    expect(seenAtPixel(scene, view([0, 0, 0]), 10, 'light-cone', size, [0, 0])).toBeUndefined();
+  });
+});

@@ -1,0 +1,41 @@
+import { Command } from 'commander';
+import type { ProbeView } from '../scene/probe.ts';
+import { addObserverFlags, type ObserverFlags, viewOption } from './flags.ts';
+import { parseNumber, parsePixel, parseSize, type Size } from './parse.ts';
+
+export interface ProbeFlags extends ObserverFlags {
+  readonly prim?: string;
+  readonly pixel?: readonly [number, number];
+  readonly size: Size;
+  readonly time?: number;
+  readonly view: ProbeView;
+  readonly json?: boolean;
+}
+
+const examples = `
+Examples:
+  slowlight probe dice.usda --prim /World/Die --time 1.5 --json
+  slowlight probe dice.usda --pixel 640,360 --size 1280x720 --beta 0,0,-0.9`;
+
+export function probeCommand(): Command {
+  const command = new Command('probe')
+    .description('Tells in double precision what the observer sees of an object, vertex by vertex, or at a pixel.')
+    .argument('<scene>', 'USD or glTF file')
+    .option('--prim <path>', 'every vertex of this object: emission time, apparent position, Doppler factor', String)
+    .option(
+      '--pixel <x,y>',
+      'what is seen at this pixel, from the top left; 0,0 is the centre of the first',
+      parsePixel,
+    )
+    .option('--size <WxH>', 'of the picture that the pixel is in', parseSize, { width: 1280, height: 720 })
+    .option(
+      '--time <s>',
+      "world time of the observer's event (default: what the scene suggests, else its start)",
+      parseNumber,
+    );
+  return addObserverFlags(command)
+    .addOption(viewOption())
+    .option('--json', 'print as JSON')
+    .addHelpText('after', examples)
+    .action(async (scene: string, flags: ProbeFlags) => (await import('./probeAction.ts')).probe(scene, flags));
+}

@@ -1,0 +1,73 @@
+import { Command, Option } from 'commander';
+import type { AovName } from '../render/settings.ts';
+import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from './flags.ts';
+import {
+  type FrameRange,
+  parseAovs,
+  parseFrames,
+  parseNumber,
+  parsePositive,
+  parseSamples,
+  parseSize,
+  type Size,
+} from './parse.ts';
+
+export interface RenderFlags extends ObserverFlags, SettingFlags {
+  readonly output: string;
+  readonly size: Size;
+  readonly time?: number;
+  readonly frames?: FrameRange;
+  readonly fps?: number;
+  readonly hold?: boolean;
+  readonly aov?: readonly AovName[];
+  readonly samples: number;
+  readonly backend: 'auto' | 'webgpu' | 'webgl';
+  readonly json?: boolean;
+}
+
+const examples = `
+Examples:
+  slowlight render street.usda -o street.png --time 2 --c 10 --beta 0,0,-0.8
+  slowlight render street.usda -o street.exr --aov beauty,depth,doppler --size 1920x1080
+  slowlight render street.usda -o street.mp4 --frames 1:96 --fps 24
+  slowlight render street.usda -o 'street.####.png' --frames 1:96`;
+
+export function renderCommand(): Command {
+  const command = new Command('render')
+    .description('Makes pictures of a scene: .png, .exr with data channels, or .mp4.')
+    .argument('<scene>', 'USD (.usda, .usdz) or glTF (.gltf, .glb) file')
+    .requiredOption('-o, --output <file>', 'file to write; #### in the name of a .png or .exr becomes the frame')
+    .option('--size <WxH>', 'in pixels', parseSize, { width: 1280, height: 720 })
+    .option(
+      '--time <s>',
+      "world time of the observer's event (default: what the scene suggests, else its start)",
+      parseNumber,
+    )
+    .option('--frames <A:B>', 'frames A to B; frame n is at world time n/fps', parseFrames)
+    .option('--fps <n>', "frames per second (default: the scene's time codes per second)", parsePositive);
+  addObserverFlags(command).option(
+    '--hold',
+    'with --frames: stay in place although there is a velocity, instead of coasting with it',
+  );
+  return (
+    addSettingFlags(command)
+      .option('--samples <n>', 'n × n samples per pixel; 1 smooths edges by FXAA instead', parseSamples, 1)
+      .option(
+        '--aov <names>',
+        'for .exr: channels to write, of beauty, depth, emission_time, doppler, position, normal, velocity, object',
+        parseAovs,
+      )
+      .addOption(
+        new Option(
+          '--backend <name>',
+          'webgpu draws here; webgl in a headless Chromium; auto takes the first that works',
+        )
+          .choices(['auto', 'webgpu', 'webgl'])
+          .default('auto'),
+      )
+      .option('--json', 'print what was made as JSON')
+      .addHelpText('after', examples)
+      // Loaded when it is needed: the renderer is large.
+      .action(async (scene: string, flags: RenderFlags) => (await import('./renderAction.ts')).render(scene, flags))
+  );
+}

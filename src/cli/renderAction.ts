@@ -1,0 +1,107 @@
+import { extname } from 'node:path';
+import { length } from '../math/vec3.ts';
+import { gamma, velocity } from '../physics/boost.ts';
+import type { AovName } from '../render/settings.ts';
+import type { Scene } from '../scene/types.ts';
+import { validate } from '../scene/validate.ts';
+import { reportDiagnostics } from './diagnostics.ts';
+import { usageError } from './exit.ts';
+import { openSceneFile } from './files.ts';
+import { renderSettings, speedOfLight } from './flags.ts';
+import { observerPath } from './observer.ts';
+import { openPainter, type Painter } from './painter.ts';
+import { Progress } from './progress.ts';
+import type { RenderFlags } from './render.ts';
+import { openSink, type Sink } from './sinks.ts';
+
+/** A frame's number, where there are several, and its world time [s]. */
+interface FrameTime {
+  readonly number?: number;
+  readonly t: number;
+}
+
+export async function render(path: string, flags: RenderFlags): Promise<void> {
+  const aovs = chooseAovs(flags);
+  const progress = new Progress();
+  progress.show('reading …');
+  const scene = await openSceneFile(path);
+  const c = speedOfLight(scene, flags.c);
+  progress.clear();
+  reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
+  const frames = frameTimes(scene, flags);
+  const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
+  const settings = renderSettings(flags, c);
+  const sink = await openSink(flags, scene, frames.length);
+  try {
+    progress.show('opening the GPU …');
+    const painter = await openPainter(flags.backend, path, scene, flags.size);
+    try {
+      for (const [i, frame] of frames.entries()) {
+        progress.frames(i, frames.length);
+        const view = observer(frame.t);
+        const picture = await painter.paint({ view, settings, samples: flags.samples, aovs });
+        await sink.add(picture, { number: frame.number, view, speedOfLight: c });
+      }
+    } finally {
+      await painter.close();
+    }
+    progress.show('finishing …');
+    await sink.finish();
+    progress.clear();
+    report(flags, scene, c, frames, observer(frames[0]!.t), painter, sink);
+  } finally {
+    progress.clear();
+    sink.discard();
+  }
+}
+
+/** Data channels need a format that can hold them; without a wish an EXR holds the picture in linear light. */
+function chooseAovs({ output, aov }: RenderFlags): readonly AovName[] {
+  if (extname(output).toLowerCase() === '.exr') return aov ?? ['beauty'];
+  if (aov) throw usageError(`--aov needs a file that can hold data channels: write an .exr, not ${output}`);
+  return [];
+}
+
+function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond, output }: RenderFlags): FrameTime[] {
+  if (!frames) {
+    if (extname(output).toLowerCase() === '.mp4') throw usageError('an .mp4 needs --frames FIRST:LAST');
+    return [{ t: time ?? scene.hints.openAt ?? scene.startTime }];
+  }
+  if (time !== undefined) throw usageError('--time and --frames exclude each other');
+  const count = frames.last - frames.first + 1;
+  return Array.from({ length: count }, (_, i) => ({ number: frames.first + i, t: (frames.first + i) / fps }));
+}
+
+function report(
+  flags: RenderFlags,
+  scene: Scene,
+  c: number,
+  frames: readonly FrameTime[],
+  first: { position: readonly number[]; u: readonly [number, number, number] },
+  painter: Painter,
+  sink: Sink,
+): void {
+  const { width, height } = flags.size;
+  if (!flags.json) {
+    console.log(`${sink.files.length > 1 ? `${sink.files.length} files, the last ` : ''}${sink.files.at(-1)}`);
+    return;
+  }
+  const summary = {
+    files: sink.files,
+    width,
+    height,
+    frames: frames.length,
+    times: [frames[0]!.t, frames.at(-1)!.t],
+    speedOfLight: c,
+    observer: {
+      position: first.position,
+      beta: velocity(first.u),
+      speed: length(velocity(first.u)),
+      gamma: gamma(first.u),
+    },
+    backend: painter.backend,
+    adapter: painter.adapterName,
+    objects: scene.objects.map((object, i) => ({ id: i + 1, path: object.path })),
+  };
+  console.log(JSON.stringify(summary, null, 2));
+}

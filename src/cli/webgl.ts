@@ -1,0 +1,92 @@
+import { basename, dirname, resolve } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import type { AovName, RenderSettings, ViewPoint } from '../render/settings.ts';
+import { unavailable } from './exit.ts';
+import { folderSource } from './files.ts';
+import { findChromium } from './icd.ts';
+import type { Painter, Picture, PictureRequest } from './painter.ts';
+import type { Size } from './parse.ts';
+import { serveApp } from './staticServer.ts';
+
+/**
+ * What the page headless.html offers to whoever drives it (src/app/headless.ts is the other end). Pixels and data come as
+ * base64: they leave the browser as JSON.
+ */
+interface HeadlessPage {
+  open(request: { scene: string; width: number; height: number }): Promise<{ adapterName: string }>;
+  paint(request: {
+    view: ViewPoint;
+    settings: RenderSettings;
+    samples: number;
+    aovs: readonly AovName[];
+  }): Promise<{ pixels: string; aovs: Record<string, string> }>;
+}
+declare global {
+  interface Window {
+    slowlightHeadless?: HeadlessPage;
+  }
+}
+
+/** The scene's own files, as the page asks for them: `/scene-files/` and the path from the scene's folder. */
+const FILES = '/scene-files/';
+
+/** Draws with the page's renderer on WebGL2, in a Chromium without a window. */
+export async function openWebGlPainter(path: string, { width, height }: Size): Promise<Painter> {
+  const files = folderSource(dirname(resolve(path)));
+  const server = await serveApp(0, async (url) =>
+    url.startsWith(FILES) ? files.read(url.slice(FILES.length)) : undefined,
+  );
+  let browser: Browser | undefined;
+  const close = async (): Promise<void> => {
+    await browser?.close();
+    await server.close();
+  };
+  try {
+    browser = await launch();
+    const page = await openPage(browser, `${server.url}/headless.html`);
+    const scene = `${server.url}${FILES}${encodeURIComponent(basename(path))}`;
+    const { adapterName } = await page.evaluate((request) => window.slowlightHeadless!.open(request), {
+      scene,
+      width,
+      height,
+    });
+    return { backend: 'webgl', adapterName, paint: (request) => paint(page, request), close };
+  } catch (error) {
+    await close();
+    throw error;
+  }
+}
+
+async function launch(): Promise<Browser> {
+  const executablePath = findChromium();
+  if (!executablePath) {
+    throw unavailable(
+      '--backend webgl needs Chromium, which is not on the PATH (CHROMIUM may name it). On Debian or Ubuntu: apt-get install -y chromium libegl-mesa0 libgl1-mesa-dri',
+    );
+  }
+  const { chromium } = await import('playwright-core');
+  const gl = process.platform === 'linux' ? ['--use-gl=angle', '--use-angle=gl-egl'] : [];
+  // Root may not use the sandbox; the page is ours and may load nothing from elsewhere.
+  const sandbox = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
+  return chromium.launch({ executablePath, headless: true, args: [...gl, ...sandbox, '--ignore-gpu-blocklist'] });
+}
+
+async function openPage(browser: Browser, url: string): Promise<Page> {
+  const page = await browser.newPage();
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  await page.goto(url);
+  if (!(await page.evaluate(() => 'slowlightHeadless' in window))) {
+    throw new Error(`the page headless.html did not start: ${errors.join('; ') || 'no reason given'}`);
+  }
+  return page;
+}
+
+async function paint(page: Page, request: PictureRequest): Promise<Picture> {
+  const { pixels, aovs } = await page.evaluate((wanted) => window.slowlightHeadless!.paint(wanted), request);
+  const data = Object.entries(aovs).map(([name, text]) => [name as AovName, floats(text)] as const);
+  return { pixels: new Uint8Array(Buffer.from(pixels, 'base64')), aovs: new Map(data) };
+}
+
+/** A copy, because a Buffer may start at any byte of its memory. */
+const floats = (base64: string): Float32Array => new Float32Array(new Uint8Array(Buffer.from(base64, 'base64')).buffer);

@@ -1,0 +1,33 @@
+import type { AovName } from '../render/settings.ts';
+import type { Scene } from '../scene/types.ts';
+import { openDevice } from './device.ts';
+import { pumpFrame } from './node-shim.ts';
+import type { Painter, PictureRequest } from './painter.ts';
+import type { Size } from './parse.ts';
+
+/** Draws in this process, on Dawn. */
+export async function openWebGpuPainter(scene: Scene, { width, height }: Size): Promise<Painter> {
+  const gpu = await openDevice();
+  // Not at the top: three looks for what the shim provides while it is being loaded.
+  const { SceneRenderer } = await import('../render/renderer.ts');
+  const renderer = await SceneRenderer.create({ device: gpu.device, backend: 'webgpu' });
+  renderer.setSize(width, height);
+  await renderer.setScene(scene);
+  return {
+    backend: 'webgpu',
+    adapterName: gpu.adapterName,
+    paint: async ({ view, settings, samples, aovs }: PictureRequest) => {
+      pumpFrame();
+      renderer.render(view, settings, samples);
+      const pixels = await renderer.readPixels();
+      const data = new Map<AovName, Float32Array>();
+      for (const name of aovs) data.set(name, await renderer.readAov(name));
+      gpu.assertHealthy();
+      return { pixels, aovs: data };
+    },
+    close: async () => {
+      renderer.dispose();
+      gpu.release();
+    },
+  };
+}
