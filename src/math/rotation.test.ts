@@ -1,0 +1,162 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { direction, expectClose, offset } from '../../tests/physicsArbitraries.ts';
+import * as mat3 from './mat3.ts';
+import * as mat4 from './mat4.ts';
+import * as quat from './quat.ts';
+import { cross, dot, length, type Vec3 } from './vec3.ts';
+
+const rotation = fc
+  .tuple(direction, fc.double({ min: -Math.PI, max: Math.PI, noNaN: true }))
+  .map(([axis, angle]) => quat.fromAxisAngle(axis, angle));
+const element = fc.double({ min: -3, max: 3, noNaN: true });
+const nine = fc.array(element, { minLength: 9, maxLength: 9 });
+const pose = fc.record({ position: offset, orientation: rotation });
+const sameRotation = (a: quat.Quat, b: quat.Quat, tolerance: number) =>
+  expectClose(quat.toMatrix(a), quat.toMatrix(b), tolerance);
+
+describe('quaternions', () => {
+  it('turn by Rodrigues’ formula', () =>
+    fc.assert(
+      fc.property(direction, fc.double({ min: -9, max: 9, noNaN: true }), offset, (k, angle, v) => {
+        const [c, s] = [Math.cos(angle), Math.sin(angle)];
+        const kv = cross(k, v);
+        const expected = v.map((x, i) => x * c + kv[i] * s + k[i] * dot(k, v) * (1 - c));
+        expectClose(quat.rotate(quat.fromAxisAngle(k, angle), v), expected, 1e-14 * length(v));
+      }),
+    ));
+  it('compose right to left, and are undone by the conjugate', () =>
+    fc.assert(
+      fc.property(rotation, rotation, offset, (a, b, v) => {
+        const tolerance = 1e-14 * length(v);
+        expectClose(quat.rotate(quat.multiply(a, b), v), quat.rotate(a, quat.rotate(b, v)), tolerance);
+        expectClose(quat.rotate(quat.conjugate(a), quat.rotate(a, v)), v, tolerance);
+      }),
+    ));
+  it('become matrices and come back, at half turns too', () =>
+    fc.assert(
+      fc.property(rotation, direction, offset, (q, axis, v) => {
+        expectClose(mat3.transform(quat.toMatrix(q), v), quat.rotate(q, v), 1e-14 * length(v));
+        sameRotation(quat.fromMatrix(quat.toMatrix(q)), q, 1e-14);
+        const half = quat.fromAxisAngle(axis, Math.PI);
+        sameRotation(quat.fromMatrix(quat.toMatrix(half)), half, 1e-14);
+      }),
+    ));
+  it('are the identity where they are nothing', () => {
+    expect(quat.normalizeQuat([0, 0, 0, 0])).toEqual(quat.IDENTITY);
+    expect(quat.fromMatrix(mat3.IDENTITY)).toEqual(quat.IDENTITY);
+    expectClose(quat.fromAxisAngle([0, 0, 7], 0), quat.IDENTITY, 0);
+  });
+  it('slerp at constant speed along the shorter arc', () =>
+    fc.assert(
+      fc.property(rotation, direction, fc.double({ min: 0, max: 3, noNaN: true }), element, (a, axis, angle, s) => {
+        const b = quat.multiply(a, quat.fromAxisAngle(axis, angle));
+        const expected = quat.multiply(a, quat.fromAxisAngle(axis, s * angle));
+        sameRotation(quat.slerp(a, b, s), expected, 1e-13);
+        sameRotation(quat.slerp(a, [-b[0], -b[1], -b[2], -b[3]], s), expected, 1e-13);
+        expectClose(quat.rotationAngle(quat.multiply(quat.conjugate(a), b)), angle, 1e-14);
+      }),
+    ));
+});
+
+describe('3×3 matrices', () => {
+  it('multiply as maps do', () =>
+    fc.assert(
+      fc.property(nine, nine, offset, (a, b, v) => {
+        const both = mat3.transform(mat3.multiply(a, b), v);
+        expectClose(both, mat3.transform(a, mat3.transform(b, v)), 1e-13 * length(v) * 100);
+      }),
+    ));
+  it('are undone by the inverse; singular ones have none', () =>
+    fc.assert(
+      fc.property(nine, (m) => {
+        const inverse = mat3.invert(m);
+        fc.pre(inverse !== undefined && Math.abs(mat3.determinant(m)) > 1e-2);
+        expectClose(mat3.multiply(m, inverse ?? []), mat3.IDENTITY, 1e-10);
+      }),
+    ));
+  it('have no inverse where they flatten space', () => {
+    expect(mat3.invert([1, 2, 3, 2, 4, 6, 0, 1, 5])).toBeUndefined();
+    expect(mat3.invert(new Array<number>(9).fill(0))).toBeUndefined();
+    expect(mat4.invert([1, 2, 3, 4, 2, 4, 6, 8, 0, 1, 0, 0, 0, 0, 0, 1])).toBeUndefined();
+    expect(mat4.invert(new Array<number>(16).fill(Number.NaN))).toBeUndefined();
+  });
+  it('carry normals by their cofactors: (M a) × (M b) = cof(M)(a × b)', () =>
+    fc.assert(
+      fc.property(nine, direction, direction, (m, a, b) => {
+        const expected = cross(mat3.transform(m, a), mat3.transform(m, b));
+        expectClose(mat3.transform(mat3.cofactors(m), cross(a, b)), expected, 1e-12);
+      }),
+    ));
+});
+
+describe('4×4 matrices', () => {
+  it('of poses compose and invert as rigid motions do', () =>
+    fc.assert(
+      fc.property(pose, pose, offset, (p, q, v) => {
+        const [P, Q] = [mat4.fromPose(p), mat4.fromPose(q)];
+        const moved = quat.rotate(p.orientation, v).map((x, i) => x + p.position[i]);
+        const size = length(v) + length(p.position) + length(q.position);
+        expectClose(mat4.transformPoint(P, v), moved, 1e-14 * size);
+        expectClose(mat4.transformVector(P, v), quat.rotate(p.orientation, v), 1e-14 * size);
+        const steps = mat4.transformPoint(P, mat4.transformPoint(Q, v));
+        expectClose(mat4.transformPoint(mat4.multiply(P, Q), v), steps, 1e-13 * size);
+        expectClose(mat4.transformPoint(mat4.invert(P) ?? [], mat4.transformPoint(P, v)), v, 1e-13 * size);
+        expect(mat4.isRigid(P)).toBe(true);
+      }),
+    ));
+  it('invert whatever can be inverted', () =>
+    fc.assert(
+      fc.property(fc.array(element, { minLength: 16, maxLength: 16 }), fc.integer({ min: 0, max: 3 }), (raw, shift) => {
+        // Heavy on a shifted diagonal: regular for sure, and to be pivoted.
+        const m = raw.map((x, i) => (i % 4 === (Math.floor(i / 4) + shift) % 4 ? x + 13 : x));
+        expectClose(mat4.multiply(m, mat4.invert(m) ?? []), mat4.IDENTITY, 1e-13);
+        expectClose(mat4.transpose(mat4.transpose(m)), m, 0);
+      }),
+    ));
+  it('are not rigid with a scale or a mirror', () => {
+    expect(mat4.isRigid(mat4.fromParts([2, 0, 0, 0, 1, 0, 0, 0, 1], [1, 2, 3]))).toBe(false);
+    expect(mat4.isRigid(mat4.fromParts([-1, 0, 0, 0, 1, 0, 0, 0, 1], [1, 2, 3]))).toBe(false);
+    expect(mat4.isRigid(mat4.fromParts([1 + 1e-6, 0, 0, 0, 1, 0, 0, 0, 1], [0, 0, 0]), 1e-5)).toBe(true);
+  });
+});
+
+describe('rigid part and stretch', () => {
+  it('give back the matrix, with a proper rotation and a symmetric stretch, also singular and mirrored', () =>
+    fc.assert(
+      fc.property(nine, offset, fc.constantFrom(1, 0), (m, t, lastColumn) => {
+        const linear = m.map((x, i) => (i % 3 === 2 ? x * lastColumn : x));
+        const { pose: p, stretch } = mat4.decomposeRigid(mat4.fromParts(linear, t));
+        const back = mat3.multiply(quat.toMatrix(p.orientation), stretch);
+        expectClose(back, linear, 1e-11);
+        expectClose(mat3.transpose(stretch), stretch, 0);
+        expect(p.position).toEqual(t);
+        expectClose(Math.hypot(...p.orientation), 1, 1e-14);
+      }),
+    ));
+  it('find the rotation that was put in', () =>
+    fc.assert(
+      fc.property(pose, rotation, fc.tuple(element, element, element), (p, q, logs) => {
+        // A positive stretch along turned axes.
+        const Q = quat.toMatrix(q);
+        const [a, b, c] = logs.map(Math.exp);
+        const S = mat3.multiply(Q, mat3.multiply([a, 0, 0, 0, b, 0, 0, 0, c], mat3.transpose(Q)));
+        const M = mat4.fromParts(mat3.multiply(quat.toMatrix(p.orientation), S), p.position);
+        const found = mat4.decomposeRigid(M);
+        sameRotation(found.pose.orientation, p.orientation, 1e-11);
+        expectClose(found.stretch, S, 1e-10);
+      }),
+    ));
+  it('of a mirror, of a flat and of an empty matrix turn nothing that need not turn', () => {
+    const parts = (x: number, y: number, z: number) =>
+      mat4.decomposeRigid(mat4.fromParts([x, 0, 0, 0, y, 0, 0, 0, z], [0, 0, 0] as Vec3));
+    for (const s of [
+      [-1, 2, 3],
+      [1, 1, 1],
+      [2, 3, 0],
+      [0, 0, 0],
+    ])
+      expect(parts(s[0], s[1], s[2]).pose.orientation, s.join(' ')).toEqual(quat.IDENTITY);
+    expectClose(parts(-1, 2, 3).stretch, [-1, 0, 0, 0, 2, 0, 0, 0, 3], 1e-15);
+  });
+});
