@@ -45,8 +45,8 @@ export interface ChoiceParam<Value extends string = string> extends ParamBase {
 export interface TextParam extends ParamBase {
   readonly kind: 'text';
   readonly default: string;
-  /** Not shown as a field of its own: a special control of the program sets it (the opened file). */
-  readonly hidden?: boolean;
+  /** Where its values come from: `cameras` of the scene. Without, a special control of the program sets it (the opened file). */
+  readonly choices?: 'cameras';
 }
 export type ParamSpec = NumberParam | BooleanParam | ChoiceParam | TextParam;
 

@@ -10,7 +10,7 @@ export const sceneCamera = defineNode({
   help: 'node.camera.help',
   category: 'render',
   params: {
-    camera: { kind: 'text', title: 'param.camera', default: '', hidden: true },
+    camera: { kind: 'text', title: 'param.camera', default: '', choices: 'cameras' },
     ride: { kind: 'boolean', title: 'param.ride', help: 'param.ride.help', default: false },
     fieldOfView: {
       kind: 'number',
@@ -34,6 +34,6 @@ export const sceneCamera = defineNode({
       throw new NodeRefusal({ severity: 'error', code: 'camera.missing', place: node, message, remedy });
     }
     const fovY = fieldOfView === undefined ? undefined : fieldOfView * DEGREE;
-    return { view: { ...relativity, camera, ride: ride && cameras.length > 0, fovY } };
+    return { view: { ...relativity, camera, ride, fovY } };
   },
 });

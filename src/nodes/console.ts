@@ -1,4 +1,5 @@
 import { NodeRefusal } from '../graph/nodeType.ts';
+import { validate } from '../scene/validate.ts';
 import { defineNode } from './define.ts';
 import type { LoadedScene } from './services.ts';
 
@@ -99,6 +100,7 @@ export const relativityConsole = defineNode({
   evaluate({ scene: loaded }, params, { node }) {
     const speedOfLight = params.speedOfLight ?? loaded.scene.hints.speedOfLight ?? fittingSpeedOfLight(loaded);
     refuseSuperluminal(loaded, speedOfLight, node);
+    refuseHorizon(loaded, speedOfLight);
     return { relativity: { ...params, ...loaded, speedOfLight } };
   },
 });
@@ -106,6 +108,16 @@ export const relativityConsole = defineNode({
 /** The usual one, or as much more as leaves the fastest point at 0.8 c. */
 const fittingSpeedOfLight = ({ fastest }: LoadedScene): number =>
   Math.max(DEFAULT_C, roundUp((fastest?.speed ?? 0) / 0.8));
+
+/** How far behind its origin a Born-rigid body may reach also depends on c. */
+function refuseHorizon({ scene }: LoadedScene, c: number): void {
+  const objects = scene.objects.filter(
+    ({ motion, authoredIn }) => motion.kind === 'hyperbolic' && authoredIn === 'rest',
+  );
+  if (objects.length === 0) return;
+  const found = validate({ ...scene, objects, cameras: [] }, c).find(({ code }) => code === 'motion.horizon');
+  if (found) throw new NodeRefusal({ severity: 'error', code: found.code, place: found.place, message: found.message });
+}
 
 function refuseSuperluminal({ fastest }: LoadedScene, c: number, node: string): void {
   if (!fastest || fastest.speed < c) return;

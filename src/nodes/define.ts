@@ -18,7 +18,7 @@ export interface Relativity extends LoadedScene {
 
 /** A scene with where it is looked at from. */
 export interface CameraView extends Relativity {
-  /** Prim path; empty: the scene's first camera, or a view of all of it. */
+  /** Prim path; empty: the scene's first camera. */
   readonly camera: string;
   /** The observer rides on the file's camera, with its velocity, instead of flying freely. */
   readonly ride: boolean;

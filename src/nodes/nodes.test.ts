@@ -5,6 +5,8 @@ import { Evaluator } from '../graph/evaluate.ts';
 import { refuseValue, resolveParams } from '../graph/nodeType.ts';
 import { validateDocument } from '../graph/validate.ts';
 import { DEFAULT_SETTINGS } from '../render/settings.ts';
+import { makeMaterial, makeObject, restingAt } from '../scene/defaults.ts';
+import { box } from '../scene/primitives.ts';
 import { InputError, type Scene } from '../scene/types.ts';
 import { nodeLibrary } from './library.ts';
 import { pictureOf, renderSettings } from './picture.ts';
@@ -19,7 +21,7 @@ const scene: Scene = {
   startTime: 0,
   endTime: 1,
   objects: [],
-  materials: [],
+  materials: [makeMaterial({ name: 'grey' })],
   lights: [],
   cameras: [
     { path: '/cam', fovY: 1, motion: { kind: 'static', pose: { position: [0, 0, 0], orientation: [0, 0, 0, 1] } } },
@@ -95,9 +97,20 @@ describe('the project', () => {
     expect(repaired.picture?.speedOfLight).toBe(13.2);
   });
 
-  it('lights a scene that has no light, unless asked not to', async () => {
-    expect((await evaluate({ scene })).picture?.scene.lights.map(({ kind }) => kind)).toEqual(['distant', 'dome']);
-    expect((await evaluate({ scene }, set('scene', 'daylight', false))).picture?.scene.lights).toEqual([]);
+  it('refuses a body that would reach behind its own horizon', async () => {
+    const mesh = box([200, 1, 1]);
+    const motion = { ...restingAt([0, 0, 0]), kind: 'hyperbolic', properAcceleration: [9, 0, 0], t0: 0 } as const;
+    const rocket = makeObject({ path: '/rocket', mesh, motion, authoredIn: 'rest' });
+    const { evaluation } = await evaluate(
+      { scene: { ...scene, objects: [rocket] } },
+      set('console', 'speedOfLight', 20),
+    );
+    expect(evaluation.results.get('console')).toMatchObject({ problem: { code: 'motion.horizon' } });
+  });
+
+  it('brings a camera where the file has none', async () => {
+    const { picture } = await evaluate({ scene: { ...scene, cameras: [] } });
+    expect(picture?.scene.cameras.map(({ path }) => path)).toEqual(['/FramingCamera']);
   });
 
   it('refuses a camera that is not there', async () => {

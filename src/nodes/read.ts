@@ -9,7 +9,7 @@ export const read = defineNode({
   help: 'node.read.help',
   category: 'geometry',
   params: {
-    source: { kind: 'text', title: 'node.read.source', default: '', hidden: true },
+    source: { kind: 'text', title: 'node.read.source', default: '' },
   },
   inputs: {},
   outputs: { scene: { type: 'scene' } },

@@ -1,0 +1,55 @@
+import { type ReactNode, useEffect } from 'react';
+import { useTexts } from './i18n/i18n.ts';
+import { Dock } from './shell/Dock.tsx';
+import { DropZone } from './shell/DropZone.tsx';
+import { Gallery } from './shell/Gallery.tsx';
+import { Header } from './shell/Header.tsx';
+import { Help } from './shell/Help.tsx';
+import { Notices } from './shell/Notices.tsx';
+import { StatusBar } from './shell/StatusBar.tsx';
+import { Timeline } from './shell/Timeline.tsx';
+import { useSavePicture } from './shell/useSavePicture.ts';
+import { useStudio } from './state/context.tsx';
+
+export function Editor(): ReactNode {
+  const { t } = useTexts();
+  usePageKeys();
+  const toPicture = () => document.querySelector<HTMLElement>('[data-viewport]')?.focus();
+  return (
+    <div className="sl-app">
+      <button type="button" className="sl-skip" onClick={toPicture}>
+        {t('app.skip')}
+      </button>
+      <Header />
+      <main className="sl-main">
+        <Dock />
+      </main>
+      <Timeline />
+      <StatusBar />
+      <Notices />
+      <Gallery />
+      <Help />
+      <DropZone />
+    </div>
+  );
+}
+
+/** Keys that work wherever the focus is, but for fields that are being written in. */
+function usePageKeys(): void {
+  const studio = useStudio();
+  const save = useSavePicture();
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => {
+      const command = event.ctrlKey || event.metaKey;
+      const writing = event.target instanceof HTMLElement && event.target.matches('input:not([type=range]), textarea');
+      if (event.key === 'F1' || (event.key === '?' && !writing)) studio.change({ dialog: 'help' });
+      else if (command && event.code === 'KeyS') void save();
+      else if (command && event.code === 'KeyZ' && !writing) event.shiftKey ? studio.redo() : studio.undo();
+      else if (command && event.code === 'KeyY' && !writing) studio.redo();
+      else return;
+      event.preventDefault();
+    };
+    addEventListener('keydown', onKey);
+    return () => removeEventListener('keydown', onKey);
+  }, [studio, save]);
+}

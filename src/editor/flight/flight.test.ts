@@ -1,0 +1,118 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { IDENTITY, rotate } from '../../math/quat.ts';
+import { length, sub, type Vec3 } from '../../math/vec3.ts';
+import { gamma, velocity } from '../../physics/boost.ts';
+import type { ObserverState } from '../../physics/observer.ts';
+import { type Controls, type FlightRules, IDLE, look, stepFlight, walkingSpeed, wrapTime } from './flight.ts';
+
+const rest: ObserverState = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, properTime: 0 };
+const rules: FlightRules = { c: 30, maxSpeed: 0.9, lock: 'free', cruise: false, playing: true, up: [0, 1, 0] };
+const forward: Controls = { thrust: [0, 0, -1], fullSpeed: false };
+const sprint: Controls = { ...forward, fullSpeed: true };
+
+function fly(state: ObserverState, controls: Controls, seconds: number, by: FlightRules = rules, dt = 1 / 60) {
+  const speeds = [];
+  let now = state;
+  for (let time = 0; time < seconds - 1e-9; time += dt) {
+    now = stepFlight(now, controls, dt, by);
+    speeds.push(length(velocity(now.u)));
+  }
+  return { now, speeds };
+}
+const rising = (values: number[]) => values.every((value, i) => i === 0 || value >= values[i - 1]! - 1e-12);
+
+describe('flight', () => {
+  it('walks at the smaller of half the greatest speed and 8 m/s', () => {
+    expect(walkingSpeed(rules)).toBeCloseTo(8 / 30, 12);
+    expect(walkingSpeed({ c: 10, maxSpeed: 0.9 })).toBeCloseTo(0.45, 12);
+    const { now, speeds } = fly(rest, forward, 1);
+    expect(speeds.at(-1)).toBeCloseTo(8 / 30, 12);
+    expect(rising(speeds)).toBe(true);
+    expect(speeds[5]).toBeLessThan(0.1);
+    expect(now.position[2]).toBeLessThan(-4);
+  });
+
+  it('reaches the greatest speed with Shift in 2 s of its own time, smoothly, and never passes it', () => {
+    const { now, speeds } = fly(rest, sprint, 2.1);
+    expect(speeds[100]).toBeLessThan(0.9);
+    expect(speeds.at(-1)).toBeCloseTo(0.9, 12);
+    expect(rising(speeds)).toBe(true);
+    expect(Math.max(...speeds)).toBeLessThanOrEqual(0.9 + 1e-12);
+    // Constant proper acceleration: βγ = sinh(aτ/c), so halfway through the burn the rapidity is half of it.
+    expect(speeds[59]).toBeCloseTo(Math.tanh(Math.atanh(0.9) / 2), 6);
+    expect(now.properTime).toBeCloseTo(2.1, 9);
+    expect(now.t).toBeGreaterThan(2.1);
+  });
+
+  it('brakes to rest without a key, and keeps its velocity on cruise', () => {
+    const { now } = fly(rest, sprint, 3);
+    expect(length(fly(now, IDLE, 3).now.u)).toBe(0);
+    expect(fly(now, IDLE, 3, { ...rules, cruise: true }).now.u).toEqual(now.u);
+  });
+
+  it('look: has a velocity without moving, and its own clock runs slow', () => {
+    const { now } = fly(rest, sprint, 4, { ...rules, lock: 'look' });
+    expect(now.position).toEqual([0, 0, 0]);
+    expect(length(velocity(now.u))).toBeCloseTo(0.9, 9);
+    expect(now.t).toBeCloseTo(4, 9);
+    expect(now.properTime).toBeLessThan(3.5);
+  });
+
+  it('fly: moves as fast as its speed says, in the world’s time', () => {
+    const fast = fly(rest, sprint, 3, { ...rules, lock: 'fly' }).now;
+    const later = fly(fast, sprint, 1, { ...rules, lock: 'fly' }).now;
+    expect(length(sub(later.position, fast.position))).toBeCloseTo(0.9 * 30, 6);
+    expect(later.t - fast.t).toBeCloseTo(1, 9);
+    expect(later.orientation).toEqual(IDENTITY);
+  });
+
+  it('moves through a frozen instant where time stands still', () => {
+    const { now } = fly(rest, sprint, 2, { ...rules, playing: false });
+    expect(now.t).toBe(0);
+    expect(now.properTime).toBe(0);
+    expect(now.position[2]).toBeLessThan(-10);
+  });
+
+  it('does not depend on the frame rate', () => {
+    const coarse = fly(rest, sprint, 1.5, rules, 0.1).now;
+    const fine = fly(rest, sprint, 1.5, rules, 0.005).now;
+    expect(length(sub(coarse.position, fine.position))).toBeLessThan(1e-9);
+  });
+
+  it('stays finite and subluminal whatever is asked', () => {
+    const axis = fc.double({ min: -1, max: 1, noNaN: true });
+    const controls = fc.record({ thrust: fc.tuple(axis, axis, axis), fullSpeed: fc.boolean() });
+    fc.assert(
+      fc.property(
+        fc.array(controls, { minLength: 1, maxLength: 20 }),
+        fc.constantFrom('free', 'look', 'fly'),
+        fc.constantFrom(0.1, 30, 299_792_458),
+        (sequence, lock, c) => {
+          let state = rest;
+          for (const one of sequence) state = stepFlight(state, one, 0.1, { ...rules, lock, c, maxSpeed: 0.999999 });
+          expect([...state.position, ...state.u, ...state.orientation, state.t].every(Number.isFinite)).toBe(true);
+          expect(gamma(state.u)).toBeLessThan(708);
+        },
+      ),
+    );
+  });
+});
+
+describe('looking around', () => {
+  it('turns left about the up axis, and never over the top', () => {
+    const left = rotate(look(IDENTITY, Math.PI / 2, 0, [0, 1, 0]), [0, 0, -1]);
+    expect(length(sub(left, [-1, 0, 0] as Vec3))).toBeLessThan(1e-12);
+    const high = rotate(look(IDENTITY, 0, 10, [0, 1, 0]), [0, 0, -1]);
+    expect(high[1]).toBeCloseTo(1, 3);
+    expect(high[2]).toBeLessThan(0);
+  });
+});
+
+describe('the timeline', () => {
+  it('starts again, or stays at its end', () => {
+    expect(wrapTime(5.5, 1, 5, true)).toBeCloseTo(1.5, 12);
+    expect(wrapTime(5.5, 1, 5, false)).toBe(5);
+    expect(wrapTime(5.5, 0, 0, true)).toBe(5.5);
+  });
+});

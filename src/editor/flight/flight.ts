@@ -1,0 +1,105 @@
+import { fromAxisAngle, multiply, normalizeQuat, type Quat, rotate } from '../../math/quat.ts';
+import { addScaled, dot, length, normalize, scale, type Vec3, ZERO } from '../../math/vec3.ts';
+import { gamma, properVelocity, rapidity } from '../../physics/boost.ts';
+import { accelerate, coast, type ObserverState } from '../../physics/observer.ts';
+import { relativeVelocity } from '../../physics/velocity.ts';
+
+/**
+ * `free`: the observer flies. `look`: a velocity without moving, to see what a speed does to one place. `fly`: moving
+ * while the picture stays that of an observer at rest.
+ */
+export type Lock = 'free' | 'look' | 'fly';
+export const LOCKS: readonly Lock[] = ['free', 'look', 'fly'];
+
+/** What the person asks for at one moment. */
+export interface Controls {
+  /** In camera axes, each −1 … 1: right, along the scene's up axis, back. */
+  readonly thrust: Vec3;
+  readonly fullSpeed: boolean;
+}
+export const IDLE: Controls = { thrust: ZERO, fullSpeed: false };
+
+export interface FlightRules {
+  /** [m/s] */
+  readonly c: number;
+  /** As a fraction of c. */
+  readonly maxSpeed: number;
+  readonly lock: Lock;
+  /** Without a key the velocity is kept, instead of braking to rest. */
+  readonly cruise: boolean;
+  /** Whether time passes in the world. */
+  readonly playing: boolean;
+  readonly up: Vec3;
+}
+
+/** [m/s]: as fast as one goes without asking for full speed. */
+const WALK = 8;
+/** Time to reach the greatest speed, and the walking speed, from rest [s, own clock]. */
+const SPRINT_TIME = 2;
+const WALK_TIME = 0.5;
+
+/** The smaller of half the greatest speed and 8 m/s, as a fraction of c. */
+export const walkingSpeed = ({ c, maxSpeed }: Pick<FlightRules, 'c' | 'maxSpeed'>): number =>
+  Math.min(maxSpeed / 2, WALK / c);
+
+/** The proper velocity that the controls ask for, world frame; undefined: as it is. */
+export function wantedVelocity(state: ObserverState, controls: Controls, rules: FlightRules): Vec3 | undefined {
+  const [right, up, back] = controls.thrust;
+  const push = length(controls.thrust);
+  if (push === 0) return rules.cruise ? undefined : ZERO;
+  const direction = normalize(addScaled(rotate(state.orientation, [right, 0, back]), rules.up, up));
+  const speed = controls.fullSpeed ? rules.maxSpeed : walkingSpeed(rules);
+  return properVelocity(scale(direction, speed * Math.min(1, push)));
+}
+
+/**
+ * The observer after dt [s] of the person's time, which is the observer's own: a constant proper acceleration towards the
+ * wanted velocity, exactly. Where time stands still in the world the observer still moves, through a frozen instant.
+ */
+export function stepFlight(state: ObserverState, controls: Controls, dt: number, rules: FlightRules): ObserverState {
+  const moved = thrust(state, wantedVelocity(state, controls, rules), dt, rules);
+  if (rules.lock === 'free') return rules.playing ? moved : { ...moved, t: state.t, properTime: state.properTime };
+  const held = { ...moved, ...clocks(state, moved.u, dt, rules) };
+  if (rules.lock === 'look') return { ...held, position: state.position };
+  const position = addScaled(state.position, moved.u, (rules.c * dt) / gamma(moved.u));
+  return { ...held, position, orientation: state.orientation };
+}
+
+/** In the locks the world's time runs as the person's: `look` stays at one place, and `fly` is at rest for the picture. */
+function clocks(state: ObserverState, u: Vec3, dt: number, { lock, playing }: FlightRules) {
+  if (!playing) return { t: state.t, properTime: state.properTime };
+  return { t: state.t + dt, properTime: state.properTime + (lock === 'look' ? dt / gamma(u) : dt) };
+}
+
+function thrust(state: ObserverState, wanted: Vec3 | undefined, dt: number, rules: FlightRules): ObserverState {
+  const missing = wanted && relativeVelocity(wanted, state.u);
+  const change = missing ? rapidity(missing) : 0;
+  if (!wanted || !missing || change === 0) return coast(state, dt, rules.c);
+  const a = properAcceleration(state.u, wanted, rules);
+  const burn = Math.min(dt, (change * rules.c) / a);
+  const burnt = accelerate(state, scale(normalize(missing), a), burn, rules.c);
+  return burn < dt ? coast({ ...burnt, u: wanted }, dt - burn, rules.c) : burnt;
+}
+
+/** [m/s²]: one for walking, a stronger one wherever more than the walking speed is had or wanted. */
+function properAcceleration(u: Vec3, wanted: Vec3, rules: FlightRules): number {
+  const walk = Math.atanh(walkingSpeed(rules));
+  const fast = Math.max(rapidity(u), rapidity(wanted)) > walk * 1.001;
+  return rules.c * (fast ? Math.atanh(rules.maxSpeed) / SPRINT_TIME : walk / WALK_TIME);
+}
+
+/** Turns the head: yaw about the scene's up axis, then pitch about the camera's own right [rad]; never over the top. */
+export function look(orientation: Quat, yaw: number, pitch: number, up: Vec3): Quat {
+  const turned = multiply(fromAxisAngle(up, yaw), orientation);
+  const forward = rotate(turned, [0, 0, -1]);
+  const elevation = Math.asin(Math.max(-1, Math.min(1, dot(forward, up))));
+  const limit = Math.PI / 2 - 0.02;
+  const bounded = Math.max(-limit, Math.min(limit, elevation + pitch)) - elevation;
+  return normalizeQuat(multiply(fromAxisAngle(rotate(turned, [1, 0, 0]), bounded), turned));
+}
+
+/** World time [s] on the timeline: at the end it starts again, or stays. */
+export function wrapTime(t: number, start: number, end: number, loop: boolean): number {
+  if (end <= start || t <= end) return t;
+  return loop ? start + ((t - start) % (end - start)) : end;
+}

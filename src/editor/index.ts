@@ -1,0 +1,1 @@
+export { type StartOptions, startEditor } from './start.tsx';

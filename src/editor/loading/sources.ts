@@ -1,0 +1,59 @@
+import { type FileSource, normalizePath } from '../../formats/source.ts';
+
+type Report = (received: number, total: number) => void;
+
+/** Files beside an address; what the server does not have is undefined. Reports the bytes of each file as they arrive. */
+export function urlSource(base: string, report: Report): FileSource {
+  return {
+    read: async (path) => {
+      const response = await fetch(new URL(normalizePath(path), base));
+      if (response.status === 404) return undefined;
+      if (!response.ok) throw new Error(`${path}: the server answers ${response.status} ${response.statusText}`);
+      return readAll(response, report);
+    },
+  };
+}
+
+async function readAll(response: Response, report: Report): Promise<Uint8Array> {
+  const total = Number(response.headers.get('content-length') ?? 0);
+  const chunks: Uint8Array[] = [];
+  let received = 0;
+  for await (const chunk of streamOf(response)) {
+    chunks.push(chunk);
+    received += chunk.length;
+    report(received, Math.max(total, received));
+  }
+  const bytes = new Uint8Array(received);
+  let at = 0;
+  for (const chunk of chunks) {
+    bytes.set(chunk, at);
+    at += chunk.length;
+  }
+  return bytes;
+}
+
+async function* streamOf(response: Response): AsyncGenerator<Uint8Array> {
+  const reader = response.body?.getReader();
+  if (!reader) return;
+  for (let part = await reader.read(); !part.done; part = await reader.read()) yield part.value;
+}
+
+/**
+ * Files that a person chose, by their paths. A reference that does not lead to a chosen file finds the one that ends with it
+ * (`../textures/a.png` in a flat selection → `a.png`), where that is only one.
+ */
+export function localSource(files: ReadonlyMap<string, Blob>): FileSource {
+  return {
+    read: async (path) => {
+      const file = files.get(normalizePath(path)) ?? bySuffix(files, normalizePath(path));
+      return file && new Uint8Array(await file.arrayBuffer());
+    },
+    list: async () => [...files.keys()],
+  };
+}
+
+function bySuffix(files: ReadonlyMap<string, Blob>, path: string): Blob | undefined {
+  const name = path.slice(path.lastIndexOf('/') + 1);
+  const same = [...files.keys()].filter((key) => key === name || key.endsWith(`/${name}`));
+  return same.length === 1 ? files.get(same[0]!) : undefined;
+}

@@ -1,0 +1,16 @@
+/** The buffers of every typed array inside a value, each once: what can be handed to another thread without a copy. */
+export function transferables(value: unknown): ArrayBuffer[] {
+  const buffers = new Set<ArrayBuffer>();
+  const seen = new Set<object>();
+  const visit = (item: unknown): void => {
+    if (typeof item !== 'object' || item === null || seen.has(item)) return;
+    seen.add(item);
+    if (ArrayBuffer.isView(item)) {
+      if (item.buffer instanceof ArrayBuffer) buffers.add(item.buffer);
+      return;
+    }
+    for (const part of Object.values(item)) visit(part);
+  };
+  visit(value);
+  return [...buffers];
+}

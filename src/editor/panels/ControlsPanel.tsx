@@ -1,0 +1,90 @@
+import { Divider, ScrollArea, Stack, Text, Tooltip } from '@mantine/core';
+import { Fragment, type ReactNode } from 'react';
+import type { GraphDocument, GraphNode, ParamValue } from '../../graph/document.ts';
+import type { NodeType, ParamSpec } from '../../graph/nodeType.ts';
+import { resolveParams } from '../../graph/nodeType.ts';
+import type { Picture } from '../../nodes/define.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { useStudio, useStudioState } from '../state/context.tsx';
+import { cameraOf } from '../state/viewpoint.ts';
+import { ParamControl } from './ParamControl.tsx';
+
+/** What a person reaches for most comes first; other nodes follow as the document has them. */
+const ORDER = ['relativity-console', 'relativity-rasterize', 'tone-map', 'scene-camera', 'scene'];
+
+interface Section {
+  readonly id: string;
+  readonly node: GraphNode;
+  readonly type: NodeType;
+}
+
+/** The parameters of the document's nodes. It is made from their descriptions and knows none of them. */
+export function ControlsPanel(): ReactNode {
+  const document = useStudioState((state) => state.history.document);
+  const picture = useStudioState((state) => state.picture);
+  const sections = sectionsOf(document);
+  return (
+    <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
+      <Stack gap="lg" p="md">
+        {sections.map((section, i) => (
+          <Fragment key={section.id}>
+            {i > 0 && <Divider />}
+            <NodeSection section={section} picture={picture} />
+          </Fragment>
+        ))}
+      </Stack>
+    </ScrollArea>
+  );
+}
+
+function NodeSection({ section, picture }: { readonly section: Section; readonly picture?: Picture }): ReactNode {
+  const { any } = useTexts();
+  const studio = useStudio();
+  const { id, node, type } = section;
+  const resolved = resolveParams(type, node.params);
+  return (
+    <Stack gap="sm" component="section" aria-label={any(type.title)}>
+      <Tooltip label={any(type.help)} position="top-start" openDelay={400}>
+        <Text component="h2" size="xs" fw={600} c="dimmed" className="sl-section-title">
+          {any(type.title)}
+        </Text>
+      </Tooltip>
+      {Object.entries(type.params).map(([name, spec]) => (
+        <ParamControl
+          key={name}
+          spec={spec}
+          set={node.params[name]}
+          value={resolved[name] ?? suggestion(spec, picture)}
+          enabled={!spec.onlyWhen || resolved[spec.onlyWhen.param] === spec.onlyWhen.is}
+          choices={picture?.scene.cameras.map(({ path }) => path)}
+          onChange={(value, gesture) => studio.set(id, name, value, spec.title, gesture)}
+          onGestureEnd={studio.endGesture}
+        />
+      ))}
+    </Stack>
+  );
+}
+
+function sectionsOf(document: GraphDocument): Section[] {
+  const place = (type: NodeType) => (ORDER.includes(type.id) ? ORDER.indexOf(type.id) : ORDER.length);
+  return Object.entries(document.nodes)
+    .flatMap(([id, node]) => {
+      const type = nodeLibrary[node.type];
+      return type && isShown(type) ? [{ id, node, type }] : [];
+    })
+    .sort((a, b) => place(a.type) - place(b.type));
+}
+
+const isShown = (type: NodeType): boolean =>
+  Object.values(type.params).some((spec) => spec.kind !== 'text' || spec.choices);
+
+/** What holds while the person has set nothing: the picture tells what the scene suggested. */
+function suggestion(spec: ParamSpec, picture: Picture | undefined): ParamValue {
+  if (picture && spec.kind === 'number') {
+    if (spec.suggestion === 'speedOfLight') return picture.speedOfLight;
+    const degrees = (cameraOf(picture).fovY * 180) / Math.PI;
+    if (spec.suggestion === 'fieldOfView') return Math.round(degrees * 10) / 10;
+  }
+  return spec.default;
+}

@@ -1,0 +1,210 @@
+import {
+  ActionIcon,
+  Group,
+  NumberInput,
+  SegmentedControl,
+  Select,
+  Slider,
+  Stack,
+  Switch,
+  Text,
+  Tooltip,
+} from '@mantine/core';
+import { IconRestore } from '@tabler/icons-react';
+import { type ReactNode, useId, useState } from 'react';
+import type { ParamValue } from '../../graph/document.ts';
+import type { ChoiceParam, NumberParam, ParamSpec, TextParam } from '../../graph/nodeType.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { positionOf, valueAt } from './scales.ts';
+
+export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
+  readonly spec: Spec;
+  /** As set in the document; undefined: the default, or what the scene suggests. */
+  readonly set: ParamValue | undefined;
+  /** What holds now. */
+  readonly value: ParamValue;
+  readonly enabled: boolean;
+  /** For a text whose values come from the scene. */
+  readonly choices?: readonly string[];
+  /** `gesture`: part of one continuous action. */
+  readonly onChange: (value: ParamValue | undefined, gesture?: string) => void;
+  readonly onGestureEnd: () => void;
+}
+
+/** One parameter of a node, as its description says. */
+export function ParamControl(props: ParamProps): ReactNode {
+  const { spec } = props;
+  switch (spec.kind) {
+    case 'number':
+      return <NumberControl {...props} spec={spec} />;
+    case 'boolean':
+      return <BooleanControl {...props} />;
+    case 'choice':
+      return <ChoiceControl {...props} spec={spec} />;
+    case 'text':
+      return spec.choices ? <TextChoiceControl {...props} spec={spec} /> : null;
+  }
+}
+
+function Label({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
+  const { any } = useTexts();
+  const text = (
+    <Text size="sm" id={id} className="sl-param-label" truncate>
+      {any(spec.title)}
+    </Text>
+  );
+  return spec.help ? (
+    <Tooltip label={any(spec.help)} position="left" multiline maw={260} openDelay={400}>
+      {text}
+    </Tooltip>
+  ) : (
+    text
+  );
+}
+
+function Reset({ set, onChange }: Pick<ParamProps, 'set' | 'onChange'>): ReactNode {
+  const { t } = useTexts();
+  if (set === undefined) return null;
+  return (
+    <Tooltip label={t('panel.reset')} openDelay={400}>
+      <ActionIcon
+        size="xs"
+        variant="subtle"
+        color="gray"
+        aria-label={t('panel.reset')}
+        onClick={() => onChange(undefined)}
+      >
+        <IconRestore size={13} />
+      </ActionIcon>
+    </Tooltip>
+  );
+}
+
+function NumberControl({ spec, set, value, enabled, onChange, onGestureEnd }: ParamProps<NumberParam>): ReactNode {
+  const { any } = useTexts();
+  const id = useId();
+  const number = Number(value);
+  const precision = spec.scale ? 9 : decimals(spec.step);
+  return (
+    <Stack gap={4}>
+      <Group gap={4} wrap="nowrap" justify="space-between">
+        <Label spec={spec} id={id} />
+        <Group gap={2} wrap="nowrap">
+          <Reset set={set} onChange={onChange} />
+          <NumberField {...{ spec, number, enabled, onChange }} label={any(spec.title)} precision={precision} />
+        </Group>
+      </Group>
+      <Slider
+        size="xs"
+        min={0}
+        max={1}
+        step={spec.integer ? 1 / (spec.max - spec.min) : 0.002}
+        label={null}
+        disabled={!enabled}
+        value={positionOf(spec, number)}
+        onChange={(position) => onChange(valueAt(spec, position), `slider ${id}`)}
+        onChangeEnd={onGestureEnd}
+        thumbProps={{ 'aria-label': any(spec.title), 'aria-valuetext': `${number} ${spec.unit ?? ''}`.trim() }}
+      />
+    </Stack>
+  );
+}
+
+interface NumberFieldProps extends Pick<ParamProps<NumberParam>, 'spec' | 'enabled' | 'onChange'> {
+  readonly number: number;
+  readonly label: string;
+  readonly precision: number;
+}
+
+/** Takes what is typed when it is complete, so that no half-written number reaches the document. */
+function NumberField({ spec, number, enabled, onChange, label, precision }: NumberFieldProps): ReactNode {
+  const [typed, setTyped] = useState<number | string>();
+  const commit = () => {
+    const value = typeof typed === 'number' ? typed : Number.parseFloat(typed ?? '');
+    setTyped(undefined);
+    if (!Number.isFinite(value)) return;
+    const bounded = Math.min(spec.max, Math.max(spec.min, value));
+    if (bounded !== number) onChange(spec.integer ? Math.round(bounded) : bounded);
+  };
+  return (
+    <NumberInput
+      size="xs"
+      w={spec.unit ? 124 : 84}
+      aria-label={label}
+      disabled={!enabled}
+      hideControls
+      decimalScale={precision}
+      thousandSeparator={'\u202f'}
+      suffix={spec.unit ? ` ${spec.unit}` : ''}
+      value={typed ?? number}
+      onChange={setTyped}
+      onBlur={commit}
+      onKeyDown={(event) => {
+        if (event.key === 'Enter') commit();
+        if (event.key === 'Escape') setTyped(undefined);
+      }}
+      classNames={{ input: 'sl-number' }}
+    />
+  );
+}
+
+const decimals = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step)));
+
+function BooleanControl({ spec, set, value, enabled, onChange }: ParamProps): ReactNode {
+  const { any } = useTexts();
+  const id = useId();
+  return (
+    <Group gap={4} wrap="nowrap" justify="space-between" mih={24}>
+      <Label spec={spec} id={id} />
+      <Group gap={6} wrap="nowrap">
+        <Reset set={set} onChange={onChange} />
+        <Switch
+          size="xs"
+          aria-label={any(spec.title)}
+          checked={value === true}
+          disabled={!enabled}
+          onChange={(event) => onChange(event.currentTarget.checked)}
+        />
+      </Group>
+    </Group>
+  );
+}
+
+function ChoiceControl({ spec, value, enabled, onChange }: ParamProps<ChoiceParam>): ReactNode {
+  const { any } = useTexts();
+  const id = useId();
+  return (
+    <Stack gap={4}>
+      <Label spec={spec} id={id} />
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        aria-labelledby={id}
+        disabled={!enabled}
+        value={String(value)}
+        onChange={onChange}
+        data={spec.options.map((option) => ({ value: option.value, label: any(option.title) }))}
+      />
+    </Stack>
+  );
+}
+
+function TextChoiceControl({ spec, value, enabled, choices, onChange }: ParamProps<TextParam>): ReactNode {
+  const { any, t } = useTexts();
+  const id = useId();
+  if (!choices || choices.length < 2) return null;
+  return (
+    <Stack gap={4}>
+      <Label spec={spec} id={id} />
+      <Select
+        size="xs"
+        aria-label={any(spec.title)}
+        disabled={!enabled}
+        allowDeselect={false}
+        value={String(value)}
+        onChange={(chosen) => onChange(chosen || undefined)}
+        data={[{ value: '', label: t('param.camera.auto') }, ...choices.map((path) => ({ value: path, label: path }))]}
+      />
+    </Stack>
+  );
+}

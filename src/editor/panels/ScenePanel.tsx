@@ -1,0 +1,99 @@
+import { Badge, ScrollArea, Stack, Table, Text } from '@mantine/core';
+import type { ReactNode } from 'react';
+import type { Picture } from '../../nodes/define.ts';
+import type { Diagnostic, Scene } from '../../scene/types.ts';
+import { formatNumber, formatSeconds, formatSpeed } from '../format.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { sceneName } from '../loading/sceneLoader.ts';
+import { useStudioState } from '../state/context.tsx';
+
+/** What is in the scene that is open, and what its reader had to say. */
+export function ScenePanel(): ReactNode {
+  const { t } = useTexts();
+  const picture = useStudioState((state) => state.picture);
+  const source = useStudioState((state) => state.openSource);
+  return (
+    <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
+      {picture ? (
+        <Stack gap="lg" p="md">
+          <About scene={picture.scene} name={sceneName(source)} />
+          <Figures picture={picture} />
+          <Notes notes={picture.scene.diagnostics} />
+        </Stack>
+      ) : (
+        <Text p="md" size="sm" c="dimmed">
+          {t('info.none')}
+        </Text>
+      )}
+    </ScrollArea>
+  );
+}
+
+function About({ scene, name }: { readonly scene: Scene; readonly name: string }): ReactNode {
+  return (
+    <Stack gap={6}>
+      <Text fw={600}>{scene.hints.title ?? name}</Text>
+      {scene.hints.lookFor && (
+        <Text size="sm" lh={1.5}>
+          {scene.hints.lookFor}
+        </Text>
+      )}
+    </Stack>
+  );
+}
+
+function Figures({ picture }: { readonly picture: Picture }): ReactNode {
+  const { t } = useTexts();
+  const { scene, fastest } = picture;
+  const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
+  const moving = scene.objects.filter(({ motion }) => motion.kind !== 'static').length;
+  const time = fastest && { speed: formatSpeed(fastest.speed), time: formatSeconds(fastest.time) };
+  const rows: [string, ReactNode][] = [
+    [t('info.objects'), formatNumber(scene.objects.length, 6)],
+    [t('info.moving'), formatNumber(moving, 6)],
+    [t('info.trianglesInScene'), formatNumber(triangles, 9)],
+    [t('info.duration'), `${formatSeconds(scene.startTime)} … ${formatSeconds(scene.endTime)}`],
+    ...(time ? [[t('info.fastest'), t('info.fastestAt', time)] satisfies [string, ReactNode]] : []),
+  ];
+  return (
+    <Table verticalSpacing={4} horizontalSpacing={0} fz="sm" withRowBorders={false}>
+      <Table.Tbody>
+        {rows.map(([label, value]) => (
+          <Table.Tr key={label}>
+            <Table.Th fw={400} c="dimmed">
+              {label}
+            </Table.Th>
+            <Table.Td ta="right" className="sl-figure">
+              {value}
+            </Table.Td>
+          </Table.Tr>
+        ))}
+      </Table.Tbody>
+    </Table>
+  );
+}
+
+const COLORS = { error: 'red', warning: 'yellow', info: 'gray' } as const;
+
+function Notes({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode {
+  const { t } = useTexts();
+  if (notes.length === 0) return null;
+  return (
+    <Stack gap="sm">
+      <Text component="h2" size="xs" fw={600} c="dimmed" className="sl-section-title">
+        {t('info.notes')}
+      </Text>
+      {notes.map((note) => (
+        <Stack gap={2} key={`${note.code} ${note.place} ${note.message}`}>
+          <Badge size="xs" variant="light" color={COLORS[note.severity]}>
+            {note.code}
+          </Badge>
+          <Text size="xs" ff="monospace" className="sl-place">
+            {note.place}
+          </Text>
+          <Text size="xs">{note.message}</Text>
+        </Stack>
+      ))}
+    </Stack>
+  );
+}

@@ -1,0 +1,31 @@
+import type { NumberParam } from '../../graph/nodeType.ts';
+
+/** A control's place 0 … 1 for a value, and back: how a slider goes through the range of a parameter. */
+export function positionOf(spec: NumberParam, value: number): number {
+  const [low, high] = [stretch(spec, spec.min), stretch(spec, spec.max)];
+  const bounded = Math.min(spec.max, Math.max(spec.min, value));
+  return (stretch(spec, bounded) - low) / (high - low);
+}
+
+export function valueAt(spec: NumberParam, position: number): number {
+  const [low, high] = [stretch(spec, spec.min), stretch(spec, spec.max)];
+  const value = unstretch(spec, low + position * (high - low));
+  return Math.min(spec.max, Math.max(spec.min, rounded(spec, value)));
+}
+
+function stretch({ scale }: NumberParam, value: number): number {
+  if (scale === 'log') return Math.log(value);
+  return scale === 'approach' ? Math.atanh(value) : value;
+}
+
+function unstretch({ scale }: NumberParam, stretched: number): number {
+  if (scale === 'log') return Math.exp(stretched);
+  return scale === 'approach' ? Math.tanh(stretched) : stretched;
+}
+
+/** To the step; on a stretched scale to three digits that tell, of the value or of what it lacks to 1. */
+function rounded({ scale, step }: NumberParam, value: number): number {
+  if (scale === 'log') return Number(value.toPrecision(3));
+  if (scale === 'approach') return value < 0.5 ? Number(value.toFixed(2)) : 1 - Number((1 - value).toPrecision(2));
+  return Number((Math.round(value / step) * step).toPrecision(12));
+}

@@ -1,0 +1,22 @@
+import { createContext, useContext } from 'react';
+import type { Backend } from '../render/settings.ts';
+import type { LocalFiles } from './loading/sceneLoader.ts';
+import type { Pilot } from './viewport/pilot.ts';
+
+/** What the components share besides the studio's state. */
+export interface EditorServices {
+  readonly pilot: Pilot;
+  readonly localFiles: LocalFiles;
+  readonly backend: Backend | 'auto';
+  /** The stage on show, as long as there is one: for saving its picture. */
+  readonly stage: { capture?: () => Promise<Blob> };
+}
+
+const ServicesContext = createContext<EditorServices | undefined>(undefined);
+export const ServicesProvider = ServicesContext.Provider;
+
+export function useServices(): EditorServices {
+  const services = useContext(ServicesContext);
+  if (!services) throw new Error('no ServicesProvider above this component');
+  return services;
+}

@@ -1,0 +1,44 @@
+import { Text } from '@mantine/core';
+import { IconDownload } from '@tabler/icons-react';
+import { type ReactNode, useEffect, useState } from 'react';
+import { useTexts } from '../i18n/i18n.ts';
+import { droppedFiles } from '../loading/picked.ts';
+import { useOpenFiles } from './useOpenFiles.ts';
+
+/** The whole page takes files; panels that are dragged about inside it are not files. */
+export function DropZone(): ReactNode {
+  const { t } = useTexts();
+  const open = useOpenFiles();
+  const [over, setOver] = useState(false);
+  useEffect(() => {
+    const isFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+    const onOver = (event: DragEvent) => {
+      if (!isFiles(event)) return;
+      event.preventDefault();
+      setOver(true);
+    };
+    const onLeave = (event: DragEvent) => {
+      if (!event.relatedTarget) setOver(false);
+    };
+    const onDrop = (event: DragEvent) => {
+      if (!isFiles(event) || !event.dataTransfer) return;
+      event.preventDefault();
+      setOver(false);
+      void droppedFiles(event.dataTransfer).then(open);
+    };
+    addEventListener('dragover', onOver);
+    addEventListener('dragleave', onLeave);
+    addEventListener('drop', onDrop);
+    return () => {
+      removeEventListener('dragover', onOver);
+      removeEventListener('dragleave', onLeave);
+      removeEventListener('drop', onDrop);
+    };
+  }, [open]);
+  return over ? (
+    <div className="sl-drop">
+      <IconDownload size={32} />
+      <Text fw={600}>{t('viewport.drop')}</Text>
+    </div>
+  ) : null;
+}

@@ -1,0 +1,80 @@
+import { Button, Notification, Stack, Text } from '@mantine/core';
+import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
+import { type ReactNode, useEffect } from 'react';
+import type { Problem } from '../../graph/nodeType.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
+import { formatNumber } from '../format.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { useStudio, useStudioState } from '../state/context.tsx';
+import type { Notice } from '../state/studio.ts';
+
+const INFO_LASTS = 4000; // [ms]
+
+/** What went wrong, where, and what to do; each until it is put right or put away. */
+export function Notices(): ReactNode {
+  const notices = useStudioState((state) => state.notices);
+  return (
+    <Stack className="sl-notices" gap="xs" aria-live="polite">
+      {notices.map((notice) => (
+        <NoticeCard key={notice.id} notice={notice} />
+      ))}
+    </Stack>
+  );
+}
+
+function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const kept = useStudioState((state) => state.picture !== undefined);
+  const error = notice.kind === 'error';
+  useEffect(() => {
+    if (error) return;
+    const timer = setTimeout(() => studio.dismiss(notice.id), INFO_LASTS);
+    return () => clearTimeout(timer);
+  }, [error, studio, notice.id]);
+  return (
+    <Notification
+      withBorder
+      color={error ? 'red' : 'teal'}
+      icon={error ? <IconAlertTriangle size={18} /> : <IconCheck size={18} />}
+      title={error ? t('notice.error') : undefined}
+      role={error ? 'alert' : 'status'}
+      closeButtonProps={{ 'aria-label': t('close') }}
+      onClose={() => studio.dismiss(notice.id)}
+    >
+      <Stack gap={6}>
+        {notice.place && (
+          <Text size="xs" ff="monospace" className="sl-place">
+            {notice.place}
+          </Text>
+        )}
+        <Text size="sm">{notice.text}</Text>
+        {notice.remedy && <Remedy remedy={notice.remedy} />}
+        {notice.ofDocument && kept && (
+          <Text size="xs" c="dimmed">
+            {t('notice.sceneKept')}
+          </Text>
+        )}
+      </Stack>
+    </Notification>
+  );
+}
+
+function Remedy({ remedy }: { readonly remedy: NonNullable<Problem['remedy']> }): ReactNode {
+  const { t, any } = useTexts();
+  const studio = useStudio();
+  const type = useStudioState((state) => state.history.document.nodes[remedy.node]?.type ?? '');
+  const spec = nodeLibrary[type]?.params[remedy.param];
+  const unit = spec?.kind === 'number' ? ` ${spec.unit ?? ''}` : '';
+  const shown = typeof remedy.value === 'number' ? formatNumber(remedy.value) : String(remedy.value);
+  return (
+    <Button
+      size="compact-xs"
+      variant="light"
+      className="sl-remedy"
+      onClick={() => studio.set(remedy.node, remedy.param, remedy.value, 'edit.remedy')}
+    >
+      {t('notice.remedy', { what: any(spec?.title ?? remedy.param), value: `${shown}${unit}`.trim() })}
+    </Button>
+  );
+}

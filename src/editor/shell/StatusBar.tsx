@@ -1,0 +1,128 @@
+import { Group, Text, Tooltip, UnstyledButton } from '@mantine/core';
+import { IconEye, IconLock, IconLockOpen, IconPlane } from '@tabler/icons-react';
+import type { ReactNode } from 'react';
+import type { Lock } from '../flight/flight.ts';
+import { formatBeta, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { useServices } from '../services.tsx';
+import { useStudio, useStudioState, useTelemetry } from '../state/context.tsx';
+
+const LOCK_ICONS = { free: IconLockOpen, look: IconEye, fly: IconPlane } as const satisfies Record<Lock, unknown>;
+
+/** Always in sight: lock, speed, γ and the speed of light; then what draws, and the clock that is the observer's own. */
+export function StatusBar(): ReactNode {
+  const { t } = useTexts();
+  return (
+    <Group component="footer" className="sl-status" gap={0} wrap="nowrap" aria-label={t('status.bar')}>
+      <LockButton />
+      <CruiseButton />
+      <Speed />
+      <div className="sl-spring" />
+      <Clock />
+      <Machine />
+    </Group>
+  );
+}
+
+function LockButton(): ReactNode {
+  const { t } = useTexts();
+  const { pilot } = useServices();
+  const lock = useStudioState((state) => state.lock);
+  const Icon = LOCK_ICONS[lock];
+  return (
+    <Tooltip label={t(`lock.${lock}.help`)} openDelay={300}>
+      <UnstyledButton
+        className="sl-status-item sl-status-button"
+        aria-label={`${t('lock.label')}: ${t(`lock.${lock}`)}`}
+        data-lock={lock}
+        onClick={() => pilot.nextLock()}
+      >
+        <Icon size={14} />
+        <Text size="xs" fw={600}>
+          {t(`lock.${lock}`)}
+        </Text>
+      </UnstyledButton>
+    </Tooltip>
+  );
+}
+
+function CruiseButton(): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const cruise = useStudioState((state) => state.cruise);
+  return (
+    <Tooltip label={t('cruise.help')} openDelay={300}>
+      <UnstyledButton
+        className="sl-status-item sl-status-button"
+        aria-pressed={cruise}
+        onClick={() => studio.change({ cruise: !cruise })}
+      >
+        <IconLock size={14} opacity={cruise ? 1 : 0.35} />
+        <Text size="xs" c={cruise ? undefined : 'dimmed'}>
+          {t('cruise.label')}
+        </Text>
+      </UnstyledButton>
+    </Tooltip>
+  );
+}
+
+function Item({
+  label,
+  value,
+  id,
+}: {
+  readonly label: string;
+  readonly value: string;
+  readonly id: string;
+}): ReactNode {
+  return (
+    <div className="sl-status-item" data-status={id}>
+      <Text size="xs" c="dimmed" className="sl-status-label">
+        {label}
+      </Text>
+      <Text size="xs" className="sl-figure">
+        {value}
+      </Text>
+    </div>
+  );
+}
+
+function Speed(): ReactNode {
+  const { t } = useTexts();
+  const beta = useTelemetry((live) => live.beta);
+  const gamma = useTelemetry((live) => live.gamma);
+  const c = useStudioState((state) => state.picture?.speedOfLight);
+  return (
+    <>
+      <Item id="speed" label={t('status.speed')} value={c ? `${formatSpeed(beta * c)} · ${formatBeta(beta)} c` : '–'} />
+      <Item id="gamma" label={t('status.gamma')} value={formatNumber(gamma, 4)} />
+      <Item id="c" label={t('status.c')} value={c ? `c = ${formatSpeed(c)}` : '–'} />
+    </>
+  );
+}
+
+function Clock(): ReactNode {
+  const { t } = useTexts();
+  const properTime = useTelemetry((live) => live.properTime);
+  return <Item id="own-time" label={t('status.ownTime')} value={`τ = ${formatSeconds(properTime)}`} />;
+}
+
+const BACKENDS = { webgpu: 'WebGPU', webgl: 'WebGL 2' } as const;
+
+function Machine(): ReactNode {
+  const { t } = useTexts();
+  const graphics = useStudioState((state) => state.graphics);
+  const triangles = useTelemetry((live) => live.triangles);
+  const starting = graphics === 'starting' ? t('status.starting') : t('status.recovering');
+  const name = graphics === 'webgpu' || graphics === 'webgl' ? BACKENDS[graphics] : starting;
+  return (
+    <>
+      <Text size="xs" className="sl-status-item sl-figure" c="dimmed" data-status="triangles">
+        {t('status.triangles', { count: formatNumber(triangles, 9) })}
+      </Text>
+      <Text size="xs" className="sl-status-item" c="dimmed" data-status="backend">
+        {name}
+      </Text>
+    </>
+  );
+}

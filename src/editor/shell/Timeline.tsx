@@ -1,0 +1,95 @@
+import { ActionIcon, Group, Slider, Text, Tooltip } from '@mantine/core';
+import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconPlayerSkipBackFilled, IconRepeat } from '@tabler/icons-react';
+import type { ReactNode } from 'react';
+import { formatSeconds } from '../format.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { useServices } from '../services.tsx';
+import { useStudio, useStudioState, useTelemetry } from '../state/context.tsx';
+
+/** The world's time: play, pause, scrub, loop. */
+export function Timeline(): ReactNode {
+  const { t } = useTexts();
+  return (
+    <Group component="section" className="sl-timeline" gap="xs" wrap="nowrap" px="sm" aria-label={t('timeline.label')}>
+      <PlayButtons />
+      <Scrubber />
+      <LoopButton />
+    </Group>
+  );
+}
+
+function PlayButtons(): ReactNode {
+  const { t } = useTexts();
+  const { pilot } = useServices();
+  const playing = useStudioState((state) => state.playing);
+  const start = useStudioState((state) => state.picture?.scene.startTime ?? 0);
+  const label = playing ? t('timeline.pause') : t('timeline.play');
+  return (
+    <Group gap={2} wrap="nowrap">
+      <ActionIcon variant="subtle" color="gray" aria-label={t('timeline.start')} onClick={() => pilot.seek(start)}>
+        <IconPlayerSkipBackFilled size={14} />
+      </ActionIcon>
+      <Tooltip label={label} openDelay={400}>
+        <ActionIcon variant="light" aria-label={label} onClick={() => pilot.togglePlaying()}>
+          {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
+        </ActionIcon>
+      </Tooltip>
+    </Group>
+  );
+}
+
+function Scrubber(): ReactNode {
+  const { t } = useTexts();
+  const { pilot } = useServices();
+  const time = useTelemetry((live) => live.t);
+  const start = useStudioState((state) => state.picture?.scene.startTime ?? 0);
+  const end = useStudioState((state) => state.picture?.scene.endTime ?? 0);
+  return (
+    <>
+      <Text size="xs" className="sl-figure sl-clock" data-status="world-time">
+        t = {formatSeconds(time)}
+      </Text>
+      {end > start ? (
+        <Slider
+          className="sl-scrubber"
+          size="xs"
+          min={start}
+          max={end}
+          step={(end - start) / 1000}
+          label={null}
+          value={Math.min(end, Math.max(start, time))}
+          onChange={(value) => pilot.seek(value)}
+          thumbProps={{ 'aria-label': t('timeline.time'), 'aria-valuetext': formatSeconds(time) }}
+        />
+      ) : (
+        <Text size="xs" c="dimmed" className="sl-scrubber">
+          {t('timeline.still')}
+        </Text>
+      )}
+      {end > start && (
+        <Text size="xs" c="dimmed" className="sl-figure">
+          {formatSeconds(end)}
+        </Text>
+      )}
+    </>
+  );
+}
+
+function LoopButton(): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const loop = useStudioState((state) => state.loop);
+  return (
+    <Tooltip label={t('timeline.loop')} openDelay={400}>
+      <ActionIcon
+        variant={loop ? 'light' : 'subtle'}
+        color={loop ? undefined : 'gray'}
+        aria-label={t('timeline.loop')}
+        aria-pressed={loop}
+        onClick={() => studio.change({ loop: !loop })}
+      >
+        <IconRepeat size={15} />
+      </ActionIcon>
+    </Tooltip>
+  );
+}

@@ -1,0 +1,36 @@
+import { type Language, preferredLanguage } from '../i18n/i18n.ts';
+
+/** What a person chose about the page itself; kept in the browser, and no part of the document. */
+export interface Preferences {
+  readonly language: Language;
+  readonly captions: boolean;
+}
+
+const KEY = 'slowlight.preferences';
+
+/** Nothing kept, or nothing readable (private windows, full disks): the browser's own wishes. */
+export function loadPreferences(): Preferences {
+  const kept = readKept();
+  const language =
+    kept.language === 'en' || kept.language === 'zh' ? kept.language : preferredLanguage(navigator.languages);
+  return { language, captions: kept.captions !== false };
+}
+
+export function savePreferences(preferences: Preferences): void {
+  try {
+    localStorage.setItem(KEY, JSON.stringify(preferences));
+  } catch {
+    // The page works without; the choice lasts for this visit.
+  }
+}
+
+function readKept(): Partial<Record<keyof Preferences, unknown>> {
+  try {
+    const kept: unknown = JSON.parse(localStorage.getItem(KEY) ?? '{}');
+    return typeof kept === 'object' && kept !== null ? kept : {};
+  } catch {
+    return {};
+  }
+}
+
+export const prefersReducedMotion = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;

@@ -1,0 +1,32 @@
+import { createStore } from 'zustand/vanilla';
+import { length } from '../../math/vec3.ts';
+import { gamma } from '../../physics/boost.ts';
+import type { ObserverState } from '../../physics/observer.ts';
+
+/** What the instruments show; renewed a few times a second, so that a page full of text does not redraw at every frame. */
+export interface Telemetry {
+  /** World time [s]. */
+  readonly t: number;
+  /** The observer's own clock [s]. */
+  readonly properTime: number;
+  /** |β| */
+  readonly beta: number;
+  readonly gamma: number;
+  readonly triangles: number;
+}
+
+const INTERVAL = 100; // [ms]
+
+export const telemetry = createStore<Telemetry>(() => ({ t: 0, properTime: 0, beta: 0, gamma: 1, triangles: 0 }));
+
+let last = Number.NEGATIVE_INFINITY;
+
+/** `now` [ms] is the frame's time stamp. What changed too recently is shown with a later frame. */
+export function report(state: ObserverState, triangles: number, now: number): void {
+  if (now - last < INTERVAL) return;
+  last = now;
+  const g = gamma(state.u);
+  const next = { t: state.t, properTime: state.properTime, beta: length(state.u) / g, gamma: g, triangles };
+  const shown = telemetry.getState();
+  if ((Object.keys(next) as (keyof Telemetry)[]).some((key) => next[key] !== shown[key])) telemetry.setState(next);
+}

@@ -1,0 +1,45 @@
+import { createTheme, type MantineColorsTuple } from '@mantine/core';
+
+/** The blue of light that comes towards you. */
+const azure: MantineColorsTuple = [
+  '#eaf3ff',
+  '#d5e4fb',
+  '#aac7f2',
+  '#7ba8ea',
+  '#558de3',
+  '#3d7cdf',
+  '#2f73dd',
+  '#2061c2',
+  '#1857af',
+  '#064a9b',
+];
+
+/** Neutral greys with a trace of blue, so that colours of the picture are judged against a calm surround. */
+const dark: MantineColorsTuple = [
+  '#d5d9e0',
+  '#aeb5c0',
+  '#8b94a3',
+  '#667080',
+  '#434b59',
+  '#303744',
+  '#252b36',
+  '#1b2029',
+  '#151920',
+  '#0f1217',
+];
+
+const FONT =
+  "'Inter Variable', -apple-system, 'Segoe UI', 'PingFang SC', 'Microsoft YaHei', 'Noto Sans CJK SC', 'WenQuanYi Micro Hei', sans-serif";
+
+export const theme = createTheme({
+  primaryColor: 'azure',
+  primaryShade: { light: 7, dark: 4 },
+  autoContrast: true,
+  colors: { azure, dark },
+  fontFamily: FONT,
+  headings: { fontFamily: FONT, fontWeight: '600' },
+  defaultRadius: 'sm',
+  cursorType: 'pointer',
+  focusRing: 'auto',
+  respectReducedMotion: true,
+});

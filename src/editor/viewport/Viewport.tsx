@@ -1,0 +1,111 @@
+import { Button, Group, Progress, Stack, Text, UnstyledButton } from '@mantine/core';
+import { IconX } from '@tabler/icons-react';
+import { type ReactNode, useRef, useState } from 'react';
+import { useTexts } from '../i18n/i18n.ts';
+import { sceneName } from '../loading/sceneLoader.ts';
+import { useExampleTexts } from '../shell/Gallery.tsx';
+import { useStudio, useStudioState } from '../state/context.tsx';
+import { loadPreferences, savePreferences } from '../state/preferences.ts';
+import { useFlightControls } from './useFlightControls.ts';
+import { useStage } from './useStage.ts';
+
+/** The picture, and what lies over it. */
+export function Viewport(): ReactNode {
+  const { t } = useTexts();
+  const host = useRef<HTMLDivElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const life = useStage(canvas);
+  const focused = useFlightControls(host);
+  return (
+    <div className="sl-viewport">
+      <div ref={host} className="sl-picture" role="application" aria-label={t('viewport.label')} data-viewport>
+        {/* A canvas whose context was lost cannot be drawn on again: each life has its own. */}
+        <canvas key={life} ref={canvas} className="sl-canvas" />
+      </div>
+      {!focused && <StartHint />}
+      <Caption />
+      <Busy />
+    </div>
+  );
+}
+
+function StartHint(): ReactNode {
+  const { t } = useTexts();
+  const open = useStudioState((state) => state.picture !== undefined && !state.loading);
+  return open ? (
+    <Text size="xs" className="sl-hint">
+      {t('viewport.start')}
+    </Text>
+  ) : null;
+}
+
+/** What to look for, in the scene's own words. */
+function Caption(): ReactNode {
+  const { t } = useTexts();
+  const [shown, setShown] = useState(() => loadPreferences().captions);
+  const hints = useStudioState((state) => state.picture?.scene.hints);
+  const source = useStudioState((state) => state.openSource);
+  const name = sceneName(source).replace(/\.\w+$/, '');
+  const { title, lookFor } = useExampleTexts({ name, title: hints?.title ?? name, lookFor: hints?.lookFor ?? '' });
+  const show = (captions: boolean) => {
+    setShown(captions);
+    savePreferences({ ...loadPreferences(), captions });
+  };
+  if (!lookFor) return null;
+  if (!shown) {
+    return (
+      <UnstyledButton className="sl-caption sl-caption-closed" onClick={() => show(true)}>
+        <Text size="xs">{t('viewport.lookFor')}</Text>
+      </UnstyledButton>
+    );
+  }
+  return (
+    <aside className="sl-caption" aria-label={t('viewport.lookFor')}>
+      <Group justify="space-between" wrap="nowrap" align="start" gap="xs">
+        <Text size="sm" fw={600}>
+          {title}
+        </Text>
+        <UnstyledButton aria-label={t('viewport.hide')} onClick={() => show(false)}>
+          <IconX size={14} />
+        </UnstyledButton>
+      </Group>
+      <Text size="xs" lh={1.5}>
+        {lookFor}
+      </Text>
+    </aside>
+  );
+}
+
+/** A scene being read, or the device starting again. */
+function Busy(): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const loading = useStudioState((state) => state.loading);
+  const graphics = useStudioState((state) => state.graphics);
+  if (loading) {
+    const percent = Math.round(loading.part * 100);
+    const step = t(`loading.${loading.stage}`);
+    return (
+      <Stack className="sl-busy" gap={8} role="status">
+        <Text size="sm" fw={600}>
+          {t('viewport.loading', { name: sceneName(loading.source) })}
+        </Text>
+        <Progress value={percent} size="sm" animated={loading.stage === 'parse'} aria-label={step} />
+        <Group justify="space-between">
+          <Text size="xs" c="dimmed">
+            {step}
+          </Text>
+          <Button size="compact-xs" variant="default" onClick={studio.cancelLoading}>
+            {t('viewport.cancel')}
+          </Button>
+        </Group>
+      </Stack>
+    );
+  }
+  const text = graphics === 'recovering' ? t('viewport.restart') : graphics === 'failed' ? t('notice.noGraphics') : '';
+  return text ? (
+    <Text className="sl-busy" size="sm" role="status">
+      {text}
+    </Text>
+  ) : null;
+}

@@ -1,0 +1,126 @@
+import { IDENTITY } from '../../math/quat.ts';
+import { length, ZERO } from '../../math/vec3.ts';
+import type { Picture } from '../../nodes/define.ts';
+import type { ObserverState } from '../../physics/observer.ts';
+import type { ViewPoint } from '../../render/settings.ts';
+import { LOCKS, look, stepFlight, wrapTime } from '../flight/flight.ts';
+import type { Studio } from '../state/studio.ts';
+import { cameraOf, ridingObserver, startingObserver, upOf, viewPointOf } from '../state/viewpoint.ts';
+import { Inputs } from './inputs.ts';
+
+/** Moves the observer, and the world's time, by what the person does: what changes by itself and is in no document. */
+export class Pilot {
+  readonly inputs = new Inputs();
+  readonly #studio: Studio;
+  #picture: Picture | undefined;
+  #source = '';
+  #observer: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
+
+  constructor(studio: Studio) {
+    this.#studio = studio;
+  }
+
+  get observer(): ObserverState {
+    return this.#observer;
+  }
+  get picture(): Picture | undefined {
+    return this.#picture;
+  }
+
+  /** What is shown from now on. Another file begins at its own start; an edit leaves the observer where he is. */
+  show(picture: Picture, source: string): void {
+    this.#picture = picture;
+    if (source === this.#source) return;
+    this.#source = source;
+    this.restart();
+  }
+
+  /** Back to where the scene begins, as its author meant it to be seen. */
+  restart(): void {
+    if (!this.#picture) return;
+    this.#observer = startingObserver(this.#picture);
+    const moving = this.#picture.scene.hints.beta !== undefined;
+    this.#studio.change({ lock: moving ? 'look' : 'free', cruise: moving });
+  }
+
+  seek(t: number): void {
+    this.#observer = { ...this.#observer, t };
+  }
+
+  /** dt [s]: of the person's time. */
+  advance(dt: number): void {
+    this.#takeButtons();
+    const picture = this.#picture;
+    if (!picture) return;
+    const turn = this.inputs.takeTurn(dt);
+    const controls = this.inputs.controls();
+    const busy = turn[0] !== 0 || turn[1] !== 0 || length(controls.thrust) > 0;
+    if (picture.ride && busy) this.#studio.set('camera', 'ride', false, 'param.ride');
+    if (picture.ride && !busy) this.#ride(picture, dt);
+    else this.#fly(picture, dt, turn, controls);
+    this.#keepTime(picture);
+  }
+
+  viewPoint(): ViewPoint | undefined {
+    return this.#picture && viewPointOf(this.#observer, this.#picture, this.#studio.store.getState().lock);
+  }
+
+  nextLock(): void {
+    const { lock } = this.#studio.store.getState();
+    this.#studio.change({ lock: LOCKS[(LOCKS.indexOf(lock) + 1) % LOCKS.length]! });
+  }
+
+  togglePlaying(): void {
+    const { playing, loop } = this.#studio.store.getState();
+    const scene = this.#picture?.scene;
+    if (!playing && !loop && scene && this.#observer.t >= scene.endTime) this.seek(scene.startTime);
+    this.#studio.change({ playing: !playing });
+  }
+
+  #takeButtons(): void {
+    const buttons = this.inputs.takeButtons();
+    if (buttons.lock) this.nextLock();
+    if (buttons.play) this.togglePlaying();
+  }
+
+  #fly(
+    picture: Picture,
+    dt: number,
+    [yaw, pitch]: readonly [number, number],
+    controls: Parameters<typeof stepFlight>[1],
+  ) {
+    const { lock, cruise, playing } = this.#studio.store.getState();
+    const { scene, speedOfLight: c, maxSpeed } = picture;
+    const up = upOf(scene);
+    const orientation = yaw || pitch ? look(this.#observer.orientation, yaw, pitch, up) : this.#observer.orientation;
+    this.#observer = stepFlight({ ...this.#observer, orientation }, controls, dt, {
+      c,
+      maxSpeed,
+      lock,
+      cruise,
+      playing,
+      up,
+    });
+  }
+
+  #ride(picture: Picture, dt: number): void {
+    const { playing } = this.#studio.store.getState();
+    const before = this.#observer;
+    const after = ridingObserver(
+      cameraOf(picture),
+      { ...before, t: before.t + (playing ? dt : 0) },
+      picture.speedOfLight,
+    );
+    const slow = Math.hypot(1, length(after.u));
+    this.#observer = { ...after, properTime: before.properTime + (after.t - before.t) / slow };
+  }
+
+  #keepTime({ scene }: Picture): void {
+    const { playing, loop } = this.#studio.store.getState();
+    const { startTime, endTime } = scene;
+    const t = playing ? wrapTime(this.#observer.t, startTime, endTime, loop) : this.#observer.t;
+    if (t === this.#observer.t) return;
+    this.seek(t);
+    if (!loop) this.#studio.change({ playing: false });
+  }
+}

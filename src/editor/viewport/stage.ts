@@ -1,0 +1,124 @@
+import type { Picture } from '../../nodes/define.ts';
+import { renderSettings } from '../../nodes/picture.ts';
+import { SceneRenderer } from '../../render/renderer.ts';
+import type { Backend, RenderSettings, ViewPoint } from '../../render/settings.ts';
+import type { Scene } from '../../scene/types.ts';
+import { sceneName } from '../loading/sceneLoader.ts';
+import type { Studio } from '../state/studio.ts';
+import { report } from '../state/telemetry.ts';
+import type { Pilot } from './pilot.ts';
+
+/** Longest step of flight in one frame [s]: after a pause of the page the observer does not leap. */
+const LONGEST_STEP = 0.1;
+const MOST_PIXELS_PER_POINT = 2;
+
+interface Shown {
+  readonly viewPoint: ViewPoint;
+  readonly settings: RenderSettings;
+}
+
+/** One canvas with its renderer, from start to loss: draws a frame wherever something has changed. */
+export class Stage {
+  readonly #studio: Studio;
+  readonly #pilot: Pilot;
+  readonly #renderer: SceneRenderer;
+  readonly #observer: ResizeObserver;
+  /** In the renderer now. */
+  #scene: Scene | undefined;
+  #uploading = false;
+  #shown: Shown | undefined;
+  #frame = 0;
+  #before: number | undefined;
+
+  static async start(
+    canvas: HTMLCanvasElement,
+    studio: Studio,
+    pilot: Pilot,
+    backend: Backend | 'auto',
+    onLost: (reason: string) => void,
+  ): Promise<Stage> {
+    const renderer = await SceneRenderer.create({ canvas, backend, onLost });
+    return new Stage(canvas, renderer, studio, pilot);
+  }
+
+  private constructor(canvas: HTMLCanvasElement, renderer: SceneRenderer, studio: Studio, pilot: Pilot) {
+    this.#studio = studio;
+    this.#pilot = pilot;
+    this.#renderer = renderer;
+    this.#observer = new ResizeObserver(() => this.#resize(canvas));
+    this.#observer.observe(canvas);
+    this.#resize(canvas);
+    studio.change({ graphics: renderer.info.backend });
+    this.#frame = requestAnimationFrame((now) => this.#tick(now));
+  }
+
+  stop(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#observer.disconnect();
+    this.#renderer.dispose();
+  }
+
+  /** The picture as it is now, as a PNG file. */
+  async capture(): Promise<Blob> {
+    this.#draw(true);
+    const { width, height } = this.#renderer;
+    const pixels = new Uint8ClampedArray(await this.#renderer.readPixels());
+    const canvas = new OffscreenCanvas(width, height);
+    canvas.getContext('2d')?.putImageData(new ImageData(pixels, width, height), 0, 0);
+    return canvas.convertToBlob({ type: 'image/png' });
+  }
+
+  #resize(canvas: HTMLCanvasElement): void {
+    const ratio = Math.min(devicePixelRatio, MOST_PIXELS_PER_POINT);
+    const { clientWidth, clientHeight } = canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.#renderer.setSize(Math.round(clientWidth * ratio), Math.round(clientHeight * ratio));
+    this.#shown = undefined;
+  }
+
+  #tick(now: number): void {
+    this.#frame = requestAnimationFrame((next) => this.#tick(next));
+    const dt = Math.min(LONGEST_STEP, (now - (this.#before ?? now)) / 1000);
+    this.#before = now;
+    this.#follow();
+    this.#pilot.advance(dt);
+    this.#draw(false);
+    report(this.#pilot.observer, this.#renderer.info.triangles, now);
+  }
+
+  /** Takes up a new picture; where its scene is another one, after the upload: until then the last one stays. */
+  #follow(): void {
+    const { picture, openSource } = this.#studio.store.getState();
+    if (!picture || this.#uploading) return;
+    if (picture.scene !== this.#scene) void this.#upload(picture, openSource);
+    else if (picture !== this.#pilot.picture) this.#pilot.show(picture, openSource);
+  }
+
+  async #upload(picture: Picture, source: string): Promise<void> {
+    this.#uploading = true;
+    this.#scene = picture.scene;
+    try {
+      await this.#renderer.setScene(picture.scene);
+      this.#shown = undefined;
+      this.#pilot.show(picture, source);
+    } catch (error) {
+      const text = error instanceof Error ? error.message : String(error);
+      this.#studio.notify({ kind: 'error', text, place: sceneName(source) });
+    } finally {
+      this.#uploading = false;
+    }
+  }
+
+  #draw(always: boolean): void {
+    const viewPoint = this.#pilot.viewPoint();
+    const { picture } = this.#pilot;
+    if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return;
+    const settings = renderSettings(picture);
+    if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return;
+    this.#shown = { viewPoint, settings };
+    this.#renderer.render(viewPoint, settings);
+  }
+}
+
+/** Plain data of numbers and short arrays: compared by its text. */
+const same = (a: Shown, b: Shown): boolean => JSON.stringify(a) === JSON.stringify(b);

@@ -1,0 +1,86 @@
+import { type RefObject, useEffect, useState } from 'react';
+import { useServices } from '../services.tsx';
+import { nextView, toggleGrid } from '../shell/actions.ts';
+import { useStudio } from '../state/context.tsx';
+import type { Studio } from '../state/studio.ts';
+import { isFlightKey } from './inputs.ts';
+import type { Pilot } from './pilot.ts';
+
+/** [rad] per pixel of dragging. */
+const TURN = 0.0032;
+
+/** Keys and mouse over the picture, while it has the focus. Returns whether it has. */
+export function useFlightControls(host: RefObject<HTMLElement | null>): boolean {
+  const studio = useStudio();
+  const { pilot } = useServices();
+  const [focused, setFocused] = useState(false);
+  useEffect(() => {
+    const element = host.current;
+    if (!element) return;
+    element.tabIndex = 0;
+    const end = new AbortController();
+    const on = <K extends keyof HTMLElementEventMap>(type: K, listen: (event: HTMLElementEventMap[K]) => void) =>
+      element.addEventListener(type, listen, { signal: end.signal });
+    on('focus', () => setFocused(true));
+    on('blur', () => {
+      pilot.inputs.releaseAll();
+      setFocused(false);
+    });
+    on('keydown', (event) => pressed(event, element, pilot, studio));
+    on('keyup', (event) => {
+      pilot.inputs.release(event.code);
+      pilot.inputs.holdFullSpeed(event.shiftKey);
+    });
+    on('pointerdown', (event) => {
+      if (event.button === 0) element.setPointerCapture(event.pointerId);
+    });
+    on('pointermove', (event) => {
+      const held = element.hasPointerCapture(event.pointerId) || document.pointerLockElement === element;
+      if (held) pilot.inputs.turn(-event.movementX * TURN, -event.movementY * TURN);
+    });
+    on('dblclick', () => void element.requestPointerLock());
+    return () => end.abort();
+  }, [host, pilot, studio]);
+  return focused;
+}
+
+function pressed(event: KeyboardEvent, element: HTMLElement, pilot: Pilot, studio: Studio): void {
+  pilot.inputs.holdFullSpeed(event.shiftKey);
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (isFlightKey(event.code)) pilot.inputs.press(event.code);
+  else if (!event.repeat && !act(event.code, element, pilot, studio)) return;
+  event.preventDefault();
+}
+
+/** Does what a key stands for; false: it stands for nothing here. */
+function act(code: string, element: HTMLElement, pilot: Pilot, studio: Studio): boolean {
+  const { cruise, maximized } = studio.store.getState();
+  switch (code) {
+    case 'Tab':
+      pilot.nextLock();
+      return true;
+    case 'Escape':
+      element.blur();
+      return true;
+    case 'Space':
+      pilot.togglePlaying();
+      return true;
+    case 'KeyC':
+      studio.change({ cruise: !cruise });
+      return true;
+    case 'KeyR':
+      pilot.restart();
+      return true;
+    case 'KeyV':
+      nextView(studio);
+      return true;
+    case 'KeyG':
+      toggleGrid(studio);
+      return true;
+    case 'KeyF':
+      studio.change({ maximized: !maximized });
+      return true;
+    default:
+      return false;
+  }
+}

@@ -1,0 +1,76 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { extname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import react from '@vitejs/plugin-react';
+import { defineConfig, type Plugin } from 'vite';
+import type { Example } from './src/editor/loading/examples.ts';
+
+const root = fileURLToPath(new URL('.', import.meta.url));
+const examplesFolder = join(root, 'examples');
+/** The order of the gallery: from what everybody knows to what needs a thought. Others follow by name. */
+const GALLERY = ['street', 'dice', 'wheel', 'sphere', 'lattice', 'hall', 'saturn', 'gallery', 'ladder'];
+const SCENES = ['.usda', '.usdz', '.glb'];
+const SHIPPED = [...SCENES, '.png', '.jpg', '.gltf', '.bin'];
+
+/** The page, and the page without a screen that the command line drives. Nothing inline: it runs under `script-src 'self'`. */
+export default defineConfig({
+  root: join(root, 'src/app'),
+  base: './',
+  publicDir: false,
+  plugins: [react(), examples()],
+  worker: { format: 'es' },
+  build: {
+    outDir: join(root, 'dist/app'),
+    emptyOutDir: true,
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 2000,
+    rolldownOptions: {
+      input: { index: join(root, 'src/app/index.html'), headless: join(root, 'src/app/headless.html') },
+    },
+  },
+});
+
+/** Ships examples/ beside the page, with an index of what to look for, taken from the scenes' own hints. */
+function examples(): Plugin {
+  return {
+    name: 'slowlight-examples',
+    generateBundle() {
+      const files = filesIn(examplesFolder, '').filter((file) => SHIPPED.includes(extname(file)));
+      for (const file of files) {
+        const source = readFileSync(join(examplesFolder, file));
+        this.emitFile({ type: 'asset', fileName: `examples/${file}`, source });
+      }
+      const scenes = files.filter((file) => !file.includes('/') && SCENES.includes(extname(file)));
+      const index = scenes.map(describe).sort((a, b) => placeOf(a) - placeOf(b));
+      this.emitFile({ type: 'asset', fileName: 'examples/index.json', source: JSON.stringify(index) });
+    },
+  };
+}
+
+function filesIn(folder: string, prefix: string): string[] {
+  if (!existsSync(folder)) return [];
+  return readdirSync(folder, { withFileTypes: true })
+    .sort((a, b) => (a.name < b.name ? -1 : 1))
+    .flatMap((entry) =>
+      entry.isDirectory() ? filesIn(join(folder, entry.name), `${prefix}${entry.name}/`) : [prefix + entry.name],
+    );
+}
+
+function describe(file: string): Example {
+  const name = file.slice(0, -extname(file).length);
+  // Hints stand in the layer's head, which these files have as text.
+  const head = readFileSync(join(examplesFolder, file)).subarray(0, 4096).toString('utf8');
+  const hint = (key: string) => new RegExp(`string ${key} = "((?:[^"\\\\]|\\\\.)*)"`).exec(head)?.[1];
+  const thumbnail = `thumbs/${name}.png`;
+  return {
+    source: `examples/${file}`,
+    name,
+    title: hint('title') ?? name,
+    lookFor: hint('lookFor')?.replace(/\\(.)/g, '$1') ?? '',
+    ...(existsSync(join(examplesFolder, thumbnail)) ? { thumbnail: `examples/${thumbnail}` } : {}),
+  };
+}
+
+const placeOf = ({ name }: Example): number => (GALLERY.includes(name) ? GALLERY.indexOf(name) : GALLERY.length);
