@@ -57,15 +57,7 @@ export interface ViewPoint {
   readonly fovY: number;
 }
 
-export type AovName =
-  | 'beauty'
-  | 'depth'
-  | 'emission_time'
-  | 'doppler'
-  | 'position'
-  | 'normal'
-  | 'velocity'
-  | 'object';
+export type AovName = 'beauty' | 'depth' | 'emission_time' | 'doppler' | 'position' | 'normal' | 'velocity' | 'object';
 
 export interface AovInfo {
   /** EXR channel names, in the order of the values of a pixel. */

@@ -1,0 +1,172 @@
+import { rotate } from '../math/quat.ts';
+import { sub, type Vec3 } from '../math/vec3.ts';
+import type { Material, Motion, Scene, Texture } from '../scene/types.ts';
+import type { Body } from './bodies.ts';
+import { hasAlpha } from './textures.ts';
+
+/** Objects with more triangles than this are drawn alone, so that culling them saves their work. */
+const ALONE = 20_000;
+
+/** What is drawn in one call: parts of objects that move in the same way and look through the same textures. */
+export interface Batch {
+  readonly kind: Motion['kind'];
+  readonly transparent: boolean;
+  readonly doubleSided: boolean;
+  readonly baseColorTexture?: Texture;
+  readonly emissiveTexture?: Texture;
+  readonly bodies: readonly Body[];
+  readonly arrays: BatchArrays;
+}
+
+export interface BatchArrays {
+  /** Relative to the body's centre, turned to the world's axes where the motion has one orientation [m]. */
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  /** v down, as images have their rows. */
+  readonly uvs: Float32Array;
+  readonly colors?: Float32Array;
+  /** Object id − 1 and material, per vertex. */
+  readonly ids: Float32Array;
+  readonly indices: Uint32Array;
+}
+
+interface Part {
+  readonly body: Body;
+  readonly material: number;
+  readonly start: number;
+  readonly count: number;
+}
+
+/** Blended, where it is neither opaque nor cut out. */
+export function isTransparent({ opacity, opacityThreshold, baseColorTexture }: Material): boolean {
+  if (opacityThreshold > 0) return false;
+  return opacity < 1 || (baseColorTexture !== undefined && hasAlpha(baseColorTexture));
+}
+
+export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
+  const transparent = scene.materials.map(isTransparent);
+  const textures = new Map<Texture, number>();
+  const number = (t: Texture | undefined): number => {
+    if (!t) return -1;
+    if (!textures.has(t)) textures.set(t, textures.size);
+    return textures.get(t) ?? -1;
+  };
+  const runs = new Map<string, Part[]>();
+  for (const body of bodies) {
+    const { mesh, motion } = body.object;
+    const deforming = motion.kind === 'sampled-points';
+    const alone = deforming || mesh.indices.length > 3 * ALONE;
+    for (const { material, start, count } of mesh.groups) {
+      const { baseColorTexture, emissiveTexture } = scene.materials[material];
+      const shape = `${motion.kind} ${mesh.doubleSided} ${mesh.colors !== undefined} ${alone || transparent[material] ? body.id : 0}`;
+      const look = `${transparent[material]} ${number(baseColorTexture)} ${number(emissiveTexture)} ${deforming ? material : 0}`;
+      const key = `${shape} ${look}`;
+      const run = runs.get(key) ?? [];
+      runs.set(key, run);
+      if (count > 0) run.push({ body, material, start, count });
+    }
+  }
+  return [...runs.values()]
+    .filter((run) => run.length > 0)
+    .map((run) => makeBatch(scene, run, transparent[run[0].material]));
+}
+
+function makeBatch(scene: Scene, parts: readonly Part[], transparent: boolean): Batch {
+  const { object } = parts[0].body;
+  const { baseColorTexture, emissiveTexture } = scene.materials[parts[0].material];
+  return {
+    kind: object.motion.kind,
+    transparent,
+    doubleSided: object.mesh.doubleSided,
+    ...(baseColorTexture && { baseColorTexture }),
+    ...(emissiveTexture && { emissiveTexture }),
+    bodies: [...new Set(parts.map((p) => p.body))],
+    arrays: object.motion.kind === 'sampled-points' ? wholeMesh(parts) : mergeParts(parts),
+  };
+}
+
+/** A deforming mesh keeps its vertices in their order, for that is how its samples are found; it has a batch per material. */
+function wholeMesh(parts: readonly Part[]): BatchArrays {
+  const { body } = parts[0];
+  const { mesh } = body.object;
+  const vertices = mesh.positions.length / 3;
+  const ids = new Float32Array(2 * vertices);
+  for (let v = 0; v < vertices; v++) ids.set([body.id - 1, parts[0].material], 2 * v);
+  const indices = new Uint32Array(parts.reduce((n, p) => n + p.count, 0));
+  let at = 0;
+  for (const { start, count } of parts) {
+    indices.set(mesh.indices.subarray(start, start + count), at);
+    at += count;
+  }
+  const uvs = flipped(mesh.uvs);
+  return {
+    positions: mesh.positions,
+    normals: mesh.normals,
+    uvs,
+    ids,
+    indices,
+    ...(mesh.colors && { colors: mesh.colors }),
+  };
+}
+
+function mergeParts(parts: readonly Part[]): BatchArrays {
+  const used = parts.map(usedVertices);
+  const vertices = used.reduce((n, u) => n + u.vertices.length, 0);
+  const colored = parts[0].body.object.mesh.colors !== undefined;
+  const out = {
+    positions: new Float32Array(3 * vertices),
+    normals: new Float32Array(3 * vertices),
+    uvs: new Float32Array(2 * vertices),
+    ...(colored && { colors: new Float32Array(3 * vertices) }),
+    ids: new Float32Array(2 * vertices),
+    indices: new Uint32Array(parts.reduce((n, p) => n + p.count, 0)),
+  };
+  let vertex = 0;
+  let index = 0;
+  parts.forEach((part, k) => {
+    copyVertices(part, used[k].vertices, out, vertex);
+    for (const i of used[k].indices) out.indices[index++] = vertex + i;
+    vertex += used[k].vertices.length;
+  });
+  return out;
+}
+
+function usedVertices({ body, start, count }: Part): { vertices: Uint32Array; indices: Uint32Array } {
+  const { mesh } = body.object;
+  const place = new Int32Array(mesh.positions.length / 3).fill(-1);
+  const vertices = new Uint32Array(place.length);
+  const indices = new Uint32Array(count);
+  let n = 0;
+  for (let i = 0; i < count; i++) {
+    const v = mesh.indices[start + i];
+    if (place[v] < 0) {
+      vertices[n] = v;
+      place[v] = n++;
+    }
+    indices[i] = place[v];
+  }
+  return { vertices: vertices.subarray(0, n), indices };
+}
+
+function copyVertices({ body, material }: Part, from: Uint32Array, out: BatchArrays, first: number): void {
+  const { mesh, motion } = body.object;
+  const fixed = motion.kind === 'static' || motion.kind === 'uniform' || motion.kind === 'hyperbolic';
+  const turn = (v: Vec3): Vec3 => (fixed ? rotate(motion.pose.orientation, v) : v);
+  const read = (a: Float32Array, v: number): Vec3 => [a[3 * v], a[3 * v + 1], a[3 * v + 2]];
+  from.forEach((v, k) => {
+    const to = first + k;
+    out.positions.set(turn(sub(read(mesh.positions, v), body.centre)), 3 * to);
+    out.normals.set(turn(read(mesh.normals, v)), 3 * to);
+    out.uvs[2 * to] = mesh.uvs[2 * v];
+    out.uvs[2 * to + 1] = 1 - mesh.uvs[2 * v + 1];
+    if (mesh.colors) out.colors?.set(read(mesh.colors, v), 3 * to);
+    out.ids[2 * to] = body.id - 1;
+    out.ids[2 * to + 1] = material;
+  });
+}
+
+function flipped(uvs: Float32Array): Float32Array {
+  const out = Float32Array.from(uvs);
+  for (let i = 1; i < out.length; i += 2) out[i] = 1 - out[i];
+  return out;
+}

@@ -1,0 +1,79 @@
+import { rotate } from '../math/quat.ts';
+import { add, dot, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
+import { properVelocity } from '../physics/boost.ts';
+import { contraction } from '../physics/simultaneity.ts';
+import type { WorldLine } from '../physics/worldLine.ts';
+import { boundingSphere } from '../scene/bounds.ts';
+import type { Motion, Pose, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
+
+/** What a frame needs to know of an object, whatever its motion: at every world time all its points are within `radius` of `line`. */
+export interface Body {
+  /** Place in Scene.objects plus one. */
+  readonly id: number;
+  readonly object: SceneObject;
+  /** Centre of the bounding sphere in the object's own frame [m]; vertices are uploaded relative to it. */
+  readonly centre: Vec3;
+  /** [m] */
+  readonly radius: number;
+  /** World line of the centre, of an object that is authored in the world frame; else see `lineOfCentre`. */
+  readonly line: WorldLine;
+}
+
+/**
+ * World line [m, s] of the bounding sphere's centre, or of the point `shift` [m] from it. c [m/s]: an object authored in its rest
+ * frame is contracted about its origin, and where it accelerates every point has its own acceleration a/(1 + a·ξ/c²) (Born rigid).
+ */
+export function lineOfCentre(body: Body, c: number, shift: Vec3 = ZERO): WorldLine {
+  const { line, object } = body;
+  const { motion } = object;
+  if (line.kind === 'uniform' && motion.kind === 'uniform' && object.authoredIn === 'rest') {
+    const offset = rotate(motion.pose.orientation, body.centre);
+    const u = properVelocity(scale(motion.velocity, 1 / c));
+    return { ...line, position: add(motion.pose.position, contraction(add(offset, shift), u)) };
+  }
+  if (line.kind !== 'hyperbolic' || motion.kind !== 'hyperbolic') return line;
+  const position = add(line.position, shift);
+  if (object.authoredIn === 'world') return { ...line, position };
+  const ahead = dot(sub(position, motion.pose.position), motion.properAcceleration) / (c * c);
+  return { ...line, position, properAcceleration: scale(motion.properAcceleration, 1 / (1 + ahead)) };
+}
+
+export function makeBody(object: SceneObject, id: number): Body {
+  const { motion } = object;
+  if (motion.kind === 'sampled-points') return deformingBody(object, motion, id);
+  const { center: centre, radius } = boundingSphere(object.mesh.positions);
+  return { id, object, centre, radius, line: lineOfPoint(motion, centre) };
+}
+
+function lineOfPoint(motion: Exclude<Motion, SampledPointsMotion>, point: Vec3): WorldLine {
+  if (motion.kind === 'sampled') return sampledLine(motion, point);
+  const position = placed(motion.pose, point);
+  if (motion.kind === 'static') return { kind: 'static', position };
+  if (motion.kind === 'uniform') return { kind: 'uniform', position, velocity: motion.velocity };
+  return { kind: 'hyperbolic', position, properAcceleration: motion.properAcceleration, t0: motion.t0 };
+}
+
+function sampledLine({ times, poses }: SampledMotion, point: Vec3): WorldLine {
+  const positions = new Float64Array(times.length * 3);
+  for (let k = 0; k < times.length; k++) positions.set(placed(samplePose(poses, k), point), 3 * k);
+  return { kind: 'polyline', times, positions };
+}
+
+/** The centre follows the box of each sample, so that a deforming object that travels has a tight sphere. */
+function deformingBody(object: SceneObject, motion: SampledPointsMotion, id: number): Body {
+  const positions = new Float64Array(motion.times.length * 3);
+  let radius = 0;
+  motion.points.forEach((points, k) => {
+    const sphere = boundingSphere(points);
+    positions.set(add(motion.origin, sphere.center), 3 * k);
+    radius = Math.max(radius, sphere.radius);
+  });
+  return { id, object, centre: ZERO, radius, line: { kind: 'polyline', times: motion.times, positions } };
+}
+
+export const samplePose = (poses: Float64Array, k: number): Pose => ({
+  position: [poses[7 * k], poses[7 * k + 1], poses[7 * k + 2]],
+  orientation: [poses[7 * k + 3], poses[7 * k + 4], poses[7 * k + 5], poses[7 * k + 6]],
+});
+
+export const placed = (pose: Pose, point: Vec3): Vec3 => add(pose.position, rotate(pose.orientation, point));

@@ -1,0 +1,61 @@
+import { dot, Fn, floor, fract, mix, mrt, pow, screenCoordinate, select, step, vec2, vec3, vec4 } from 'three/tsl';
+import type { Node, Texture } from 'three/webgpu';
+import { toneMap } from '../shaders/toneMap.ts';
+import type { Vec3, Vec4 } from '../shaders/types.ts';
+import { pixelDirection, texelHere } from './fullScreen.ts';
+import { fxaa } from './fxaa.ts';
+import { gridOver } from './grid.ts';
+import { depthHere } from './passes.ts';
+import type { GBuffer } from './targets.ts';
+import type { Uniforms } from './uniforms.ts';
+import type { Projection } from './vertexStage.ts';
+
+/** Linear light to display, 0 … 1, with the grid over it. */
+function displayed(hdr: Vec3, buffer: GBuffer, place: Projection['place'], uniforms: Uniforms): Vec3 {
+  const picture = toneMap(hdr, uniforms.exposure);
+  const grid = gridOver(pixelDirection(uniforms), depthHere(buffer, place, uniforms), uniforms).toVar();
+  return mix(picture, grid.xyz, grid.w.mul(uniforms.grid));
+}
+
+/** One sample: encoded for FXAA, which needs what the eye sees. */
+export const singleSample = (hdr: Texture, buffer: GBuffer, place: Projection['place'], uniforms: Uniforms): Vec4 =>
+  Fn(() => vec4(encode(displayed(texelHere(hdr).rgb, buffer, place, uniforms)), 1))();
+
+/**
+ * One of several samples, added to those before: the picture after tone mapping, so that edges of very bright things are smooth too,
+ * and the light itself for the beauty AOV.
+ */
+export function addedSample(
+  hdr: Texture,
+  before: { readonly picture: Texture; readonly light: Texture },
+  buffer: GBuffer,
+  place: Projection['place'],
+  uniforms: Uniforms,
+): Node {
+  const sum = (now: Vec3, of: Texture): Vec4 =>
+    vec4(select(uniforms.firstSample.greaterThan(0.5), vec3(0), texelHere(of).rgb).add(now.mul(uniforms.weight)), 1);
+  const light = texelHere(hdr).rgb;
+  return mrt({
+    picture: sum(displayed(light, buffer, place, uniforms), before.picture),
+    light: sum(light, before.light),
+  });
+}
+
+export const antialiased = (picture: Texture): Vec4 => vec4(dithered(fxaa(picture)), 1);
+export const averaged = (picture: Texture): Vec4 => vec4(dithered(encode(texelHere(picture).rgb)), 1);
+
+/** sRGB encoding, IEC 61966-2-1. */
+function encode(linear: Vec3): Vec3 {
+  const low = linear.mul(12.92);
+  const high = pow(linear.clamp(0, 1), vec3(1 / 2.4))
+    .mul(1.055)
+    .sub(0.055);
+  return mix(low, high, step(vec3(0.0031308), linear));
+}
+
+/** Half a step of 8 bits of ordered noise, so that skies have no bands. Source: Jimenez 2014, interleaved gradient noise. */
+function dithered(encoded: Vec3): Vec3 {
+  const pixel = floor(screenCoordinate);
+  const noise = fract(fract(dot(pixel, vec2(0.06711056, 0.00583715))).mul(52.9829189));
+  return encoded.add(noise.sub(0.5).div(255));
+}

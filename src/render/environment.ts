@@ -1,0 +1,137 @@
+import { acos, atan, clamp, dot, int, texture, uniform, vec2 } from 'three/tsl';
+import { Color, type DataTexture, Vector3 } from 'three/webgpu';
+import { normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
+import type { DistantLight, DomeLight, Light, Scene, SphereLight, Texture } from '../scene/types.ts';
+import type * as gpu from '../shaders/types.ts';
+import { FloatTable } from './floatTable.ts';
+import type { Sight } from './sight.ts';
+import { uploadTexture } from './textures.ts';
+
+/** Direct light on the GPU: the direction to it (w = 0) or its place relative to the observer [m] (w = 1), and its colour. */
+export interface LightTexels {
+  readonly place: gpu.Vec4;
+  readonly color: gpu.Vec3;
+}
+
+/** A clear afternoon, for scenes that bring no light: irradiance of the sun and radiance of the sky. */
+const DAY = {
+  sun: [2.7, 2.45, 2.1],
+  zenith: [0.14, 0.31, 0.68],
+  horizon: [0.62, 0.74, 0.88],
+  ground: [0.19, 0.18, 0.165],
+} as const;
+
+/** Where light comes from: distant and sphere lights in a table, and a sky (the scene's dome, or a clear day's). */
+export class Environment {
+  readonly uniforms = {
+    zenithColor: uniform(new Color()),
+    horizonColor: uniform(new Color()),
+    groundColor: uniform(new Color()),
+    upperMean: uniform(new Color()),
+    lowerMean: uniform(new Color()),
+  };
+  /** Radiance of the dome's picture in a world direction. */
+  readonly image: ((n: gpu.Vec3) => gpu.Vec3) | undefined;
+  readonly lights: readonly (DistantLight | SphereLight)[];
+  private readonly table = new FloatTable(256);
+  private readonly domeTexture: DataTexture | undefined;
+
+  constructor(scene: Scene) {
+    const dome = scene.lights.find(isDome);
+    const direct = scene.lights.filter(isDirect);
+    this.lights = scene.lights.length > 0 ? direct : [defaultSun(scene.upAxis)];
+    this.table.reserve(2 * this.lights.length);
+    if (dome) this.setDome(dome);
+    else this.setDay();
+    if (dome?.texture) {
+      this.domeTexture = uploadTexture(dome.texture);
+      this.image = domeImage(this.domeTexture, scene.upAxis, dome.color);
+    }
+  }
+
+  light(index: gpu.Int): LightTexels {
+    const at = index.mul(int(2));
+    return { place: this.table.texel(at).toVar(), color: this.table.texel(at.add(int(1))).xyz.toVar() };
+  }
+
+  /** Lights stand in the world, so their places are uploaded relative to the observer's event. */
+  update({ position }: Sight): void {
+    this.lights.forEach((light, i) => {
+      const distant = light.kind === 'distant';
+      const place = distant ? normalize(scale(light.direction, -1)) : sub(light.position, position);
+      // A sphere's radiance L gives E = πL(r/d)².
+      const strength = distant ? 1 : Math.PI * light.radius * light.radius;
+      this.table.values.set([...place, distant ? 0 : 1, ...scale(light.color, strength), 0], 8 * i);
+    });
+    this.table.upload();
+  }
+
+  dispose(): void {
+    this.table.dispose();
+    this.domeTexture?.dispose();
+  }
+
+  private setDay(): void {
+    this.setSky(DAY.zenith, DAY.horizon, DAY.ground);
+    this.uniforms.upperMean.value.setRGB(0.36, 0.48, 0.7);
+    this.uniforms.lowerMean.value.setRGB(0.24, 0.22, 0.2);
+  }
+
+  private setDome({ color, texture: image }: DomeLight): void {
+    this.setSky(color, color, color);
+    const [upper, lower] = image ? halfMeans(image) : [WHITE, WHITE];
+    this.uniforms.upperMean.value.setRGB(color[0] * upper[0], color[1] * upper[1], color[2] * upper[2]);
+    this.uniforms.lowerMean.value.setRGB(color[0] * lower[0], color[1] * lower[1], color[2] * lower[2]);
+  }
+
+  private setSky(zenith: Vec3, horizon: Vec3, ground: Vec3): void {
+    this.uniforms.zenithColor.value.setRGB(...zenith);
+    this.uniforms.horizonColor.value.setRGB(...horizon);
+    this.uniforms.groundColor.value.setRGB(...ground);
+  }
+}
+
+const WHITE: Vec3 = [1, 1, 1];
+const isDome = (light: Light): light is DomeLight => light.kind === 'dome';
+const isDirect = (light: Light): light is DistantLight | SphereLight => light.kind !== 'dome';
+
+function defaultSun(upAxis: Scene['upAxis']): DistantLight {
+  const direction: Vec3 = upAxis === 'Y' ? [-0.55, -0.75, -0.45] : [-0.55, 0.45, -0.75];
+  return { kind: 'distant', path: '', direction: normalize(direction), color: DAY.sun };
+}
+
+/** A latitude–longitude picture: its top row at the zenith, its middle column towards −Z (upAxis Y) or +Y (upAxis Z). */
+function domeImage(image: DataTexture, upAxis: Scene['upAxis'], color: Vec3): (n: gpu.Vec3) => gpu.Vec3 {
+  const tint = uniform(new Vector3(...color));
+  const up = uniform(upAxis === 'Y' ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1));
+  const ahead = uniform(upAxis === 'Y' ? new Vector3(0, 0, -1) : new Vector3(0, 1, 0));
+  const right = uniform(new Vector3(1, 0, 0));
+  return (n) => {
+    const around = atan(dot(n, right), dot(n, ahead))
+      .div(2 * Math.PI)
+      .add(0.5);
+    const down = acos(clamp(dot(n, up), -1, 1)).div(Math.PI);
+    // The base level: the seam at ±180° has no derivative.
+    return texture(image, vec2(around, down)).level(int(0)).rgb.mul(tint);
+  };
+}
+
+/** Mean linear colour of the upper and the lower half of a latitude–longitude picture, rows weighted by their solid angle. */
+function halfMeans({ width, height, data, colorSpace }: Texture): readonly [Vec3, Vec3] {
+  const linear = (byte: number) => {
+    const v = byte / 255;
+    return colorSpace === 'srgb' ? (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4) : v;
+  };
+  const mean = (from: number, to: number): Vec3 => {
+    const sum: [number, number, number] = [0, 0, 0];
+    let weight = 0;
+    for (let y = from; y < to; y++) {
+      const w = Math.sin(((y + 0.5) / height) * Math.PI);
+      for (let x = 0; x < width; x++, weight += w)
+        for (let k = 0; k < 3; k++) sum[k] += w * linear(data[4 * (y * width + x) + k]);
+    }
+    return scale(sum, 1 / Math.max(weight, 1e-9));
+  };
+  const middle = Math.max(1, height >> 1);
+  return [mean(0, middle), mean(Math.min(middle, height - 1), height)];
+}

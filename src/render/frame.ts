@@ -1,0 +1,175 @@
+import { length, normalize, scale, type Vec3 } from '../math/vec3.ts';
+import { oneMinusSquare } from '../physics/boost.ts';
+import { simultaneousPosition } from '../physics/simultaneity.ts';
+import type { PolylineLine, WorldLine } from '../physics/worldLine.ts';
+import { type Body, lineOfCentre, samplePose } from './bodies.ts';
+import { aberrateCone, type Ball, coneAround, coneMaybeSeen } from './cull.ts';
+import type { FloatTable } from './floatTable.ts';
+import type { PointStore } from './pointStore.ts';
+import {
+  leadingPoint,
+  meet,
+  type RelativeEvent,
+  rapidityFactor,
+  relativeTo,
+  type Sight,
+  type Span,
+  sampleWindow,
+  spanOf,
+} from './sight.ts';
+
+/** Texels per object in the object table. */
+export const OBJECT_TEXELS = 4;
+/** Longest table that a vertex searches. */
+const MOST_SAMPLES = 4096;
+
+/** How the picture is looked at, for culling: where the observer's frame puts a direction of the world. */
+export interface Gaze {
+  readonly sides: readonly Vec3[];
+  /** Whether directions are boosted; otherwise they are drawn as they are in the world. */
+  readonly boosted: boolean;
+}
+
+export interface FrameTables {
+  readonly objects: FloatTable;
+  readonly samples: FloatTable;
+  readonly points: ReadonlyMap<number, PointStore>;
+}
+
+/**
+ * Once per picture, in f64: for every object the event of its centre on the surface that is looked at (its anchor), and what its vertices need,
+ * relative to that, so that f32 never meets a large number. The object table holds, from texel OBJECT_TEXELS · (id − 1):
+ *   0  (Δx, |Δx|) of the anchor [m], |Δx| < 0 where nothing of the object can be in the picture
+ *   1  uniform (v, 1 − v²); hyperbolic (axis, a/c² [1/m]); sampled points (origin relative to the anchor [m], vertices per sample)
+ *   2  birth, death and the observer's event, in light-metres after the anchor's time; the object's id
+ *   3  uniform (born rigid); hyperbolic (e^φ, born rigid, shift of the anchor [m]); sampled (first texel, count) of the sample table
+ * and the sample table, per sample, two texels: (place, time) relative to the anchor and the orientation, or one: (sample, 0, 0, time).
+ */
+export class Frame {
+  private readonly tables: FrameTables;
+  private used = 0;
+
+  constructor(tables: FrameTables) {
+    this.tables = tables;
+  }
+
+  /** Fills the tables; tells which bodies may be in the picture. `backTo`: a world-line search that begins at the observer's own time. */
+  fill(bodies: readonly Body[], sight: Sight, gaze: Gaze, backToNow: boolean): boolean[] {
+    const { objects, samples } = this.tables;
+    this.used = 0;
+    objects.reserve(bodies.length * OBJECT_TEXELS);
+    const seen = bodies.map((body) => this.place(body, sight, gaze, backToNow));
+    objects.upload();
+    samples.upload();
+    return seen;
+  }
+
+  /** |Δx| of an object's anchor in the last picture [m]; negative where it cannot be seen. */
+  distance(id: number): number {
+    return this.tables.objects.values[4 * OBJECT_TEXELS * (id - 1) + 3];
+  }
+
+  private place(body: Body, sight: Sight, gaze: Gaze, backToNow: boolean): boolean {
+    const at = 4 * OBJECT_TEXELS * (body.id - 1);
+    const out = this.tables.objects.values;
+    const line = lineOfCentre(body, sight.c);
+    const span = spanOf(line, body.radius, sight);
+    const alive = span && overlapsLifetime(body, span, sight);
+    if (!span || !alive || !maybeSeen(span.ball, sight, gaze)) {
+      out[at + 3] = -1;
+      return false;
+    }
+    const anchor = meet(line, sight) ?? this.leading(body, sight);
+    if (!anchor) {
+      out[at + 3] = -1;
+      return false;
+    }
+    out.set([...anchor.offset, length(anchor.offset)], at);
+    const { birth, death } = body.object.lifetime;
+    const after = (t: number) => clampFinite(sight.c * (t - sight.t) - anchor.ahead);
+    out.set([after(birth), after(death), -anchor.ahead, body.id], at + 8);
+    this.placeMotion(body, line, backToNow ? { ...span, to: Math.max(span.to, 0) } : span, anchor, sight, at);
+    return true;
+  }
+
+  private leading(body: Body, sight: Sight): RelativeEvent | undefined {
+    const { motion } = body.object;
+    if (motion.kind !== 'hyperbolic') return undefined;
+    return meet(lineOfCentre(body, sight.c, leadingPoint(motion.properAcceleration, body.radius)), sight);
+  }
+
+  private placeMotion(body: Body, line: WorldLine, span: Span, anchor: RelativeEvent, sight: Sight, at: number): void {
+    const out = this.tables.objects.values;
+    const rigid = body.object.authoredIn === 'rest' ? 1 : 0;
+    if (line.kind === 'uniform') {
+      const v = scale(line.velocity, 1 / sight.c);
+      out.set([...v, oneMinusSquare(v)], at + 4);
+      out.set([rigid, 0, 0, 0], at + 12);
+    } else if (line.kind === 'hyperbolic') {
+      const shift = meet(line, sight) ? 0 : body.radius;
+      const reference = shift > 0 ? lineOfCentre(body, sight.c, leadingPoint(line.properAcceleration, shift)) : line;
+      if (reference.kind !== 'hyperbolic') return;
+      const a = reference.properAcceleration;
+      out.set([...normalize(a, [1, 0, 0]), length(a) / (sight.c * sight.c)], at + 4);
+      out.set([rapidityFactor(a, line.t0, anchor.ahead, sight), rigid, shift, 0], at + 12);
+    } else if (line.kind === 'polyline') {
+      this.placeSamples(body, line, span, anchor, sight, at);
+    }
+  }
+
+  private placeSamples(
+    body: Body,
+    line: PolylineLine,
+    span: Span,
+    anchor: RelativeEvent,
+    sight: Sight,
+    at: number,
+  ): void {
+    const { motion } = body.object;
+    const out = this.tables.objects.values;
+    const store = this.tables.points.get(body.id);
+    const [first, count] = sampleWindow(line, span, sight, Math.min(MOST_SAMPLES, store?.capacity ?? MOST_SAMPLES));
+    const after = (k: number) => sight.c * (line.times[k] - sight.t) - anchor.ahead;
+    const samples = this.tables.samples;
+    out.set([this.used, count], at + 12);
+    if (motion.kind === 'sampled-points' && store) {
+      const held = store.hold(first, count);
+      samples.reserve(this.used + count);
+      out.set([...relativeTo(motion.origin, sight, anchor), store.vertices], at + 4);
+      for (let k = first; k < first + count; k++) samples.values.set([k - held, 0, 0, after(k)], 4 * this.used++);
+    } else if (motion.kind === 'sampled') {
+      samples.reserve(this.used + 2 * count);
+      for (let k = first; k < first + count; k++) {
+        const place: Vec3 = [line.positions[3 * k], line.positions[3 * k + 1], line.positions[3 * k + 2]];
+        samples.values.set([...relativeTo(place, sight, anchor), after(k)], 4 * this.used++);
+        samples.values.set(samplePose(motion.poses, k).orientation, 4 * this.used++);
+      }
+    }
+  }
+}
+
+/** f32 has no use for ±Infinity in a uniform table: a time no event has. */
+const clampFinite = (t: number): number => Math.max(-1e30, Math.min(1e30, t));
+
+function overlapsLifetime({ object }: Body, { from, to }: Span, sight: Sight): boolean {
+  const ahead = (t: number) => sight.c * (t - sight.t);
+  return ahead(object.lifetime.birth) <= to && ahead(object.lifetime.death) >= from;
+}
+
+/** Conservative: false only for what no pixel can show. */
+function maybeSeen(ball: Ball, sight: Sight, gaze: Gaze): boolean {
+  if (sight.surface === 'slice') return coneSeen(contracted(ball, sight.u), gaze.sides);
+  const cone = coneAround(ball);
+  if (!cone) return true;
+  return coneMaybeSeen(gaze.boosted ? aberrateCone(cone, sight.u) : cone, gaze.sides);
+}
+
+function coneSeen(ball: Ball, sides: readonly Vec3[]): boolean {
+  const cone = coneAround(ball);
+  return !cone || coneMaybeSeen(cone, sides);
+}
+
+const contracted = (ball: Ball, u: Vec3): Ball => ({
+  centre: simultaneousPosition(ball.centre, u),
+  radius: ball.radius,
+});

@@ -1,0 +1,144 @@
+import {
+  FloatType,
+  HalfFloatType,
+  LinearFilter,
+  type PerspectiveCamera,
+  type RenderTarget,
+  UnsignedByteType,
+} from 'three/webgpu';
+import type { Gpu } from './device.ts';
+import { addedSample, antialiased, averaged, singleSample } from './display.ts';
+import { FullScreen } from './fullScreen.ts';
+import { deferredLight, forwardMaterial, geometryMaterial } from './passes.ts';
+import type { Drawable, SceneUpload } from './sceneUpload.ts';
+import { dataTarget, GBuffer } from './targets.ts';
+import type { Uniforms } from './uniforms.ts';
+import type { Projection } from './vertexStage.ts';
+
+/** The targets and passes of a picture of one size: G-buffer, light, transparent things, display. */
+export class PictureMachine {
+  readonly buffer: GBuffer;
+  readonly light: RenderTarget;
+  private readonly single = dataTarget(1, HalfFloatType);
+  private readonly sums: readonly [RenderTarget, RenderTarget];
+  private readonly screen = dataTarget(1, UnsignedByteType);
+  private readonly gpu: Gpu;
+  private readonly uniforms: Uniforms;
+  private readonly passes = new Map<string, FullScreen>();
+  private samples = 1;
+
+  constructor(gpu: Gpu, uniforms: Uniforms) {
+    this.gpu = gpu;
+    this.uniforms = uniforms;
+    this.buffer = new GBuffer(gpu.bytesPerSample, gpu.attachments);
+    this.light = dataTarget(1, gpu.floatBlending ? FloatType : HalfFloatType);
+    this.single.texture.minFilter = LinearFilter;
+    this.single.texture.magFilter = LinearFilter;
+    this.sums = [sumTarget(), sumTarget()];
+  }
+
+  setSize(width: number, height: number): void {
+    this.buffer.setSize(width, height);
+    for (const target of [this.light, this.single, this.screen, ...this.sums]) target.setSize(width, height);
+  }
+
+  /** Draws the opaque scene into the G-buffer. */
+  drawGeometry(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera): void {
+    const { renderer } = this.gpu;
+    for (const { names, target } of this.buffer.passes) {
+      for (const drawable of upload.drawables)
+        if (!drawable.batch.transparent)
+          this.dress(drawable, `${names[0]} ${projection.event} ${projection.place}`, () =>
+            geometryMaterial(drawable, projection, names),
+          );
+      renderer.setRenderTarget(target);
+      renderer.render(upload.opaque, camera);
+    }
+  }
+
+  /** G-buffer to light, then what is transparent over it. */
+  drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera): void {
+    const { buffer, uniforms, light, gpu } = this;
+    this.run(`light ${upload.serial}`, () => deferredLight(buffer, upload.environment, uniforms), light);
+    if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
+    for (const drawable of upload.drawables)
+      if (drawable.batch.transparent)
+        this.dress(drawable, `forward ${projection.event} ${projection.place}`, () =>
+          forwardMaterial(drawable, projection, buffer, upload.environment),
+        );
+    gpu.renderer.autoClear = false;
+    gpu.renderer.setRenderTarget(light);
+    gpu.renderer.render(upload.transparent, camera);
+    gpu.renderer.autoClear = true;
+  }
+
+  /** Light to display: sample `index` of `count`. */
+  display(place: Projection['place'], index: number, count: number): void {
+    const { buffer, uniforms, light } = this;
+    this.samples = count;
+    if (count === 1) {
+      this.run(`single ${place}`, () => singleSample(light.texture, buffer, place, uniforms), this.single);
+      return;
+    }
+    uniforms.weight.value = 1 / count;
+    uniforms.firstSample.value = index === 0 ? 1 : 0;
+    const [from, to] = index % 2 === 0 ? [1, 0] : [0, 1];
+    const before = { picture: this.sums[from].textures[0], light: this.sums[from].textures[1] };
+    this.run(`add ${place} ${to}`, () => addedSample(light.texture, before, buffer, place, uniforms), this.sums[to]);
+  }
+
+  /** The finished picture to the canvas (`null`), or to where it can be read. */
+  present(where: 'canvas' | 'screen'): RenderTarget {
+    const target = where === 'canvas' ? null : this.screen;
+    if (this.samples === 1) this.run('antialiased', () => antialiased(this.single.texture), target);
+    else {
+      const at = (this.samples - 1) % 2;
+      this.run(`averaged ${at}`, () => averaged(this.sums[at].textures[0]), target);
+    }
+    return this.screen;
+  }
+
+  /** Where the light of the whole picture is, and in which of its textures. */
+  beauty(): { readonly target: RenderTarget; readonly index: number } {
+    return this.samples === 1
+      ? { target: this.light, index: 0 }
+      : { target: this.sums[(this.samples - 1) % 2], index: 1 };
+  }
+
+  /** Lets go of the passes that read a scene. */
+  forget(upload: SceneUpload): void {
+    const name = `light ${upload.serial}`;
+    this.passes.get(name)?.dispose();
+    this.passes.delete(name);
+  }
+
+  dispose(): void {
+    for (const pass of this.passes.values()) pass.dispose();
+    this.buffer.dispose();
+    for (const target of [this.light, this.single, this.screen, ...this.sums]) target.dispose();
+  }
+
+  private run(
+    name: string,
+    output: () => ConstructorParameters<typeof FullScreen>[0],
+    target: RenderTarget | null,
+  ): void {
+    const pass = this.passes.get(name) ?? new FullScreen(output(), name);
+    this.passes.set(name, pass);
+    pass.render(this.gpu.renderer, target);
+  }
+
+  private dress(drawable: Drawable, key: string, make: () => Drawable['mesh']['material']): void {
+    const material = drawable.materials.get(key) ?? make();
+    drawable.materials.set(key, material);
+    drawable.mesh.material = material;
+  }
+}
+
+function sumTarget(): RenderTarget {
+  const target = dataTarget(2, FloatType);
+  ['picture', 'light'].forEach((name, i) => {
+    target.textures[i].name = name;
+  });
+  return target;
+}

@@ -1,0 +1,135 @@
+import { DataUtils, type RenderTarget } from 'three/webgpu';
+import { length, type Vec3 } from '../math/vec3.ts';
+import { apparentPosition } from '../physics/apparent.ts';
+import { simultaneousPosition } from '../physics/simultaneity.ts';
+import type { Gpu } from './device.ts';
+import type { AovName, PickResult } from './settings.ts';
+import type { Sight } from './sight.ts';
+import type { TargetName } from './surface.ts';
+import type { GBuffer } from './targets.ts';
+import type { Projection } from './vertexStage.ts';
+
+export interface Region {
+  readonly x: number;
+  /** From the top. */
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Four floats (or one) per pixel of a float target, rows from the top. */
+export async function readFloats(gpu: Gpu, target: RenderTarget, index: number, region: Region): Promise<Float32Array> {
+  const raw = await readRaw(gpu, target, index, region);
+  if (raw instanceof Float32Array) return raw;
+  const out = new Float32Array(raw.length);
+  for (let i = 0; i < raw.length; i++) out[i] = DataUtils.fromHalfFloat(raw[i]);
+  return out;
+}
+
+export async function readBytes(gpu: Gpu, target: RenderTarget, region: Region): Promise<Uint8Array> {
+  const raw = await readRaw(gpu, target, 0, region);
+  return new Uint8Array(raw.buffer, raw.byteOffset, raw.byteLength);
+}
+
+type Raw = Float32Array | Uint16Array | Uint8Array;
+
+async function readRaw(gpu: Gpu, target: RenderTarget, index: number, region: Region): Promise<Raw> {
+  const { x, width, height } = region;
+  const fromBottom = gpu.backend === 'webgl';
+  const y = fromBottom ? target.height - region.y - height : region.y;
+  const raw = (await gpu.renderer.readRenderTargetPixelsAsync(target, x, y, width, height, index)) as Raw;
+  if (fromBottom) flipRows(raw, height);
+  return raw;
+}
+
+function flipRows(pixels: Raw, rows: number): void {
+  const row = pixels.length / rows;
+  for (let top = 0, bottom = rows - 1; top < bottom; top++, bottom--) {
+    const kept = pixels.slice(top * row, (top + 1) * row);
+    pixels.copyWithin(top * row, bottom * row, (bottom + 1) * row);
+    pixels.set(kept, bottom * row);
+  }
+}
+
+/** The picture that is in the G-buffer: who looked, and how. */
+export interface Taken {
+  readonly sight: Sight;
+  readonly place: Projection['place'];
+}
+
+type DataAov = Exclude<AovName, 'beauty'>;
+
+/** Which target an AOV is in, and its values from the four floats of a pixel; times and places become the world's in f64, then f32. */
+const SOURCES: Record<
+  DataAov,
+  { target: TargetName; values: (texel: Float32Array, taken: Taken) => readonly number[] }
+> = {
+  depth: { target: 'event', values: ([x, y, z], taken) => [length(shown([x, y, z], taken))] },
+  emission_time: { target: 'event', values: ([, , , w], { sight }) => [sight.t + w / sight.c] },
+  position: { target: 'event', values: ([x, y, z], { sight: { position: p } }) => [p[0] + x, p[1] + y, p[2] + z] },
+  doppler: { target: 'motion', values: ([, , , w]) => [w] },
+  velocity: { target: 'motion', values: ([x, y, z]) => [x, y, z] },
+  normal: { target: 'normal', values: ([x, y, z]) => unit([x, y, z]) },
+  object: { target: 'object', values: ([x]) => [x] },
+};
+
+function shown(dx: Vec3, { sight, place }: Taken): Vec3 {
+  if (place === 'apparent') return apparentPosition(dx, sight.u);
+  return place === 'contracted' ? simultaneousPosition(dx, sight.u) : dx;
+}
+
+function unit(v: Vec3): Vec3 {
+  const l = length(v) || 1;
+  return [v[0] / l, v[1] / l, v[2] / l];
+}
+
+/** A data AOV of a region; 0 where nothing is. */
+export async function readData(
+  gpu: Gpu,
+  buffer: GBuffer,
+  name: DataAov,
+  taken: Taken,
+  region: Region,
+): Promise<Float32Array> {
+  const { target, values } = SOURCES[name];
+  const read = (which: TargetName) => {
+    const { target: at, index } = buffer.find(which);
+    return readFloats(gpu, at, index, region);
+  };
+  const [ids, texels] = await Promise.all([read('object'), read(target)]);
+  const pixels = region.width * region.height;
+  const [idSize, size] = [ids.length / pixels, texels.length / pixels];
+  const channels = values(new Float32Array(4), taken).length;
+  const out = new Float32Array(pixels * channels);
+  for (let i = 0; i < pixels; i++) {
+    if (ids[i * idSize] < 0.5) continue;
+    out.set(values(texels.subarray(i * size, (i + 1) * size), taken), i * channels);
+  }
+  return out;
+}
+
+/** What is seen in one pixel. */
+export async function readPick(
+  gpu: Gpu,
+  buffer: GBuffer,
+  taken: Taken,
+  pathOf: (objectId: number) => string,
+  x: number,
+  y: number,
+): Promise<PickResult | undefined> {
+  const region = { x, y, width: 1, height: 1 };
+  const read = (name: DataAov) => readData(gpu, buffer, name, taken, region);
+  const names = ['object', 'emission_time', 'position', 'velocity', 'doppler', 'depth'] as const;
+  const [object, time, position, velocity, doppler, depth] = await Promise.all(names.map(read));
+  const objectId = object[0];
+  if (objectId === 0) return undefined;
+  return {
+    objectId,
+    path: pathOf(objectId),
+    emissionTime: time[0],
+    position: [position[0], position[1], position[2]],
+    velocity: [velocity[0], velocity[1], velocity[2]],
+    doppler: doppler[0],
+    depth: depth[0],
+  };
+}

@@ -1,0 +1,248 @@
+import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
+import { toMatrix } from '../math/quat.ts';
+import { gamma } from '../physics/boost.ts';
+import type { Scene } from '../scene/types.ts';
+import type { PictureMaker } from './api.ts';
+import { frustumSides } from './cull.ts';
+import { type Gpu, openGpu } from './device.ts';
+import { PictureMachine } from './picture.ts';
+import { type Region, readBytes, readData, readFloats, readPick, type Taken } from './readback.ts';
+import { SceneUpload } from './sceneUpload.ts';
+import {
+  type AovName,
+  DEFAULT_SETTINGS,
+  type PickResult,
+  type RendererInfo,
+  type RendererOptions,
+  type RenderSettings,
+  type ViewPoint,
+} from './settings.ts';
+import type { Sight } from './sight.ts';
+import { makeUniforms, type Uniforms } from './uniforms.ts';
+import type { Projection } from './vertexStage.ts';
+
+/** Clip planes [m]. Depth is reversed 32-bit float, which is separable to 1e-6 from one to the other. */
+const NEAR = 1e-3;
+const FAR = 1e9;
+/** Where the depth buffer cannot be reversed (WebGL2 without EXT_clip_control): what 24 bits can still tell apart. */
+const MODEST = { near: 0.05, far: 1e5 };
+
+/** Makes pictures of a scene for a page, a command line or a benchmark; see api.ts. */
+export class SceneRenderer implements PictureMaker {
+  private readonly gpu: Gpu;
+  private readonly uniforms = makeUniforms();
+  private readonly machine: PictureMachine;
+  private readonly camera = new PerspectiveCamera();
+  private readonly toCanvas: boolean;
+  private upload: SceneUpload | undefined;
+  private taken: Taken | undefined;
+  private size = { width: 1, height: 1 };
+  private drawn = { triangles: 0, objectsDrawn: 0, milliseconds: 0 };
+
+  static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
+    return new SceneRenderer(await openGpu(options), options.canvas !== undefined);
+  }
+
+  private constructor(gpu: Gpu, toCanvas: boolean) {
+    this.gpu = gpu;
+    this.toCanvas = toCanvas;
+    this.machine = new PictureMachine(gpu, this.uniforms);
+    const { near, far } = gpu.renderer.reversedDepthBuffer ? { near: NEAR, far: FAR } : MODEST;
+    this.camera.near = near;
+    this.camera.far = far;
+  }
+
+  get info(): RendererInfo {
+    return { backend: this.gpu.backend, objects: this.upload?.bodies.length ?? 0, ...this.drawn };
+  }
+  get width(): number {
+    return this.size.width;
+  }
+  get height(): number {
+    return this.size.height;
+  }
+
+  async setScene(scene: Scene): Promise<void> {
+    this.replace(scene, scene.hints.speedOfLight ?? DEFAULT_SETTINGS.speedOfLight);
+  }
+
+  setSize(width: number, height: number): void {
+    this.size = { width: Math.max(1, Math.round(width)), height: Math.max(1, Math.round(height)) };
+    this.gpu.renderer.setSize(this.width, this.height, false);
+    this.machine.setSize(this.width, this.height);
+    this.taken = undefined;
+  }
+
+  render(viewPoint: ViewPoint, settings: RenderSettings, samples = 1): void {
+    const began = performance.now();
+    const upload = this.uploadFor(settings.speedOfLight);
+    if (!upload) return;
+    const projection = projectionOf(settings);
+    const sight = sightOf(viewPoint, settings, projection);
+    this.look(viewPoint, sight, settings, projection, upload);
+    const seen = upload.frame.fill(
+      upload.bodies,
+      sight,
+      this.gaze(viewPoint, projection),
+      projection.event === 'newton',
+    );
+    this.choose(upload, seen);
+    upload.environment.update(sight);
+    const count = samples * samples;
+    for (let i = 0; i < count; i++) {
+      this.jitter(samples, i);
+      this.machine.drawGeometry(upload, projection, this.camera);
+      this.machine.drawLight(upload, projection, this.camera);
+      this.machine.display(projection.place, i, count);
+    }
+    if (count > 1) {
+      // Data are of the pixels' centres, not of the last sample.
+      this.jitter(1, 0);
+      this.machine.drawGeometry(upload, projection, this.camera);
+    }
+    if (this.toCanvas) this.machine.present('canvas');
+    this.taken = { sight, place: projection.place };
+    this.drawn = { ...this.drawn, milliseconds: performance.now() - began };
+  }
+
+  async readPixels(): Promise<Uint8Array> {
+    return readBytes(this.gpu, this.machine.present('screen'), this.whole());
+  }
+
+  async readAov(name: AovName): Promise<Float32Array> {
+    if (name !== 'beauty') return readData(this.gpu, this.machine.buffer, name, this.picture(), this.whole());
+    const { target, index } = this.machine.beauty();
+    return withoutAlpha(await readFloats(this.gpu, target, index, this.whole()));
+  }
+
+  async pick(x: number, y: number): Promise<PickResult | undefined> {
+    const inside = x >= 0 && y >= 0 && x < this.width && y < this.height;
+    const { upload, taken } = this;
+    if (!inside || !upload || !taken) return undefined;
+    const pathOf = (id: number) => upload.bodies[id - 1].object.path;
+    return readPick(this.gpu, this.machine.buffer, taken, pathOf, Math.floor(x), Math.floor(y));
+  }
+
+  dispose(): void {
+    this.upload?.dispose();
+    this.machine.dispose();
+    this.gpu.renderer.dispose();
+  }
+
+  private picture(): Taken {
+    if (!this.taken) throw new Error('nothing has been rendered yet');
+    return this.taken;
+  }
+
+  private whole(): Region {
+    return { x: 0, y: 0, width: this.width, height: this.height };
+  }
+
+  private uploadFor(speedOfLight: number): SceneUpload | undefined {
+    const { upload } = this;
+    if (upload?.dependsOnSpeedOfLight && upload.speedOfLight !== speedOfLight) this.replace(upload.scene, speedOfLight);
+    return this.upload;
+  }
+
+  private replace(scene: Scene, speedOfLight: number): void {
+    const made = new SceneUpload(scene, speedOfLight, this.uniforms);
+    if (this.upload) {
+      this.machine.forget(this.upload);
+      this.upload.dispose();
+    }
+    this.upload = made;
+  }
+
+  private gaze({ orientation }: ViewPoint, { place }: Projection) {
+    const { x, y } = this.uniforms.halfTangents.value;
+    return { sides: frustumSides(orientation, x, y), boosted: place === 'apparent' };
+  }
+
+  /** Everything that is the same for all samples of a picture. */
+  private look(
+    view: ViewPoint,
+    sight: Sight,
+    settings: RenderSettings,
+    projection: Projection,
+    upload: SceneUpload,
+  ): void {
+    const { uniforms, camera } = this;
+    const tanY = Math.tan(view.fovY / 2);
+    const luminous = settings.view === 'light-cone' ? 1 : 0;
+    uniforms.halfTangents.value.set((tanY * this.width) / this.height, tanY);
+    uniforms.u.value.set(...sight.u);
+    uniforms.gamma.value = gamma(sight.u);
+    uniforms.iterations.value = settings.iterations;
+    uniforms.damping.value = settings.damping;
+    uniforms.boosted.value = projection.place === 'apparent' ? 1 : 0;
+    uniforms.boostLight.value = luminous;
+    uniforms.dopplerMix.value = luminous * settings.dopplerMix;
+    uniforms.beaming.value = luminous * settings.beaming;
+    uniforms.exposure.value = settings.exposure;
+    uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
+    uniforms.lightCount.value = upload.environment.lights.length;
+    lookAtGround(uniforms, view, settings, upload);
+    camera.fov = (view.fovY * 180) / Math.PI;
+    camera.aspect = this.width / this.height;
+    camera.quaternion.copy(new Quaternion(...view.orientation));
+    camera.matrixWorld.copy(new Matrix4().makeRotationFromQuaternion(camera.quaternion));
+    camera.updateMatrixWorld();
+  }
+
+  /** Moves the picture by the place of sample `index` of an n × n grid inside the pixel. */
+  private jitter(n: number, index: number): void {
+    const { width, height } = this;
+    const dx = ((index % n) + 0.5) / n - 0.5;
+    const dy = (Math.floor(index / n) + 0.5) / n - 0.5;
+    this.camera.setViewOffset(width, height, dx, dy, width, height);
+    this.camera.updateProjectionMatrix();
+    this.uniforms.jitter.value.set((2 * dx) / width, (-2 * dy) / height);
+  }
+
+  /** Shows the batches in which something may be seen, and sorts the transparent ones from far to near. */
+  private choose(upload: SceneUpload, seen: readonly boolean[]): void {
+    let triangles = 0;
+    for (const { batch, mesh } of upload.drawables) {
+      mesh.visible = batch.bodies.some(({ id }) => seen[id - 1]);
+      if (!mesh.visible) continue;
+      triangles += batch.arrays.indices.length / 3;
+      if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => upload.frame.distance(id)));
+    }
+    this.drawn = { ...this.drawn, triangles, objectsDrawn: seen.filter(Boolean).length };
+  }
+}
+
+function projectionOf({ view, lightDelay, aberration, solver }: RenderSettings): Projection {
+  if (view === 'simultaneity') return { event: 'slice', place: 'contracted' };
+  if (view === 'galilean') return { event: 'now', place: 'plain' };
+  const event = lightDelay ? (solver === 'newton' ? 'newton' : 'emission') : 'now';
+  return { event, place: aberration ? 'apparent' : 'plain' };
+}
+
+function sightOf({ t, position, u }: ViewPoint, { speedOfLight }: RenderSettings, { event }: Projection): Sight {
+  const surface = event === 'slice' || event === 'now' ? event : 'past-light-cone';
+  return { t, position, u, c: speedOfLight, surface };
+}
+
+/** The ground is the plane of the two axes that do not point up, at height 0; its grid is as fine as the scene's size asks. */
+function lookAtGround(
+  uniforms: Uniforms,
+  { position }: ViewPoint,
+  { grid }: RenderSettings,
+  { scene, radius }: SceneUpload,
+): void {
+  const step = 10 ** Math.floor(Math.log10(Math.max(radius, 1e-6) / 15));
+  const [up, north] = scene.upAxis === 'Y' ? [1, 2] : [2, 1];
+  const wrap = (x: number) => x - 10 * step * Math.floor(x / (10 * step));
+  uniforms.zenith.value.set(0, up === 1 ? 1 : 0, up === 2 ? 1 : 0);
+  uniforms.gridNorth.value.set(0, north === 1 ? 1 : 0, north === 2 ? 1 : 0);
+  uniforms.grid.value = grid ? 1 : 0;
+  uniforms.gridStep.value = step;
+  uniforms.ground.value.set(position[up], wrap(position[0]), wrap(position[north]));
+}
+
+function withoutAlpha(rgba: Float32Array): Float32Array {
+  const out = new Float32Array((rgba.length / 4) * 3);
+  for (let i = 0; i < rgba.length / 4; i++) for (let k = 0; k < 3; k++) out[3 * i + k] = rgba[4 * i + k];
+  return out;
+}

@@ -1,0 +1,71 @@
+import { abs, clamp, cross, float, floor, int, max, normalize, select, vec2, vec3, vec4, vertexIndex } from 'three/tsl';
+import { bisect } from '../shaders/bisect.ts';
+import type { Float, Int, SampleTable, Vec3, Vec4 } from '../shaders/types.ts';
+import type { FloatTable } from './floatTable.ts';
+import { NORMAL_STEPS } from './pointStore.ts';
+
+/** One vertex's samples, as frame.ts and pointStore.ts wrote them. */
+export interface Samples {
+  readonly at: SampleTable;
+  readonly count: Int;
+  /** World-frame normal at a sample. */
+  readonly normal: (index: Int) => Vec3;
+  /** Time of a sample after the anchor [m of light]. */
+  readonly time: (index: Int) => Float;
+}
+
+/** A rigid body: two texels per sample, (place of the centre, time) and the orientation. */
+export function poseSamples(table: FloatTable, first: Int, count: Int, offset: Vec3, normal: Vec3): Samples {
+  const texel = (index: Int): Int => first.add(index.mul(int(2)));
+  const turned = (index: Int, x: Vec3): Vec3 => turn(table.texel(texel(index).add(int(1))).toVar(), x);
+  return {
+    count,
+    at: (index) => {
+      const pose = table.texel(texel(index)).toVar();
+      return vec4(pose.xyz.add(turned(index, offset)), pose.w);
+    },
+    normal: (index) => turned(index, normal),
+    time: (index) => table.texel(texel(index)).w,
+  };
+}
+
+/** A deforming mesh: per sample a texel (sample, 0, 0, time), and its points; `motion` = (origin relative to the anchor, vertices). */
+export function pointSamples(table: FloatTable, points: FloatTable, first: Int, count: Int, motion: Vec4): Samples {
+  const stamp = (index: Int): Vec4 => table.texel(first.add(index)).toVar();
+  const point = (sample: Float): Vec4 => points.texel(int(sample).mul(int(motion.w)).add(int(vertexIndex))).toVar();
+  return {
+    count,
+    at: (index) => {
+      const { x: sample, w: time } = stamp(index);
+      return vec4(point(sample).xyz.add(motion.xyz), time);
+    },
+    normal: (index) => unpackNormal(point(stamp(index).x).w),
+    time: (index) => stamp(index).w,
+  };
+}
+
+/** The piece that the time `s` is in, and how far along it. */
+export function pieceAt(samples: Samples, s: Float): { index: Int; fraction: Float } {
+  const index = bisect(samples.count, (i) => samples.time(i).lessThanEqual(s));
+  const begin = samples.time(index).toVar();
+  const length = max(samples.time(index.add(int(1))).sub(begin), 1e-30);
+  return { index, fraction: clamp(s.sub(begin).div(length), 0, 1) };
+}
+
+/** q x q⁻¹ */
+const turn = (q: Vec4, x: Vec3): Vec3 => x.add(cross(q.xyz, cross(q.xyz, x).add(x.mul(q.w))).mul(2));
+
+/** The inverse of `packNormal`. */
+function unpackNormal(packed: Float): Vec3 {
+  const high = floor(packed.div(NORMAL_STEPS)).toVar();
+  const low = packed.sub(high.mul(NORMAL_STEPS));
+  const p = vec2(high, low)
+    .mul(2 / (NORMAL_STEPS - 1))
+    .sub(1)
+    .toVar();
+  const z = float(1).sub(abs(p.x)).sub(abs(p.y)).toVar();
+  const sign = (v: Float): Float => select(v.greaterThanEqual(0), float(1), float(-1));
+  const x = select(z.greaterThanEqual(0), p.x, abs(p.y).oneMinus().mul(sign(p.x)));
+  const y = select(z.greaterThanEqual(0), p.y, abs(p.x).oneMinus().mul(sign(p.y)));
+  return normalize(vec3(x, y, z));
+}

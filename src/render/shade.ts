@@ -1,0 +1,120 @@
+import { clamp, dot, exp2, Fn, int, inverseSqrt, Loop, max, min, mix, normalize, reflect, vec3 } from 'three/tsl';
+import { aberrate } from '../shaders/aberrate.ts';
+import { dopplerTint } from '../shaders/dopplerTint.ts';
+import { observerDoppler } from '../shaders/observerDoppler.ts';
+import type { Float, Vec3 } from '../shaders/types.ts';
+import { unaberrate } from '../shaders/unaberrate.ts';
+import type { Environment } from './environment.ts';
+import { beamed, seen } from './radiance.ts';
+import { skyLight, skyRadiance } from './sky.ts';
+import type { Surface } from './surface.ts';
+import type { Uniforms } from './uniforms.ts';
+
+/** What shading reads of a surface: `normal` unit in its rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²). */
+export type ShadedSurface = Pick<
+  Surface,
+  'color' | 'emissive' | 'roughness' | 'metallic' | 'normal' | 'dx' | 'velocity' | 'D'
+>;
+
+/** γv and γ of the surface. */
+interface Rest {
+  readonly u: Vec3;
+  readonly gamma: Float;
+}
+
+/**
+ * Radiance that reaches the observer. Everything meets in the rest frame of the emission event: the normal is given there, the directions
+ * to light and eye are aberrated into it, and the light arrives with E′ = D_in² E (physics.md, "Shading").
+ * Lambert and GGX with Schlick's Fresnel; sky light is taken as if all of it came along the normal and the mirrored ray.
+ */
+export const shade = (surface: ShadedSurface, environment: Environment, uniforms: Uniforms): Vec3 =>
+  Fn(() => {
+    const gamma = inverseSqrt(clamp(surface.velocity.w, 1e-12, 1)).toVar();
+    const rest: Rest = { u: surface.velocity.xyz.mul(gamma).mul(uniforms.boostLight).toVar(), gamma };
+    const N = surface.normal.toVar();
+    const V = aberrate(normalize(surface.dx), rest.u, rest.gamma).negate().toVar();
+    const look = lookOf(surface, max(dot(N, V), 1e-3).toVar());
+    const sum = skyReflection(look, N, V, rest, environment, uniforms).add(surface.emissive).toVar();
+    Loop({ start: int(0), end: uniforms.lightCount, type: 'int', condition: '<' }, ({ i }) => {
+      sum.addAssign(directLight(look, N, V, surface.dx, rest, environment.light(int(i)), uniforms));
+    });
+    return seen(sum, surface.D, uniforms);
+  })();
+
+interface Look {
+  readonly diffuse: Vec3;
+  readonly F0: Vec3;
+  readonly roughness: Float;
+  readonly NV: Float;
+}
+
+function lookOf({ color, roughness, metallic }: ShadedSurface, NV: Float): Look {
+  return {
+    diffuse: color.rgb.mul(metallic.oneMinus()).toVar(),
+    F0: mix(vec3(0.04), color.rgb, metallic).toVar(),
+    roughness: clamp(roughness, 0.05, 1).toVar(),
+    NV,
+  };
+}
+
+function directLight(
+  look: Look,
+  N: Vec3,
+  V: Vec3,
+  dx: Vec3,
+  rest: Rest,
+  light: ReturnType<Environment['light']>,
+  uniforms: Uniforms,
+): Vec3 {
+  const { place, color } = light;
+  // Distant lights give their direction; sphere lights their place, and E falls with the square of the distance in the world, where they rest.
+  const away = mix(place.xyz, place.xyz.sub(dx), place.w).toVar();
+  const fall = mix(1, dot(away, away).max(1e-6).reciprocal(), place.w);
+  const s = normalize(away).toVar();
+  const Din = observerDoppler(s, rest.u, rest.gamma).toVar();
+  const E = dopplerTint(color, Din, uniforms.dopplerMix)
+    .mul(fall)
+    .mul(beamed(Din, 2, uniforms));
+  const L = aberrate(s, rest.u, rest.gamma).toVar();
+  const NL = clamp(dot(N, L), 0, 1).toVar();
+  return E.mul(NL).mul(look.diffuse.mul(1 / Math.PI).add(ggx(look, N, V, L, NL)));
+}
+
+/** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
+function ggx({ F0, roughness, NV }: Look, N: Vec3, V: Vec3, L: Vec3, NL: Float): Vec3 {
+  const H = normalize(L.add(V)).toVar();
+  const a2 = roughness.pow(4).toVar();
+  const NH = clamp(dot(N, H), 0, 1).toVar();
+  const spread = NH.mul(NH).mul(a2.sub(1)).add(1).toVar();
+  const distribution = a2.div(spread.mul(spread).mul(Math.PI));
+  const smith = (x: Float, y: Float): Float => x.mul(y.mul(y).mul(a2.oneMinus()).add(a2).sqrt());
+  const visibility = max(smith(NL, NV).add(smith(NV, NL)), 1e-4)
+    .reciprocal()
+    .mul(0.5);
+  const F = F0.add(F0.oneMinus().mul(clamp(dot(V, H), 0, 1).oneMinus().pow(5)));
+  return F.mul(min(distribution.mul(visibility), 1e4));
+}
+
+/** Sky light and its mirror image, through the split-sum fit of Karis (2014, "Physically based shading on mobile"). */
+function skyReflection(look: Look, N: Vec3, V: Vec3, rest: Rest, environment: Environment, uniforms: Uniforms): Vec3 {
+  const { F0, roughness, NV, diffuse } = look;
+  const arriving = (nPrime: Vec3, radiance: (n: Vec3) => Vec3): Vec3 => {
+    const n = unaberrate(nPrime, rest.u, rest.gamma).toVar();
+    return seen(radiance(n), observerDoppler(n, rest.u, rest.gamma).toVar(), uniforms);
+  };
+  const soft = (n: Vec3) => skyLight(environment, n, uniforms.zenith);
+  const sharp = (n: Vec3) => mix(skyRadiance(environment, n, uniforms.zenith), soft(n), roughness.sqrt());
+  const mirrored = normalize(reflect(V.negate(), N)).toVar();
+
+  const r = roughness.mul(-1).add(1).toVar();
+  const a = min(r.mul(r), exp2(NV.mul(-9.28)))
+    .mul(r)
+    .add(roughness.mul(0.0225).add(0.0425))
+    .toVar();
+  const scaleF = a.mul(-1.04).add(roughness.mul(-0.572).add(1.04));
+  const bias = a.mul(1.04).add(roughness.mul(0.022).sub(0.04));
+  const specular = F0.mul(scaleF).add(bias);
+  return arriving(N, soft)
+    .mul(diffuse)
+    .add(arriving(mirrored, sharp).mul(max(specular, 0)));
+}

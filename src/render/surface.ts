@@ -1,0 +1,111 @@
+import {
+  attribute,
+  Discard,
+  Fn,
+  faceDirection,
+  int,
+  mix,
+  mrt,
+  normalize,
+  property,
+  round,
+  texture,
+  vec4,
+} from 'three/tsl';
+import type { DataTexture, MRTNode } from 'three/webgpu';
+import { dopplerFactor } from '../shaders/dopplerFactor.ts';
+import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
+import type { FloatTable } from './floatTable.ts';
+import type { Uniforms } from './uniforms.ts';
+import { vEvent, vLife, vMotion, vNormal } from './vertexStage.ts';
+
+/** Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (roughness, metallic, 0, 0). */
+export const MATERIAL_TEXELS = 3;
+
+export interface SurfaceSources {
+  readonly materials: FloatTable;
+  readonly uniforms: Uniforms;
+  readonly baseColor?: DataTexture;
+  readonly emissive?: DataTexture;
+  readonly colored: boolean;
+}
+
+/** What is known of the surface at a fragment. */
+export interface Surface {
+  /** Linear sRGB and opacity. */
+  readonly color: Vec4;
+  readonly emissive: Vec3;
+  readonly roughness: Float;
+  readonly metallic: Float;
+  /** Unit, rest frame, towards the observer's side. */
+  readonly normal: Vec3;
+  readonly dx: Vec3;
+  /** c(t − t_o) [m of light] */
+  readonly time: Float;
+  readonly velocity: Vec4;
+  readonly D: Float;
+  readonly object: Float;
+}
+
+/** Reads the surface inside a fragment's Fn, after discarding what is not there: outside the lifetime, cut out, or never seen. */
+export function readSurface(sources: SurfaceSources): Surface {
+  const material = int(round(vLife.w)).mul(int(MATERIAL_TEXELS)).toVar();
+  const base = sources.materials.texel(material).toVar();
+  const emission = sources.materials.texel(material.add(int(1))).toVar();
+  const finish = sources.materials.texel(material.add(int(2))).toVar();
+  const uv = attribute<'vec2'>('uv', 'vec2');
+  const color = base.toVar();
+  if (sources.baseColor) color.mulAssign(texture(sources.baseColor, uv));
+  if (sources.colored) color.mulAssign(vec4(attribute<'vec3'>('color', 'vec3'), 1));
+  const emissive = emission.xyz.toVar();
+  if (sources.emissive) emissive.mulAssign(texture(sources.emissive, uv).rgb);
+
+  Discard(vLife.x.lessThan(0).or(vLife.y.lessThan(0)).or(vNormal.w.lessThan(0.9999)).or(color.w.lessThan(emission.w)));
+  const { u, gamma, boostLight } = sources.uniforms;
+  const dx = vEvent.xyz.toVar();
+  const velocity = vMotion.toVar();
+  const D = mix(1, dopplerFactor(dx, u, gamma, velocity), boostLight);
+  return {
+    color,
+    emissive,
+    roughness: finish.x,
+    metallic: finish.y,
+    normal: normalize(vNormal.xyz).mul(faceDirection),
+    dx,
+    time: vEvent.w,
+    velocity,
+    D,
+    object: round(vLife.z),
+  };
+}
+
+/** The G-buffer's targets, in the order of their attachments; bytes per sample as WebGPU counts them. */
+export const TARGETS = {
+  base: 8,
+  emissive: 8,
+  normal: 8,
+  object: 4,
+  event: 16,
+  motion: 16,
+} as const;
+export type TargetName = keyof typeof TARGETS;
+
+/** Writes the named targets of a fragment. The first output reads the surface and leaves the others in properties. */
+export function surfaceOutputs(sources: SurfaceSources, names: readonly TargetName[]): MRTNode {
+  const kept = names.map((name) => property('vec4', `g_${name}`));
+  const first = Fn(() => {
+    const values = targetValues(readSurface(sources));
+    for (const [i, name] of names.entries()) kept[i].assign(values[name]);
+    return kept[0];
+  })();
+  return mrt(Object.fromEntries(names.map((name, i) => [name, i === 0 ? first : kept[i]])));
+}
+
+const targetValues = (surface: Surface): Record<TargetName, Vec4> => ({
+  base: vec4(surface.color.rgb, surface.roughness),
+  emissive: vec4(surface.emissive, surface.metallic),
+  normal: vec4(surface.normal, 1),
+  object: vec4(surface.object, 0, 0, 1),
+  event: vec4(surface.dx, surface.time),
+  motion: vec4(surface.velocity.xyz, surface.D),
+});

@@ -1,0 +1,199 @@
+import {
+  attribute,
+  bool,
+  cameraProjectionMatrix,
+  cameraViewMatrix,
+  clamp,
+  Fn,
+  float,
+  If,
+  int,
+  inverseSqrt,
+  max,
+  mix,
+  select,
+  varyingProperty,
+  vec3,
+  vec4,
+} from 'three/tsl';
+import type { Motion } from '../scene/types.ts';
+import { apparentPosition } from '../shaders/apparentPosition.ts';
+import { hyperbolicEmission } from '../shaders/hyperbolicEmission.ts';
+import { hyperbolicPlace } from '../shaders/hyperbolicPlace.ts';
+import { hyperbolicSlice } from '../shaders/hyperbolicSlice.ts';
+import { newtonEmission } from '../shaders/newtonEmission.ts';
+import { polylineEmission } from '../shaders/polylineEmission.ts';
+import { polylinePlace } from '../shaders/polylinePlace.ts';
+import { polylineSlice } from '../shaders/polylineSlice.ts';
+import { simultaneousPosition } from '../shaders/simultaneousPosition.ts';
+import { staticEmission } from '../shaders/staticEmission.ts';
+import type { Bool, Float, Int, SampleTable, Vec3, Vec4, VertexEvent, WorldLineAt } from '../shaders/types.ts';
+import { uniformEmission } from '../shaders/uniformEmission.ts';
+import { uniformPlace } from '../shaders/uniformPlace.ts';
+import { uniformSlice } from '../shaders/uniformSlice.ts';
+import type { FloatTable } from './floatTable.ts';
+import { OBJECT_TEXELS } from './frame.ts';
+import type { PointStore } from './pointStore.ts';
+import { pieceAt, pointSamples, poseSamples, type Samples } from './samples.ts';
+import type { Uniforms } from './uniforms.ts';
+
+/** How a vertex finds its event, and where the picture puts it; a pipeline is compiled for each pair that is used. */
+export interface Projection {
+  readonly event: 'emission' | 'newton' | 'slice' | 'now';
+  readonly place: 'apparent' | 'contracted' | 'plain';
+}
+
+export interface VertexSources {
+  readonly kind: Motion['kind'];
+  readonly objects: FloatTable;
+  readonly samples: FloatTable;
+  readonly points?: PointStore;
+  readonly uniforms: Uniforms;
+}
+
+/** Observer → event [m] and c(t − t_o) [m of light]. */
+export const vEvent = varyingProperty('vec4', 'v_event');
+/** (v, 1 − v²) of the surface in the world, in units of c. */
+export const vMotion = varyingProperty('vec4', 'v_motion');
+/** Normal in the surface's rest frame, and 1 where the vertex exists. */
+export const vNormal = varyingProperty('vec4', 'v_normal');
+/** Light-metres since birth and until death, object id, material. */
+export const vLife = varyingProperty('vec4', 'v_life');
+
+interface Vertex extends VertexEvent {
+  /** In the rest frame, world axes; any length. */
+  readonly normal: Vec3;
+  readonly exists: Bool;
+}
+
+/** The four texels of an object (frame.ts) and its vertex as it was uploaded. */
+interface Inputs {
+  readonly sources: VertexSources;
+  readonly anchor: Vec4;
+  readonly motion: Vec4;
+  readonly extra: Vec4;
+  readonly offset: Vec3;
+  readonly normal: Vec3;
+}
+
+/** Clip-space position of a vertex; fills the varyings above. */
+export function vertexStage(sources: VertexSources, projection: Projection): Vec4 {
+  return Fn(() => {
+    const ids = attribute<'vec2'>('ids', 'vec2');
+    const first = int(ids.x).mul(int(OBJECT_TEXELS)).toVar();
+    const texel = (k: number): Vec4 => sources.objects.texel(first.add(int(k))).toVar();
+    const anchor = texel(0);
+    // All vertices of what cannot be seen fall on one point outside the picture.
+    const clip = vec4(2, 2, 2, 1).toVar();
+    If(anchor.w.greaterThanEqual(0), () => {
+      const offset = attribute<'vec3'>('position', 'vec3');
+      const normal = attribute<'vec3'>('normal', 'vec3');
+      const inputs = { sources, anchor, motion: texel(1), extra: texel(3), offset, normal };
+      const vertex = solve(inputs, projection);
+      const when = texel(2);
+      const dx = vertex.dx.toVar();
+      const s = vertex.s.toVar();
+      vEvent.assign(vec4(dx, s.sub(when.z)));
+      vMotion.assign(vertex.velocity);
+      vNormal.assign(vec4(vertex.normal, select(vertex.exists, float(1), float(0))));
+      vLife.assign(vec4(s.sub(when.x), when.y.sub(s), when.w, ids.y));
+      const shown = select(vertex.exists, place(dx, projection.place, sources.uniforms), anchor.xyz);
+      clip.assign(cameraProjectionMatrix.mul(cameraViewMatrix.mul(vec4(shown, 1))));
+    });
+    return clip;
+  })();
+}
+
+function place(dx: Vec3, how: Projection['place'], { u, gamma }: Uniforms): Vec3 {
+  if (how === 'apparent') return apparentPosition(dx, u, gamma);
+  if (how === 'contracted') return simultaneousPosition(dx, u, gamma);
+  return dx;
+}
+
+function solve(inputs: Inputs, { event }: Projection): Vertex {
+  switch (inputs.sources.kind) {
+    case 'static':
+      return { ...linear(inputs, vec4(0, 0, 0, 1), inputs.offset, event), normal: inputs.normal, exists: bool(true) };
+    case 'uniform':
+      return uniformVertex(inputs, event);
+    case 'hyperbolic':
+      return hyperbolicVertex(inputs, event);
+    default:
+      return sampledVertex(inputs, event);
+  }
+}
+
+function linear(inputs: Inputs, velocity: Vec4, offset: Vec3, event: Projection['event']): VertexEvent {
+  const { anchor, sources } = inputs;
+  if (event === 'newton') return newton(anchor, uniformPlace(velocity, offset), sources.uniforms);
+  if (event === 'emission')
+    return sources.kind === 'static' ? staticEmission(anchor, offset) : uniformEmission(anchor, velocity, offset);
+  return uniformSlice(anchor, velocity, offset, ...sliceOf(event, sources.uniforms));
+}
+
+function uniformVertex(inputs: Inputs, event: Projection['event']): Vertex {
+  const { motion, extra, offset, normal } = inputs;
+  const rigid = extra.x.greaterThan(0.5);
+  const contracted = select(rigid, alongMotion(offset, motion), offset).toVar();
+  const restNormal = select(rigid, normal, alongMotion(normal, motion));
+  return { ...linear(inputs, motion, contracted, event), normal: restNormal, exists: bool(true) };
+}
+
+function hyperbolicVertex(inputs: Inputs, event: Projection['event']): Vertex {
+  const { anchor, motion, extra, normal, sources } = inputs;
+  const offset = inputs.offset.sub(motion.xyz.mul(extra.z)).toVar();
+  const born = [motion, extra.x, extra.y, offset] as const;
+  const found =
+    event === 'newton'
+      ? { ...newton(anchor, hyperbolicPlace(...born), sources.uniforms), exists: bool(true) }
+      : event === 'emission'
+        ? hyperbolicEmission(anchor, ...born)
+        : hyperbolicSlice(anchor, ...born, ...sliceOf(event, sources.uniforms));
+  const velocity = found.velocity.toVar();
+  return { ...found, velocity, normal: select(extra.y.greaterThan(0.5), normal, alongMotion(normal, velocity)) };
+}
+
+function sampledVertex(inputs: Inputs, event: Projection['event']): Vertex {
+  const { anchor, sources } = inputs;
+  const samples = samplesOf(inputs);
+  const found = polyline(anchor, samples.at, samples.count, event, sources.uniforms);
+  const [s, velocity] = [found.s.toVar(), found.velocity.toVar()];
+  const { index, fraction } = pieceAt(samples, s);
+  const normal = mix(samples.normal(index), samples.normal(index.add(int(1))), fraction).toVar();
+  return { dx: found.dx, s, velocity, normal: alongMotion(normal, velocity), exists: bool(true) };
+}
+
+function samplesOf({ sources, motion, extra, offset, normal }: Inputs): Samples {
+  const first = int(extra.x).toVar();
+  const count = int(extra.y).toVar();
+  if (sources.points) return pointSamples(sources.samples, sources.points.table, first, count, motion);
+  return poseSamples(sources.samples, first, count, offset, normal);
+}
+
+function polyline(
+  anchor: Vec4,
+  at: SampleTable,
+  count: Int,
+  event: Projection['event'],
+  uniforms: Uniforms,
+): VertexEvent {
+  if (event === 'newton') return newton(anchor, polylinePlace(at, count), uniforms);
+  if (event === 'emission') return polylineEmission(anchor, at, count);
+  return polylineSlice(anchor, at, count, ...sliceOf(event, uniforms));
+}
+
+const newton = (anchor: Vec4, line: WorldLineAt, { iterations, damping }: Uniforms): VertexEvent =>
+  newtonEmission(anchor, line, iterations, damping);
+
+/** The slice of the observer's own frame, or that of the world. */
+const sliceOf = (event: Projection['event'], { u, gamma }: Uniforms): [Vec3, Float] =>
+  event === 'slice' ? [u, gamma] : [vec3(0), float(1)];
+
+/**
+ * x∥ → x∥/γ for the velocity (v, 1 − v²): an offset of the rest frame to the world's slice, and a normal of the world's slice to the rest frame
+ * (the surface is a plane of events, whose normal has no time part in the rest frame).
+ */
+function alongMotion(x: Vec3, velocity: Vec4): Vec3 {
+  const gamma = inverseSqrt(clamp(velocity.w, 1e-20, 1)).toVar();
+  return simultaneousPosition(x, velocity.xyz.mul(gamma), max(gamma, 1));
+}
