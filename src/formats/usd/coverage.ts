@@ -24,7 +24,7 @@ interface NamedArc {
 }
 
 /** The composition arcs written on a prim. */
-export function arcsIn(prim: PrimSpec): NamedArc[] {
+function arcsIn(prim: PrimSpec): NamedArc[] {
   return ARCS.flatMap((arc) => {
     const value = prim.metadata.get(arc);
     const targets =
@@ -32,6 +32,8 @@ export function arcsIn(prim: PrimSpec): NamedArc[] {
     return targets.length > 0 ? [{ arc, targets }] : [];
   });
 }
+
+export const hasArcs = (prim: PrimSpec): boolean => prim.variantSets.size > 0 || arcsIn(prim).length > 0;
 
 const listed = <T>(op: ListOp<T>): readonly T[] =>
   op.explicit ?? [...(op.prepended ?? []), ...(op.added ?? []), ...(op.appended ?? [])];

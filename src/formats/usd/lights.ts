@@ -50,20 +50,18 @@ export async function lightOf(
 const input = (context: StageContext, prim: PrimSpec, name: string): number | undefined =>
   numberAt(prim, `inputs:${name}`, context.startCode) ?? numberAt(prim, name, context.startCode);
 
-/** What UsdLux takes for a distant light without an intensity: 50000 over its disc of 0.53° is near daylight's 1 … 5. */
-const FALLBACK_INTENSITY = { DistantLight: 50000, other: 1 };
-const FALLBACK_ANGLE = 0.53;
+/**
+ * Where no intensity is written. UsdLux gives a distant light 50000 over its disc of 0.53°, which is an irradiance of
+ * 50000 π sin²(0.265°).
+ */
+const FALLBACK = { distant: 50000 * Math.PI * Math.sin((0.265 * Math.PI) / 180) ** 2, other: 1 };
 
-/** color · intensity · 2^exposure. A distant light without an intensity gets the irradiance of its fallback. */
+/** color · intensity · 2^exposure */
 function colorOf(context: StageContext, prim: PrimSpec): Vec3 {
   const color = vec3At(prim, 'inputs:color', context.startCode) ??
     vec3At(prim, 'color', context.startCode) ?? [1, 1, 1];
-  const exposure = 2 ** (input(context, prim, 'exposure') ?? 0);
-  const intensity = input(context, prim, 'intensity');
-  if (intensity !== undefined) return scale(color, intensity * exposure);
-  if (prim.typeName !== 'DistantLight') return scale(color, FALLBACK_INTENSITY.other * exposure);
-  const half = (((input(context, prim, 'angle') ?? FALLBACK_ANGLE) / 2) * Math.PI) / 180;
-  return scale(color, FALLBACK_INTENSITY.DistantLight * Math.PI * Math.sin(half) ** 2 * exposure);
+  const fallback = prim.typeName === 'DistantLight' ? FALLBACK.distant : FALLBACK.other;
+  return scale(color, (input(context, prim, 'intensity') ?? fallback) * 2 ** (input(context, prim, 'exposure') ?? 0));
 }
 
 function noteWhatIsNotRead(context: StageContext, prim: PrimSpec, frame: Frame): void {

@@ -18,7 +18,7 @@ export interface BoundMaterial {
 }
 
 /** Inputs of UsdPreviewSurface that change the look and are not drawn. */
-const NOT_DRAWN = ['normal', 'displacement', 'occlusion', 'clearcoat'];
+const NOT_DRAWN = ['normal', 'displacement', 'clearcoat', 'useSpecularWorkflow'];
 
 /** The scene's materials, each read once. */
 export class MaterialTable {
@@ -39,15 +39,18 @@ export class MaterialTable {
     return this.once(key, async () => ({ index: this.materials.push(material) - 1, readsDisplayColor: false }));
   }
 
-  /** The Material prim at a path. */
-  at(path: string, user: string): Promise<BoundMaterial> {
+  /** The Material prim at a path; a plain one of the colour `fallback` where it cannot be read. */
+  at(path: string, user: string, fallback: Vec3): Promise<BoundMaterial> {
     return this.once(path, async () => {
       const prim = primAt(this.context.layer, path);
       const shader = prim && this.surfaceShader(prim);
       if (shader) return this.preview(path, shader);
       const why = prim ? 'has no UsdPreviewSurface' : 'is not in this file';
-      report(this.context, 'warning', 'usd.material', user, `its material ${path} ${why}; it is drawn grey`);
-      return { index: this.materials.push({ ...DEFAULTS, name: path }) - 1, readsDisplayColor: false };
+      report(this.context, 'warning', 'usd.material', user, `its material ${path} ${why}; its displayColor is drawn`);
+      return {
+        index: this.materials.push({ ...DEFAULTS, name: path, baseColor: fallback }) - 1,
+        readsDisplayColor: false,
+      };
     });
   }
 
@@ -68,7 +71,6 @@ export class MaterialTable {
   private async preview(path: string, shader: PrimSpec): Promise<BoundMaterial> {
     const input = (name: string): Input =>
       resolveInput(this.context.layer, shader, `inputs:${name}`, this.context.startCode);
-    this.noteWhatIsNotDrawn(path, input);
     const opacity = await this.opacity(input('opacity'));
     const diffuse = await this.color(input('diffuseColor'), DEFAULTS.baseColor, opacity.alphaOf);
     const emissive = await this.color(input('emissiveColor'), [0, 0, 0], undefined);
@@ -78,11 +80,12 @@ export class MaterialTable {
       ...(diffuse.texture ? { baseColorTexture: diffuse.texture } : {}),
       emissive: emissive.color,
       ...(emissive.texture ? { emissiveTexture: emissive.texture } : {}),
-      roughness: await this.scalar(path, input('roughness'), 'roughness', DEFAULTS.roughness),
-      metallic: await this.scalar(path, input('metallic'), 'metallic', 0),
+      roughness: await this.scalar(input('roughness'), DEFAULTS.roughness),
+      metallic: await this.scalar(input('metallic'), DEFAULTS.metallic),
       opacity: opacity.value,
       opacityThreshold: numberOf(input('opacityThreshold').value) ?? 0,
     };
+    this.noteWhatIsNotDrawn(path, input);
     const uv = diffuse.uv ?? emissive.uv ?? opacity.uv;
     if (emissive.uv && diffuse.uv && emissive.uv.name !== diffuse.uv.name)
       report(
@@ -97,11 +100,15 @@ export class MaterialTable {
   }
 
   private noteWhatIsNotDrawn(path: string, input: (name: string) => Input): void {
-    const present = NOT_DRAWN.filter((name) => input(name).shader || (numberOf(input(name).value) ?? 0) !== 0);
-    if (present.includes('occlusion') && !input('occlusion').shader) present.splice(present.indexOf('occlusion'), 1);
-    if (numberOf(input('useSpecularWorkflow').value) === 1) present.push('useSpecularWorkflow');
-    if (present.length > 0)
-      report(this.context, 'info', 'usd.material-input', path, `${present.join(', ')} of this material is not drawn`);
+    const isWritten = (name: string): boolean =>
+      input(name).shader !== undefined || (numberOf(input(name).value) ?? 0) > 0;
+    const left = NOT_DRAWN.filter(isWritten);
+    const means = ['roughness', 'metallic'].filter((name) => input(name).shader);
+    const notes = [
+      ...(left.length > 0 ? [`${left.join(', ')} of this material is not drawn`] : []),
+      ...(means.length > 0 ? [`the texture of its ${means.join(' and ')} is drawn as its mean`] : []),
+    ];
+    if (notes.length > 0) report(this.context, 'info', 'usd.material-input', path, notes.join('; '));
   }
 
   private async color(input: Input, fallback: Vec3, alphaOf: AlphaSource | undefined): Promise<Colored> {
@@ -147,8 +154,8 @@ export class MaterialTable {
     return { value: 1, alphaOf: { shader, image, channel: channelOf(output) }, uv: uvSourceOf(this.context, shader) };
   }
 
-  /** A number; of a texture its mean, which is said. */
-  private async scalar(path: string, input: Input, name: string, fallback: number): Promise<number> {
+  /** A number; of a texture its mean. */
+  private async scalar(input: Input, fallback: number): Promise<number> {
     const { shader } = input;
     if (!shader) return numberOf(input.value) ?? fallback;
     if (shaderId(shader) !== 'UsdUVTexture') {
@@ -162,7 +169,6 @@ export class MaterialTable {
       const { value } = resolveInput(this.context.layer, shader, `inputs:${which}`, this.context.startCode);
       return numbersOf(value)?.[channel] ?? otherwise;
     };
-    report(this.context, 'info', 'usd.material-input', path, `the ${name} texture is drawn as its mean`);
     return Math.min(1, Math.max(0, meanOf(image, channel) * part('scale', 1) + part('bias', 0)));
   }
 

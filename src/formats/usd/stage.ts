@@ -2,7 +2,7 @@ import type { Light, Scene, SceneCamera, SceneObject } from '../../scene/types.t
 import { attributeOf, sampleTimes, textAt } from './attributes.ts';
 import { cameraOf } from './cameras.ts';
 import { metadataText, report, type StageContext } from './context.ts';
-import { arcsIn, noteUnreadArcs, UNREAD_TYPES } from './coverage.ts';
+import { hasArcs, noteUnreadArcs, UNREAD_TYPES } from './coverage.ts';
 import { childFrame, type Frame, ROOT_FRAME } from './frame.ts';
 import { implicitShape, isImplicit } from './gprims.ts';
 import type { PrimSpec } from './layer.ts';
@@ -28,6 +28,8 @@ interface Inherited {
   readonly frame: Frame;
   readonly binding: Binding | undefined;
   readonly directions: Directions;
+  /** An ancestor has an arc that is not followed: what 'over' changes down here is in what it refers to. */
+  readonly underArc: boolean;
 }
 
 export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'cameras'>;
@@ -36,7 +38,7 @@ export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'ca
 export async function readStage(context: StageContext): Promise<StageContents> {
   const reader = new StageReader(context);
   for (const prim of context.layer.rootPrims.values())
-    await reader.visit(prim, { frame: ROOT_FRAME, binding: undefined, directions: {} });
+    await reader.visit(prim, { frame: ROOT_FRAME, binding: undefined, directions: {}, underArc: false });
   return { objects: reader.objects, materials: reader.table.materials, lights: reader.lights, cameras: reader.cameras };
 }
 
@@ -55,7 +57,7 @@ class StageReader {
   }
 
   async visit(prim: PrimSpec, inherited: Inherited): Promise<void> {
-    if (!this.isDrawn(prim)) return;
+    if (!this.isDrawn(prim, inherited.underArc)) return;
     noteUnreadArcs(this.context, prim);
     const own = this.inherit(prim, inherited);
     const unread =
@@ -67,18 +69,12 @@ class StageReader {
     for (const child of prim.children.values()) await this.visit(child, own);
   }
 
-  private isDrawn(prim: PrimSpec): boolean {
+  private isDrawn(prim: PrimSpec, underArc: boolean): boolean {
     if (prim.specifier === 'class') return false;
     if (prim.specifier === 'over') {
-      const arcs = arcsIn(prim).length > 0 || prim.variantSets.size > 0;
-      const why = arcs ? 'and what it refers to is not read yet' : 'and nothing in this file defines it';
-      report(
-        this.context,
-        'warning',
-        'usd.undefined-prim',
-        prim.path,
-        `an 'over' changes this prim, ${why}; it is left out`,
-      );
+      const why = hasArcs(prim) ? 'what it refers to is not read yet' : 'nothing in this file defines it';
+      const message = `an 'over' changes this prim, and ${why}; it is left out`;
+      if (!underArc) report(this.context, 'warning', 'usd.undefined-prim', prim.path, message);
       return false;
     }
     const active = prim.metadata.get('active');
@@ -112,6 +108,7 @@ class StageReader {
       frame: childFrame(transform.resetsStack ? ROOT_FRAME : inherited.frame, transform.ops),
       binding: bindingOf(prim, inherited.binding),
       directions,
+      underArc: inherited.underArc || hasArcs(prim),
     };
   }
 

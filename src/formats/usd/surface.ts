@@ -44,8 +44,10 @@ export async function surfaceOf(
   binding: Binding | undefined,
 ): Promise<Surface> {
   const display = displayColor(context, prim);
-  const base = binding ? await table.at(binding.path, prim.path) : await table.plain(display.color, display.opacity);
-  const subsets = await subsetsOf(context, table, prim, binding);
+  const base = binding
+    ? await table.at(binding.path, prim.path, display.color)
+    : await table.plain(display.color, display.opacity);
+  const subsets = await subsetsOf(context, table, prim, binding, display.color);
   const used = [base, ...subsets.map((s) => s.material)];
   const colored = used.some((m) => m.readsDisplayColor) || (!binding && display.varies);
   return {
@@ -80,6 +82,7 @@ async function subsetsOf(
   table: MaterialTable,
   prim: PrimSpec,
   binding: Binding | undefined,
+  color: Vec3,
 ): Promise<Subset[]> {
   const subsets: Subset[] = [];
   for (const child of prim.children.values()) {
@@ -91,7 +94,7 @@ async function subsetsOf(
       continue;
     }
     const faces = numbersAt(child, 'indices', context.startCode) ?? [];
-    subsets.push({ material: await table.at(own.path, child.path), faces });
+    subsets.push({ material: await table.at(own.path, child.path, color), faces });
   }
   return subsets;
 }
