@@ -35,10 +35,14 @@ export interface Baked {
 export class Baker {
   readonly #context: GltfContext;
   readonly #tree: NodeTree;
-  #left = MAX_BAKED;
-  constructor(context: GltfContext, tree: NodeTree) {
+  readonly #budget: number;
+  #left: number;
+  /** `budget`: most bytes of baked points. */
+  constructor(context: GltfContext, tree: NodeTree, budget = MAX_BAKED) {
     this.#context = context;
     this.#tree = tree;
+    this.#budget = budget;
+    this.#left = budget;
   }
 
   /** A mesh that only its node moves: rigid where that is a rotation and a translation, else deforming. */
@@ -118,7 +122,7 @@ export class Baker {
     }
     if (times.length > most) times = thinned(times, most);
     if (times.length < knots.times.length || tolerance > wanted) {
-      const message = `bends too much to hold in ${formatBytes(MAX_BAKED)}; it is sampled at ${times.length} times only`;
+      const message = `bends too much to hold in ${formatBytes(this.#budget)}; it is sampled at ${times.length} times only`;
       this.#context.notes.add('warning', 'coarse', this.#tree.path(node), message);
     }
     this.#left -= times.length * sampleBytes;

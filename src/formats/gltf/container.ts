@@ -28,6 +28,7 @@ const HANDLED: readonly string[] = [...EXTENSIONS.map((e) => e.EXTENSION_NAME), 
 /** Without these a thing looks a little different, but is where it should be. */
 const LOOKS_ONLY =
   /^(KHR_materials_|KHR_xmp|EXT_structural_metadata|EXT_mesh_features|KHR_texture_basisu|EXT_texture_)/;
+const CHANGES_COLOR = /^(KHR_texture_basisu|EXT_texture_|KHR_materials_pbrSpecularGlossiness)/;
 
 type Resources = Record<string, Uint8Array<ArrayBuffer>>;
 
@@ -157,8 +158,9 @@ function checkExtensions(entry: string, json: GLTF.IGLTF, notes: Notes): void {
   }
   for (const name of json.extensionsUsed ?? []) {
     if (HANDLED.includes(name)) continue;
-    const severity = LOOKS_ONLY.test(name) ? 'info' : 'warning';
-    notes.add(severity, 'ignored-extension', '', `the extension ${name} is left out`);
+    const severity = LOOKS_ONLY.test(name) && !CHANGES_COLOR.test(name) ? 'info' : 'warning';
+    const effect = CHANGES_COLOR.test(name) ? '; what uses it is shown without its picture or colour' : '';
+    notes.add(severity, 'ignored-extension', '', `the extension ${name} is left out${effect}`);
   }
   json.extensionsRequired = json.extensionsRequired?.filter((name) =>
     EXTENSIONS.some((e) => e.EXTENSION_NAME === name),

@@ -28,8 +28,7 @@ interface Joint {
 export function makeDeformer(context: GltfContext, tree: NodeTree, node: GltfNode, geometry: Geometry): Deformer {
   const joints = geometry.skin ? readJoints(context, tree, node, geometry.skin.joints) : undefined;
   const weightsCurve = geometry.morphs.length > 0 ? tree.weightsCurve(node) : undefined;
-  const given = node.getWeights().length > 0 ? node.getWeights() : (node.getMesh()?.getWeights() ?? []);
-  const weightsAt = (t: number): readonly number[] => weightsCurve?.at(t) ?? given;
+  const weightsAt = (t: number): readonly number[] => weightsCurve?.at(t) ?? givenWeights(node);
   const movers = new Set((joints?.map((j) => j.node) ?? [node]).flatMap((n) => tree.curvesAbove(n)));
   // A skinned mesh follows its joints alone; its own node does not move it (glTF 2.0, 3.7.3.3).
   const matricesAt = (t: number): Mat4[] =>
@@ -42,6 +41,23 @@ export function makeDeformer(context: GltfContext, tree: NodeTree, node: GltfNod
     normalsAt: (t) => normals(geometry, matricesAt(t), weightsAt(t)),
     isMirroredAt: (t) => determinant(linearPart(matricesAt(t)[0])) < 0,
   };
+}
+
+const givenWeights = (node: GltfNode): readonly number[] =>
+  node.getWeights().length > 0 ? node.getWeights() : (node.getMesh()?.getWeights() ?? []);
+
+/** The mesh in the shape that unchanging morph weights give it. */
+export function settleMorphs(node: GltfNode, geometry: Geometry): Geometry {
+  const weights = givenWeights(node);
+  const { mesh, morphs } = geometry;
+  if (!morphs.some((_, i) => weights[i])) return { ...geometry, morphs: [] };
+  const settled = (values: Float32Array, of: 'positions' | 'normals'): Float32Array =>
+    values.map((x, i) => morphs.reduce((sum, morph, m) => sum + (weights[m] ?? 0) * morph[of][i], x));
+  const normals = settled(mesh.normals, 'normals');
+  for (let i = 0; i < normals.length; i += 3) {
+    normals.set(normalize([normals[i], normals[i + 1], normals[i + 2]], [0, 0, 1]), i);
+  }
+  return { ...geometry, mesh: { ...mesh, positions: settled(mesh.positions, 'positions'), normals }, morphs: [] };
 }
 
 function readJoints(context: GltfContext, tree: NodeTree, node: GltfNode, used: Uint16Array): Joint[] | undefined {

@@ -1,260 +1,20 @@
-import { Document, type Node as GltfNode, type Primitive, WebIO } from '@gltf-transform/core';
-import { KHRMaterialsEmissiveStrength, KHRMaterialsUnlit, KHRTextureTransform } from '@gltf-transform/extensions';
+import {
+  KHRLightsPunctual,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsUnlit,
+  KHRTextureTransform,
+} from '@gltf-transform/extensions';
 import { describe, expect, it } from 'vitest';
+import { find, Kit } from '../../../tests/support/gltfKit.ts';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { distance, type Vec3 } from '../../math/vec3.ts';
 import { vertexPosition } from '../../scene/motion.ts';
-import type { Scene, SceneObject } from '../../scene/types.ts';
 import { encodePng } from '../png.ts';
-import type { ReadOptions } from '../registry.ts';
 import { memorySource } from '../source.ts';
 import { readGltf } from './index.ts';
 
+/** Far above every speed here [m/s]. */
 const C = 1e9;
-
-/** A document under construction: one buffer, short ways to fill it. */
-class Kit {
-  readonly doc = new Document();
-  readonly scene = this.doc.createScene('Stage');
-  readonly #buffer = this.doc.createBuffer();
-  readonly animation = this.doc.createAnimation('Move');
-
-  values(type: 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4' | 'MAT4', numbers: readonly number[]) {
-    return this.doc.createAccessor().setType(type).setArray(Float32Array.from(numbers)).setBuffer(this.#buffer);
-  }
-  ints(type: 'SCALAR' | 'VEC4', numbers: readonly number[]) {
-    return this.doc.createAccessor().setType(type).setArray(Uint16Array.from(numbers)).setBuffer(this.#buffer);
-  }
-  triangle(points: readonly number[] = [0, 0, 0, 1, 0, 0, 0, 1, 0]): Primitive {
-    return this.doc.createPrimitive().setAttribute('POSITION', this.values('VEC3', points));
-  }
-  meshNode(name: string, ...primitives: Primitive[]): GltfNode {
-    const mesh = this.doc.createMesh(name);
-    for (const p of primitives) mesh.addPrimitive(p);
-    return this.doc.createNode(name).setMesh(mesh);
-  }
-  animate(
-    node: GltfNode,
-    path: 'translation' | 'rotation' | 'scale' | 'weights',
-    times: readonly number[],
-    output: readonly number[],
-    kind: 'LINEAR' | 'STEP' | 'CUBICSPLINE' = 'LINEAR',
-  ): void {
-    const type = path === 'weights' ? 'SCALAR' : path === 'rotation' ? 'VEC4' : 'VEC3';
-    const sampler = this.doc
-      .createAnimationSampler()
-      .setInput(this.values('SCALAR', times))
-      .setOutput(this.values(type, output))
-      .setInterpolation(kind);
-    const channel = this.doc.createAnimationChannel().setTargetNode(node).setTargetPath(path).setSampler(sampler);
-    this.animation.addSampler(sampler).addChannel(channel);
-  }
-  async read(options?: ReadOptions): Promise<Scene> {
-    const io = new WebIO().registerExtensions([KHRMaterialsEmissiveStrength, KHRMaterialsUnlit, KHRTextureTransform]);
-    return readGltf(memorySource({ 'a.glb': await io.writeBinary(this.doc) }), 'a.glb', options);
-  }
-}
-
-const zAxis: Vec3 = [0, 0, 1];
-const turnKeys = (angles: readonly number[]): number[] => angles.flatMap((angle) => [...fromAxisAngle(zAxis, angle)]);
-const find = (scene: Scene, path: string): SceneObject => {
-  const object = scene.objects.find((o) => o.path === path);
-  if (!object) throw new Error(`no ${path} among ${scene.objects.map((o) => o.path).join(', ')}`);
-  return object;
-};
-
-/** Greatest distance of all vertices from a formula, over times off the keys. */
-function worstError(object: SceneObject, truth: (vertex: number, t: number) => Vec3, from: number, to: number): number {
-  let worst = 0;
-  for (let k = 0; k <= 97; k++) {
-    const t = from + ((to - from) * k) / 97;
-    for (let v = 0; v < object.mesh.positions.length / 3; v++) {
-      worst = Math.max(worst, distance(vertexPosition(object, v, t, C), truth(v, t)));
-    }
-  }
-  return worst;
-}
-
-describe('glTF motion', () => {
-  it('a turning node becomes rigid samples within the chord tolerance', async () => {
-    const kit = new Kit();
-    const node = kit.meshNode('Blade', kit.triangle([1, 0, 0, 3, 0, 0, 3, 1, 0])).setTranslation([5, 0, 0]);
-    kit.scene.addChild(node);
-    kit.animate(node, 'rotation', [1, 2, 3, 4], turnKeys([0, 2, 4, 6]));
-    const scene = await kit.read();
-    const blade = find(scene, '/Blade');
-    expect(blade.motion.kind).toBe('sampled');
-    const rest: Vec3[] = [
-      [1, 0, 0],
-      [3, 0, 0],
-      [3, 1, 0],
-    ];
-    const truth = (v: number, t: number): Vec3 => {
-      const angle = 2 * (Math.min(4, Math.max(1, t)) - 1);
-      const [x, y] = rest[v];
-      return [5 + x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle), 0];
-    };
-    // Half the diagonal of the triangle is √5/2.
-    expect(worstError(blade, truth, 0, 5)).toBeLessThan(1.05e-4 * 1.12);
-    expect([scene.startTime, scene.endTime]).toEqual([1, 4]);
-    const coarse = find(await kit.read({ chordTolerance: 0.1 }), '/Blade');
-    expect(coarse.motion.kind === 'sampled' && coarse.motion.times.length).toBeLessThan(20);
-  });
-
-  it('a moon round a planet round nothing: rotations along a hierarchy', async () => {
-    const kit = new Kit();
-    const moon = kit.meshNode('Moon', kit.triangle()).setTranslation([2, 0, 0]);
-    const planet = kit.doc.createNode('Planet').setTranslation([10, 0, 0]).addChild(moon);
-    const sun = kit.doc.createNode('Sun').addChild(planet);
-    kit.scene.addChild(sun);
-    kit.animate(sun, 'rotation', [0, 1, 2], turnKeys([0, 1, 2]));
-    kit.animate(planet, 'rotation', [0, 0.5, 2], turnKeys([0, 2, -1]));
-    const object = find(await kit.read(), '/Sun/Planet/Moon');
-    expect(object.motion.kind).toBe('sampled');
-    const rest = [
-      [0, 0],
-      [1, 0],
-      [0, 1],
-    ];
-    const truth = (v: number, t: number): Vec3 => {
-      const b = t + (t < 0.5 ? 4 * t : 2 - (3 * (t - 0.5)) / 1.5);
-      const [x, y] = [rest[v][0] + 2, rest[v][1]];
-      return [
-        10 * Math.cos(t) + x * Math.cos(b) - y * Math.sin(b),
-        10 * Math.sin(t) + x * Math.sin(b) + y * Math.cos(b),
-        0,
-      ];
-    };
-    expect(worstError(object, truth, 0, 2)).toBeLessThan(1.05e-4);
-  });
-
-  it('a cubic spline follows its Hermite polynomial', async () => {
-    const kit = new Kit();
-    const node = kit.meshNode('Ball', kit.triangle());
-    kit.scene.addChild(node);
-    // x = t³ − t on 0 … 2, whose Hermite form between two keys is itself: slopes 3t² − 1.
-    const key = (t: number): number[] => [3 * t * t - 1, 0, 0, t ** 3 - t, 0, 0, 3 * t * t - 1, 0, 0];
-    kit.animate(node, 'translation', [0, 2], [...key(0), ...key(2)], 'CUBICSPLINE');
-    const ball = find(await kit.read(), '/Ball');
-    const rest: Vec3[] = [
-      [0, 0, 0],
-      [1, 0, 0],
-      [0, 1, 0],
-    ];
-    const truth = (v: number, t: number): Vec3 => [rest[v][0] + t ** 3 - t, rest[v][1], 0];
-    expect(worstError(ball, truth, 0, 2)).toBeLessThan(1e-4);
-  });
-
-  it('growing becomes sampled points', async () => {
-    const kit = new Kit();
-    const node = kit.meshNode(
-      'Balloon',
-      kit.triangle().setAttribute('NORMAL', kit.values('VEC3', [0, 0, 1, 0, 0, 1, 0, 0, 1])),
-    );
-    kit.scene.addChild(node);
-    kit.animate(node, 'scale', [0, 4], [1, 1, 1, 3, 1, 1]);
-    const balloon = find(await kit.read(), '/Balloon');
-    expect(balloon.motion.kind).toBe('sampled-points');
-    const rest: Vec3[] = [
-      [0, 0, 0],
-      [1, 0, 0],
-      [0, 1, 0],
-    ];
-    expect(worstError(balloon, (v, t) => [rest[v][0] * (1 + t / 2), rest[v][1], 0], 0, 4)).toBeLessThan(1e-6);
-  });
-
-  it('morph targets move by their weights', async () => {
-    const kit = new Kit();
-    const up = kit.doc
-      .createPrimitiveTarget()
-      .setAttribute('POSITION', kit.values('VEC3', [0, 0, 1, 0, 0, 1, 0, 0, 5]));
-    const side = kit.doc
-      .createPrimitiveTarget()
-      .setAttribute('POSITION', kit.values('VEC3', [2, 0, 0, 0, 0, 0, 0, 0, 0]));
-    const node = kit.meshNode('Face', kit.triangle().addTarget(up).addTarget(side));
-    node.getMesh()?.setWeights([0, 0]);
-    kit.scene.addChild(node);
-    kit.animate(node, 'weights', [0, 1, 3], [0, 0, 1, 0.5, 0, 1]);
-    const face = find(await kit.read(), '/Face');
-    const rest: Vec3[] = [
-      [0, 0, 0],
-      [1, 0, 0],
-      [0, 1, 0],
-    ];
-    const truth = (v: number, t: number): Vec3 => {
-      const [a, b] = t < 1 ? [t, t / 2] : [1 - (t - 1) / 2, 0.5 + (t - 1) / 4];
-      return [rest[v][0] + (v === 0 ? 2 * b : 0), rest[v][1], a * (v === 2 ? 5 : 1)];
-    };
-    expect(worstError(face, truth, 0, 3)).toBeLessThan(1e-6);
-  });
-
-  it('a two-joint arm bends as worked out by hand', async () => {
-    const kit = new Kit();
-    // An arm along x: the root joint at 0, the elbow at x = 2. Vertices: shoulder, one half on each joint, hand.
-    const arm = kit
-      .triangle([1, 0, 0, 2, 1, 0, 4, 0, 0])
-      .setAttribute('JOINTS_0', kit.ints('VEC4', [0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 9]))
-      .setAttribute('WEIGHTS_0', kit.values('VEC4', [1, 0, 0, 0, 0.5, 0.5, 0, 0, 1, 0, 0, 0]));
-    const elbow = kit.doc.createNode('Elbow').setTranslation([2, 0, 0]);
-    const root = kit.doc.createNode('Root').addChild(elbow).setTranslation([0, 7, 0]);
-    const binds = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -2, 0, 0, 1];
-    const skin = kit.doc.createSkin().addJoint(root).addJoint(elbow).setInverseBindMatrices(kit.values('MAT4', binds));
-    const node = kit.meshNode('Arm', arm).setSkin(skin).setTranslation([100, 100, 100]);
-    kit.scene.addChild(root).addChild(node);
-    kit.animate(elbow, 'rotation', [0, 2], turnKeys([0, 2]));
-    const object = find(await kit.read(), '/Arm');
-    expect(object.motion.kind).toBe('sampled-points');
-    const truth = (v: number, t: number): Vec3 => {
-      // About the elbow: (0, 1) → (−sin t, cos t), (2, 0) → 2 (cos t, sin t).
-      if (v === 0) return [1, 7, 0];
-      if (v === 1) return [2 - Math.sin(t) / 2, 7 + (1 + Math.cos(t)) / 2, 0];
-      return [2 + 2 * Math.cos(t), 7 + 2 * Math.sin(t), 0];
-    };
-    expect(worstError(object, truth, 0, 2)).toBeLessThan(1.05e-3 * 1.6);
-    const normals = object.motion.kind === 'sampled-points' ? object.motion.normals : undefined;
-    expect(normals?.every((n) => Math.abs(n[2] + 1) < 1e-6)).toBe(true);
-  });
-
-  it('a step is a short ramp, and said', async () => {
-    const kit = new Kit();
-    const node = kit.meshNode('Lamp', kit.triangle());
-    kit.scene.addChild(node);
-    kit.animate(node, 'translation', [0, 1, 2], [0, 0, 0, 6, 0, 0, 6, 0, 0], 'STEP');
-    const scene = await kit.read();
-    const lamp = find(scene, '/Lamp');
-    expect(vertexPosition(lamp, 0, 0.9985, C)).toEqual([0, 0, 0]);
-    expect(vertexPosition(lamp, 0, 1, C)).toEqual([6, 0, 0]);
-    expect(vertexPosition(lamp, 0, 1.5, C)).toEqual([6, 0, 0]);
-    expect(scene.diagnostics).toMatchObject([{ code: 'gltf.jump', place: 'a.glb: /Lamp' }]);
-  });
-
-  it('a mirrored child of a turning parent stays rigid and right side out', async () => {
-    const kit = new Kit();
-    const child = kit.meshNode('Glove', kit.triangle()).setScale([-2, 2, 2]);
-    const hand = kit.doc.createNode('Hand').addChild(child);
-    kit.scene.addChild(hand);
-    kit.animate(hand, 'rotation', [0, 1], turnKeys([0, 1]));
-    const glove = find(await kit.read(), '/Hand/Glove');
-    expect(glove.motion.kind).toBe('sampled');
-    expect([...glove.mesh.positions]).toEqual([0, 0, 0, -2, 0, 0, 0, 2, 0]);
-    expect([...glove.mesh.indices]).toEqual([0, 2, 1]);
-    expect(glove.mesh.normals[2]).toBe(1);
-  });
-
-  it('shows the animation that is asked for, and names them all', async () => {
-    const kit = new Kit();
-    const node = kit.meshNode('Cube', kit.triangle());
-    kit.scene.addChild(node);
-    const other = kit.doc.createAnimation('Rest');
-    kit.animate(node, 'translation', [0, 1], [0, 0, 0, 1, 0, 0]);
-    const first = await kit.read();
-    expect(find(first, '/Cube').motion.kind).toBe('sampled');
-    expect(first.diagnostics[0].message).toBe('2 animations (Move, Rest); Move is shown');
-    expect(find(await kit.read({ animation: 'Rest' }), '/Cube').motion.kind).toBe('static');
-    expect(other.listChannels()).toEqual([]);
-    await expect(kit.read({ animation: 'Jump' })).rejects.toThrow('no animation Jump; there are Move, Rest');
-  });
-});
 
 describe('glTF meshes', () => {
   it('strips and fans become triangles, lines are named', async () => {
@@ -378,6 +138,53 @@ describe('glTF meshes', () => {
       [3.5, 1, 0],
     ];
     for (const [v, place] of places.entries()) expect(distance(place, expected[v])).toBeLessThan(1e-6);
+  });
+});
+
+describe('glTF lights', () => {
+  it('become distant and sphere lights', async () => {
+    const kit = new Kit();
+    const punctual = kit.doc.createExtension(KHRLightsPunctual);
+    const sun = punctual.createLight('Sun').setType('directional').setColor([1, 0.5, 0]).setIntensity(4);
+    const bulb = punctual.createLight('Bulb').setType('point').setIntensity(2);
+    const sunNode = kit.doc.createNode('Sun').setExtension('KHR_lights_punctual', sun);
+    // A quarter turn about x takes −z to +y.
+    sunNode.setRotation([...fromAxisAngle([1, 0, 0], Math.PI / 2)]);
+    const bulbNode = kit.meshNode('Lamp', kit.triangle()).setExtension('KHR_lights_punctual', bulb);
+    kit.scene.addChild(sunNode).addChild(bulbNode.setTranslation([1, 2, 3]));
+    const { lights, objects } = await kit.read();
+    expect(lights[0]).toMatchObject({ kind: 'distant', path: '/Sun', color: [4, 2, 0] });
+    const direction = lights[0].kind === 'distant' ? lights[0].direction : ([0, 0, 0] as const);
+    expect(distance(direction, [0, 1, 0])).toBeLessThan(1e-6);
+    expect(lights[1]).toMatchObject({ kind: 'sphere', path: '/Lamp/Light', position: [1, 2, 3] });
+    // From far away the sphere shines as the point does: I = L π r².
+    const { radius, color } = lights[1] as { radius: number; color: Vec3 };
+    expect(color[0] * Math.PI * radius ** 2).toBeCloseTo(2, 12);
+    expect(objects.map((o) => o.path)).toEqual(['/Lamp/Mesh']);
+  });
+});
+
+describe('glTF extensions', () => {
+  it('hides what is not visible, names what is left out', async () => {
+    const hidden = { KHR_node_visibility: { visible: false } };
+    const json = {
+      asset: { version: '2.0' },
+      extensionsUsed: ['KHR_node_visibility', 'KHR_materials_ior', 'ACME_smell', 'EXT_texture_webp'],
+      extensionsRequired: ['KHR_materials_ior', 'EXT_texture_webp'],
+      materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+      textures: [{ extensions: { EXT_texture_webp: { source: 0 } } }],
+      images: [{ uri: 'data:image/webp;base64,UklGRg==' }],
+      nodes: [{ extensions: hidden, children: [1] }, { camera: 0 }, { camera: 0, name: 'Seen' }],
+      cameras: [{ type: 'perspective', perspective: { yfov: 1, znear: 1 } }],
+    };
+    const files = memorySource({ 'a.gltf': new TextEncoder().encode(JSON.stringify(json)) });
+    const { cameras, diagnostics } = await readGltf(files, 'a.gltf');
+    expect(cameras.map((c) => c.path)).toEqual(['/Seen']);
+    expect(diagnostics.map((d) => [d.severity, d.message])).toEqual([
+      ['info', 'the extension KHR_materials_ior is left out'],
+      ['warning', 'the extension ACME_smell is left out'],
+      ['warning', 'the extension EXT_texture_webp is left out; what uses it is shown without its picture or colour'],
+    ]);
   });
 });
 

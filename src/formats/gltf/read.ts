@@ -10,7 +10,7 @@ import type { FileSource } from '../source.ts';
 import { Baker } from './bake.ts';
 import { loadGltf } from './container.ts';
 import { type GltfContext, gltfError, Notes } from './context.ts';
-import { makeDeformer } from './deform.ts';
+import { makeDeformer, settleMorphs } from './deform.ts';
 import { MaterialLibrary } from './materials.ts';
 import { NodeTree } from './nodes.ts';
 import { type Geometry, readGeometry } from './primitives.ts';
@@ -123,8 +123,9 @@ class SceneBuilder {
     const mesh = node.getMesh();
     if (!mesh) return;
     if (!this.#geometries.has(mesh)) this.#geometries.set(mesh, readGeometry(this.#context, mesh, this.library));
-    const geometry = this.#geometries.get(mesh);
-    if (!geometry) return;
+    const shared = this.#geometries.get(mesh);
+    if (!shared) return;
+    const geometry = this.#tree.weightsCurve(node) ? shared : settleMorphs(node, shared);
     this.#vertices += geometry.mesh.positions.length / 3;
     if (this.#vertices > MAX_VERTICES) {
       const message = `more than ${MAX_VERTICES} vertices with all copies of its meshes; export fewer`;
