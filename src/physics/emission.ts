@@ -31,43 +31,45 @@ export function presentEmission(d: Vec3, v: Vec3, oneMinusV2: number): Seen {
 }
 
 /**
- * A point at offset o from an object's centre, both moving with v, from the centre's emission event d_c:
- * s = q/(g + √(g² − (1 − v²) q)), q = −(2 d_c·o + o²), g = |d_c| + (d_c + o)·v; s counts from the centre's emission [m].
- * d_c, o [m], v [c]: world frame. Source: physics.md "Seeing", measured in probes/f32b.mjs.
+ * A point at offset o from an object's centre, both moving with v, from the centre's emission event d_c: as
+ * `polylineEmission` with A = d_c + o, T = |d_c|, where q = T² − A² = −(2 d_c·o + o²) cancels nothing.
+ * d_c, o [m], v [c]: world frame; `oneMinusV2` = 1 − v² > 0. Source: physics.md "Seeing", measured in probes/f32b.mjs.
  */
 export function uniformEmission(centre: Vec3, v: Vec3, oneMinusV2: number, o: Vec3): Seen {
-  const r = length(centre);
+  const T = length(centre);
+  const a = add(centre, o);
   const q = -(2 * dot(centre, o) + dot(o, o));
-  const g = r + dot(centre, v) + dot(o, v);
-  const root = Math.sqrt(Math.max(0, g * g - oneMinusV2 * q));
-  const s = g > 0 ? q / (g + root) : (g - root) / oneMinusV2;
-  return { offset: addScaled(add(centre, o), v, s), delay: r - s };
+  const g = headOn(centre, T, v, oneMinusV2) + dot(o, v);
+  return staticEmission(addScaled(a, v, timeSince(a, T, v, oneMinusV2, q, g) || 0));
 }
 
 /**
  * A straight piece from A (time tA) to B (time tB) that crosses the past light cone: A on it or inside, B on it or outside.
- * Where the piece, prolonged to the observer's time, comes nearer then, the time since A is s = q/(g + √(g² − (1 − v²)q)),
- * q = T² − d², g = T + d·v, T = −tA, d = A; where it goes away, as `presentEmission`. Both are sums of positive terms; the root
- * is that of ((d + vT)·v)² + (1 − v²)(d + vT)². The event is held inside the piece.
- * A, B [m]: observer → sample; tA < tB [m of light]: relative to the observer's time. Source: physics.md "Seeing".
+ * The time since A, T = −tA after which the observer looks, is s = q/(g + √(g² − (1 − v²)q)), q = T² − A², g = T + A·v.
+ * The event is held inside the piece. A, B [m]: observer → sample; tA < tB [m of light]: relative to the observer's time.
+ * Source: physics.md "Seeing".
  */
 export function polylineEmission(a: Vec3, tA: number, b: Vec3, tB: number): Seen {
   const span = tB - tA;
   const v = scale(sub(b, a), 1 / span);
-  const T = 0 - tA;
-  const s = Math.min(span, Math.max(0, pieceRoot(a, T, v) || 0));
-  return staticEmission(addScaled(a, v, s));
+  const [T, r] = [-tA, length(a)];
+  const oneMinusV2 = oneMinusSquare(v);
+  const g = T - r + headOn(a, r, v, oneMinusV2);
+  const s = timeSince(a, T, v, oneMinusV2, (T - r) * (T + r), g) || 0;
+  return staticEmission(addScaled(a, v, Math.min(span, Math.max(0, s))));
 }
 
-/** The time since A of the retarded root; NaN where A is at the observer's event. */
-function pieceRoot(a: Vec3, T: number, v: Vec3): number {
-  const r = length(a);
-  const oneMinusV2 = oneMinusSquare(v);
+/**
+ * The retarded root of |A + v s| = T − s. The root √(g² − (1 − v²)q) is that of ((A + vT)·v)² + (1 − v²)(A + vT)², which
+ * holds its digits where the mover passes the observer. One that goes away is found from its place now, as in
+ * `presentEmission`. NaN where A is at the observer's event.
+ */
+function timeSince(a: Vec3, T: number, v: Vec3, oneMinusV2: number, q: number, g: number): number {
   const now = addScaled(a, v, T);
   const away = dot(now, v);
   const root = Math.sqrt(Math.max(0, away * away + oneMinusV2 * dot(now, now)));
   if (away > 0) return T - dot(now, now) / (away + root);
-  return ((T - r) * (T + r)) / (T - r + headOn(a, r, v, oneMinusV2) + root);
+  return g > 0 ? q / (g + root) : (g - root) / oneMinusV2;
 }
 
 /** r(1 + n·v) = r + d·v without cancellation. */

@@ -6,6 +6,7 @@ import {
   magnitude,
   perpendicular,
   properVelocityUpTo,
+  uniform,
 } from '../../tests/physicsArbitraries.ts';
 import { conjugate, fromAxisAngle, IDENTITY, type Quat, rotate, rotationAngle } from '../math/quat.ts';
 import { cross, dot, length, negate, normalize, scale, type Vec3 } from '../math/vec3.ts';
@@ -19,7 +20,7 @@ const c = 10;
 const atRest: ObserverState = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, properTime: 0 };
 const moving = (u: Vec3): ObserverState => ({ ...atRest, u });
 const orientation: fc.Arbitrary<Quat> = fc
-  .tuple(direction, fc.double({ min: 0, max: 6, noNaN: true }))
+  .tuple(direction, uniform(0, 6))
   .map(([axis, angle]) => fromAxisAngle(axis, angle));
 
 /** Steps whose thrust is fixed in the camera, as a rocket's is, and so in a gyroscope's axes. */
@@ -79,8 +80,8 @@ describe('constant proper acceleration', () => {
     fc.assert(
       fc.property(
         direction,
-        fc.double({ min: -6, max: 6, noNaN: true }),
-        fc.double({ min: -6, max: 6, noNaN: true }),
+        uniform(-6, 6),
+        uniform(-6, 6),
         fc.integer({ min: 2, max: 40 }),
         (n, zeta, gained, steps) => {
           const start = moving(scale(n, Math.sinh(zeta)));
@@ -90,42 +91,30 @@ describe('constant proper acceleration', () => {
           expectClose(often.t, once.t, 1e-13 * size * c);
           expectClose(often.position, once.position, 1e-13 * size * c);
           expectClose(rapidity(often.u), Math.abs(zeta + gained), 1e-12 * size);
-          expectClose(often.orientation, IDENTITY, 1e-14);
+          expectClose(often.orientation, IDENTITY, 1e-12);
         },
       ),
     ));
   it('in any direction in many steps is one step, when the thrust is carried with the gyroscopes', () =>
     fc.assert(
-      fc.property(
-        properVelocityUpTo(8),
-        direction,
-        fc.double({ min: 0, max: 2, noNaN: true }),
-        orientation,
-        (u, n, gained, q) => {
-          const start = { ...moving(u), orientation: q };
-          const [once, often] = [1, 25].map((k) => fly(start, scale(n, gained * c), 1, k));
-          expectClose(often.u, once.u, 1e-11 * gamma(once.u));
-          expectClose(often.position, once.position, 1e-11 * gamma(once.u) * c);
-          expectClose(often.t, once.t, 1e-11 * gamma(once.u));
-          expectClose(rotationAngleBetween(often.orientation, once.orientation), 0, 1e-11);
-        },
-      ),
+      fc.property(properVelocityUpTo(8), direction, uniform(0, 2), orientation, (u, n, gained, q) => {
+        const start = { ...moving(u), orientation: q };
+        const [once, often] = [1, 25].map((k) => fly(start, scale(n, gained * c), 1, k));
+        expectClose(often.u, once.u, 1e-11 * gamma(once.u));
+        expectClose(often.position, once.position, 1e-11 * gamma(once.u) * c);
+        expectClose(often.t, once.t, 1e-11 * gamma(once.u));
+        expectClose(rotationAngleBetween(often.orientation, once.orientation), 0, 1e-11);
+      }),
     ));
   it('is undone by a step back in time', () =>
     fc.assert(
-      fc.property(
-        properVelocityUpTo(20),
-        direction,
-        fc.double({ min: 0, max: 2, noNaN: true }),
-        orientation,
-        (u, n, gained, q) => {
-          const start = { ...moving(u), orientation: q };
-          const back = fly(fly(start, scale(n, gained * c), 1, 1), scale(n, gained * c), -1, 1);
-          expectClose([...back.u, ...back.position, back.t], [...u, 0, 0, 0, 0], 1e-10 * gamma(u));
-          expectClose(back.orientation, q, 1e-11 * gamma(u));
-          expect(back.properTime).toBe(0);
-        },
-      ),
+      fc.property(properVelocityUpTo(20), direction, uniform(0, 2), orientation, (u, n, gained, q) => {
+        const start = { ...moving(u), orientation: q };
+        const back = fly(fly(start, scale(n, gained * c), 1, 1), scale(n, gained * c), -1, 1);
+        expectClose([...back.u, ...back.position, back.t], [...u, 0, 0, 0, 0], 1e-10 * gamma(u));
+        expectClose(back.orientation, q, 1e-11 * gamma(u));
+        expect(back.properTime).toBe(0);
+      }),
     ));
   it('is free flight for none, and stays put for no time', () =>
     fc.assert(
@@ -186,22 +175,17 @@ describe('the carried axes', () => {
     ));
   it('precess with Thomas: dθ = −γ²/(γ + 1) a × β … dτ for a small push across', () =>
     fc.assert(
-      fc.property(
-        fc.double({ min: 0.1, max: 0.99, noNaN: true }),
-        direction,
-        fc.double({ min: 0, max: 6, noNaN: true }),
-        (beta, m, phi) => {
-          const n = perpendicular(m, phi);
-          const [u, push] = [properVelocity(scale(m, beta)), 1e-6];
-          const end = accelerate(moving(u), scale(n, push * c), 1, c);
-          // Jackson (11.119) in proper terms: the turn is |u| ζ/(γ + 1) for a gain of rapidity ζ across u.
-          const expected = (length(u) * push) / (gamma(u) + 1);
-          expectClose(rotationAngle(end.orientation) / expected, 1, 1e-5);
-          // It turns about push × u: against the way the velocity turns.
-          const axis = normalize([end.orientation[0], end.orientation[1], end.orientation[2]]);
-          expectClose(axis, normalize(cross(n, u)), 1e-5);
-        },
-      ),
+      fc.property(uniform(0.1, 0.99), direction, uniform(0, 6), (beta, m, phi) => {
+        const n = perpendicular(m, phi);
+        const [u, push] = [properVelocity(scale(m, beta)), 1e-6];
+        const end = accelerate(moving(u), scale(n, push * c), 1, c);
+        // Jackson (11.119) in proper terms: the turn is |u| ζ/(γ + 1) for a gain of rapidity ζ across u.
+        const expected = (length(u) * push) / (gamma(u) + 1);
+        expectClose(rotationAngle(end.orientation) / expected, 1, 1e-5);
+        // It turns about push × u: against the way the velocity turns.
+        const axis = normalize([end.orientation[0], end.orientation[1], end.orientation[2]]);
+        expectClose(axis, normalize(cross(n, u)), 1e-5);
+      }),
     ));
   it('come back turned from a circle of pushes, by the area in velocity space', () => {
     // Twelve thousand small pushes turn u once round at constant γ: the Thomas angle is 2π(γ − 1).
