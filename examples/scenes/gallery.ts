@@ -21,7 +21,7 @@ function make(): Scene {
   room(builder);
   pictures(builder);
   sculptures(builder);
-  const [from, to] = [0, 12];
+  const [from, to] = [0, 9.5];
   const way = (t: number) => 26 - 46 * cruise(t / to, 0.34);
   const flight = camera({
     from,

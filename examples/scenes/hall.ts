@@ -17,7 +17,7 @@ function make(): Scene {
   shell(builder);
   colonnade(builder);
   centrepiece(builder);
-  const [from, to] = [0, 12];
+  const [from, to] = [0, 9];
   const way = (t: number) => 27 - 44 * cruise(t / to, 0.34);
   const flight = camera({
     from,
@@ -140,7 +140,7 @@ function centrepiece(builder: SceneBuilder): void {
   builder.object(
     '/World/Cube',
     [paint(roundedBox([1.8, 1.8, 1.8], 0.05), cube)],
-    sampled(0, 12, 30, (t) => ({
+    sampled(0, 9, 30, (t) => ({
       position: [0, 3.1, -14],
       orientation: multiply(fromAxisAngle([0, 1, 0], 1.6 * t), tilt),
     })),

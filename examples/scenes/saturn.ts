@@ -34,7 +34,7 @@ function make(): Scene {
   planet(builder);
   moons(builder);
   stars(builder);
-  const [from, to] = [0, 16];
+  const [from, to] = [0, 20];
   const way = (t: number) => 62 - 118 * cruise(t / to, 0.32);
   const flight = camera({
     from,
@@ -61,7 +61,7 @@ function make(): Scene {
 function planet(builder: SceneBuilder): void {
   const cloud = builder.material('cloud', '#ffffff', { texture: clouds(), roughness: 0.9 });
   const ball = sized(sphere(R, { segments: 72, rings: 36, axis: 'Y' }), [1, 0.902, 1]);
-  const spin = sampled(0, 16, 24, (t) => ({
+  const spin = sampled(0, 20, 24, (t) => ({
     position: [0, 0, 0],
     orientation: multiply(TILT, fromAxisAngle([0, 1, 0], 0.9 * t)),
   }));
@@ -128,7 +128,7 @@ function clouds() {
 function moons(builder: SceneBuilder): void {
   const moon = (name: string, color: string, radius: number, orbit: number, rate: number, phase: number) => {
     const material = builder.material(name, '#ffffff', { texture: craters(color, name), roughness: 1 });
-    const motion = sampled(0, 16, 24, (t) => {
+    const motion = sampled(0, 20, 24, (t) => {
       const a = phase + rate * t;
       const position: Vec3 = rotate(TILT, [orbit * Math.cos(a), 0, orbit * Math.sin(a)]);
       return { position, orientation: fromAxisAngle([0, 1, 0], -a) };

@@ -223,12 +223,12 @@ function movers(builder: SceneBuilder): void {
   builder.object('/World/CubeAhead', cube(1), {
     kind: 'uniform',
     pose: { position: [-2.6, 1.15, 40], orientation: fromAxisAngle([0, 1, 0], 0.2) },
-    velocity: [0, 0, -6],
+    velocity: [0, 0, -3.5],
   });
   builder.object('/World/CubeOncoming', cube(2), {
     kind: 'uniform',
     pose: { position: [2.7, 1.15, -78], orientation: fromAxisAngle([0, 1, 0], -0.3) },
-    velocity: [0, 0, 7],
+    velocity: [0, 0, 5],
   });
 
   const ball = builder.material('globe', '#ffffff', { texture: globe(), roughness: 0.35 });

@@ -1,0 +1,14 @@
+import type { Mesh } from '../../src/scene/types.ts';
+
+const rounded = (values: Float32Array, digits: number): Float32Array => {
+  const k = 10 ** digits;
+  return values.map((x) => Math.round(x * k) / k + 0);
+};
+
+/** Places to a tenth of a millimetre and normals to a thousandth, so that a scene's text stays short. */
+export const tidy = (mesh: Mesh): Mesh => ({
+  ...mesh,
+  positions: rounded(mesh.positions, 4),
+  normals: rounded(mesh.normals, 3),
+  uvs: rounded(mesh.uvs, 4),
+});

@@ -1,0 +1,135 @@
+import { normalize, type Vec3 } from '../../src/math/vec3.ts';
+import { makeMesh } from '../../src/scene/geometry.ts';
+import { box } from '../../src/scene/primitives.ts';
+import type { Mesh, Scene } from '../../src/scene/types.ts';
+import { daylight, paint, SceneBuilder } from '../kit/builder.ts';
+import type { ExampleScene } from '../kit/example.ts';
+import { camera, cruise } from '../kit/flight.ts';
+import { checker } from '../kit/paint.ts';
+import { join, moved, quad } from '../kit/parts.ts';
+import { tidy } from '../kit/tidy.ts';
+
+/** Distance between joints [m], and how many there are. */
+const STEP = 4;
+const COUNT: Vec3 = [5, 5, 11];
+const FIRST: Vec3 = [-8, -8, 0];
+const last = (axis: number): number => (COUNT[axis] - 1) * STEP;
+/** Place of joint (i, j, k); k goes away from where the flight begins. */
+const joint = (i: number, j: number, k: number): Vec3 => [FIRST[0] + i * STEP, FIRST[1] + j * STEP, -k * STEP];
+
+export const scene: ExampleScene = { name: 'lattice', make };
+
+function make(): Scene {
+  const builder = new SceneBuilder();
+  bars(builder);
+  joints(builder);
+  const tiles = builder.material('tiles', '#ffffff', {
+    texture: checker('#d8d0c0', '#a9aaa6', 'tiles', 2, 32),
+    roughness: 0.9,
+  });
+  const y = FIRST[1] - 3;
+  builder.object('/World/Ground', [
+    paint(quad([-80, y, 60], [80, y, 60], [80, y, -100], [-80, y, -100], 20, 20), tiles),
+  ]);
+
+  const [from, to] = [0, 11];
+  const way = (t: number) => 13 - 66 * cruise(t / to, 0.34);
+  const eye = (t: number): Vec3 => [2 + 0.35 * Math.sin(0.5 * t), 2 + 0.3 * Math.cos(0.4 * t), way(t)];
+  const target = (t: number): Vec3 => [2, 2, way(t) - 20];
+  const hints = {
+    speedOfLight: 10,
+    title: 'Lattice',
+    lookFor:
+      'Bars along your way stay straight; the red and cream ones across it bend into hyperbolas, and the joints stay round. At 0.9 c even bars that are already behind you come into view in front.',
+    openAt: 4,
+  };
+  const flight = camera({ from, to, fovY: 66, eye, target });
+  return builder.finish('lattice', hints, [from, to], [flight], daylight([0.5, 0.7, 0.55], '#ffe9c9', 3.4));
+}
+
+/** Each as long as the lattice, in its own colour per direction. */
+function bars(builder: SceneBuilder): void {
+  const looks: readonly (readonly [name: string, color: string])[] = [
+    ['Across', '#b4503a'],
+    ['Upright', '#e6dcc4'],
+    ['Along', '#2f6f73'],
+  ];
+  looks.forEach(([name, color], axis) => {
+    const material = builder.material(name.toLowerCase(), color, { roughness: 0.45 });
+    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+    const size = [0.16, 0.16, 0.16].map((x, k) => (k === axis ? last(axis) + 1.2 : x)) as [number, number, number];
+    const rod = chamfered(size, axis);
+    const rods: Mesh[] = [];
+    for (let a = 0; a < COUNT[u]; a++)
+      for (let b = 0; b < COUNT[v]; b++) {
+        const place = [0, 0, 0];
+        [place[axis], place[u], place[v]] = [(COUNT[axis] - 1) / 2, a, b];
+        rods.push(moved(rod, joint(place[0], place[1], place[2])));
+      }
+    builder.object(`/World/Bars${name}`, [paint(tidy(join(rods)), material)]);
+  });
+}
+
+/** A bar of eight-sided section along an axis, closed by its ends. */
+function chamfered(size: Vec3, axis: number): Mesh {
+  const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+  const [r, s] = [size[u] / 2, size[u] * 0.2];
+  const section = [
+    [r, s],
+    [s, r],
+    [-s, r],
+    [-r, s],
+    [-r, -s],
+    [-s, -r],
+    [s, -r],
+    [r, -s],
+  ];
+  const points = [-1, 1].flatMap((end) =>
+    section.flatMap(([a, b]) => {
+      const p = [0, 0, 0];
+      [p[axis], p[u], p[v]] = [(end * size[axis]) / 2, a, b];
+      return p;
+    }),
+  );
+  const sides = section.flatMap((_, i) => [i, (i + 1) % 8, 8 + ((i + 1) % 8), 8 + i]);
+  const caps = [7, 6, 5, 4, 3, 2, 1, 0, 8, 9, 10, 11, 12, 13, 14, 15];
+  const faceCounts = [...section.map(() => 4), 8, 8];
+  return makeMesh({ points, faceCounts, faceIndices: [...sides, ...caps], smoothAngle: 1 }).mesh;
+}
+
+function joints(builder: SceneBuilder): void {
+  const brass = builder.material('joint', '#d2a24c', { roughness: 0.3, metallic: 0.5 });
+  const ball = globule(0.3);
+  const all: Mesh[] = [];
+  for (let i = 0; i < COUNT[0]; i++)
+    for (let j = 0; j < COUNT[1]; j++) for (let k = 0; k < COUNT[2]; k++) all.push(moved(ball, joint(i, j, k)));
+  builder.object('/World/Joints', [paint(tidy(join(all)), brass)]);
+}
+
+/** A ball of few points: a cube of 2 × 2 fields a side, blown up. */
+function globule(radius: number): Mesh {
+  const cube = box([2, 2, 2]);
+  const points: number[] = [];
+  const faceIndices: number[] = [];
+  for (let face = 0; face < 6; face++) {
+    const corner = (k: number): Vec3 => [
+      cube.positions[3 * (4 * face + k)],
+      cube.positions[3 * (4 * face + k) + 1],
+      cube.positions[3 * (4 * face + k) + 2],
+    ];
+    const [a, b, d] = [corner(0), corner(1), corner(3)];
+    const first = points.length / 3;
+    for (let j = 0; j < 3; j++)
+      for (let i = 0; i < 3; i++) {
+        // Equal angles, so that the fields are of like size.
+        const [s, t] = [i, j].map((x) => (Math.tan((Math.PI / 4) * (x - 1)) + 1) / 2);
+        points.push(
+          ...normalize([0, 1, 2].map((k) => a[k] + (b[k] - a[k]) * s + (d[k] - a[k]) * t) as unknown as Vec3),
+        );
+      }
+    for (const q of [0, 1, 3, 4]) faceIndices.push(first + q, first + q + 1, first + q + 4, first + q + 3);
+  }
+  const normals = { per: 'point' as const, values: points };
+  const scaled = points.map((x) => x * radius);
+  return makeMesh({ points: scaled, faceCounts: new Array<number>(24).fill(4), faceIndices, normals }).mesh;
+}
