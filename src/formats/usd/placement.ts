@@ -76,7 +76,7 @@ function refined(context: StageContext, path: string, world: Frame, corners: rea
   const tolerance = context.chordTolerance * size;
   const { times, error } = refineTimes(world.times, world.matrixAt, corners, tolerance);
   if (error > tolerance) {
-    const message = `its rotation between samples is too fast to follow: paths are off by up to ${error.toPrecision(2)} m; write more samples`;
+    const message = `it jumps or turns too fast between samples to be followed: paths are off by up to ${error.toPrecision(2)} m; write more samples`;
     report(context, 'warning', 'usd.resampling', path, message);
   }
   return times;

@@ -1,5 +1,5 @@
 import * as mat4 from '../../math/mat4.ts';
-import { fromAxisAngle, normalizeQuat, toMatrix } from '../../math/quat.ts';
+import { fromAxisAngle, IDENTITY, toMatrix } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { attributeOf, numbersOf, sampleTimes, type TimeCode, tokensAt, valueAt } from './attributes.ts';
 import type { AttributeSpec, PrimSpec, Value } from './layer.ts';
@@ -92,8 +92,13 @@ function withAxis(rest: number, axis: number, value: number): Vec3 {
   return [at(0), at(1), at(2)];
 }
 
-const fromQuat = (q: ArrayLike<number>): mat4.Mat4 =>
-  mat4.fromParts(toMatrix(normalizeQuat([q[0], q[1], q[2], q[3]])), [0, 0, 0]);
+/** As GfRotation::SetQuat: the axis from the imaginary part, the angle from the real one, unit or not. */
+function fromQuat(q: ArrayLike<number>): mat4.Mat4 {
+  const axis: Vec3 = [q[0], q[1], q[2]];
+  const turn =
+    Math.hypot(...axis) > 1e-10 ? fromAxisAngle(axis, 2 * Math.acos(Math.max(-1, Math.min(1, q[3])))) : IDENTITY;
+  return mat4.fromParts(toMatrix(turn), [0, 0, 0]);
+}
 
 /** About one axis [degrees]. */
 const rotation = (axis: number, degrees: number): mat4.Mat4 =>
