@@ -94,7 +94,7 @@ const FACES: readonly { readonly value: number; readonly turn: Quat }[] = [
 function pips(): Mesh {
   const button = revolve(
     [slope([0.092, 0], [0.07, 0.008], 0.35, 0.25), slope([0.07, 0.008], [0, 0.011], 0.25, 0)],
-    14,
+    12,
     'Z',
   );
   return join(

@@ -74,12 +74,12 @@ function globe(builder: SceneBuilder, name: string, dark: string, light: string,
     })
     .texture(`globe_${name.toLowerCase()}`);
   const material = builder.material(`globe${name}`, '#ffffff', { texture, roughness: 0.35 });
-  return [paint(tidy(sphere(radius, { segments: 48, rings: 24, axis: 'Y' })), material)];
+  return [paint(tidy(sphere(radius, { segments: 40, rings: 20, axis: 'Y' })), material)];
 }
 
 /** A standing ring through which the ball just goes, on a stepped foot. */
 function gate(builder: SceneBuilder, name: string, z: number, ring: number, stone: number): void {
-  const hoop = moved(torus(RADIUS + 0.3, 0.12, { segments: 48, rings: 10, axis: 'X' }), [0, HEIGHT, 0]);
+  const hoop = moved(torus(RADIUS + 0.3, 0.12, { segments: 40, rings: 8, axis: 'X' }), [0, HEIGHT, 0]);
   const foot = HEIGHT - RADIUS - 0.42;
   const base = turned(
     [
@@ -144,6 +144,6 @@ function terrace(builder: SceneBuilder): void {
   const beam = [block(2 * long, 0.5, 1.1, 0.5, [0, 5.86, -21]), block(2 * long, 0.24, 1.5, 0.5, [0, 6.36, -21])];
   builder.object('/World/Steps', [paint(tidy(join([...steps, ...beam])), marble)]);
   const pillar = tidy(column(5.2, 0.4));
-  for (let k = 0; k < 15; k++)
-    builder.object(`/World/Column${k}`, placePart([paint(pillar, marble)], place([4.2 * (k - 7), 0.66, -21])));
+  for (let k = 0; k < 9; k++)
+    builder.object(`/World/Column${k}`, placePart([paint(pillar, marble)], place([5.4 * (k - 4), 0.66, -21])));
 }

@@ -18,9 +18,9 @@ const SPEED = 6;
 const RADIUS = 2;
 const WIDTH = 0.26;
 /** The axle passes the camera at this time [s]. */
-const MIDDLE = 3.4;
-const END = 6.8;
-const SPOKES = 12;
+const MIDDLE = 2.9;
+const END = 5.8;
+const SPOKES = 10;
 
 export const scene: ExampleScene = { name: 'wheel', make };
 
@@ -59,10 +59,10 @@ function make(): Scene {
 /**
  * Rolling without slipping: in the axle's frame the wheel is round and turns evenly, its rim as fast as the road runs under
  * it. A point at (ρ, φ₀) there is at x′ = ρ cos(φ₀ − ωt′); in the road's frame x = γ(x′ + vt′) at t = γ(t′ + vx′/c²), and
- * at one t each point has its own t′ (docs/model.md). Sampled 14 times a second.
+ * at one t each point has its own t′ (docs/model.md). Sampled 16 times a second.
  */
 function rolling(mesh: Mesh): SampledPointsMotion {
-  const count = Math.round(END * 14) + 1;
+  const count = Math.round(END * 16) + 1;
   const times = Float64Array.from({ length: count }, (_, k) => (END * k) / (count - 1));
   const points = Array.from(times, (t) => {
     const out = new Float32Array(mesh.positions.length);
@@ -96,30 +96,22 @@ const flat = (from: [number, number], to: [number, number], normal: [number, num
 
 /** The wooden ring, without its outer face. */
 function felloe(): Mesh {
-  const [inner, outer, z] = [RADIUS - 0.24, RADIUS - 0.05, WIDTH / 2];
+  const [inner, z] = [RADIUS - 0.24, WIDTH / 2];
   const bands = [
-    flat([inner, -z], [outer, -z], [0, -1]),
-    flat([outer, z], [inner, z], [0, 1]),
-    flat([inner, z], [inner, -z], [-1, 0]),
-  ];
-  return revolve(bands, 48, 'Z');
-}
-
-function tyre(): Mesh {
-  const [inner, z] = [RADIUS - 0.05, WIDTH / 2 + 0.01];
-  const bands = [
-    flat([RADIUS, -z], [RADIUS, z], [1, 0]),
     flat([inner, -z], [RADIUS, -z], [0, -1]),
     flat([RADIUS, z], [inner, z], [0, 1]),
+    flat([inner, z], [inner, -z], [-1, 0]),
   ];
-  return revolve(bands, 48, 'Z');
+  return revolve(bands, 44, 'Z');
 }
 
-/** Turned spokes: thickest near the hub, in six steps, so that they can bend. */
+const tyre = (): Mesh => revolve([flat([RADIUS, -WIDTH / 2], [RADIUS, WIDTH / 2], [1, 0])], 44, 'Z');
+
+/** Turned spokes: thickest near the hub, in steps, so that they can bend. */
 function spokes(): Mesh {
-  const steps = [0.26, 0.42, 0.75, 1.1, 1.45, RADIUS - 0.22];
-  const radii = [0.085, 0.085, 0.07, 0.055, 0.05, 0.055];
-  const sides = 6;
+  const steps = [0.26, 0.45, 0.85, 1.3, RADIUS - 0.22];
+  const radii = [0.085, 0.085, 0.068, 0.052, 0.055];
+  const sides = 5;
   const points: number[] = [];
   const faceIndices: number[] = [];
   for (let s = 0; s < SPOKES; s++) {
@@ -156,7 +148,7 @@ function hub(): Mesh {
     slant([0.3, 0.14], [0.13, 0.32]),
     slant([0.13, 0.32], [0, 0.32]),
   ];
-  return revolve(bands, 18, 'Z');
+  return revolve(bands, 14, 'Z');
 }
 
 /** The same wheel on a trestle behind the road: its axle is at rest. */
