@@ -12,6 +12,8 @@ export interface Knots {
 export const JUMP_RAMP = 1e-3;
 /** A piece between two keys is halved at most this many times. */
 const MAX_HALVINGS = 12;
+/** Beyond this many samples no piece is halved any more, so that a file of nonsense ends too. */
+const MAX_SAMPLES = 2 ** 16;
 /** Inside a piece a path is looked at here: in the middle and at two places that no periodic motion has in common. */
 const LOOKS = [0.23, 0.5, 0.71];
 
@@ -45,7 +47,7 @@ export function sampleTimes(knots: Knots, shape: (t: number) => ArrayLike<number
     const looks = LOOKS.map((s) => shape(a + (b - a) * s));
     const worst = Math.max(...looks.map((look, i) => chordError(atA, atB, look, LOOKS[i])));
     const middle = (a + b) / 2;
-    if (!(worst > tolerance) || halvings === 0 || middle <= a || middle >= b) return;
+    if (!(worst > tolerance) || halvings === 0 || out.length >= MAX_SAMPLES || middle <= a || middle >= b) return;
     refine(a, atA, middle, looks[1], halvings - 1);
     out.push(middle);
     refine(middle, looks[1], b, atB, halvings - 1);

@@ -112,13 +112,13 @@ function randomDocument(next: () => number): Document {
 describe('glTF as three.js plays it', () => {
   it.each([1, 2, 3, 4])('random document %i', async (seed) => {
     const glb = await new WebIO().writeBinary(randomDocument(random(seed)));
-    const scene = await readGltf(memorySource({ 'a.glb': glb }), 'a.glb', { chordTolerance: 1e-5 });
+    const scene = await readGltf(memorySource({ 'a.glb': glb }), 'a.glb', { chordTolerance: 5e-5 });
     const gltf = await new GLTFLoader().parseAsync(glb.slice().buffer, '');
     const mixer = new AnimationMixer(gltf.scene);
     mixer.clipAction(gltf.animations[0]).play();
     const names = { Plain: '/Top/Turning/Plain', Bending: '/Top/Turning/Bending', Skinned: '/Skinned' };
     const worst: Record<string, number> = { Plain: 0, Bending: 0, Skinned: 0 };
-    for (let t = 0; t < scene.endTime; t += 0.043) {
+    for (let t = 0; t < scene.endTime; t += 0.087) {
       mixer.setTime(t);
       gltf.scene.updateMatrixWorld(true);
       for (const [name, path] of Object.entries(names)) {
@@ -131,7 +131,7 @@ describe('glTF as three.js plays it', () => {
         }
       }
     }
-    // 1e-5 of half the diagonal, which is less than 30 m here; three.js keeps its matrices in f64, its keys in f32.
-    for (const name of Object.keys(names)) expect(worst[name]).toBeLessThan(3e-4);
+    // 5e-5 of half the diagonal, which is less than 30 m here; three.js keeps its matrices in f64, its keys in f32.
+    for (const name of Object.keys(names)) expect(worst[name]).toBeLessThan(1.5e-3);
   });
 });
