@@ -1,14 +1,43 @@
 import { defineConfig } from 'vitest/config';
 
+/** Builds the program and the page where they are not up to date. */
+const built = 'scripts/vitest-built.mjs';
+
 /** Unit tests sit beside the code; tests that need a GPU, a browser or the built program live in tests/. */
 export default defineConfig({
   test: {
     projects: [
       { test: { name: 'unit', include: ['src/**/*.test.{ts,tsx}'], exclude: ['**/*.oracle.test.ts'] } },
       { test: { name: 'oracle', include: ['src/**/*.oracle.test.ts'], testTimeout: 120_000 } },
-      { test: { name: 'gpu', include: ['tests/gpu/**/*.test.ts'], pool: 'forks', fileParallelism: false, testTimeout: 180_000 } },
-      { test: { name: 'cli', include: ['tests/cli/**/*.test.ts'], pool: 'forks', fileParallelism: false, testTimeout: 180_000 } },
-      { test: { name: 'e2e', include: ['tests/e2e/**/*.test.ts'], pool: 'forks', fileParallelism: false, testTimeout: 180_000 } },
+      {
+        test: {
+          name: 'gpu',
+          include: ['tests/gpu/**/*.test.ts'],
+          pool: 'forks',
+          fileParallelism: false,
+          testTimeout: 180_000,
+        },
+      },
+      {
+        test: {
+          name: 'cli',
+          include: ['tests/cli/**/*.test.ts'],
+          globalSetup: built,
+          pool: 'forks',
+          fileParallelism: false,
+          testTimeout: 180_000,
+        },
+      },
+      {
+        test: {
+          name: 'e2e',
+          include: ['tests/e2e/**/*.test.ts'],
+          globalSetup: built,
+          pool: 'forks',
+          fileParallelism: false,
+          testTimeout: 180_000,
+        },
+      },
     ],
   },
 });

@@ -30,10 +30,13 @@ function program(): Command {
   const program = new Command('slowlight')
     .description('Shows what a fast observer sees, and what is really there.')
     .version(version())
-    .addHelpText('after', exitCodes)
-    .showHelpAfterError('(see slowlight --help)');
+    .addHelpText('after', exitCodes);
   for (const add of [renderCommand, probeCommand, inspectCommand, serveCommand]) program.addCommand(add());
-  for (const command of [program, ...program.commands]) command.exitOverride();
+  for (const command of [program, ...program.commands]) {
+    command
+      .exitOverride()
+      .showHelpAfterError(`(slowlight ${command === program ? '' : `${command.name()} `}--help tells more)`);
+  }
   return program;
 }
 

@@ -1,4 +1,4 @@
-import { InvalidArgumentError } from 'commander';
+import { InvalidArgumentError, Option } from 'commander';
 import { length, type Vec3 } from '../math/vec3.ts';
 import { AOVS, type AovName } from '../render/settings.ts';
 
@@ -59,6 +59,10 @@ export function parseSize(text: string): Size {
   }
   return { width, height };
 }
+
+/** `--size`, 1280x720 where it is not given. */
+export const sizeOption = (meaning: string): Option =>
+  new Option('--size <WxH>', meaning).argParser(parseSize).default({ width: 1280, height: 720 }, '1280x720');
 
 export interface FrameRange {
   readonly first: number;

@@ -34,7 +34,7 @@ export function seenAtPixel(
   const ray = pixelRay(view, size, pixel);
   let nearest: SeenPoint | undefined;
   for (const [i, whole] of scene.objects.entries()) {
-    const object = cutLongEdges(whole);
+    const object = cutLongEdges(whole, TRIANGLES / scene.objects.length);
     const seen = seenOnObject(object, view, c, how, ray, nearest?.distance ?? Number.POSITIVE_INFINITY);
     if (seen) nearest = { prim: object.path, object: i + 1, ...seen };
   }
@@ -49,12 +49,15 @@ function pixelRay({ orientation, fovY }: ViewPoint, { width, height }: Size, [x,
   return normalize(rotate(orientation, [(right * tan * width) / height, up * tan, -1]));
 }
 
+/** All objects together are cut into about so many. */
+const TRIANGLES = 200_000;
+
 /** Pieces of a hundredth of the object are straight enough to find the triangle; the point itself is found exactly. */
-function cutLongEdges(object: SceneObject): SceneObject {
+function cutLongEdges(object: SceneObject, budget: number): SceneObject {
   const { positions } = object.mesh;
   let reach = 0;
   for (const x of positions) reach = Math.max(reach, Math.abs(x));
-  return subdivideObject(object, reach / 50, 200_000).result;
+  return subdivideObject(object, reach / 50, budget).result;
 }
 
 function seenOnObject(

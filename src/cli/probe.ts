@@ -1,7 +1,7 @@
 import { Command } from 'commander';
 import type { ProbeView } from '../scene/probe.ts';
 import { addObserverFlags, type ObserverFlags, viewOption } from './flags.ts';
-import { parseNumber, parsePixel, parseSize, type Size } from './parse.ts';
+import { parseNumber, parsePixel, type Size, sizeOption } from './parse.ts';
 
 export interface ProbeFlags extends ObserverFlags {
   readonly prim?: string;
@@ -27,7 +27,7 @@ export function probeCommand(): Command {
       'what is seen at this pixel, from the top left; 0,0 is the centre of the first',
       parsePixel,
     )
-    .option('--size <WxH>', 'of the picture that the pixel is in', parseSize, { width: 1280, height: 720 })
+    .addOption(sizeOption('of the picture that the pixel is in'))
     .option(
       '--time <s>',
       "world time of the observer's event (default: what the scene suggests, else its start)",

@@ -8,8 +8,8 @@ import {
   parseNumber,
   parsePositive,
   parseSamples,
-  parseSize,
   type Size,
+  sizeOption,
 } from './parse.ts';
 
 export interface RenderFlags extends ObserverFlags, SettingFlags {
@@ -37,7 +37,7 @@ export function renderCommand(): Command {
     .description('Makes pictures of a scene: .png, .exr with data channels, or .mp4.')
     .argument('<scene>', 'USD (.usda, .usdz) or glTF (.gltf, .glb) file')
     .requiredOption('-o, --output <file>', 'file to write; #### in the name of a .png or .exr becomes the frame')
-    .option('--size <WxH>', 'in pixels', parseSize, { width: 1280, height: 720 })
+    .addOption(sizeOption('in pixels'))
     .option(
       '--time <s>',
       "world time of the observer's event (default: what the scene suggests, else its start)",

@@ -1,3 +1,4 @@
+import { randomUUID } from 'node:crypto';
 import { basename, dirname, resolve } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import type { AovName, RenderSettings, ViewPoint } from '../render/settings.ts';
@@ -8,33 +9,27 @@ import type { Painter, Picture, PictureRequest } from './painter.ts';
 import type { Size } from './parse.ts';
 import { serveApp } from './staticServer.ts';
 
-/**
- * What the page headless.html offers to whoever drives it (src/app/headless.ts is the other end). Pixels and data come as
- * base64: they leave the browser as JSON.
- */
+/** What the page headless.html offers to whoever drives it; src/app/headless.ts is the other end and says what it means. */
 interface HeadlessPage {
-  open(request: { scene: string; width: number; height: number }): Promise<{ adapterName: string }>;
-  paint(request: {
+  open(request: { base: string; entry: string; width: number; height: number }): Promise<{ adapterName: string }>;
+  render(request: {
     view: ViewPoint;
     settings: RenderSettings;
     samples: number;
     aovs: readonly AovName[];
-  }): Promise<{ pixels: string; aovs: Record<string, string> }>;
+  }): Promise<{ pixels: string; aovs: Partial<Record<AovName, string>> }>;
 }
-declare global {
-  interface Window {
-    slowlightHeadless?: HeadlessPage;
-  }
-}
-
-/** The scene's own files, as the page asks for them: `/scene-files/` and the path from the scene's folder. */
-const FILES = '/scene-files/';
+/** The page's window, as seen by the functions below that run in it. */
+type HeadlessWindow = { readonly slowlight: HeadlessPage };
 
 /** Draws with the page's renderer on WebGL2, in a Chromium without a window. */
 export async function openWebGlPainter(path: string, { width, height }: Size): Promise<Painter> {
-  const files = folderSource(dirname(resolve(path)));
+  const folder = dirname(resolve(path));
+  // A name that nobody else on this machine can guess: whatever the scene refers to can be read below it, as `..` leads.
+  const files = `/${randomUUID()}/`;
+  const source = folderSource(folder);
   const server = await serveApp(0, async (url) =>
-    url.startsWith(FILES) ? files.read(url.slice(FILES.length)) : undefined,
+    url.startsWith(files) ? source.read(absolutePath(url.slice(files.length))) : undefined,
   );
   let browser: Browser | undefined;
   const close = async (): Promise<void> => {
@@ -44,18 +39,20 @@ export async function openWebGlPainter(path: string, { width, height }: Size): P
   try {
     browser = await launch();
     const page = await openPage(browser, `${server.url}/headless.html`);
-    const scene = `${server.url}${FILES}${encodeURIComponent(basename(path))}`;
-    const { adapterName } = await page.evaluate((request) => window.slowlightHeadless!.open(request), {
-      scene,
-      width,
-      height,
-    });
+    const { adapterName } = await page.evaluate(
+      (request) => (window as unknown as HeadlessWindow).slowlight.open(request),
+      { base: `${server.url}${files}${addressOf(folder)}/`, entry: basename(path), width, height },
+    );
     return { backend: 'webgl', adapterName, paint: (request) => paint(page, request), close };
   } catch (error) {
     await close();
     throw error;
   }
 }
+
+/** `/home/me/a scene` → `home/me/a%20scene`, and back. On Windows a path begins with its drive instead. */
+const addressOf = (folder: string): string => encodeURI(folder.replaceAll('\\', '/').replace(/^\//, ''));
+const absolutePath = (address: string): string => (process.platform === 'win32' ? address : `/${address}`);
 
 async function launch(): Promise<Browser> {
   const executablePath = findChromium();
@@ -76,14 +73,17 @@ async function openPage(browser: Browser, url: string): Promise<Page> {
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(error.message));
   await page.goto(url);
-  if (!(await page.evaluate(() => 'slowlightHeadless' in window))) {
+  if (!(await page.evaluate(() => 'slowlight' in window))) {
     throw new Error(`the page headless.html did not start: ${errors.join('; ') || 'no reason given'}`);
   }
   return page;
 }
 
 async function paint(page: Page, request: PictureRequest): Promise<Picture> {
-  const { pixels, aovs } = await page.evaluate((wanted) => window.slowlightHeadless!.paint(wanted), request);
+  const { pixels, aovs } = await page.evaluate(
+    (wanted) => (window as unknown as HeadlessWindow).slowlight.render(wanted),
+    request,
+  );
   const data = Object.entries(aovs).map(([name, text]) => [name as AovName, floats(text)] as const);
   return { pixels: new Uint8Array(Buffer.from(pixels, 'base64')), aovs: new Map(data) };
 }

@@ -1,0 +1,53 @@
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import { outputFolder, scene, slowlight, slowlightJson } from './program.ts';
+
+const folder = outputFolder();
+
+interface Inspection {
+  readonly counts: Record<string, number>;
+  readonly startTime: number;
+  readonly endTime: number;
+  readonly fastest: { path: string; speed: number; fractionOfC: number };
+  readonly objects: { path: string; motion: string; samples: number; triangles: number }[];
+}
+
+test('tells counts, times and the fastest point', async () => {
+  const found = await slowlightJson<Inspection>('inspect', scene('movers.usda'));
+  expect(found.counts).toMatchObject({ objects: 3, triangles: 36, lights: 1, cameras: 2 });
+  expect([found.startTime, found.endTime]).toEqual([0, 2]);
+  expect(found.fastest).toMatchObject({ path: '/World/Leaving', speed: 6, fractionOfC: 0.6 });
+  expect(found.objects.map(({ motion }) => motion)).toEqual(['static', 'uniform', 'sampled']);
+});
+
+test('draws the tree for a person', async () => {
+  const { code, out } = await slowlight('inspect', scene('movers.usda'));
+  expect(code).toBe(0);
+  expect(out).toContain('└─ World');
+  expect(out).toMatch(/Leaving {2}\(12 triangles, uniform\)/);
+  expect(out).toContain('0.600000 c');
+});
+
+test('a point faster than light is an error that names prim, speed and what to do', async () => {
+  const { code, out, err } = await slowlight('inspect', scene('too-fast.usda'));
+  expect(code).toBe(3);
+  expect(out).toMatch(/error: .*\/World\/Leaving.*c/);
+  expect(err).toContain('an error');
+  expect((await slowlight('inspect', scene('too-fast.usda'), '--c', '20')).code).toBe(0);
+});
+
+test('what cannot be read is refused by name', async () => {
+  const empty = join(folder, 'empty.usda');
+  writeFileSync(empty, '');
+  const cut = join(folder, 'cut.usda');
+  writeFileSync(cut, '#usda 1.0\ndef Xform "World" {');
+  const other = join(folder, 'picture.bmp');
+  writeFileSync(other, 'BM');
+  for (const file of [empty, cut, other, join(folder, 'nothing.usda')]) {
+    const { code, err } = await slowlight('inspect', file);
+    expect(code, err).toBe(3);
+    expect(err).toMatch(/^slowlight: \S+\.(usda|bmp)/);
+    expect(err).not.toContain('    at ');
+  }
+});

@@ -1,0 +1,58 @@
+import { type ChildProcess, spawn } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll } from 'vitest';
+
+const bin = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
+const scenes = fileURLToPath(new URL('scenes/', import.meta.url));
+
+export const scene = (name: string): string => join(scenes, name);
+
+export interface Outcome {
+  /** Exit code; null where a signal ended it. */
+  readonly code: number | null;
+  readonly out: string;
+  readonly err: string;
+}
+
+/** Starts the built program, as a person would. */
+export function start(...args: string[]): ChildProcess {
+  return spawn(process.execPath, [bin, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
+}
+
+/** How a program that was started ends, with all it said. */
+export function outcome(child: ChildProcess): Promise<Outcome> {
+  let out = '';
+  let err = '';
+  child.stdout?.on('data', (chunk) => (out += chunk));
+  child.stderr?.on('data', (chunk) => (err += chunk));
+  return new Promise((resolve, reject) => {
+    child.on('error', reject);
+    child.on('close', (code) => resolve({ code, out, err }));
+  });
+}
+
+export const slowlight = (...args: string[]): Promise<Outcome> => outcome(start(...args));
+
+/** Runs it, expects success and reads its JSON. */
+export async function slowlightJson<T>(...args: string[]): Promise<T> {
+  const { code, out, err } = await slowlight(...args, '--json');
+  if (code !== 0) throw new Error(`slowlight ${args.join(' ')} ended with ${code}: ${err}`);
+  return JSON.parse(out) as T;
+}
+
+/** A folder for one test file's output, removed at its end. */
+export function outputFolder(): string {
+  const folder = mkdtempSync(join(tmpdir(), 'slowlight-cli-'));
+  afterAll(() => rmSync(folder, { recursive: true, force: true }));
+  return folder;
+}
+
+/** Runs any other program and returns what it printed. */
+export async function ask(command: string, ...args: string[]): Promise<string> {
+  const { code, out, err } = await outcome(spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] }));
+  if (code !== 0) throw new Error(`${command} ${args.join(' ')} ended with ${code}: ${err}`);
+  return out;
+}

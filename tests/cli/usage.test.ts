@@ -1,0 +1,51 @@
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import { outputFolder, scene, slowlight } from './program.ts';
+
+const folder = outputFolder();
+const movers = scene('movers.usda');
+
+test('help and version', async () => {
+  const help = await slowlight('--help');
+  expect(help.code).toBe(0);
+  for (const word of ['render', 'probe', 'inspect', 'serve', '130']) expect(help.out).toContain(word);
+  const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8')) as {
+    version: string;
+  };
+  expect((await slowlight('--version')).out.trim()).toBe(version);
+});
+
+const out = (name: string): string => join(folder, name);
+
+test.each([
+  ['no command', ['paint'], 2, 'paint'],
+  ['an unknown flag', ['inspect', movers, '--fast'], 2, '--fast'],
+  ['the speed of light as a velocity', ['render', movers, '-o', out('a.png'), '--beta', '1,0,0'], 2, 'speed of light'],
+  ['a format that is not written', ['render', movers, '-o', out('a.gif')], 2, '.png, .exr or .mp4'],
+  ['data channels in a PNG', ['render', movers, '-o', out('a.png'), '--aov', 'depth'], 2, '.exr'],
+  ['a film without frames', ['render', movers, '-o', out('a.mp4')], 2, '--frames'],
+  ['a film of odd size', ['render', movers, '-o', out('a.mp4'), '--frames', '0:2', '--size', '31x20'], 2, 'even'],
+  [
+    'frames without a place for their number',
+    ['render', movers, '-o', out('a.png'), '--frames', '0:2'],
+    2,
+    'a.####.png',
+  ],
+  ['two kinds of time', ['render', movers, '-o', out('a.mp4'), '--frames', '0:2', '--time', '1'], 2, '--time'],
+  ['a camera that is not there', ['render', movers, '-o', out('a.png'), '--camera', '/No'], 2, '/World/Eye'],
+  ['a folder that is not there', ['render', movers, '-o', join(folder, 'none', 'a.png')], 3, 'no folder'],
+  ['a scene faster than light', ['render', scene('too-fast.usda'), '-o', out('a.png')], 3, '/World/Leaving'],
+  ['neither prim nor pixel', ['probe', movers], 2, '--prim'],
+])('%s is refused with a word on what to do', async (_, args, code, word) => {
+  const result = await slowlight(...args);
+  expect(result.code, result.err).toBe(code);
+  expect(result.err).toContain(word);
+});
+
+test('a folder as output is refused', async () => {
+  mkdirSync(out('folder.png'));
+  const { code, err } = await slowlight('render', movers, '-o', out('folder.png'));
+  expect(code).toBe(3);
+  expect(err).toContain('is a folder');
+});
