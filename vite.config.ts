@@ -63,7 +63,7 @@ function describe(file: string): Example {
   // Hints stand in the layer's head, which these files have as text.
   const head = readFileSync(join(examplesFolder, file)).subarray(0, 4096).toString('utf8');
   const hint = (key: string) => new RegExp(`string ${key} = "((?:[^"\\\\]|\\\\.)*)"`).exec(head)?.[1];
-  const thumbnail = `thumbs/${name}.png`;
+  const thumbnail = `thumbnails/${name}.png`;
   return {
     source: `examples/${file}`,
     name,

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { formatBeta, formatNumber, formatSeconds, formatSpeed } from './format.ts';
+import { formatBeta, formatCount, formatNumber, formatSeconds, formatSpeed } from './format.ts';
 
 it.each([
   [0, '0'],
@@ -24,4 +24,5 @@ it('times and speeds have their units', () => {
   expect(formatSeconds(-1)).toBe('−1.00 s');
   expect(formatSeconds(3725)).toBe('62 min 05 s');
   expect(formatSpeed(8)).toBe('8.00 m/s');
+  expect(formatCount(1_234_567)).toBe('1\u202f234\u202f567');
 });

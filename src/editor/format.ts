@@ -7,6 +7,9 @@ export function formatNumber(value: number, digits = 3): string {
   return group(minus(value.toFixed(Math.min(decimals, 12))));
 }
 
+/** A whole number. */
+export const formatCount = (value: number): string => group(minus(String(Math.round(value))));
+
 /** β near 1 with as many nines as it has: 0.5, 0.99, 0.999999. */
 export function formatBeta(beta: number): string {
   if (beta === 0) return '0';

@@ -37,6 +37,8 @@ export interface GBuffer extends CameraView {
 export interface Picture extends GBuffer {
   /** [EV] */
   readonly exposure: number;
+  /** The exposure follows the mean brightness that the observer's velocity gives the picture, as an eye does. */
+  readonly adapt: boolean;
 }
 
 /** What flows through a socket of each type. */
@@ -53,7 +55,7 @@ type ValuesOf<S extends Sockets> = { readonly [K in keyof S]: SocketValues[S[K][
 type Params = Readonly<Record<string, ParamSpec>>;
 type ParamsOf<P extends Params> = { readonly [K in keyof P]: ParamOf<P[K]> };
 
-interface Definition<P extends Params, I extends Sockets, O extends Sockets>
+export interface Definition<P extends Params, I extends Sockets, O extends Sockets>
   extends Omit<NodeType<Services>, 'params' | 'inputs' | 'outputs' | 'evaluate'> {
   readonly params: P;
   readonly inputs: I;

@@ -1,13 +1,14 @@
 import type { Evaluation } from '../graph/evaluate.ts';
-import type { RenderSettings } from '../render/settings.ts';
+import type { RenderSettings, ViewPoint } from '../render/settings.ts';
 import type { Picture } from './define.ts';
+import { stopsOfMotion } from './metering.ts';
 
 /** The picture that an evaluation of the output node gave; undefined where it failed. */
 export const pictureOf = ({ target }: Evaluation): Picture | undefined =>
   target.status === 'done' ? (target.outputs.image as Picture) : undefined;
 
-/** What the renderer needs of a picture. */
-export const renderSettings = (picture: Picture): RenderSettings => ({
+/** What the renderer needs of a picture that is taken from a place; `aspect`: width over height. */
+export const renderSettings = (picture: Picture, from: ViewPoint, aspect: number): RenderSettings => ({
   view: picture.view,
   lightDelay: picture.lightDelay,
   aberration: picture.aberration,
@@ -17,6 +18,10 @@ export const renderSettings = (picture: Picture): RenderSettings => ({
   iterations: picture.iterations,
   damping: picture.damping,
   grid: picture.grid,
-  exposure: picture.exposure,
+  exposure: picture.exposure - adaptation(picture, from, aspect),
   speedOfLight: picture.speedOfLight,
 });
+
+/** [EV]; only in the light-cone view does the velocity change the brightness. */
+const adaptation = ({ adapt, view, beaming, aberration }: Picture, from: ViewPoint, aspect: number): number =>
+  adapt && view === 'light-cone' ? beaming * stopsOfMotion(from, aspect, aberration) : 0;

@@ -17,8 +17,9 @@ export const toneMap = defineNode({
       max: 10,
       step: 0.1,
     },
+    adapt: { kind: 'boolean', title: 'param.adapt', help: 'param.adapt.help', default: true },
   },
   inputs: { gbuffer: { type: 'gbuffer' } },
   outputs: { image: { type: 'image' } },
-  evaluate: ({ gbuffer }, { exposure }) => ({ image: { ...gbuffer, exposure } }),
+  evaluate: ({ gbuffer }, params) => ({ image: { ...gbuffer, ...params } }),
 });

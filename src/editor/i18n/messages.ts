@@ -87,6 +87,11 @@ export const messages = {
   'param.grid.help': ['A grid on the ground that relativity does not bend.', '不受相对论变形影响的地面网格。'],
   'param.exposure': ['Exposure', '曝光'],
   'param.exposure.help': ['One step doubles the brightness.', '每增加一档亮度加倍。'],
+  'param.adapt': ['Adapt to brightness', '自动适应亮度'],
+  'param.adapt.help': [
+    'As your speed makes the picture brighter or darker, the exposure follows, as an eye would.',
+    '速度使画面变亮或变暗时，曝光像眼睛一样随之调整。',
+  ],
   'param.camera': ['Camera', '相机'],
   'param.camera.auto': ['Automatic', '自动'],
   'param.ride': ['Ride the camera', '跟随相机'],

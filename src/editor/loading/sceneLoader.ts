@@ -2,6 +2,7 @@ import { CancelledError } from '../../graph/evaluate.ts';
 import type { LoadedScene, Services } from '../../nodes/services.ts';
 import { InputError } from '../../scene/types.ts';
 import type { LoaderReply, SceneFiles } from './protocol.ts';
+import { splitAddress } from './sources.ts';
 
 type ReadOptions = Parameters<Services['readScene']>[1];
 
@@ -31,13 +32,7 @@ function addressed(source: string): SceneFiles {
     const message = 'the file was opened in an earlier session; open it again';
     throw new InputError({ severity: 'error', code: 'file.forgotten', place: sceneName(source), message });
   }
-  const url = new URL(source, document.baseURI);
-  const slash = url.pathname.lastIndexOf('/') + 1;
-  return {
-    kind: 'url',
-    base: new URL(url.pathname.slice(0, slash), url).href,
-    entry: decodeURI(url.pathname.slice(slash)),
-  };
+  return { kind: 'url', ...splitAddress(new URL(source, document.baseURI)) };
 }
 
 /** `local:3/set/scene.usda` → `scene.usda`. */

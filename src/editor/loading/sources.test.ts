@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { localSource, urlSource } from './sources.ts';
+import { localSource, splitAddress, urlSource } from './sources.ts';
 
 const text = async (bytes: Promise<Uint8Array | undefined>) => new TextDecoder().decode(await bytes);
 
@@ -26,6 +26,11 @@ describe('files that a person chose', () => {
 });
 
 describe('files on the server', () => {
+  it('have an address of a folder and a name', () => {
+    const address = new URL('http://host/a/b%20c/my%20scene.usda?x=1');
+    expect(splitAddress(address)).toEqual({ base: 'http://host/a/b%20c/', entry: 'my scene.usda' });
+  });
+
   afterEach(() => vi.unstubAllGlobals());
 
   it('are read beside the entry, with progress', async () => {

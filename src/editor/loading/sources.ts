@@ -6,11 +6,22 @@ type Report = (received: number, total: number) => void;
 export function urlSource(base: string, report: Report): FileSource {
   return {
     read: async (path) => {
-      const response = await fetch(new URL(normalizePath(path), base));
+      const response = await fetch(new URL(escaped(normalizePath(path)), base));
       if (response.status === 404) return undefined;
       if (!response.ok) throw new Error(`${path}: the server answers ${response.status} ${response.statusText}`);
       return readAll(response, report);
     },
+  };
+}
+
+const escaped = (path: string): string => path.split('/').map(encodeURIComponent).join('/');
+
+/** An address as the folder that files are read from, ending with '/', and the file in it. */
+export function splitAddress(url: URL): { readonly base: string; readonly entry: string } {
+  const slash = url.pathname.lastIndexOf('/') + 1;
+  return {
+    base: new URL(url.pathname.slice(0, slash), url).href,
+    entry: decodeURIComponent(url.pathname.slice(slash)),
   };
 }
 

@@ -26,7 +26,7 @@ export function ControlsPanel(): ReactNode {
   const sections = sectionsOf(document);
   return (
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
-      <Stack gap="lg" p="md">
+      <Stack gap="md" p="md">
         {sections.map((section, i) => (
           <Fragment key={section.id}>
             {i > 0 && <Divider />}
@@ -44,19 +44,18 @@ function NodeSection({ section, picture }: { readonly section: Section; readonly
   const { id, node, type } = section;
   const resolved = resolveParams(type, node.params);
   return (
-    <Stack gap="sm" component="section" aria-label={any(type.title)}>
+    <Stack gap={10} component="section" aria-label={any(type.title)}>
       <Tooltip label={any(type.help)} position="top-start" openDelay={400}>
         <Text component="h2" size="xs" fw={600} c="dimmed" className="sl-section-title">
           {any(type.title)}
         </Text>
       </Tooltip>
-      {Object.entries(type.params).map(([name, spec]) => (
+      {shownParams(type, resolved).map(([name, spec]) => (
         <ParamControl
           key={name}
           spec={spec}
           set={node.params[name]}
           value={resolved[name] ?? suggestion(spec, picture)}
-          enabled={!spec.onlyWhen || resolved[spec.onlyWhen.param] === spec.onlyWhen.is}
           choices={picture?.scene.cameras.map(({ path }) => path)}
           onChange={(value, gesture) => studio.set(id, name, value, spec.title, gesture)}
           onGestureEnd={studio.endGesture}
@@ -65,6 +64,12 @@ function NodeSection({ section, picture }: { readonly section: Section; readonly
     </Stack>
   );
 }
+
+/** What does not matter now is not shown: the steps of a solver that is not chosen. */
+const shownParams = (type: NodeType, resolved: Readonly<Record<string, ParamValue | undefined>>) =>
+  Object.entries(type.params).filter(
+    ([, { onlyWhen }]) => onlyWhen === undefined || resolved[onlyWhen.param] === onlyWhen.is,
+  );
 
 function sectionsOf(document: GraphDocument): Section[] {
   const place = (type: NodeType) => (ORDER.includes(type.id) ? ORDER.indexOf(type.id) : ORDER.length);

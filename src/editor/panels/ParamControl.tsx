@@ -23,7 +23,6 @@ export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
   readonly set: ParamValue | undefined;
   /** What holds now. */
   readonly value: ParamValue;
-  readonly enabled: boolean;
   /** For a text whose values come from the scene. */
   readonly choices?: readonly string[];
   /** `gesture`: part of one continuous action. */
@@ -80,18 +79,18 @@ function Reset({ set, onChange }: Pick<ParamProps, 'set' | 'onChange'>): ReactNo
   );
 }
 
-function NumberControl({ spec, set, value, enabled, onChange, onGestureEnd }: ParamProps<NumberParam>): ReactNode {
+function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<NumberParam>): ReactNode {
   const { any } = useTexts();
   const id = useId();
   const number = Number(value);
   const precision = spec.scale ? 9 : decimals(spec.step);
   return (
-    <Stack gap={4}>
+    <Stack gap={2}>
       <Group gap={4} wrap="nowrap" justify="space-between">
         <Label spec={spec} id={id} />
         <Group gap={2} wrap="nowrap">
           <Reset set={set} onChange={onChange} />
-          <NumberField {...{ spec, number, enabled, onChange }} label={any(spec.title)} precision={precision} />
+          <NumberField {...{ spec, number, onChange }} label={any(spec.title)} precision={precision} />
         </Group>
       </Group>
       <Slider
@@ -100,7 +99,6 @@ function NumberControl({ spec, set, value, enabled, onChange, onGestureEnd }: Pa
         max={1}
         step={spec.integer ? 1 / (spec.max - spec.min) : 0.002}
         label={null}
-        disabled={!enabled}
         value={positionOf(spec, number)}
         onChange={(position) => onChange(valueAt(spec, position), `slider ${id}`)}
         onChangeEnd={onGestureEnd}
@@ -110,14 +108,14 @@ function NumberControl({ spec, set, value, enabled, onChange, onGestureEnd }: Pa
   );
 }
 
-interface NumberFieldProps extends Pick<ParamProps<NumberParam>, 'spec' | 'enabled' | 'onChange'> {
+interface NumberFieldProps extends Pick<ParamProps<NumberParam>, 'spec' | 'onChange'> {
   readonly number: number;
   readonly label: string;
   readonly precision: number;
 }
 
 /** Takes what is typed when it is complete, so that no half-written number reaches the document. */
-function NumberField({ spec, number, enabled, onChange, label, precision }: NumberFieldProps): ReactNode {
+function NumberField({ spec, number, onChange, label, precision }: NumberFieldProps): ReactNode {
   const [typed, setTyped] = useState<number | string>();
   const commit = () => {
     const value = typeof typed === 'number' ? typed : Number.parseFloat(typed ?? '');
@@ -131,7 +129,6 @@ function NumberField({ spec, number, enabled, onChange, label, precision }: Numb
       size="xs"
       w={spec.unit ? 124 : 84}
       aria-label={label}
-      disabled={!enabled}
       hideControls
       decimalScale={precision}
       thousandSeparator={'\u202f'}
@@ -150,7 +147,7 @@ function NumberField({ spec, number, enabled, onChange, label, precision }: Numb
 
 const decimals = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step)));
 
-function BooleanControl({ spec, set, value, enabled, onChange }: ParamProps): ReactNode {
+function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
   const { any } = useTexts();
   const id = useId();
   return (
@@ -162,7 +159,6 @@ function BooleanControl({ spec, set, value, enabled, onChange }: ParamProps): Re
           size="xs"
           aria-label={any(spec.title)}
           checked={value === true}
-          disabled={!enabled}
           onChange={(event) => onChange(event.currentTarget.checked)}
         />
       </Group>
@@ -170,17 +166,16 @@ function BooleanControl({ spec, set, value, enabled, onChange }: ParamProps): Re
   );
 }
 
-function ChoiceControl({ spec, value, enabled, onChange }: ParamProps<ChoiceParam>): ReactNode {
+function ChoiceControl({ spec, value, onChange }: ParamProps<ChoiceParam>): ReactNode {
   const { any } = useTexts();
   const id = useId();
   return (
-    <Stack gap={4}>
+    <Stack gap={2}>
       <Label spec={spec} id={id} />
       <SegmentedControl
         size="xs"
         fullWidth
         aria-labelledby={id}
-        disabled={!enabled}
         value={String(value)}
         onChange={onChange}
         data={spec.options.map((option) => ({ value: option.value, label: any(option.title) }))}
@@ -189,17 +184,16 @@ function ChoiceControl({ spec, value, enabled, onChange }: ParamProps<ChoicePara
   );
 }
 
-function TextChoiceControl({ spec, value, enabled, choices, onChange }: ParamProps<TextParam>): ReactNode {
+function TextChoiceControl({ spec, value, choices, onChange }: ParamProps<TextParam>): ReactNode {
   const { any, t } = useTexts();
   const id = useId();
   if (!choices || choices.length < 2) return null;
   return (
-    <Stack gap={4}>
+    <Stack gap={2}>
       <Label spec={spec} id={id} />
       <Select
         size="xs"
         aria-label={any(spec.title)}
-        disabled={!enabled}
         allowDeselect={false}
         value={String(value)}
         onChange={(chosen) => onChange(chosen || undefined)}

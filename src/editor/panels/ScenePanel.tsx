@@ -2,7 +2,7 @@ import { Badge, ScrollArea, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
 import type { Picture } from '../../nodes/define.ts';
 import type { Diagnostic, Scene } from '../../scene/types.ts';
-import { formatNumber, formatSeconds, formatSpeed } from '../format.ts';
+import { formatCount, formatSeconds, formatSpeed } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { sceneName } from '../loading/sceneLoader.ts';
 import { useStudioState } from '../state/context.tsx';
@@ -49,9 +49,9 @@ function Figures({ picture }: { readonly picture: Picture }): ReactNode {
   const moving = scene.objects.filter(({ motion }) => motion.kind !== 'static').length;
   const time = fastest && { speed: formatSpeed(fastest.speed), time: formatSeconds(fastest.time) };
   const rows: [string, ReactNode][] = [
-    [t('info.objects'), formatNumber(scene.objects.length, 6)],
-    [t('info.moving'), formatNumber(moving, 6)],
-    [t('info.trianglesInScene'), formatNumber(triangles, 9)],
+    [t('info.objects'), formatCount(scene.objects.length)],
+    [t('info.moving'), formatCount(moving)],
+    [t('info.trianglesInScene'), formatCount(triangles)],
     [t('info.duration'), `${formatSeconds(scene.startTime)} … ${formatSeconds(scene.endTime)}`],
     ...(time ? [[t('info.fastest'), t('info.fastestAt', time)] satisfies [string, ReactNode]] : []),
   ];

@@ -1,5 +1,5 @@
 import { useComputedColorScheme } from '@mantine/core';
-import { createDockview, type DockviewApi, type DockviewTheme } from 'dockview';
+import { createDockview, type DockviewApi, type DockviewTheme, type ITabRenderer } from 'dockview';
 import { type ReactNode, useEffect, useRef, useState } from 'react';
 import { createPortal } from 'react-dom';
 import { useTexts } from '../i18n/i18n.ts';
@@ -59,6 +59,8 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
         element.className = 'sl-dock-panel';
         return { element, init: () => setElements((known) => ({ ...known, [name]: element })) };
       },
+      createTabComponent: plainTab,
+      defaultTabComponent: 'plain',
       disableFloatingGroups: true,
       theme: THEMES.dark,
     });
@@ -73,12 +75,28 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
   return api;
 }
 
+/** A tab without a cross: there is no way to bring a closed panel back, and no reason to close one. */
+function plainTab(): ITabRenderer {
+  const element = document.createElement('span');
+  element.className = 'sl-tab';
+  return {
+    element,
+    init: ({ title, api }) => {
+      element.textContent = title;
+      api.onDidTitleChange((change) => {
+        element.textContent = change.title;
+      });
+    },
+  };
+}
+
 function layOut(api: DockviewApi, narrow: boolean): void {
   const picture = api.addPanel({ id: 'picture', component: 'picture', renderer: 'always' });
   const direction = narrow ? 'below' : 'right';
   const size = narrow ? { initialHeight: 260 } : { initialWidth: SIDE_WIDTH };
   const controls = api.addPanel({ id: 'controls', component: 'controls', position: { direction }, ...size });
   api.addPanel({ id: 'scene', component: 'scene', position: { referencePanel: controls }, inactive: true });
+  if (!narrow) controls.group.api.setConstraints({ minimumWidth: 264, maximumWidth: 480 });
   picture.group.header.hidden = true;
   picture.group.locked = 'no-drop-target';
 }

@@ -2,7 +2,7 @@ import { Group, Text, Tooltip, UnstyledButton } from '@mantine/core';
 import { IconEye, IconLock, IconLockOpen, IconPlane } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
 import type { Lock } from '../flight/flight.ts';
-import { formatBeta, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
+import { formatBeta, formatCount, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { useServices } from '../services.tsx';
 import { useStudio, useStudioState, useTelemetry } from '../state/context.tsx';
@@ -118,7 +118,7 @@ function Machine(): ReactNode {
   return (
     <>
       <Text size="xs" className="sl-status-item sl-figure" c="dimmed" data-status="triangles">
-        {t('status.triangles', { count: formatNumber(triangles, 9) })}
+        {t('status.triangles', { count: formatCount(triangles) })}
       </Text>
       <Text size="xs" className="sl-status-item" c="dimmed" data-status="backend">
         {name}

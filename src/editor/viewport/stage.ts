@@ -9,7 +9,7 @@ import { report } from '../state/telemetry.ts';
 import type { Pilot } from './pilot.ts';
 
 /** Longest step of flight in one frame [s]: after a pause of the page the observer does not leap. */
-const LONGEST_STEP = 0.1;
+const LONGEST_STEP = 0.25;
 const MOST_PIXELS_PER_POINT = 2;
 
 interface Shown {
@@ -73,7 +73,8 @@ export class Stage {
     const { clientWidth, clientHeight } = canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setSize(Math.round(clientWidth * ratio), Math.round(clientHeight * ratio));
-    this.#shown = undefined;
+    // A canvas of a new size is empty: without a picture before the next paint it would flash.
+    this.#draw(true);
   }
 
   #tick(now: number): void {
@@ -113,7 +114,8 @@ export class Stage {
     const viewPoint = this.#pilot.viewPoint();
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return;
-    const settings = renderSettings(picture);
+    const { width, height } = this.#renderer;
+    const settings = renderSettings(picture, viewPoint, width / height);
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return;
     this.#shown = { viewPoint, settings };
     this.#renderer.render(viewPoint, settings);
