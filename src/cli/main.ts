@@ -3,6 +3,7 @@ import { Command, CommanderError } from 'commander';
 import { InputError } from '../scene/types.ts';
 import { CliError, EXIT } from './exit.ts';
 import { inspectCommand } from './inspect.ts';
+import { stoppedWith } from './output.ts';
 import { probeCommand } from './probe.ts';
 import { renderCommand } from './render.ts';
 import { serveCommand } from './serve.ts';
@@ -47,6 +48,9 @@ function version(): string {
 
 /** Every error ends here, once: what a person can act on in one line, a fault of ours with its stack. */
 function report(error: unknown): number {
+  const stopped = stoppedWith();
+  // Whatever broke then, broke because of that.
+  if (stopped !== undefined) return stopped;
   if (error instanceof CommanderError) return error.exitCode === 0 ? EXIT.ok : EXIT.usage;
   if (error instanceof CliError) return complain(error.message, error.exitCode);
   if (error instanceof InputError) return complain(error.message, EXIT.input);

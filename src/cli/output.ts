@@ -1,6 +1,6 @@
 import { existsSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
-import { EXIT, inputProblem } from './exit.ts';
+import { CliError, EXIT, inputProblem } from './exit.ts';
 
 /**
  * A file that appears under its name only when it is whole: it is written beside and then renamed. Ctrl-C and failures
@@ -64,17 +64,31 @@ export function stopWithUs(helper: { kill(signal: NodeJS.Signals): unknown }): (
 }
 
 let watching = false;
+/** The exit code that a signal asked for. */
+let stopped: number | undefined;
+
+/** With which code to end, where a signal has asked for that. */
+export const stoppedWith = (): number | undefined => stopped;
+
+/** Call between the steps of long work: ends it where a signal has asked for that. */
+export function endIfStopped(): void {
+  if (stopped !== undefined) throw new CliError(stopped, 'stopped');
+}
 
 function watchSignals(): void {
   if (watching) return;
   watching = true;
-  process.once('SIGINT', () => stop(EXIT.cancelled));
-  process.once('SIGTERM', () => stop(143));
+  process.on('SIGINT', () => stop(EXIT.cancelled));
+  process.on('SIGTERM', () => stop(143));
 }
 
-function stop(exitCode: number): never {
+/**
+ * Removes what was begun at once; the GPU is let finish its frame, since a process that ends in the midst of it can
+ * crash. Whoever asks twice does not wait for that.
+ */
+function stop(exitCode: number): void {
+  if (stopped !== undefined) process.exit(exitCode);
+  stopped = exitCode;
   for (const helper of helpers) helper.kill('SIGKILL');
   for (const file of [...begun]) file.discard();
-  if (process.stderr.isTTY) process.stderr.write('\n');
-  process.exit(exitCode);
 }

@@ -9,6 +9,7 @@ import { usageError } from './exit.ts';
 import { openSceneFile } from './files.ts';
 import { renderSettings, speedOfLight } from './flags.ts';
 import { observerPath } from './observer.ts';
+import { endIfStopped } from './output.ts';
 import { openPainter, type Painter } from './painter.ts';
 import { Progress } from './progress.ts';
 import type { RenderFlags } from './render.ts';
@@ -38,6 +39,7 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
     try {
       for (const [i, frame] of frames.entries()) {
         progress.frames(i, frames.length);
+        endIfStopped();
         const view = observer(frame.t);
         const picture = await painter.paint({ view, settings, samples: flags.samples, aovs });
         await sink.add(picture, { number: frame.number, view, speedOfLight: c });
@@ -45,6 +47,7 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
     } finally {
       await painter.close();
     }
+    endIfStopped();
     progress.show('finishing …');
     await sink.finish();
     progress.clear();
