@@ -81,8 +81,8 @@ function rolledTo(t: number, [x0, y0, z]: ArrayLike<number> & Iterable<number>):
   // Each round brings t′ nearer by vρω/c² < 0.37; the last digit is reached long before.
   for (let i = 0; i < 60; i++) own = t / gamma - (beta / C) * rho * Math.cos(angle(own));
   const places = [gamma * (rho * Math.cos(angle(own)) + SPEED * own), rho * Math.sin(angle(own)), z];
-  // A tenth of a millimetre is enough, and short in the file.
-  const [x, y] = places.map((value) => Math.round(value * 1e4) / 1e4);
+  // A millimetre is enough, and short in the file.
+  const [x, y] = places.map((value) => Math.round(value * 1e3) / 1e3);
   return [x, y, z];
 }
 
@@ -226,8 +226,8 @@ function road(builder: SceneBuilder): void {
 }
 
 const pillars = (long: number, z: number): Mesh[] =>
-  Array.from({ length: 2 * Math.floor(long / 6) + 1 }, (_, i) => {
-    const x = 6 * (i - Math.floor(long / 6));
+  Array.from({ length: 2 * Math.floor(long / 9) + 1 }, (_, i) => {
+    const x = 9 * (i - Math.floor(long / 9));
     return join([
       block(0.7, 1.75, 0.7, 1, [x, 0, z]),
       moved(sphere(0.3, { segments: 14, rings: 8, axis: 'Y' }), [x, 2, z]),

@@ -1,0 +1,44 @@
+import { stat } from 'node:fs/promises';
+import { describe, expect, it } from 'vitest';
+import { distance, length } from '../../src/math/vec3.ts';
+import { velocity } from '../../src/physics/boost.ts';
+import { observerFromCamera } from '../../src/scene/camera.ts';
+import { validate } from '../../src/scene/validate.ts';
+import { NAMES, openExample, speedOfLight } from './open.ts';
+
+describe.each(NAMES)('examples/%s.usda', (name) => {
+  it('opens without a complaint, and nothing in it outruns its light', async () => {
+    const scene = await openExample(name);
+    expect(scene.diagnostics).toEqual([]);
+    expect(validate(scene, speedOfLight(scene))).toEqual([]);
+  });
+
+  it('says what it is and what to look for, and opens within its time', async () => {
+    const { hints, startTime, endTime, cameras, lights } = await openExample(name);
+    expect(hints.title).toMatch(/^[A-Z]/);
+    expect(hints.lookFor?.length).toBeGreaterThan(60);
+    expect(hints.openAt).toBeGreaterThanOrEqual(startTime);
+    expect(hints.openAt).toBeLessThan(endTime);
+    expect(cameras.length).toBeGreaterThan(0);
+    expect(lights.length).toBeGreaterThan(0);
+  });
+
+  it('has a camera that goes smoothly: no start or stop at a speed that one would notice', async () => {
+    const scene = await openExample(name);
+    const c = speedOfLight(scene);
+    const [camera] = scene.cameras;
+    if (camera.motion.kind === 'static') return;
+    const { times } = camera.motion;
+    const betas = [...times].map((t) => velocity(observerFromCamera(camera, t, c).u));
+    for (let k = 1; k < times.length; k++) {
+      const change = distance(betas[k], betas[k - 1]) / (times[k] - times[k - 1]);
+      expect(change, `at ${times[k]} s`).toBeLessThan(1);
+    }
+    expect(length(betas[0])).toBeLessThan(0.1);
+  });
+
+  it('is small enough to load at once', async () => {
+    const { size } = await stat(new URL(`../../examples/${name}.usda`, import.meta.url));
+    expect(size).toBeLessThan(4e6);
+  });
+});

@@ -1,0 +1,50 @@
+import { readFile } from 'node:fs/promises';
+import { fileURLToPath } from 'node:url';
+import { openScene } from '../../src/formats/open.ts';
+import type { FileSource } from '../../src/formats/source.ts';
+import { add, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
+import { vertexPosition } from '../../src/scene/motion.ts';
+import type { Scene, SceneObject } from '../../src/scene/types.ts';
+
+/** Every scene of the gallery. */
+export const NAMES = ['street', 'dice', 'wheel', 'lattice', 'sphere', 'hall', 'saturn', 'gallery', 'ladder'] as const;
+export type ExampleName = (typeof NAMES)[number];
+
+const files: FileSource = {
+  read: async (path) =>
+    new Uint8Array(await readFile(fileURLToPath(new URL(`../../examples/${path}`, import.meta.url)))),
+};
+
+/** The scene as it is in the repository. */
+export const openExample = (name: ExampleName): Promise<Scene> => openScene(files, `${name}.usda`);
+
+export const speedOfLight = (scene: Scene): number => {
+  if (scene.hints.speedOfLight === undefined) throw new Error(`${scene.name} suggests no speed of light`);
+  return scene.hints.speedOfLight;
+};
+
+/** The object at a path, or the one that lies in it. */
+export function objectAt(scene: Scene, path: string): SceneObject {
+  const found = scene.objects.find((object) => object.path === path || object.path.startsWith(`${path}/`));
+  if (!found) throw new Error(`${scene.name} has no ${path}; it has ${scene.objects.map((o) => o.path).join(', ')}`);
+  return found;
+}
+
+export const vertexCount = (object: SceneObject): number => object.mesh.positions.length / 3;
+
+/** Where all vertices are in the world at t. */
+export const worldPositions = (object: SceneObject, t: number, c: number): Vec3[] =>
+  Array.from({ length: vertexCount(object) }, (_, i) => vertexPosition(object, i, t, c));
+
+export const mean = (points: readonly Vec3[]): Vec3 =>
+  scale(
+    points.reduce((sum, p) => add(sum, p), [0, 0, 0]),
+    1 / points.length,
+  );
+
+/** How far p is from the line through a and b. */
+export function distanceFromLine(p: Vec3, a: Vec3, b: Vec3): number {
+  const [u, v] = [sub(b, a), sub(p, a)];
+  const along = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / (u[0] ** 2 + u[1] ** 2 + u[2] ** 2);
+  return Math.hypot(...sub(v, scale(u, along)));
+}
