@@ -17,7 +17,9 @@ export const apparentPosition = Fn(
       .sub(along.mul(along))
       .div(w.mul(r).sub(gamma.mul(along)));
     const boosted = select(along.lessThan(0), behind, gamma.mul(along).add(w.mul(r)));
-    return dx.sub(axis.mul(along)).add(axis.mul(boosted));
+    // Twice, because what rounding leaves along the axis would count γ times as much behind.
+    const rest = dx.sub(axis.mul(along)).toVar();
+    return rest.sub(axis.mul(dot(axis, rest))).add(axis.mul(boosted));
   },
   { dx: 'vec3', u: 'vec3', gamma: 'float', return: 'vec3' },
 );

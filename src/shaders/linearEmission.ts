@@ -1,13 +1,11 @@
-import { cross, dot, Fn, length, max, select, sqrt } from 'three/tsl';
-import { coneOffset } from './coneOffset.ts';
-import { recession } from './recession.ts';
+import { cross, dot, Fn, max, select, sqrt } from 'three/tsl';
 import type { Float, Vec4 } from './types.ts';
 
 /**
  * Time after the event `start` at which a point that moves on from there with the constant velocity v crosses the observer's past light cone:
  * the smaller root of (1 − v²)s² − 2Us + q = 0 with d, T from the observer to `start` (T > 0 before the observer),
  * U = T + d·v, q = T² − d². In f32: q from the anchor, U in conjugate form where the point approaches,
- * U² − (1 − v²)q = (1 − v²)e² + (e·v)² with e = d + vT, and one Newton step on |x| − R + t, which `coneOffset` gives without cancellation.
+ * U² − (1 − v²)q = (1 − v²)e² + (e·v)² with e = d + vT.
  * `anchor` = (d_c, R) [m]; `velocity` = (v, 1 − v²); `start` = (x, y, z, t) relative to the anchor.
  */
 export const linearEmission = Fn(
@@ -26,12 +24,7 @@ export const linearEmission = Fn(
     const e = d.add(v.mul(T)).toVar();
     const ev = U.sub(T.mul(velocity.w)).toVar();
     const root = sqrt(dot(e, e).mul(velocity.w).add(ev.mul(ev))).toVar();
-    const s = select(U.greaterThan(0), q.div(max(U.add(root), 1e-30)), U.sub(root).div(velocity.w)).toVar();
-
-    const x = start.xyz.add(v.mul(s)).toVar();
-    const dx = anchor.xyz.add(x).toVar();
-    const n = dx.div(max(length(dx), 1e-20)).toVar();
-    return s.sub(coneOffset(anchor, x).add(start.w).add(s).div(recession(n, velocity)));
+    return select(U.greaterThan(0), q.div(max(U.add(root), 1e-30)), U.sub(root).div(velocity.w));
   },
   { anchor: 'vec4', velocity: 'vec4', start: 'vec4', return: 'float' },
 );

@@ -1,0 +1,55 @@
+import { vec4 } from 'three/tsl';
+import * as spectrum from '../../spectrum/index.ts';
+import { dopplerTint } from '../dopplerTint.ts';
+import { toneMap } from '../toneMap.ts';
+import { absolute, always } from './checks.ts';
+import { draw, logUniform, vec3At } from './domain.ts';
+import type { Twin } from './twin.ts';
+
+const dopplerTintTwin: Twin = {
+  name: 'dopplerTint',
+  texels: 2,
+  outputs: 1,
+  cases: (random) => [
+    ...draw([{ name: 'D 1e-3 … 2000', gamma: 1 }], 300, () => [
+      random(),
+      random(),
+      random(),
+      logUniform(random, 1e-3, 2000),
+      random(),
+      0,
+      0,
+      0,
+    ]),
+    ...draw([{ name: 'D near 1', gamma: 1 }], 300, () => [
+      random(),
+      random(),
+      random(),
+      logUniform(random, 0.4, 3),
+      1,
+      0,
+      0,
+      0,
+    ]),
+    ...draw([{ name: 'D = 1', gamma: 1 }], 30, () => [random(), random(), random(), 1, 1, 0, 0, 0]),
+  ],
+  cpu: (input) => [...spectrum.dopplerTint(vec3At(input, 0), input[3], input[4]), 0],
+  gpu: (texel) => [vec4(dopplerTint(texel(0).xyz, texel(0).w, texel(1).x), 0)],
+  checks: [absolute('rgb', 0, 3, always(5e-5))],
+};
+
+const toneMapTwin: Twin = {
+  name: 'toneMap',
+  texels: 2,
+  outputs: 1,
+  cases: (random) =>
+    draw([{ name: 'radiance to 1e6, exposure ±6 EV', gamma: 1 }], 600, () => {
+      const level = logUniform(random, 1e-3, 1e6);
+      return [random() * level, random() * level, random() * level - 1e-3, 0, 12 * random() - 6, 0, 0, 0];
+    }),
+  cpu: (input) => [...spectrum.toneMap(vec3At(input, 0), input[4]), 0],
+  gpu: (texel) => [vec4(toneMap(texel(0).xyz, texel(1).x), 0)],
+  checks: [absolute('rgb', 0, 3, always(1e-5))],
+};
+
+export const colour: readonly Twin[] = [dopplerTintTwin, toneMapTwin];

@@ -1,0 +1,258 @@
+import { int, select, vec4 } from 'three/tsl';
+import { add, addScaled, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import {
+  emitterDoppler,
+  newtonEmissionTime,
+  pastLightCone,
+  positionAt,
+  velocityAt,
+  type WorldLine,
+} from '../../physics/index.ts';
+import { newtonEmission } from '../newtonEmission.ts';
+import { polylineEmission } from '../polylineEmission.ts';
+import { staticEmission } from '../staticEmission.ts';
+import type { HyperbolicVertexEvent, Int, Vec4, VertexEvent } from '../types.ts';
+import { always, where, within } from './checks.ts';
+import { draw, logUniform, unit, vec3At, withLength } from './domain.ts';
+import { type Mover, type MoverStratum, movers } from './movers.ts';
+import type { Check, Twin, TwinCase } from './twin.ts';
+
+const OBSERVER = { t: 0, position: ZERO } as const;
+const EACH = 100;
+
+/** (Δx, s) · (v, 1 − v²) · (whether there is an event, how close it is to a sample [m], 0, 0) */
+export const outputsOf = (event: VertexEvent | HyperbolicVertexEvent): readonly Vec4[] => [
+  vec4(event.dx, event.s),
+  event.velocity,
+  vec4('exists' in event ? select(event.exists, 1, 0) : 1, 0, 0, 0),
+];
+
+/** The same from the CPU, at the world time `t` after the observer's, which is `s` after the anchor's. */
+export function expectedAt(line: WorldLine, dx: Vec3, t: number, s: number): readonly number[] {
+  const v = velocityAt(line, t, 1);
+  const speed = length(v);
+  return [...dx, s, ...v, (1 - speed) * (1 + speed), 1, nearestSample(line, t), 0, 0];
+}
+const nowhere = Array<number>(12).fill(0);
+
+const nearestSample = (line: WorldLine, t: number): number =>
+  line.kind === 'polyline' ? Math.min(...Array.from(line.times, (time) => Math.abs(time - t))) : 1;
+
+/** Objects from toy to building, small enough against their distance to be looked at from outside; or around the observer. */
+const strata = (speeds: readonly number[]): readonly MoverStratum[] =>
+  speeds.flatMap((beta) =>
+    [1, 100].flatMap((size) =>
+      [false, true].map((around) => ({
+        name: `β ${beta}, size ${size} m${around ? ', around the observer' : ''}`,
+        gamma: 1,
+        beta,
+        size,
+        around,
+      })),
+    ),
+  );
+
+const anchorOf = (random: () => number, size: number, around = false): Vec3 =>
+  scale(unit(random), around ? size * random() : logUniform(random, 1.5 * size, 1e5));
+
+/**
+ * f32 directions are known to 6e-8, and near the light cone of a mover that counts γ times as much: one bound up to β = 0.99; one at
+ * 0.999 (γ = 22), and where the observer is among the vertices; one at 0.999999 (γ = 707); one for both at once.
+ */
+const bySpeed =
+  (slow: number, fast: number, fastest: number, within: number): Check['tolerance'] =>
+  ({ beta = 0, around }) => {
+    if (beta <= 0.99) return around ? fast : slow;
+    if (beta <= 0.999) return fast;
+    return around ? within : fastest;
+  };
+
+/** How far away the vertex is and how far it went to reach its event [m]: what its place and time are known to a part of. */
+const reach = (cpu: readonly number[], input: readonly number[]): number => {
+  const dx: Vec3 = [cpu[0], cpu[1], cpu[2]];
+  return length(dx) + length(sub(dx, vec3At(input, 0))) + Math.abs(cpu[3]);
+};
+
+const time: Check = {
+  name: 'time, over the reach',
+  error: (gpu, cpu, input) => Math.abs(gpu[3] - cpu[3]) / (reach(cpu, input) + 1e-3),
+  tolerance: bySpeed(3e-6, 2e-5, 2e-2, 5e-2),
+};
+
+/** D of the emitter, from the event and the velocity: the direction is known the worse the nearer; not at a sample, where the velocity jumps. */
+const doppler: Check = {
+  name: 'D, relative, times |Δx| over the reach',
+  error: (gpu, cpu, input) => {
+    if (cpu[9] < 1e-4 * (1 + Math.abs(cpu[3]))) return 0;
+    const known = length([cpu[0], cpu[1], cpu[2]]) / reach(cpu, input);
+    return Math.abs(dopplerOf(gpu) / dopplerOf(cpu) - 1) * known;
+  },
+  tolerance: bySpeed(3e-5, 1e-4, 1e-2, 5e-2),
+};
+
+function dopplerOf([x, y, z, , vx, vy, vz, oneMinusV2]: readonly number[]): number {
+  const dx: Vec3 = [x, y, z];
+  return emitterDoppler(scale(dx, 1 / length(dx)), [vx, vy, vz], oneMinusV2);
+}
+
+const exists: Check = {
+  name: 'exists',
+  error: (gpu, cpu) => Math.abs(gpu[8] - cpu[8]),
+  tolerance: always(0),
+};
+
+export const placeAndTime: readonly Check[] = [
+  where(8, within('place, over the reach', 0, reach, bySpeed(3e-6, 2e-5, 1e-3, 2e-2))),
+  where(8, time),
+];
+const eventChecks: readonly Check[] = [...placeAndTime, where(8, doppler)];
+
+function moverCases(
+  mover: Mover,
+  random: () => number,
+  extra: () => readonly number[] = () => [],
+): readonly TwinCase[] {
+  return draw(strata(mover.speeds), EACH, (stratum) => {
+    const anchor = anchorOf(random, stratum.size, stratum.around);
+    return [...withLength(anchor), ...mover.draw(random, stratum, anchor), ...extra()];
+  });
+}
+
+const emissionTwin = (mover: Mover, parts: readonly string[]): Twin => ({
+  name: `${mover.kind}Emission`,
+  parts,
+  texels: mover.texels,
+  outputs: 3,
+  cases: (random) => moverCases(mover, random),
+  cpu: (input) => {
+    const R = length(vec3At(input, 0));
+    const line = mover.worldLine(input, -R);
+    const seen = pastLightCone(line, OBSERVER, 1);
+    return seen ? expectedAt(line, seen.offset, -seen.delay, R - seen.delay) : nowhere;
+  },
+  gpu: (texel) => outputsOf(mover.emission(texel)),
+  checks: [...eventChecks, exists],
+});
+
+/** Newton steps on two kinds of world line: on a hyperbola a long step can land where 1 − v² is noise, and says nothing. */
+const newtonTwin = (mover: Mover): Twin => ({
+  name: `newtonEmission, ${mover.kind}`,
+  parts: ['newtonEmission'],
+  texels: mover.texels + 1,
+  outputs: 3,
+  cases: (random) =>
+    moverCases({ ...mover, speeds: mover.speeds.filter((beta) => beta <= 0.9) }, random, () => [
+      Math.floor(12 * random()),
+      0.3 + 0.7 * random(),
+      0,
+      0,
+    ]),
+  cpu: (input) => {
+    const R = length(vec3At(input, 0));
+    const line = mover.worldLine(input, -R);
+    const [iterations, damping] = input.slice(4 * mover.texels);
+    const t = newtonEmissionTime(line, OBSERVER, 1, { iterations, damping });
+    return expectedAt(line, positionAt(line, t, 1), t, R + t);
+  },
+  gpu: (texel) => {
+    const settings = texel(mover.texels);
+    return outputsOf(newtonEmission(texel(0), mover.place(texel), int(settings.x), settings.y));
+  },
+  checks: eventChecks,
+});
+
+const placeTwin = (mover: Mover, parts: readonly string[]): Twin => ({
+  name: `${mover.kind}Place`,
+  parts,
+  texels: mover.texels + 1,
+  outputs: 3,
+  cases: (random) => moverCases(mover, random, () => [20 * random() - 10, 0, 0, 0]),
+  cpu: (input) => {
+    const line = mover.worldLine(input, 0);
+    const time = input[4 * mover.texels];
+    return expectedAt(line, positionAt(line, time, 1), time, time);
+  },
+  gpu: (texel) => {
+    const time = texel(mover.texels).x;
+    const { x, velocity } = mover.place(texel)(time);
+    return outputsOf({ dx: texel(0).xyz.add(x), s: time, velocity });
+  },
+  checks: eventChecks,
+});
+
+const staticTwin: Twin = {
+  name: 'staticEmission',
+  texels: 2,
+  outputs: 3,
+  cases: (random) =>
+    draw(strata([0]), EACH, ({ size, around }) => [
+      ...withLength(anchorOf(random, size, around)),
+      ...scale(unit(random), size * random()),
+      0,
+    ]),
+  cpu: (input) => {
+    const dx = add(vec3At(input, 0), vec3At(input, 1));
+    return expectedAt({ kind: 'static', position: dx }, dx, 0, length(vec3At(input, 0)) - length(dx));
+  },
+  gpu: (texel) => outputsOf(staticEmission(texel(0), texel(1).xyz)),
+  checks: eventChecks,
+};
+
+const LONGEST = 4096;
+
+/** A zigzag of as many samples as a table may have, its root anywhere in it or outside. anchor · (first sample) · (step) */
+const longestTable: Twin = {
+  name: 'polylineEmission, 4096 samples',
+  texels: 3,
+  outputs: 3,
+  cases: (random) =>
+    draw([{ name: '4096 samples', gamma: 1, beta: 0.5 }], 400, () => {
+      // Powers of two and their parts, so that the shader's own times are exact.
+      const dt = 2 ** -Math.floor(4 * random());
+      const first = -(Math.floor((LONGEST + 100) * random()) + Math.floor(1024 * random()) / 1024) * dt;
+      return [
+        ...withLength(anchorOf(random, 1)),
+        ...scale(unit(random), 0.5),
+        first,
+        ...scale(unit(random), 0.5 * dt),
+        dt,
+      ];
+    }),
+  cpu: (input) => {
+    const [anchor, first, step] = [
+      vec3At(input, 0),
+      input.slice(4, 8).map(Math.fround),
+      input.slice(8).map(Math.fround),
+    ];
+    const index = Array.from({ length: LONGEST }, (_, i) => i);
+    const R = length(anchor);
+    const line: WorldLine = {
+      kind: 'polyline',
+      times: Float64Array.from(index, (i) => first[3] + i * step[3] - R),
+      positions: Float64Array.from(
+        index.flatMap((i) => [...addScaled(add(anchor, vec3At(first, 0)), vec3At(step, 0), i % 2)]),
+      ),
+    };
+    const seen = pastLightCone(line, OBSERVER, 1);
+    return seen ? expectedAt(line, seen.offset, -seen.delay, R - seen.delay) : nowhere;
+  },
+  gpu: (texel) => {
+    const [first, step] = [texel(1), texel(2)];
+    const at = (i: Int) => first.add(vec4(step.xyz.mul(i.mod(int(2)).toFloat()), step.w.mul(i.toFloat())));
+    return outputsOf(polylineEmission(texel(0), at, int(LONGEST)));
+  },
+  checks: placeAndTime,
+};
+
+export const emission: readonly Twin[] = [
+  staticTwin,
+  emissionTwin(movers.uniform, ['linearEmission']),
+  emissionTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaEvent']),
+  emissionTwin(movers.polyline, ['linearEmission', 'bisect', 'pieceVelocity']),
+  longestTable,
+  newtonTwin(movers.uniform),
+  newtonTwin(movers.polyline),
+  placeTwin(movers.uniform, []),
+  placeTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent']),
+  placeTwin(movers.polyline, ['bisect', 'pieceVelocity']),
+];

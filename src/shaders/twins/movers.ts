@@ -1,0 +1,125 @@
+import { int } from 'three/tsl';
+import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import type { WorldLine } from '../../physics/index.ts';
+import { hyperbolicEmission } from '../hyperbolicEmission.ts';
+import { hyperbolicPlace } from '../hyperbolicPlace.ts';
+import { hyperbolicSlice } from '../hyperbolicSlice.ts';
+import { polylineEmission } from '../polylineEmission.ts';
+import { polylinePlace } from '../polylinePlace.ts';
+import { polylineSlice } from '../polylineSlice.ts';
+import type { Float, Int, SampleTable, Vec3 as Vec3Node, Vec4, VertexEvent, WorldLineAt } from '../types.ts';
+import { uniformEmission } from '../uniformEmission.ts';
+import { uniformPlace } from '../uniformPlace.ts';
+import { uniformSlice } from '../uniformSlice.ts';
+import { AIMS, aimed, logUniform, mover, SPEEDS, unit, vec3At } from './domain.ts';
+import type { Stratum } from './twin.ts';
+
+export interface MoverStratum extends Stratum {
+  readonly beta: number;
+  /** Farthest vertex from the anchor [m]. */
+  readonly size: number;
+}
+
+type Random = () => number;
+type Texel = (index: number | Int) => Vec4;
+
+/** A kind of motion: how a vertex of it is drawn by lot, told to the CPU and told to the GPU. Its texels follow the anchor's. */
+export interface Mover {
+  readonly kind: 'uniform' | 'hyperbolic' | 'polyline';
+  /** With the anchor's. */
+  readonly texels: number;
+  /** Speeds of its strata [c]. */
+  readonly speeds: readonly number[];
+  readonly draw: (random: Random, stratum: MoverStratum, anchor: Vec3) => readonly number[];
+  /** The vertex's world line with c = 1, where the anchor's event is at d_c and `time`. */
+  readonly worldLine: (input: readonly number[], time: number) => WorldLine;
+  readonly emission: (texel: Texel) => VertexEvent;
+  readonly slice: (texel: Texel, u: Vec3Node, gamma: Float) => VertexEvent;
+  readonly place: (texel: Texel) => WorldLineAt;
+}
+
+const offsetIn = (random: Random, size: number): Vec3 => scale(unit(random), size * random());
+
+/** anchor · (v, 1 − v²) · offset */
+const uniform: Mover = {
+  kind: 'uniform',
+  texels: 3,
+  speeds: SPEEDS,
+  draw: (random, { beta, size }, anchor) => {
+    const direction = aimed(random, normalize(anchor, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
+    return [...mover(direction, beta), ...offsetIn(random, size), 0];
+  },
+  worldLine: (input, time) => {
+    const velocity = vec3At(input, 1);
+    return { kind: 'uniform', position: addScaled(add(vec3At(input, 0), vec3At(input, 2)), velocity, -time), velocity };
+  },
+  emission: (texel) => uniformEmission(texel(0), texel(1), texel(2).xyz),
+  slice: (texel, u, gamma) => uniformSlice(texel(0), texel(1), texel(2).xyz, u, gamma),
+  place: (texel) => uniformPlace(texel(1), texel(2).xyz),
+};
+
+/** anchor · (axis, a) · (offset, Born rigid) · (w, 0, 0, 0) */
+const hyperbolic: Mover = {
+  kind: 'hyperbolic',
+  texels: 4,
+  speeds: SPEEDS,
+  draw: (random, { beta, size }, anchor) => {
+    const axis = aimed(random, normalize(anchor, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
+    const w = Math.sqrt((1 + beta) / (1 - beta)) ** (random() < 0.5 ? -1 : 1);
+    // a·size < 1, or a Born-rigid body reaches its own horizon.
+    const a = logUniform(random, 1e-4, 0.5) / Math.max(size, 1);
+    return [...axis, a, ...offsetIn(random, size), random() < 0.5 ? 0 : 1, w, 0, 0, 0];
+  },
+  worldLine: (input, time) => {
+    const [axis, a, offset, rigid, w] = [vec3At(input, 1), input[7], vec3At(input, 2), input[11] === 1, input[12]];
+    const [cosh, sinh] = [(w + 1 / w) / 2, (w - 1 / w) / 2];
+    const turningPoint = addScaled(vec3At(input, 0), axis, (1 - cosh) / a);
+    const own = rigid ? a / (1 + a * dot(axis, offset)) : a;
+    return {
+      kind: 'hyperbolic',
+      position: add(turningPoint, offset),
+      properAcceleration: scale(axis, own),
+      t0: time - sinh / a,
+    };
+  },
+  emission: (texel) => hyperbolicEmission(texel(0), texel(1), texel(3).x, texel(2).w, texel(2).xyz),
+  slice: (texel, u, gamma) => hyperbolicSlice(texel(0), texel(1), texel(3).x, texel(2).w, texel(2).xyz, u, gamma),
+  place: (texel) => hyperbolicPlace(texel(1), texel(3).x, texel(2).w, texel(2).xyz),
+};
+
+const SAMPLES = 9;
+const samplesOf =
+  (texel: Texel): SampleTable =>
+  (index) =>
+    texel(index.add(int(1)));
+
+/** anchor · samples; the anchor is near the middle one, or near an end, so that some vertices rest. */
+const polyline: Mover = {
+  kind: 'polyline',
+  texels: 1 + SAMPLES,
+  speeds: [0.1, 0.5, 0.9, 0.99],
+  draw: (random, { beta, size }) => {
+    const step = logUniform(random, 0.3, 3) * size;
+    const middle = [-1, 2, 4, 4, 4, 6, 9][Math.floor(random() * 7)];
+    let place = addScaled(offsetIn(random, size), unit(random), beta * step * random());
+    const samples: number[] = [];
+    for (let i = 0; i < SAMPLES; i++) {
+      samples.push(...place, (i - middle + 0.5) * step);
+      place = addScaled(place, unit(random), beta * step * (i === middle - 1 ? 1 : random()));
+    }
+    return samples;
+  },
+  worldLine: (input, time) => {
+    const samples = Array.from({ length: SAMPLES }, (_, i) => input.slice(4 * (i + 1), 4 * (i + 2)));
+    return {
+      kind: 'polyline',
+      times: Float64Array.from(samples, (sample) => time + sample[3]),
+      positions: Float64Array.from(samples.flatMap((sample) => [...add(vec3At(input, 0), vec3At(sample, 0))])),
+    };
+  },
+  emission: (texel) => polylineEmission(texel(0), samplesOf(texel), int(SAMPLES)),
+  slice: (texel, u, gamma) => polylineSlice(texel(0), samplesOf(texel), int(SAMPLES), u, gamma),
+  place: (texel) => polylinePlace(samplesOf(texel), int(SAMPLES)),
+};
+
+export const movers = { uniform, hyperbolic, polyline } as const;

@@ -1,0 +1,194 @@
+import { vec4 } from 'three/tsl';
+import { add, cross, dot, length, scale } from '../../math/vec3.ts';
+import * as physics from '../../physics/index.ts';
+import { aberrate } from '../aberrate.ts';
+import { apparentPosition } from '../apparentPosition.ts';
+import { closing } from '../closing.ts';
+import { coneOffset } from '../coneOffset.ts';
+import { dopplerFactor } from '../dopplerFactor.ts';
+import { emitterDoppler } from '../emitterDoppler.ts';
+import { observerDoppler } from '../observerDoppler.ts';
+import { recession } from '../recession.ts';
+import { simultaneousPosition } from '../simultaneousPosition.ts';
+import { unaberrate } from '../unaberrate.ts';
+import { always, direction, distance, relative, upTo100, within } from './checks.ts';
+import {
+  AIMS,
+  aimed,
+  draw,
+  gammaOf,
+  logUniform,
+  lookOut,
+  mover,
+  observers,
+  SPEEDS,
+  unit,
+  vec3At,
+  withLength,
+} from './domain.ts';
+import type { Twin, TwinCase } from './twin.ts';
+
+const EACH = 60;
+
+/** (Δx or n), (u, γ) */
+const lookingOut =
+  (what: 'dx' | 'n') =>
+  (random: () => number): readonly TwinCase[] =>
+    draw(observers, EACH, (stratum) => {
+      const look = lookOut(random, stratum);
+      return [...look[what], 0, ...look.u, gammaOf(look.u)];
+    });
+
+const observed = {
+  texels: 2,
+  outputs: 1,
+} as const;
+
+const observerDopplerTwin: Twin = {
+  ...observed,
+  name: 'observerDoppler',
+  cases: lookingOut('dx'),
+  cpu: (input) => [physics.observerDoppler(vec3At(input, 0), vec3At(input, 1)), 0, 0, 0],
+  gpu: (texel) => [vec4(observerDoppler(texel(0).xyz, texel(1).xyz, texel(1).w), 0, 0, 0)],
+  checks: [relative('D', 0, upTo100(2e-5, 2e-4))],
+};
+
+const apparentPositionTwin: Twin = {
+  ...observed,
+  name: 'apparentPosition',
+  cases: lookingOut('dx'),
+  cpu: (input) => [...physics.apparentPosition(vec3At(input, 0), vec3At(input, 1)), 0],
+  gpu: (texel) => [vec4(apparentPosition(texel(0).xyz, texel(1).xyz, texel(1).w), 0)],
+  checks: [direction(0, upTo100(0.05, 0.5)), distance(0, upTo100(2e-5, 2e-4))],
+};
+
+const aberrateTwin: Twin = {
+  ...observed,
+  name: 'aberrate',
+  cases: lookingOut('n'),
+  cpu: (input) => [...physics.aberrate(vec3At(input, 0), vec3At(input, 1)), 0],
+  gpu: (texel) => [vec4(aberrate(texel(0).xyz, texel(1).xyz, texel(1).w), 0)],
+  checks: [direction(0, upTo100(0.05, 0.5))],
+};
+
+const unaberrateTwin: Twin = {
+  ...observed,
+  name: 'unaberrate',
+  cases: lookingOut('n'),
+  cpu: (input) => [...physics.unaberrate(vec3At(input, 0), vec3At(input, 1)), 0],
+  gpu: (texel) => [vec4(unaberrate(texel(0).xyz, texel(1).xyz, texel(1).w), 0)],
+  checks: [direction(0, upTo100(0.05, 0.5))],
+};
+
+const simultaneousPositionTwin: Twin = {
+  ...observed,
+  name: 'simultaneousPosition',
+  cases: lookingOut('dx'),
+  cpu: (input) => [...physics.simultaneousPosition(vec3At(input, 0), vec3At(input, 1)), 0],
+  gpu: (texel) => [vec4(simultaneousPosition(texel(0).xyz, texel(1).xyz, texel(1).w), 0)],
+  checks: [within('place, over |Δx|', 0, (_, input) => length(vec3At(input, 0)), always(1e-6))],
+};
+
+const dopplerFactorTwin: Twin = {
+  name: 'dopplerFactor',
+  texels: 3,
+  outputs: 1,
+  cases: (random) =>
+    draw(observers, EACH, (stratum) => {
+      const { u, dx } = lookOut(random, stratum);
+      const beta = SPEEDS[Math.floor(random() * SPEEDS.length)];
+      const aim = AIMS[Math.floor(random() * AIMS.length)];
+      return [...dx, 0, ...u, gammaOf(u), ...mover(aimed(random, scale(dx, 1 / length(dx)), aim), beta)];
+    }),
+  cpu: (input) => {
+    const uEmitter = scale(vec3At(input, 2), 1 / Math.sqrt(input[11]));
+    return [physics.dopplerFactor(vec3At(input, 0), vec3At(input, 1), uEmitter), 0, 0, 0];
+  },
+  gpu: (texel) => [vec4(dopplerFactor(texel(0).xyz, texel(1).xyz, texel(1).w, texel(2)), 0, 0, 0)],
+  checks: [relative('D', 0, upTo100(1e-4, 4e-4))],
+};
+
+const moverStrata = SPEEDS.flatMap((beta) => AIMS.map((aim) => ({ name: `β ${beta}, ${aim}`, gamma: 1, beta, aim })));
+
+/** n, (v, 1 − v²) */
+const movers = (random: () => number): readonly TwinCase[] =>
+  draw(moverStrata, EACH, ({ beta, aim }) => {
+    const n = unit(random);
+    return [...n, 0, ...mover(aimed(random, n, aim), beta)];
+  });
+
+const emitterDopplerTwin: Twin = {
+  ...observed,
+  name: 'emitterDoppler',
+  cases: movers,
+  cpu: (input) => [physics.emitterDoppler(vec3At(input, 0), vec3At(input, 1), input[7]), 0, 0, 0],
+  gpu: (texel) => [vec4(emitterDoppler(texel(0).xyz, texel(1)), 0, 0, 0)],
+  checks: [relative('D', 0, always(1e-4))],
+};
+
+const recessionTwin: Twin = {
+  ...observed,
+  name: 'recession',
+  cases: movers,
+  cpu: (input) => {
+    const [n, v] = [vec3At(input, 0), vec3At(input, 1)];
+    const side = cross(v, n);
+    return [dot(v, n) < 0 ? (input[7] + dot(side, side)) / (1 - dot(v, n)) : 1 + dot(v, n), 0, 0, 0];
+  },
+  gpu: (texel) => [vec4(recession(texel(0).xyz, texel(1)), 0, 0, 0)],
+  checks: [relative('1 + v·n', 0, always(1e-4))],
+};
+
+const closingTwin: Twin = {
+  ...observed,
+  name: 'closing',
+  cases: (random) =>
+    draw(observers, EACH, (stratum) => {
+      const { u, n } = lookOut(random, stratum);
+      return [...u, gammaOf(u), ...mover(n, SPEEDS[Math.floor(random() * SPEEDS.length)])];
+    }),
+  // γ − u·v is the relative Lorentz factor of observer and mover over the mover's own.
+  cpu: (input) => {
+    const gammaV = 1 / Math.sqrt(input[7]);
+    const relativeU = physics.relativeVelocity(scale(vec3At(input, 1), gammaV), vec3At(input, 0));
+    return [gammaOf(relativeU) / gammaV, 0, 0, 0];
+  },
+  gpu: (texel) => [vec4(closing(texel(0).xyz, texel(0).w, texel(1)), 0, 0, 0)],
+  checks: [relative('γ − u·v', 0, upTo100(1e-4, 4e-4))],
+};
+
+const coneOffsetTwin: Twin = {
+  ...observed,
+  name: 'coneOffset',
+  cases: (random) =>
+    draw([{ name: 'anchor 0.1 m … 100 km', gamma: 1 }], 400, () => [
+      ...withLength(scale(unit(random), logUniform(random, 0.1, 1e5))),
+      ...scale(unit(random), logUniform(random, 0.01, 100)),
+      0,
+    ]),
+  cpu: (input) => {
+    const [dc, x] = [vec3At(input, 0), vec3At(input, 1)];
+    return [(dot(x, x) + 2 * dot(dc, x)) / (length(add(dc, x)) + length(dc)), 0, 0, 0];
+  },
+  gpu: (texel) => [vec4(coneOffset(texel(0), texel(1).xyz), 0, 0, 0)],
+  checks: [
+    {
+      name: 'difference, over |x|',
+      error: (gpu, cpu, input) => Math.abs(gpu[0] - cpu[0]) / length(vec3At(input, 1)),
+      tolerance: always(1e-6),
+    },
+  ],
+};
+
+export const seeing: readonly Twin[] = [
+  observerDopplerTwin,
+  emitterDopplerTwin,
+  dopplerFactorTwin,
+  apparentPositionTwin,
+  aberrateTwin,
+  unaberrateTwin,
+  simultaneousPositionTwin,
+  recessionTwin,
+  closingTwin,
+  coneOffsetTwin,
+];

@@ -1,0 +1,61 @@
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { registry } from '../../src/shaders/registry.ts';
+import type { Twin } from '../../src/shaders/twins/twin.ts';
+import { type ModulePage, openModulePage } from './browser.ts';
+import { type HeadlessRenderer, openRenderer } from './dawn.ts';
+import { casesOf, failures, judge, report } from './judge.ts';
+import { pipelines } from './precision.ts';
+import { computeTwin } from './runTwin.ts';
+
+/** Another one on every run with SEED=$RANDOM; a failure prints it. */
+const SEED = Number(process.env.SEED ?? 20260727);
+const twins = [...registry, ...pipelines];
+
+function expectEqual(twin: Twin, values: ArrayLike<number>): void {
+  const verdicts = judge(twin, casesOf(twin, SEED), values);
+  if (process.env.REPORT) console.log(report(twin, verdicts));
+  expect(failures(verdicts), `seed ${SEED}`).toEqual([]);
+}
+
+test('every function of shaders/ has a twin or is part of one', () => {
+  const modules = import.meta.glob<Record<string, unknown>>('../../src/shaders/*.ts', { eager: true });
+  const exported = Object.values(modules)
+    .flatMap((module) => Object.entries(module))
+    .filter(([, value]) => typeof value === 'function')
+    .map(([name]) => name);
+  const registered = new Set(registry.flatMap((twin) => [twin.name, ...(twin.parts ?? [])]));
+  expect(exported.length).toBeGreaterThan(20);
+  expect(exported.filter((name) => !registered.has(name))).toEqual([]);
+});
+
+describe('on WebGPU (Dawn)', () => {
+  let headless: HeadlessRenderer;
+  beforeAll(async () => {
+    headless = await openRenderer();
+  });
+  afterAll(() => headless?.close());
+
+  test.each(twins)('$name', async (twin) => {
+    const values = await computeTwin(headless.renderer, twin, casesOf(twin, SEED));
+    headless.gpu.assertHealthy();
+    expectEqual(twin, values);
+  });
+});
+
+describe('on WebGL2 (Chromium)', () => {
+  let chromium: ModulePage;
+  beforeAll(async () => {
+    chromium = await openModulePage(fileURLToPath(new URL('twinsPage.ts', import.meta.url)));
+  });
+  afterAll(() => chromium?.close());
+
+  test.each(twins)('$name', async (twin) => {
+    const values = await chromium.page.evaluate(([name, seed]) => window.runTwin(name, seed), [
+      twin.name,
+      SEED,
+    ] as const);
+    chromium.assertHealthy();
+    expectEqual(twin, values);
+  });
+});
