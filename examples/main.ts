@@ -1,0 +1,56 @@
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { writeTextures, writeUsda } from '../src/formats/usd/index.ts';
+import type { Scene, Texture } from '../src/scene/types.ts';
+import { validate } from '../src/scene/validate.ts';
+import type { ExampleScene } from './kit/example.ts';
+import { scene as dice } from './scenes/dice.ts';
+import { scene as gallery } from './scenes/gallery.ts';
+import { scene as hall } from './scenes/hall.ts';
+import { scene as ladder } from './scenes/ladder.ts';
+import { scene as lattice } from './scenes/lattice.ts';
+import { scene as saturn } from './scenes/saturn.ts';
+import { scene as sphere } from './scenes/sphere.ts';
+import { scene as street } from './scenes/street.ts';
+import { scene as wheel } from './scenes/wheel.ts';
+
+const scenes: readonly ExampleScene[] = [street, dice, wheel, lattice, sphere, hall, saturn, gallery, ladder];
+
+/** This file runs from dist/examples/examples. */
+const folder = fileURLToPath(new URL('../../../examples/', import.meta.url));
+
+for (const name of chosen(process.argv.slice(2))) write(scenes.find((scene) => scene.name === name) ?? unknown(name));
+
+function chosen(names: readonly string[]): readonly string[] {
+  return names.length > 0 ? names : scenes.map(({ name }) => name);
+}
+
+function unknown(name: string): never {
+  throw new Error(`no scene ${name}; there are ${scenes.map((scene) => scene.name).join(', ')}`);
+}
+
+function write({ name, make }: ExampleScene): void {
+  const scene = named(make(), name);
+  const faults = validate(scene, scene.hints.speedOfLight ?? 299_792_458).filter((d) => d.severity === 'error');
+  if (faults.length > 0) throw new Error(faults.map((d) => `${name}: ${d.place}: ${d.message}`).join('\n'));
+  const text = writeUsda(scene);
+  writeFileSync(join(folder, `${name}.usda`), text);
+  for (const [path, bytes] of writeTextures(scene)) {
+    mkdirSync(dirname(join(folder, path)), { recursive: true });
+    writeFileSync(join(folder, path), bytes);
+  }
+  const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
+  console.log(
+    `${name}.usda  ${(text.length / 1024).toFixed(0)} KiB, ${triangles} triangles, ${scene.objects.length} objects`,
+  );
+}
+
+/** The scenes share a folder of textures, so each one's carry its name. */
+function named(scene: Scene, prefix: string): Scene {
+  const rename = (texture: Texture): Texture => ({ ...texture, name: `${prefix}_${texture.name}` });
+  const materials = scene.materials.map((material) =>
+    material.baseColorTexture ? { ...material, baseColorTexture: rename(material.baseColorTexture) } : material,
+  );
+  return { ...scene, materials };
+}
