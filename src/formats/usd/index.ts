@@ -1,3 +1,4 @@
 export type * from './layer.ts';
 export { parseLayer } from './parser.ts';
 export { readUsd } from './read.ts';
+export { writeTextures, writeUsda, writeUsdz } from './write.ts';

@@ -151,7 +151,10 @@ export class MaterialTable {
     }
     const image = await this.textures.image(shader);
     if (!image) return { value: 1 };
-    return { value: 1, alphaOf: { shader, image, channel: channelOf(output) }, uv: uvSourceOf(this.context, shader) };
+    const channel = channelOf(output);
+    const scale = resolveInput(this.context.layer, shader, 'inputs:scale', this.context.startCode).value;
+    const uv = uvSourceOf(this.context, shader);
+    return { value: numbersOf(scale)?.[channel] ?? 1, alphaOf: { shader, image, channel }, uv };
   }
 
   /** A number; of a texture its mean. */

@@ -1,5 +1,5 @@
 import * as mat4 from '../../math/mat4.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { distance, type Vec3 } from '../../math/vec3.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion } from '../../scene/types.ts';
@@ -108,7 +108,7 @@ function deforming(context: StageContext, path: string, shape: Shape, world: Fra
   return sampledPoints(context, shape, world, refined(context, path, both, corners));
 }
 
-/** Every vertex at every time, from the middle of where they all are. */
+/** Every vertex at every time. */
 function sampledPoints(context: StageContext, shape: Shape, world: Frame, times: Float64Array): Placed {
   const local = (time: number): Mesh => {
     const { mesh, deformation } = shape;
@@ -118,7 +118,7 @@ function sampledPoints(context: StageContext, shape: Shape, world: Frame, times:
     return normals ? { ...mesh, positions, normals } : withPositions(mesh, positions);
   };
   const samples = Array.from(times, local);
-  const origin = middleOf(samples, times, world);
+  const origin = originOf(samples, times, world);
   const fromOrigin: mat4.Mat4 = [1, 0, 0, -origin[0], 0, 1, 0, -origin[1], 0, 0, 1, -origin[2], 0, 0, 0, 1];
   const placed = samples.map((mesh, i) => transformMesh(mesh, mat4.multiply(fromOrigin, world.matrixAt(times[i]))));
   const motion: SampledPointsMotion = {
@@ -135,12 +135,15 @@ function withPositions(mesh: Mesh, positions: Float32Array): Mesh {
   return { ...mesh, positions, normals: deformedNormals(positions, mesh.indices, smoothingGroups(mesh)) };
 }
 
-function middleOf(samples: readonly Mesh[], times: Float64Array, world: Frame): Vec3 {
+/** The prim's own origin where it is near (so that its points stay as written), else the middle of all points. */
+function originOf(samples: readonly Mesh[], times: Float64Array, world: Frame): Vec3 {
   const corners = samples.flatMap((mesh, i) => {
     const m = world.matrixAt(times[i]);
     return boxCorners(mesh.positions).flatMap((c) => mat4.transformPoint(m, c));
   });
   const box = boxCorners(corners);
   const [low, high] = [box[0], box[box.length - 1]];
-  return [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
+  const middle: Vec3 = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
+  const own = mat4.transformPoint(world.matrixAt(times[0]), [0, 0, 0]);
+  return distance(own, middle) <= distance(low, high) ? own : middle;
 }

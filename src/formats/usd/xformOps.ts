@@ -1,5 +1,5 @@
 import * as mat4 from '../../math/mat4.ts';
-import { fromAxisAngle, IDENTITY, toMatrix } from '../../math/quat.ts';
+import { fromAxisAngle, IDENTITY, normalizeQuat, type Quat, toMatrix } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { attributeOf, numbersOf, sampleTimes, type TimeCode, tokensAt, valueAt } from './attributes.ts';
 import type { AttributeSpec, PrimSpec, Value } from './layer.ts';
@@ -92,12 +92,18 @@ function withAxis(rest: number, axis: number, value: number): Vec3 {
   return [at(0), at(1), at(2)];
 }
 
-/** As GfRotation::SetQuat: the axis from the imaginary part, the angle from the real one, unit or not. */
-function fromQuat(q: ArrayLike<number>): mat4.Mat4 {
-  const axis: Vec3 = [q[0], q[1], q[2]];
-  const turn =
-    Math.hypot(...axis) > 1e-10 ? fromAxisAngle(axis, 2 * Math.acos(Math.max(-1, Math.min(1, q[3])))) : IDENTITY;
-  return mat4.fromParts(toMatrix(turn), [0, 0, 0]);
+/**
+ * As GfRotation::SetQuat: the axis from the imaginary part, the angle from the real one, also of what is not unit. Of
+ * what is, the arc cosine would lose half the digits of a small angle.
+ */
+function fromQuat(v: ArrayLike<number>): mat4.Mat4 {
+  const q: Quat = [v[0], v[1], v[2], v[3]];
+  return mat4.fromParts(toMatrix(Math.abs(Math.hypot(...q) - 1) < 1e-6 ? normalizeQuat(q) : byParts(q)), [0, 0, 0]);
+}
+
+function byParts([x, y, z, w]: Quat): Quat {
+  if (Math.hypot(x, y, z) <= 1e-10) return IDENTITY;
+  return fromAxisAngle([x, y, z], 2 * Math.acos(Math.max(-1, Math.min(1, w))));
 }
 
 /** About one axis [degrees]. */

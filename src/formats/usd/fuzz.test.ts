@@ -1,0 +1,94 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { random } from '../../math/random.ts';
+import { InputError } from '../../scene/types.ts';
+import { memorySource } from '../source.ts';
+import { readUsd } from './read.ts';
+import { packUsdz } from './writeZip.ts';
+
+const fixture = (name: string): Uint8Array =>
+  new Uint8Array(readFileSync(new URL(`./fixtures/${name}`, import.meta.url)));
+
+/** A scene, or a clear refusal: anything else that is thrown is a bug. */
+async function outcome(bytes: Uint8Array, name: string): Promise<'read' | 'refused'> {
+  try {
+    await readUsd(memorySource({ [name]: bytes }), name);
+    return 'read';
+  } catch (thrown) {
+    if (thrown instanceof InputError) return 'refused';
+    throw thrown;
+  }
+}
+
+const FILES: [string, Uint8Array][] = [
+  ...['grammar', 'xforms', 'meshes', 'written'].map((n): [string, Uint8Array] => [`${n}.usda`, fixture(`${n}.usda`)]),
+  [
+    'package.usdz',
+    packUsdz(
+      new Map([
+        ['a.usda', fixture('meshes.usda')],
+        ['checker.png', Uint8Array.of(1, 2, 3)],
+      ]),
+    ),
+  ],
+];
+
+describe.each(FILES)('%s, damaged,', (name, bytes) => {
+  it('is read or refused when cut off anywhere', async () => {
+    for (let k = 0; k < 20; k++) await outcome(bytes.subarray(0, Math.floor((bytes.length * k) / 20)), name);
+    expect(await outcome(bytes.subarray(0, bytes.length - 30), name)).toBe('refused');
+  });
+
+  it('is read or refused with flipped bytes', async () => {
+    const next = random(20261121);
+    for (let k = 0; k < 150; k++) {
+      const damaged = bytes.slice();
+      for (let i = 0; i < 3; i++) damaged[Math.floor(next() * bytes.length)] = Math.floor(next() * 256);
+      await outcome(damaged, name);
+    }
+  });
+
+  it('is read or refused with pieces moved about', async () => {
+    const next = random(7);
+    for (let k = 0; k < 60; k++) {
+      const damaged = bytes.slice();
+      const [from, to] = [Math.floor(next() * bytes.length), Math.floor(next() * bytes.length)];
+      damaged.copyWithin(to, from, from + Math.floor(next() * 200));
+      await outcome(damaged, name);
+    }
+  });
+});
+
+describe('packages', () => {
+  const layer = new TextEncoder().encode('#usda 1.0\ndef Cube "A"\n{\n}\n');
+  const refusal = (bytes: Uint8Array): Promise<string> =>
+    readUsd(memorySource({ 'a.usdz': bytes }), 'a.usdz').then(
+      () => 'read',
+      (e: Error) => e.message,
+    );
+  const patched = (offset: number, value: number): Uint8Array => {
+    const bytes = packUsdz(new Map([['a.usda', layer]]));
+    const directory = new DataView(bytes.buffer).getUint32(bytes.length - 6, true);
+    bytes[directory + offset] = value;
+    return bytes;
+  };
+
+  it('open', async () => {
+    const scene = await readUsd(memorySource({ 'a.usdz': packUsdz(new Map([['a.usda', layer]])) }), 'a.usdz');
+    expect(scene.objects.map((o) => o.path)).toEqual(['/A']);
+  });
+
+  it('are refused when encrypted, compressed or leading out', async () => {
+    expect(await refusal(patched(8, 1))).toContain('a.usda in it is encrypted');
+    expect(await refusal(patched(10, 8))).toContain('compressed (method 8), which usdz does not allow');
+    for (const path of ['../a.usda', '/a.usda', 'b/../../a.usda', 'C:\\a.usda', '..\\a.usda'])
+      expect(await refusal(packUsdz(new Map([[path, layer]])))).toContain('leads out of the package');
+  });
+
+  it('without a layer, and crate layers, say what to do', async () => {
+    expect(await refusal(packUsdz(new Map([['a.png', layer]])))).toContain('holds no USD layer');
+    const crate = new TextEncoder().encode('PXR-USDC and so on');
+    expect(await refusal(packUsdz(new Map([['a.usdc', crate]])))).toContain('usdcat in.usd -o out.usda');
+    await expect(readUsd(memorySource({ 'a.usd': crate }), 'a.usd')).rejects.toThrow('binary (crate)');
+  });
+});
