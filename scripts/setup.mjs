@@ -177,7 +177,7 @@ export function ensureBuilt(...names) {
 
 function build(name) {
   if (name === 'lib') run(process.execPath, [at('node_modules/typescript/bin/tsc'), '-p', 'tsconfig.build.json']);
-  else run(process.execPath, [at('node_modules/vite/bin/vite.js'), 'build', '--logLevel', 'warn']);
+  else run(process.execPath, [at('node_modules/vite/bin/vite.js'), 'build', '--logLevel', 'error']);
 }
 
 // ── Pixar's USD, as an independent judge in tests ──────────────────────────────────────────────────────────────────
