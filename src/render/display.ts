@@ -1,4 +1,4 @@
-import { dot, Fn, floor, fract, mix, mrt, pow, screenCoordinate, select, step, vec2, vec3, vec4 } from 'three/tsl';
+import { dot, Fn, floor, fract, If, mix, mrt, pow, screenCoordinate, select, step, vec2, vec3, vec4 } from 'three/tsl';
 import type { Node, Texture } from 'three/webgpu';
 import { toneMap } from '../shaders/toneMap.ts';
 import type { Vec3, Vec4 } from '../shaders/types.ts';
@@ -12,9 +12,12 @@ import type { Projection } from './vertexStage.ts';
 
 /** Linear light to display, 0 … 1, with the grid over it. */
 function displayed(hdr: Vec3, buffer: GBuffer, place: Projection['place'], uniforms: Uniforms): Vec3 {
-  const picture = toneMap(hdr, uniforms.exposure);
-  const grid = gridOver(pixelDirection(uniforms), depthHere(buffer, place, uniforms), uniforms).toVar();
-  return mix(picture, grid.xyz, grid.w.mul(uniforms.grid));
+  const picture = toneMap(hdr, uniforms.exposure).toVar();
+  If(uniforms.grid.greaterThan(0.5), () => {
+    const grid = gridOver(pixelDirection(uniforms), depthHere(buffer, place, uniforms), uniforms).toVar();
+    picture.assign(mix(picture, grid.xyz, grid.w));
+  });
+  return picture;
 }
 
 /** One sample: encoded for FXAA, which needs what the eye sees. */
@@ -36,7 +39,7 @@ export function addedSample(
     vec4(select(uniforms.firstSample.greaterThan(0.5), vec3(0), texelHere(of).rgb).add(now.mul(uniforms.weight)), 1);
   const light = texelHere(hdr).rgb;
   return mrt({
-    picture: sum(displayed(light, buffer, place, uniforms), before.picture),
+    picture: Fn(() => sum(displayed(light, buffer, place, uniforms), before.picture))(),
     light: sum(light, before.light),
   });
 }

@@ -1,4 +1,4 @@
-import { abs, dot, Fn, max, min, screenSize, screenUV, select, texture, vec2, vec3 } from 'three/tsl';
+import { abs, dot, Fn, If, int, max, min, screenSize, screenUV, select, texture, vec2, vec3 } from 'three/tsl';
 import type { Node, Texture } from 'three/webgpu';
 import type { Float, Vec3 } from '../shaders/types.ts';
 
@@ -7,41 +7,46 @@ type Vec2 = Node<'vec2'>;
 const REDUCE = 1 / 8;
 const LEAST_REDUCE = 1 / 128;
 const SPAN = 8;
+/** Of encoded luma; less is no edge. */
+const LEAST_CONTRAST = 1 / 32;
 
 /** Smooths edges of an sRGB-encoded picture along their direction. Source: Lottes, FXAA (NVIDIA 2009), the short variant. */
 export const fxaa = (picture: Texture): Vec3 =>
   Fn(() => {
     const pixel = vec2(1).div(screenSize).toVar();
     const at = (x: Float | number, y: Float | number): Vec3 =>
-      texture(picture, screenUV.add(pixel.mul(vec2(x, y)))).rgb;
+      texture(picture, screenUV.add(pixel.mul(vec2(x, y)))).level(int(0)).rgb;
     const luma = (rgb: Vec3): Float => dot(rgb, vec3(0.299, 0.587, 0.114)).toVar();
     const middle = at(0, 0).toVar();
     const m = luma(middle);
     const [nw, ne, sw, se] = [luma(at(-1, -1)), luma(at(1, -1)), luma(at(-1, 1)), luma(at(1, 1))];
-    const darkest = min(m, min(min(nw, ne), min(sw, se)));
-    const brightest = max(m, max(max(nw, ne), max(sw, se)));
+    const darkest = min(m, min(min(nw, ne), min(sw, se))).toVar();
+    const brightest = max(m, max(max(nw, ne), max(sw, se))).toVar();
 
-    const direction = vec2(sw.add(se).sub(nw).sub(ne), nw.add(sw).sub(ne).sub(se)).toVar();
-    const reduce = max(
-      nw
-        .add(ne)
-        .add(sw)
-        .add(se)
-        .mul(0.25 * REDUCE),
-      LEAST_REDUCE,
-    );
-    const shortest = min(abs(direction.x), abs(direction.y)).add(reduce);
-    const step: Vec2 = direction.div(shortest).clamp(-SPAN, SPAN).toVar();
-    const along = (k: number): Vec3 => at(step.x.mul(k), step.y.mul(k));
-    const near = along(-1 / 6)
-      .add(along(1 / 6))
-      .mul(0.5)
-      .toVar();
-    const wide = near
-      .mul(0.5)
-      .add(along(-0.5).add(along(0.5)).mul(0.25))
-      .toVar();
-    const wideLuma = luma(wide);
-    const outside = wideLuma.lessThan(darkest).or(wideLuma.greaterThan(brightest));
-    return select(outside, near, wide);
+    const smooth = middle.toVar();
+    If(brightest.sub(darkest).greaterThan(LEAST_CONTRAST), () => {
+      const direction = vec2(sw.add(se).sub(nw).sub(ne), nw.add(sw).sub(ne).sub(se)).toVar();
+      const reduce = max(
+        nw
+          .add(ne)
+          .add(sw)
+          .add(se)
+          .mul(0.25 * REDUCE),
+        LEAST_REDUCE,
+      );
+      const shortest = min(abs(direction.x), abs(direction.y)).add(reduce);
+      const step: Vec2 = direction.div(shortest).clamp(-SPAN, SPAN).toVar();
+      const along = (k: number): Vec3 => at(step.x.mul(k), step.y.mul(k));
+      const near = along(-1 / 6)
+        .add(along(1 / 6))
+        .mul(0.5)
+        .toVar();
+      const wide = near
+        .mul(0.5)
+        .add(along(-0.5).add(along(0.5)).mul(0.25))
+        .toVar();
+      const wideLuma = luma(wide);
+      smooth.assign(select(wideLuma.lessThan(darkest).or(wideLuma.greaterThan(brightest)), near, wide));
+    });
+    return smooth;
   })();

@@ -8,11 +8,7 @@ import {
   NodeMaterial,
   Scene as ThreeScene,
 } from 'three/webgpu';
-import type { Vec3 } from '../math/vec3.ts';
-import { boundingBox } from '../scene/bounds.ts';
-import { restToWorld } from '../scene/resample.ts';
-import { subdivideObject } from '../scene/subdivide.ts';
-import type { Scene, SceneObject, Texture } from '../scene/types.ts';
+import type { Scene, Texture } from '../scene/types.ts';
 import { type Batch, type BatchArrays, makeBatches } from './batches.ts';
 import { type Body, makeBody } from './bodies.ts';
 import { Environment } from './environment.ts';
@@ -20,13 +16,10 @@ import { FloatTable } from './floatTable.ts';
 import { Frame } from './frame.ts';
 import { PointStore } from './pointStore.ts';
 import { MATERIAL_TEXELS, type SurfaceSources } from './surface.ts';
+import { isSampledAtRest, tessellate } from './tessellate.ts';
 import { uploadTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { VertexSources } from './vertexStage.ts';
-
-/** Edges longer than this share of the scene are cut, until so many triangles have been added. */
-const LONGEST_EDGE = 1 / 100;
-const ADDED_TRIANGLES = 400_000;
 
 /** One draw call with what its shaders read, and its materials, made when they are first asked for. */
 export interface Drawable {
@@ -65,10 +58,9 @@ export class SceneUpload {
     this.scene = scene;
     this.speedOfLight = speedOfLight;
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
-    const inWorld = scene.objects.map((o) => (isSampledAtRest(o) ? restToWorld(o, speedOfLight) : o));
-    const spheres = inWorld.map((object, i) => makeBody(object, i + 1));
-    this.radius = sceneRadius(spheres);
-    this.bodies = cutLongEdges(inWorld, this.radius).map((object, i) => makeBody(object, i + 1));
+    const { objects, radius } = tessellate(scene, speedOfLight);
+    this.radius = radius;
+    this.bodies = objects.map((object, i) => makeBody(object, i + 1));
     this.environment = new Environment(scene);
     this.frame = new Frame({ objects: this.objects, samples: this.samples, points: this.points });
     for (const { id, object } of this.bodies)
@@ -133,9 +125,6 @@ export class SceneUpload {
   }
 }
 
-const isSampledAtRest = ({ motion, authoredIn }: SceneObject): boolean =>
-  authoredIn === 'rest' && (motion.kind === 'sampled' || motion.kind === 'sampled-points');
-
 export const sideOf = (batch: Batch) => (batch.doubleSided ? DoubleSide : FrontSide);
 
 function makeGeometry(arrays: BatchArrays): BufferGeometry {
@@ -149,29 +138,4 @@ function makeGeometry(arrays: BatchArrays): BufferGeometry {
   if (arrays.colors) set('color', arrays.colors, 3);
   geometry.setIndex(new BufferAttribute(arrays.indices, 1));
   return geometry;
-}
-
-/** Half the diagonal of the box of all objects where they are at time 0, or at their first sample. */
-function sceneRadius(bodies: readonly Body[]): number {
-  const corners: number[] = [];
-  for (const { line, radius } of bodies) {
-    const at: Vec3 =
-      line.kind === 'polyline' ? [line.positions[0], line.positions[1], line.positions[2]] : startOf(line);
-    for (const side of [-radius, radius]) corners.push(at[0] + side, at[1] + side, at[2] + side);
-  }
-  const box = boundingBox(corners);
-  return box ? Math.hypot(box.max[0] - box.min[0], box.max[1] - box.min[1], box.max[2] - box.min[2]) / 2 : 1;
-}
-
-const startOf = (line: Body['line']): Vec3 => ('position' in line ? line.position : [0, 0, 0]);
-
-function cutLongEdges(objects: readonly SceneObject[], radius: number): SceneObject[] {
-  const maxEdge = Math.max(2 * radius * LONGEST_EDGE, 1e-9);
-  const total = objects.reduce((n, o) => n + o.mesh.indices.length / 3, 0);
-  return objects.map((object) => {
-    const triangles = object.mesh.indices.length / 3;
-    const share = triangles / Math.max(1, total);
-    const fair = ADDED_TRIANGLES * Math.max(share, 1 / objects.length);
-    return subdivideObject(object, maxEdge, Math.ceil(triangles + fair)).result;
-  });
 }

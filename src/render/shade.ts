@@ -1,11 +1,10 @@
-import { clamp, dot, exp2, Fn, int, inverseSqrt, Loop, max, min, mix, normalize, reflect, vec3 } from 'three/tsl';
+import { clamp, dot, exp2, Fn, If, int, inverseSqrt, Loop, max, min, mix, normalize, reflect, vec3 } from 'three/tsl';
 import { aberrate } from '../shaders/aberrate.ts';
-import { dopplerTint } from '../shaders/dopplerTint.ts';
 import { observerDoppler } from '../shaders/observerDoppler.ts';
-import type { Float, Vec3 } from '../shaders/types.ts';
+import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { unaberrate } from '../shaders/unaberrate.ts';
 import type { Environment } from './environment.ts';
-import { beamed, seen } from './radiance.ts';
+import { met, seen } from './radiance.ts';
 import { skyLight, skyRadiance } from './sky.ts';
 import type { Surface } from './surface.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -16,10 +15,30 @@ export type ShadedSurface = Pick<
   'color' | 'emissive' | 'roughness' | 'metallic' | 'normal' | 'dx' | 'velocity' | 'D'
 >;
 
-/** γv and γ of the surface. */
+/** The surface's rest frame: directions of the world as they are there, and back, and D of light from a world direction. */
 interface Rest {
-  readonly u: Vec3;
-  readonly gamma: Float;
+  into: (n: Vec3) => Vec3;
+  out: (n: Vec3) => Vec3;
+  doppler: (n: Vec3) => Float;
+}
+
+/** Most surfaces rest: then nothing is computed. */
+function restFrame(velocity: Vec4, { boostLight }: Uniforms): Rest {
+  const gamma = inverseSqrt(clamp(velocity.w, 1e-12, 1)).toVar();
+  const u = velocity.xyz.mul(gamma).mul(boostLight).toVar();
+  const moving = dot(u, u).greaterThan(0).toVar();
+  const where = (rest: Vec3, moved: () => Vec3): Vec3 => {
+    const value = rest.toVar();
+    If(moving, () => {
+      value.assign(moved());
+    });
+    return value;
+  };
+  return {
+    into: (n) => where(n, () => aberrate(n, u, gamma)),
+    out: (n) => where(n, () => unaberrate(n, u, gamma)),
+    doppler: (n) => where(vec3(1), () => vec3(observerDoppler(n, u, gamma))).x,
+  };
 }
 
 /**
@@ -29,10 +48,9 @@ interface Rest {
  */
 export const shade = (surface: ShadedSurface, environment: Environment, uniforms: Uniforms): Vec3 =>
   Fn(() => {
-    const gamma = inverseSqrt(clamp(surface.velocity.w, 1e-12, 1)).toVar();
-    const rest: Rest = { u: surface.velocity.xyz.mul(gamma).mul(uniforms.boostLight).toVar(), gamma };
+    const rest = restFrame(surface.velocity, uniforms);
     const N = surface.normal.toVar();
-    const V = aberrate(normalize(surface.dx), rest.u, rest.gamma).negate().toVar();
+    const V = rest.into(normalize(surface.dx)).negate().toVar();
     const look = lookOf(surface, max(dot(N, V), 1e-3).toVar());
     const sum = skyReflection(look, N, V, rest, environment, uniforms).add(surface.emissive).toVar();
     Loop({ start: int(0), end: uniforms.lightCount, type: 'int', condition: '<' }, ({ i }) => {
@@ -71,11 +89,9 @@ function directLight(
   const away = mix(place.xyz, place.xyz.sub(dx), place.w).toVar();
   const fall = mix(1, dot(away, away).max(1e-6).reciprocal(), place.w);
   const s = normalize(away).toVar();
-  const Din = observerDoppler(s, rest.u, rest.gamma).toVar();
-  const E = dopplerTint(color, Din, uniforms.dopplerMix)
-    .mul(fall)
-    .mul(beamed(Din, 2, uniforms));
-  const L = aberrate(s, rest.u, rest.gamma).toVar();
+  const Din = rest.doppler(s);
+  const E = met(color, Din, uniforms).mul(fall);
+  const L = rest.into(s);
   const NL = clamp(dot(N, L), 0, 1).toVar();
   return E.mul(NL).mul(look.diffuse.mul(1 / Math.PI).add(ggx(look, N, V, L, NL)));
 }
@@ -99,8 +115,8 @@ function ggx({ F0, roughness, NV }: Look, N: Vec3, V: Vec3, L: Vec3, NL: Float):
 function skyReflection(look: Look, N: Vec3, V: Vec3, rest: Rest, environment: Environment, uniforms: Uniforms): Vec3 {
   const { F0, roughness, NV, diffuse } = look;
   const arriving = (nPrime: Vec3, radiance: (n: Vec3) => Vec3): Vec3 => {
-    const n = unaberrate(nPrime, rest.u, rest.gamma).toVar();
-    return seen(radiance(n), observerDoppler(n, rest.u, rest.gamma).toVar(), uniforms);
+    const n = rest.out(nPrime);
+    return seen(radiance(n), rest.doppler(n), uniforms);
   };
   const soft = (n: Vec3) => skyLight(environment, n, uniforms.zenith);
   const sharp = (n: Vec3) => mix(skyRadiance(environment, n, uniforms.zenith), soft(n), roughness.sqrt());
