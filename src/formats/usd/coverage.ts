@@ -28,7 +28,11 @@ function arcsIn(prim: PrimSpec): NamedArc[] {
   return ARCS.flatMap((arc) => {
     const value = prim.metadata.get(arc);
     const targets =
-      value?.type === 'arcs' ? listed(value.op).map(written) : value?.type === 'paths' ? listed(value.op) : [];
+      value?.type === 'arcs'
+        ? listed(value.op).map(written)
+        : value?.type === 'paths'
+          ? listed(value.op).map((path) => `<${path}>`)
+          : [];
     return targets.length > 0 ? [{ arc, targets }] : [];
   });
 }
@@ -53,6 +57,15 @@ export function noteUnreadArcs(context: StageContext, prim: PrimSpec): void {
     say(`the variant set '${set}' (${[...variants.keys()].join(', ')}${chosen ? `; selected: ${chosen}` : ''}) is`);
   }
   if (prim.metadata.has('clips')) say('value clips are');
+  const instanceable = prim.metadata.get('instanceable');
+  if (instanceable?.type === 'bool' && instanceable.data)
+    report(
+      context,
+      'info',
+      'usd.instanceable',
+      prim.path,
+      'is instanceable; what it holds is read like any other prim',
+    );
   for (const property of prim.properties.values())
     if (property.kind === 'attribute' && property.spline !== undefined) say(`the spline of ${property.name} is`);
 }

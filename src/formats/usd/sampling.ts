@@ -9,7 +9,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 const PROBES = [0.118, 0.283, 0.5, 0.691, 0.877];
 /** One interval is halved at most this often, and one object gets at most so many samples. */
 const MAX_HALVINGS = 14;
-const MAX_SAMPLES = 100_000;
+const MAX_SAMPLES = 50_000;
 
 export interface RefinedTimes {
   readonly times: Float64Array;

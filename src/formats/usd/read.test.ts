@@ -1,0 +1,221 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { describe, expect, it } from 'vitest';
+import { InputError, type Scene } from '../../scene/types.ts';
+import { memorySource } from '../source.ts';
+import { readUsd } from './read.ts';
+
+const readText = (body: string, header = 'metersPerUnit = 0.5'): Promise<Scene> => {
+  const text = `#usda 1.0\n(\n${header}\n)\n${body}\n`;
+  return readUsd(memorySource({ 'a.usda': new TextEncoder().encode(text) }), 'a.usda');
+};
+const said = (scene: Scene): string[] => scene.diagnostics.map((d) => `${d.code} ${d.place}: ${d.message}`);
+
+describe('our own attributes', () => {
+  it('give an object and all under it a closed-form motion, in stage units', async () => {
+    const { objects } = await readText(`
+def Xform "Train" {
+  custom token slowlight:motion = "uniform"
+  custom vector3d slowlight:velocity = (2, 0, -4)
+  double3 xformOp:translate = (10, 0, 0)
+  uniform token[] xformOpOrder = ["xformOp:translate"]
+  def Cube "Car" {
+    custom double slowlight:birth = -2
+    custom double slowlight:death = 8
+  }
+  def Cube "Rocket" {
+    custom token slowlight:authoredIn = "rest"
+    custom token slowlight:motion = "hyperbolic"
+    custom vector3d slowlight:properAcceleration = (0, 20, 0)
+    custom double slowlight:t0 = 3
+  }
+}`);
+    const pose = { position: [5, 0, 0], orientation: [0, 0, 0, 1] };
+    expect(objects).toMatchObject([
+      {
+        path: '/Train/Car',
+        motion: { kind: 'uniform', pose, velocity: [1, 0, -2] },
+        lifetime: { birth: -2, death: 8 },
+        authoredIn: 'world',
+      },
+      {
+        path: '/Train/Rocket',
+        motion: { kind: 'hyperbolic', pose, properAcceleration: [0, 10, 0], t0: 3 },
+        authoredIn: 'rest',
+      },
+    ]);
+  });
+
+  it('without a velocity, with unknown words, or against time samples, are complained about', async () => {
+    const scene = await readText(`
+def Cube "A" { token slowlight:motion = "uniform" }
+def Cube "B" { token slowlight:motion = "sideways"; token slowlight:authoredIn = "moon" }
+def Cube "C" {
+  token slowlight:motion = "uniform"; vector3d slowlight:velocity = (1, 0, 0)
+  double3 xformOp:translate.timeSamples = { 0: (0, 0, 0), 24: (2, 0, 0) }
+  uniform token[] xformOpOrder = ["xformOp:translate"]
+}`);
+    expect(said(scene)).toEqual([
+      'usd.slowlight a.usda</A>: slowlight:motion is "uniform" without slowlight:velocity, a vector3d; it rests',
+      'usd.slowlight a.usda</B>: slowlight:motion "sideways" is not uniform or hyperbolic; it is left out',
+      'usd.slowlight a.usda</B>: slowlight:authoredIn "moon" is not world or rest; world is taken',
+      'usd.slowlight a.usda</C>: slowlight:motion and time samples both move it; it keeps its pose of t = 0 s and moves as slowlight:motion says',
+    ]);
+    expect(scene.objects[2].motion).toMatchObject({
+      kind: 'uniform',
+      pose: { position: [0, 0, 0] },
+      velocity: [0.5, 0, 0],
+    });
+  });
+
+  it('in the layer are hints', async () => {
+    const { hints } = await readText(
+      '',
+      'customLayerData = { dictionary slowlight = { double speedOfLight = 10; string title = "T"; string lookFor = "L"; double3 beta = (0, 0, 0.5); double openAt = 2 } }',
+    );
+    expect(hints).toEqual({ speedOfLight: 10, title: 'T', lookFor: 'L', beta: [0, 0, 0.5], openAt: 2 });
+  });
+});
+
+describe('what is not read is named, never dropped in silence', () => {
+  it('arcs, by prim', async () => {
+    const scene = await readText(
+      `
+def Xform "Car" (
+  prepend references = @car.usd@</Body>
+  payload = @heavy.usd@
+  inherits = </_class>
+  specializes = </_base>
+  variants = { string color = "red" }
+  prepend variantSets = "color"
+) {
+  over "Wheel" {}
+  variantSet "color" = { "red" {} "blue" {} }
+}
+over "Lost" {}
+class "_class" {}
+`,
+      'metersPerUnit = 1\nsubLayers = [@base.usda@]',
+    );
+    expect(said(scene).map((line) => line.replace(/ \(composition.*/, ''))).toEqual([
+      'usd.unsupported-arc a.usda: the sublayers @base.usda@ are not read yet',
+      'usd.unsupported-arc a.usda</Car>: references @car.usd@</Body> is not read yet',
+      'usd.unsupported-arc a.usda</Car>: payload @heavy.usd@ is not read yet',
+      'usd.unsupported-arc a.usda</Car>: inherits </_class> is not read yet',
+      'usd.unsupported-arc a.usda</Car>: specializes </_base> is not read yet',
+      "usd.unsupported-arc a.usda</Car>: the variant set 'color' (red, blue; selected: red) is not read yet",
+      "usd.undefined-prim a.usda</Lost>: an 'over' changes this prim, and nothing in this file defines it; it is left out",
+    ]);
+  });
+
+  it('prims of kinds that are not read, and instanceable ones', async () => {
+    const scene = await readText(`
+def PointInstancer "Trees" { def Cube "Prototype" {} }
+def SkelRoot "Man" { def Cube "Bone" {} }
+def BasisCurves "Hair" {}
+def RectLight "Window" {}
+def Xform "Copy" ( instanceable = true ) {}
+`);
+    expect(scene.diagnostics.map((d) => d.place)).toEqual(
+      ['Trees', 'Man', 'Hair', 'Window', 'Copy'].map((n) => `a.usda</${n}>`),
+    );
+    expect(scene.objects.map((o) => o.path)).toEqual(['/Man/Bone']);
+  });
+
+  it('faults of meshes, materials and textures', async () => {
+    const scene = await readText(`
+def Mesh "NoPoints" { int[] faceVertexCounts = [3]; int[] faceVertexIndices = [0, 1, 2] }
+def Mesh "BadFaces" {
+  int[] faceVertexCounts = [3, 2, 3, 3]
+  int[] faceVertexIndices = [0, 1, 2, 0, 1, 0, 1, 9, 0]
+  point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+  texCoord2f[] primvars:st = [(0, 0)] ( interpolation = "vertex" )
+  rel material:binding = </M>
+}
+def Mesh "Changing" {
+  rel material:binding = </Missing>
+  int[] faceVertexCounts = [3]
+  int[] faceVertexIndices = [0, 1, 2]
+  point3f[] points.timeSamples = { 0: [(0, 0, 0), (1, 0, 0), (0, 1, 0)], 1: [(0, 0, 0)] }
+}
+def Material "M" {
+  token outputs:surface.connect = </M/S.outputs:surface>
+  def Shader "S" {
+    uniform token info:id = "UsdPreviewSurface"
+    color3f inputs:diffuseColor.connect = </M/T.outputs:rgb>
+    normal3f inputs:normal.connect = </M/T.outputs:rgb>
+    token outputs:surface
+  }
+  def Shader "T" { uniform token info:id = "UsdUVTexture"; asset inputs:file = @tex/none.png@; float3 outputs:rgb }
+}`);
+    expect(said(scene)).toEqual([
+      'usd.empty-mesh a.usda</NoPoints>: the mesh has no points; it is left out',
+      'usd.missing-texture a.usda</M/T>: the texture tex/none.png is not there; put it beside a.usda or open the folder that holds both',
+      'usd.material-input a.usda</M>: normal of this material is not drawn',
+      'usd.faces a.usda</BadFaces>: 3 of 4 faces have fewer than 3 corners or name points that are not there; they are left out',
+      'usd.primvar a.usda</BadFaces>: primvars:st has 1 values where 3 are needed; it is left out',
+      'usd.material a.usda</Changing>: its material /Missing is not in this file; its displayColor is drawn',
+      'usd.topology a.usda</Changing>: the number of points changes with time; the shape is held at the start',
+      'usd.subdivision a.usda: 2 meshes (the first is /BadFaces) are meant as subdivision surface; it is drawn as its polygons',
+    ]);
+    expect(scene.objects[0].mesh.indices.length).toBe(3);
+  });
+});
+
+describe('the stage', () => {
+  it('has USD’s fallbacks: centimetres, Y up, 24 codes a second', async () => {
+    const scene = await readText('def Cube "A" {}', '');
+    expect(scene).toMatchObject({ metersPerUnit: 0.01, upAxis: 'Y', timeCodesPerSecond: 24, startTime: 0, endTime: 0 });
+    expect(Math.max(...scene.objects[0].mesh.positions)).toBeCloseTo(0.01, 9);
+  });
+
+  it('takes its times from the samples where none are written', async () => {
+    const scene = await readText(`def Cube "A" {
+      double3 xformOp:translate.timeSamples = { 12: (0, 0, 0), 48: (2, 0, 0) }
+      uniform token[] xformOpOrder = ["xformOp:translate"]
+    }`);
+    expect([scene.startTime, scene.endTime]).toEqual([0.5, 2]);
+  });
+
+  it('refuses units that are none', async () => {
+    await expect(readText('', 'metersPerUnit = 0')).rejects.toThrow('metersPerUnit = 0 is not a positive number');
+    await expect(readText('', 'timeCodesPerSecond = -1')).rejects.toThrow(InputError);
+    await expect(readUsd(memorySource({}), 'b.usda')).rejects.toThrow('b.usda: no such file');
+  });
+});
+
+const data = fileURLToPath(new URL('../../../../shared/data/usd', import.meta.url));
+const present = existsSync(data);
+if (!present) console.warn(`${data} is not there: tests on real files are skipped`);
+
+/** Files beside and above a file on disk. */
+const onDisk = (path: string) => ({
+  read: async (relative: string) => {
+    const file = join(dirname(path), relative);
+    return existsSync(file) ? new Uint8Array(readFileSync(file)) : undefined;
+  },
+});
+
+describe.skipIf(!present)('real files', () => {
+  const files = present
+    ? readdirSync(data, { recursive: true, encoding: 'utf8' }).filter((f) => /\.usd[az]?$/.test(f))
+    : [];
+
+  it.each(files)('%s is read, or its crate layer is named', async (file) => {
+    const path = join(data, file);
+    const reading = readUsd(onDisk(path), path.slice(path.lastIndexOf('/') + 1));
+    if (file.endsWith('.usdz')) await expect(reading).rejects.toThrow('is a binary (crate) layer');
+    else expect((await reading).diagnostics.filter((d) => d.severity === 'error')).toEqual([]);
+  });
+
+  it('McUsd has its meshes, materials, textures, lights and camera', async () => {
+    const scene = await readUsd(onDisk(join(data, 'full_assets/McUsd/McUsd.usda')), 'McUsd.usda');
+    expect(scene.objects.length).toBe(23);
+    expect(scene.objects.reduce((n, o) => n + o.mesh.indices.length / 3, 0)).toBe(880);
+    expect(scene.materials.every((m) => m.baseColorTexture)).toBe(true);
+    expect(scene.lights.map((l) => l.kind)).toEqual(['distant', 'dome']);
+    expect(scene.cameras.length).toBe(1);
+    expect(scene.diagnostics.filter((d) => d.severity !== 'info')).toEqual([]);
+  });
+});
