@@ -1,4 +1,4 @@
-import { createTheme, type MantineColorsTuple } from '@mantine/core';
+import { Button, createTheme, type MantineColorsTuple, Modal } from '@mantine/core';
 
 /** The blue of light that comes towards you. */
 const azure: MantineColorsTuple = [
@@ -42,4 +42,8 @@ export const theme = createTheme({
   cursorType: 'pointer',
   focusRing: 'auto',
   respectReducedMotion: true,
+  components: {
+    Button: Button.extend({ defaultProps: { fw: 500 } }),
+    Modal: Modal.extend({ styles: { title: { fontSize: 'var(--mantine-font-size-lg)', fontWeight: 600 } } }),
+  },
 });

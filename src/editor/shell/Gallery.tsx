@@ -70,7 +70,7 @@ function Card({ example, onChoose }: { readonly example: Example; readonly onCho
         <Text fw={600} size="sm">
           {texts.title} {current && <Badge size="xs">{t('gallery.now')}</Badge>}
         </Text>
-        <Text size="xs" c="dimmed" lh={1.45} lineClamp={4}>
+        <Text size="xs" c="dimmed" lh={1.45} lineClamp={7}>
           {texts.lookFor}
         </Text>
       </div>

@@ -16,8 +16,9 @@ export function Viewport(): ReactNode {
   const canvas = useRef<HTMLCanvasElement>(null);
   const life = useStage(canvas);
   const focused = useFlightControls(host);
+  const source = useStudioState((state) => state.openSource);
   return (
-    <div className="sl-viewport">
+    <div className="sl-viewport" data-open-source={source}>
       <div ref={host} className="sl-picture" role="application" aria-label={t('viewport.label')} data-viewport>
         {/* A canvas whose context was lost cannot be drawn on again: each life has its own. */}
         <canvas key={life} ref={canvas} className="sl-canvas" />

@@ -1,0 +1,168 @@
+import { gzipSync } from 'node:zlib';
+import { AxeBuilder } from '@axe-core/playwright';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { colours, difference, Program } from './program.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+const SMALL = '?backend=webgl&scene=examples/sphere.usda';
+
+async function seriousViolations(page: Page): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  return violations
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`);
+}
+
+describe('the page', () => {
+  it.each(['dark', 'light'] as const)(
+    'has no serious violation of accessibility in %s colours',
+    async (colorScheme) => {
+      const visit = await (await program.open(SMALL, { colorScheme, viewport: { width: 1280, height: 720 } })).ready();
+      await visit.shot(`page-${colorScheme}`);
+      expect(await seriousViolations(visit.page)).toEqual([]);
+      await visit.page.getByRole('button', { name: 'Scenes' }).click();
+      await visit.page.getByRole('dialog').waitFor();
+      await visit.page.locator('[data-example]').first().waitFor();
+      await visit.page.waitForTimeout(400); // The dialogue fades in, and half faded its contrast is poor.
+      await visit.shot(`gallery-${colorScheme}`);
+      expect(await seriousViolations(visit.page)).toEqual([]);
+      await visit.page.keyboard.press('Escape');
+      await visit.page.getByRole('dialog').waitFor({ state: 'detached' });
+      await visit.page.keyboard.press('F1');
+      await visit.page.getByRole('dialog', { name: 'Keys' }).waitFor();
+      await visit.page.waitForTimeout(400);
+      await visit.shot(`help-${colorScheme}`);
+      expect(await seriousViolations(visit.page)).toEqual([]);
+      await visit.close();
+    },
+  );
+
+  it.each([
+    [1920, 1080],
+    [800, 600],
+    [600, 800],
+  ])('fits %d × %d', async (width, height) => {
+    const visit = await (await program.open(SMALL, { viewport: { width, height } })).ready();
+    await visit.shot(`page-${width}x${height}`);
+    const overflow = await visit.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(overflow).toBeLessThanOrEqual(0);
+    const picture = await visit.viewport.boundingBox();
+    expect(picture!.width * picture!.height).toBeGreaterThan(0.3 * width * height);
+    await visit.close();
+  });
+
+  it('speaks Chinese, and remembers it', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await visit.page.getByRole('button', { name: '切换到中文' }).click();
+    await visit.page.getByText('光速').first().waitFor();
+    expect(await visit.page.evaluate(() => document.documentElement.lang)).toBe('zh-CN');
+    await visit.shot('page-zh');
+    await visit.page.reload();
+    await visit.page.getByText('相对论控制台').waitFor();
+    await visit.close();
+  });
+
+  it('undo and redo follow every edit, and a slider’s drag is one of them', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const undo = visit.page.getByRole('button', { name: /^Undo/ });
+    const redo = visit.page.getByRole('button', { name: /^Redo/ });
+    expect(await undo.isDisabled()).toBe(true);
+    const before = await visit.status('c');
+    const track = (await visit.page.getByRole('slider', { name: 'Speed of light' }).boundingBox())!;
+    await visit.page.mouse.move(track.x + track.width / 2, track.y + track.height / 2);
+    await visit.page.mouse.down();
+    await visit.page.mouse.move(track.x + 60, track.y, { steps: 8 });
+    await visit.page.mouse.up();
+    await expect.poll(() => visit.status('c')).not.toBe(before);
+    const after = await visit.status('c');
+    await visit.page.keyboard.press('Control+z');
+    await expect.poll(() => visit.status('c')).toBe(before);
+    expect(await undo.isDisabled()).toBe(true);
+    await redo.click();
+    await expect.poll(() => visit.status('c')).toBe(after);
+    await visit.close();
+  });
+
+  it('the views differ, and switching back gives the same picture', async () => {
+    const visit = await (await program.open('?backend=webgl&scene=examples/dice.usda')).ready();
+    const seen = await visit.pixels();
+    await visit.page.getByText('God’s eye').click();
+    await expect.poll(async () => difference(await visit.pixels(), seen)).toBeGreaterThan(0.5);
+    await visit.shot('view-simultaneity');
+    await visit.page.getByText('Seen', { exact: true }).click();
+    await expect.poll(async () => difference(await visit.pixels(), seen)).toBeLessThan(0.5);
+    await visit.close();
+  });
+
+  it('recovers from the loss of its WebGL context, where it was', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const before = await visit.pixels();
+    await visit.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
+      canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
+    });
+    await visit.page.getByText('was lost and started again').waitFor();
+    await expect.poll(async () => difference(await visit.pixels(), before), { timeout: 30_000 }).toBeLessThan(1);
+    expect(await visit.status('backend')).toBe('WebGL 2');
+    await visit.close();
+  });
+
+  it('draws with WebGPU where there is one, and recovers from the loss of its device', async () => {
+    const keepDevice = async (page: Page) => {
+      await page.addInitScript(() => {
+        const request = GPUAdapter.prototype.requestDevice;
+        GPUAdapter.prototype.requestDevice = async function (descriptor) {
+          const device = await request.call(this, descriptor);
+          Object.assign(window, { keptDevice: device });
+          return device;
+        };
+      });
+    };
+    const visit = await (await program.open('?scene=examples/sphere.usda', {}, keepDevice)).ready();
+    expect(await visit.status('backend')).toBe('WebGPU');
+    const before = await visit.pixels();
+    expect(colours(before)).toBeGreaterThan(50);
+    await visit.page.evaluate(() => (window as unknown as { keptDevice: GPUDevice }).keptDevice.destroy());
+    await visit.page.getByText('was lost and started again').waitFor({ timeout: 30_000 });
+    await expect.poll(async () => difference(await visit.pixels(), before), { timeout: 30_000 }).toBeLessThan(1);
+    await visit.close();
+  });
+
+  it('says what to do where nothing can be drawn', async () => {
+    const visit = await program.open('', {}, async (page) => {
+      await page.addInitScript(() => {
+        HTMLCanvasElement.prototype.getContext = () => null;
+        Object.defineProperty(navigator, 'gpu', { value: undefined });
+      });
+    });
+    await visit.page.getByRole('heading', { name: /needs WebGPU or WebGL 2/ }).waitFor();
+    await visit.page.getByText('graphics driver').waitFor();
+    await visit.shot('unsupported');
+    expect(await seriousViolations(visit.page)).toEqual([]);
+    await visit.close();
+  });
+
+  it('weighs at most 1 MB, compressed, before its first picture', async () => {
+    let bytes = 0;
+    const weighing: Promise<void>[] = [];
+    const visit = await program.open(SMALL, {}, async (page) => {
+      page.on('response', (response) => {
+        if (response.url().includes('/examples/')) return;
+        weighing.push(
+          response.body().then((body) => {
+            bytes += /woff2$/.test(response.url()) ? body.length : gzipSync(body).length;
+          }),
+        );
+      });
+    });
+    await visit.ready();
+    await Promise.all(weighing);
+    expect(bytes).toBeLessThan(1_000_000);
+    await visit.close();
+  });
+});

@@ -1,0 +1,141 @@
+import { type ChildProcess, spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { decode } from 'fast-png';
+import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
+import { expect } from 'vitest';
+
+const bin = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
+
+/** WebGPU on SwiftShader and WebGL2 on llvmpipe, where there is no GPU. */
+const FLAGS = [
+  '--no-sandbox',
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--use-gl=angle',
+  '--use-angle=gl-egl',
+  '--ignore-gpu-blocklist',
+];
+
+/** Where the pictures of a run are left to be looked at. */
+export const shots = process.env.E2E_SHOTS ?? mkdtempSync(join(tmpdir(), 'slowlight-e2e-'));
+
+/** The built program, served as `npm start` does, and a browser to use it with. */
+export class Program {
+  readonly url: string;
+  readonly #server: ChildProcess;
+  readonly #browser: Browser;
+
+  static async start(): Promise<Program> {
+    const server = spawn(process.execPath, [bin, 'serve', '--port', '0', '--json'], {
+      stdio: ['ignore', 'pipe', 'inherit'],
+    });
+    const [line] = (await once(server.stdout, 'data')) as [Buffer];
+    const { url } = JSON.parse(line.toString()) as { url: string };
+    const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+    return new Program(url, server, await chromium.launch({ executablePath, headless: true, args: FLAGS }));
+  }
+
+  private constructor(url: string, server: ChildProcess, browser: Browser) {
+    this.url = url;
+    this.#server = server;
+    this.#browser = browser;
+  }
+
+  /** A page of its own, with nothing kept from others. `address`: what follows the program's own. */
+  async open(
+    address = '',
+    options: BrowserContextOptions = {},
+    prepare?: (page: Page) => Promise<void>,
+  ): Promise<Guarded> {
+    const context = await this.#browser.newContext({
+      viewport: { width: 960, height: 600 },
+      reducedMotion: 'reduce',
+      colorScheme: 'dark',
+      locale: 'en-GB',
+      ...options,
+    });
+    const page = await context.newPage();
+    const guarded = new Guarded(page, this.url);
+    await prepare?.(page);
+    await page.goto(`${this.url}/${address}`);
+    return guarded;
+  }
+
+  async stop(): Promise<void> {
+    await this.#browser.close();
+    this.#server.kill();
+  }
+}
+
+/** A page that is watched: what it complains of, and whom it talks to. */
+export class Guarded {
+  readonly page: Page;
+  readonly complaints: string[] = [];
+
+  constructor(page: Page, origin: string) {
+    this.page = page;
+    page.on('pageerror', (error) => this.complaints.push(`page: ${error.message}`));
+    page.on('console', (message) => {
+      if (message.type() === 'error') this.complaints.push(`console: ${message.text()}`);
+    });
+    page.on('request', (request) => {
+      const url = request.url();
+      if (!url.startsWith(origin) && !/^(data|blob):/.test(url)) this.complaints.push(`asks elsewhere: ${url}`);
+    });
+  }
+
+  /** The whole visit: nothing was complained of, and nobody else was asked. */
+  async close(): Promise<void> {
+    expect(this.complaints).toEqual([]);
+    await this.page.context().close();
+  }
+
+  /** The scene is open, drawn and at rest. */
+  async ready(): Promise<this> {
+    await this.page.locator('[data-status="backend"]', { hasText: 'Web' }).waitFor();
+    await expect.poll(() => this.triangles(), { timeout: 30_000 }).toBeGreaterThan(0);
+    return this;
+  }
+
+  async status(id: string): Promise<string> {
+    return (await this.page.locator(`[data-status="${id}"]`).textContent()) ?? '';
+  }
+
+  /** In units of c. */
+  async speed(): Promise<number> {
+    return Number(/([\d.]+) c$/.exec(await this.status('speed'))?.[1]);
+  }
+
+  async triangles(): Promise<number> {
+    return Number((await this.status('triangles')).replace(/\D/g, ''));
+  }
+
+  get viewport() {
+    return this.page.getByRole('application');
+  }
+
+  async shot(name: string): Promise<void> {
+    await this.page.screenshot({ path: join(shots, `${name}.png`) });
+  }
+
+  /** The pixels of the picture, as they are shown. */
+  async pixels(): Promise<Uint8Array> {
+    const { data } = decode(await this.page.locator('canvas').screenshot());
+    return Uint8Array.from(data);
+  }
+}
+
+/** How many different colours there are: a blank picture has one. */
+export const colours = (pixels: Uint8Array): number => {
+  const seen = new Set<number>();
+  for (let i = 0; i + 2 < pixels.length; i += 3) seen.add((pixels[i]! << 16) | (pixels[i + 1]! << 8) | pixels[i + 2]!);
+  return seen.size;
+};
+
+/** Mean difference per channel, 0 … 255. */
+export const difference = (a: Uint8Array, b: Uint8Array): number =>
+  a.length === b.length ? a.reduce((sum, value, i) => sum + Math.abs(value - b[i]!), 0) / a.length : 255;

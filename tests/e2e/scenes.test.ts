@@ -1,0 +1,127 @@
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { decode } from 'fast-png';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Example } from '../../src/editor/loading/examples.ts';
+import { colours, difference, type Guarded, Program } from './program.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+const path = (name: string) => fileURLToPath(new URL(`scenes/${name}`, import.meta.url));
+const SMALL = '?backend=webgl&scene=examples/sphere.usda';
+
+/** Drops files on the page as a file manager does. */
+async function drop(visit: Guarded, names: readonly string[]): Promise<void> {
+  const files = names.map((name) => ({
+    name: name.split('/').at(-1)!,
+    text: readFileSync(path(name)).toString('base64'),
+  }));
+  await visit.page.evaluate((dropped) => {
+    const transfer = new DataTransfer();
+    for (const { name, text } of dropped) {
+      transfer.items.add(new File([Uint8Array.from(atob(text), (character) => character.charCodeAt(0))], name));
+    }
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  }, files);
+}
+
+describe('scenes', () => {
+  it('every scene of the gallery opens, shows something, and says what to look for', async () => {
+    const visit = await (await program.open('?backend=webgl')).ready();
+    const examples = (await (await fetch(`${program.url}/examples/index.json`)).json()) as Example[];
+    expect(examples.map(({ name }) => name)).toContain('street');
+    for (const { name, lookFor } of examples) {
+      expect(lookFor.length, `${name} says what to look for`).toBeGreaterThan(20);
+      await visit.page.getByRole('button', { name: 'Scenes' }).click();
+      await visit.page.locator(`[data-example="${name}"]`).click();
+      await expect
+        .poll(() => visit.page.locator('[data-open-source]').getAttribute('data-open-source'), { timeout: 60_000 })
+        .toContain(`/${name}.`);
+      await expect.poll(async () => colours(await visit.pixels()), { timeout: 30_000 }).toBeGreaterThan(50);
+      await visit.shot(`scene-${name}`);
+    }
+    await visit.close();
+  }, 300_000);
+
+  it('a dropped scene opens with its texture, and undo goes back to the one before', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const before = await visit.pixels();
+    await drop(visit, ['textured.usda', 'textures/checker.png']);
+    await visit.page.getByText('The cube wears the picture').waitFor();
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
+    await visit.shot('dropped');
+    await visit.page.getByRole('button', { name: /^Undo/ }).click();
+    await expect.poll(async () => difference(await visit.pixels(), before), { timeout: 20_000 }).toBeLessThan(1);
+    await visit.close();
+  });
+
+  it('a chosen file opens; what is missing is told', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await visit.page.locator('input[type=file]').first().setInputFiles(path('textured.usda'));
+    await visit.page.getByText('The cube wears the picture').waitFor();
+    await visit.page.getByRole('tab', { name: 'Scene' }).click();
+    await visit.page.getByText('checker.png').first().waitFor();
+    await visit.close();
+  });
+
+  it('a file that cannot be read is refused with its place, and the scene stays', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const before = await visit.pixels();
+    await visit.page
+      .locator('input[type=file]')
+      .first()
+      .setInputFiles({
+        name: 'broken.usda',
+        mimeType: 'text/plain',
+        buffer: Buffer.from('#usda 1.0\ndef Mesh "a" {\n  int[] x = [1, 2\n'),
+      });
+    const notice = visit.page.getByRole('alert');
+    await notice.waitFor();
+    const said = await notice.textContent();
+    expect(said).toMatch(/broken\.usda/);
+    expect(said).toMatch(/last good scene/);
+    await visit.shot('refused');
+    expect(difference(await visit.pixels(), before)).toBeLessThan(1);
+    await visit.page.getByRole('button', { name: /^Undo/ }).click();
+    await expect.poll(() => notice.count()).toBe(0);
+    await visit.close();
+  });
+
+  it('a speed of light below the scene’s own speeds is refused with a remedy that works', async () => {
+    const visit = await (await program.open('?backend=webgl&scene=examples/dice.usda')).ready();
+    const field = visit.page.getByRole('textbox', { name: 'Speed of light' });
+    await field.fill('0.2');
+    await field.press('Enter');
+    const remedy = visit.page.getByRole('alert').getByRole('button', { name: /Set Speed of light to/ });
+    await remedy.click();
+    await expect.poll(() => visit.page.getByRole('alert').count()).toBe(0);
+    expect(await visit.status('c')).not.toContain('0.2');
+    await visit.close();
+  });
+
+  it('the picture is saved as a PNG of the size that is shown', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const size = await visit.page.locator('canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
+    const download = visit.page.waitForEvent('download');
+    await visit.page.keyboard.press('Control+s');
+    const file = await download;
+    expect(file.suggestedFilename()).toMatch(/^sphere t=.*c\.png$/);
+    const picture = decode(readFileSync(await file.path()));
+    expect([picture.width, picture.height]).toEqual(size);
+    expect(colours(Uint8Array.from(picture.data))).toBeGreaterThan(50);
+    await visit.close();
+  });
+});
+
+/** Of the checkers' magenta. */
+const pinkShare = (pixels: Uint8Array): number => {
+  let pink = 0;
+  for (let i = 0; i + 2 < pixels.length; i += 3) {
+    if (pixels[i]! > 1.4 * pixels[i + 1]! && pixels[i + 2]! > 1.2 * pixels[i + 1]!) pink++;
+  }
+  return (3 * pink) / pixels.length;
+};
