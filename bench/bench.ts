@@ -1,0 +1,59 @@
+/** A measurement that describes itself: the page docs/performance.md is made of these. */
+export interface Bench {
+  /** As in `npm run bench -- NAME`. */
+  readonly name: string;
+  readonly title: string;
+  /** What is measured and how; what it is compared with, and why that is fair. */
+  readonly about: string;
+  run(): Promise<readonly Table[]>;
+}
+
+export interface Table {
+  readonly columns: readonly string[];
+  readonly rows: readonly (readonly (string | number)[])[];
+  /** What the figures show, in a sentence. */
+  readonly remark?: string;
+}
+
+export function median(values: readonly number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  const half = sorted.length >> 1;
+  return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+/** Three digits, without an exponent where that can be read. */
+export function figure(value: number): string {
+  if (!Number.isFinite(value)) return '–';
+  if (value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e6)) return value.toExponential(1);
+  return Math.abs(value) >= 100 ? value.toFixed(0) : value.toPrecision(3);
+}
+
+/** Wall time of `work` [ms]. */
+export async function timed(work: () => void | Promise<void>): Promise<number> {
+  const began = performance.now();
+  await work();
+  return performance.now() - began;
+}
+
+/** Medians of several kinds of work that take turns, so that what else the machine does meets them alike [ms]. */
+export async function interleaved(
+  works: readonly (() => void | Promise<void>)[],
+  rounds: number,
+): Promise<readonly number[]> {
+  const times = works.map((): number[] => []);
+  for (let round = 0; round <= rounds; round++) {
+    for (const [i, work] of works.entries()) {
+      const ms = await timed(work);
+      // The first round compiles.
+      if (round > 0) times[i].push(ms);
+    }
+  }
+  return times.map(median);
+}
+
+export function markdown({ columns, rows, remark }: Table): string {
+  const line = (cells: readonly (string | number)[]): string =>
+    `| ${cells.map((cell) => (typeof cell === 'number' ? figure(cell) : cell)).join(' | ')} |`;
+  const head = [line(columns), `|${columns.map(() => '---').join('|')}|`];
+  return [...head, ...rows.map(line), ...(remark ? ['', remark] : [])].join('\n');
+}

@@ -1,0 +1,38 @@
+import { setTimeout as sleep } from 'node:timers/promises';
+import { openSceneFile } from '../src/cli/files.ts';
+import { timed } from './bench.ts';
+import { openRenderer, releaseGpu } from './gpu.ts';
+import { ballScene } from './scenes.ts';
+
+/** What a benchmark measures in a process of its own, so that memory is its alone. Prints one line of JSON. */
+const [task, argument] = process.argv.slice(2);
+if (task === 'load') await load(argument);
+else if (task === 'memory') await memory(Number(argument));
+else throw new Error(`no task ${task}`);
+
+async function load(path: string): Promise<void> {
+  const ms = await timed(async () => void (await openSceneFile(path)));
+  console.log(JSON.stringify({ seconds: ms / 1000, peakBytes: process.resourceUsage().maxRSS * 1024 }));
+}
+
+/** Resident bytes that a deforming scene takes when it is drawn, its own arrays not counted. */
+async function memory(samples: number): Promise<void> {
+  const scene = ballScene(100_000, 'deforming', samples);
+  const { renderer, frame } = await openRenderer(64, 36);
+  const before = await resident();
+  await renderer.setScene(scene);
+  await frame();
+  await frame();
+  const vertices = scene.objects.reduce((sum, { mesh }) => sum + mesh.positions.length / 3, 0);
+  console.log(JSON.stringify({ vertices, bytes: (await resident()) - before }));
+  renderer.dispose();
+  await releaseGpu();
+}
+
+async function resident(): Promise<number> {
+  for (let i = 0; i < 3; i++) {
+    globalThis.gc?.();
+    await sleep(50);
+  }
+  return process.memoryUsage().rss;
+}

@@ -1,0 +1,41 @@
+import type { Bench, Table } from './bench.ts';
+import { interleaved } from './bench.ts';
+import { gpu, openRenderer } from './gpu.ts';
+import { ballScene, type MotionKind } from './scenes.ts';
+import { openStock } from './stock.ts';
+
+const SIZE = { width: 640, height: 360 };
+const ROUNDS = 9;
+
+export const frame: Bench = {
+  name: 'frame',
+  title: 'Frame time, relativistic ÷ plain',
+  about:
+    'Eight spheres, 640 × 360, observer at 0.5 c, objects up to 0.5 c, sampled ones with 250 samples; a frame ends when its pixels have been read back. ' +
+    '*Plain* is the same renderer, G-buffer and lighting with c = ∞ (`galilean`): the difference is the light cone, the boost and the Doppler factor alone. ' +
+    "*Stock* is three's own forward renderer with MeshStandardMaterial, one sun and a hemisphere light, and the objects at rest: it has no sampled motion, and no G-buffer, " +
+    'so that ratio also holds what those cost. All three take turns.',
+  async run() {
+    const rows: (string | number)[][] = [];
+    for (const triangles of [100_000, 1_000_000]) {
+      for (const kind of ['static', 'rigid', 'deforming'] as const) rows.push(await row(triangles, kind));
+    }
+    const { adapterName } = await gpu();
+    const columns = ['triangles', 'motion', 'stock [ms]', 'plain [ms]', 'relativistic [ms]', '÷ plain', '÷ stock'];
+    const table: Table = { columns, rows, remark: `On ${adapterName}.` };
+    return [table];
+  },
+};
+
+async function row(triangles: number, kind: MotionKind): Promise<(string | number)[]> {
+  const scene = ballScene(triangles, kind);
+  const { renderer, frame } = await openRenderer(SIZE.width, SIZE.height);
+  await renderer.setScene(scene);
+  const stock = await openStock(scene, SIZE.width, SIZE.height);
+  const works = [stock.frame, () => frame({ view: 'galilean' }), () => frame()];
+  const [bare, plain, relativistic] = await interleaved(works, ROUNDS);
+  const drawn = renderer.info.triangles;
+  stock.dispose();
+  renderer.dispose();
+  return [drawn.toLocaleString('en'), kind, bare, plain, relativistic, relativistic / plain, relativistic / bare];
+}

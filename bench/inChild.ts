@@ -1,0 +1,12 @@
+import { spawnSync } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
+
+const child = fileURLToPath(new URL('./child.js', import.meta.url));
+
+/** Runs a task of child.ts in a process of its own and returns what it measured. */
+export function inChild<T>(task: string, argument: string): T {
+  const done = spawnSync(process.execPath, ['--expose-gc', child, task, argument], { encoding: 'utf8' });
+  if (done.status !== 0)
+    throw new Error(`${task} ${argument} ended with ${done.status ?? done.signal}: ${done.stderr}`);
+  return JSON.parse(done.stdout) as T;
+}

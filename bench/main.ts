@@ -1,0 +1,54 @@
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpus, totalmem } from 'node:os';
+import { fileURLToPath } from 'node:url';
+import { type Bench, markdown } from './bench.ts';
+import { bundle } from './bundle.ts';
+import { emission } from './emission.ts';
+import { frame } from './frame.ts';
+import { gpu, releaseGpu } from './gpu.ts';
+import { load } from './load.ts';
+import { memory } from './memory.ts';
+import { page } from './page.ts';
+
+/** Every benchmark, in the order of the page. */
+const benches: readonly Bench[] = [frame, emission, memory, load, page, bundle];
+
+const file = fileURLToPath(new URL('../../../docs/performance.md', import.meta.url));
+const [BEGIN, END] = ['<!-- measured: npm run bench -->', '<!-- end -->'];
+
+const names = process.argv.slice(2);
+const unknown = names.filter((name) => !benches.some((bench) => bench.name === name));
+if (unknown.length > 0) {
+  console.error(`no benchmark ${unknown.join(', ')}; there are:`);
+  for (const bench of benches) console.error(`  ${bench.name.padEnd(10)}${bench.title}`);
+  process.exit(2);
+}
+
+const parts = [await machine()];
+for (const bench of benches) {
+  if (names.length > 0 && !names.includes(bench.name)) continue;
+  console.error(`${bench.title} …`);
+  const tables = await bench.run();
+  const part = [`### ${bench.title}`, bench.about, ...tables.map(markdown)].join('\n\n');
+  console.log(`\n${part}`);
+  parts.push(part);
+}
+await releaseGpu();
+if (names.length === 0) publish(parts.join('\n\n'));
+
+async function machine(): Promise<string> {
+  const { adapterName, software } = await gpu();
+  const [cpu] = cpus();
+  const memory = `${(totalmem() / 2 ** 30).toFixed(0)} GiB`;
+  const kind = software ? 'a **software GPU**: ' : '';
+  return `Measured on ${cpus().length} × ${cpu.model.trim()}, ${memory}, Node ${process.versions.node}, ${process.platform}; GPU: ${kind}${adapterName}. Medians; compare the ratios, not the times, with another machine.`;
+}
+
+/** Between its markers the page is made by this program; the rest is written by people. */
+function publish(text: string): void {
+  const page = existsSync(file) ? readFileSync(file, 'utf8') : `# Performance\n\n${BEGIN}\n${END}\n`;
+  const from = page.indexOf(BEGIN);
+  const to = page.indexOf(END);
+  if (from < 0 || to < from) throw new Error(`${file} has lost its markers ${BEGIN} … ${END}`);
+  writeFileSync(file, `${page.slice(0, from + BEGIN.length)}\n${text}\n${page.slice(to)}`);
+}
