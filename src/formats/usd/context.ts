@@ -1,6 +1,6 @@
 import type { Diagnostic } from '../../scene/types.ts';
 import type { FileSource } from '../source.ts';
-import { valueAt } from './attributes.ts';
+import { boolAt } from './attributes.ts';
 import type { Layer, MetadataValue, PrimSpec } from './layer.ts';
 import { splitProperty } from './paths.ts';
 
@@ -16,12 +16,34 @@ export interface StageContext {
   readonly startCode: number;
   /** Greatest distance between a resampled path and the true one, as a fraction of the object's size. */
   readonly chordTolerance: number;
-  readonly diagnostics: Diagnostic[];
+  readonly diagnostics: DiagnosticList;
   /** Paths of the subdivision surfaces that are drawn as their polygons. */
   readonly subdivided: string[];
 }
 
-/** Says something about a prim; the same thing about the same prim is said once. */
+/** Of each kind of diagnostic so many are listed; a file with a million faults has one message more, not a million. */
+const MAX_PER_CODE = 200;
+
+/** What is said about a file: the same thing about the same prim once. */
+export class DiagnosticList {
+  readonly list: Diagnostic[] = [];
+  private readonly said = new Set<string>();
+  private readonly counts = new Map<string, number>();
+
+  add(diagnostic: Diagnostic, file: string): void {
+    const { severity, code, place, message } = diagnostic;
+    const key = `${code}\n${place}\n${message}`;
+    if (this.said.has(key)) return;
+    const count = (this.counts.get(code) ?? 0) + 1;
+    this.counts.set(code, count);
+    if (count > MAX_PER_CODE + 1) return;
+    this.said.add(key);
+    const more = `there are more of these; the first ${MAX_PER_CODE} are listed`;
+    this.list.push(count <= MAX_PER_CODE ? diagnostic : { severity, code, place: file, message: more });
+  }
+}
+
+/** Says something about a prim; about the layer where `path` is empty. */
 export function report(
   context: Pick<StageContext, 'layer' | 'diagnostics'>,
   severity: Diagnostic['severity'],
@@ -29,9 +51,8 @@ export function report(
   path: string,
   message: string,
 ): void {
-  const place = path === '' ? context.layer.name : `${context.layer.name}<${path}>`;
-  const known = context.diagnostics.some((d) => d.place === place && d.code === code && d.message === message);
-  if (!known) context.diagnostics.push({ severity, code, place, message });
+  const { name } = context.layer;
+  context.diagnostics.add({ severity, code, place: path === '' ? name : `${name}<${path}>`, message }, name);
 }
 
 /** The prim at an absolute path. */
@@ -68,8 +89,5 @@ export function metadataText(metadata: ReadonlyMap<string, MetadataValue>, key: 
 }
 
 /** Whether an attribute says `true` at the stage's start. */
-export function isTrue(context: StageContext, prim: PrimSpec, name: string): boolean {
-  const property = prim.properties.get(name);
-  const value = property?.kind === 'attribute' ? valueAt(property, context.startCode) : undefined;
-  return value?.type === 'bool' && value.data;
-}
+export const isTrue = (context: StageContext, prim: PrimSpec, name: string): boolean =>
+  boolAt(prim, name, context.startCode) === true;

@@ -1,3 +1,4 @@
+import { cofactors, determinant, type Mat3 } from '../../math/mat3.ts';
 import * as mat4 from '../../math/mat4.ts';
 import { distance, type Vec3 } from '../../math/vec3.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
@@ -110,25 +111,68 @@ function deforming(context: StageContext, path: string, shape: Shape, world: Fra
 
 /** Every vertex at every time. */
 function sampledPoints(context: StageContext, shape: Shape, world: Frame, times: Float64Array): Placed {
-  const local = (time: number): Mesh => {
-    const { mesh, deformation } = shape;
-    if (!deformation) return mesh;
-    const positions = deformation.positionsAt(time);
-    const normals = deformation.normalsAt?.(time);
-    return normals ? { ...mesh, positions, normals } : withPositions(mesh, positions);
-  };
-  const samples = Array.from(times, local);
-  const origin = originOf(samples, times, world);
-  const fromOrigin: mat4.Mat4 = [1, 0, 0, -origin[0], 0, 1, 0, -origin[1], 0, 0, 1, -origin[2], 0, 0, 0, 1];
-  const placed = samples.map((mesh, i) => transformMesh(mesh, mat4.multiply(fromOrigin, world.matrixAt(times[i]))));
+  const { mesh, deformation } = shape;
+  const positionsAt = (time: number): Float32Array => deformation?.positionsAt(time) ?? mesh.positions;
+  const groups = deformation && !deformation.normalsAt ? smoothingGroups(mesh) : undefined;
+  const origin = originOf(positionsAt, times, world);
+  const placed = Array.from(times, (time) => {
+    const positions = positionsAt(time);
+    const normals = groups ? deformedNormals(positions, mesh.indices, groups) : deformation?.normalsAt?.(time);
+    return transformed(positions, normals ?? mesh.normals, relativeTo(origin, world.matrixAt(time)));
+  });
   const motion: SampledPointsMotion = {
     kind: 'sampled-points',
     times: times.map((t) => t / context.codesPerSecond),
     origin,
-    points: placed.map((m) => m.positions),
-    normals: placed.map((m) => m.normals),
+    points: placed.map((p) => p.positions),
+    normals: placed.map((p) => p.normals),
   };
-  return { mesh: placed[0], motion };
+  const mirrored = determinant(mat4.linearPart(world.matrixAt(times[0]))) < 0;
+  return { mesh: { ...mesh, ...placed[0], indices: mirrored ? turned(mesh.indices) : mesh.indices }, motion };
+}
+
+const relativeTo = (origin: Vec3, m: mat4.Mat4): mat4.Mat4 =>
+  m.map((x, i) => (i % 4 === 3 && i < 12 ? x - origin[(i - 3) / 4] : x));
+
+/** Points by M, normals by its cofactors and made unit; into new arrays, without an object for each vertex. */
+function transformed(positions: Float32Array, normals: Float32Array, m: mat4.Mat4) {
+  const linear = mat4.linearPart(m);
+  const sign = determinant(linear) < 0 ? -1 : 1;
+  return {
+    positions: mapped(positions, linear, [m[3], m[7], m[11]]),
+    normals: madeUnit(
+      mapped(
+        normals,
+        cofactors(linear).map((x) => x * sign),
+        [0, 0, 0],
+      ),
+    ),
+  };
+}
+
+function mapped(from: Float32Array, l: Mat3, t: Vec3): Float32Array {
+  const out = new Float32Array(from.length);
+  for (let i = 0; i < from.length; i += 3) {
+    const [x, y, z] = [from[i], from[i + 1], from[i + 2]];
+    out[i] = l[0] * x + l[1] * y + l[2] * z + t[0];
+    out[i + 1] = l[3] * x + l[4] * y + l[5] * z + t[1];
+    out[i + 2] = l[6] * x + l[7] * y + l[8] * z + t[2];
+  }
+  return out;
+}
+
+function madeUnit(normals: Float32Array): Float32Array {
+  for (let i = 0; i < normals.length; i += 3) {
+    const l = Math.hypot(normals[i], normals[i + 1], normals[i + 2]);
+    if (l > 0) for (let k = i; k < i + 3; k++) normals[k] /= l;
+  }
+  return normals;
+}
+
+function turned(indices: Uint32Array): Uint32Array {
+  const out = indices.slice();
+  for (let i = 0; i < out.length; i += 3) [out[i + 1], out[i + 2]] = [indices[i + 2], indices[i + 1]];
+  return out;
 }
 
 function withPositions(mesh: Mesh, positions: Float32Array): Mesh {
@@ -136,10 +180,10 @@ function withPositions(mesh: Mesh, positions: Float32Array): Mesh {
 }
 
 /** The prim's own origin where it is near (so that its points stay as written), else the middle of all points. */
-function originOf(samples: readonly Mesh[], times: Float64Array, world: Frame): Vec3 {
-  const corners = samples.flatMap((mesh, i) => {
-    const m = world.matrixAt(times[i]);
-    return boxCorners(mesh.positions).flatMap((c) => mat4.transformPoint(m, c));
+function originOf(positionsAt: (time: number) => Float32Array, times: Float64Array, world: Frame): Vec3 {
+  const corners = Array.from(times).flatMap((time) => {
+    const m = world.matrixAt(time);
+    return boxCorners(positionsAt(time)).flatMap((c) => mat4.transformPoint(m, c));
   });
   const box = boxCorners(corners);
   const [low, high] = [box[0], box[box.length - 1]];

@@ -2,7 +2,7 @@ import type { Scene } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
 import type { ReadOptions } from '../registry.ts';
 import { type FileSource, resolvePath } from '../source.ts';
-import { metadataNumber, report, type StageContext } from './context.ts';
+import { DiagnosticList, metadataNumber, report, type StageContext } from './context.ts';
 import { noteUnreadLayers } from './coverage.ts';
 import type { Layer } from './layer.ts';
 import { parseLayer } from './parser.ts';
@@ -29,7 +29,7 @@ export async function readUsd(files: FileSource, entry: string, options: ReadOpt
     ...sceneHeader(context, entry),
     ...timeRange(context, contents),
     ...contents,
-    diagnostics: context.diagnostics,
+    diagnostics: context.diagnostics.list,
   };
 }
 
@@ -63,7 +63,7 @@ function contextOf(layer: Layer, source: FileSource, options: ReadOptions): Stag
     codesPerSecond: number('timeCodesPerSecond') ?? number('framesPerSecond') ?? 24,
     startCode: number('startTimeCode') ?? 0,
     chordTolerance: options.chordTolerance ?? CHORD_TOLERANCE,
-    diagnostics: [],
+    diagnostics: new DiagnosticList(),
     subdivided: [],
   };
   for (const key of ['unit', 'codesPerSecond'] as const) {

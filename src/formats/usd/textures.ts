@@ -80,9 +80,13 @@ function wrapOf(mode: string | undefined): TextureWrap {
   return mode === 'mirror' ? 'mirror' : 'repeat';
 }
 
+/** The picture without transparency; itself where it has none, so that materials share it. */
 function opaque(rgba: Uint8Array): Uint8Array {
+  let i = 3;
+  while (i < rgba.length && rgba[i] === 255) i += 4;
+  if (i >= rgba.length) return rgba;
   const out = rgba.slice();
-  for (let i = 3; i < out.length; i += 4) out[i] = 255;
+  for (; i < out.length; i += 4) out[i] = 255;
   return out;
 }
 
