@@ -2,7 +2,7 @@ import { cross, dot, length, sub, type Vec3 } from '../../math/vec3.ts';
 import type { Check, Stratum } from './twin.ts';
 
 /** 1080 lines over 60°: pixels per radian in the middle of the picture. */
-export const PIXELS_PER_RADIAN = 935;
+const PIXELS_PER_RADIAN = 935;
 
 type Tolerance = Check['tolerance'];
 type Numbers = readonly number[];
@@ -17,8 +17,9 @@ export const upTo100 =
 
 export const always = (bound: number): Tolerance => upTo100(bound, bound);
 
-/** Angle between two directions [px], well-conditioned at 0 and π. */
-export function anglePixels(a: Vec3, b: Vec3): number {
+/** Angle between two directions [px], well-conditioned at 0 and π; 0 where both are the zero vector. */
+function anglePixels(a: Vec3, b: Vec3): number {
+  if (length(a) === 0 && length(b) === 0) return 0;
   return Math.atan2(length(cross(a, b)), dot(a, b)) * PIXELS_PER_RADIAN;
 }
 
@@ -32,7 +33,10 @@ export const direction = (at: number, tolerance: Tolerance): Check => ({
 /** The vec3 at `at` is as long. */
 export const distance = (at: number, tolerance: Tolerance): Check => ({
   name: 'distance, relative',
-  error: (gpu, cpu) => Math.abs(length(vector(gpu, at)) / length(vector(cpu, at)) - 1),
+  error: (gpu, cpu) => {
+    const expected = length(vector(cpu, at));
+    return Math.abs(length(vector(gpu, at)) - expected) / Math.max(expected, 1e-30);
+  },
   tolerance,
 });
 

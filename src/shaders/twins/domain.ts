@@ -37,11 +37,15 @@ export function aimed(random: Random, axis: Vec3, aim: Aim): Vec3 {
   return addScaled(scale(axis, aim === 'ahead' ? Math.cos(angle) : -Math.cos(angle)), across, Math.sin(angle));
 }
 
-/** γβ and the place looked at: 0.1 m to 100 km away. */
+/** γβ and the place looked at: 0.1 m to 100 km away, sometimes exactly here. */
 export function lookOut(random: Random, { gamma, aim }: ObserverStratum): { u: Vec3; n: Vec3; dx: Vec3 } {
   const axis = unit(random);
   const n = aimed(random, axis, aim);
-  return { u: scale(axis, Math.sqrt((gamma - 1) * (gamma + 1))), n, dx: scale(n, logUniform(random, 0.1, 1e5)) };
+  return {
+    u: scale(axis, Math.sqrt((gamma - 1) * (gamma + 1))),
+    n,
+    dx: scale(n, random() < 0.05 ? 0 : logUniform(random, 0.1, 1e5)),
+  };
 }
 
 /** (v, 1 − v²) of a mover at the speed β. */

@@ -47,7 +47,8 @@ const uniform: Mover = {
   speeds: SPEEDS,
   draw: (random, { beta, size }, anchor) => {
     const direction = aimed(random, normalize(anchor, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
-    return [...mover(direction, beta), ...offsetIn(random, size), 0];
+    // Sometimes the anchor itself, which may be where the observer is.
+    return [...mover(direction, beta), ...offsetIn(random, random() < 0.1 ? 0 : size), 0];
   },
   worldLine: (input, time) => {
     const velocity = vec3At(input, 1);

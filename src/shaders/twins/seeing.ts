@@ -1,5 +1,5 @@
 import { vec4 } from 'three/tsl';
-import { add, cross, dot, length, scale } from '../../math/vec3.ts';
+import { add, cross, dot, length, normalize, scale } from '../../math/vec3.ts';
 import * as physics from '../../physics/index.ts';
 import { aberrate } from '../aberrate.ts';
 import { apparentPosition } from '../apparentPosition.ts';
@@ -86,7 +86,7 @@ const simultaneousPositionTwin: Twin = {
   cases: lookingOut('dx'),
   cpu: (input) => [...physics.simultaneousPosition(vec3At(input, 0), vec3At(input, 1)), 0],
   gpu: (texel) => [vec4(simultaneousPosition(texel(0).xyz, texel(1).xyz, texel(1).w), 0)],
-  checks: [within('place, over |Δx|', 0, (_, input) => length(vec3At(input, 0)), always(1e-6))],
+  checks: [within('place, over |Δx|', 0, (_, input) => length(vec3At(input, 0)) + 1e-3, always(1e-6))],
 };
 
 const dopplerFactorTwin: Twin = {
@@ -98,7 +98,7 @@ const dopplerFactorTwin: Twin = {
       const { u, dx } = lookOut(random, stratum);
       const beta = SPEEDS[Math.floor(random() * SPEEDS.length)];
       const aim = AIMS[Math.floor(random() * AIMS.length)];
-      return [...dx, 0, ...u, gammaOf(u), ...mover(aimed(random, scale(dx, 1 / length(dx)), aim), beta)];
+      return [...dx, 0, ...u, gammaOf(u), ...mover(aimed(random, normalize(dx, [0, 0, 1]), aim), beta)];
     }),
   cpu: (input) => {
     const uEmitter = scale(vec3At(input, 2), 1 / Math.sqrt(input[11]));
