@@ -1,17 +1,11 @@
-import { clamp, exp2, Fn, max, min, mix, select, vec3 } from 'three/tsl';
+import { clamp, exp2, Fn, max, mix, select, vec3 } from 'three/tsl';
 import { NEUTRAL } from '../spectrum/toneMap.ts';
 import type { Float, Vec3 } from './types.ts';
 
-/**
- * Linear sRGB radiance → linear sRGB to display, 0…1, still to be encoded: times 2^exposure [EV], then Khronos PBR Neutral
- * (spectrum/toneMap.ts).
- */
+/** Linear sRGB radiance → linear sRGB to display, 0…1, still to be encoded: times 2^exposure [EV], then a neutral shoulder (spectrum/toneMap.ts). */
 export const toneMap = Fn(
   ([rgb, exposure]: [Vec3, Float]): Vec3 => {
-    const exposed = clamp(rgb.mul(exp2(exposure)), 0, NEUTRAL.brightest).toVar();
-    const least = min(exposed.x, min(exposed.y, exposed.z)).toVar();
-    const toe = least.sub(least.mul(least).div(4 * NEUTRAL.fresnel));
-    const color = exposed.sub(select(least.lessThan(2 * NEUTRAL.fresnel), toe, NEUTRAL.fresnel)).toVar();
+    const color = clamp(rgb.mul(exp2(exposure)), 0, NEUTRAL.brightest).toVar();
     const peak = max(color.x, max(color.y, color.z)).toVar();
     const room = 1 - NEUTRAL.shoulder;
     const newPeak = peak
