@@ -17,6 +17,8 @@ export interface StageContext {
   /** Greatest distance between a resampled path and the true one, as a fraction of the object's size. */
   readonly chordTolerance: number;
   readonly diagnostics: DiagnosticList;
+  /** Memory that is left for the points of deforming meshes. */
+  readonly pointBudget: { bytes: number };
   /** Paths of the subdivision surfaces that are drawn as their polygons. */
   readonly subdivided: string[];
 }

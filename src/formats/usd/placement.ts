@@ -6,7 +6,7 @@ import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
-import { boxCorners, refineTimes } from './sampling.ts';
+import { affordableTimes, boxCorners, bytesOfPoints, refineTimes } from './sampling.ts';
 import { unionOfTimes } from './xformOps.ts';
 
 /** A mesh in its prim's own axes and stage units, and how its points change with time in there. */
@@ -44,7 +44,7 @@ export function placeShape(context: StageContext, path: string, shape: Shape, fr
   const { stretch } = parts[0];
   const size = Math.max(...stretch.map(Math.abs));
   const rigid = parts.every((p) => p.stretch.every((x, i) => Math.abs(x - stretch[i]) <= RIGID * size));
-  if (!rigid) return sampledPoints(context, shape, world, times);
+  if (!rigid) return sampledPoints(context, path, shape, world, times);
   return {
     mesh: stretched(shape.mesh, stretch),
     motion: sampledPoses(
@@ -103,14 +103,27 @@ export function sampledPoses(
 
 function deforming(context: StageContext, path: string, shape: Shape, world: Frame): Placed {
   const { times } = shape.deformation!;
-  if (world.times.length === 0) return sampledPoints(context, shape, world, times);
+  if (world.times.length === 0) return sampledPoints(context, path, shape, world, times);
   const corners = boxCorners(shape.mesh.positions);
   const both = { times: unionOfTimes([times, world.times]), matrixAt: world.matrixAt };
-  return sampledPoints(context, shape, world, refined(context, path, both, corners));
+  return sampledPoints(context, path, shape, world, refined(context, path, both, corners));
+}
+
+/** The times that the scene still has memory for. */
+function affordable(context: StageContext, path: string, wanted: Float64Array, vertices: number): Float64Array {
+  const { pointBudget } = context;
+  const times = affordableTimes(wanted, vertices, pointBudget.bytes);
+  pointBudget.bytes = Math.max(0, pointBudget.bytes - bytesOfPoints(times.length, vertices));
+  if (times.length < wanted.length) {
+    const message = `its ${vertices} vertices at ${wanted.length} times take more memory than there is for a scene's points; ${times.length} of the times are used`;
+    report(context, 'warning', 'usd.sample-budget', path, message);
+  }
+  return times;
 }
 
 /** Every vertex at every time. */
-function sampledPoints(context: StageContext, shape: Shape, world: Frame, times: Float64Array): Placed {
+function sampledPoints(context: StageContext, path: string, shape: Shape, world: Frame, wanted: Float64Array): Placed {
+  const times = affordable(context, path, wanted, shape.mesh.positions.length / 3);
   const { mesh, deformation } = shape;
   const positionsAt = (time: number): Float32Array => deformation?.positionsAt(time) ?? mesh.positions;
   const groups = deformation && !deformation.normalsAt ? smoothingGroups(mesh) : undefined;

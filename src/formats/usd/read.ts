@@ -13,6 +13,9 @@ import { isZip, openPackage } from './usdz.ts';
 /** Distance between a resampled path and the true one, as a fraction of the object's size, where none is asked for. */
 const CHORD_TOLERANCE = 1e-4;
 
+/** For all deforming meshes of a scene together [bytes]: a small file can ask for any number of samples of a large mesh. */
+const POINT_BUDGET = 2 ** 30;
+
 /**
  * Reads a USD text layer, or a package that holds one, as a scene. What it says and is not read is in the scene's
  * diagnostics. Throws an InputError where the file is not readable at all.
@@ -64,6 +67,7 @@ function contextOf(layer: Layer, source: FileSource, options: ReadOptions): Stag
     startCode: number('startTimeCode') ?? 0,
     chordTolerance: options.chordTolerance ?? CHORD_TOLERANCE,
     diagnostics: new DiagnosticList(),
+    pointBudget: { bytes: POINT_BUDGET },
     subdivided: [],
   };
   for (const key of ['unit', 'codesPerSecond'] as const) {

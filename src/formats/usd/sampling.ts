@@ -71,3 +71,13 @@ export function boxCorners(points: ArrayLike<number>): Vec3[] {
     return [at(0), at(1), at(2)];
   });
 }
+
+/** Memory of a deforming mesh: a position and a normal of three f32 for each vertex at each time. */
+export const bytesOfPoints = (times: number, vertices: number): number => times * vertices * 24;
+
+/** As many of the times as `bytes` hold, evenly chosen, with the first and the last; at least these two. */
+export function affordableTimes(times: Float64Array, vertices: number, bytes: number): Float64Array {
+  const most = Math.max(2, Math.floor(bytes / bytesOfPoints(1, vertices)));
+  if (times.length <= most) return times;
+  return Float64Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]);
+}

@@ -172,17 +172,22 @@ export class Scanner {
     }
     if (!any) return this.wordNumber(start, negative);
     if (bytes[p] === 69 || bytes[p] === 101) {
-      const from = ++p;
-      if (bytes[p] === MINUS || bytes[p] === 43) p++;
-      const first = p;
-      while (isDigit(bytes[p])) p++;
-      if (p === first) this.fail('the exponent of this number has no digits', start);
+      const from = p + 1;
+      p = this.exponentEnd(from, start);
       exponent += Number(this.text(from, p));
     }
     this.pos = p;
     if (digits > 15 || exponent > 22 || exponent < -22) return Number(this.text(start, p));
-    const value = exponent < 0 ? mantissa / POWERS[-exponent]! : mantissa * POWERS[exponent]!;
+    const value = exponent < 0 ? mantissa / POWERS[-exponent] : mantissa * POWERS[exponent];
     return negative ? -value : value;
+  }
+
+  private exponentEnd(from: number, start: number): number {
+    let p = from;
+    if (this.bytes[p] === MINUS || this.bytes[p] === 43) p++;
+    const first = p;
+    while (isDigit(this.bytes[p])) p++;
+    return p > first ? p : this.fail('the exponent of this number has no digits', start);
   }
 
   private wordNumber(start: number, negative: boolean): number {
