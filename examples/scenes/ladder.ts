@@ -2,26 +2,27 @@ import { IDENTITY } from '../../src/math/quat.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { cylinder } from '../../src/scene/primitives.ts';
 import type { Mesh, SampledMotion, Scene, SceneCamera } from '../../src/scene/types.ts';
-import { daylight, paint, SceneBuilder } from '../kit/builder.ts';
+import { daylight, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, lookFrom, sampled } from '../kit/flight.ts';
 import { Canvas, tone } from '../kit/paint.ts';
 import { bar, block, join, moved, polygon, quad } from '../kit/parts.ts';
 import { tidy } from '../kit/tidy.ts';
+import { broadTree } from '../kit/trees.ts';
 
 const C = 3;
-const BETA = 0.8;
-/** Proper lengths of the ladder and of the barn between its doors [m]: 16 · 0.6 = 9.6 < 12 < 16. */
+const BETA = 0.6;
+/** Proper lengths of the ladder and of the barn between its doors [m]: 16 · 0.8 = 12.8 < 14 < 16. */
 const LADDER = 16;
-const BARN = 12;
+const BARN = 14;
 /** When the ladder's middle is at the barn's, and both doors are shut [s]. */
 const MEETING = 10;
 /** How long before and after it the doors move [s], and how long they stay shut. */
-const MOVING = 0.45;
-const SHUT = 0.05;
-const [DOOR_WIDTH, DOOR_HEIGHT, HALF_DEPTH] = [2.2, 2.5, 2.6];
+const MOVING = 0.27;
+const SHUT = 0.04;
+const [DOOR_WIDTH, DOOR_HEIGHT, HALF_DEPTH] = [1.4, 2.5, 2.6];
 const [WALL, RIDGE] = [3.1, 5.3];
-const CARRIED = 1.2;
+const CARRIED = 1.25;
 
 export const scene: ExampleScene = { name: 'ladder', make };
 
@@ -30,7 +31,7 @@ function make(): Scene {
   meadow(builder);
   barn(builder);
   doors(builder);
-  const wood = builder.material('ladderWood', '#e3b25c', { roughness: 0.55 });
+  const wood = builder.material('ladderWood', '#f0dcae', { roughness: 0.5 });
   const tip = builder.material('ladderTip', '#c2402e', { roughness: 0.5 });
   const velocity: Vec3 = [BETA * C, 0, 0];
   const pose = { position: [-BETA * C * MEETING, CARRIED, 0] as Vec3, orientation: IDENTITY };
@@ -45,33 +46,33 @@ function make(): Scene {
   const beside = camera({
     from,
     to,
-    fovY: 50,
-    eye: (t) => [0.05 * (t - MEETING), 4.2, 17],
-    target: (t) => [0.02 * (t - MEETING), 2, 0],
+    fovY: 46,
+    eye: (t) => [0.04 * (t - MEETING - 4), 3.1, 12.5],
+    target: () => [0, 1.95, 0],
   });
   const hints = {
     speedOfLight: C,
     title: 'Ladder and barn',
     lookFor:
-      'A ladder of 16 m flies through a barn of 12 m at 0.8 c. In the barn’s frame it is 9.6 m long, and both doors are shut at once with all of it inside. In the ladder’s frame (ride /World/Rider in the simultaneity view) the barn is 7.2 m long, and its doors never are shut together.',
-    openAt: MEETING + 5.2,
+      'A ladder of 16 m flies through a barn of 14 m at 0.6 c. In the barn’s frame it is 12.8 m long, and for a moment both doors are shut with all of it inside. In the ladder’s frame (ride /World/Rider in the simultaneity view) the barn is 11.2 m long, and its doors never are shut together.',
+    openAt: MEETING + 4.8,
   };
   return builder.finish('ladder', hints, [from, to], [beside, rider(from, to)], daylight([-0.45, 0.7, 0.65]));
 }
 
 /** Flies beside the ladder's middle with its velocity. */
 function rider(from: number, to: number): SceneCamera {
-  const eye = (t: number): Vec3 => [BETA * C * (t - MEETING), 4.2, 17];
-  const orientation = lookFrom([0, 4.2, 17], [0, 2, 0]);
+  const eye = (t: number): Vec3 => [BETA * C * (t - MEETING), 3.1, 12.5];
+  const orientation = lookFrom([0, 3.1, 12.5], [0, 1.95, 0]);
   const motion = sampled(from, to, 1, (t) => ({ position: eye(t), orientation }));
   return { path: '/World/Rider', motion, fovY: (50 * Math.PI) / 180 };
 }
 
-/** In its own frame, along x: two rails and a rung every 40 cm. */
+/** In its own frame, along x and on edge: two rails and a rung every 40 cm. */
 function rungsAndRails(): Mesh {
   const half = LADDER / 2;
-  const rails = [-1, 1].map((side) => moved(block(LADDER - 0.8, 0.12, 0.07), [0, -0.06, side * 0.3]));
-  const rung = cylinder(0.028, 0.6, { segments: 8, axis: 'Z' });
+  const rails = [-1, 1].map((side) => block(LADDER - 0.8, 0.11, 0.09, 1, [0, 0.36 * side - 0.055, 0]));
+  const rung = cylinder(0.033, 0.64, { segments: 8, axis: 'Y' });
   const count = Math.floor((LADDER - 0.8) / 0.4);
   const rungs = Array.from({ length: count }, (_, i) => moved(rung, [-half + 0.6 + 0.4 * i, 0, 0]));
   return join([...rails, ...rungs]);
@@ -81,14 +82,14 @@ function rungsAndRails(): Mesh {
 const tips = (): Mesh =>
   join(
     [-1, 1].flatMap((end) =>
-      [-1, 1].map((side) => moved(block(0.4, 0.125, 0.075), [end * (LADDER / 2 - 0.2), -0.0625, side * 0.3])),
+      [-1, 1].map((side) => block(0.4, 0.12, 0.1, 1, [end * (LADDER / 2 - 0.2), 0.36 * side - 0.06, 0])),
     ),
   );
 
 /** Two leaves at either end slide together and apart; the same motion at the same barn time. */
 function doors(builder: SceneBuilder): void {
   const leafWood = builder.material('doors', '#ffffff', {
-    texture: planks('#8f2f27', 'door_planks', 6),
+    texture: planks('#ece2c8', 'door_planks', 4),
     roughness: 0.8,
   });
   const iron = builder.material('iron', '#2f3030', { roughness: 0.5, metallic: 0.6 });
@@ -130,16 +131,25 @@ function barn(builder: SceneBuilder): void {
   for (const end of [-1, 1]) gable(builder, end, boards, trim);
   builder.object('/World/Barn/Frame', [paint(tidy(join(frame())), timber)]);
   const [eave, over] = [HALF_DEPTH + 0.45, BARN / 2 + 0.4];
-  const slope = (side: number): Mesh => {
-    const low = WALL - (0.45 * (RIDGE - WALL)) / HALF_DEPTH;
-    const a: Vec3 = [-side * over, low, side * eave];
-    const b: Vec3 = [side * over, low, side * eave];
-    return polygon([a, b, [side * over, RIDGE, 0], [-side * over, RIDGE, 0]], 0.4);
-  };
+  // Shingled behind only; the front has its rafters and battens, so that one sees in.
+  const low = WALL - (0.45 * (RIDGE - WALL)) / HALF_DEPTH;
+  const rear = polygon(
+    [
+      [over, low, -eave],
+      [-over, low, -eave],
+      [-over, RIDGE, 0],
+      [over, RIDGE, 0],
+    ],
+    0.4,
+  );
+  const battens = [0.04, 0.36, 0.68].map((s) =>
+    block(2 * over, 0.06, 0.1, 0.5, [0, low + (RIDGE - low) * s - 0.03, eave * (1 - s)]),
+  );
   const ridge = block(2 * over, 0.12, 0.3, 0.5, [0, RIDGE - 0.02, 0]);
   builder.object('/World/Barn/Roof', [
-    paint({ ...join([slope(-1), slope(1)]), doubleSided: true }, roof),
+    paint({ ...rear, doubleSided: true }, roof),
     paint(tidy(ridge), trim),
+    paint(tidy(join(battens)), timber),
   ]);
   hay(builder);
 }
@@ -187,8 +197,10 @@ function frame(): Mesh[] {
     const x = -BARN / 2 + 0.12 + ((BARN - 0.24) * k) / bays;
     for (const side of [-1, 1]) {
       const z = side * (HALF_DEPTH - 0.1);
-      if (side < 0 || k === 0 || k === bays || k % 2 === 0) parts.push(block(0.2, WALL, 0.2, 0.5, [x, 0, z]));
-      parts.push(bar([x, WALL, z], [x, RIDGE - 0.1, 0], 0.14));
+      parts.push(bar([x, WALL - 0.12, side * HALF_DEPTH], [x, RIDGE - 0.14, 0], 0.13));
+      // In front only the corner posts: the plate spans the rest, so that nothing hides the ladder.
+      if (side > 0 && k > 0 && k < bays) continue;
+      parts.push(block(0.2, WALL, 0.2, 0.5, [x, 0, z]));
       parts.push(bar([x, WALL - 0.75, z], [x, WALL - 0.06, z - side * 0.75], 0.11));
     }
     parts.push(block(0.18, 0.2, 2 * HALF_DEPTH, 0.5, [x, WALL - 0.1, 0]));
@@ -227,7 +239,7 @@ function meadow(builder: SceneBuilder): void {
   const long = 45;
   const strip = (x0: number, x1: number, z0: number, z1: number, y: number, tile: number) =>
     quad([x0, y, z0], [x1, y, z0], [x1, y, z1], [x0, y, z1], (x1 - x0) / tile, (z0 - z1) / tile);
-  builder.object('/World/Grass', [paint(strip(-90, 90, 40, -90, -0.06, 4), grass)]);
+  builder.object('/World/Grass', [paint(strip(-60, 60, 25, -45, -0.06, 4), grass)]);
   builder.object('/World/Track', [paint(strip(-long, long, 1.1, -1.1, -0.03, 2), dirt)]);
   const markers = Array.from({ length: 2 * long + 1 }, (_, i) => i - long)
     .filter((x) => Math.abs(x) > BARN / 2)
@@ -236,6 +248,15 @@ function meadow(builder: SceneBuilder): void {
   const z = -9;
   const rails = [0.45, 0.95].map((y) => block(2 * long, 0.1, 0.05, 0.5, [0, y, z]));
   const posts = Array.from({ length: 31 }, (_, i) => block(0.13, 1.25, 0.13, 1, [3 * (i - 15), -0.05, z - 0.08]));
+  const bark = builder.material('bark', '#6a5340', { roughness: 1 });
+  const leaf = builder.material('leaf', '#5b8141', { roughness: 0.95 });
+  for (let k = 0; k < 11; k++) {
+    const tree = broadTree(5.5 + 2.5 * ((k * 0.618) % 1), bark, leaf, k + 3);
+    builder.object(
+      `/World/Tree${k}`,
+      placePart(tree, place([8.5 * (k - 6) + 3 * ((k * 0.38) % 1), -0.06, -15 - 7 * ((k * 0.71) % 1)], k)),
+    );
+  }
   builder.object('/World/Fence', [paint(tidy(join([...rails, ...posts])), fenceWood)]);
 }
 

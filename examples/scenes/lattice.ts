@@ -1,11 +1,11 @@
 import { normalize, type Vec3 } from '../../src/math/vec3.ts';
 import { makeMesh } from '../../src/scene/geometry.ts';
 import { box } from '../../src/scene/primitives.ts';
-import type { Mesh, Scene } from '../../src/scene/types.ts';
-import { daylight, paint, SceneBuilder } from '../kit/builder.ts';
+import type { Light, Mesh, Scene } from '../../src/scene/types.ts';
+import { paint, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, cruise } from '../kit/flight.ts';
-import { checker } from '../kit/paint.ts';
+import { checker, linear } from '../kit/paint.ts';
 import { join, moved, quad } from '../kit/parts.ts';
 import { tidy } from '../kit/tidy.ts';
 
@@ -24,16 +24,14 @@ function make(): Scene {
   bars(builder);
   joints(builder);
   const tiles = builder.material('tiles', '#ffffff', {
-    texture: checker('#d8d0c0', '#a9aaa6', 'tiles', 2, 32),
+    texture: checker('#6f7780', '#454d59', 'tiles', 2, 32),
     roughness: 0.9,
   });
   const y = FIRST[1] - 3;
-  builder.object('/World/Ground', [
-    paint(quad([-80, y, 60], [80, y, 60], [80, y, -100], [-80, y, -100], 20, 20), tiles),
-  ]);
+  builder.object('/World/Ground', [paint(quad([-20, y, 14], [20, y, 14], [20, y, -58], [-20, y, -58], 5, 9), tiles)]);
 
   const [from, to] = [0, 11];
-  const way = (t: number) => 13 - 66 * cruise(t / to, 0.34);
+  const way = (t: number) => 8 - 57 * cruise(t / to, 0.45);
   const eye = (t: number): Vec3 => [2 + 0.35 * Math.sin(0.5 * t), 2 + 0.3 * Math.cos(0.4 * t), way(t)];
   const target = (t: number): Vec3 => [2, 2, way(t) - 20];
   const hints = {
@@ -41,10 +39,21 @@ function make(): Scene {
     title: 'Lattice',
     lookFor:
       'Bars along your way stay straight; the red and cream ones across it bend into hyperbolas, and the joints stay round. At 0.9 c even bars that are already behind you come into view in front.',
-    openAt: 4,
+    openAt: 4.5,
   };
+  // Late dusk: what comes head-on at 0.9 c is four times bluer and hundreds of times brighter, so it begins dark.
+  const [r, g, b] = linear('#ffe2bd');
+  const lights: Light[] = [
+    {
+      kind: 'distant',
+      path: '/World/Sun',
+      direction: normalize([-0.5, -0.6, -0.62]),
+      color: [2 * r, 2 * g, 2 * b],
+    },
+    { kind: 'dome', path: '/World/Sky', color: linear('#33425f') },
+  ];
   const flight = camera({ from, to, fovY: 66, eye, target });
-  return builder.finish('lattice', hints, [from, to], [flight], daylight([0.5, 0.7, 0.55], '#ffe9c9', 3.4));
+  return builder.finish('lattice', hints, [from, to], [flight], lights);
 }
 
 /** Each as long as the lattice, in its own colour per direction. */

@@ -8,6 +8,7 @@ import { camera, cruise } from '../kit/flight.ts';
 import { Canvas, checker } from '../kit/paint.ts';
 import { block, column, join, moved, quad, turned } from '../kit/parts.ts';
 import { tidy } from '../kit/tidy.ts';
+import { poplar } from '../kit/trees.ts';
 
 const C = 10;
 const RADIUS = 1.5;
@@ -20,7 +21,7 @@ export const scene: ExampleScene = { name: 'sphere', make };
 /** Lane (z), speed in units of c along x, and the colours of the ball. */
 const flyers: readonly (readonly [name: string, z: number, beta: number, dark: string, light: string])[] = [
   ['Half', 0, 0.5, '#2e6a74', '#eadfc6'],
-  ['Fast', -6, -0.8, '#b4482f', '#f2e6cf'],
+  ['Fast', -6, 0.8, '#b4482f', '#f2e6cf'],
   ['Fastest', -12, 0.95, '#3a3560', '#e7d9b0'],
 ];
 
@@ -48,16 +49,16 @@ function make(): Scene {
   const flight = camera({
     from,
     to,
-    fovY: 52,
-    eye: (t) => [-4.5 + 3.5 * cruise(t / to, 0.4), 3.3, 13 - 3 * cruise(t / to, 0.4)],
-    target: (t) => [-1.2 + 1.2 * cruise(t / to, 0.4), 2.8, -6],
+    fovY: 46,
+    eye: (t) => [7.6 - 2 * cruise(t / to, 0.4), 4.4, 11.5 - 2 * cruise(t / to, 0.4)],
+    target: (t) => [-1.2 - 1.2 * cruise(t / to, 0.4), 2.7, -3],
   });
   const hints = {
     speedOfLight: C,
     title: 'Sphere',
     lookFor:
       'Three balls fly through their rings at 0.5, 0.8 and 0.95 c. In the simultaneity view they are flattened; but what you see has an exactly circular outline, always. Only the meridians tell: you see round the back. Fly past the balls at rest: the same.',
-    openAt: 7.6,
+    openAt: 7.3,
   };
   return builder.finish('sphere', hints, [from, to], [flight], daylight([-0.55, 0.8, 0.45]));
 }
@@ -112,7 +113,7 @@ function garden(builder: SceneBuilder, stone: number): void {
   looks.forEach(([dark, light], side) => {
     const ball = globe(builder, side === 0 ? 'Left' : 'Right', dark, light, 0.9);
     for (let k = 0; k < 3; k++) {
-      const [x, z] = [(side === 0 ? -1 : 1) * 7, 4 - 9 * k];
+      const [x, z] = side === 0 ? [-8.5 - 4 * k, 2.8 - 6 * k] : [5.2 + 4.4 * k, 2.8 - 6 * k];
       const name = `${side === 0 ? 'Left' : 'Right'}${k}`;
       builder.object(`/World/Plinth${name}`, placePart([paint(plinth, stone)], place([x, 0, z])));
       const turn = multiply(fromAxisAngle([0, 0, 1], 0.4), fromAxisAngle([0, 1, 0], 1.3 * k));
@@ -143,6 +144,15 @@ function terrace(builder: SceneBuilder): void {
   const steps = [0, 1, 2].map((k) => block(2 * long, 0.22, 4.4 - 0.5 * k, 0.5, [0, 0.22 * k, -20.2 - 0.25 * k]));
   const beam = [block(2 * long, 0.5, 1.1, 0.5, [0, 5.86, -21]), block(2 * long, 0.24, 1.5, 0.5, [0, 6.36, -21])];
   builder.object('/World/Steps', [paint(tidy(join([...steps, ...beam])), marble)]);
+  const bark = builder.material('bark', '#6a5340', { roughness: 1 });
+  const leaf = builder.material('leaf', '#4f7448', { roughness: 0.95 });
+  for (let k = 0; k < 15; k++) {
+    const part = placePart(
+      poplar(8.5 + 1.5 * ((k * 0.618) % 1), bark, leaf, k),
+      place([5.4 * (k - 9) + 2.7, -0.3, -27]),
+    );
+    builder.object(`/World/Cypress${k}`, part);
+  }
   const pillar = tidy(column(5.2, 0.4));
   for (let k = 0; k < 9; k++)
     builder.object(`/World/Column${k}`, placePart([paint(pillar, marble)], place([5.4 * (k - 4), 0.66, -21])));

@@ -3,14 +3,15 @@ import { random } from '../../src/math/random.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { makeMesh } from '../../src/scene/geometry.ts';
 import { mergeMeshes } from '../../src/scene/meshOps.ts';
-import { type Band, cone, cylinder, revolve, sphere } from '../../src/scene/primitives.ts';
+import { type Band, cylinder, revolve, sphere } from '../../src/scene/primitives.ts';
 import type { Mesh, SampledPointsMotion, Scene } from '../../src/scene/types.ts';
-import { at, daylight, type Part, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
+import { daylight, type Part, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, sampled } from '../kit/flight.ts';
 import { bricks, Canvas, tone } from '../kit/paint.ts';
 import { block, join, moved, quad, turned } from '../kit/parts.ts';
 import { tidy } from '../kit/tidy.ts';
+import { poplar } from '../kit/trees.ts';
 
 const C = 10;
 /** Of the axle, and of the rim about it [m/s]. */
@@ -27,8 +28,8 @@ export const scene: ExampleScene = { name: 'wheel', make };
 function make(): Scene {
   const builder = new SceneBuilder();
   road(builder);
-  const iron = builder.material('iron', '#3a3d40', { roughness: 0.45, metallic: 0.7 });
-  const wood = builder.material('ash', '#a8743f', { roughness: 0.6 });
+  const iron = builder.material('iron', '#5d6266', { roughness: 0.45, metallic: 0.7 });
+  const wood = builder.material('ash', '#cf9f63', { roughness: 0.55 });
   const hubWood = builder.material('hub', '#7c2f26', { roughness: 0.5 });
   const wheel: Part = [
     paint(tidy(felloe()), wood),
@@ -43,15 +44,15 @@ function make(): Scene {
     from: 0,
     to: END,
     fovY: 50,
-    eye: (t) => [-0.9 + 0.25 * t, 2.1, 9.2],
-    target: (t) => [-0.9 + 0.25 * t, 1.75, 0],
+    eye: (t) => [3 + 0.2 * t, 2, 7.6],
+    target: (t) => [0.2 * t, 1.85, 0],
   });
   const hints = {
     speedOfLight: C,
     title: 'Wheel',
     lookFor:
       'The wheel rolls at 0.6 c; its top goes 0.88 c, the place that touches the road stands still. In the simultaneity view of the road it is an ellipse and its spokes are bent: what is "now" all over the hub’s frame is not "now" here. The wheel on the stand only turns.',
-    openAt: MIDDLE + 0.6,
+    openAt: MIDDLE + 0.85,
   };
   return builder.finish('wheel', hints, [0, END], [flight], daylight([-0.4, 0.75, 0.6]));
 }
@@ -59,10 +60,10 @@ function make(): Scene {
 /**
  * Rolling without slipping: in the axle's frame the wheel is round and turns evenly, its rim as fast as the road runs under
  * it. A point at (ρ, φ₀) there is at x′ = ρ cos(φ₀ − ωt′); in the road's frame x = γ(x′ + vt′) at t = γ(t′ + vx′/c²), and
- * at one t each point has its own t′ (docs/model.md). Sampled 16 times a second.
+ * at one t each point has its own t′ (docs/model.md). Sampled 15 times a second.
  */
 function rolling(mesh: Mesh): SampledPointsMotion {
-  const count = Math.round(END * 16) + 1;
+  const count = Math.round(END * 15) + 1;
   const times = Float64Array.from({ length: count }, (_, k) => (END * k) / (count - 1));
   const points = Array.from(times, (t) => {
     const out = new Float32Array(mesh.positions.length);
@@ -183,7 +184,7 @@ function road(builder: SceneBuilder): void {
   const strip = (z0: number, z1: number, y: number, scale: number) =>
     quad([-long, y, z0], [long, y, z0], [long, y, z1], [-long, y, z1], (2 * long) / scale, (z0 - z1) / scale);
   builder.object('/World/Road', [paint(strip(2, -1.6, 0, 2), dirt)]);
-  builder.object('/World/Grass', [paint(join([strip(16, 2, -0.02, 3), strip(-1.6, -60, -0.02, 3)]), grass)]);
+  builder.object('/World/Grass', [paint(strip(16, -60, -0.02, 3), grass)]);
 
   const milestone: Part = [
     paint(
@@ -236,26 +237,15 @@ const pillars = (long: number, z: number): Mesh[] =>
 
 function trees(builder: SceneBuilder, z: number): void {
   const bark = builder.material('bark', '#6a5340', { roughness: 1 });
-  const leaf = builder.material('leaf', '#5b7f45', { roughness: 0.95 });
+  const leaf = builder.material('leaf', '#55803f', { roughness: 0.95 });
   const next = random(17);
-  const trunks: Mesh[] = [];
-  const crowns: Mesh[] = [];
-  for (let i = -9; i <= 9; i++) {
-    const [x, depth, height] = [4.6 * i + next(), z - 3 * next(), 7 + 3 * next()];
-    trunks.push(moved(cone(0.22, 3, { segments: 8, axis: 'Y' }), [x, 1.5, depth]));
-    const crown = turned(
-      [
-        [0.1, 1.4],
-        [0.85, 2.6],
-        [0.95, 0.45 * height],
-        [0.6, 0.8 * height],
-        [0, height],
-      ],
-      10,
+  for (let k = 0; k < 12; k++) {
+    const [x, depth] = [6 * (k - 7) + next(), z - 3 * next()];
+    builder.object(
+      `/World/Poplar${k}`,
+      placePart(poplar(7.5 + 3 * next(), bark, leaf, k), place([x, -0.02, depth], k)),
     );
-    crowns.push(moved(crown, [x, 0, depth]));
   }
-  builder.object('/World/Poplars', [paint(tidy(join(trunks)), bark), paint(tidy(join(crowns)), leaf)], at([0, 0, 0]));
 }
 
 function gravel(color: string, name: string) {

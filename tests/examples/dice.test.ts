@@ -8,7 +8,7 @@ import { objectAt, openExample, speedOfLight, vertexCount, worldPositions } from
 
 const scene = await openExample('dice');
 const c = speedOfLight(scene);
-const DIE = '/World/Red3';
+const DIE = '/World/Ivory3';
 
 /** A die at rest turned about the upright by `angle`: what one sees of it from far along z, and how near each point is. */
 const turned = ([x, y, z]: Vec3, angle: number): Vec3 => [
