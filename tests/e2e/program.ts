@@ -65,6 +65,12 @@ export class Program {
     return guarded;
   }
 
+  /** As a driver does that fails: every page's device and context is lost. */
+  async crashGraphics(): Promise<void> {
+    const session = await this.#browser.newBrowserCDPSession();
+    await session.send('Browser.crashGpuProcess').catch(() => {});
+  }
+
   async stop(): Promise<void> {
     await this.#browser.close();
     this.#server.kill();
@@ -92,6 +98,13 @@ export class Guarded {
   async close(): Promise<void> {
     expect(this.complaints).toEqual([]);
     await this.page.context().close();
+  }
+
+  /** Takes back what the page had to complain of. */
+  expectComplaint(about: RegExp): void {
+    const rest = this.complaints.filter((complaint) => !about.test(complaint));
+    expect(rest.length, `a complaint about ${about}`).toBeLessThan(this.complaints.length);
+    this.complaints.splice(0, this.complaints.length, ...rest);
   }
 
   /** The scene is open, drawn and at rest. */

@@ -55,11 +55,11 @@ export const messages = {
   ],
   'param.view': ['View', '视图'],
   'param.view.help': [
-    'What you see; where things are at your own instant (“god’s eye”); or the world with infinite c.',
+    'What you see; where things are at your own instant (a “god’s eye” view); or the world with infinite c.',
     '你所看到的；你此刻同时面上的物体位置（“上帝视角”）；或光速无穷大的世界。',
   ],
   'view.lightCone': ['Seen', '所见'],
-  'view.simultaneity': ['God’s eye', '上帝视角'],
+  'view.simultaneity': ['Simultaneity', '同时面'],
   'view.galilean': ['c = ∞', 'c = ∞'],
   'param.lightDelay': ['Light delay', '光的延迟'],
   'param.lightDelay.help': [
@@ -114,7 +114,7 @@ export const messages = {
 
   'status.bar': ['Status', '状态'],
   'status.speed': ['Speed', '速度'],
-  'status.gamma': ['γ', 'γ'],
+  'status.gamma': ['Lorentz factor', '洛伦兹因子'],
   'status.c': ['Speed of light', '光速'],
   'status.ownTime': ['Own clock', '固有时'],
   'status.worldTime': ['World time', '世界时间'],
@@ -229,16 +229,6 @@ export const messages = {
     '或不用屏幕直接渲染：slowlight render scene.usda -o picture.png',
   ],
   'unsupported.retry': ['Try again', '重试'],
-
-  'example.street': ['Street', '街道'],
-  'example.dice': ['A row of dice', '一排骰子'],
-  'example.wheel': ['Rolling wheel', '滚动的轮子'],
-  'example.lattice': ['Lattice', '晶格'],
-  'example.sphere': ['Sphere', '球'],
-  'example.hall': ['Hall', '大厅'],
-  'example.saturn': ['Saturn', '土星'],
-  'example.gallery': ['Gallery', '画廊'],
-  'example.ladder': ['Ladder and barn', '梯子与谷仓'],
 } as const satisfies Record<string, readonly [en: string, zh: string]>;
 
 export type MessageKey = keyof typeof messages;

@@ -102,7 +102,8 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
         value={positionOf(spec, number)}
         onChange={(position) => onChange(valueAt(spec, position), `slider ${id}`)}
         onChangeEnd={onGestureEnd}
-        thumbProps={{ 'aria-label': any(spec.title), 'aria-valuetext': `${number} ${spec.unit ?? ''}`.trim() }}
+        thumbLabel={any(spec.title)}
+        thumbProps={{ 'aria-valuetext': `${number} ${spec.unit ?? ''}`.trim() }}
       />
     </Stack>
   );

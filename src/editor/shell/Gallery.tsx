@@ -1,7 +1,7 @@
 import { Badge, Modal, SimpleGrid, Text, UnstyledButton } from '@mantine/core';
 import { type ReactNode, useEffect, useState } from 'react';
+import { exampleWords } from '../i18n/exampleWords.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { isMessageKey } from '../i18n/messages.ts';
 import { type Example, loadExamples } from '../loading/examples.ts';
 import { useStudio, useStudioState } from '../state/context.tsx';
 
@@ -78,9 +78,8 @@ function Card({ example, onChoose }: { readonly example: Example; readonly onCho
   );
 }
 
-/** A scene's own words are in its file; where the catalogue has them in the language of the page, those. */
+/** A scene's own words are in its file; for the examples the page has them in its other language too. */
 export function useExampleTexts({ name, title, lookFor }: Pick<Example, 'name' | 'title' | 'lookFor'>) {
-  const { t, language } = useTexts();
-  const translated = (key: string, own: string) => (language !== 'en' && isMessageKey(key) ? t(key) : own);
-  return { title: translated(`example.${name}`, title), lookFor: translated(`example.${name}.lookFor`, lookFor) };
+  const { language } = useTexts();
+  return (language === 'zh' && exampleWords[name]) || { title, lookFor };
 }

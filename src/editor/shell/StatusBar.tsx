@@ -1,5 +1,5 @@
 import { Group, Text, Tooltip, UnstyledButton } from '@mantine/core';
-import { IconEye, IconLock, IconLockOpen, IconPlane } from '@tabler/icons-react';
+import { IconEye, IconGauge, IconLockOpen, IconPlane } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
 import type { Lock } from '../flight/flight.ts';
 import { formatBeta, formatCount, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
@@ -57,7 +57,7 @@ function CruiseButton(): ReactNode {
         aria-pressed={cruise}
         onClick={() => studio.change({ cruise: !cruise })}
       >
-        <IconLock size={14} opacity={cruise ? 1 : 0.35} />
+        <IconGauge size={14} opacity={cruise ? 1 : 0.35} />
         <Text size="xs" c={cruise ? undefined : 'dimmed'}>
           {t('cruise.label')}
         </Text>
@@ -95,7 +95,7 @@ function Speed(): ReactNode {
   return (
     <>
       <Item id="speed" label={t('status.speed')} value={c ? `${formatSpeed(beta * c)} · ${formatBeta(beta)} c` : '–'} />
-      <Item id="gamma" label={t('status.gamma')} value={formatNumber(gamma, 4)} />
+      <Item id="gamma" label={t('status.gamma')} value={`γ = ${formatNumber(gamma, 4)}`} />
       <Item id="c" label={t('status.c')} value={c ? `c = ${formatSpeed(c)}` : '–'} />
     </>
   );

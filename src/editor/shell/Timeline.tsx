@@ -59,7 +59,8 @@ function Scrubber(): ReactNode {
           label={null}
           value={Math.min(end, Math.max(start, time))}
           onChange={(value) => pilot.seek(value)}
-          thumbProps={{ 'aria-label': t('timeline.time'), 'aria-valuetext': formatSeconds(time) }}
+          thumbLabel={t('timeline.time')}
+          thumbProps={{ 'aria-valuetext': formatSeconds(time) }}
         />
       ) : (
         <Text size="xs" c="dimmed" className="sl-scrubber">

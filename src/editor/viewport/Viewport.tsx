@@ -47,7 +47,12 @@ function Caption(): ReactNode {
   const hints = useStudioState((state) => state.picture?.scene.hints);
   const source = useStudioState((state) => state.openSource);
   const name = sceneName(source).replace(/\.\w+$/, '');
-  const { title, lookFor } = useExampleTexts({ name, title: hints?.title ?? name, lookFor: hints?.lookFor ?? '' });
+  const own = {
+    name: source.startsWith('examples/') ? name : '',
+    title: hints?.title ?? name,
+    lookFor: hints?.lookFor ?? '',
+  };
+  const { title, lookFor } = useExampleTexts(own);
   const show = (captions: boolean) => {
     setShown(captions);
     savePreferences({ ...loadPreferences(), captions });
