@@ -7,7 +7,13 @@ const built = 'scripts/vitest-built.mjs';
 export default defineConfig({
   test: {
     projects: [
-      { test: { name: 'unit', include: ['src/**/*.test.{ts,tsx}', 'tests/examples/**/*.test.ts'], exclude: ['**/*.oracle.test.ts'] } },
+      {
+        test: {
+          name: 'unit',
+          include: ['src/**/*.test.{ts,tsx}', 'tests/examples/**/*.test.ts'],
+          exclude: ['**/*.oracle.test.ts'],
+        },
+      },
       { test: { name: 'oracle', include: ['src/**/*.oracle.test.ts'], testTimeout: 120_000 } },
       {
         test: {
