@@ -5,7 +5,7 @@ import { ballScene, type MotionKind } from './scenes.ts';
 import { openStock } from './stock.ts';
 
 const SIZE = { width: 640, height: 360 };
-const ROUNDS = 9;
+const ROUNDS = 5;
 
 export const frame: Bench = {
   name: 'frame',

@@ -63,14 +63,12 @@ async function launch(): Promise<Browser> {
   }
   const { chromium } = await import('playwright-core');
   const gl = process.platform === 'linux' ? ['--use-gl=angle', '--use-angle=gl-egl'] : [];
-  // Root may not use the sandbox; the page is ours and may load nothing from elsewhere.
-  const sandbox = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
   return chromium.launch({
     executablePath,
     headless: true,
     handleSIGINT: false,
     handleSIGTERM: false,
-    args: [...gl, ...sandbox, '--ignore-gpu-blocklist'],
+    args: [...gl, '--ignore-gpu-blocklist'],
   });
 }
 
