@@ -5,6 +5,9 @@ import react from '@vitejs/plugin-react';
 import { defineConfig, type Plugin } from 'vite';
 import type { Example } from './src/editor/loading/examples.ts';
 
+// The tests build the page too, and what is served should always be what people get.
+process.env.NODE_ENV = 'production';
+
 const root = fileURLToPath(new URL('.', import.meta.url));
 const examplesFolder = join(root, 'examples');
 /** The order of the gallery: from what everybody knows to what needs a thought. Others follow by name. */

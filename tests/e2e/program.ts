@@ -131,13 +131,19 @@ export class Guarded {
     return this.page.getByRole('application');
   }
 
+  /** Notices of what could not be done. */
+  get refusals() {
+    return this.page.locator('.sl-notices').getByRole('alert');
+  }
+
   async shot(name: string): Promise<void> {
     await this.page.screenshot({ path: join(shots, `${name}.png`) });
   }
 
-  /** The pixels of the picture, as they are shown. */
+  /** The pixels of the picture, as they are shown, without what lies over it. */
   async pixels(): Promise<Uint8Array> {
-    const { data } = decode(await this.page.locator('canvas').screenshot());
+    const style = '.sl-hint, .sl-caption, .sl-notices, .sl-busy, .sl-picture::after { visibility: hidden !important }';
+    const { data } = decode(await this.page.locator('canvas').screenshot({ style }));
     return Uint8Array.from(data);
   }
 }

@@ -79,7 +79,7 @@ describe('scenes', () => {
         mimeType: 'text/plain',
         buffer: Buffer.from('#usda 1.0\ndef Mesh "a" {\n  int[] x = [1, 2\n'),
       });
-    const notice = visit.page.getByRole('alert');
+    const notice = visit.refusals;
     await notice.waitFor();
     const said = await notice.textContent();
     expect(said).toMatch(/broken\.usda/);
@@ -96,9 +96,9 @@ describe('scenes', () => {
     const field = visit.page.getByRole('textbox', { name: 'Speed of light' });
     await field.fill('0.2');
     await field.press('Enter');
-    const remedy = visit.page.getByRole('alert').getByRole('button', { name: /Set Speed of light to/ });
+    const remedy = visit.refusals.getByRole('button', { name: /Set Speed of light to/ });
     await remedy.click();
-    await expect.poll(() => visit.page.getByRole('alert').count()).toBe(0);
+    await expect.poll(() => visit.refusals.count()).toBe(0);
     expect(await visit.status('c')).not.toContain('0.2');
     await visit.close();
   });

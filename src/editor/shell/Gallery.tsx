@@ -1,4 +1,4 @@
-import { Badge, Modal, SimpleGrid, Text, UnstyledButton } from '@mantine/core';
+import { Badge, Group, Modal, SimpleGrid, Text, UnstyledButton } from '@mantine/core';
 import { type ReactNode, useEffect, useState } from 'react';
 import { exampleWords } from '../i18n/exampleWords.ts';
 import { useTexts } from '../i18n/i18n.ts';
@@ -67,9 +67,16 @@ function Card({ example, onChoose }: { readonly example: Example; readonly onCho
         <div className="sl-thumbnail" />
       )}
       <div className="sl-card-text">
-        <Text fw={600} size="sm">
-          {texts.title} {current && <Badge size="xs">{t('gallery.now')}</Badge>}
-        </Text>
+        <Group gap={8} mb={4}>
+          <Text fw={600} size="sm">
+            {texts.title}
+          </Text>
+          {current && (
+            <Badge size="xs" variant="default">
+              {t('gallery.now')}
+            </Badge>
+          )}
+        </Group>
         <Text size="xs" c="dimmed" lh={1.45} lineClamp={7}>
           {texts.lookFor}
         </Text>

@@ -5,45 +5,50 @@ import type { MessageKey } from '../i18n/messages.ts';
 import { useStudio, useStudioState } from '../state/context.tsx';
 
 type Row = readonly [keys: readonly string[], what: MessageKey];
+type Section = readonly [title: MessageKey, rows: readonly Row[]];
 
-const SECTIONS: readonly (readonly [title: MessageKey, rows: readonly Row[]])[] = [
+const COLUMNS: readonly (readonly Section[])[] = [
   [
-    'help.flying',
     [
-      [['W', 'A', 'S', 'D'], 'help.move'],
-      [['Q', 'E'], 'help.vertical'],
-      [['⇧ Shift'], 'help.full'],
-      [['help.drag'], 'help.lookAround'],
-      [['help.doubleClick'], 'help.capture'],
-      [['Tab'], 'help.lock'],
-      [['C'], 'help.cruise'],
-      [['R'], 'help.restart'],
+      'help.flying',
+      [
+        [['W', 'A', 'S', 'D'], 'help.move'],
+        [['Q', 'E'], 'help.vertical'],
+        [['⇧ Shift'], 'help.full'],
+        [['help.drag'], 'help.lookAround'],
+        [['help.doubleClick'], 'help.capture'],
+        [['Tab'], 'help.lock'],
+        [['C'], 'help.cruise'],
+        [['R'], 'help.restart'],
+      ],
     ],
   ],
   [
-    'help.picture',
     [
-      [['key.space'], 'help.play'],
-      [['V'], 'help.view'],
-      [['G'], 'help.grid'],
-      [['F'], 'help.maximize'],
-      [['key.escape'], 'help.leave'],
+      'help.picture',
+      [
+        [['key.space'], 'help.play'],
+        [['V'], 'help.view'],
+        [['G'], 'help.grid'],
+        [['F'], 'help.maximize'],
+        [['key.escape'], 'help.leave'],
+      ],
     ],
-  ],
-  [
-    'help.program',
     [
-      [['Ctrl', 'Z'], 'header.undo'],
-      [['Ctrl', '⇧', 'Z'], 'header.redo'],
-      [['Ctrl', 'S'], 'header.save'],
-      [['?', 'F1'], 'header.help'],
+      'help.program',
+      [
+        [['Ctrl', 'Z'], 'header.undo'],
+        [['Ctrl', '⇧', 'Z'], 'header.redo'],
+        [['Ctrl', 'S'], 'header.save'],
+        [['?', 'F1'], 'header.help'],
+      ],
     ],
   ],
 ];
 
 /** All keys, over the picture. */
 export function Help(): ReactNode {
-  const { t, any } = useTexts();
+  const { t } = useTexts();
   const studio = useStudio();
   const opened = useStudioState((state) => state.dialog === 'help');
   return (
@@ -56,20 +61,10 @@ export function Help(): ReactNode {
       closeButtonProps={{ 'aria-label': t('close') }}
     >
       <SimpleGrid cols={{ base: 1, sm: 2 }} spacing="xl" verticalSpacing="lg">
-        {SECTIONS.map(([title, rows]) => (
-          <Stack key={title} gap={8}>
-            <Text component="h3" size="xs" fw={600} c="dimmed" className="sl-section-title">
-              {t(title)}
-            </Text>
-            {rows.map(([keys, what]) => (
-              <Group key={what} justify="space-between" wrap="nowrap" gap="md">
-                <Text size="sm">{t(what)}</Text>
-                <Group gap={4} wrap="nowrap">
-                  {keys.map((key) => (
-                    <Kbd key={key}>{any(key)}</Kbd>
-                  ))}
-                </Group>
-              </Group>
+        {COLUMNS.map((sections) => (
+          <Stack key={sections[0]?.[0]} gap="lg">
+            {sections.map((section) => (
+              <KeySection key={section[0]} section={section} />
             ))}
           </Stack>
         ))}
@@ -78,5 +73,26 @@ export function Help(): ReactNode {
         {t('help.gamepad')}
       </Text>
     </Modal>
+  );
+}
+
+function KeySection({ section: [title, rows] }: { readonly section: Section }): ReactNode {
+  const { t, any } = useTexts();
+  return (
+    <Stack gap={8}>
+      <Text component="h3" size="xs" fw={600} c="dimmed" className="sl-section-title">
+        {t(title)}
+      </Text>
+      {rows.map(([keys, what]) => (
+        <Group key={what} justify="space-between" wrap="nowrap" gap="md">
+          <Text size="sm">{t(what)}</Text>
+          <Group gap={4} wrap="nowrap">
+            {keys.map((key) => (
+              <Kbd key={key}>{any(key)}</Kbd>
+            ))}
+          </Group>
+        </Group>
+      ))}
+    </Stack>
   );
 }

@@ -48,7 +48,9 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
             {notice.place}
           </Text>
         )}
-        <Text size="sm">{notice.text}</Text>
+        <Text size="sm" c="var(--mantine-color-text)">
+          {notice.text}
+        </Text>
         {notice.remedy && <Remedy remedy={notice.remedy} />}
         {notice.ofDocument && kept && (
           <Text size="xs" c="dimmed">
