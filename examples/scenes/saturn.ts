@@ -47,7 +47,7 @@ function make(): Scene {
     speedOfLight: 10,
     title: 'Saturn',
     lookFor:
-      'A model as wide as a house, in a world where light walks. Passing at 0.9 c, the ball keeps a circular outline whatever your speed, while the flat rings bend, and the stars crowd ahead of you.',
+      'A model as wide as a house, in a world where light walks. Passing at nearly 0.9 c, the globe keeps its round outline, hardly changed, while the rings are drawn askew, their far side running ahead of the near one, and the stars crowd ahead of you.',
     openAt: 0,
   };
   const [r, g, b] = linear('#fff4e2');

@@ -2,8 +2,11 @@ import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { openScene } from '../../src/formats/open.ts';
 import type { FileSource } from '../../src/formats/source.ts';
-import { add, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
+import { add, cross, dot, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
+import { apparentPosition } from '../../src/physics/apparent.ts';
+import { observerFromCamera } from '../../src/scene/camera.ts';
 import { vertexPosition } from '../../src/scene/motion.ts';
+import type { ProbeObserver } from '../../src/scene/probe.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
 
 /** Every scene of the gallery. */
@@ -47,4 +50,25 @@ export function distanceFromLine(p: Vec3, a: Vec3, b: Vec3): number {
   const [u, v] = [sub(b, a), sub(p, a)];
   const along = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / (u[0] ** 2 + u[1] ** 2 + u[2] ** 2);
   return Math.hypot(...sub(v, scale(u, along)));
+}
+
+/** The scene's own camera at each of its samples. */
+export function ridden(scene: Scene): ProbeObserver[] {
+  const [camera] = scene.cameras;
+  const times = camera.motion.kind === 'sampled' ? [...camera.motion.times] : [scene.startTime];
+  return times.map((t) => ({ t, ...observerFromCamera(camera, t, speedOfLight(scene)) }));
+}
+
+/** The scene's own camera at the moment when it goes fastest. */
+export const topOfFlight = (scene: Scene): ProbeObserver =>
+  ridden(scene).reduce((best, other) => (Math.hypot(...other.u) > Math.hypot(...best.u) ? other : best));
+
+/** Where the world's point p, at rest, appears to the observer [m]. */
+export const seenAt = (p: Vec3, observer: ProbeObserver): Vec3 =>
+  apparentPosition(sub(p, observer.position), observer.u);
+
+/** How much three directions fail to lie in one plane through the eye: 0 where the line through the points looks straight. */
+export function curvature(a: Vec3, b: Vec3, d: Vec3): number {
+  const [na, nb, nd] = [normalize(a), normalize(b), normalize(d)];
+  return Math.abs(dot(na, cross(nb, nd)));
 }
