@@ -107,13 +107,13 @@ function aptInstall(names) {
 function ensurePackages(wanted, purpose) {
   if (process.platform !== 'linux') return otherSystem();
   if (!isDebian()) return otherSystem();
+  const mayInstall = process.getuid?.() === 0;
+  if (mayInstall && missingPackages(wanted).length > 0) aptInstall(missingPackages(wanted));
   const missing = missingPackages(wanted);
-  if (missing.length === 0) return [];
-  if (process.getuid?.() === 0) {
-    aptInstall(missing);
-    return missingPackages(wanted);
+  if (missing.length > 0) {
+    const line = installLine(missing);
+    say(`Missing system packages, ${purpose}. Run once:\n\n    ${mayInstall ? line : `sudo sh -c '${line}'`}\n`);
   }
-  say(`Missing system packages, ${purpose}. Run once:\n\n    sudo sh -c '${installLine(missing)}'\n`);
   return missing;
 }
 
