@@ -14,6 +14,7 @@ import type {
   Texture,
 } from '../../src/scene/types.ts';
 import { linear } from './paint.ts';
+import { tidy } from './tidy.ts';
 
 /** Where a part goes: turned about the vertical axis [rad], then moved [m]. */
 export const place = (position: Vec3, turn = 0): Mat4 => fromParts(toMatrix(fromAxisAngle([0, 1, 0], turn)), position);
@@ -67,7 +68,7 @@ export class SceneBuilder {
   ): void {
     const sorted = [...parts].sort((a, b) => (a.groups[0]?.material ?? 0) - (b.groups[0]?.material ?? 0));
     const lifetime = { birth: -Infinity, death: Infinity };
-    this.objects.push({ path, mesh: mergeMeshes(sorted), motion, lifetime, authoredIn: 'world', ...options });
+    this.objects.push({ path, mesh: tidy(mergeMeshes(sorted)), motion, lifetime, authoredIn: 'world', ...options });
   }
 
   finish(

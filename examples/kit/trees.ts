@@ -2,7 +2,6 @@ import { random } from '../../src/math/random.ts';
 import { sphere } from '../../src/scene/primitives.ts';
 import { type Part, paint } from './builder.ts';
 import { join, moved, sized, turned } from './parts.ts';
-import { tidy } from './tidy.ts';
 
 /** A poplar or cypress: a trunk and one tall, slightly uneven flame of leaves. */
 export function poplar(height: number, bark: number, leaf: number, seed = 1): Part {
@@ -25,7 +24,7 @@ export function poplar(height: number, bark: number, leaf: number, seed = 1): Pa
     ],
     7,
   );
-  return [paint(tidy(trunk), bark), paint(tidy(turned(outline, 11)), leaf)];
+  return [paint(trunk, bark), paint(turned(outline, 11), leaf)];
 }
 
 /** A broad tree: a trunk and a crown of a few balls. */
@@ -46,5 +45,5 @@ export function broadTree(height: number, bark: number, leaf: number, seed = 1):
     const ball = sized(sphere(r, { segments: 12, rings: 7, axis: 'Y' }), [1, 0.82, 1]);
     return moved(ball, [out * Math.cos(a), (0.6 + 0.14 * next() + (i === 0 ? 0.1 : 0)) * height, out * Math.sin(a)]);
   });
-  return [paint(tidy(trunk), bark), paint(tidy(join(crown)), leaf)];
+  return [paint(trunk, bark), paint(join(crown), leaf)];
 }

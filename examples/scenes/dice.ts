@@ -10,7 +10,6 @@ import type { ExampleScene } from '../kit/example.ts';
 import { camera } from '../kit/flight.ts';
 import { Canvas } from '../kit/paint.ts';
 import { block, join, moved, quad, roundedBox } from '../kit/parts.ts';
-import { tidy } from '../kit/tidy.ts';
 
 /** Speed of light that the scene suggests [m/s]. */
 const C = 5;
@@ -27,7 +26,7 @@ function make(): Scene {
   const light = builder.material('pipLight', '#f6eedd', { roughness: 0.5 });
   const die = (name: string, color: string, pip: number, glow = '#000000'): Part => {
     const body = builder.material(name, color, { roughness: 0.28, emissive: glow });
-    return [paint(tidy(roundedBox([1, 1, 1], 0.1, 2)), body), paint(tidy(pips()), pip)];
+    return [paint(roundedBox([1, 1, 1], 0.1, 2), body), paint(pips(), pip)];
   };
   const red = die('red', '#a02f2c', light);
   // They glow a little, and so do their pips: hardly any of the room's light reaches the rear of what flees it.
@@ -145,19 +144,17 @@ function table(builder: SceneBuilder): void {
     moved(roundedBox([3.96, 0.5, 0.3], 0.12, 2), [4 * i - long + 2, 1.3, far - 0.3]),
   );
   builder.object('/World/Table/Cushion', [
-    paint(tidy(block(2 * long, 1.15, 0.3, 0.25, [0, 0, far - 0.3])), wood),
-    paint(tidy(join(padding)), leather),
-    paint(tidy(join(studs)), brass),
+    paint(block(2 * long, 1.15, 0.3, 0.25, [0, 0, far - 0.3]), wood),
+    paint(join(padding), leather),
+    paint(join(studs), brass),
   ]);
   builder.object('/World/Table/Rim', [
     paint(
-      tidy(
-        join([
-          block(2 * long + 1, 0.5, 0.7, 0.25, [0, -0.3, near + 0.35]),
-          block(0.5, 0.5, near - far + 1, 0.25, [long + 0.25, -0.3, (near + far) / 2]),
-          block(0.5, 0.5, near - far + 1, 0.25, [-long - 0.25, -0.3, (near + far) / 2]),
-        ]),
-      ),
+      join([
+        block(2 * long + 1, 0.5, 0.7, 0.25, [0, -0.3, near + 0.35]),
+        block(0.5, 0.5, near - far + 1, 0.25, [long + 0.25, -0.3, (near + far) / 2]),
+        block(0.5, 0.5, near - far + 1, 0.25, [-long - 0.25, -0.3, (near + far) / 2]),
+      ]),
       wood,
     ),
   ]);
@@ -202,8 +199,8 @@ function room(builder: SceneBuilder): void {
     block(2 * long, 0.9, 0.7, 1, [0, 12.4, z + 0.2]),
   ];
   builder.object('/World/Room/Panels', [
-    paint(tidy(block(2 * long, 5.8, 0.2, 1, [0, y, z + 0.05])), panel),
-    paint(tidy(join([...frames, ...pilasters, ...ledges])), frame),
+    paint(block(2 * long, 5.8, 0.2, 1, [0, y, z + 0.05]), panel),
+    paint(join([...frames, ...pilasters, ...ledges]), frame),
   ]);
 }
 

@@ -7,7 +7,6 @@ import type { ExampleScene } from '../kit/example.ts';
 import { camera, lookFrom, sampled } from '../kit/flight.ts';
 import { Canvas, tone } from '../kit/paint.ts';
 import { bar, block, join, moved, polygon, quad } from '../kit/parts.ts';
-import { tidy } from '../kit/tidy.ts';
 import { broadTree } from '../kit/trees.ts';
 
 const C = 3;
@@ -37,7 +36,7 @@ function make(): Scene {
   const pose = { position: [-BETA * C * MEETING, CARRIED, 0] as Vec3, orientation: IDENTITY };
   builder.object(
     '/World/Ladder',
-    [paint(tidy(rungsAndRails()), wood), paint(tidy(tips()), tip)],
+    [paint(rungsAndRails(), wood), paint(tips(), tip)],
     { kind: 'uniform', pose, velocity },
     { authoredIn: 'rest' },
   );
@@ -94,8 +93,8 @@ function doors(builder: SceneBuilder): void {
   });
   const iron = builder.material('iron', '#2f3030', { roughness: 0.5, metallic: 0.6 });
   const width = DOOR_WIDTH / 2;
-  const leaf = tidy(moved(block(0.09, DOOR_HEIGHT, width, 0.45), [0, 0, 0]));
-  const braces = tidy(join([0.3, 1.25, 2.2].map((y) => block(0.13, 0.12, width - 0.06, 1, [0, y - 0.06, 0]))));
+  const leaf = moved(block(0.09, DOOR_HEIGHT, width, 0.45), [0, 0, 0]);
+  const braces = join([0.3, 1.25, 2.2].map((y) => block(0.13, 0.12, width - 0.06, 1, [0, y - 0.06, 0])));
   for (const end of [-1, 1])
     for (const side of [-1, 1]) {
       const name = `${end < 0 ? 'Entry' : 'Exit'}${side < 0 ? 'Left' : 'Right'}`;
@@ -124,12 +123,10 @@ function barn(builder: SceneBuilder): void {
     texture: planks('#b99d74', 'floor_planks', 6),
     roughness: 0.95,
   });
-  builder.object('/World/Barn/Floor', [
-    paint(tidy(block(BARN + 0.3, 0.1, 2 * HALF_DEPTH + 0.3, 0.5, [0, -0.06, 0])), floor),
-  ]);
-  builder.object('/World/Barn/Back', [paint(tidy(block(BARN, WALL, 0.1, 0.5, [0, 0, -HALF_DEPTH])), boards)]);
+  builder.object('/World/Barn/Floor', [paint(block(BARN + 0.3, 0.1, 2 * HALF_DEPTH + 0.3, 0.5, [0, -0.06, 0]), floor)]);
+  builder.object('/World/Barn/Back', [paint(block(BARN, WALL, 0.1, 0.5, [0, 0, -HALF_DEPTH]), boards)]);
   for (const end of [-1, 1]) gable(builder, end, boards, trim);
-  builder.object('/World/Barn/Frame', [paint(tidy(join(frame())), timber)]);
+  builder.object('/World/Barn/Frame', [paint(join(frame()), timber)]);
   const [eave, over] = [HALF_DEPTH + 0.45, BARN / 2 + 0.4];
   // Shingled behind only; the front has its rafters and battens, so that one sees in.
   const low = WALL - (0.45 * (RIDGE - WALL)) / HALF_DEPTH;
@@ -148,8 +145,8 @@ function barn(builder: SceneBuilder): void {
   const ridge = block(2 * over, 0.12, 0.3, 0.5, [0, RIDGE - 0.02, 0]);
   builder.object('/World/Barn/Roof', [
     paint({ ...rear, doubleSided: true }, roof),
-    paint(tidy(ridge), trim),
-    paint(tidy(join(battens)), timber),
+    paint(ridge, trim),
+    paint(join(battens), timber),
   ]);
   hay(builder);
 }
@@ -183,10 +180,7 @@ function gable(builder: SceneBuilder, end: number, boards: number, trim: number)
     lath(-d, WALL, 0, RIDGE),
     lath(d, WALL, 0, RIDGE),
   ];
-  builder.object(`/World/Barn/${end < 0 ? 'Entry' : 'Exit'}Gable`, [
-    paint(wall, boards),
-    paint(tidy(join(laths)), trim),
-  ]);
+  builder.object(`/World/Barn/${end < 0 ? 'Entry' : 'Exit'}Gable`, [paint(wall, boards), paint(join(laths), trim)]);
 }
 
 /** Posts, plates, tie beams, braces and rafters. */
@@ -221,7 +215,7 @@ function hay(builder: SceneBuilder): void {
     [4.1, 0.5, -2.12],
     [2.5, 0, -2.1],
   ].map(([x, y, z]) => moved(bale, [x, y + 0.04, z]));
-  builder.object('/World/Barn/Hay', [paint(tidy(join(bales)), straw)]);
+  builder.object('/World/Barn/Hay', [paint(join(bales), straw)]);
 }
 
 /** Grass, the track the ladder takes with a stone for every metre, and a fence. */
@@ -244,7 +238,7 @@ function meadow(builder: SceneBuilder): void {
   const markers = Array.from({ length: 2 * long + 1 }, (_, i) => i - long)
     .filter((x) => Math.abs(x) > BARN / 2)
     .map((x) => block(x % 5 === 0 ? 0.22 : 0.12, x % 5 === 0 ? 0.28 : 0.14, 0.14, 1, [x, -0.05, 1.35]));
-  builder.object('/World/Markers', [paint(tidy(join(markers)), stone)]);
+  builder.object('/World/Markers', [paint(join(markers), stone)]);
   const z = -9;
   const rails = [0.45, 0.95].map((y) => block(2 * long, 0.1, 0.05, 0.5, [0, y, z]));
   const posts = Array.from({ length: 31 }, (_, i) => block(0.13, 1.25, 0.13, 1, [3 * (i - 15), -0.05, z - 0.08]));
@@ -257,7 +251,7 @@ function meadow(builder: SceneBuilder): void {
       placePart(tree, place([8.5 * (k - 6) + 3 * ((k * 0.38) % 1), -0.06, -15 - 7 * ((k * 0.71) % 1)], k)),
     );
   }
-  builder.object('/World/Fence', [paint(tidy(join([...rails, ...posts])), fenceWood)]);
+  builder.object('/World/Fence', [paint(join([...rails, ...posts]), fenceWood)]);
 }
 
 /** Upright boards, each of its own tone. */

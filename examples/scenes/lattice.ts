@@ -7,7 +7,6 @@ import type { ExampleScene } from '../kit/example.ts';
 import { camera, cruise } from '../kit/flight.ts';
 import { checker, linear } from '../kit/paint.ts';
 import { join, moved, quad } from '../kit/parts.ts';
-import { tidy } from '../kit/tidy.ts';
 
 /** Distance between joints [m], and how many there are. */
 const STEP = 4;
@@ -75,7 +74,7 @@ function bars(builder: SceneBuilder): void {
         [place[axis], place[u], place[v]] = [(COUNT[axis] - 1) / 2, a, b];
         rods.push(moved(rod, joint(place[0], place[1], place[2])));
       }
-    builder.object(`/World/Bars${name}`, [paint(tidy(join(rods)), material)]);
+    builder.object(`/World/Bars${name}`, [paint(join(rods), material)]);
   });
 }
 
@@ -112,7 +111,7 @@ function joints(builder: SceneBuilder): void {
   const all: Mesh[] = [];
   for (let i = 0; i < COUNT[0]; i++)
     for (let j = 0; j < COUNT[1]; j++) for (let k = 0; k < COUNT[2]; k++) all.push(moved(ball, joint(i, j, k)));
-  builder.object('/World/Joints', [paint(tidy(join(all)), brass)]);
+  builder.object('/World/Joints', [paint(join(all), brass)]);
 }
 
 /** A ball of few points: a cube of 2 × 2 fields a side, blown up. */

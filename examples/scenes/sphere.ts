@@ -7,7 +7,6 @@ import type { ExampleScene } from '../kit/example.ts';
 import { camera, cruise } from '../kit/flight.ts';
 import { Canvas, checker } from '../kit/paint.ts';
 import { block, column, join, moved, quad, turned } from '../kit/parts.ts';
-import { tidy } from '../kit/tidy.ts';
 import { poplar } from '../kit/trees.ts';
 
 const C = 10;
@@ -75,7 +74,7 @@ function globe(builder: SceneBuilder, name: string, dark: string, light: string,
     })
     .texture(`globe_${name.toLowerCase()}`);
   const material = builder.material(`globe${name}`, '#ffffff', { texture, roughness: 0.35 });
-  return [paint(tidy(sphere(radius, { segments: 40, rings: 20, axis: 'Y' })), material)];
+  return [paint(sphere(radius, { segments: 40, rings: 20, axis: 'Y' }), material)];
 }
 
 /** A standing ring through which the ball just goes, on a stepped foot. */
@@ -95,10 +94,7 @@ function gate(builder: SceneBuilder, name: string, z: number, ring: number, ston
     ],
     20,
   );
-  builder.object(
-    `/World/Gate${name}`,
-    placePart([paint(tidy(hoop), ring), paint(tidy(base), stone)], place([0, 0, z])),
-  );
+  builder.object(`/World/Gate${name}`, placePart([paint(hoop, ring), paint(base, stone)], place([0, 0, z])));
 }
 
 /** Balls at rest on plinths along both sides, to fly past. */
@@ -107,9 +103,11 @@ function garden(builder: SceneBuilder, stone: number): void {
     ['#8a3f3a', '#eadfc6'],
     ['#4d6b4f', '#eadfc6'],
   ];
-  const plinth = tidy(
-    join([block(1.5, 0.25, 1.5), block(1.1, 0.75, 1.1, 1, [0, 0.25, 0]), block(1.4, 0.18, 1.4, 1, [0, 1, 0])]),
-  );
+  const plinth = join([
+    block(1.5, 0.25, 1.5),
+    block(1.1, 0.75, 1.1, 1, [0, 0.25, 0]),
+    block(1.4, 0.18, 1.4, 1, [0, 1, 0]),
+  ]);
   looks.forEach(([dark, light], side) => {
     const ball = globe(builder, side === 0 ? 'Left' : 'Right', dark, light, 0.9);
     for (let k = 0; k < 3; k++) {
@@ -143,7 +141,7 @@ function terrace(builder: SceneBuilder): void {
   builder.object('/World/Lawn', [paint(strip(90, -140, -0.3, 140), lawn)]);
   const steps = [0, 1, 2].map((k) => block(2 * long, 0.22, 4.4 - 0.5 * k, 0.5, [0, 0.22 * k, -20.2 - 0.25 * k]));
   const beam = [block(2 * long, 0.5, 1.1, 0.5, [0, 5.86, -21]), block(2 * long, 0.24, 1.5, 0.5, [0, 6.36, -21])];
-  builder.object('/World/Steps', [paint(tidy(join([...steps, ...beam])), marble)]);
+  builder.object('/World/Steps', [paint(join([...steps, ...beam]), marble)]);
   const bark = builder.material('bark', '#6a5340', { roughness: 1 });
   const leaf = builder.material('leaf', '#4f7448', { roughness: 0.95 });
   for (let k = 0; k < 15; k++) {
@@ -153,7 +151,7 @@ function terrace(builder: SceneBuilder): void {
     );
     builder.object(`/World/Cypress${k}`, part);
   }
-  const pillar = tidy(column(5.2, 0.4));
+  const pillar = column(5.2, 0.4);
   for (let k = 0; k < 9; k++)
     builder.object(`/World/Column${k}`, placePart([paint(pillar, marble)], place([5.4 * (k - 4), 0.66, -21])));
 }

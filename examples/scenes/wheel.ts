@@ -10,7 +10,6 @@ import type { ExampleScene } from '../kit/example.ts';
 import { camera, sampled } from '../kit/flight.ts';
 import { bricks, Canvas, tone } from '../kit/paint.ts';
 import { block, join, moved, quad, turned } from '../kit/parts.ts';
-import { tidy } from '../kit/tidy.ts';
 import { poplar } from '../kit/trees.ts';
 
 const C = 10;
@@ -31,12 +30,7 @@ function make(): Scene {
   const iron = builder.material('iron', '#5d6266', { roughness: 0.45, metallic: 0.7 });
   const wood = builder.material('ash', '#cf9f63', { roughness: 0.55 });
   const hubWood = builder.material('hub', '#7c2f26', { roughness: 0.5 });
-  const wheel: Part = [
-    paint(tidy(felloe()), wood),
-    paint(tidy(tyre()), iron),
-    paint(tidy(spokes()), wood),
-    paint(tidy(hub()), hubWood),
-  ];
+  const wheel: Part = [paint(felloe(), wood), paint(tyre(), iron), paint(spokes(), wood), paint(hub(), hubWood)];
   const mesh = mergeMeshes([...wheel].sort((a, b) => a.groups[0].material - b.groups[0].material));
   builder.object('/World/Rolling', wheel, rolling(mesh));
   stand(builder, wheel, iron);
@@ -167,7 +161,7 @@ function stand(builder: SceneBuilder, wheel: Part, iron: number): void {
   builder.object(
     '/World/Stand',
     placePart(
-      [paint(tidy(join([leg(0, -0.45), leg(0, 0.45), block(1.9, 0.14, 1.2, 1)])), oak), paint(tidy(axle), iron)],
+      [paint(join([leg(0, -0.45), leg(0, 0.45), block(1.9, 0.14, 1.2, 1)]), oak), paint(axle, iron)],
       place([middle[0], 0, middle[2]]),
     ),
   );
@@ -188,29 +182,25 @@ function road(builder: SceneBuilder): void {
 
   const milestone: Part = [
     paint(
-      tidy(
-        turned(
-          [
-            [0.16, 0],
-            [0.16, 0.62],
-            [0.13, 0.72],
-            [0.06, 0.79],
-            [0, 0.81],
-          ],
-          12,
-        ),
+      turned(
+        [
+          [0.16, 0],
+          [0.16, 0.62],
+          [0.13, 0.72],
+          [0.06, 0.79],
+          [0, 0.81],
+        ],
+        12,
       ),
       stone,
     ),
     paint(
-      tidy(
-        turned(
-          [
-            [0.165, 0.42],
-            [0.165, 0.56],
-          ],
-          12,
-        ),
+      turned(
+        [
+          [0.165, 0.42],
+          [0.165, 0.56],
+        ],
+        12,
       ),
       red,
     ),
@@ -220,8 +210,8 @@ function road(builder: SceneBuilder): void {
 
   const z = -7.4;
   builder.object('/World/Wall', [
-    paint(tidy(block(2 * long, 1.5, 0.4, 0.5, [0, 0, z])), wall),
-    paint(tidy(join([block(2 * long, 0.12, 0.6, 0.5, [0, 1.5, z]), ...pillars(long, z)])), stone),
+    paint(block(2 * long, 1.5, 0.4, 0.5, [0, 0, z]), wall),
+    paint(join([block(2 * long, 0.12, 0.6, 0.5, [0, 1.5, z]), ...pillars(long, z)]), stone),
   ]);
   trees(builder, z - 4);
 }
