@@ -8,21 +8,20 @@ import { gridOver } from './grid.ts';
 import { depthHere } from './passes.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
-import type { Projection } from './vertexStage.ts';
 
 /** Linear light to display, 0 … 1, with the grid over it. */
-function displayed(hdr: Vec3, buffer: GBuffer, place: Projection['place'], uniforms: Uniforms): Vec3 {
+function displayed(hdr: Vec3, buffer: GBuffer, uniforms: Uniforms): Vec3 {
   const picture = toneMap(hdr, uniforms.exposure).toVar();
   If(uniforms.grid.greaterThan(0.5), () => {
-    const grid = gridOver(pixelDirection(uniforms), depthHere(buffer, place, uniforms), uniforms).toVar();
+    const grid = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
     picture.assign(mix(picture, grid.xyz, grid.w));
   });
   return picture;
 }
 
 /** One sample: encoded for FXAA, which needs what the eye sees. */
-export const singleSample = (hdr: Texture, buffer: GBuffer, place: Projection['place'], uniforms: Uniforms): Vec4 =>
-  Fn(() => vec4(encode(displayed(texelHere(hdr).rgb, buffer, place, uniforms)), 1))();
+export const singleSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms): Vec4 =>
+  Fn(() => vec4(encode(displayed(texelHere(hdr).rgb, buffer, uniforms)), 1))();
 
 /**
  * One of several samples, added to those before: the picture after tone mapping, so that edges of very bright things are smooth too,
@@ -32,14 +31,13 @@ export function addedSample(
   hdr: Texture,
   before: { readonly picture: Texture; readonly light: Texture },
   buffer: GBuffer,
-  place: Projection['place'],
   uniforms: Uniforms,
 ): Node {
   const sum = (now: Vec3, of: Texture): Vec4 =>
     vec4(select(uniforms.firstSample.greaterThan(0.5), vec3(0), texelHere(of).rgb).add(now.mul(uniforms.weight)), 1);
   const light = texelHere(hdr).rgb;
   return mrt({
-    picture: Fn(() => sum(displayed(light, buffer, place, uniforms), before.picture))(),
+    picture: Fn(() => sum(displayed(light, buffer, uniforms), before.picture))(),
     light: sum(light, before.light),
   });
 }

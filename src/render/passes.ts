@@ -1,8 +1,6 @@
-import { Discard, Fn, float, If, length, min, vec3, vec4 } from 'three/tsl';
+import { Discard, Fn, float, If, length, min, select, vec3, vec4 } from 'three/tsl';
 import { NoBlending, NodeMaterial, NormalBlending } from 'three/webgpu';
-import { apparentPosition } from '../shaders/apparentPosition.ts';
-import { simultaneousPosition } from '../shaders/simultaneousPosition.ts';
-import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
+import type { Float, Vec4 } from '../shaders/types.ts';
 import type { Environment } from './environment.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';
 import { type Drawable, sideOf } from './sceneUpload.ts';
@@ -72,9 +70,7 @@ export function forwardMaterial(
   material.vertexNode = vertexStage(drawable.vertex, projection);
   material.fragmentNode = Fn(() => {
     const surface = readSurface(drawable.surface);
-    Discard(
-      shownDistance(surface.dx, projection.place, uniforms).greaterThan(depthHere(buffer, projection.place, uniforms)),
-    );
+    Discard(surface.distance.greaterThan(depthHere(buffer)));
     return vec4(min(shade(surface, environment, uniforms), MOST_LIGHT), surface.color.w);
   })();
   material.side = sideOf(drawable.batch);
@@ -85,13 +81,8 @@ export function forwardMaterial(
   return material;
 }
 
-function shownDistance(dx: Vec3, place: Projection['place'], { u, gamma }: Uniforms): Float {
-  if (place === 'apparent') return length(apparentPosition(dx, u, gamma));
-  return length(place === 'contracted' ? simultaneousPosition(dx, u, gamma) : dx);
-}
-
-/** Apparent distance |Δx′| of the opaque surface under this fragment [m], or very far. */
-export function depthHere(buffer: GBuffer, place: Projection['place'], uniforms: Uniforms): Float {
-  const distance = shownDistance(texelHere(buffer.texture('event')).xyz, place, uniforms);
-  return texelHere(buffer.texture('object')).x.greaterThan(0.5).select(distance, float(1e30));
+/** Apparent distance of the opaque surface under this fragment [m], or very far. */
+export function depthHere(buffer: GBuffer): Float {
+  const found = texelHere(buffer.texture('object')).toVar();
+  return select(found.x.greaterThan(0.5), found.y, float(1e30));
 }

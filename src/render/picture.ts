@@ -73,18 +73,18 @@ export class PictureMachine {
   }
 
   /** Light to display: sample `index` of `count`. */
-  display(place: Projection['place'], index: number, count: number): void {
+  display(index: number, count: number): void {
     const { buffer, uniforms, light } = this;
     this.samples = count;
     if (count === 1) {
-      this.run(`single ${place}`, () => singleSample(light.texture, buffer, place, uniforms), this.single);
+      this.run('single', () => singleSample(light.texture, buffer, uniforms), this.single);
       return;
     }
     uniforms.weight.value = 1 / count;
     uniforms.firstSample.value = index === 0 ? 1 : 0;
     const [from, to] = index % 2 === 0 ? [1, 0] : [0, 1];
     const before = { picture: this.sums[from].textures[0], light: this.sums[from].textures[1] };
-    this.run(`add ${place} ${to}`, () => addedSample(light.texture, before, buffer, place, uniforms), this.sums[to]);
+    this.run(`add ${to}`, () => addedSample(light.texture, before, buffer, uniforms), this.sums[to]);
   }
 
   /** The finished picture to the canvas (`null`), or to where it can be read. */

@@ -1,13 +1,10 @@
 import { DataUtils, type RenderTarget } from 'three/webgpu';
 import { length, type Vec3 } from '../math/vec3.ts';
-import { apparentPosition } from '../physics/apparent.ts';
-import { simultaneousPosition } from '../physics/simultaneity.ts';
 import type { Gpu } from './device.ts';
 import type { AovName, PickResult } from './settings.ts';
 import type { Sight } from './sight.ts';
 import type { TargetName } from './surface.ts';
 import type { GBuffer } from './targets.ts';
-import type { Projection } from './vertexStage.ts';
 
 export interface Region {
   readonly x: number;
@@ -51,32 +48,21 @@ function flipRows(pixels: Raw, rows: number): void {
   }
 }
 
-/** The picture that is in the G-buffer: who looked, and how. */
-export interface Taken {
-  readonly sight: Sight;
-  readonly place: Projection['place'];
-}
-
 type DataAov = Exclude<AovName, 'beauty'>;
 
 /** Which target an AOV is in, and its values from the four floats of a pixel; times and places become the world's in f64, then f32. */
 const SOURCES: Record<
   DataAov,
-  { target: TargetName; values: (texel: Float32Array, taken: Taken) => readonly number[] }
+  { target: TargetName; values: (texel: Float32Array, sight: Sight) => readonly number[] }
 > = {
-  depth: { target: 'event', values: ([x, y, z], taken) => [length(shown([x, y, z], taken))] },
-  emission_time: { target: 'event', values: ([, , , w], { sight }) => [sight.t + w / sight.c] },
-  position: { target: 'event', values: ([x, y, z], { sight: { position: p } }) => [p[0] + x, p[1] + y, p[2] + z] },
+  depth: { target: 'object', values: ([, distance]) => [distance] },
+  emission_time: { target: 'event', values: ([, , , w], sight) => [sight.t + w / sight.c] },
+  position: { target: 'event', values: ([x, y, z], { position: p }) => [p[0] + x, p[1] + y, p[2] + z] },
   doppler: { target: 'motion', values: ([, , , w]) => [w] },
   velocity: { target: 'motion', values: ([x, y, z]) => [x, y, z] },
   normal: { target: 'normal', values: ([x, y, z]) => unit([x, y, z]) },
   object: { target: 'object', values: ([x]) => [x] },
 };
-
-function shown(dx: Vec3, { sight, place }: Taken): Vec3 {
-  if (place === 'apparent') return apparentPosition(dx, sight.u);
-  return place === 'contracted' ? simultaneousPosition(dx, sight.u) : dx;
-}
 
 function unit(v: Vec3): Vec3 {
   const l = length(v) || 1;
@@ -88,7 +74,7 @@ export async function readData(
   gpu: Gpu,
   buffer: GBuffer,
   name: DataAov,
-  taken: Taken,
+  sight: Sight,
   region: Region,
 ): Promise<Float32Array> {
   const { target, values } = SOURCES[name];
@@ -99,11 +85,11 @@ export async function readData(
   const [ids, texels] = await Promise.all([read('object'), read(target)]);
   const pixels = region.width * region.height;
   const [idSize, size] = [ids.length / pixels, texels.length / pixels];
-  const channels = values(new Float32Array(4), taken).length;
+  const channels = values(new Float32Array(4), sight).length;
   const out = new Float32Array(pixels * channels);
   for (let i = 0; i < pixels; i++) {
     if (ids[i * idSize] < 0.5) continue;
-    out.set(values(texels.subarray(i * size, (i + 1) * size), taken), i * channels);
+    out.set(values(texels.subarray(i * size, (i + 1) * size), sight), i * channels);
   }
   return out;
 }
@@ -112,13 +98,13 @@ export async function readData(
 export async function readPick(
   gpu: Gpu,
   buffer: GBuffer,
-  taken: Taken,
+  sight: Sight,
   pathOf: (objectId: number) => string,
   x: number,
   y: number,
 ): Promise<PickResult | undefined> {
   const region = { x, y, width: 1, height: 1 };
-  const read = (name: DataAov) => readData(gpu, buffer, name, taken, region);
+  const read = (name: DataAov) => readData(gpu, buffer, name, sight, region);
   const names = ['object', 'emission_time', 'position', 'velocity', 'doppler', 'depth'] as const;
   const [object, time, position, velocity, doppler, depth] = await Promise.all(names.map(read));
   const objectId = object[0];

@@ -6,7 +6,7 @@ import type { PictureMaker } from './api.ts';
 import { frustumSides } from './cull.ts';
 import { type Gpu, openGpu } from './device.ts';
 import { PictureMachine } from './picture.ts';
-import { type Region, readBytes, readData, readFloats, readPick, type Taken } from './readback.ts';
+import { type Region, readBytes, readData, readFloats, readPick } from './readback.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import {
   type AovName,
@@ -35,7 +35,7 @@ export class SceneRenderer implements PictureMaker {
   private readonly camera = new PerspectiveCamera();
   private readonly toCanvas: boolean;
   private upload: SceneUpload | undefined;
-  private taken: Taken | undefined;
+  private taken: Sight | undefined;
   private size = { width: 1, height: 1 };
   private drawn = { triangles: 0, objectsDrawn: 0, milliseconds: 0 };
 
@@ -93,7 +93,7 @@ export class SceneRenderer implements PictureMaker {
       this.jitter(samples, i);
       this.machine.drawGeometry(upload, projection, this.camera);
       this.machine.drawLight(upload, projection, this.camera);
-      this.machine.display(projection.place, i, count);
+      this.machine.display(i, count);
     }
     if (count > 1) {
       // Data are of the pixels' centres, not of the last sample.
@@ -101,7 +101,7 @@ export class SceneRenderer implements PictureMaker {
       this.machine.drawGeometry(upload, projection, this.camera);
     }
     if (this.toCanvas) this.machine.present('canvas');
-    this.taken = { sight, place: projection.place };
+    this.taken = sight;
     this.drawn = { ...this.drawn, milliseconds: performance.now() - began };
   }
 
@@ -129,7 +129,7 @@ export class SceneRenderer implements PictureMaker {
     this.gpu.renderer.dispose();
   }
 
-  private picture(): Taken {
+  private picture(): Sight {
     if (!this.taken) throw new Error('nothing has been rendered yet');
     return this.taken;
   }

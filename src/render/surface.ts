@@ -4,6 +4,7 @@ import {
   Fn,
   faceDirection,
   int,
+  length,
   mix,
   mrt,
   normalize,
@@ -17,7 +18,7 @@ import { dopplerFactor } from '../shaders/dopplerFactor.ts';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import type { FloatTable } from './floatTable.ts';
 import type { Uniforms } from './uniforms.ts';
-import { vEvent, vLife, vMotion, vNormal } from './vertexStage.ts';
+import { vEvent, vLife, vMotion, vNormal, vShown } from './vertexStage.ts';
 
 /** Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (roughness, metallic, 0, 0). */
 export const MATERIAL_TEXELS = 3;
@@ -45,6 +46,8 @@ export interface Surface {
   readonly velocity: Vec4;
   readonly D: Float;
   readonly object: Float;
+  /** Apparent distance |Δx′| [m]. */
+  readonly distance: Float;
 }
 
 /** Reads the surface inside a fragment's Fn, after discarding what is not there: outside the lifetime, cut out, or never seen. */
@@ -76,6 +79,7 @@ export function readSurface(sources: SurfaceSources): Surface {
     velocity,
     D,
     object: round(vLife.z),
+    distance: length(vShown),
   };
 }
 
@@ -84,7 +88,7 @@ export const TARGETS = {
   base: 8,
   emissive: 8,
   normal: 8,
-  object: 4,
+  object: 8,
   event: 16,
   motion: 16,
 } as const;
@@ -105,7 +109,7 @@ const targetValues = (surface: Surface): Record<TargetName, Vec4> => ({
   base: vec4(surface.color.rgb, surface.roughness),
   emissive: vec4(surface.emissive, surface.metallic),
   normal: vec4(surface.normal, 1),
-  object: vec4(surface.object, 0, 0, 1),
+  object: vec4(surface.object, surface.distance, 0, 1),
   event: vec4(surface.dx, surface.time),
   motion: vec4(surface.velocity.xyz, surface.D),
 });

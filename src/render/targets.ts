@@ -3,9 +3,9 @@ import {
   HalfFloatType,
   NearestFilter,
   NoColorSpace,
-  RedFormat,
   RenderTarget,
   RGBAFormat,
+  RGFormat,
   type TextureDataType,
 } from 'three/webgpu';
 import { TARGETS, type TargetName } from './surface.ts';
@@ -51,7 +51,7 @@ function makeTarget(names: readonly TargetName[]): RenderTarget {
   names.forEach((name, i) => {
     target.textures[i].name = name;
     if (FLOATS.has(name)) target.textures[i].type = FloatType;
-    if (name === 'object') target.textures[i].format = RedFormat;
+    if (name === 'object') target.textures[i].format = RGFormat;
   });
   return target;
 }

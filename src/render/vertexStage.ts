@@ -53,6 +53,8 @@ export interface VertexSources {
 
 /** Observer → event [m] and c(t − t_o) [m of light]. */
 export const vEvent = varyingProperty('vec4', 'v_event');
+/** Where it is drawn: from the observer, on the world axes that the boost carries [m]. */
+export const vShown = varyingProperty('vec3', 'v_shown');
 /** (v, 1 − v²) of the surface in the world, in units of c. */
 export const vMotion = varyingProperty('vec4', 'v_motion');
 /** Normal in the surface's rest frame, and 1 where the vertex exists. */
@@ -97,7 +99,8 @@ export function vertexStage(sources: VertexSources, projection: Projection): Vec
       vMotion.assign(vertex.velocity);
       vNormal.assign(vec4(vertex.normal, select(vertex.exists, float(1), float(0))));
       vLife.assign(vec4(s.sub(when.x), when.y.sub(s), when.w, ids.y));
-      const shown = select(vertex.exists, place(dx, projection.place, sources.uniforms), anchor.xyz);
+      const shown = select(vertex.exists, place(dx, projection.place, sources.uniforms), anchor.xyz).toVar();
+      vShown.assign(shown);
       clip.assign(cameraProjectionMatrix.mul(cameraViewMatrix.mul(vec4(shown, 1))));
     });
     return clip;

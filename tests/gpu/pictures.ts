@@ -1,0 +1,29 @@
+import '../../src/cli/node-shim.ts';
+import { type HeadlessDevice, openDevice } from '../../src/cli/device.ts';
+import type { SceneRenderer } from '../../src/render/renderer.ts';
+
+export interface HeadlessPictures {
+  readonly renderer: SceneRenderer;
+  readonly gpu: HeadlessDevice;
+  /** Throws what the GPU reported meanwhile, and gives it back. */
+  close(): Promise<void>;
+}
+
+/** The product's renderer on Dawn, in Node. */
+export async function openPictures(width: number, height: number): Promise<HeadlessPictures> {
+  const gpu = await openDevice();
+  // After the shim, which three looks for while it is being loaded.
+  const { SceneRenderer } = await import('../../src/render/renderer.ts');
+  const renderer = await SceneRenderer.create({ device: gpu.device });
+  renderer.setSize(width, height);
+  return {
+    renderer,
+    gpu,
+    close: async () => {
+      await gpu.device.queue.onSubmittedWorkDone();
+      gpu.assertHealthy();
+      renderer.dispose();
+      gpu.release();
+    },
+  };
+}

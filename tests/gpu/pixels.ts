@@ -1,0 +1,128 @@
+import { conjugate, rotate } from '../../src/math/quat.ts';
+import { add, cross, dot, length, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
+import { apparentPosition } from '../../src/physics/apparent.ts';
+import { properVelocity } from '../../src/physics/boost.ts';
+import { dopplerFactor } from '../../src/physics/doppler.ts';
+import type { RenderSettings, ViewPoint } from '../../src/render/settings.ts';
+import { tessellate } from '../../src/render/tessellate.ts';
+import { probeVertices, type VertexProbe } from '../../src/scene/probe.ts';
+import type { Scene } from '../../src/scene/types.ts';
+
+/** What one vertex of the drawn mesh is, by the f64 library: no code of src/render but the mesh it draws. */
+interface Vertex {
+  /** Observer → event [m], world frame. */
+  readonly dx: Vec3;
+  /** t_event − t_o [s]. */
+  readonly delay: number;
+  readonly velocity: Vec3;
+  /** In the camera's axes [m]. */
+  readonly camera: Vec3;
+}
+
+export interface ReferencePixel {
+  readonly object: number;
+  readonly dx: Vec3;
+  readonly delay: number;
+  readonly velocity: Vec3;
+  readonly doppler: number;
+  /** Apparent distance [m]. */
+  readonly depth: number;
+}
+
+/** Ray by ray against the triangles between the f64 positions of their vertices; attributes linear over each triangle. */
+export class ReferencePicture {
+  private readonly view: ViewPoint;
+  private readonly settings: RenderSettings;
+  private readonly meshes: {
+    id: number;
+    vertices: (Vertex | undefined)[];
+    indices: Uint32Array;
+    birth: number;
+    death: number;
+  }[];
+
+  constructor(scene: Scene, view: ViewPoint, settings: RenderSettings) {
+    this.view = view;
+    this.settings = settings;
+    const { objects } = tessellate(scene, settings.speedOfLight);
+    this.meshes = objects.map((object, i) => ({
+      id: i + 1,
+      vertices: this.vertices(object),
+      indices: object.mesh.indices,
+      birth: object.lifetime.birth - view.t,
+      death: object.lifetime.death - view.t,
+    }));
+  }
+
+  private vertices(object: Scene['objects'][number]): (Vertex | undefined)[] {
+    const { view, lightDelay, aberration, speedOfLight } = this.settings;
+    const events = view === 'light-cone' && !lightDelay ? 'galilean' : view;
+    const probes = probeVertices(object, this.view, speedOfLight, events);
+    return probes.map((p) => p && this.vertex(p, view === 'light-cone' && (!lightDelay || !aberration)));
+  }
+
+  private vertex(p: VertexProbe, switched: boolean): Vertex {
+    const dx = sub(p.position, this.view.position);
+    const seen = switched ? (this.settings.aberration ? apparentPosition(dx, this.view.u) : dx) : p.apparent;
+    const camera = rotate(conjugate(this.view.orientation), seen);
+    return { dx, delay: p.time - this.view.t, velocity: p.velocity, camera };
+  }
+
+  /** Through (x, y) in pixels from the top left, centres at halves. */
+  at(x: number, y: number, width: number, height: number): ReferencePixel | undefined {
+    const tan = Math.tan(this.view.fovY / 2);
+    const ray: Vec3 = [((2 * x) / width - 1) * tan * (width / height), (1 - (2 * y) / height) * tan, -1];
+    let nearest = Number.POSITIVE_INFINITY;
+    let found: ReferencePixel | undefined;
+    for (const mesh of this.meshes) {
+      for (let i = 0; i < mesh.indices.length; i += 3) {
+        const corners = [0, 1, 2].map((k) => mesh.vertices[mesh.indices[i + k]]);
+        const [a, b, c] = corners;
+        if (!a || !b || !c) continue;
+        const hit = intersect(ray, a.camera, b.camera, c.camera);
+        if (!hit || hit.distance >= nearest) continue;
+        const weigh = (pick: (v: Vertex) => Vec3): Vec3 =>
+          add(add(scale(pick(a), 1 - hit.u - hit.v), scale(pick(b), hit.u)), scale(pick(c), hit.v));
+        const delay = a.delay * (1 - hit.u - hit.v) + b.delay * hit.u + c.delay * hit.v;
+        if (delay < mesh.birth || delay > mesh.death) continue;
+        nearest = hit.distance;
+        const depth = length(weigh((q) => q.camera));
+        found = {
+          ...this.pixel(
+            mesh.id,
+            weigh((q) => q.dx),
+            delay,
+            weigh((q) => q.velocity),
+          ),
+          depth,
+        };
+      }
+    }
+    return found;
+  }
+
+  private pixel(object: number, dx: Vec3, delay: number, v: Vec3): Omit<ReferencePixel, 'depth'> {
+    const doppler = this.settings.view === 'light-cone' ? dopplerFactor(dx, this.view.u, properVelocity(v)) : 1;
+    return { object, dx, delay, velocity: v, doppler };
+  }
+}
+
+/** Möller and Trumbore 1997, front faces only. */
+function intersect(ray: Vec3, a: Vec3, b: Vec3, c: Vec3): { distance: number; u: number; v: number } | undefined {
+  const e1 = sub(b, a);
+  const e2 = sub(c, a);
+  const p = cross(ray, e2);
+  const det = dot(e1, p);
+  if (det <= 0) return undefined;
+  const t: Vec3 = [-a[0], -a[1], -a[2]];
+  const u = dot(t, p) / det;
+  if (u < 0 || u > 1) return undefined;
+  const q = cross(t, e1);
+  const v = dot(ray, q) / det;
+  if (v < 0 || u + v > 1) return undefined;
+  const distance = dot(e2, q) / det;
+  return distance > 0 ? { distance, u, v } : undefined;
+}
+
+/** Angle between two directions [rad]. */
+export const angle = (a: Vec3, b: Vec3): number => Math.atan2(length(cross(a, b)), dot(a, b));
