@@ -180,24 +180,22 @@ function build(name) {
   else run(process.execPath, [at('node_modules/vite/bin/vite.js'), 'build', '--logLevel', 'error']);
 }
 
-// ── Pixar's USD, as an independent judge in tests ──────────────────────────────────────────────────────────────────
+// ── Independent judges of our files, for tests ─────────────────────────────────────────────────────────────────────
 
-const usdCore = 'usd-core==25.11';
+const judges = ['usd-core==25.11', 'OpenEXR==3.4.4', 'numpy==2.3.5'];
 
-/** The Python that has usd-core, or undefined with the reason said. Kept in .cache/, never in the system. */
+/** The folder of the Python that has the judges, or undefined with the reason said. Kept in .cache/, never in the system. */
 export function ensureOracle() {
-  const python =
-    process.platform === 'win32'
-      ? at('.cache', 'venv', 'Scripts', 'python.exe')
-      : at('.cache', 'venv', 'bin', 'python');
-  const hasUsd = () => existsSync(python) && ask(python, ['-c', 'from pxr import Usd']) !== undefined;
-  if (hasUsd()) return python;
+  const folder = at('.cache', 'venv', process.platform === 'win32' ? 'Scripts' : 'bin');
+  const python = join(folder, 'python3');
+  const hasJudges = () => existsSync(python) && ask(python, ['-c', 'import pxr.Usd, OpenEXR, numpy']) !== undefined;
+  if (hasJudges()) return folder;
   try {
-    if (ensurePackages(oraclePackages, 'for the optional tests against usd-core').length > 0) return undefined;
-    say(`Installing ${usdCore} into .cache/venv (the judge of our USD files) …`);
+    if (ensurePackages(oraclePackages, 'for the optional tests against other programs').length > 0) return undefined;
+    say(`Installing ${judges.join(', ')} into .cache/venv (the judges of our files) …`);
     run('python3', ['-m', 'venv', at('.cache', 'venv')]);
-    run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', usdCore]);
-    return hasUsd() ? python : undefined;
+    run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', ...judges]);
+    return hasJudges() ? folder : undefined;
   } catch (error) {
     if (!(error instanceof SetupError)) throw error;
     say(error.message);
