@@ -29,8 +29,8 @@ function make(): Scene {
   const y = FIRST[1] - 3;
   builder.object('/World/Ground', [paint(quad([-20, y, 14], [20, y, 14], [20, y, -58], [-20, y, -58], 5, 9), tiles)]);
 
-  const [from, to] = [0, 11];
-  const way = (t: number) => 8 - 57 * cruise(t / to, 0.45);
+  const [from, to] = [0, 8.9];
+  const way = (t: number) => 8 - 45.5 * cruise(t / to, 0.45);
   const eye = (t: number): Vec3 => [2 + 0.35 * Math.sin(0.5 * t), 2 + 0.3 * Math.cos(0.4 * t), way(t)];
   const target = (t: number): Vec3 => [2, 2, way(t) - 20];
   const hints = {
@@ -38,7 +38,7 @@ function make(): Scene {
     title: 'Lattice',
     lookFor:
       'Bars along your way stay straight; the red and cream ones across it bend into hyperbolas, and the joints stay round. At 0.9 c even bars that are already behind you come into view in front.',
-    openAt: 4.5,
+    openAt: 3.7,
   };
   // Late dusk: what comes head-on at 0.9 c is four times bluer and hundreds of times brighter, so it begins dark.
   const [r, g, b] = linear('#ffe2bd');

@@ -44,7 +44,7 @@ function make(): Scene {
     gate(builder, name, z, ring, stone);
   }
   garden(builder, stone);
-  const [from, to] = [0, 14];
+  const [from, to] = [0, 10];
   const flight = camera({
     from,
     to,

@@ -34,12 +34,14 @@ function make(): Scene {
   const mesh = mergeMeshes([...wheel].sort((a, b) => a.groups[0].material - b.groups[0].material));
   builder.object('/World/Rolling', wheel, rolling(mesh));
   stand(builder, wheel, iron);
+  // The gaze goes along with the wheel as it is seen, 0.9 s late.
+  const gaze = (t: number) => 4 * Math.tanh((t - MIDDLE - 0.9) / 1.4);
   const flight = camera({
     from: 0,
     to: END,
     fovY: 50,
-    eye: (t) => [3 + 0.2 * t, 2, 7.6],
-    target: (t) => [0.2 * t, 1.85, 0],
+    eye: (t) => [3 + 0.2 * t, 2, 8.2],
+    target: (t) => [0.6 + gaze(t), 1.85, 0],
   });
   const hints = {
     speedOfLight: C,
@@ -149,7 +151,7 @@ function hub(): Mesh {
 /** The same wheel on a trestle behind the road: its axle is at rest. */
 function stand(builder: SceneBuilder, wheel: Part, iron: number): void {
   const middle: Vec3 = [3.2, RADIUS + 0.55, -4.2];
-  const motion = sampled(0, END, 24, (t) => ({
+  const motion = sampled(-2, END, 24, (t) => ({
     position: middle,
     orientation: fromAxisAngle([0, 0, 1], (-SPEED / RADIUS) * (t - MIDDLE)),
   }));
