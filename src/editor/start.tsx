@@ -15,7 +15,7 @@ import { StudioProvider } from './state/context.tsx';
 import { loadPreferences, prefersReducedMotion } from './state/preferences.ts';
 import { createStudio } from './state/studio.ts';
 import { theme } from './theme.ts';
-import { hasGraphics } from './viewport/graphics.ts';
+import { chooseGraphics } from './viewport/graphics.ts';
 import { Pilot } from './viewport/pilot.ts';
 
 export interface StartOptions {
@@ -25,9 +25,10 @@ export interface StartOptions {
 }
 
 /** Puts the program on a page. */
-export async function startEditor(root: Root, { source, backend }: StartOptions): Promise<void> {
+export async function startEditor(root: Root, { source, backend: wanted }: StartOptions): Promise<void> {
   await startTranslation(loadPreferences().language);
-  if (!(await hasGraphics(backend))) {
+  const backend = await chooseGraphics(wanted);
+  if (!backend) {
     root.render(
       <Page>
         <Unsupported />

@@ -114,7 +114,7 @@ describe('the page', () => {
   });
 
   it('draws with WebGPU where there is one, and recovers from the loss of its device', async () => {
-    const visit = await (await program.open('?scene=examples/sphere.usda')).ready();
+    const visit = await (await program.open('?backend=webgpu&scene=examples/sphere.usda')).ready();
     expect(await visit.status('backend')).toBe('WebGPU');
     const before = await visit.pixels();
     expect(colours(before)).toBeGreaterThan(50);

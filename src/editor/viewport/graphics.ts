@@ -1,19 +1,26 @@
 import type { Backend } from '../../render/settings.ts';
 
-/** Whether this browser can draw at all, with what was asked for. */
-export async function hasGraphics(backend: Backend | 'auto'): Promise<boolean> {
-  if (backend !== 'webgpu' && hasWebGl2()) return true;
-  return backend !== 'webgl' && hasWebGpu();
+/**
+ * What to draw with: as wanted, where this browser has it; undefined where it has nothing that will do. Left to choose, a WebGPU
+ * that is only emulated on the processor gives way to WebGL2, which is several times as fast there.
+ */
+export async function chooseGraphics(wanted: Backend | 'auto'): Promise<Backend | 'auto' | undefined> {
+  const webgl = hasWebGl2();
+  if (wanted === 'webgl') return webgl ? 'webgl' : undefined;
+  const adapter = await findAdapter();
+  if (wanted === 'webgpu') return adapter ? 'webgpu' : undefined;
+  if (!adapter && !webgl) return undefined;
+  return adapter?.info.isFallbackAdapter && webgl ? 'webgl' : 'auto';
 }
 
 const hasWebGl2 = (): boolean => document.createElement('canvas').getContext('webgl2') !== null;
 
-async function hasWebGpu(): Promise<boolean> {
+async function findAdapter(): Promise<GPUAdapter | undefined> {
   try {
     // Absent on pages that are not secure, whatever its type says.
     const gpu: GPU | undefined = navigator.gpu;
-    return Boolean(await gpu?.requestAdapter());
+    return (await gpu?.requestAdapter()) ?? undefined;
   } catch {
-    return false;
+    return undefined;
   }
 }

@@ -7,6 +7,7 @@ import { sceneName } from '../loading/sceneLoader.ts';
 import type { Studio } from '../state/studio.ts';
 import { report } from '../state/telemetry.ts';
 import type { Pilot } from './pilot.ts';
+import { Resolution } from './resolution.ts';
 
 /** Longest step of flight in one frame [s]: after a pause of the page the observer does not leap. */
 const LONGEST_STEP = 0.25;
@@ -22,7 +23,10 @@ export class Stage {
   readonly #studio: Studio;
   readonly #pilot: Pilot;
   readonly #renderer: SceneRenderer;
+  readonly #canvas: HTMLCanvasElement;
   readonly #observer: ResizeObserver;
+  readonly #resolution = new Resolution();
+  #scale = 1;
   /** In the renderer now. */
   #scene: Scene | undefined;
   #uploading = false;
@@ -45,9 +49,10 @@ export class Stage {
     this.#studio = studio;
     this.#pilot = pilot;
     this.#renderer = renderer;
-    this.#observer = new ResizeObserver(() => this.#resize(canvas));
+    this.#canvas = canvas;
+    this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(canvas);
-    this.#resize(canvas);
+    this.#resize();
     studio.change({ graphics: renderer.info.backend });
     this.#frame = requestAnimationFrame((now) => this.#tick(now));
   }
@@ -60,7 +65,8 @@ export class Stage {
 
   /** The picture as it is now, as a PNG file. */
   async capture(): Promise<Blob> {
-    this.#draw(true);
+    this.#scale = 1;
+    this.#resize();
     const { width, height } = this.#renderer;
     const pixels = new Uint8ClampedArray(await this.#renderer.readPixels());
     const canvas = new OffscreenCanvas(width, height);
@@ -68,9 +74,9 @@ export class Stage {
     return canvas.convertToBlob({ type: 'image/png' });
   }
 
-  #resize(canvas: HTMLCanvasElement): void {
-    const ratio = Math.min(devicePixelRatio, MOST_PIXELS_PER_POINT);
-    const { clientWidth, clientHeight } = canvas;
+  #resize(): void {
+    const ratio = Math.min(devicePixelRatio, MOST_PIXELS_PER_POINT) * this.#scale;
+    const { clientWidth, clientHeight } = this.#canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setSize(Math.round(clientWidth * ratio), Math.round(clientHeight * ratio));
     // A canvas of a new size is empty: without a picture before the next paint it would flash.
@@ -79,11 +85,15 @@ export class Stage {
 
   #tick(now: number): void {
     this.#frame = requestAnimationFrame((next) => this.#tick(next));
-    const dt = Math.min(LONGEST_STEP, (now - (this.#before ?? now)) / 1000);
+    const interval = now - (this.#before ?? now);
     this.#before = now;
     this.#follow();
-    this.#pilot.advance(dt);
-    this.#draw(false);
+    this.#pilot.advance(Math.min(LONGEST_STEP, interval / 1000));
+    this.#resolution.note(this.#draw(false), now, interval);
+    if (this.#resolution.scale !== this.#scale) {
+      this.#scale = this.#resolution.scale;
+      this.#resize();
+    }
     report(this.#pilot.observer, this.#renderer.info.triangles, now);
   }
 
@@ -110,15 +120,17 @@ export class Stage {
     }
   }
 
-  #draw(always: boolean): void {
+  /** Whether there was anything new to draw. */
+  #draw(always: boolean): boolean {
     const viewPoint = this.#pilot.viewPoint();
     const { picture } = this.#pilot;
-    if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return;
+    if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
     const { width, height } = this.#renderer;
     const settings = renderSettings(picture, viewPoint, width / height);
-    if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return;
+    if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
     this.#renderer.render(viewPoint, settings);
+    return true;
   }
 }
 
