@@ -28,6 +28,7 @@ export const frame: Bench = {
 };
 
 async function row(triangles: number, kind: MotionKind): Promise<(string | number)[]> {
+  console.error(`  ${triangles.toLocaleString('en')} triangles, ${kind}`);
   const scene = ballScene(triangles, kind);
   const { renderer, frame } = await openRenderer(SIZE.width, SIZE.height);
   await renderer.setScene(scene);
