@@ -5,17 +5,7 @@ import { writeTextures, writeUsda } from '../src/formats/usd/index.ts';
 import type { Scene, Texture } from '../src/scene/types.ts';
 import { validate } from '../src/scene/validate.ts';
 import type { ExampleScene } from './kit/example.ts';
-import { scene as dice } from './scenes/dice.ts';
-import { scene as gallery } from './scenes/gallery.ts';
-import { scene as hall } from './scenes/hall.ts';
-import { scene as ladder } from './scenes/ladder.ts';
-import { scene as lattice } from './scenes/lattice.ts';
-import { scene as saturn } from './scenes/saturn.ts';
-import { scene as sphere } from './scenes/sphere.ts';
-import { scene as street } from './scenes/street.ts';
-import { scene as wheel } from './scenes/wheel.ts';
-
-const scenes: readonly ExampleScene[] = [street, dice, wheel, lattice, sphere, hall, saturn, gallery, ladder];
+import { scenes } from './scenes/index.ts';
 
 /** This file runs from dist/examples/examples. */
 const folder = fileURLToPath(new URL('../../../examples/', import.meta.url));

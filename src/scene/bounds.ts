@@ -1,7 +1,7 @@
 import { add, distance, scale, type Vec3 } from '../math/vec3.ts';
 import { emissionTime, type ObserverEvent } from '../physics/lightCone.ts';
-import { positionAt, type WorldLine } from '../physics/worldLine.ts';
-import { vertexWorldLine } from './motion.ts';
+import type { WorldLine } from '../physics/worldLine.ts';
+import { vertexPositions } from './motion.ts';
 import { pointAt } from './polygons.ts';
 import type { Scene, SceneObject } from './types.ts';
 
@@ -52,11 +52,8 @@ export function sceneBounds(scene: Scene, t: number, c: number): Box | undefined
 }
 
 /** The box of an object at world time t [s]. */
-export function objectBounds(object: SceneObject, t: number, c: number): Box | undefined {
-  const points = new Float64Array(object.mesh.positions.length);
-  for (let i = 0; i < points.length / 3; i++) points.set(positionAt(vertexWorldLine(object, i, c), t, c), 3 * i);
-  return boundingBox(points);
-}
+export const objectBounds = (object: SceneObject, t: number, c: number): Box | undefined =>
+  boundingBox(vertexPositions(object, t, c));
 
 /**
  * World times [s] between which lies the emission of every point that stays within `radius` [m] of `center`, in the world

@@ -1,52 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { area, eulerCharacteristic, openEdges, polygon, sum, triangles, volume } from '../../tests/support/meshes.ts';
 import { fromParts } from '../math/mat4.ts';
 import { fromAxisAngle, rotate, toMatrix } from '../math/quat.ts';
-import { cross, distance, dot, length, normalize, sub, type Vec3 } from '../math/vec3.ts';
+import { cross, distance, dot, normalize, sub, type Vec3 } from '../math/vec3.ts';
 import { gatherPoints, makeMesh } from './geometry.ts';
 import { mergeMeshes, transformMesh, withMaterial } from './meshOps.ts';
 import { deformedNormals, smoothingGroups } from './normals.ts';
-import { type Polygons, pointAt } from './polygons.ts';
+import { pointAt } from './polygons.ts';
 import { box, capsule, cone, cylinder, grid, plane, sphere, torus } from './primitives.ts';
-import { subdivideLongEdges, subdivideObject } from './subdivide.ts';
-import type { Mesh, SceneObject } from './types.ts';
-
-const triangles = (mesh: Mesh): [Vec3, Vec3, Vec3][] =>
-  Array.from({ length: mesh.indices.length / 3 }, (_, t) => [
-    pointAt(mesh.positions, mesh.indices[3 * t]),
-    pointAt(mesh.positions, mesh.indices[3 * t + 1]),
-    pointAt(mesh.positions, mesh.indices[3 * t + 2]),
-  ]);
-const sum = (xs: readonly number[]): number => xs.reduce((a, b) => a + b, 0);
-const area = (mesh: Mesh): number => sum(triangles(mesh).map(([a, b, c]) => length(cross(sub(b, a), sub(c, a))) / 2));
-/** By the divergence theorem; the outside must be the counter-clockwise side. */
-const volume = (mesh: Mesh): number => sum(triangles(mesh).map(([a, b, c]) => dot(a, cross(b, c)) / 6));
-
-/** Directed edges between places (vertices welded by position) and how often each occurs. */
-function edges(mesh: Mesh): { vertices: number; directed: Map<string, number> } {
-  const places = new Map<string, number>();
-  const place = (p: Vec3) => {
-    const key = p.map((x) => x + 0).join(' ');
-    if (!places.has(key)) places.set(key, places.size);
-    return places.get(key);
-  };
-  const directed = new Map<string, number>();
-  for (const t of triangles(mesh)) {
-    const [a, b, c] = t.map(place);
-    for (const e of [`${a} ${b}`, `${b} ${c}`, `${c} ${a}`]) directed.set(e, (directed.get(e) ?? 0) + 1);
-  }
-  return { vertices: places.size, directed };
-}
-
-/** A closed surface has each directed edge once, and its reverse once: no crack, no T-junction. */
-function openEdges(mesh: Mesh): number {
-  const { directed } = edges(mesh);
-  return [...directed].filter(([e, n]) => n !== 1 || directed.get(e.split(' ').reverse().join(' ')) !== 1).length;
-}
-const eulerCharacteristic = (mesh: Mesh): number => {
-  const { vertices, directed } = edges(mesh);
-  return vertices - directed.size / 2 + mesh.indices.length / 3;
-};
 
 describe('primitives', () => {
   const [r, h, n] = [1.5, 4, 24];
@@ -121,15 +83,6 @@ describe('primitives', () => {
     }
   });
 });
-
-/** One polygon in the xy plane. */
-const polygon = (outline: readonly (readonly [number, number])[], extra: Partial<Polygons> = {}): Mesh =>
-  makeMesh({
-    points: outline.flatMap(([x, y]) => [x, y, 0]),
-    faceCounts: [outline.length],
-    faceIndices: outline.map((_, i) => i),
-    ...extra,
-  }).mesh;
 
 const shoelace = (outline: readonly (readonly [number, number])[]): number =>
   sum(
@@ -309,104 +262,5 @@ describe('transformMesh and mergeMeshes', () => {
     expect(sum(merged.groups.map((g) => g.count))).toBe(merged.indices.length);
     expect(area(merged)).toBeCloseTo(sum(parts.map(area)), 5);
     expect(merged.colors).toBeUndefined();
-  });
-});
-
-describe('subdivideLongEdges', () => {
-  const longest = (mesh: Mesh) =>
-    Math.max(...triangles(mesh).map(([a, b, c]) => Math.max(distance(a, b), distance(b, c), distance(c, a))));
-
-  it('keeps area, volume and closedness, and leaves no long edge', () => {
-    fc.assert(
-      fc.property(
-        fc.double({ min: 0.3, max: 3, noNaN: true }),
-        fc.tuple(fc.double({ min: 0.5, max: 8, noNaN: true }), fc.double({ min: 0.5, max: 8, noNaN: true })),
-        (maxEdge, [x, y]) => {
-          const from = mergeMeshes([box([x, y, 1]), cone(x, y, { segments: 6 })]);
-          const { result, stoppedByBudget, longestEdge } = subdivideLongEdges(from, maxEdge, 1e6);
-          expect(stoppedByBudget).toBe(false);
-          expect(longest(result)).toBeLessThanOrEqual(maxEdge * (1 + 1e-6));
-          expect(longestEdge).toBeCloseTo(longest(result), 4);
-          expect(area(result) / area(from)).toBeCloseTo(1, 4);
-          expect(volume(result) / volume(from)).toBeCloseTo(1, 4);
-          expect(openEdges(result)).toBe(openEdges(from));
-          expect(sum(result.groups.map((g) => g.count))).toBe(result.indices.length);
-        },
-      ),
-      { numRuns: 12 },
-    );
-  });
-
-  it('two meshes that share an edge agree on its points though their other edges differ', () => {
-    const flat = polygon([
-      [0, 0],
-      [10, 0],
-      [10, 0.1],
-    ]);
-    const tall = polygon([
-      [10, 0],
-      [0, 0],
-      [3, -40],
-    ]);
-    const onEdge = (mesh: Mesh) =>
-      [
-        ...new Set(
-          triangles(subdivideLongEdges(mesh, 0.7, 1e6).result)
-            .flat()
-            .filter((p) => p[1] === 0)
-            .map((p) => p[0]),
-        ),
-      ].sort((a, b) => a - b);
-    expect(onEdge(flat)).toEqual(onEdge(tall));
-    expect(onEdge(flat).length).toBe(17);
-  });
-
-  it('stops before the budget, whole and even, and says so', () => {
-    const from = box([8, 8, 8]);
-    const { result, stoppedByBudget, longestEdge } = subdivideLongEdges(from, 0.01, 1000);
-    expect(stoppedByBudget).toBe(true);
-    expect(result.indices.length / 3).toBeLessThanOrEqual(1000);
-    expect(result.indices.length / 3).toBeGreaterThan(250);
-    expect(openEdges(result)).toBe(0);
-    expect(longestEdge).toBeCloseTo(longest(result), 5);
-  });
-
-  it('interpolates uv and colour, keeps normals unit, and leaves a fine mesh alone', () => {
-    const from: Mesh = { ...plane(4, 2), colors: Float32Array.from([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]) };
-    const { result } = subdivideLongEdges(from, 0.5, 1e5);
-    for (let v = 0; v < result.positions.length / 3; v++) {
-      expect(result.uvs[2 * v]).toBeCloseTo(result.positions[3 * v] / 4 + 0.5, 6);
-      expect(result.colors![3 * v]).toBeCloseTo(result.uvs[2 * v], 6);
-    }
-    const ball = subdivideLongEdges(sphere(1, { segments: 12 }), 0.2, 1e5).result;
-    for (let v = 0; v < ball.normals.length / 3; v++) expect(length(pointAt(ball.normals, v))).toBeCloseTo(1, 6);
-    expect(subdivideLongEdges(from, 10, 1e5).result.indices).toBe(from.indices);
-  });
-
-  it('a deforming object is cut where it is ever long, and its samples follow', () => {
-    const mesh = plane(1, 1);
-    const stretched = Float32Array.from(mesh.positions, (x, i) => (i % 3 === 0 ? 8 * x : x));
-    const object: SceneObject = {
-      path: '/Sheet',
-      mesh,
-      motion: {
-        kind: 'sampled-points',
-        times: Float64Array.of(0, 1),
-        origin: [0, 0, 0],
-        points: [mesh.positions, stretched],
-        normals: [mesh.normals, mesh.normals],
-      },
-      lifetime: { birth: Number.NEGATIVE_INFINITY, death: Number.POSITIVE_INFINITY },
-      authoredIn: 'world',
-    };
-    const { result } = subdivideObject(object, 1.2, 1e5);
-    if (result.motion.kind !== 'sampled-points') throw new Error('motion kind changed');
-    const [rest, wide] = result.motion.points;
-    expect(longest({ ...result.mesh, positions: wide })).toBeLessThanOrEqual(1.2);
-    expect([...rest]).toEqual([...result.mesh.positions]);
-    rest.forEach((x, i) => {
-      expect(wide[i]).toBeCloseTo(i % 3 === 0 ? 8 * x : x, 5);
-    });
-    expect(result.motion.normals?.[1].length).toBe(wide.length);
   });
 });

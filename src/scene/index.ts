@@ -8,7 +8,15 @@ export { fastest } from './fastest.ts';
 export type { BuiltMesh } from './geometry.ts';
 export { gatherPoints, makeMesh } from './geometry.ts';
 export { mergeMeshes, transformMesh, withMaterial } from './meshOps.ts';
-export { bornRigidAcceleration, originLine, poseAt, samplePose, vertexPosition, vertexWorldLine } from './motion.ts';
+export {
+  bornRigidAcceleration,
+  originLine,
+  poseAt,
+  samplePose,
+  vertexPosition,
+  vertexPositions,
+  vertexWorldLine,
+} from './motion.ts';
 export { cornerNormals, deformedNormals, smoothingGroups } from './normals.ts';
 export type { Polygons, PolygonValues } from './polygons.ts';
 export type { Axis, Band, RoundOptions } from './primitives.ts';

@@ -7,7 +7,7 @@ import { boundingBox, boundingSphere, emissionWindow, sceneBounds } from './boun
 import { framingCamera, lookAtOrientation, observerFromCamera } from './camera.ts';
 import { makeObject, makeScene, restingAt } from './defaults.ts';
 import { fastest } from './fastest.ts';
-import { poseAt, vertexPosition, vertexWorldLine } from './motion.ts';
+import { poseAt, vertexPosition, vertexPositions, vertexWorldLine } from './motion.ts';
 import { pointAt } from './polygons.ts';
 import { box, sphere } from './primitives.ts';
 import { resampleRotation, restToWorld, sampleMotion } from './resample.ts';
@@ -98,6 +98,34 @@ describe('world lines of vertices', () => {
   });
 });
 
+describe('vertexPositions', () => {
+  it('is vertexPosition of every vertex, for every kind of motion, before, between and after the samples', () => {
+    const pose: Pose = { position: [1, 2, 3], orientation: fromAxisAngle([1, 1, 0], 0.7) };
+    const flat = box([2, 2, 2]).positions;
+    const moving = (t: number): Pose => ({ position: [3 * t, t * t, 0], orientation: fromAxisAngle([0, 1, 1], t) });
+    const motions: Motion[] = [
+      { kind: 'static', pose },
+      { kind: 'uniform', pose, velocity: [3, 4, 0] },
+      { kind: 'hyperbolic', pose, properAcceleration: [5, 0, 5], t0: 1 },
+      sampled([0, 1, 1.5], moving),
+      {
+        kind: 'sampled-points',
+        times: Float64Array.of(0, 2),
+        origin: [1, 1, 1],
+        points: [flat, flat.map((x) => 2 * x)],
+      },
+    ];
+    for (const motion of motions)
+      for (const authoredIn of ['world', 'rest'] as const)
+        for (const t of [-1, 0, 0.3, 1.2, 9]) {
+          const object = cube(motion, { authoredIn });
+          const all = vertexPositions(object, t, c);
+          for (const i of vertices(object))
+            expect(distance(pointAt(all, i), vertexPosition(object, i, t, c))).toBeLessThan(1e-9);
+        }
+  });
+});
+
 describe('resampling', () => {
   const turning = (t: number): Pose => ({ position: [0, 0, 0], orientation: fromAxisAngle([0.6, 0, 0.8], t) });
 
@@ -130,9 +158,10 @@ describe('resampling', () => {
       motion: { kind: 'sampled', times, poses },
     });
     for (let k = 0; k <= 200; k++) {
+      const places = vertexPositions(object, k / 200, c);
       for (const i of vertices(object)) {
         const true_ = rotate(at(k / 200).orientation, pointAt(object.mesh.positions, i));
-        expect(distance(vertexPosition(object, i, k / 200, c), true_)).toBeLessThan(0.0101);
+        expect(distance(pointAt(places, i), true_)).toBeLessThan(0.0101);
       }
     }
   });

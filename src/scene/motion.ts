@@ -35,11 +35,16 @@ export function poseAt(motion: Motion, t: number, c: number): Pose {
 }
 
 function sampledPose({ times, poses }: SampledMotion, t: number): Pose {
-  const i = samplesUntil(times, t);
-  if (i === 0 || i === times.length) return samplePose(poses, Math.max(0, i - 1));
-  const [a, b] = [samplePose(poses, i - 1), samplePose(poses, i)];
-  const s = (t - times[i - 1]) / (times[i] - times[i - 1]);
+  const { before, after, s } = piece(times, t);
+  const [a, b] = [samplePose(poses, before), samplePose(poses, after)];
   return { position: lerp(a.position, b.position, s), orientation: slerp(a.orientation, b.orientation, s) };
+}
+
+/** The samples round t and the share of the way from one to the other; outside all samples the nearest one, twice. */
+function piece(times: Float64Array, t: number): { before: number; after: number; s: number } {
+  const i = samplesUntil(times, t);
+  if (i === 0 || i === times.length) return { before: Math.max(0, i - 1), after: Math.max(0, i - 1), s: 0 };
+  return { before: i - 1, after: i, s: (t - times[i - 1]) / (times[i] - times[i - 1]) };
 }
 
 /** The world line of the origin of the object's frame. */
@@ -97,13 +102,16 @@ export const bornRigidAcceleration = (motion: HyperbolicMotion, o: Vec3, c: numb
 
 function sampledVertex(motion: SampledMotion, x: Vec3, contractedFor: number | undefined): Float64Array {
   const out = new Float64Array(3 * motion.times.length);
-  for (let k = 0; k < motion.times.length; k++) {
-    const pose = samplePose(motion.poses, k);
-    const o = rotate(pose.orientation, x);
-    const offset = contractedFor === undefined ? o : contraction(o, sampleVelocity(motion, k, contractedFor));
-    out.set(add(pose.position, offset), 3 * k);
-  }
+  for (let k = 0; k < motion.times.length; k++) out.set(placeAtSample(motion, k, contractedFor)(x), 3 * k);
   return out;
+}
+
+/** Where a point of the object is in the world at sample k; contracted for the speed of light that is given [m/s]. */
+function placeAtSample(motion: SampledMotion, k: number, contractedFor: number | undefined): (x: Vec3) => Vec3 {
+  const pose = samplePose(motion.poses, k);
+  if (contractedFor === undefined) return (x) => placed(pose, x);
+  const u = sampleVelocity(motion, k, contractedFor);
+  return (x) => add(pose.position, contraction(rotate(pose.orientation, x), u));
 }
 
 /**
@@ -125,3 +133,28 @@ function deformingVertex({ points, origin }: SampledPointsMotion, i: number): Fl
 /** Vertex i in the world frame at world time t [m]. */
 export const vertexPosition = (object: SceneObject, i: number, t: number, c: number): Vec3 =>
   positionAt(vertexWorldLine(object, i, c), t, c);
+
+/** All vertices in the world frame at world time t, 3 numbers each [m]: as `vertexPosition`, without whole world lines. */
+export function vertexPositions(object: SceneObject, t: number, c: number): Float64Array {
+  const out = new Float64Array(object.mesh.positions.length);
+  const at = placer(object, t, c);
+  for (let i = 0; 3 * i < out.length; i++) out.set(at(i), 3 * i);
+  return out;
+}
+
+/** Vertex → place at t; what the vertices share is worked out once. */
+function placer(object: SceneObject, t: number, c: number): (vertex: number) => Vec3 {
+  const { motion, mesh } = object;
+  if (motion.kind === 'sampled') {
+    const { before, after, s } = piece(motion.times, t);
+    const contractedFor = object.authoredIn === 'rest' ? c : undefined;
+    const [a, b] = [before, after].map((k) => placeAtSample(motion, k, contractedFor));
+    return (i) => lerp(a(pointAt(mesh.positions, i)), b(pointAt(mesh.positions, i)), s);
+  }
+  if (motion.kind === 'sampled-points') {
+    const { before, after, s } = piece(motion.times, t);
+    const [a, b] = [motion.points[before], motion.points[after]];
+    return (i) => add(motion.origin, lerp(pointAt(a, i), pointAt(b, i), s));
+  }
+  return (i) => vertexPosition(object, i, t, c);
+}

@@ -1,6 +1,6 @@
 import { conjugate, multiply, rotationAngle, slerp, toMatrix } from '../math/quat.ts';
 import { distance, lerp } from '../math/vec3.ts';
-import { samplePose, vertexWorldLine } from './motion.ts';
+import { samplePose, vertexPositions } from './motion.ts';
 import { deformedNormals, smoothingGroups } from './normals.ts';
 import type { Pose, SampledMotion, SampledPointsMotion, SceneObject } from './types.ts';
 
@@ -104,22 +104,11 @@ export function restToWorld(object: SceneObject, c: number): SceneObject {
 }
 
 function contractedPoints(object: SceneObject, motion: SampledMotion, c: number): SampledPointsMotion {
-  const { positions, indices } = object.mesh;
   const origin = samplePose(motion.poses, 0).position;
-  const points = Array.from(motion.times, () => new Float32Array(positions.length));
-  for (let i = 0; i < positions.length / 3; i++) {
-    const line = vertexWorldLine(object, i, c);
-    if (line.kind !== 'polyline') continue;
-    points.forEach((at, k) => {
-      for (let d = 0; d < 3; d++) at[3 * i + d] = line.positions[3 * k + d] - origin[d];
-    });
-  }
+  const points = Array.from(motion.times, (t) =>
+    Float32Array.from(vertexPositions(object, t, c), (x, i) => x - origin[i % 3]),
+  );
   const groups = smoothingGroups(object.mesh);
-  return {
-    kind: 'sampled-points',
-    times: motion.times,
-    origin,
-    points,
-    normals: points.map((p) => deformedNormals(p, indices, groups)),
-  };
+  const normals = points.map((p) => deformedNormals(p, object.mesh.indices, groups));
+  return { kind: 'sampled-points', times: motion.times, origin, points, normals };
 }

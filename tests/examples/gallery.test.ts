@@ -1,12 +1,15 @@
 import { stat } from 'node:fs/promises';
 import { describe, expect, it } from 'vitest';
+import { scenes } from '../../examples/scenes/index.ts';
 import { distance, length } from '../../src/math/vec3.ts';
 import { velocity } from '../../src/physics/boost.ts';
 import { observerFromCamera } from '../../src/scene/camera.ts';
+import type { Scene } from '../../src/scene/types.ts';
 import { validate } from '../../src/scene/validate.ts';
 import { NAMES, openExample, speedOfLight } from './open.ts';
 
-describe.each(NAMES)('examples/%s.usda', (name) => {
+// Reading a scene takes seconds on a busy machine.
+describe.each(NAMES)('examples/%s.usda', { timeout: 60_000 }, (name) => {
   it('opens without a complaint, and nothing in it outruns its light', async () => {
     const scene = await openExample(name);
     expect(scene.diagnostics).toEqual([]);
@@ -35,6 +38,15 @@ describe.each(NAMES)('examples/%s.usda', (name) => {
       expect(change, `at ${times[k]} s`).toBeLessThan(1);
     }
     expect(length(betas[0])).toBeLessThan(0.1);
+  });
+
+  it('is what its script makes', async () => {
+    const [file, made] = [await openExample(name), scenes.find((scene) => scene.name === name)!.make()];
+    const outline = ({ objects }: Scene) =>
+      objects.map(({ path, mesh, motion }) => `${path} ${motion.kind} ${mesh.indices.length}`).sort();
+    expect(outline(file)).toEqual(outline(made));
+    expect(file.hints).toEqual(made.hints);
+    expect(file.cameras.map(({ path }) => path).sort()).toEqual(made.cameras.map(({ path }) => path).sort());
   });
 
   it('is small enough to load at once', async () => {

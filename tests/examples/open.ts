@@ -5,7 +5,8 @@ import type { FileSource } from '../../src/formats/source.ts';
 import { add, cross, dot, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
 import { apparentPosition } from '../../src/physics/apparent.ts';
 import { observerFromCamera } from '../../src/scene/camera.ts';
-import { vertexPosition } from '../../src/scene/motion.ts';
+import { vertexPositions } from '../../src/scene/motion.ts';
+import { pointAt } from '../../src/scene/polygons.ts';
 import type { ProbeObserver } from '../../src/scene/probe.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
 
@@ -18,8 +19,14 @@ const files: FileSource = {
     new Uint8Array(await readFile(fileURLToPath(new URL(`../../examples/${path}`, import.meta.url)))),
 };
 
-/** The scene as it is in the repository. */
-export const openExample = (name: ExampleName): Promise<Scene> => openScene(files, `${name}.usda`);
+const opened = new Map<ExampleName, Promise<Scene>>();
+
+/** The scene as it is in the repository; read once. */
+export function openExample(name: ExampleName): Promise<Scene> {
+  const scene = opened.get(name) ?? openScene(files, `${name}.usda`);
+  opened.set(name, scene);
+  return scene;
+}
 
 export const speedOfLight = (scene: Scene): number => {
   if (scene.hints.speedOfLight === undefined) throw new Error(`${scene.name} suggests no speed of light`);
@@ -36,8 +43,10 @@ export function objectAt(scene: Scene, path: string): SceneObject {
 export const vertexCount = (object: SceneObject): number => object.mesh.positions.length / 3;
 
 /** Where all vertices are in the world at t. */
-export const worldPositions = (object: SceneObject, t: number, c: number): Vec3[] =>
-  Array.from({ length: vertexCount(object) }, (_, i) => vertexPosition(object, i, t, c));
+export function worldPositions(object: SceneObject, t: number, c: number): Vec3[] {
+  const all = vertexPositions(object, t, c);
+  return Array.from({ length: vertexCount(object) }, (_, i) => pointAt(all, i));
+}
 
 export const mean = (points: readonly Vec3[]): Vec3 =>
   scale(
