@@ -79,7 +79,7 @@ export class Frame {
       out[at + 3] = -1;
       return false;
     }
-    const anchor = meet(line, sight) ?? this.leading(body, sight);
+    const anchor = span.anchor ?? this.leading(body, sight);
     if (!anchor) {
       out[at + 3] = -1;
       return false;
@@ -106,7 +106,7 @@ export class Frame {
       out.set([...v, oneMinusSquare(v)], at + 4);
       out.set([rigid, 0, 0, 0], at + 12);
     } else if (line.kind === 'hyperbolic') {
-      const shift = meet(line, sight) ? 0 : body.radius;
+      const shift = span.anchor ? 0 : body.radius;
       const reference = shift > 0 ? lineOfCentre(body, sight.c, leadingPoint(line.properAcceleration, shift)) : line;
       if (reference.kind !== 'hyperbolic') return;
       const a = reference.properAcceleration;

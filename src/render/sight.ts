@@ -27,6 +27,8 @@ export interface Span {
   readonly from: number;
   readonly to: number;
   readonly ball: Ball;
+  /** Where the line itself meets the surface; undefined where only a part of the body ahead of it does. */
+  readonly anchor: RelativeEvent | undefined;
 }
 
 /** Where the world line meets the surface; undefined behind a horizon. `lag` [m of light] moves the surface towards the future. */
@@ -45,14 +47,31 @@ export function meet(line: WorldLine, sight: Sight, lag = 0): RelativeEvent | un
  * the line meets the surface moved by ± radius (± β·radius for a slice). undefined: nothing of it is ever seen.
  */
 export function spanOf(line: WorldLine, radius: number, sight: Sight): Span | undefined {
+  if (line.kind === 'static') return steadySpan(meet(line, sight), radius, 0);
+  if (line.kind === 'uniform') return steadySpan(meet(line, sight), radius, length(line.velocity) / sight.c);
   const reach = { 'past-light-cone': 1, slice: length(velocity(sight.u)), now: 0 }[sight.surface] * radius;
   const last = meet(line, sight, reach);
   if (!last) return undefined;
+  const anchor = meet(line, sight);
   const first = meet(line, sight, -reach);
   // Behind the horizon at first: the approach from the infinite past is hidden too, so only the ball is unknown.
-  if (!first) return { from: -Infinity, to: last.ahead, ball: { centre: last.offset, radius: Infinity } };
+  if (!first)
+    return {
+      from: Number.NEGATIVE_INFINITY,
+      to: last.ahead,
+      ball: { centre: last.offset, radius: Number.POSITIVE_INFINITY },
+      anchor,
+    };
   const corners = [first.offset, last.offset, ...between(line, first.ahead, last.ahead, sight)];
-  return { from: first.ahead, to: last.ahead, ball: ballAround(corners, radius) };
+  return { from: first.ahead, to: last.ahead, ball: ballAround(corners, radius), anchor };
+}
+
+/** At constant speed v no point within the radius meets the surface more than radius/(1 − v) earlier or later. Most objects: one solve. */
+function steadySpan(anchor: RelativeEvent | undefined, radius: number, v: number): Span | undefined {
+  if (!anchor) return undefined;
+  const reach = radius / (1 - v);
+  const ball = { centre: anchor.offset, radius: radius + v * reach };
+  return { from: anchor.ahead - reach, to: anchor.ahead + reach, ball, anchor };
 }
 
 /** Where the line turns between two times: the corners of its path besides the ends. */
