@@ -120,7 +120,7 @@ describe('validate', () => {
     expect(told({ motion })).toEqual([]);
   });
 
-  it.each([
+  it.each<[string, Partial<SceneObject>, string]>([
     ['mesh.empty', meshWith({ indices: new Uint32Array(0) }), 'has no triangle'],
     ['mesh.index', meshWith({ indices: Uint32Array.of(0, 1, 99) }), 'names vertex 99, but there are only 24'],
     ['mesh.length', meshWith({ uvs: new Float32Array(2) }), '24 vertices'],
@@ -166,6 +166,19 @@ describe('validate', () => {
       'pose at 1.00 s',
     ],
     ['motion.not-finite', { motion: restingAt([Number.NaN, 0, 0]) }, 'NaN'],
+    [
+      'motion.rest-points',
+      {
+        authoredIn: 'rest',
+        motion: {
+          kind: 'sampled-points',
+          times: Float64Array.of(0, 1),
+          origin: [0, 0, 0],
+          points: [box([2, 2, 2]).positions, box([2, 2, 2]).positions],
+        },
+      },
+      'taken as the world',
+    ],
     ['object.lifetime', { lifetime: { birth: 3, death: 2 } }, 'never there'],
   ])('%s', (code, given, words) => {
     const found = told(given);

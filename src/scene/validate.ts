@@ -34,7 +34,12 @@ function duplicatePaths({ objects }: Scene): Diagnostic[] {
 /** Each later check takes what the earlier ones found in order, so the first that finds an error ends the list. */
 function validateObject(object: SceneObject, scene: Scene, c: number): Diagnostic[] {
   const { path, mesh, motion } = object;
-  const found = [...validateMesh(mesh, scene, path), ...validateTimes(motion, path), ...validateLifetime(object)];
+  const found = [
+    ...validateMesh(mesh, scene, path),
+    ...validateTimes(motion, path),
+    ...validateLifetime(object),
+    ...validateAuthoring(object),
+  ];
   if (hasError(found)) return found;
   found.push(...finiteness(object));
   return hasError(found) ? found : [...found, ...validateSpeed(object, c)];
@@ -135,6 +140,13 @@ function validateLifetime({ lifetime, path }: SceneObject): Diagnostic[] {
       `ends at ${seconds(lifetime.death)}, not after it begins at ${seconds(lifetime.birth)}; it is never there`,
     ),
   ];
+}
+
+function validateAuthoring({ authoredIn, motion, path }: SceneObject): Diagnostic[] {
+  if (authoredIn === 'world' || motion.kind !== 'sampled-points') return [];
+  const message =
+    'deforming points are authored in the rest frame, which they do not share; they are taken as the world’s';
+  return [problem('info', 'motion.rest-points', path, message)];
 }
 
 function finiteness({ path, mesh, motion }: SceneObject): Diagnostic[] {
