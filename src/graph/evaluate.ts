@@ -56,7 +56,7 @@ export class Evaluator<Services> {
   /** Work under way: a second evaluation that needs the same content waits for the first one's. */
   readonly #pending = new Map<number, Promise<NodeResult>>();
 
-  constructor(registry: Registry<Services>, capacity = 48) {
+  constructor(registry: Registry<Services>, capacity = 16) {
     this.#registry = registry;
     this.#capacity = capacity;
   }

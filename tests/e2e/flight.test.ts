@@ -66,6 +66,16 @@ describe('flight', () => {
     await visit.close();
   });
 
+  it('a flight key takes off from anywhere but a field, where it is a letter', async () => {
+    const visit = await (await program.open(STREET)).ready();
+    await visit.page.getByRole('textbox', { name: 'Speed of light' }).focus();
+    await visit.page.keyboard.press('w');
+    expect(await visit.viewport.evaluate((element) => element === document.activeElement)).toBe(false);
+    await visit.page.getByRole('button', { name: 'Scenes' }).focus();
+    await withKeys(visit, ['w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.05));
+    await visit.close();
+  });
+
   it('dragging turns the head', async () => {
     const visit = await (await program.open(STREET)).ready();
     const before = await visit.pixels();

@@ -1,8 +1,11 @@
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { nodeLibrary } from '../../nodes/library.ts';
+import { exampleWords } from './exampleWords.ts';
 import { preferredLanguage } from './i18n.ts';
 import { messages } from './messages.ts';
 
+const examples = new URL('../../../examples/', import.meta.url);
 const placeholders = (text: string) => [...text.matchAll(/\{\{(\w+)\}\}/g)].map(([, name]) => name).sort();
 
 describe('the catalogue of messages', () => {
@@ -11,6 +14,20 @@ describe('the catalogue of messages', () => {
       ([, [en, zh]]) => !en.trim() || !zh.trim() || placeholders(en).join() !== placeholders(zh).join(),
     );
     expect(odd).toEqual([]);
+  });
+
+  it('has no text that nobody shows', () => {
+    const sources = Object.values(
+      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/messages.ts'], {
+        query: '?raw',
+        import: 'default',
+        eager: true,
+      }),
+    ).join('\n');
+    // Keys that are put together: `lock.${lock}.help`.
+    const composed = /^(lock|loading|header)\.(free|look|fly|fetch|parse|dark|light)/;
+    const unused = Object.keys(messages).filter((key) => !sources.includes(`'${key}'`) && !composed.test(key));
+    expect(unused).toEqual([]);
   });
 
   it('has every text that the node library names', () => {
@@ -25,6 +42,20 @@ describe('the catalogue of messages', () => {
     ]);
     expect(keys.filter((key) => !Object.hasOwn(messages, key))).toEqual([]);
   });
+});
+
+describe('the examples in Chinese', () => {
+  const numbers = (text: string) => (text.match(/\d+(\.\d+)?/g) ?? []).sort();
+  const lookFor = (layer: string) => /string lookFor = "((?:[^"\\]|\\.)*)"/.exec(layer)?.[1] ?? '';
+
+  it.each(readdirSync(examples).filter((file) => file.endsWith('.usda')))(
+    '%s says the same figures as its file does',
+    (file) => {
+      const words = exampleWords[file.replace('.usda', '')];
+      const head = readFileSync(new URL(file, examples)).subarray(0, 4096).toString('utf8');
+      expect(numbers(words?.lookFor ?? '')).toEqual(numbers(lookFor(head)));
+    },
+  );
 });
 
 describe('the language of the page', () => {

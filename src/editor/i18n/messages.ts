@@ -1,7 +1,6 @@
 /** Every text of the page, in English and Chinese; `{{name}}` is filled in. One catalogue, so that neither can lack a key. */
 export const messages = {
   'app.title': ['Slowlight', 'Slowlight 慢光'],
-  'app.tagline': ['See special relativity as it truly looks', '亲眼看见狭义相对论'],
   'app.skip': ['Skip to the picture', '跳到画面'],
 
   'header.scenes': ['Scenes', '场景'],
@@ -15,7 +14,6 @@ export const messages = {
   'header.redoWhat': ['Redo: {{what}}', '重做：{{what}}'],
   'header.save': ['Save picture', '保存图片'],
   'header.help': ['Keys and help', '按键与帮助'],
-  'header.language': ['中文', 'English'],
   'header.languageLabel': ['切换到中文', 'Switch to English'],
   'header.dark': ['Dark colours', '深色界面'],
   'header.light': ['Light colours', '浅色界面'],
@@ -25,7 +23,6 @@ export const messages = {
   'panel.controls': ['Controls', '控制'],
   'panel.scene': ['Scene', '场景'],
   'panel.reset': ['Back to the default', '恢复默认值'],
-  'panel.suggested': ['Suggested by the scene', '场景建议值'],
 
   'node.read': ['Read', '读取'],
   'node.read.help': ['Reads a scene file: USD or glTF.', '读取场景文件：USD 或 glTF。'],
@@ -117,8 +114,6 @@ export const messages = {
   'status.gamma': ['Lorentz factor', '洛伦兹因子'],
   'status.c': ['Speed of light', '光速'],
   'status.ownTime': ['Own clock', '固有时'],
-  'status.worldTime': ['World time', '世界时间'],
-  'status.backend': ['Graphics', '图形接口'],
   'status.triangles': ['{{count}} triangles', '{{count}} 个三角形'],
   'status.starting': ['starting…', '启动中…'],
   'status.recovering': ['recovering…', '恢复中…'],
@@ -135,7 +130,7 @@ export const messages = {
     'Picture. W A S D Q E fly, arrow keys look, Tab changes the lock, Escape leaves the picture.',
     '画面。W A S D Q E 飞行，方向键转头，Tab 切换锁定，Escape 离开画面。',
   ],
-  'viewport.start': ['Click here, then fly with W A S D', '点击此处，用 W A S D 飞行'],
+  'viewport.start': ['Fly with W A S D, drag to look, ? for all keys', 'W A S D 飞行，拖动环顾，? 查看全部按键'],
   'viewport.lookFor': ['What to look for', '观察要点'],
   'viewport.hide': ['Hide', '隐藏'],
   'viewport.loading': ['Opening {{name}}', '正在打开 {{name}}'],
@@ -157,7 +152,6 @@ export const messages = {
   'info.fastest': ['Fastest point', '最快的点'],
   'info.fastestAt': ['{{speed}} at t = {{time}}', '{{speed}}，t = {{time}}'],
   'info.duration': ['Time range', '时间范围'],
-  'info.file': ['File', '文件'],
   'info.notes': ['Notes from the reader', '读取说明'],
   'info.none': ['No scene is open.', '没有打开的场景。'],
 

@@ -103,7 +103,7 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
         onChange={(position) => onChange(valueAt(spec, position), `slider ${id}`)}
         onChangeEnd={onGestureEnd}
         thumbLabel={any(spec.title)}
-        thumbProps={{ 'aria-valuetext': `${number} ${spec.unit ?? ''}`.trim() }}
+        thumbValueText={`${number} ${spec.unit ?? ''}`.trim()}
       />
     </Stack>
   );

@@ -1,6 +1,6 @@
 import { Button, Notification, Stack, Text } from '@mantine/core';
 import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
-import { type ReactNode, useEffect } from 'react';
+import { type ReactNode, useEffect, useRef } from 'react';
 import type { Problem } from '../../graph/nodeType.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { formatNumber } from '../format.ts';
@@ -12,6 +12,7 @@ const INFO_LASTS = 4000; // [ms]
 
 /** What went wrong, where, and what to do; each until it is put right or put away. */
 export function Notices(): ReactNode {
+  useRemarks();
   const notices = useStudioState((state) => state.notices);
   return (
     <Stack className="sl-notices" gap="xs" aria-live="polite">
@@ -20,6 +21,22 @@ export function Notices(): ReactNode {
       ))}
     </Stack>
   );
+}
+
+/** Says that the reader of a newly opened file had something to remark. */
+function useRemarks(): void {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const say = useRef(t);
+  say.current = t;
+  const source = useStudioState((state) => state.openSource);
+  useEffect(() => {
+    const remarks =
+      studio.store.getState().picture?.scene.diagnostics.filter(({ severity }) => severity !== 'info') ?? [];
+    if (source && remarks.length > 0) {
+      studio.notify({ kind: 'info', text: say.current('notice.warnings', { count: remarks.length }) });
+    }
+  }, [studio, source]);
 }
 
 function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {

@@ -60,7 +60,7 @@ function Scrubber(): ReactNode {
           value={Math.min(end, Math.max(start, time))}
           onChange={(value) => pilot.seek(value)}
           thumbLabel={t('timeline.time')}
-          thumbProps={{ 'aria-valuetext': formatSeconds(time) }}
+          thumbValueText={formatSeconds(time)}
         />
       ) : (
         <Text size="xs" c="dimmed" className="sl-scrubber">

@@ -75,7 +75,7 @@ function Caption(): ReactNode {
           <IconX size={14} />
         </UnstyledButton>
       </Group>
-      <Text size="xs" lh={1.5}>
+      <Text size="xs" lh={1.5} className="sl-caption-text">
         {lookFor}
       </Text>
     </aside>

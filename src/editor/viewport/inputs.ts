@@ -21,6 +21,8 @@ const LOOK: Readonly<Record<string, readonly [number, number]>> = {
 const LOOK_SPEED = 1.2;
 const DEAD_ZONE = 0.15;
 
+/** Letters that fly, wherever the focus is on something that does not take letters. */
+export const isThrustKey = (code: string): boolean => code in THRUST;
 export const isFlightKey = (code: string): boolean => code in THRUST || code in LOOK;
 
 /** Actions of a gamepad's buttons, by their standard numbers. */

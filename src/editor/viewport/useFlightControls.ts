@@ -3,7 +3,7 @@ import { useServices } from '../services.tsx';
 import { nextView, toggleGrid } from '../shell/actions.ts';
 import { useStudio } from '../state/context.tsx';
 import type { Studio } from '../state/studio.ts';
-import { isFlightKey } from './inputs.ts';
+import { isFlightKey, isThrustKey } from './inputs.ts';
 import type { Pilot } from './pilot.ts';
 
 /** [rad] per pixel of dragging. */
@@ -38,10 +38,21 @@ export function useFlightControls(host: RefObject<HTMLElement | null>): boolean 
       const held = element.hasPointerCapture(event.pointerId) || document.pointerLockElement === element;
       if (held) pilot.inputs.turn(-event.movementX * TURN, -event.movementY * TURN);
     });
+    addEventListener('keydown', (event) => takeOff(event, element, pilot, studio), { signal: end.signal });
     on('dblclick', () => void element.requestPointerLock());
     return () => end.abort();
   }, [host, pilot, studio]);
   return focused;
+}
+
+/** A flight key that is pressed outside the picture brings the focus there, unless it means something where it is. */
+function takeOff(event: KeyboardEvent, element: HTMLElement, pilot: Pilot, studio: Studio): void {
+  if (event.ctrlKey || event.metaKey || event.altKey || !isThrustKey(event.code)) return;
+  const { target } = event;
+  if (!(target instanceof HTMLElement) || element.contains(target) || studio.store.getState().dialog) return;
+  if (target.closest('input, textarea, [contenteditable], [role=slider], [role=menu], [role=listbox]')) return;
+  element.focus();
+  pressed(event, element, pilot, studio);
 }
 
 function pressed(event: KeyboardEvent, element: HTMLElement, pilot: Pilot, studio: Studio): void {

@@ -1,0 +1,75 @@
+// @vitest-environment jsdom
+import { MantineProvider } from '@mantine/core';
+import { cleanup, fireEvent, render, screen } from '@testing-library/react';
+import { afterEach, beforeAll, expect, it, vi } from 'vitest';
+import type { NumberParam } from '../../graph/nodeType.ts';
+import { startTranslation } from '../i18n/i18n.ts';
+import { ParamControl } from './ParamControl.tsx';
+
+const spec: NumberParam = {
+  kind: 'number',
+  title: 'param.speedOfLight',
+  default: 30,
+  min: 1,
+  max: 100,
+  step: 1,
+  scale: 'log',
+  unit: 'm/s',
+};
+
+beforeAll(async () => {
+  // jsdom has no layout: what Mantine asks of it.
+  vi.stubGlobal('matchMedia', () => ({ matches: false, addEventListener: () => {}, removeEventListener: () => {} }));
+  vi.stubGlobal(
+    'ResizeObserver',
+    class {
+      observe() {}
+      unobserve() {}
+      disconnect() {}
+    },
+  );
+  await startTranslation('en');
+});
+afterEach(cleanup);
+
+function show(set: number | undefined) {
+  const onChange = vi.fn();
+  render(
+    <MantineProvider>
+      <ParamControl spec={spec} set={set} value={set ?? 30} onChange={onChange} onGestureEnd={() => {}} />
+    </MantineProvider>,
+  );
+  return { onChange, field: screen.getByRole('textbox', { name: 'Speed of light' }) };
+}
+
+it('takes what is typed when it is complete, within the range', () => {
+  const { onChange, field } = show(undefined);
+  fireEvent.change(field, { target: { value: '500' } });
+  expect(onChange).not.toHaveBeenCalled();
+  fireEvent.keyDown(field, { key: 'Enter' });
+  expect(onChange).toHaveBeenCalledWith(100);
+});
+
+it('forgets what is typed on Escape, and takes nothing that is no number', () => {
+  const { onChange, field } = show(undefined);
+  fireEvent.change(field, { target: { value: '50' } });
+  fireEvent.keyDown(field, { key: 'Escape' });
+  fireEvent.blur(field);
+  fireEvent.change(field, { target: { value: '' } });
+  fireEvent.keyDown(field, { key: 'Enter' });
+  expect(onChange).not.toHaveBeenCalled();
+});
+
+it('goes back to the default where one was set', () => {
+  const { onChange } = show(50);
+  fireEvent.click(screen.getByRole('button', { name: 'Back to the default' }));
+  expect(onChange).toHaveBeenCalledWith(undefined);
+  cleanup();
+  show(undefined);
+  expect(screen.queryByRole('button', { name: 'Back to the default' })).toBeNull();
+});
+
+it('its slider has a name and says its value with the unit', () => {
+  show(undefined);
+  expect(screen.getByRole('slider', { name: 'Speed of light' }).getAttribute('aria-valuetext')).toBe('30 m/s');
+});
