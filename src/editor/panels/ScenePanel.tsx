@@ -4,6 +4,7 @@ import type { Picture } from '../../nodes/define.ts';
 import type { Diagnostic, Scene } from '../../scene/types.ts';
 import { formatCount, formatSeconds, formatSpeed } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
+import { useSceneWords } from '../i18n/useSceneWords.ts';
 import { sceneName } from '../loading/sceneLoader.ts';
 import { useStudioState } from '../state/context.tsx';
 
@@ -16,7 +17,7 @@ export function ScenePanel(): ReactNode {
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
       {picture ? (
         <Stack gap="lg" p="md">
-          <About scene={picture.scene} name={sceneName(source)} />
+          <About scene={picture.scene} source={source} />
           <Figures picture={picture} />
           <Notes notes={picture.scene.diagnostics} />
         </Stack>
@@ -29,15 +30,19 @@ export function ScenePanel(): ReactNode {
   );
 }
 
-function About({ scene, name }: { readonly scene: Scene; readonly name: string }): ReactNode {
+function About({ scene, source }: { readonly scene: Scene; readonly source: string }): ReactNode {
+  const { title, lookFor } = useSceneWords(source, scene.hints);
   return (
     <Stack gap={6}>
-      <Text fw={600}>{scene.hints.title ?? name}</Text>
-      {scene.hints.lookFor && (
+      <Text fw={600}>{title}</Text>
+      {lookFor && (
         <Text size="sm" lh={1.5}>
-          {scene.hints.lookFor}
+          {lookFor}
         </Text>
       )}
+      <Text size="xs" c="dimmed" className="sl-place">
+        {sceneName(source)}
+      </Text>
     </Stack>
   );
 }

@@ -1,7 +1,7 @@
 import { Badge, Group, Modal, SimpleGrid, Text, UnstyledButton } from '@mantine/core';
 import { type ReactNode, useEffect, useState } from 'react';
-import { exampleWords } from '../i18n/exampleWords.ts';
 import { useTexts } from '../i18n/i18n.ts';
+import { useSceneWords } from '../i18n/useSceneWords.ts';
 import { type Example, loadExamples } from '../loading/examples.ts';
 import { useStudio, useStudioState } from '../state/context.tsx';
 
@@ -58,7 +58,7 @@ function Cards({ onChosen }: { readonly onChosen: () => void }): ReactNode {
 function Card({ example, onChoose }: { readonly example: Example; readonly onChoose: () => void }): ReactNode {
   const { t } = useTexts();
   const current = useStudioState((state) => state.openSource === example.source);
-  const texts = useExampleTexts(example);
+  const texts = useSceneWords(example.source, example);
   return (
     <UnstyledButton className="sl-card" onClick={onChoose} data-example={example.name}>
       {example.thumbnail ? (
@@ -83,10 +83,4 @@ function Card({ example, onChoose }: { readonly example: Example; readonly onCho
       </div>
     </UnstyledButton>
   );
-}
-
-/** A scene's own words are in its file; for the examples the page has them in its other language too. */
-export function useExampleTexts({ name, title, lookFor }: Pick<Example, 'name' | 'title' | 'lookFor'>) {
-  const { language } = useTexts();
-  return (language === 'zh' && exampleWords[name]) || { title, lookFor };
 }

@@ -2,8 +2,8 @@ import { Button, Group, Progress, Stack, Text, UnstyledButton } from '@mantine/c
 import { IconX } from '@tabler/icons-react';
 import { type ReactNode, useRef, useState } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
+import { useSceneWords } from '../i18n/useSceneWords.ts';
 import { sceneName } from '../loading/sceneLoader.ts';
-import { useExampleTexts } from '../shell/Gallery.tsx';
 import { useStudio, useStudioState } from '../state/context.tsx';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { useFlightControls } from './useFlightControls.ts';
@@ -46,13 +46,7 @@ function Caption(): ReactNode {
   const [shown, setShown] = useState(() => loadPreferences().captions);
   const hints = useStudioState((state) => state.picture?.scene.hints);
   const source = useStudioState((state) => state.openSource);
-  const name = sceneName(source).replace(/\.\w+$/, '');
-  const own = {
-    name: source.startsWith('examples/') ? name : '',
-    title: hints?.title ?? name,
-    lookFor: hints?.lookFor ?? '',
-  };
-  const { title, lookFor } = useExampleTexts(own);
+  const { title, lookFor } = useSceneWords(source, hints ?? {});
   const show = (captions: boolean) => {
     setShown(captions);
     savePreferences({ ...loadPreferences(), captions });

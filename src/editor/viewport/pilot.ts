@@ -27,12 +27,20 @@ export class Pilot {
     return this.#picture;
   }
 
-  /** What is shown from now on. Another file begins at its own start; an edit leaves the observer where he is. */
+  /**
+   * What is shown from now on. Another file begins at its own start, another camera is gone to; any other edit leaves the
+   * observer where he is.
+   */
   show(picture: Picture, source: string): void {
+    const before = this.#picture?.camera;
     this.#picture = picture;
-    if (source === this.#source) return;
-    this.#source = source;
-    this.restart();
+    if (source !== this.#source) {
+      this.#source = source;
+      this.restart();
+    } else if (before !== picture.camera) {
+      const { position, orientation } = ridingObserver(cameraOf(picture), this.#observer, picture.speedOfLight);
+      this.#observer = { ...this.#observer, position, orientation };
+    }
   }
 
   /** Back to where the scene begins, as its author meant it to be seen. */

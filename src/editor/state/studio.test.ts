@@ -1,0 +1,62 @@
+import { expect, it } from 'vitest';
+import type { Services } from '../../nodes/services.ts';
+import { makeScene } from '../../scene/defaults.ts';
+import { InputError } from '../../scene/types.ts';
+import { createStudio, sourceOf } from './studio.ts';
+
+const settled = () => new Promise((done) => setTimeout(done, 2));
+const refused = new InputError({
+  severity: 'error',
+  code: 'file.empty',
+  place: 'bad.usda',
+  message: 'the file is empty',
+});
+
+/** Reads anything at once, refuses `bad.usda`, and never finishes `slow.usda`. */
+const services: Services = {
+  readScene: (source, { signal, progress }) => {
+    if (source === 'bad.usda') return Promise.reject(refused);
+    if (source !== 'slow.usda') return Promise.resolve({ scene: makeScene({ name: source }) });
+    progress(0.5, 'parse');
+    return new Promise((_resolve, reject) => signal?.addEventListener('abort', () => reject(new Error('stopped'))));
+  },
+};
+
+async function open(...sources: string[]) {
+  const studio = createStudio({ services, source: sources[0]!, playing: false });
+  await settled();
+  for (const source of sources.slice(1)) {
+    studio.open(source);
+    await settled();
+  }
+  return { studio, state: () => studio.store.getState() };
+}
+
+it('the last good scene stays while another is refused, and undo takes the refusal away', async () => {
+  const { studio, state } = await open('a.usda', 'bad.usda');
+  expect(state()).toMatchObject({ openSource: 'a.usda', notices: [{ place: 'bad.usda', text: 'the file is empty' }] });
+  expect(state().picture?.scene.name).toBe('a.usda');
+  studio.undo();
+  await settled();
+  expect(state().notices).toEqual([]);
+});
+
+it('reading can be cancelled: the scene before it stays, and the document is its own again', async () => {
+  const { studio, state } = await open('a.usda', 'slow.usda');
+  expect(state().loading).toEqual({ source: 'slow.usda', part: 0.5, stage: 'parse' });
+  studio.cancelLoading();
+  await settled();
+  expect(state()).toMatchObject({ openSource: 'a.usda', loading: undefined });
+  expect(sourceOf(state().history.document)).toBe('a.usda');
+});
+
+it('an edit while a scene is read does not begin the reading anew; another file ends it', async () => {
+  const { studio, state } = await open('a.usda', 'slow.usda');
+  studio.set('toneMap', 'exposure', 1, 'exposure');
+  await settled();
+  expect(state().loading?.source).toBe('slow.usda');
+  studio.open('b.usda');
+  await settled();
+  expect(state()).toMatchObject({ openSource: 'b.usda', loading: undefined, notices: [] });
+  expect(state().picture?.scene.name).toBe('b.usda');
+});
