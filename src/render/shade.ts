@@ -129,7 +129,9 @@ function skyReflection(look: Look, N: Vec3, V: Vec3, rest: Rest, environment: En
     .toVar();
   const scaleF = a.mul(-1.04).add(roughness.mul(-0.572).add(1.04));
   const bias = a.mul(1.04).add(roughness.mul(0.022).sub(0.04));
-  const specular = F0.mul(scaleF).add(bias);
+  // A rough surface mirrors a wide part of the sky, of which its neighbours hide much; nothing else here knows of neighbours.
+  const open = roughness.mul(roughness).mul(-0.75).add(1);
+  const specular = F0.mul(scaleF).add(bias).mul(open);
   return arriving(N, soft)
     .mul(diffuse)
     .add(arriving(mirrored, sharp).mul(max(specular, 0)));
