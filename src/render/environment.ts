@@ -59,8 +59,8 @@ export class Environment {
     this.lights.forEach((light, i) => {
       const distant = light.kind === 'distant';
       const place = distant ? normalize(scale(light.direction, -1)) : sub(light.position, position);
-      // A sphere's radiance L gives E = πL(r/d)².
-      const strength = distant ? 1 : Math.PI * light.radius * light.radius;
+      // A sphere's radiance L gives E = πL(r/d)²; of a point, which has none, the colour is the intensity: E = I/d².
+      const strength = distant || light.radius === 0 ? 1 : Math.PI * light.radius * light.radius;
       this.table.values.set([...place, distant ? 0 : 1, ...scale(light.color, strength), 0], 8 * i);
     });
     this.table.upload();
