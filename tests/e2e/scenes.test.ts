@@ -51,7 +51,7 @@ describe('scenes', () => {
     const visit = await (await program.open(SMALL)).ready();
     const before = await visit.pixels();
     await drop(visit, ['textured.usda', 'textures/checker.png']);
-    await visit.page.getByText('The cube wears the picture').waitFor();
+    await visit.page.getByText('The square wears the picture').waitFor();
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
     await visit.shot('dropped');
     await visit.page.getByRole('button', { name: /^Undo/ }).click();
@@ -62,7 +62,7 @@ describe('scenes', () => {
   it('a chosen file opens; what is missing is told', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await visit.page.locator('input[type=file]').first().setInputFiles(path('textured.usda'));
-    await visit.page.getByText('The cube wears the picture').waitFor();
+    await visit.page.getByText('The square wears the picture').waitFor();
     await visit.page.getByRole('tab', { name: 'Scene' }).click();
     await visit.page.getByText('checker.png').first().waitFor();
     await visit.close();
