@@ -6,14 +6,14 @@ import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './
 
 /** Scene, name of the picture, flags. Thumbnails are 480 × 270, pictures for docs 960 × 540. */
 const thumbnails = {
-  street: ['--time', '7', '--beta', '0,0,-0.8'],
+  street: ['--time', '7', '--beta', '0,0,-0.6'],
   dice: [],
   wheel: [],
   lattice: [],
   sphere: [],
-  hall: ['--time', '6', '--beta', '0,0,-0.6'],
-  saturn: ['--time', '5.5', '--beta', '0,0,-0.5'],
-  gallery: ['--time', '5.5', '--beta', '0,0,-0.6'],
+  hall: ['--time', '4.6', '--beta', '0,0,-0.6'],
+  saturn: ['--time', '7.5', '--beta', '0,0,-0.5'],
+  gallery: ['--time', '4.6', '--beta', '0,0,-0.6'],
   ladder: [],
 };
 const pictures = [

@@ -48,7 +48,7 @@ function make(): Scene {
     title: 'Saturn',
     lookFor:
       'A model as wide as a house, in a world where light walks. Passing at nearly 0.9 c, the globe keeps its round outline, hardly changed, while the rings are drawn askew, their far side running ahead of the near one, and the stars crowd ahead of you.',
-    openAt: 0,
+    openAt: 5,
   };
   const [r, g, b] = linear('#fff4e2');
   const lights: Light[] = [

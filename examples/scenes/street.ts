@@ -45,7 +45,7 @@ function make(): Scene {
     title: 'Street',
     lookFor:
       'Fly down the street at 0.9 c. Everything crowds towards where you are going: you see house fronts that you have already passed. Doors, lamps and columns bend, while kerbs and eaves along your way stay straight. What is ahead turns blue and bright, what is behind red and dark.',
-    openAt: 0,
+    openAt: 1.2,
   };
   return builder.finish('street', hints, [from, to], [flight], daylight([0.55, 0.75, 0.42]));
 }

@@ -1,7 +1,8 @@
 import type { Command } from 'commander';
 import { Option } from 'commander';
 import type { Vec3 } from '../math/vec3.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View } from '../render/settings.ts';
+import { adaptation } from '../nodes/picture.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View, type ViewPoint } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
 import {
   parseBeta,
@@ -58,6 +59,7 @@ export interface SettingFlags {
   readonly dopplerMix: number;
   readonly beaming: number;
   readonly exposure: number;
+  readonly adapt: boolean;
   readonly solver: Solver;
   readonly iterations: number;
   readonly damping: number;
@@ -84,13 +86,20 @@ export function addSettingFlags(command: Command): Command {
     .option('--doppler-mix <0…1>', 'how much of the Doppler shift reaches the colours', parseFraction, dopplerMix)
     .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
     .option('--exposure <EV>', 'the picture is 2^EV times as bright', parseNumber, exposure)
+    .option('--no-adapt', 'do not take back the brightness that the velocity gives the picture, as an eye would')
     .addOption(new Option('--solver <name>', 'how emission events are found').choices(solvers).default('exact'))
     .option('--iterations <n>', 'steps of the Newton solver', parseIterations, iterations)
     .option('--damping <k>', 'step length of the Newton solver, 0 < k ≤ 1', parseDamping, damping)
     .option('--grid', 'draw the reference grid on the ground, which relativity does not bend', false);
 }
 
-export function renderSettings(flags: SettingFlags, speedOfLight: number): RenderSettings {
+/** The settings for one place, as the page has them. */
+export function renderSettings(
+  flags: SettingFlags,
+  speedOfLight: number,
+  from: ViewPoint,
+  aspect: number,
+): RenderSettings {
   const { view, lightDelay, aberration, dopplerMix, beaming, exposure, solver, iterations, damping, grid } = flags;
   return {
     view,
@@ -98,7 +107,7 @@ export function renderSettings(flags: SettingFlags, speedOfLight: number): Rende
     aberration,
     dopplerMix,
     beaming,
-    exposure,
+    exposure: exposure - adaptation(flags, from, aspect),
     solver,
     iterations,
     damping,

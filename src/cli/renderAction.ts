@@ -31,7 +31,6 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   const frames = frameTimes(scene, flags);
   const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
-  const settings = renderSettings(flags, c);
   const sink = await openSink(flags, scene, frames.length);
   try {
     progress.show('opening the GPU …');
@@ -41,6 +40,7 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
         progress.frames(i, frames.length);
         endIfStopped();
         const view = observer(frame.t);
+        const settings = renderSettings(flags, c, view, flags.size.width / flags.size.height);
         const picture = await painter.paint({ view, settings, samples: flags.samples, aovs });
         await sink.add(picture, { number: frame.number, view, speedOfLight: c });
       }

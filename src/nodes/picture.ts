@@ -22,6 +22,12 @@ export const renderSettings = (picture: Picture, from: ViewPoint, aspect: number
   speedOfLight: picture.speedOfLight,
 });
 
-/** [EV]; only in the light-cone view does the velocity change the brightness. */
-const adaptation = ({ adapt, view, beaming, aberration }: Picture, from: ViewPoint, aspect: number): number =>
-  adapt && view === 'light-cone' ? beaming * stopsOfMotion(from, aspect, aberration) : 0;
+/**
+ * Stops by which the exposure is taken back for the brightness that the observer's velocity gives the picture [EV]; only in
+ * the light-cone view does it give any.
+ */
+export const adaptation = (
+  { adapt, view, beaming, aberration }: Pick<Picture, 'adapt' | 'view' | 'beaming' | 'aberration'>,
+  from: ViewPoint,
+  aspect: number,
+): number => (adapt && view === 'light-cone' ? beaming * stopsOfMotion(from, aspect, aberration) : 0);

@@ -4,7 +4,8 @@ import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
 import { boundingSphere } from '../scene/bounds.ts';
-import type { Motion, Pose, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
+import { placed, samplePose } from '../scene/motion.ts';
+import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 
 /** What a frame needs to know of an object, whatever its motion: at every world time all its points are within `radius` of `line`. */
 export interface Body {
@@ -70,10 +71,3 @@ function deformingBody(object: SceneObject, motion: SampledPointsMotion, id: num
   });
   return { id, object, centre: ZERO, radius, line: { kind: 'polyline', times: motion.times, positions } };
 }
-
-export const samplePose = (poses: Float64Array, k: number): Pose => ({
-  position: [poses[7 * k], poses[7 * k + 1], poses[7 * k + 2]],
-  orientation: [poses[7 * k + 3], poses[7 * k + 4], poses[7 * k + 5], poses[7 * k + 6]],
-});
-
-export const placed = (pose: Pose, point: Vec3): Vec3 => add(pose.position, rotate(pose.orientation, point));

@@ -1,13 +1,13 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { boundingBox } from '../scene/bounds.ts';
 import { restToWorld } from '../scene/resample.ts';
-import { subdivideObject } from '../scene/subdivide.ts';
+import { objectEdges, subdivideObject, trianglesWhenCut } from '../scene/subdivide.ts';
 import type { Scene, SceneObject } from '../scene/types.ts';
 import { type Body, makeBody } from './bodies.ts';
 
-/** Edges longer than this share of the scene are cut, until so many triangles have been added. */
-const LONGEST_EDGE = 1 / 100;
-const ADDED_TRIANGLES = 400_000;
+/** Edges longer than this share of the scene's diameter are cut, or only longer ones where that would add more triangles than this. */
+const LONGEST_EDGE = 1 / 400;
+const ADDED_TRIANGLES = 200_000;
 
 export interface Tessellated {
   /** As they are drawn, in the scene's order. */
@@ -41,13 +41,12 @@ function sceneRadius(bodies: readonly Body[]): number {
 
 const startOf = (line: Body['line']): Vec3 => ('position' in line ? line.position : [0, 0, 0]);
 
-function cutLongEdges(objects: readonly SceneObject[], radius: number): SceneObject[] {
-  const maxEdge = Math.max(2 * radius * LONGEST_EDGE, 1e-9);
-  const total = objects.reduce((n, o) => n + o.mesh.indices.length / 3, 0);
-  return objects.map((object) => {
-    const triangles = object.mesh.indices.length / 3;
-    const share = triangles / Math.max(1, total);
-    const fair = ADDED_TRIANGLES * Math.max(share, 1 / objects.length);
-    return subdivideObject(object, maxEdge, Math.ceil(triangles + fair)).result;
-  });
+/** One length for all objects, so that edges which two of them share are cut alike. */
+function cutLongEdges(objects: readonly SceneObject[], radius: number): readonly SceneObject[] {
+  const edges = objects.map(objectEdges);
+  const count = (maxEdge: number) => edges.reduce((n, lengths) => n + trianglesWhenCut(lengths, maxEdge), 0);
+  const budget = count(Infinity) + ADDED_TRIANGLES;
+  let maxEdge = Math.max(2 * radius * LONGEST_EDGE, 1e-9);
+  while (count(maxEdge) > budget) maxEdge *= 1.15;
+  return objects.map((object) => subdivideObject(object, maxEdge, budget).result);
 }

@@ -21,8 +21,9 @@ describe('subdivideLongEdges', () => {
           const from = mergeMeshes([box([x, y, 1]), cone(x, y, { segments: 6 })]);
           const { result, stoppedByBudget, longestEdge } = subdivideLongEdges(from, maxEdge, 1e6);
           expect(stoppedByBudget).toBe(false);
-          expect(longest(result)).toBeLessThanOrEqual(maxEdge * (1 + 1e-6));
-          expect(longestEdge).toBeCloseTo(longest(result), 4);
+          // Edges of the mesh are no longer than asked, those between them about √2 times that.
+          expect(longestEdge).toBeLessThanOrEqual(maxEdge);
+          expect(longest(result)).toBeLessThanOrEqual(1.5 * maxEdge);
           expect(area(result) / area(from)).toBeCloseTo(1, 4);
           expect(volume(result) / volume(from)).toBeCloseTo(1, 4);
           expect(openEdges(result)).toBe(openEdges(from));
@@ -54,7 +55,16 @@ describe('subdivideLongEdges', () => {
         ),
       ].sort((a, b) => a - b);
     expect(onEdge(flat)).toEqual(onEdge(tall));
-    expect(onEdge(flat).length).toBe(17);
+    expect(onEdge(flat).length).toBe(16);
+  });
+
+  it('makes one strip of a sliver', () => {
+    const bar = box([64, 0.1, 0.1]);
+    const { result } = subdivideLongEdges(bar, 1, 1e6);
+    // Four long faces of two triangles, each with two long edges of 64 pieces (or 65: the diagonal); two small faces.
+    expect(result.indices.length / 3).toBeLessThanOrEqual(8 * 2 * 65 + 4);
+    expect(openEdges(result)).toBe(0);
+    expect(volume(result)).toBeCloseTo(0.64, 6);
   });
 
   it('stops before the budget, whole and even, and says so', () => {
@@ -64,7 +74,7 @@ describe('subdivideLongEdges', () => {
     expect(result.indices.length / 3).toBeLessThanOrEqual(1000);
     expect(result.indices.length / 3).toBeGreaterThan(250);
     expect(openEdges(result)).toBe(0);
-    expect(longestEdge).toBeCloseTo(longest(result), 5);
+    expect(longest(result)).toBeLessThanOrEqual(1.5 * longestEdge);
   });
 
   it('interpolates uv and colour, keeps normals unit, and leaves a fine mesh alone', () => {
@@ -98,7 +108,7 @@ describe('subdivideLongEdges', () => {
     const { result } = subdivideObject(object, 1.2, 1e5);
     if (result.motion.kind !== 'sampled-points') throw new Error('motion kind changed');
     const [rest, wide] = result.motion.points;
-    expect(longest({ ...result.mesh, positions: wide })).toBeLessThanOrEqual(1.2);
+    expect(longest({ ...result.mesh, positions: wide })).toBeLessThanOrEqual(1.5 * 1.2);
     expect([...rest]).toEqual([...result.mesh.positions]);
     rest.forEach((x, i) => {
       expect(wide[i]).toBeCloseTo(i % 3 === 0 ? 8 * x : x, 5);

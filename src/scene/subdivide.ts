@@ -1,25 +1,30 @@
+import { type Corners, countPieces, cutTriangle } from './strips.ts';
 import type { Mesh, MeshGroup, SceneObject } from './types.ts';
 
 export interface Subdivision<T> {
   readonly result: T;
-  /** The budget ended the work before every edge was short enough. */
+  /** The budget did not allow pieces as short as wished. */
   readonly stoppedByBudget: boolean;
-  /** Longest edge left [m]. */
+  /** Longest piece of an edge of the mesh that is left [m]. */
   readonly longestEdge: number;
 }
 
 /**
- * Splits edges longer than `maxEdge` [m] at their middle until none is left. Straight edges seen at speed are curves,
- * so a long one must be cut before its vertices are transformed (docs/model.md).
+ * Cuts every edge into equal pieces no longer than `maxEdge` [m], and each triangle into rows of triangles between them (whose
+ * own edges are at most about √2 times as long). Straight edges seen at speed are curves, so a long one must be cut before its
+ * vertices are transformed (docs/model.md).
  *
- * Crack-free: whether an edge is split depends on its own two ends alone, so triangles that share it always agree,
- * also across uv seams, groups and meshes. The longest edges go first; the pass that would exceed `budget` triangles is
- * not begun, so what is left is whole and as even as the budget allows. Attributes are interpolated, normals kept unit.
+ * Crack-free: how an edge is cut depends on the places of its own two ends alone, so triangles that share it always agree,
+ * also across uv seams, groups and meshes. Where the pieces would exceed `budget` triangles, all are longer alike.
+ * Attributes are interpolated, normals kept unit.
  */
 export function subdivideLongEdges(mesh: Mesh, maxEdge: number, budget: number): Subdivision<Mesh> {
-  const work = new Subdivider(mesh, [mesh.positions], []);
-  const end = work.run(maxEdge, budget);
-  return { ...end, result: work.mesh(mesh, work.places[0]) };
+  const edges = measureEdges(mesh, [mesh.positions]);
+  const length = allowedLength(edges, maxEdge, budget);
+  const end = { stoppedByBudget: length > maxEdge, longestEdge: longestPiece(edges, length) };
+  if (trianglesWhenCut(edges, length) === mesh.indices.length / 3) return { ...end, result: mesh };
+  const cut = new Cutter(mesh, edges, length);
+  return { ...end, result: cut.mesh(mesh) };
 }
 
 /** As `subdivideLongEdges`; a deforming object's edges are as long as they ever get, and all its samples follow. */
@@ -29,195 +34,177 @@ export function subdivideObject(object: SceneObject, maxEdge: number, budget: nu
     const { result, ...end } = subdivideLongEdges(mesh, maxEdge, budget);
     return { ...end, result: { ...object, mesh: result } };
   }
-  const work = new Subdivider(mesh, [mesh.positions, ...motion.points], motion.normals ?? []);
-  const end = work.run(maxEdge, budget);
-  const points = work.places.slice(1);
-  const normals = motion.normals ? { normals: work.directions.slice(1) } : {};
-  const result = { ...object, mesh: work.mesh(mesh, work.places[0]), motion: { ...motion, points, ...normals } };
-  return { ...end, result };
+  const edges = objectEdges(object);
+  const length = allowedLength(edges, maxEdge, budget);
+  const end = { stoppedByBudget: length > maxEdge, longestEdge: longestPiece(edges, length) };
+  const cut = new Cutter(mesh, edges, length);
+  const points = motion.points.map((p) => cut.extended(p, 3));
+  const normals = motion.normals ? { normals: motion.normals.map((n) => cut.directions(n)) } : {};
+  return { ...end, result: { ...object, mesh: cut.mesh(mesh), motion: { ...motion, points, ...normals } } };
 }
 
-class Subdivider {
-  /** Positions at rest and at each sample; an edge is as long as in the sample where it is longest. */
-  places: Float32Array[];
-  /** Unit normals at rest and at each sample. */
-  directions: Float32Array[];
-  private uvs: Float32Array;
-  private colors: Float32Array | undefined;
-  private indices: Uint32Array;
-  private groups: readonly MeshGroup[];
+/** Length [m] of the edge from each corner in `indices` to the next of its triangle. */
+export type EdgeLengths = Float64Array;
 
-  constructor(mesh: Mesh, places: readonly Float32Array[], sampleNormals: readonly Float32Array[]) {
-    this.places = [...places];
-    this.directions = [mesh.normals, ...sampleNormals];
-    this.uvs = mesh.uvs;
-    this.colors = mesh.colors;
-    this.indices = mesh.indices;
-    this.groups = mesh.groups;
-  }
+/** An object's edges, as long as they ever get. */
+export const objectEdges = ({ mesh, motion }: SceneObject): EdgeLengths =>
+  measureEdges(mesh, motion.kind === 'sampled-points' ? [mesh.positions, ...motion.points] : [mesh.positions]);
 
-  run(maxEdge: number, budget: number): Omit<Subdivision<Mesh>, 'result'> {
-    let longest = this.longestEdge();
-    let threshold = maxEdge * 2 ** Math.max(0, Math.ceil(Math.log2(longest / maxEdge)) - 1);
-    while (longest > maxEdge && Number.isFinite(longest)) {
-      while (threshold > maxEdge && longest <= threshold) threshold /= 2;
-      const split = this.longEdges(threshold);
-      if (this.trianglesAfter(split) > budget) return { stoppedByBudget: true, longestEdge: longest };
-      this.split(split);
-      longest = this.longestEdge();
+function measureEdges({ indices }: Mesh, places: readonly Float32Array[]): EdgeLengths {
+  const out = new Float64Array(indices.length);
+  for (let i = 0; i < indices.length; i++) {
+    const a = 3 * indices[i];
+    const b = 3 * indices[i % 3 === 2 ? i - 2 : i + 1];
+    let square = 0;
+    for (const p of places) {
+      const [x, y, z] = [p[a] - p[b], p[a + 1] - p[b + 1], p[a + 2] - p[b + 2]];
+      square = Math.max(square, x * x + y * y + z * z);
     }
-    return { stoppedByBudget: false, longestEdge: longest };
+    out[i] = Math.sqrt(square);
+  }
+  return out;
+}
+
+/** No edge has more pieces, whatever a file says. */
+const MOST_PIECES = 1 << 16;
+
+const piecesOf = (length: number, maxEdge: number): number =>
+  length > maxEdge ? Math.min(Math.ceil(length / maxEdge), MOST_PIECES) : 1;
+
+/** How many triangles there are when edges longer than `maxEdge` [m] are cut; an upper bound that is nearly met. */
+export function trianglesWhenCut(edges: EdgeLengths, maxEdge: number): number {
+  let count = 0;
+  for (let i = 0; i + 2 < edges.length; i += 3) {
+    const whole = edges[i] <= maxEdge && edges[i + 1] <= maxEdge && edges[i + 2] <= maxEdge;
+    count += whole ? 1 : countPieces([0, 1, 2].map((k) => piecesOf(edges[i + k], maxEdge)));
+  }
+  return count;
+}
+
+/** `maxEdge`, or as much more as the budget asks for. */
+function allowedLength(edges: EdgeLengths, maxEdge: number, budget: number): number {
+  let length = maxEdge;
+  while (length < Number.MAX_VALUE && trianglesWhenCut(edges, length) > Math.max(budget, edges.length / 3))
+    length *= 1.1;
+  return length;
+}
+
+const longestPiece = (edges: EdgeLengths, maxEdge: number): number =>
+  edges.reduce((longest, length) => Math.max(longest, length / piecesOf(length, maxEdge)), 0);
+
+/** Vertices that are added, each a weighted mean of three old ones, and the triangles between all. */
+class Cutter {
+  private readonly places: Float32Array;
+  private readonly edges: EdgeLengths;
+  private readonly maxEdge: number;
+  private readonly parents: number[] = [];
+  private readonly weights: number[] = [];
+  /** First new vertex on an edge, by its ends. */
+  private readonly firstOnEdge = new Map<number, number>();
+  private readonly indices: number[] = [];
+  private readonly groups: readonly MeshGroup[];
+
+  constructor(mesh: Mesh, edges: EdgeLengths, maxEdge: number) {
+    this.places = mesh.positions;
+    this.edges = edges;
+    this.maxEdge = maxEdge;
+    this.groups = mesh.groups.map((group) => {
+      const start = this.indices.length;
+      for (let i = group.start; i + 2 < group.start + group.count; i += 3) this.triangle(mesh.indices, i);
+      return { ...group, start, count: this.indices.length - start };
+    });
   }
 
-  mesh(from: Mesh, positions: Float32Array): Mesh {
+  mesh(from: Mesh): Mesh {
     return {
-      positions,
-      normals: this.directions[0],
-      uvs: this.uvs,
-      ...(this.colors ? { colors: this.colors } : {}),
-      indices: this.indices,
+      positions: this.extended(from.positions, 3),
+      normals: this.directions(from.normals),
+      uvs: this.extended(from.uvs, 2),
+      ...(from.colors ? { colors: this.extended(from.colors, 3) } : {}),
+      indices: Uint32Array.from(this.indices),
       groups: this.groups,
       doubleSided: from.doubleSided,
     };
   }
 
-  private edgeLength(a: number, b: number): number {
-    let longest = 0;
-    for (const p of this.places) {
-      const x = p[3 * a] - p[3 * b];
-      const y = p[3 * a + 1] - p[3 * b + 1];
-      const z = p[3 * a + 2] - p[3 * b + 2];
-      longest = Math.max(longest, x * x + y * y + z * z);
+  /** An attribute of the old vertices with those of the new ones appended. */
+  extended(data: Float32Array, size: number): Float32Array {
+    const old = this.places.length / 3;
+    const out = new Float32Array((old + this.parents.length / 3) * size);
+    out.set(data);
+    for (let v = 0; v < this.parents.length / 3; v++)
+      for (let k = 0; k < size; k++) out[(old + v) * size + k] = this.mean(data, v, size, k);
+    return out;
+  }
+
+  /** As `extended`, for unit vectors. */
+  directions(normals: Float32Array): Float32Array {
+    const out = this.extended(normals, 3);
+    for (let i = normals.length; i < out.length; i += 3) {
+      const l = Math.hypot(out[i], out[i + 1], out[i + 2]);
+      if (l > 0) for (let k = 0; k < 3; k++) out[i + k] /= l;
     }
-    return Math.sqrt(longest);
+    return out;
   }
 
-  private longestEdge(): number {
-    let longest = 0;
-    this.forEachEdge((a, b) => {
-      longest = Math.max(longest, this.edgeLength(a, b));
+  private mean(data: Float32Array, v: number, size: number, k: number): number {
+    const { parents, weights } = this;
+    const part = (j: number) => weights[3 * v + j] * data[parents[3 * v + j] * size + k];
+    return weights[3 * v + 2] === 0 ? part(0) + part(1) : part(0) + part(1) + part(2);
+  }
+
+  private triangle(indices: Uint32Array, i: number): void {
+    const corners: Corners = [indices[i], indices[i + 1], indices[i + 2]];
+    const pieces = [0, 1, 2].map((k) => piecesOf(this.edges[i + k], this.maxEdge));
+    cutTriangle(corners, pieces, {
+      onEdge: (a, b, k, n) => this.onEdge(a, b, k, n),
+      inside: (weights) => this.add(corners, weights),
+      squaredDistance: (a, b) => this.squaredDistance(a, b),
+      emit: (a, b, c) => this.indices.push(a, b, c),
     });
-    return longest;
   }
 
-  private forEachEdge(visit: (a: number, b: number) => void): void {
-    const t = this.indices;
-    for (let i = 0; i + 2 < t.length; i += 3) {
-      visit(t[i], t[i + 1]);
-      visit(t[i + 1], t[i + 2]);
-      visit(t[i + 2], t[i]);
+  private add(parents: Corners, weights: Corners): number {
+    this.parents.push(...parents);
+    this.weights.push(...weights);
+    return this.places.length / 3 + this.parents.length / 3 - 1;
+  }
+
+  /** The k-th of the n − 1 points between a and b. */
+  private onEdge(a: number, b: number, k: number, n: number): number {
+    if (k === 0) return a;
+    if (k === n) return b;
+    if (a > b) return this.onEdge(b, a, n - k, n);
+    const key = a * (this.places.length / 3) + b;
+    let first = this.firstOnEdge.get(key);
+    if (first === undefined) {
+      first = this.places.length / 3 + this.parents.length / 3;
+      this.firstOnEdge.set(key, first);
+      for (let j = 1; j < n; j++) this.addOnEdge(a, b, j / n, (n - j) / n);
     }
+    return first + k - 1;
   }
 
-  /** Edge → number of its middle vertex, in order of first meeting. */
-  private longEdges(threshold: number): Map<number, number> {
-    const split = new Map<number, number>();
-    this.forEachEdge((a, b) => {
-      if (this.edgeLength(a, b) <= threshold) return;
-      const key = this.edgeKey(a, b);
-      if (!split.has(key)) split.set(key, this.vertexCount() + split.size);
-    });
-    return split;
+  /** Summed in the order of the ends' places, so that other vertices at the same places give the same point to the last bit. */
+  private addOnEdge(a: number, b: number, share: number, rest: number): void {
+    if (this.isBefore(a, b)) this.add([a, b, a], [rest, share, 0]);
+    else this.add([b, a, b], [share, rest, 0]);
   }
 
-  private vertexCount(): number {
-    return this.places[0].length / 3;
+  private isBefore(a: number, b: number): boolean {
+    const p = this.places;
+    for (let k = 0; k < 3; k++) if (p[3 * a + k] !== p[3 * b + k]) return p[3 * a + k] < p[3 * b + k];
+    return a < b;
   }
 
-  private edgeKey(a: number, b: number): number {
-    return Math.min(a, b) * this.vertexCount() + Math.max(a, b);
+  private coordinate(v: number, k: number): number {
+    const old = this.places.length / 3;
+    return v < old ? this.places[3 * v + k] : this.mean(this.places, v - old, 3, k);
   }
 
-  private trianglesAfter(split: ReadonlyMap<number, number>): number {
-    let count = this.indices.length / 3;
-    this.forEachEdge((a, b) => {
-      if (split.has(this.edgeKey(a, b))) count++;
-    });
-    return count;
+  private squaredDistance(a: number, b: number): number {
+    let sum = 0;
+    for (let k = 0; k < 3; k++) sum += (this.coordinate(a, k) - this.coordinate(b, k)) ** 2;
+    return sum;
   }
-
-  private split(split: ReadonlyMap<number, number>): void {
-    const indices: number[] = [];
-    const groups: MeshGroup[] = [];
-    const middles = this.middlePlaces(split);
-    for (const g of this.groups) {
-      const start = indices.length;
-      for (let i = g.start; i + 2 < g.start + g.count; i += 3) this.splitTriangle(i, split, middles, indices);
-      groups.push({ ...g, start, count: indices.length - start });
-    }
-    this.extend(split);
-    this.indices = Uint32Array.from(indices);
-    this.groups = groups;
-  }
-
-  /** Rest positions with the middles appended: needed before `extend` to choose diagonals. */
-  private middlePlaces(split: ReadonlyMap<number, number>): Float32Array {
-    return extended(this.places[0], 3, split, this.vertexCount());
-  }
-
-  private splitTriangle(i: number, split: ReadonlyMap<number, number>, places: Float32Array, out: number[]): void {
-    const v = [this.indices[i], this.indices[i + 1], this.indices[i + 2]] as const;
-    const m = [0, 1, 2].map((k) => split.get(this.edgeKey(v[k], v[(k + 1) % 3])) ?? WHOLE);
-    const count = m.filter((x) => x !== WHOLE).length;
-    if (count === 0) out.push(...v);
-    else if (count === 3) out.push(v[0], m[0], m[2], m[0], v[1], m[1], m[2], m[1], v[2], m[0], m[1], m[2]);
-    else if (count === 1) splitOnce(v, m, out);
-    else splitTwice(v, m, places, out);
-  }
-
-  private extend(split: ReadonlyMap<number, number>): void {
-    const n = this.vertexCount();
-    this.directions = this.directions.map((d) => normalizedFrom(extended(d, 3, split, n), n));
-    this.uvs = extended(this.uvs, 2, split, n);
-    if (this.colors) this.colors = extended(this.colors, 3, split, n);
-    this.places = this.places.map((p) => extended(p, 3, split, n));
-  }
-}
-
-type Corners = readonly [number, number, number];
-/** The middle vertex of each edge, or WHOLE. */
-type Middles = readonly number[];
-const WHOLE = -1;
-
-function splitOnce(v: Corners, m: Middles, out: number[]): void {
-  const k = m.findIndex((x) => x !== WHOLE);
-  const [a, b, c] = [v[k], v[(k + 1) % 3], v[(k + 2) % 3]];
-  out.push(a, m[k], c, m[k], b, c);
-}
-
-/** Cuts off the corner between the two split edges; the quad left is cut along its shorter diagonal. */
-function splitTwice(v: Corners, m: Middles, places: Float32Array, out: number[]): void {
-  const whole = m.indexOf(WHOLE);
-  const [a, b, c] = [v[whole], v[(whole + 1) % 3], v[(whole + 2) % 3]];
-  const bc = m[(whole + 1) % 3];
-  const ca = m[(whole + 2) % 3];
-  out.push(bc, c, ca);
-  if (squaredDistance(places, a, bc) <= squaredDistance(places, b, ca)) out.push(a, b, bc, a, bc, ca);
-  else out.push(a, b, ca, b, bc, ca);
-}
-
-function squaredDistance(p: Float32Array, a: number, b: number): number {
-  let sum = 0;
-  for (let k = 0; k < 3; k++) sum += (p[3 * a + k] - p[3 * b + k]) ** 2;
-  return sum;
-}
-
-/** `data` with the mean of each split edge's ends appended. */
-function extended(data: Float32Array, size: number, split: ReadonlyMap<number, number>, n: number): Float32Array {
-  const out = new Float32Array((n + split.size) * size);
-  out.set(data);
-  for (const [key, middle] of split) {
-    const a = Math.floor(key / n) * size;
-    const b = (key % n) * size;
-    for (let k = 0; k < size; k++) out[middle * size + k] = (data[a + k] + data[b + k]) / 2;
-  }
-  return out;
-}
-
-function normalizedFrom(normals: Float32Array, first: number): Float32Array {
-  for (let i = 3 * first; i < normals.length; i += 3) {
-    const l = Math.hypot(normals[i], normals[i + 1], normals[i + 2]);
-    if (l > 0) for (let k = 0; k < 3; k++) normals[i + k] = normals[i + k] / l;
-  }
-  return normals;
 }
