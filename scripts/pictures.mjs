@@ -6,19 +6,23 @@ import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './
 
 /** Scene, name of the picture, flags. Thumbnails are 480 × 270, pictures for docs 960 × 540. */
 const thumbnails = {
-  street: ['--time', '7', '--beta', '0,0,-0.6'],
+  street: ['--time', '5', '--beta', '0,0,-0.2'],
   dice: [],
   wheel: [],
   lattice: [],
   sphere: [],
-  hall: ['--time', '4.6', '--beta', '0,0,-0.6'],
-  saturn: ['--time', '7.5', '--beta', '0,0,-0.5'],
-  gallery: ['--time', '4.6', '--beta', '0,0,-0.6'],
+  hall: ['--time', '4.6', '--beta', '0,0,-0.2'],
+  saturn: ['--time', '7.7', '--beta', '0,0,-0.1', '--fov', '44'],
+  gallery: ['--time', '4.6', '--beta', '0,0,-0.2'],
   ladder: [],
 };
+const shape = ['--doppler-mix', '0', '--beaming', '0'];
 const pictures = [
   ['street', 'street-rest', ['--time', '6.5', '--beta', '0,0,0']],
-  ['street', 'street-fast', ['--time', '6.5', '--beta', '0,0,-0.9', '--beaming', '0.4']],
+  ['street', 'street-shape', ['--time', '6.5', '--beta', '0,0,-0.9', ...shape]],
+  ['street', 'street-light', ['--time', '6.5', '--beta', '0,0,-0.9']],
+  ['dice', 'dice-seen', []],
+  ['dice', 'dice-there', ['--view', 'simultaneity']],
 ];
 
 try {
