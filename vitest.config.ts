@@ -3,6 +3,8 @@ import { defineConfig } from 'vitest/config';
 /** Builds the program and the page where they are not up to date. */
 const built = 'scripts/vitest-built.mjs';
 
+const seeded = ['tests/seed.ts'];
+
 /** Unit tests sit beside the code; tests that need a GPU, a browser or the built program live in tests/. */
 export default defineConfig({
   test: {
@@ -12,9 +14,10 @@ export default defineConfig({
           name: 'unit',
           include: ['src/**/*.test.{ts,tsx}', 'tests/examples/**/*.test.ts'],
           exclude: ['**/*.oracle.test.ts'],
+          setupFiles: seeded,
         },
       },
-      { test: { name: 'oracle', include: ['src/**/*.oracle.test.ts'], testTimeout: 120_000 } },
+      { test: { name: 'oracle', include: ['src/**/*.oracle.test.ts'], setupFiles: seeded, testTimeout: 120_000 } },
       {
         test: {
           name: 'gpu',

@@ -190,7 +190,7 @@ describe('polylines', () => {
         const o = { t, position: at };
         const exact = emissionTime(w, o, 10) ?? Number.NaN;
         const times = [-7, -3, -1, 0.5, 2, 8].map((s) => exact + s);
-        const size = length(position) + length(at) + 10 * (Math.abs(t) + Math.abs(exact));
+        const size = length(position) + length(at) + 10 * (Math.abs(t) + Math.abs(exact) + 8);
         expectClose(emissionTime(sampled(w, times), o, 10) ?? Number.NaN, exact, 1e-12 * size);
       }),
     ));

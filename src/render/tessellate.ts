@@ -6,8 +6,8 @@ import type { Scene, SceneObject } from '../scene/types.ts';
 import { type Body, makeBody } from './bodies.ts';
 
 /** Edges longer than this share of the scene's diameter are cut, or only longer ones where that would add more triangles than this. */
-const LONGEST_EDGE = 1 / 400;
-const ADDED_TRIANGLES = 200_000;
+const LONGEST_EDGE = 1 / 300;
+const ADDED_TRIANGLES = 120_000;
 
 export interface Tessellated {
   /** As they are drawn, in the scene's order. */

@@ -29,29 +29,44 @@ export interface ReferencePixel {
   readonly depth: number;
 }
 
+/** Bands of the picture, from the bottom up, each with the triangles that may cover it: a ray then meets few. */
+const BANDS = 64;
+interface Triangle {
+  readonly mesh: { readonly id: number; readonly birth: number; readonly death: number };
+  readonly corners: readonly [Vertex, Vertex, Vertex];
+}
+
 /** Ray by ray against the triangles between the f64 positions of their vertices; attributes linear over each triangle. */
 export class ReferencePicture {
   private readonly view: ViewPoint;
   private readonly settings: RenderSettings;
-  private readonly meshes: {
-    id: number;
-    vertices: (Vertex | undefined)[];
-    indices: Uint32Array;
-    birth: number;
-    death: number;
-  }[];
+  private readonly bands: Triangle[][] = Array.from({ length: BANDS }, () => []);
 
   constructor(scene: Scene, view: ViewPoint, settings: RenderSettings) {
     this.view = view;
     this.settings = settings;
     const { objects } = tessellate(scene, settings.speedOfLight);
-    this.meshes = objects.map((object, i) => ({
-      id: i + 1,
-      vertices: this.vertices(object),
-      indices: object.mesh.indices,
-      birth: object.lifetime.birth - view.t,
-      death: object.lifetime.death - view.t,
-    }));
+    for (const [i, object] of objects.entries()) {
+      const mesh = { id: i + 1, birth: object.lifetime.birth - view.t, death: object.lifetime.death - view.t };
+      const vertices = this.vertices(object);
+      const { indices } = object.mesh;
+      for (let k = 0; k < indices.length; k += 3) {
+        const [a, b, c] = [vertices[indices[k]], vertices[indices[k + 1]], vertices[indices[k + 2]]];
+        if (a && b && c) this.keep({ mesh, corners: [a, b, c] });
+      }
+    }
+  }
+
+  private keep(triangle: Triangle): void {
+    const behind = triangle.corners.some(({ camera }) => camera[2] >= 0);
+    const bands = behind ? [0, BANDS - 1] : triangle.corners.map(({ camera }) => this.band(camera[1] / -camera[2]));
+    for (let band = Math.min(...bands); band <= Math.max(...bands); band++) this.bands[band].push(triangle);
+  }
+
+  /** Of the tangent of an angle above the axis; what is outside the picture counts to its edge. */
+  private band(tangent: number): number {
+    const share = (tangent / Math.tan(this.view.fovY / 2) + 1) / 2;
+    return Math.max(0, Math.min(BANDS - 1, Math.floor(share * BANDS)));
   }
 
   private vertices(object: Scene['objects'][number]): (Vertex | undefined)[] {
@@ -74,29 +89,22 @@ export class ReferencePicture {
     const ray: Vec3 = [((2 * x) / width - 1) * tan * (width / height), (1 - (2 * y) / height) * tan, -1];
     let nearest = Number.POSITIVE_INFINITY;
     let found: ReferencePixel | undefined;
-    for (const mesh of this.meshes) {
-      for (let i = 0; i < mesh.indices.length; i += 3) {
-        const corners = [0, 1, 2].map((k) => mesh.vertices[mesh.indices[i + k]]);
-        const [a, b, c] = corners;
-        if (!a || !b || !c) continue;
-        const hit = intersect(ray, a.camera, b.camera, c.camera);
-        if (!hit || hit.distance >= nearest) continue;
-        const weigh = (pick: (v: Vertex) => Vec3): Vec3 =>
-          add(add(scale(pick(a), 1 - hit.u - hit.v), scale(pick(b), hit.u)), scale(pick(c), hit.v));
-        const delay = a.delay * (1 - hit.u - hit.v) + b.delay * hit.u + c.delay * hit.v;
-        if (delay < mesh.birth || delay > mesh.death) continue;
-        nearest = hit.distance;
-        const depth = length(weigh((q) => q.camera));
-        found = {
-          ...this.pixel(
-            mesh.id,
-            weigh((q) => q.dx),
-            delay,
-            weigh((q) => q.velocity),
-          ),
-          depth,
-        };
-      }
+    for (const { mesh, corners } of this.bands[this.band(ray[1])]) {
+      const [a, b, c] = corners;
+      const hit = intersect(ray, a.camera, b.camera, c.camera);
+      if (!hit || hit.distance >= nearest) continue;
+      const weigh = (pick: (v: Vertex) => Vec3): Vec3 =>
+        add(add(scale(pick(a), 1 - hit.u - hit.v), scale(pick(b), hit.u)), scale(pick(c), hit.v));
+      const delay = a.delay * (1 - hit.u - hit.v) + b.delay * hit.u + c.delay * hit.v;
+      if (delay < mesh.birth || delay > mesh.death) continue;
+      nearest = hit.distance;
+      const surface = this.pixel(
+        mesh.id,
+        weigh((q) => q.dx),
+        delay,
+        weigh((q) => q.velocity),
+      );
+      found = { ...surface, depth: length(weigh((q) => q.camera)) };
     }
     return found;
   }

