@@ -7,6 +7,8 @@ import { type Body, makeBody } from './bodies.ts';
 
 /** Edges longer than this share of the scene's diameter are cut, or only longer ones where that would add more triangles than this. */
 const LONGEST_EDGE = 1 / 300;
+/** Of a deforming object every vertex costs memory for every sample. */
+const LONGEST_DEFORMING_EDGE = 1 / 100;
 const ADDED_TRIANGLES = 120_000;
 
 export interface Tessellated {
@@ -41,12 +43,15 @@ function sceneRadius(bodies: readonly Body[]): number {
 
 const startOf = (line: Body['line']): Vec3 => ('position' in line ? line.position : [0, 0, 0]);
 
-/** One length for all objects, so that edges which two of them share are cut alike. */
+/** One length for all objects of a kind, so that edges which two of them share are cut alike. */
 function cutLongEdges(objects: readonly SceneObject[], radius: number): readonly SceneObject[] {
   const edges = objects.map(objectEdges);
-  const count = (maxEdge: number) => edges.reduce((n, lengths) => n + trianglesWhenCut(lengths, maxEdge), 0);
+  const least = objects.map(({ motion }) =>
+    Math.max(2 * radius * (motion.kind === 'sampled-points' ? LONGEST_DEFORMING_EDGE : LONGEST_EDGE), 1e-9),
+  );
+  const count = (k: number) => edges.reduce((n, lengths, i) => n + trianglesWhenCut(lengths, k * least[i]), 0);
   const budget = count(Infinity) + ADDED_TRIANGLES;
-  let maxEdge = Math.max(2 * radius * LONGEST_EDGE, 1e-9);
-  while (count(maxEdge) > budget) maxEdge *= 1.15;
-  return objects.map((object) => subdivideObject(object, maxEdge, budget).result);
+  let k = 1;
+  while (count(k) > budget) k *= 1.15;
+  return objects.map((object, i) => subdivideObject(object, k * least[i], budget).result);
 }
