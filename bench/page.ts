@@ -2,19 +2,11 @@ import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { fileURLToPath } from 'node:url';
 import { type Browser, chromium } from 'playwright-core';
-import { findChromium } from '../src/cli/icd.ts';
+import { findChromium, SOFTWARE_GPU_FLAGS } from '../src/cli/icd.ts';
 import { type Bench, median, timed } from './bench.ts';
 
 const bin = fileURLToPath(new URL('../../../bin/slowlight.js', import.meta.url));
 const ROUNDS = 3;
-const args = [
-  '--no-sandbox',
-  '--enable-unsafe-webgpu',
-  '--use-webgpu-adapter=swiftshader',
-  '--use-gl=angle',
-  '--use-angle=gl-egl',
-  '--ignore-gpu-blocklist',
-];
 
 export const page: Bench = {
   name: 'page',
@@ -27,7 +19,11 @@ export const page: Bench = {
     });
     const [line] = (await once(server.stdout, 'data')) as [Buffer];
     const { url } = JSON.parse(line.toString()) as { url: string };
-    const browser = await chromium.launch({ executablePath: findChromium() ?? 'chromium', headless: true, args });
+    const browser = await chromium.launch({
+      executablePath: findChromium() ?? 'chromium',
+      headless: true,
+      args: [...SOFTWARE_GPU_FLAGS],
+    });
     try {
       const rows: (string | number)[][] = [];
       for (const backend of ['webgpu', 'webgl']) rows.push([backend, await firstPicture(browser, url, backend)]);

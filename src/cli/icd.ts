@@ -37,3 +37,13 @@ function askDpkg(name: string): string | undefined {
   const { stdout } = spawnSync('dpkg', ['-L', 'chromium-common'], { encoding: 'utf8' });
   return stdout?.split('\n').find((line) => line.endsWith(name));
 }
+
+/** Chromium's flags for tests and benchmarks: WebGPU on SwiftShader and WebGL2 on Mesa's llvmpipe, where there is no GPU. */
+export const SOFTWARE_GPU_FLAGS: readonly string[] = [
+  '--no-sandbox',
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--use-gl=angle',
+  '--use-angle=gl-egl',
+  '--ignore-gpu-blocklist',
+];

@@ -7,18 +7,9 @@ import { fileURLToPath } from 'node:url';
 import { decode } from 'fast-png';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
 import { expect } from 'vitest';
+import { SOFTWARE_GPU_FLAGS } from '../../src/cli/icd.ts';
 
 const bin = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
-
-/** WebGPU on SwiftShader and WebGL2 on llvmpipe, where there is no GPU. */
-const FLAGS = [
-  '--no-sandbox',
-  '--enable-unsafe-webgpu',
-  '--use-webgpu-adapter=swiftshader',
-  '--use-gl=angle',
-  '--use-angle=gl-egl',
-  '--ignore-gpu-blocklist',
-];
 
 /** Where the pictures of a run are left to be looked at. */
 export const shots = process.env.E2E_SHOTS ?? mkdtempSync(join(tmpdir(), 'slowlight-e2e-'));
@@ -36,7 +27,11 @@ export class Program {
     const [line] = (await once(server.stdout, 'data')) as [Buffer];
     const { url } = JSON.parse(line.toString()) as { url: string };
     const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
-    return new Program(url, server, await chromium.launch({ executablePath, headless: true, args: FLAGS }));
+    return new Program(
+      url,
+      server,
+      await chromium.launch({ executablePath, headless: true, args: [...SOFTWARE_GPU_FLAGS] }),
+    );
   }
 
   private constructor(url: string, server: ChildProcess, browser: Browser) {

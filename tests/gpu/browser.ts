@@ -1,17 +1,6 @@
 import { type Browser, chromium, type Page } from 'playwright-core';
 import { build } from 'vite';
-import { findChromium } from '../../src/cli/icd.ts';
-
-/** WebGPU on SwiftShader and WebGL2 on Mesa's llvmpipe, without a window and without a GPU; a real GPU is used where there is one. */
-const FLAGS = [
-  '--headless',
-  '--no-sandbox',
-  '--enable-unsafe-webgpu',
-  '--use-webgpu-adapter=swiftshader',
-  '--use-gl=angle',
-  '--use-angle=gl-egl',
-  '--ignore-gpu-blocklist',
-];
+import { findChromium, SOFTWARE_GPU_FLAGS } from '../../src/cli/icd.ts';
 
 /** A page with one module of this repository in it. */
 export interface ModulePage {
@@ -45,7 +34,7 @@ export function launchChromium(): Promise<Browser> {
   const executablePath = findChromium();
   if (!executablePath)
     throw new Error('Chromium is not there: apt-get install -y chromium, or set CHROMIUM to its path');
-  return chromium.launch({ executablePath, args: FLAGS });
+  return chromium.launch({ executablePath, args: [...SOFTWARE_GPU_FLAGS] });
 }
 
 async function bundle(entry: string): Promise<string> {

@@ -1,6 +1,7 @@
 import '../../src/cli/node-shim.ts';
 import { WebGPURenderer } from 'three/webgpu';
 import { type HeadlessDevice, openDevice } from '../../src/cli/device.ts';
+import { healthyClose } from './healthyClose.ts';
 
 export interface HeadlessRenderer {
   readonly renderer: WebGPURenderer;
@@ -17,12 +18,7 @@ export async function openRenderer(): Promise<HeadlessRenderer> {
   return {
     renderer,
     gpu,
-    close: async () => {
-      await gpu.device.queue.onSubmittedWorkDone();
-      gpu.assertHealthy();
-      renderer.dispose();
-      gpu.release();
-    },
+    close: healthyClose(gpu, renderer),
   };
 }
 

@@ -1,6 +1,7 @@
 import '../../src/cli/node-shim.ts';
 import { type HeadlessDevice, openDevice } from '../../src/cli/device.ts';
 import type { SceneRenderer } from '../../src/render/renderer.ts';
+import { healthyClose } from './healthyClose.ts';
 
 export interface HeadlessPictures {
   readonly renderer: SceneRenderer;
@@ -19,11 +20,6 @@ export async function openPictures(width: number, height: number): Promise<Headl
   return {
     renderer,
     gpu,
-    close: async () => {
-      await gpu.device.queue.onSubmittedWorkDone();
-      gpu.assertHealthy();
-      renderer.dispose();
-      gpu.release();
-    },
+    close: healthyClose(gpu, renderer),
   };
 }
