@@ -1,6 +1,6 @@
 import { type HeadlessDevice, openDevice } from '../src/cli/device.ts';
 import { pumpFrame } from '../src/cli/node-shim.ts';
-import { DEFAULT_SETTINGS, type RenderSettings } from '../src/render/settings.ts';
+import { DEFAULT_SETTINGS, type RenderSettings } from '../src/scene/view.ts';
 import { C, VIEW } from './scenes.ts';
 
 export const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: C };

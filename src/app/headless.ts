@@ -1,7 +1,7 @@
 import { urlSource } from '../editor/loading/sources.ts';
 import { openScene } from '../formats/open.ts';
 import { SceneRenderer } from '../render/renderer.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../render/settings.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 
 /**
  * The page that the command line drives where a picture is to be made with WebGL2. It draws one scene, opened from the server

@@ -2,8 +2,8 @@ import type { Command } from 'commander';
 import { Option } from 'commander';
 import type { Vec3 } from '../math/vec3.ts';
 import { adaptation } from '../nodes/picture.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View, type ViewPoint } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View, type ViewPoint } from '../scene/view.ts';
 import {
   parseBeta,
   parseDamping,

@@ -1,8 +1,8 @@
 import { addScaled, length, type Vec3, ZERO } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
-import type { ViewPoint } from '../render/settings.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../scene/camera.ts';
 import type { Scene, SceneCamera } from '../scene/types.ts';
+import type { ViewPoint } from '../scene/view.ts';
 import { usageError } from './exit.ts';
 import type { ObserverFlags } from './flags.ts';
 

@@ -1,5 +1,6 @@
-import type { AovName, Backend, RenderSettings, ViewPoint } from '../render/settings.ts';
+import type { Backend } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import { CliError, EXIT } from './exit.ts';
 import type { Size } from './parse.ts';
 import type { AovData } from './pictures.ts';

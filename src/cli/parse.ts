@@ -1,6 +1,6 @@
 import { InvalidArgumentError, Option } from 'commander';
 import { length, type Vec3 } from '../math/vec3.ts';
-import { AOVS, type AovName } from '../render/settings.ts';
+import { AOVS, type AovName } from '../scene/view.ts';
 
 /** Readers of flag values. Each throws an InvalidArgumentError, which names what was expected. */
 

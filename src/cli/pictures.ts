@@ -1,6 +1,6 @@
 import { type ExrChannel, writeExr } from '../formats/exr.ts';
-import { AOVS, type AovName } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
+import { AOVS, type AovName } from '../scene/view.ts';
 import type { Size } from './parse.ts';
 
 /** AOVs with their values, as the renderer reads them back: as many values per pixel as there are channels. */

@@ -3,10 +3,10 @@ import { addScaled, scale, type Vec3 } from '../math/vec3.ts';
 import { unaberrate } from '../physics/aberration.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { dopplerAtPixel } from '../physics/doppler.ts';
-import type { ViewPoint } from '../render/settings.ts';
 import { lookAtOrientation } from '../scene/camera.ts';
 import { makeObject, makeScene } from '../scene/defaults.ts';
 import { plane, sphere } from '../scene/primitives.ts';
+import type { ViewPoint } from '../scene/view.ts';
 import { seenAtPixel } from './pixel.ts';
 
 const size = { width: 200, height: 100 };

@@ -1,9 +1,9 @@
 import { rotate } from '../math/quat.ts';
 import { cross, dot, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
-import type { ViewPoint } from '../render/settings.ts';
-import { type ProbeView, probeVertex, probeVertices, type VertexProbe } from '../scene/probe.ts';
+import { probeVertex, probeVertices, type VertexProbe } from '../scene/probe.ts';
 import { subdivideObject } from '../scene/subdivide.ts';
 import type { SampledPointsMotion, Scene, SceneObject } from '../scene/types.ts';
+import type { View, ViewPoint } from '../scene/view.ts';
 import type { Size } from './parse.ts';
 
 /** What an observer sees at a pixel: a point of a surface, at the event where the light left it. */
@@ -27,7 +27,7 @@ export function seenAtPixel(
   scene: Scene,
   view: ViewPoint,
   c: number,
-  how: ProbeView,
+  how: View,
   size: Size,
   pixel: readonly [number, number],
 ): SeenPoint | undefined {
@@ -64,7 +64,7 @@ function seenOnObject(
   object: SceneObject,
   view: ViewPoint,
   c: number,
-  how: ProbeView,
+  how: View,
   ray: Vec3,
   nearer: number,
 ): Omit<SeenPoint, 'prim' | 'object'> | undefined {
@@ -113,7 +113,7 @@ function refine(
   hit: Hit,
   view: ViewPoint,
   c: number,
-  how: ProbeView,
+  how: View,
   ray: Vec3,
   [a, b, d]: readonly [Vec3, Vec3, Vec3],
 ): VertexProbe | undefined {

@@ -1,5 +1,5 @@
 import { Command } from 'commander';
-import type { ProbeView } from '../scene/probe.ts';
+import type { View } from '../scene/view.ts';
 import { addObserverFlags, type ObserverFlags, viewOption } from './flags.ts';
 import { parseNumber, parsePixel, type Size, sizeOption } from './parse.ts';
 
@@ -8,7 +8,7 @@ export interface ProbeFlags extends ObserverFlags {
   readonly pixel?: readonly [number, number];
   readonly size: Size;
   readonly time?: number;
-  readonly view: ProbeView;
+  readonly view: View;
   readonly json?: boolean;
 }
 

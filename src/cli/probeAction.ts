@@ -1,9 +1,9 @@
 import { length, type Vec3 } from '../math/vec3.ts';
 import { gamma, velocity } from '../physics/boost.ts';
-import type { ViewPoint } from '../render/settings.ts';
 import { probeVertices } from '../scene/probe.ts';
 import type { Scene, SceneObject } from '../scene/types.ts';
 import { validate } from '../scene/validate.ts';
+import type { ViewPoint } from '../scene/view.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { usageError } from './exit.ts';
 import { openSceneFile } from './files.ts';

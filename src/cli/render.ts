@@ -1,5 +1,5 @@
 import { Command, Option } from 'commander';
-import type { AovName } from '../render/settings.ts';
+import type { AovName } from '../scene/view.ts';
 import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from './flags.ts';
 import {
   type FrameRange,
@@ -54,7 +54,7 @@ export function renderCommand(): Command {
       .option('--samples <n>', 'n × n samples per pixel; 1 smooths edges by FXAA instead', parseSamples, 1)
       .option(
         '--aov <names>',
-        'for .exr: channels to write, of beauty, depth, emission_time, doppler, position, normal, velocity, object',
+        'for .exr: channels to write, of beauty, albedo, depth, emission_time, doppler, position, normal, velocity, object',
         parseAovs,
       )
       .addOption(

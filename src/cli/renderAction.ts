@@ -1,9 +1,9 @@
 import { extname } from 'node:path';
 import { length } from '../math/vec3.ts';
 import { gamma, velocity } from '../physics/boost.ts';
-import type { AovName } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
 import { validate } from '../scene/validate.ts';
+import type { AovName } from '../scene/view.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { usageError } from './exit.ts';
 import { openSceneFile } from './files.ts';

@@ -1,8 +1,8 @@
 import { extname } from 'node:path';
 import { encodePng } from '../formats/png.ts';
 import { velocity } from '../physics/boost.ts';
-import type { ViewPoint } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
+import type { ViewPoint } from '../scene/view.ts';
 import { usageError } from './exit.ts';
 import { checkWritable, writeWhole } from './output.ts';
 import type { Picture } from './painter.ts';

@@ -1,7 +1,7 @@
 import { randomUUID } from 'node:crypto';
 import { basename, dirname, resolve } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
-import type { AovName, RenderSettings, ViewPoint } from '../render/settings.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import { unavailable } from './exit.ts';
 import { folderSource } from './files.ts';
 import { findChromium } from './icd.ts';

@@ -1,5 +1,5 @@
-import type { AovName } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
+import type { AovName } from '../scene/view.ts';
 import { openDevice } from './device.ts';
 import { pumpFrame } from './node-shim.ts';
 import type { Painter, PictureRequest } from './painter.ts';

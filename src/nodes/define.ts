@@ -1,5 +1,5 @@
 import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
-import type { Solver, View } from '../render/settings.ts';
+import type { Solver, View } from '../scene/view.ts';
 import type { LoadedScene, Services } from './services.ts';
 
 /** A scene with how light travels in it. */

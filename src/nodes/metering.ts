@@ -1,7 +1,7 @@
 import { normalizeQuat, rotate } from '../math/quat.ts';
 import { dot, normalize, type Vec3 } from '../math/vec3.ts';
 import { gamma, velocity } from '../physics/boost.ts';
-import type { ViewPoint } from '../render/settings.ts';
+import type { ViewPoint } from '../scene/view.ts';
 
 /** Directions across the picture, in each axis. */
 const GRID = 5;

@@ -1,5 +1,5 @@
 import type { Evaluation } from '../graph/evaluate.ts';
-import type { RenderSettings, ViewPoint } from '../render/settings.ts';
+import type { RenderSettings, ViewPoint } from '../scene/view.ts';
 import type { Picture } from './define.ts';
 import { stopsOfMotion } from './metering.ts';
 

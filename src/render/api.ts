@@ -1,5 +1,6 @@
 import type { Scene } from '../scene/types.ts';
-import type { AovName, PickResult, RendererInfo, RenderSettings, ViewPoint } from './settings.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
+import type { PickResult, RendererInfo } from './settings.ts';
 
 /**
  * What a page, a command line and a benchmark may ask of the renderer; `SceneRenderer` (renderer.ts) is the one that does it:

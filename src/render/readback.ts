@@ -1,7 +1,8 @@
 import { DataUtils, type RenderTarget } from 'three/webgpu';
 import { length, type Vec3 } from '../math/vec3.ts';
+import type { AovName } from '../scene/view.ts';
 import type { Gpu } from './device.ts';
-import type { AovName, PickResult } from './settings.ts';
+import type { PickResult } from './settings.ts';
 import type { Sight } from './sight.ts';
 import type { TargetName } from './surface.ts';
 import type { GBuffer } from './targets.ts';
@@ -55,6 +56,7 @@ const SOURCES: Record<
   DataAov,
   { target: TargetName; values: (texel: Float32Array, sight: Sight) => readonly number[] }
 > = {
+  albedo: { target: 'base', values: ([r, g, b]) => [r, g, b] },
   depth: { target: 'object', values: ([, distance]) => [distance] },
   emission_time: { target: 'event', values: ([, , , w], sight) => [sight.t + w / sight.c] },
   position: { target: 'event', values: ([x, y, z], { position: p }) => [p[0] + x, p[1] + y, p[2] + z] },

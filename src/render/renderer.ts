@@ -2,21 +2,14 @@ import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
 import { toMatrix } from '../math/quat.ts';
 import { gamma } from '../physics/boost.ts';
 import type { Scene } from '../scene/types.ts';
+import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../scene/view.ts';
 import type { PictureMaker } from './api.ts';
 import { frustumSides } from './cull.ts';
 import { type Gpu, openGpu } from './device.ts';
 import { PictureMachine } from './picture.ts';
 import { type Region, readBytes, readData, readFloats, readPick } from './readback.ts';
 import { SceneUpload } from './sceneUpload.ts';
-import {
-  type AovName,
-  DEFAULT_SETTINGS,
-  type PickResult,
-  type RendererInfo,
-  type RendererOptions,
-  type RenderSettings,
-  type ViewPoint,
-} from './settings.ts';
+import type { PickResult, RendererInfo, RendererOptions } from './settings.ts';
 import type { Sight } from './sight.ts';
 import { makeUniforms, type Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';

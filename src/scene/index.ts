@@ -21,7 +21,7 @@ export { cornerNormals, deformedNormals, smoothingGroups } from './normals.ts';
 export type { Polygons, PolygonValues } from './polygons.ts';
 export type { Axis, Band, RoundOptions } from './primitives.ts';
 export { box, capsule, cone, cylinder, grid, plane, revolve, sphere, torus } from './primitives.ts';
-export type { ProbeObserver, ProbeView, VertexProbe } from './probe.ts';
+export type { ProbeObserver, VertexProbe } from './probe.ts';
 export { probeVertex, probeVertices } from './probe.ts';
 export type { Samples } from './resample.ts';
 export { resampleRotation, restToWorld, sampleMotion } from './resample.ts';
@@ -30,3 +30,13 @@ export { subdivideLongEdges, subdivideObject } from './subdivide.ts';
 export type * from './types.ts';
 export { InputError } from './types.ts';
 export { validate } from './validate.ts';
+export {
+  AOVS,
+  type AovInfo,
+  type AovName,
+  DEFAULT_SETTINGS,
+  type RenderSettings,
+  type Solver,
+  type View,
+  type ViewPoint,
+} from './view.ts';

@@ -7,9 +7,7 @@ import { simultaneitySlice, simultaneousPosition } from '../physics/simultaneity
 import { positionAt, velocityAt, type WorldLine } from '../physics/worldLine.ts';
 import { vertexWorldLine } from './motion.ts';
 import type { SceneObject } from './types.ts';
-
-/** As in menus and flags: what is seen, what is there now for the observer, and what Galileo's world would show. */
-export type ProbeView = 'light-cone' | 'simultaneity' | 'galilean';
+import type { View } from './view.ts';
 
 export interface ProbeObserver extends ObserverEvent {
   /** γβ, world frame. */
@@ -43,7 +41,7 @@ export function probeVertices(
   object: SceneObject,
   observer: ProbeObserver,
   c: number,
-  view: ProbeView = 'light-cone',
+  view: View = 'light-cone',
 ): (VertexProbe | undefined)[] {
   return Array.from({ length: object.mesh.positions.length / 3 }, (_, i) => probeVertex(object, i, observer, c, view));
 }
@@ -53,7 +51,7 @@ export function probeVertex(
   vertex: number,
   observer: ProbeObserver,
   c: number,
-  view: ProbeView = 'light-cone',
+  view: View = 'light-cone',
 ): VertexProbe | undefined {
   const shown = LOOKS[view](vertexWorldLine(object, vertex, c), observer, c);
   if (!shown) return undefined;
@@ -65,7 +63,7 @@ export function probeVertex(
 type Shown = Omit<VertexProbe, 'vertex' | 'distance' | 'visible'>;
 type Look = (line: WorldLine, observer: ProbeObserver, c: number) => Shown | undefined;
 
-const LOOKS: Record<ProbeView, Look> = {
+const LOOKS: Record<View, Look> = {
   'light-cone': (line, observer, c) => {
     const event = emissionEvent(line, observer, c);
     if (!event) return undefined;

@@ -6,11 +6,11 @@ import { IDENTITY } from '../../src/math/quat.ts';
 import { length, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { apparentPosition } from '../../src/physics/apparent.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/render/settings.ts';
 import { lookAtOrientation } from '../../src/scene/camera.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import { box, sphere } from '../../src/scene/primitives.ts';
 import type { Mesh, Scene } from '../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
 
 const SIZE = 120;

@@ -3,10 +3,10 @@ import { add, cross, dot, length, scale, sub, type Vec3 } from '../../src/math/v
 import { apparentPosition } from '../../src/physics/apparent.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
 import { dopplerFactor } from '../../src/physics/doppler.ts';
-import type { RenderSettings, ViewPoint } from '../../src/render/settings.ts';
 import { tessellate } from '../../src/render/tessellate.ts';
 import { probeVertices, type VertexProbe } from '../../src/scene/probe.ts';
 import type { Scene } from '../../src/scene/types.ts';
+import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
 
 /** What one vertex of the drawn mesh is, by the f64 library: no code of src/render but the mesh it draws. */
 interface Vertex {

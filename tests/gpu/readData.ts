@@ -1,5 +1,5 @@
 import type { SceneRenderer } from '../../src/render/renderer.ts';
-import type { RenderSettings, ViewPoint } from '../../src/render/settings.ts';
+import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
 
 const NAMES = ['object', 'position', 'emission_time', 'doppler', 'velocity', 'depth'] as const;
 

@@ -4,10 +4,10 @@ import { add, normalize, scale, sub, type Vec3, ZERO } from '../../src/math/vec3
 import { apparentPosition } from '../../src/physics/apparent.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
 import { simultaneousPosition } from '../../src/physics/simultaneity.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/render/settings.ts';
 import { lookAtOrientation } from '../../src/scene/camera.ts';
 import { probeVertices } from '../../src/scene/probe.ts';
 import type { Scene } from '../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view.ts';
 import { type ModulePage, openModulePage } from './browser.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
 import { angle, ReferencePicture } from './pixels.ts';

@@ -1,5 +1,5 @@
 import { SceneRenderer } from '../../src/render/renderer.ts';
-import type { RenderSettings, ViewPoint } from '../../src/render/settings.ts';
+import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
 import { type Data, readData } from './readData.ts';
 import { SCENES } from './renderScenes.ts';
 

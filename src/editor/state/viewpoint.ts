@@ -2,9 +2,9 @@ import { type Vec3, ZERO } from '../../math/vec3.ts';
 import type { Picture } from '../../nodes/define.ts';
 import { properVelocity } from '../../physics/boost.ts';
 import type { ObserverState } from '../../physics/observer.ts';
-import type { ViewPoint } from '../../render/settings.ts';
 import { observerFromCamera } from '../../scene/camera.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
+import type { ViewPoint } from '../../scene/view.ts';
 import type { Lock } from '../flight/flight.ts';
 
 export const upOf = (scene: Scene): Vec3 => (scene.upAxis === 'Y' ? [0, 1, 0] : [0, 0, 1]);

@@ -2,7 +2,7 @@ import { IDENTITY } from '../../math/quat.ts';
 import { length, ZERO } from '../../math/vec3.ts';
 import type { Picture } from '../../nodes/define.ts';
 import type { ObserverState } from '../../physics/observer.ts';
-import type { ViewPoint } from '../../render/settings.ts';
+import type { ViewPoint } from '../../scene/view.ts';
 import { LOCKS, look, stepFlight, wrapTime } from '../flight/flight.ts';
 import type { Studio } from '../state/studio.ts';
 import { cameraOf, ridingObserver, startingObserver, upOf, viewPointOf } from '../state/viewpoint.ts';

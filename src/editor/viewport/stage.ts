@@ -1,8 +1,9 @@
 import type { Picture } from '../../nodes/define.ts';
 import { renderSettings } from '../../nodes/picture.ts';
 import { SceneRenderer } from '../../render/renderer.ts';
-import type { Backend, RenderSettings, ViewPoint } from '../../render/settings.ts';
+import type { Backend } from '../../render/settings.ts';
 import type { Scene } from '../../scene/types.ts';
+import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
 import { sceneName } from '../loading/sceneLoader.ts';
 import type { Studio } from '../state/studio.ts';
 import { report } from '../state/telemetry.ts';

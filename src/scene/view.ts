@@ -1,0 +1,103 @@
+import type { Quat } from '../math/quat.ts';
+import type { Vec3 } from '../math/vec3.ts';
+
+/** `light-cone`: what is seen. `simultaneity`: where things are at the observer's own instant. `galilean`: c = ∞. */
+export type View = 'light-cone' | 'simultaneity' | 'galilean';
+export type Solver = 'exact' | 'newton';
+
+/** How a picture is made. Every field is plain data, so that a document, a flag or a socket can hold it. */
+export interface RenderSettings {
+  readonly view: View;
+  /** Off: every point is taken at the observer's own world time, as if light were instantaneous. Light-cone view only. */
+  readonly lightDelay: boolean;
+  /** Off: directions are those of the world frame, not the observer's. Light-cone view only. */
+  readonly aberration: boolean;
+  /** 0 … 1: how much of log D reaches the colours. */
+  readonly dopplerMix: number;
+  /** 0 … 1: how much of log D⁴ reaches the brightness. */
+  readonly beaming: number;
+  readonly solver: Solver;
+  /** Newton steps per vertex. */
+  readonly iterations: number;
+  /** Newton step length, 0 < k ≤ 1. */
+  readonly damping: number;
+  /** The ground's reference grid, which relativity does not bend. */
+  readonly grid: boolean;
+  /** [EV]: the picture is 2^exposure times as bright. */
+  readonly exposure: number;
+  /** [m/s] */
+  readonly speedOfLight: number;
+}
+
+export const DEFAULT_SETTINGS: RenderSettings = {
+  view: 'light-cone',
+  lightDelay: true,
+  aberration: true,
+  dopplerMix: 1,
+  beaming: 1,
+  solver: 'exact',
+  iterations: 8,
+  damping: 1,
+  grid: false,
+  exposure: 0,
+  speedOfLight: 299_792_458,
+};
+
+/** The observer's event and the camera there. */
+export interface ViewPoint {
+  /** World time [s]. */
+  readonly t: number;
+  /** World frame [m]. */
+  readonly position: Vec3;
+  /** Proper velocity γβ, world frame. */
+  readonly u: Vec3;
+  /** Camera axes (−Z forward, +Y up) against the world axes carried by the pure boost. */
+  readonly orientation: Quat;
+  /** Vertical field of view in the observer frame [rad]. */
+  readonly fovY: number;
+}
+
+export type AovName =
+  | 'beauty'
+  | 'albedo'
+  | 'depth'
+  | 'emission_time'
+  | 'doppler'
+  | 'position'
+  | 'normal'
+  | 'velocity'
+  | 'object';
+
+export interface AovInfo {
+  /** EXR channel names, in the order of the values of a pixel. */
+  readonly channels: readonly string[];
+  readonly meaning: string;
+}
+
+/**
+ * What can be read back besides the picture. Pixels without a surface are 0 in every data AOV; `beauty` has the sky there.
+ * Data AOVs are of the surface through the pixel's centre and are never averaged.
+ */
+export const AOVS: Readonly<Record<AovName, AovInfo>> = {
+  beauty: { channels: ['R', 'G', 'B'], meaning: 'linear sRGB radiance before exposure and tone mapping' },
+  albedo: {
+    channels: ['albedo.R', 'albedo.G', 'albedo.B'],
+    meaning: 'linear sRGB base colour of the surface, with its texture and vertex colour',
+  },
+  depth: { channels: ['depth'], meaning: "apparent distance |Δx'| in the observer frame [m]" },
+  emission_time: { channels: ['emission_time'], meaning: 'world time of the event that is seen [s]' },
+  doppler: { channels: ['doppler'], meaning: 'D = ν_observed/ν_emitted' },
+  position: {
+    channels: ['position.x', 'position.y', 'position.z'],
+    meaning: 'world position of the event that is seen [m]',
+  },
+  normal: {
+    channels: ['normal.x', 'normal.y', 'normal.z'],
+    meaning: 'unit normal in the rest frame of the surface, on the world axes carried there by the pure boost',
+  },
+  velocity: {
+    channels: ['velocity.x', 'velocity.y', 'velocity.z'],
+    meaning: 'velocity of the surface in the world frame, in units of c',
+  },
+  object: { channels: ['object'], meaning: 'place of the object in Scene.objects plus one' },
+};
