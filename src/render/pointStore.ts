@@ -1,4 +1,6 @@
+import { abs, float, floor, normalize, select, vec2, vec3 } from 'three/tsl';
 import type { SampledPointsMotion } from '../scene/types.ts';
+import type { Float, Vec3 } from '../shaders/types.ts';
 import { FloatTable } from './floatTable.ts';
 
 /** Texels that one object's samples may take: 256 MiB. */
@@ -57,7 +59,7 @@ export class PointStore {
 }
 
 /** Steps per octahedral axis; their square is exact in f32. */
-export const NORMAL_STEPS = 4096;
+const NORMAL_STEPS = 4096;
 
 /** A unit normal on the octahedron |x| + |y| + |z| = 1, the lower half folded out (Meyer et al. 2010), as one exact f32 integer. */
 export function packNormal(x: number, y: number, z: number): number {
@@ -66,4 +68,19 @@ export function packNormal(x: number, y: number, z: number): number {
   const [p, q] = z >= 0 ? [a, b] : [(1 - Math.abs(b)) * Math.sign(a || 1), (1 - Math.abs(a)) * Math.sign(b || 1)];
   const step = (v: number) => Math.round((v * 0.5 + 0.5) * (NORMAL_STEPS - 1));
   return step(p) * NORMAL_STEPS + step(q);
+}
+
+/** The inverse of `packNormal`. */
+export function unpackNormal(packed: Float): Vec3 {
+  const high = floor(packed.div(NORMAL_STEPS)).toVar();
+  const low = packed.sub(high.mul(NORMAL_STEPS));
+  const p = vec2(high, low)
+    .mul(2 / (NORMAL_STEPS - 1))
+    .sub(1)
+    .toVar();
+  const z = float(1).sub(abs(p.x)).sub(abs(p.y)).toVar();
+  const sign = (v: Float): Float => select(v.greaterThanEqual(0), float(1), float(-1));
+  const x = select(z.greaterThanEqual(0), p.x, abs(p.y).oneMinus().mul(sign(p.x)));
+  const y = select(z.greaterThanEqual(0), p.y, abs(p.x).oneMinus().mul(sign(p.y)));
+  return normalize(vec3(x, y, z));
 }

@@ -1,8 +1,8 @@
-import { abs, clamp, cross, float, floor, int, max, normalize, select, vec2, vec3, vec4, vertexIndex } from 'three/tsl';
+import { clamp, cross, int, max, vec4 } from 'three/tsl';
 import { bisect } from '../shaders/bisect.ts';
 import type { Float, Int, SampleTable, Vec3, Vec4 } from '../shaders/types.ts';
 import type { FloatTable } from './floatTable.ts';
-import { NORMAL_STEPS } from './pointStore.ts';
+import type { PointReader } from './vertexInput.ts';
 
 /** One vertex's samples, as frame.ts and pointStore.ts wrote them. */
 export interface Samples {
@@ -30,16 +30,23 @@ export function poseSamples(table: FloatTable, first: Int, count: Int, offset: V
 }
 
 /** A deforming mesh: per sample a texel (sample, 0, 0, time), and its points; `motion` = (origin relative to the anchor, vertices). */
-export function pointSamples(table: FloatTable, points: FloatTable, first: Int, count: Int, motion: Vec4): Samples {
+export function pointSamples(
+  table: FloatTable,
+  points: FloatTable,
+  vertex: PointReader,
+  first: Int,
+  count: Int,
+  motion: Vec4,
+): Samples {
   const stamp = (index: Int): Vec4 => table.texel(first.add(index)).toVar();
-  const point = (sample: Float): Vec4 => points.texel(int(sample).mul(int(motion.w)).add(int(vertexIndex))).toVar();
+  const row = (sample: Float): Int => int(sample).mul(int(motion.w)).toVar();
   return {
     count,
     at: (index) => {
       const { x: sample, w: time } = stamp(index);
-      return vec4(point(sample).xyz.add(motion.xyz), time);
+      return vec4(vertex.place(points, row(sample)).add(motion.xyz), time);
     },
-    normal: (index) => unpackNormal(point(stamp(index).x).w),
+    normal: (index) => vertex.normal(points, row(stamp(index).x)),
     time: (index) => stamp(index).w,
   };
 }
@@ -54,18 +61,3 @@ export function pieceAt(samples: Samples, s: Float): { index: Int; fraction: Flo
 
 /** q x q⁻¹ */
 const turn = (q: Vec4, x: Vec3): Vec3 => x.add(cross(q.xyz, cross(q.xyz, x).add(x.mul(q.w))).mul(2));
-
-/** The inverse of `packNormal`. */
-function unpackNormal(packed: Float): Vec3 {
-  const high = floor(packed.div(NORMAL_STEPS)).toVar();
-  const low = packed.sub(high.mul(NORMAL_STEPS));
-  const p = vec2(high, low)
-    .mul(2 / (NORMAL_STEPS - 1))
-    .sub(1)
-    .toVar();
-  const z = float(1).sub(abs(p.x)).sub(abs(p.y)).toVar();
-  const sign = (v: Float): Float => select(v.greaterThanEqual(0), float(1), float(-1));
-  const x = select(z.greaterThanEqual(0), p.x, abs(p.y).oneMinus().mul(sign(p.x)));
-  const y = select(z.greaterThanEqual(0), p.y, abs(p.x).oneMinus().mul(sign(p.y)));
-  return normalize(vec3(x, y, z));
-}

@@ -19,6 +19,7 @@ import { MATERIAL_TEXELS, type SurfaceSources } from './surface.ts';
 import { isSampledAtRest, tessellate } from './tessellate.ts';
 import { uploadTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
+import { indexedVertex } from './vertexInput.ts';
 import type { VertexSources } from './vertexStage.ts';
 
 /** One draw call with what its shaders read, and its materials, made when they are first asked for. */
@@ -100,17 +101,25 @@ export class SceneUpload {
     mesh.matrixAutoUpdate = false;
     (batch.transparent ? this.transparent : this.opaque).add(mesh);
     const points = batch.kind === 'sampled-points' ? this.points.get(batch.bodies[0].id) : undefined;
+    const colored = batch.arrays.colors !== undefined;
     const baseColor = this.texture(batch.baseColorTexture);
     const emissive = this.texture(batch.emissiveTexture);
     return {
       batch,
       mesh,
       materials: new Map(),
-      vertex: { kind: batch.kind, objects: this.objects, samples: this.samples, uniforms, ...(points && { points }) },
+      vertex: {
+        kind: batch.kind,
+        objects: this.objects,
+        samples: this.samples,
+        uniforms,
+        ...(points && { points }),
+        vertex: () => indexedVertex(colored),
+      },
       surface: {
         materials: this.materials,
         uniforms,
-        colored: batch.arrays.colors !== undefined,
+        colored,
         ...(baseColor && { baseColor }),
         ...(emissive && { emissive }),
       },

@@ -1,5 +1,4 @@
 import {
-  attribute,
   Discard,
   Fn,
   faceDirection,
@@ -18,7 +17,7 @@ import { dopplerFactor } from '../shaders/dopplerFactor.ts';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import type { FloatTable } from './floatTable.ts';
 import type { Uniforms } from './uniforms.ts';
-import { vEvent, vLife, vMotion, vNormal, vShown } from './vertexStage.ts';
+import { vColor, vEvent, vLife, vMotion, vNormal, vShown, vUv } from './vertexStage.ts';
 
 /** Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (roughness, metallic, 0, 0). */
 export const MATERIAL_TEXELS = 3;
@@ -56,12 +55,11 @@ export function readSurface(sources: SurfaceSources): Surface {
   const base = sources.materials.texel(material).toVar();
   const emission = sources.materials.texel(material.add(int(1))).toVar();
   const finish = sources.materials.texel(material.add(int(2))).toVar();
-  const uv = attribute<'vec2'>('uv', 'vec2');
   const color = base.toVar();
-  if (sources.baseColor) color.mulAssign(texture(sources.baseColor, uv));
-  if (sources.colored) color.mulAssign(vec4(attribute<'vec3'>('color', 'vec3'), 1));
+  if (sources.baseColor) color.mulAssign(texture(sources.baseColor, vUv));
+  if (sources.colored) color.mulAssign(vec4(vColor, 1));
   const emissive = emission.xyz.toVar();
-  if (sources.emissive) emissive.mulAssign(texture(sources.emissive, uv).rgb);
+  if (sources.emissive) emissive.mulAssign(texture(sources.emissive, vUv).rgb);
 
   Discard(vLife.x.lessThan(0).or(vLife.y.lessThan(0)).or(vNormal.w.lessThan(0.9999)).or(color.w.lessThan(emission.w)));
   const { u, gamma, boostLight } = sources.uniforms;

@@ -1,5 +1,4 @@
 import {
-  attribute,
   bool,
   cameraProjectionMatrix,
   cameraViewMatrix,
@@ -36,6 +35,7 @@ import { OBJECT_TEXELS } from './frame.ts';
 import type { PointStore } from './pointStore.ts';
 import { pieceAt, pointSamples, poseSamples, type Samples } from './samples.ts';
 import type { Uniforms } from './uniforms.ts';
+import type { VertexInput } from './vertexInput.ts';
 
 /** How a vertex finds its event, and where the picture puts it; a pipeline is compiled for each pair that is used. */
 export interface Projection {
@@ -43,12 +43,18 @@ export interface Projection {
   readonly place: 'apparent' | 'contracted' | 'plain';
 }
 
-export interface VertexSources {
+/** What tells how the bodies of a batch move. */
+export interface MotionSources {
   readonly kind: Motion['kind'];
   readonly objects: FloatTable;
   readonly samples: FloatTable;
   readonly points?: PointStore;
   readonly uniforms: Uniforms;
+}
+
+export interface VertexSources extends MotionSources {
+  /** Reads the vertex, inside the vertex stage's Fn. */
+  readonly vertex: () => VertexInput;
 }
 
 /** Observer → event [m] and c(t − t_o) [m of light]. */
@@ -61,6 +67,9 @@ export const vMotion = varyingProperty('vec4', 'v_motion');
 export const vNormal = varyingProperty('vec4', 'v_normal');
 /** Light-metres since birth and until death, object id, material. */
 export const vLife = varyingProperty('vec4', 'v_life');
+export const vUv = varyingProperty('vec2', 'v_uv');
+/** Linear RGB of the vertex, where the mesh has any. */
+export const vColor = varyingProperty('vec3', 'v_color');
 
 interface Vertex extends VertexEvent {
   /** In the rest frame, world axes; any length. */
@@ -68,43 +77,57 @@ interface Vertex extends VertexEvent {
   readonly exists: Bool;
 }
 
-/** The four texels of an object (frame.ts) and its vertex as it was uploaded. */
+/** The texels of an object (frame.ts) and one of its vertices. */
 interface Inputs {
-  readonly sources: VertexSources;
+  readonly sources: MotionSources;
   readonly anchor: Vec4;
   readonly motion: Vec4;
   readonly extra: Vec4;
-  readonly offset: Vec3;
-  readonly normal: Vec3;
+  readonly vertex: VertexInput;
 }
+
+const objectTexel =
+  ({ objects }: MotionSources, object: Float) =>
+  (k: number): Vec4 =>
+    objects.texel(int(object).mul(int(OBJECT_TEXELS)).add(int(k))).toVar();
 
 /** Clip-space position of a vertex; fills the varyings above. */
 export function vertexStage(sources: VertexSources, projection: Projection): Vec4 {
   return Fn(() => {
-    const ids = attribute<'vec2'>('ids', 'vec2');
-    const first = int(ids.x).mul(int(OBJECT_TEXELS)).toVar();
-    const texel = (k: number): Vec4 => sources.objects.texel(first.add(int(k))).toVar();
+    const input = sources.vertex();
+    const texel = objectTexel(sources, input.object);
     const anchor = texel(0);
     // All vertices of what cannot be seen fall on one point outside the picture.
     const clip = vec4(2, 2, 2, 1).toVar();
     If(anchor.w.greaterThanEqual(0), () => {
-      const offset = attribute<'vec3'>('position', 'vec3');
-      const normal = attribute<'vec3'>('normal', 'vec3');
-      const inputs = { sources, anchor, motion: texel(1), extra: texel(3), offset, normal };
-      const vertex = solve(inputs, projection);
+      const vertex = solve({ sources, anchor, motion: texel(1), extra: texel(3), vertex: input }, projection);
       const when = texel(2);
       const dx = vertex.dx.toVar();
       const s = vertex.s.toVar();
       vEvent.assign(vec4(dx, s.sub(when.z)));
       vMotion.assign(vertex.velocity);
       vNormal.assign(vec4(vertex.normal, select(vertex.exists, float(1), float(0))));
-      vLife.assign(vec4(s.sub(when.x), when.y.sub(s), when.w, ids.y));
+      vLife.assign(vec4(s.sub(when.x), when.y.sub(s), when.w, input.material));
+      vUv.assign(input.uv);
+      if (input.color) vColor.assign(input.color);
       const shown = select(vertex.exists, place(dx, projection.place, sources.uniforms), anchor.xyz).toVar();
       vShown.assign(shown);
       clip.assign(cameraProjectionMatrix.mul(cameraViewMatrix.mul(vec4(shown, 1))));
     });
     return clip;
   })();
+}
+
+/** Where a point of a triangle is seen: its event from the observer and its place in the picture [m], and whether there is one. */
+export function shownPoint(
+  sources: MotionSources,
+  projection: Projection,
+  vertex: VertexInput,
+): { dx: Vec3; shown: Vec3; exists: Bool } {
+  const texel = objectTexel(sources, vertex.object);
+  const anchor = texel(0);
+  const { dx, exists } = solve({ sources, anchor, motion: texel(1), extra: texel(3), vertex }, projection);
+  return { dx, shown: place(dx, projection.place, sources.uniforms), exists };
 }
 
 function place(dx: Vec3, how: Projection['place'], { u, gamma }: Uniforms): Vec3 {
@@ -116,7 +139,11 @@ function place(dx: Vec3, how: Projection['place'], { u, gamma }: Uniforms): Vec3
 function solve(inputs: Inputs, { event }: Projection): Vertex {
   switch (inputs.sources.kind) {
     case 'static':
-      return { ...linear(inputs, vec4(0, 0, 0, 1), inputs.offset, event), normal: inputs.normal, exists: bool(true) };
+      return {
+        ...linear(inputs, vec4(0, 0, 0, 1), inputs.vertex.offset, event),
+        normal: inputs.vertex.normal,
+        exists: bool(true),
+      };
     case 'uniform':
       return uniformVertex(inputs, event);
     case 'hyperbolic':
@@ -135,7 +162,8 @@ function linear(inputs: Inputs, velocity: Vec4, offset: Vec3, event: Projection[
 }
 
 function uniformVertex(inputs: Inputs, event: Projection['event']): Vertex {
-  const { motion, extra, offset, normal } = inputs;
+  const { motion, extra } = inputs;
+  const { offset, normal } = inputs.vertex;
   const rigid = extra.x.greaterThan(0.5);
   const contracted = select(rigid, alongMotion(offset, motion), offset).toVar();
   const restNormal = select(rigid, normal, alongMotion(normal, motion));
@@ -143,8 +171,9 @@ function uniformVertex(inputs: Inputs, event: Projection['event']): Vertex {
 }
 
 function hyperbolicVertex(inputs: Inputs, event: Projection['event']): Vertex {
-  const { anchor, motion, extra, normal, sources } = inputs;
-  const offset = inputs.offset.sub(motion.xyz.mul(extra.z)).toVar();
+  const { anchor, motion, extra, sources } = inputs;
+  const { normal } = inputs.vertex;
+  const offset = inputs.vertex.offset.sub(motion.xyz.mul(extra.z)).toVar();
   const born = [motion, extra.x, extra.y, offset] as const;
   const found =
     event === 'newton'
@@ -166,11 +195,11 @@ function sampledVertex(inputs: Inputs, event: Projection['event']): Vertex {
   return { dx: found.dx, s, velocity, normal: alongMotion(normal, velocity), exists: bool(true) };
 }
 
-function samplesOf({ sources, motion, extra, offset, normal }: Inputs): Samples {
+function samplesOf({ sources, motion, extra, vertex }: Inputs): Samples {
   const first = int(extra.x).toVar();
   const count = int(extra.y).toVar();
-  if (sources.points) return pointSamples(sources.samples, sources.points.table, first, count, motion);
-  return poseSamples(sources.samples, first, count, offset, normal);
+  if (sources.points) return pointSamples(sources.samples, sources.points.table, vertex.sampled, first, count, motion);
+  return poseSamples(sources.samples, first, count, vertex.offset, vertex.normal);
 }
 
 function polyline(
