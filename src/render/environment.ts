@@ -1,10 +1,12 @@
 import { acos, atan, clamp, dot, int, texture, uniform, vec2 } from 'three/tsl';
 import { Color, type DataTexture, Vector3 } from 'three/webgpu';
-import { normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
-import type { DistantLight, DomeLight, Light, Scene, SphereLight, Texture } from '../scene/types.ts';
+import { normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { axesOf, DAY, type DirectLight, directLights, domeOf } from '../scene/daylight.ts';
+import { originLine } from '../scene/motion.ts';
+import type { DomeLight, Scene, SphereLight, Texture } from '../scene/types.ts';
 import type * as gpu from '../shaders/types.ts';
 import { FloatTable } from './floatTable.ts';
-import type { Sight } from './sight.ts';
+import { meet, type Sight } from './sight.ts';
 import { uploadTexture } from './textures.ts';
 
 /** Direct light on the GPU: the direction to it (w = 0) or its place relative to the observer [m] (w = 1), and its colour. */
@@ -12,14 +14,6 @@ export interface LightTexels {
   readonly place: gpu.Vec4;
   readonly color: gpu.Vec3;
 }
-
-/** A clear afternoon, for scenes that bring no light: irradiance of the sun and radiance of the sky. */
-const DAY = {
-  sun: [2.7, 2.45, 2.1],
-  zenith: [0.14, 0.31, 0.68],
-  horizon: [0.62, 0.74, 0.88],
-  ground: [0.19, 0.18, 0.165],
-} as const;
 
 /** Where light comes from: distant and sphere lights in a table, and a sky (the scene's dome, or a clear day's). */
 export class Environment {
@@ -32,14 +26,13 @@ export class Environment {
   };
   /** Radiance of the dome's picture in a world direction. */
   readonly image: ((n: gpu.Vec3) => gpu.Vec3) | undefined;
-  readonly lights: readonly (DistantLight | SphereLight)[];
+  readonly lights: readonly DirectLight[];
   private readonly table = new FloatTable(256);
   private readonly domeTexture: DataTexture | undefined;
 
   constructor(scene: Scene) {
-    const dome = scene.lights.find(isDome);
-    const direct = scene.lights.filter(isDirect);
-    this.lights = scene.lights.length > 0 ? direct : [defaultSun(scene.upAxis)];
+    const dome = domeOf(scene);
+    this.lights = directLights(scene);
     this.table.reserve(2 * this.lights.length);
     if (dome) this.setDome(dome);
     else this.setDay();
@@ -54,14 +47,12 @@ export class Environment {
     return { place: this.table.texel(at).toVar(), color: this.table.texel(at.add(int(1))).xyz.toVar() };
   }
 
-  /** Lights stand in the world, so their places are uploaded relative to the observer's event. */
-  update({ position }: Sight): void {
+  /** Places are uploaded relative to the observer's event. */
+  update(sight: Sight): void {
     this.lights.forEach((light, i) => {
       const distant = light.kind === 'distant';
-      const place = distant ? normalize(scale(light.direction, -1)) : sub(light.position, position);
-      // A sphere's radiance L gives E = πL(r/d)²; of a point, which has none, the colour is the intensity: E = I/d².
-      const strength = distant || light.radius === 0 ? 1 : Math.PI * light.radius * light.radius;
-      this.table.values.set([...place, distant ? 0 : 1, ...scale(light.color, strength), 0], 8 * i);
+      const [place, color] = distant ? [normalize(scale(light.direction, -1)), light.color] : lampSeen(light, sight);
+      this.table.values.set([...place, distant ? 0 : 1, ...color, 0], 8 * i);
     });
     this.table.upload();
   }
@@ -92,20 +83,28 @@ export class Environment {
 }
 
 const WHITE: Vec3 = [1, 1, 1];
-const isDome = (light: Light): light is DomeLight => light.kind === 'dome';
-const isDirect = (light: Light): light is DistantLight | SphereLight => light.kind !== 'dome';
 
-function defaultSun(upAxis: Scene['upAxis']): DistantLight {
-  const direction: Vec3 = upAxis === 'Y' ? [-0.55, -0.75, -0.45] : [-0.55, 0.45, -0.75];
-  return { kind: 'distant', path: '', direction: normalize(direction), color: DAY.sun };
+/**
+ * Where the observer sees the lamp, and its intensity: that is taken for where it shines from on all surfaces, as if its light took no time to them
+ * and had no shift of its own (docs/model.md). A sphere's radiance L is the intensity πr²L; a point's colour is its intensity.
+ */
+function lampSeen(
+  { motion, lifetime, radius, color }: SphereLight,
+  sight: Sight,
+): readonly [place: Vec3, intensity: Vec3] {
+  const event = meet(originLine(motion), sight);
+  if (!event) return [ZERO, ZERO];
+  const time = sight.t + event.ahead / sight.c;
+  const shines = lifetime.birth <= time && time <= lifetime.death;
+  const area = radius === 0 ? 1 : Math.PI * radius * radius;
+  return [event.offset, shines ? scale(color, area) : ZERO];
 }
 
 /** A latitude–longitude picture: its top row at the zenith, its middle column towards −Z (upAxis Y) or +Y (upAxis Z). */
 function domeImage(image: DataTexture, upAxis: Scene['upAxis'], color: Vec3): (n: gpu.Vec3) => gpu.Vec3 {
   const tint = uniform(new Vector3(...color));
-  const up = uniform(upAxis === 'Y' ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1));
-  const ahead = uniform(upAxis === 'Y' ? new Vector3(0, 0, -1) : new Vector3(0, 1, 0));
-  const right = uniform(new Vector3(1, 0, 0));
+  const axes = axesOf(upAxis);
+  const [up, ahead, right] = [axes.up, axes.ahead, axes.right].map((axis) => uniform(new Vector3(...axis)));
   return (n) => {
     const around = atan(dot(n, right), dot(n, ahead))
       .div(2 * Math.PI)

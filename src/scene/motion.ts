@@ -4,7 +4,15 @@ import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { positionAt, samplesUntil, type WorldLine } from '../physics/worldLine.ts';
 import { pointAt } from './polygons.ts';
-import type { HyperbolicMotion, Motion, Pose, SampledMotion, SampledPointsMotion, SceneObject } from './types.ts';
+import type {
+  FrameMotion,
+  HyperbolicMotion,
+  Motion,
+  Pose,
+  SampledMotion,
+  SampledPointsMotion,
+  SceneObject,
+} from './types.ts';
 
 /** Sample i of rigid poses. */
 export function samplePose(poses: ArrayLike<number>, i: number): Pose {
@@ -48,7 +56,7 @@ function piece(times: Float64Array, t: number): { before: number; after: number;
 }
 
 /** The world line of the origin of the object's frame. */
-export function originLine(motion: Exclude<Motion, SampledPointsMotion>): WorldLine {
+export function originLine(motion: FrameMotion): WorldLine {
   switch (motion.kind) {
     case 'static':
       return { kind: 'static', position: motion.pose.position };

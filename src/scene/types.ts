@@ -85,7 +85,10 @@ export interface Pose {
 }
 
 /** How an object's frame, or each of its points, moves through the world. */
-export type Motion = StaticMotion | UniformMotion | HyperbolicMotion | SampledMotion | SampledPointsMotion;
+export type Motion = FrameMotion | SampledPointsMotion;
+
+/** How one frame moves through the world: of a rigid object, a light, a camera. */
+export type FrameMotion = StaticMotion | UniformMotion | HyperbolicMotion | SampledMotion;
 
 export interface StaticMotion {
   readonly kind: 'static';
@@ -146,6 +149,8 @@ export interface Material {
   readonly opacity: number;
   /** Fragments less opaque than this are cut out; 0: none is. */
   readonly opacityThreshold: number;
+  /** Refractive index, where the file gives it; without one a surface reflects as glass of 1.5 does. */
+  readonly ior?: number;
 }
 
 export interface Texture {
@@ -175,9 +180,13 @@ export interface DistantLight {
 export interface SphereLight {
   readonly kind: 'sphere';
   readonly path: string;
-  /** [m] */
-  readonly position: Vec3;
+  /** Of its centre; it shines alike to all sides of its own frame, so its orientation does not matter. */
+  readonly motion: FrameMotion;
+  /** World times between which it shines [s]. */
+  readonly lifetime: Lifetime;
+  /** In its own frame [m]. */
   readonly radius: number;
+  /** Linear sRGB in its own frame: the radiance L of its surface, so that E = πL(radius/distance)²; of a point (radius 0) the intensity I, E = I/distance². */
   readonly color: Vec3;
 }
 export interface DomeLight {

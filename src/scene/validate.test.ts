@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { fromAxisAngle, IDENTITY } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import { makeObject, makeScene, restingAt } from './defaults.ts';
+import { FOREVER, makeObject, makeScene, restingAt } from './defaults.ts';
 import { box } from './primitives.ts';
 import type { Mesh, Motion, SampledMotion, Scene, SceneObject } from './types.ts';
 import { validate } from './validate.ts';
@@ -100,10 +100,11 @@ describe('validate', () => {
       ]),
       fovY: 1,
     };
-    expect(validate({ ...scene(), cameras: [camera] }, 10)[0]).toMatchObject({
-      place: 'motion of /Camera',
-      code: 'motion.superluminal',
-    });
+    const lamp = { ...camera, kind: 'sphere', path: '/Lamp', lifetime: FOREVER, radius: 1, color: [1, 1, 1] } as const;
+    expect(validate({ ...scene(), cameras: [camera], lights: [lamp] }, 10)).toMatchObject([
+      { place: 'motion of /Camera', code: 'motion.superluminal' },
+      { place: 'motion of /Lamp', code: 'motion.superluminal' },
+    ]);
   });
 
   it('a Born-rigid body may not reach its horizon', () => {

@@ -3,7 +3,16 @@ import { dot, length, type Vec3 } from '../math/vec3.ts';
 import { makeObject } from './defaults.ts';
 import { fastest } from './fastest.ts';
 import { pointAt } from './polygons.ts';
-import type { Diagnostic, HyperbolicMotion, Mesh, Motion, Scene, SceneCamera, SceneObject } from './types.ts';
+import type {
+  Diagnostic,
+  HyperbolicMotion,
+  Mesh,
+  Motion,
+  Scene,
+  SceneCamera,
+  SceneObject,
+  SphereLight,
+} from './types.ts';
 
 /**
  * What is wrong with a scene at the speed of light c [m/s], object by object. Errors are things that no picture can be made of;
@@ -13,7 +22,8 @@ export function validate(scene: Scene, c: number): Diagnostic[] {
   return [
     ...duplicatePaths(scene),
     ...scene.objects.flatMap((object) => validateObject(object, scene, c)),
-    ...scene.cameras.flatMap((camera) => validateCamera(camera, c)),
+    ...scene.cameras.flatMap((camera) => validateFrame(camera, c)),
+    ...scene.lights.flatMap((light) => (light.kind === 'sphere' ? validateFrame(light, c) : [])),
   ];
 }
 
@@ -231,8 +241,8 @@ function validateHorizon({ path, mesh, authoredIn }: SceneObject, motion: Hyperb
   return [problem('error', 'motion.horizon', `motion of ${path}`, message)];
 }
 
-/** A camera's frame is a point: its own speed is what counts. */
-function validateCamera({ path, motion }: SceneCamera, c: number): Diagnostic[] {
+/** The frame of a camera or a light is a point: its own speed is what counts. */
+function validateFrame({ path, motion }: SceneCamera | SphereLight, c: number): Diagnostic[] {
   const found = validateTimes(motion, path);
   if (hasError(found)) return found;
   const bad = badMotion(motion);

@@ -2,6 +2,7 @@ import { Document, type Node as GltfNode, type Primitive, WebIO } from '@gltf-tr
 import {
   KHRLightsPunctual,
   KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
   KHRMaterialsUnlit,
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
@@ -48,7 +49,13 @@ export class Kit {
     this.animation.addSampler(sampler).addChannel(channel);
   }
   async files(): Promise<FileSource> {
-    const used = [KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsUnlit, KHRTextureTransform];
+    const used = [
+      KHRLightsPunctual,
+      KHRMaterialsEmissiveStrength,
+      KHRMaterialsIOR,
+      KHRMaterialsUnlit,
+      KHRTextureTransform,
+    ];
     return memorySource({ 'a.glb': await new WebIO().registerExtensions(used).writeBinary(this.doc) });
   }
   async read(options?: ReadOptions): Promise<Scene> {

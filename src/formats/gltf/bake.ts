@@ -16,8 +16,8 @@ import { type Knots, knotsOf, sampleTimes } from './sampling.ts';
 /** Distance of straight pieces from the true path, as a fraction of half the object's diagonal. */
 const RIGID_TOLERANCE = 1e-4;
 const DEFORMING_TOLERANCE = 1e-3;
-/** A camera's path and axes, 1 m long [m]. */
-const CAMERA_TOLERANCE = 1e-4;
+/** The path and the axes, 1 m long, of what has no size [m]. */
+const FRAME_TOLERANCE = 1e-4;
 /** How far the matrix of a rigid motion may be from a rotation: files hold single precision. */
 const RIGIDITY = 1e-5;
 /** Points of a deforming mesh by whose paths its sample times are chosen. */
@@ -77,8 +77,8 @@ export class Baker {
     return { mesh, motion: { kind: 'sampled-points', times: Float64Array.from(times), origin, points, normals } };
   }
 
-  /** Where a camera is and looks; its scale does not count. */
-  bakeCamera(node: GltfNode): StaticMotion | SampledMotion {
+  /** Where a camera is and looks, or a light; its scale does not count. */
+  bakeFrame(node: GltfNode): StaticMotion | SampledMotion {
     const placementAt = (t: number): Placement => this.#tree.placementAt(node, t);
     const knots = knotsOf(this.#tree.curvesAbove(node));
     const poseAt = (t: number): Pose => poseOf(placementAt(t));
@@ -88,9 +88,8 @@ export class Baker {
       const { position, orientation } = poseAt(t);
       return { matrix: fromParts(toMatrix(orientation), position), rotation: orientation };
     };
-    const times = sampleTimes(knots, cornerPaths(axes, rigid), CAMERA_TOLERANCE);
-    const motion = rigidMotion(times, times.map(poseAt));
-    return motion;
+    const times = sampleTimes(knots, cornerPaths(axes, rigid), FRAME_TOLERANCE);
+    return rigidMotion(times, times.map(poseAt));
   }
 
   #tolerance(byDefault: number): number {

@@ -2,6 +2,7 @@ import { BufferUtils, type Document, type GLTF, type ILogger, WebIO } from '@glt
 import {
   KHRLightsPunctual,
   KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
   KHRMaterialsUnlit,
   KHRMeshQuantization,
   KHRTextureTransform,
@@ -20,6 +21,7 @@ const GLB_BUFFER = '@glb.bin';
 const EXTENSIONS = [
   KHRLightsPunctual,
   KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
   KHRMaterialsUnlit,
   KHRMeshQuantization,
   KHRTextureTransform,

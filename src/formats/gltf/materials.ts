@@ -1,5 +1,5 @@
 import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
-import type { EmissiveStrength, Transform } from '@gltf-transform/extensions';
+import type { EmissiveStrength, IOR, Transform } from '@gltf-transform/extensions';
 import { scale, type Vec3, ZERO } from '../../math/vec3.ts';
 import { InputError, type Material, type Texture, type TextureWrap } from '../../scene/types.ts';
 import { type DecodedImage, decodeImage } from '../images.ts';
@@ -41,6 +41,7 @@ export class MaterialLibrary {
     const [r, g, b, alpha] = material.getBaseColorFactor();
     const mode = material.getAlphaMode();
     const strength = material.getExtension<EmissiveStrength>('KHR_materials_emissive_strength');
+    const ior = material.getExtension<IOR>('KHR_materials_ior');
     const baseColor: Vec3 = [r, g, b];
     const baseColorTexture = this.#texture(
       material.getBaseColorTexture(),
@@ -62,6 +63,7 @@ export class MaterialLibrary {
       metallic: isUnlit ? 0 : material.getMetallicFactor(),
       opacity: mode === 'OPAQUE' ? 1 : alpha,
       opacityThreshold: mode === 'MASK' ? material.getAlphaCutoff() : 0,
+      ...(ior && { ior: ior.getIOR() }),
     };
   }
 

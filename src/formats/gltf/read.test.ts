@@ -1,6 +1,7 @@
 import {
   KHRLightsPunctual,
   KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
   KHRMaterialsUnlit,
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
@@ -8,7 +9,8 @@ import { describe, expect, it } from 'vitest';
 import { find, Kit } from '../../../tests/support/gltfKit.ts';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { distance, type Vec3 } from '../../math/vec3.ts';
-import { vertexPosition } from '../../scene/motion.ts';
+import { positionAt } from '../../physics/worldLine.ts';
+import { originLine, vertexPosition } from '../../scene/motion.ts';
 import { encodePng } from '../png.ts';
 import { memorySource } from '../source.ts';
 import { readGltf } from './index.ts';
@@ -59,6 +61,7 @@ describe('glTF meshes', () => {
       .setEmissiveStrength(4);
     const glow = kit.doc.createMaterial('Glow').setEmissiveFactor([1, 0, 0.5]).setAlphaMode('MASK').setAlphaCutoff(0.3);
     glow.setExtension('KHR_materials_emissive_strength', strong).setDoubleSided(true);
+    glow.setExtension('KHR_materials_ior', kit.doc.createExtension(KHRMaterialsIOR).createIOR().setIOR(2.4));
     const uvs = kit.values('VEC2', [0, 0, 1, 0, 0, 0.5]);
     const bytes = kit.doc
       .createAccessor()
@@ -89,6 +92,7 @@ describe('glTF meshes', () => {
       wrapT: 'repeat',
     });
     expect([...first.baseColorTexture!.data]).toEqual([255, 0, 0, 255, 0, 0, 255, 255]);
+    expect([first.ior, second.ior]).toEqual([undefined, 2.4]);
     expect(second).toMatchObject({ emissive: [4, 0, 2], opacityThreshold: 0.3 });
     expect(mesh.doubleSided).toBe(true);
     expect(scene.diagnostics.map((d) => d.code)).toEqual(['gltf.mixed-sides']);
@@ -156,11 +160,25 @@ describe('glTF lights', () => {
     expect(lights[0]).toMatchObject({ kind: 'distant', path: '/Sun', color: [4, 2, 0] });
     const direction = lights[0].kind === 'distant' ? lights[0].direction : ([0, 0, 0] as const);
     expect(distance(direction, [0, 1, 0])).toBeLessThan(1e-6);
-    expect(lights[1]).toMatchObject({ kind: 'sphere', path: '/Lamp/Light', position: [1, 2, 3] });
+    expect(lights[1]).toMatchObject({
+      kind: 'sphere',
+      path: '/Lamp/Light',
+      motion: { kind: 'static', pose: { position: [1, 2, 3] } },
+    });
     // From far away the sphere shines as the point does: I = L π r².
     const { radius, color } = lights[1] as { radius: number; color: Vec3 };
     expect(color[0] * Math.PI * radius ** 2).toBeCloseTo(2, 12);
     expect(objects.map((o) => o.path)).toEqual(['/Lamp/Mesh']);
+  });
+
+  it('lamps move with their nodes', async () => {
+    const kit = new Kit();
+    const bulb = kit.doc.createExtension(KHRLightsPunctual).createLight('Bulb').setType('point');
+    const node = kit.doc.createNode('Bulb').setExtension('KHR_lights_punctual', bulb);
+    kit.scene.addChild(node);
+    kit.animate(node, 'translation', [0, 2], [0, 0, 5, 4, 0, 5]);
+    const [lamp] = (await kit.read()).lights;
+    expect(lamp.kind === 'sphere' && positionAt(originLine(lamp.motion), 0.5, C)).toEqual([1, 0, 5]);
   });
 });
 
@@ -181,7 +199,6 @@ describe('glTF extensions', () => {
     const { cameras, diagnostics } = await readGltf(files, 'a.gltf');
     expect(cameras.map((c) => c.path)).toEqual(['/Seen']);
     expect(diagnostics.map((d) => [d.severity, d.message])).toEqual([
-      ['info', 'the extension KHR_materials_ior is left out'],
       ['warning', 'the extension ACME_smell is left out'],
       ['warning', 'the extension EXT_texture_webp is left out; what uses it is shown without its picture or colour'],
     ]);

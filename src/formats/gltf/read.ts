@@ -2,8 +2,15 @@ import type { Animation, Mesh as GltfMesh, Node as GltfNode } from '@gltf-transf
 import type { Light as GltfLight } from '@gltf-transform/extensions';
 import { rotate } from '../../math/quat.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import { makeObject, makeScene } from '../../scene/defaults.ts';
-import { InputError, type Light, type Scene, type SceneCamera, type SceneObject } from '../../scene/types.ts';
+import { FOREVER, makeObject, makeScene } from '../../scene/defaults.ts';
+import {
+  type FrameMotion,
+  InputError,
+  type Light,
+  type Scene,
+  type SceneCamera,
+  type SceneObject,
+} from '../../scene/types.ts';
 import { messageOf } from '../fail.ts';
 import type { ReadOptions } from '../registry.ts';
 import type { FileSource } from '../source.ts';
@@ -147,30 +154,41 @@ class SceneBuilder {
       this.#context.notes.add('warning', 'camera', path, 'an orthographic camera is not read; it is left out');
       return;
     }
-    this.cameras.push({ path, motion: this.#baker.bakeCamera(node), fovY: camera.getYFov() });
+    this.cameras.push({ path, motion: this.#baker.bakeFrame(node), fovY: camera.getYFov() });
   }
 
   #addLight(node: GltfNode): void {
     const light = node.getExtension<GltfLight>('KHR_lights_punctual');
     if (!light) return;
     const path = this.#pathOf(node, 'Light');
-    const curves = this.#tree.curvesAbove(node);
-    if (curves.length > 0) this.#context.notes.add('warning', 'light', path, 'a moving light is shown where it starts');
-    const start = Math.min(...curves.map((curve) => curve.times[0]), Number.MAX_VALUE);
-    const { matrix, rotation } = this.#tree.placementAt(node, curves.length > 0 ? start : 0);
     const color = scale(light.getColor(), light.getIntensity());
     if (light.getType() === 'directional') {
-      this.lights.push({ kind: 'distant', path, direction: rotate(rotation, [0, 0, -1]), color });
+      this.lights.push({ kind: 'distant', path, direction: this.#shining(node, path), color });
       return;
     }
     if (light.getType() === 'spot')
       this.#context.notes.add('info', 'light', path, 'a spot light shines all round here');
-    this.lights.push(pointLight(path, [matrix[3], matrix[7], matrix[11]], color));
+    this.lights.push(pointLight(path, this.#baker.bakeFrame(node), color));
+  }
+
+  /** The way a distant light shines, at its start. */
+  #shining(node: GltfNode, path: string): Vec3 {
+    const curves = this.#tree.curvesAbove(node);
+    if (curves.length > 0) this.#context.notes.add('warning', 'light', path, 'a turning sun is held where it starts');
+    const start = curves.length > 0 ? Math.min(...curves.map((curve) => curve.times[0])) : 0;
+    return rotate(this.#tree.placementAt(node, start).rotation, [0, 0, -1]);
   }
 }
 
 /** A small sphere of radiance L has the luminous intensity I = π r² L of the point [cd]. */
-function pointLight(path: string, position: Vec3, intensity: Vec3): Light {
+function pointLight(path: string, motion: FrameMotion, intensity: Vec3): Light {
   const radius = POINT_LIGHT_RADIUS;
-  return { kind: 'sphere', path, position, radius, color: scale(intensity, 1 / (Math.PI * radius * radius)) };
+  return {
+    kind: 'sphere',
+    path,
+    motion,
+    lifetime: FOREVER,
+    radius,
+    color: scale(intensity, 1 / (Math.PI * radius * radius)),
+  };
 }

@@ -74,6 +74,7 @@ export class MaterialTable {
     const opacity = await this.opacity(input('opacity'));
     const diffuse = await this.color(input('diffuseColor'), DEFAULTS.baseColor, opacity.alphaOf);
     const emissive = await this.color(input('emissiveColor'), [0, 0, 0], undefined);
+    const ior = numberOf(input('ior').value);
     const material: Material = {
       name: path,
       baseColor: diffuse.color,
@@ -84,6 +85,7 @@ export class MaterialTable {
       metallic: await this.scalar(input('metallic'), DEFAULTS.metallic),
       opacity: opacity.value,
       opacityThreshold: numberOf(input('opacityThreshold').value) ?? 0,
+      ...(ior !== undefined && { ior }),
     };
     this.noteWhatIsNotDrawn(path, input);
     const uv = diffuse.uv ?? emissive.uv ?? opacity.uv;

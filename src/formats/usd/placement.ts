@@ -28,8 +28,14 @@ export interface Placed {
   readonly motion: StaticMotion | SampledMotion | SampledPointsMotion;
 }
 
+interface Still extends Placed {
+  readonly motion: StaticMotion;
+}
+
 /** Stretches that differ by less than this part are one: what an exporter's f32 rounding leaves. */
 const RIGID = 1e-5;
+/** Turns between samples of what has no size are followed to this angle [rad], paths to as many metres. */
+const FRAME_TOLERANCE = 1e-4;
 
 /**
  * The motion of a mesh. What does not change with time is static, its scale and shear in the mesh. What moves without
@@ -56,13 +62,13 @@ export function placeShape(context: StageContext, path: string, shape: Shape, fr
 }
 
 /** The same without motion, at one time. */
-export function placeStill(context: StageContext, shape: Shape, frame: Frame, time: number): Placed {
+export function placeStill(context: StageContext, shape: Shape, frame: Frame, time: number): Still {
   const positions = shape.deformation?.positionsAt(time);
   const mesh = positions ? withPositions(shape.mesh, positions) : shape.mesh;
   return fixed(mesh, scaledFrame(frame, context.unit).matrixAt(time));
 }
 
-function fixed(mesh: Mesh, matrix: mat4.Mat4): Placed {
+function fixed(mesh: Mesh, matrix: mat4.Mat4): Still {
   const { pose, stretch } = mat4.decomposeRigid(matrix);
   return { mesh: stretched(mesh, stretch), motion: { kind: 'static', pose } };
 }
@@ -99,6 +105,26 @@ export function sampledPoses(
   const moves = out.some((x, i) => x !== out[i % 7]);
   if (!moves || times.length < 2) return { kind: 'static', pose: poses[0] };
   return { kind: 'sampled', times: times.map((t) => t / context.codesPerSecond), poses: out };
+}
+
+/** How a prim's own axes move: of a camera or a light, which have no size. Their scale does not matter. */
+export function frameMotion(context: StageContext, frame: Frame): StaticMotion | SampledMotion {
+  const world = scaledFrame(frame, context.unit);
+  const poseAt = (time: number): mat4.RigidPose => mat4.decomposeRigid(world.matrixAt(time)).pose;
+  if (world.times.length === 0) return { kind: 'static', pose: poseAt(context.startCode) };
+  const rigidAt = (time: number): mat4.Mat4 => mat4.fromPose(poseAt(time));
+  // Tips of the axes: they turn by at most the tolerance against the chord.
+  const { times } = refineTimes(
+    world.times,
+    rigidAt,
+    [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ],
+    FRAME_TOLERANCE,
+  );
+  return sampledPoses(context, times, Array.from(times, poseAt));
 }
 
 function deforming(context: StageContext, path: string, shape: Shape, world: Frame): Placed {

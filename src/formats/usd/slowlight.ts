@@ -1,9 +1,8 @@
 import { scale } from '../../math/vec3.ts';
-import type { Lifetime, Motion, SceneHints } from '../../scene/types.ts';
+import type { HyperbolicMotion, Lifetime, Pose, SceneHints, UniformMotion } from '../../scene/types.ts';
 import { numberAt, textAt, vec3At, vec3Of } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import type { Dictionary, Layer, PrimSpec, Value } from './layer.ts';
-import type { Placed } from './placement.ts';
 
 /** What our own attributes (docs/guide/usd.md) say about a prim; descendants have it too, unless they say otherwise. */
 export interface Directions {
@@ -47,10 +46,13 @@ export function poseTimeOf(directions: Directions): number | undefined {
   return directions.motion === 'hyperbolic' ? (directions.t0 ?? 0) : undefined;
 }
 
-/** The motion that the attributes ask for, from where the object is at their pose time. */
-export function directedMotion(context: StageContext, path: string, placed: Placed, directions: Directions): Motion {
-  if (placed.motion.kind !== 'static') return placed.motion;
-  const { pose } = placed.motion;
+/** The motion that the attributes ask for, from the pose at their pose time. */
+export function directedMotion(
+  context: StageContext,
+  path: string,
+  pose: Pose,
+  directions: Directions,
+): UniformMotion | HyperbolicMotion {
   if (directions.motion === 'uniform')
     return { kind: 'uniform', pose, velocity: scale(needed(context, path, directions, 'velocity'), context.unit) };
   const properAcceleration = scale(needed(context, path, directions, 'properAcceleration'), context.unit);

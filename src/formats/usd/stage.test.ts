@@ -268,7 +268,11 @@ describe('meshes', async () => {
     if (sun.kind !== 'distant') throw new Error(sun.kind);
     expect(distance(sun.direction, towards)).toBeLessThan(1e-6);
     expect(sun.color).toEqual([6, 5.4, 4.8].map((x) => expect.closeTo(x, 5)));
-    expect(light('sphere')).toMatchObject({ position: [1, 2, 3], radius: 0.5, color: [40, 40, 40] });
+    expect(light('sphere')).toMatchObject({
+      motion: { pose: { position: [1, 2, 3] } },
+      radius: 0.5,
+      color: [40, 40, 40],
+    });
     expect(light('dome').color).toEqual([0.1, 0.2, 0.5].map((x) => expect.closeTo(x, 6)));
   });
 

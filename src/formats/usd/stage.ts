@@ -9,7 +9,7 @@ import type { PrimSpec } from './layer.ts';
 import { isLight, isUnreadLight, lightOf } from './lights.ts';
 import { MaterialTable } from './materials.ts';
 import { meshShape } from './meshes.ts';
-import { type Placed, placeShape, placeStill, type Shape } from './placement.ts';
+import { placeShape, placeStill, type Shape } from './placement.ts';
 import {
   authoredInOf,
   checkDirections,
@@ -114,7 +114,8 @@ class StageReader {
 
   private async read(prim: PrimSpec, own: Inherited): Promise<void> {
     if (prim.typeName === 'Camera') this.cameras.push(cameraOf(this.context, prim, own.frame));
-    else if (isLight(prim.typeName)) this.lights.push(await lightOf(this.context, this.textures, prim, own.frame));
+    else if (isLight(prim.typeName))
+      this.lights.push(await lightOf(this.context, this.textures, prim, own.frame, own.directions));
     else if (prim.typeName === 'Mesh' || isImplicit(prim.typeName)) await this.readObject(prim, own);
   }
 
@@ -147,8 +148,8 @@ class StageReader {
       const message = `slowlight:motion and time samples both move it; it keeps its pose of t = ${poseTime} s and moves as slowlight:motion says`;
       report(this.context, 'warning', 'usd.slowlight', prim.path, message);
     }
-    const still: Placed = placeStill(this.context, shape, own.frame, poseTime * this.context.codesPerSecond);
-    return { mesh: still.mesh, motion: directedMotion(this.context, prim.path, still, own.directions) };
+    const still = placeStill(this.context, shape, own.frame, poseTime * this.context.codesPerSecond);
+    return { mesh: still.mesh, motion: directedMotion(this.context, prim.path, still.motion.pose, own.directions) };
   }
 }
 

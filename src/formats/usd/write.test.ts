@@ -91,6 +91,7 @@ const scene: Scene = {
       metallic: 0,
       opacity: 1,
       opacityThreshold: 0,
+      ior: 1.75,
     },
     {
       name: '/Looks/White',
@@ -114,7 +115,26 @@ const scene: Scene = {
   ],
   lights: [
     { kind: 'distant', path: '/Lights/Sun', direction: [0.6, 0, -0.8], color: [3, 2.5, 2] },
-    { kind: 'sphere', path: '/Lights/Lamp', position: [1, 2, 3], radius: 0.25, color: [10, 10, 10] },
+    {
+      kind: 'sphere',
+      path: '/Lights/Lamp',
+      motion: { kind: 'uniform', pose, velocity: [1, 2, 3] },
+      lifetime: { birth: -1, death: Number.POSITIVE_INFINITY },
+      radius: 0.25,
+      color: [10, 10, 10],
+    },
+    {
+      kind: 'sphere',
+      path: '/Lights/Swung',
+      motion: {
+        kind: 'sampled',
+        times: Float64Array.of(0, 0.75),
+        poses: Float64Array.of(0, 0, 0, 0, 0, 0, 1, 4, 0, 0.5, 0, 0, 0, 1),
+      },
+      lifetime: { birth: Number.NEGATIVE_INFINITY, death: 3 },
+      radius: 0,
+      color: [1, 2, 3],
+    },
     { kind: 'dome', path: '/Lights/Sky', color: [0.5, 0.5, 1], texture: texture('sky.png', 255, 5) },
   ],
   cameras: [
@@ -220,7 +240,7 @@ describe('what is written reads back the same', async () => {
   it('lights, cameras, hints and times', () => {
     expect(back.lights).toMatchObject([
       { kind: 'distant', direction: [0.6, 0, -0.8].map((x) => expect.closeTo(x, 12)), color: [3, 2.5, 2] },
-      scene.lights[1],
+      ...scene.lights.slice(1, 3),
       { kind: 'dome', color: [0.5, 0.5, 1] },
     ]);
     expect(back.cameras.map((c) => c.fovY)).toEqual([expect.closeTo(0.8, 6), expect.closeTo(1.2, 6)]);

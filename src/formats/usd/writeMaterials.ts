@@ -77,6 +77,7 @@ export class MaterialWriter {
       'uniform token info:id = "UsdPreviewSurface"',
       input('color3f', 'diffuseColor', diffuse, floats(m.baseColor)),
       input('color3f', 'emissiveColor', emissive && `<${path}/Emissive.outputs:rgb>`, floats(m.emissive)),
+      ...(m.ior === undefined ? [] : [`float inputs:ior = ${float(m.ior)}`]),
       `float inputs:metallic = ${float(m.metallic)}`,
       input('float', 'opacity', cutOut ? `<${path}/BaseColor.outputs:a>` : undefined, float(m.opacity)),
       `float inputs:opacityThreshold = ${float(m.opacityThreshold)}`,

@@ -104,8 +104,10 @@ function pointLines(mesh: Mesh, motion: Motion, placement: Placement): Lines {
   ];
 }
 
-/** Our own attributes: what closed-form motion, lifetime and frame of authoring an object has. */
-function directionLines({ motion, lifetime, authoredIn }: SceneObject, placement: Placement): Lines {
+type Directed = Pick<SceneObject, 'motion' | 'lifetime'> & Partial<Pick<SceneObject, 'authoredIn'>>;
+
+/** Our own attributes: what closed-form motion, lifetime and frame of authoring an object or a light has. */
+function directionLines({ motion, lifetime, authoredIn }: Directed, placement: Placement): Lines {
   const perUnit = (v: Vec3): string => doubles(v.map((x) => x / placement.metersPerUnit));
   return [
     ...(authoredIn === 'rest' ? ['custom token slowlight:authoredIn = "rest"'] : []),
@@ -188,8 +190,10 @@ export function lightContent(light: Light, placement: Placement, file: string | 
   }
   if (light.kind === 'sphere') {
     const radius = `float inputs:radius = ${float(light.radius / placement.metersPerUnit)}`;
-    const place = poseLines({ position: light.position, orientation: IDENTITY }, placement);
-    return { type: 'SphereLight', properties: [...color, radius, ...place] };
+    return {
+      type: 'SphereLight',
+      properties: [...color, radius, ...directionLines(light, placement), ...motionLines(light.motion, placement)],
+    };
   }
   const texture = file ? [`asset inputs:texture:file = @${file}@`] : [];
   return { type: 'DomeLight', properties: [...color, ...texture] };

@@ -1,0 +1,51 @@
+import { normalize, type Vec3 } from '../math/vec3.ts';
+import type { DistantLight, DomeLight, Light, Scene, SphereLight } from './types.ts';
+
+// What shines on a scene, and what it is seen against: its own lights, or a clear day's.
+
+/** A clear afternoon, for scenes that bring no light: irradiance of the sun and radiance of the sky. Linear sRGB. */
+export const DAY = {
+  sun: [2.7, 2.45, 2.1],
+  zenith: [0.14, 0.31, 0.68],
+  horizon: [0.62, 0.74, 0.88],
+  ground: [0.19, 0.18, 0.165],
+} as const satisfies Record<string, Vec3>;
+
+/**
+ * The sky by height h = n·zenith: above, horizon → zenith as h^curve; below, a haze of the horizon's colour that fades to the
+ * ground within `haze`; the two meet within ±`seam`.
+ */
+export const SKY_SHAPE = { curve: 0.45, dim: 0.8, haze: 0.35, seam: 0.015 } as const;
+
+/** What is seen of a distant light, a little larger and far dimmer than a real sun, by a = 1 − cos(angle): a disc with a soft rim, and two glows s·exp(−a·rate). */
+export const SUN_DISC = {
+  rim: [3.4e-5, 4.2e-5],
+  radiance: 20,
+  glows: [
+    [0.25, 900],
+    [0.05, 40],
+  ],
+} as const;
+
+export type DirectLight = DistantLight | SphereLight;
+
+/** Lights that come from somewhere; the day's sun where the scene brings no light at all. */
+export const directLights = ({ lights, upAxis }: Pick<Scene, 'lights' | 'upAxis'>): readonly DirectLight[] =>
+  lights.length > 0 ? lights.filter(isDirect) : [defaultSun(upAxis)];
+
+/** The light all round; a clear day's sky where there is none. */
+export const domeOf = ({ lights }: Pick<Scene, 'lights'>): DomeLight | undefined =>
+  lights.find((light) => light.kind === 'dome');
+
+const isDirect = (light: Light): light is DirectLight => light.kind !== 'dome';
+
+function defaultSun(upAxis: Scene['upAxis']): DistantLight {
+  const direction: Vec3 = upAxis === 'Y' ? [-0.55, -0.75, -0.45] : [-0.55, 0.45, -0.75];
+  return { kind: 'distant', path: '', direction: normalize(direction), color: DAY.sun };
+}
+
+/** Axes of a world: up, where a dome's picture has its middle column, and the side its columns run to. */
+export const axesOf = (upAxis: Scene['upAxis']): { readonly up: Vec3; readonly ahead: Vec3; readonly right: Vec3 } =>
+  upAxis === 'Y'
+    ? { up: [0, 1, 0], ahead: [0, 0, -1], right: [1, 0, 0] }
+    : { up: [0, 0, 1], ahead: [0, 1, 0], right: [1, 0, 0] };
