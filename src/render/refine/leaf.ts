@@ -1,0 +1,73 @@
+/**
+ * A leaf: a triangle of the mesh, or a part of one, as eight floats.
+ *   0      triangle, by its place in the batch's indices / 3
+ *   1 … 6  w0.1, w0.2, w1.1, w1.2, w2.1, w2.2: weights of the triangle's second and third corner at the leaf's corners 0, 1, 2
+ *          (the first has what is left of 1), multiples of 2^−MOST_HALVINGS and so exact in f32, as all their sums are
+ *   7      levels of the edges 0–1, 1–2 and 2–0 (`packLevels`); 0 where they are not known yet
+ */
+export const LEAF_FLOATS = 8;
+/** An edge of level L has 2^L pieces. */
+export const MOST_LEVEL = 4;
+/** How often an edge of the mesh can be halved before its leaves' levels. */
+export const MOST_HALVINGS = 20;
+
+/** The levels of a leaf's edges as one number that is exact in f32. */
+export const packLevels = (l01: number, l12: number, l20: number): number => l01 + 8 * l12 + 64 * l20;
+
+/** A list of leaves that grows. */
+export class LeafList {
+  private floats: Float32Array<ArrayBuffer>;
+  private used = 0;
+
+  constructor(room = 256) {
+    this.floats = new Float32Array(LEAF_FLOATS * room);
+  }
+
+  get count(): number {
+    return this.used;
+  }
+  /** Valid until the next `add` or `clear`. */
+  get leaves(): Float32Array<ArrayBuffer> {
+    return this.floats.subarray(0, LEAF_FLOATS * this.used);
+  }
+
+  clear(): void {
+    this.used = 0;
+  }
+
+  /** A whole triangle. */
+  addWhole(triangle: number): void {
+    const at = this.next();
+    this.floats.set([triangle, 0, 0, 1, 0, 0, 1, 0], at);
+  }
+
+  /** The six weights are read from `weights` at the places of the leaf's corners (two numbers each). */
+  add(triangle: number, weights: Float64Array, c0: number, c1: number, c2: number): void {
+    const at = this.next();
+    const out = this.floats;
+    out[at] = triangle;
+    out[at + 1] = weights[2 * c0];
+    out[at + 2] = weights[2 * c0 + 1];
+    out[at + 3] = weights[2 * c1];
+    out[at + 4] = weights[2 * c1 + 1];
+    out[at + 5] = weights[2 * c2];
+    out[at + 6] = weights[2 * c2 + 1];
+    out[at + 7] = 0;
+  }
+
+  /** A leaf of another list, with its levels. */
+  copy(from: Float32Array, leaf: number, levels: number): void {
+    const at = this.next();
+    for (let k = 0; k < LEAF_FLOATS - 1; k++) this.floats[at + k] = from[LEAF_FLOATS * leaf + k];
+    this.floats[at + LEAF_FLOATS - 1] = levels;
+  }
+
+  private next(): number {
+    if (LEAF_FLOATS * (this.used + 1) > this.floats.length) {
+      const grown = new Float32Array(2 * this.floats.length);
+      grown.set(this.floats);
+      this.floats = grown;
+    }
+    return LEAF_FLOATS * this.used++;
+  }
+}
