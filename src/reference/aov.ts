@@ -1,0 +1,38 @@
+import { scale, type Vec3 } from '../math/vec3.ts';
+import { properVelocity } from '../physics/boost.ts';
+import { dopplerFactor } from '../physics/doppler.ts';
+import type { AovName, View } from '../scene/view.ts';
+import type { TracedScene } from './trace.ts';
+import type { Hit, SpacetimeRay } from './types.ts';
+
+export type DataAov = Exclude<AovName, 'beauty'>;
+
+/** What a picture's data say of a hit: as many numbers as `AOVS` has channels. */
+export type DataReader = (hit: Hit, ray: SpacetimeRay) => readonly number[];
+
+/** Reads of a camera ray's hit, for an observer with proper velocity u. Without light there is no shift: D = 1. */
+export function dataReader(name: DataAov, scene: TracedScene, u: Vec3, view: View): DataReader {
+  switch (name) {
+    case 'albedo':
+      return ({ object }) => scene.scene.materials[scene.objects[object].mesh.groups[0].material].baseColor;
+    case 'depth':
+      return ({ s }) => [s];
+    case 'emission_time':
+      return ({ time }) => [time];
+    case 'doppler':
+      return view === 'light-cone' ? (hit, ray) => [dopplerOf(hit, ray, u)] : () => [1];
+    case 'position':
+      return ({ position }) => position;
+    case 'normal':
+      return ({ normal, front }) => (front ? normal : scale(normal, -1));
+    case 'velocity':
+      return ({ velocity }) => velocity;
+    case 'object':
+      return ({ object }) => [object + 1];
+  }
+}
+
+/** D = ν_observed/ν_emitted of what a ray meets, for an observer with proper velocity u where the ray begins. */
+export function dopplerOf({ velocity }: Hit, { dx }: SpacetimeRay, u: Vec3): number {
+  return dopplerFactor(dx, u, properVelocity(velocity));
+}

@@ -1,0 +1,36 @@
+import { rotate } from '../math/quat.ts';
+import { length, normalize, type Vec3 } from '../math/vec3.ts';
+import { inverseApparentPosition } from '../physics/apparent.ts';
+import { inverseBoost } from '../physics/boost.ts';
+import type { RenderSettings, ViewPoint } from '../scene/view.ts';
+import type { SpacetimeRay } from './types.ts';
+
+/**
+ * The ray of the point (x, y) of a picture: pixels from its top left corner, the first pixel's centre at (½, ½). Its `s` is the distance
+ * in the observer's frame [m], so that depths along it are those of the picture. Newton's steps are for comparing, so the solver is not asked.
+ */
+export function cameraRay(
+  view: ViewPoint,
+  settings: RenderSettings,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): SpacetimeRay {
+  const tan = Math.tan(view.fovY / 2);
+  const right = ((2 * x) / width - 1) * tan * (width / height);
+  const up = (1 - (2 * y) / height) * tan;
+  return rayToward(view, settings, normalize(rotate(view.orientation, [right, up, -1])));
+}
+
+/** The ray of a direction n′: unit, observer's frame, on the world's axes carried by the pure boost. */
+export function rayToward({ t, position, u }: ViewPoint, settings: RenderSettings, n: Vec3): SpacetimeRay {
+  if (settings.view === 'simultaneity') {
+    // The events (0, s n′) of the observer's frame.
+    const [dt, ...dx] = inverseBoost([0, ...n], u);
+    return { t, x: position, dt, dx };
+  }
+  const seen = settings.view === 'light-cone';
+  const dx = seen && settings.aberration ? inverseApparentPosition(n, u) : n;
+  return { t, x: position, dt: seen && settings.lightDelay ? -length(dx) : 0, dx };
+}

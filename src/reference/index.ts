@@ -1,0 +1,6 @@
+export { dopplerOf } from './aov.ts';
+export { cameraRay, rayToward } from './camera.ts';
+export { renderTile, type Tile, type TileData, type TileRequest } from './tile.ts';
+export { nearestHit, type TracedScene, traceable } from './trace.ts';
+export type * from './types.ts';
+export { isShown, materialOf, type Transparent, visibleHit } from './visible.ts';

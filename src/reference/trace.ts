@@ -1,0 +1,51 @@
+import { restToWorld } from '../scene/resample.ts';
+import type { Mesh, Scene, SceneObject } from '../scene/types.ts';
+import { RigidTracer } from './rigid.ts';
+import { Search, type Tracer } from './search.ts';
+import { type TriangleTree, treeOfTriangles } from './triangleTree.ts';
+import type { Hit, RayFilter, SpacetimeRay } from './types.ts';
+
+/** A scene that rays can be sent through. */
+export interface TracedScene {
+  readonly scene: Scene;
+  /** [m/s] */
+  readonly c: number;
+  /** As `scene.objects`, in the same order; sampled ones that are authored at rest are brought into the world frame. */
+  readonly objects: readonly SceneObject[];
+  readonly tracers: readonly Tracer[];
+}
+
+/** Makes a scene ready for rays at the speed of light c [m/s]. What belongs to samples of a motion is made when a ray needs it. */
+export function traceable(scene: Scene, c: number): TracedScene {
+  const objects = scene.objects.map((object) => restToWorld(object, c));
+  const trees = new Map<Mesh, TriangleTree>();
+  const treeOf = (mesh: Mesh): TriangleTree => {
+    const tree = trees.get(mesh) ?? treeOfTriangles(mesh);
+    trees.set(mesh, tree);
+    return tree;
+  };
+  const tracers = objects.flatMap((object, i) => tracerOf(object, i, treeOf, c) ?? []);
+  return { scene, c, objects, tracers };
+}
+
+function tracerOf(
+  object: SceneObject,
+  index: number,
+  treeOf: (mesh: Mesh) => TriangleTree,
+  c: number,
+): Tracer | undefined {
+  const { motion } = object;
+  if (motion.kind === 'static' || motion.kind === 'uniform')
+    return new RigidTracer(index, { ...object, motion }, treeOf(object.mesh), c);
+  return undefined;
+}
+
+/**
+ * The first event on the ray, from `begin` to `end`, at which it meets a surface within its lifetime, from either side. `accepts` is asked
+ * about each that is nearer than all taken before, in no order of its own, and must not trace rays itself.
+ */
+export function nearestHit({ tracers }: TracedScene, ray: SpacetimeRay, filter: RayFilter = {}): Hit | undefined {
+  const search = new Search(ray, filter);
+  for (const tracer of tracers) tracer.trace(ray, search);
+  return search.nearest;
+}
