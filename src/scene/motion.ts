@@ -43,13 +43,13 @@ export function poseAt(motion: Motion, t: number, c: number): Pose {
 }
 
 function sampledPose({ times, poses }: SampledMotion, t: number): Pose {
-  const { before, after, s } = piece(times, t);
+  const { before, after, s } = pieceAt(times, t);
   const [a, b] = [samplePose(poses, before), samplePose(poses, after)];
   return { position: lerp(a.position, b.position, s), orientation: slerp(a.orientation, b.orientation, s) };
 }
 
 /** The samples round t and the share of the way from one to the other; outside all samples the nearest one, twice. */
-function piece(times: Float64Array, t: number): { before: number; after: number; s: number } {
+export function pieceAt(times: Float64Array, t: number): { before: number; after: number; s: number } {
   const i = samplesUntil(times, t);
   if (i === 0 || i === times.length) return { before: Math.max(0, i - 1), after: Math.max(0, i - 1), s: 0 };
   return { before: i - 1, after: i, s: (t - times[i - 1]) / (times[i] - times[i - 1]) };
@@ -154,13 +154,13 @@ export function vertexPositions(object: SceneObject, t: number, c: number): Floa
 function placer(object: SceneObject, t: number, c: number): (vertex: number) => Vec3 {
   const { motion, mesh } = object;
   if (motion.kind === 'sampled') {
-    const { before, after, s } = piece(motion.times, t);
+    const { before, after, s } = pieceAt(motion.times, t);
     const contractedFor = object.authoredIn === 'rest' ? c : undefined;
     const [a, b] = [before, after].map((k) => placeAtSample(motion, k, contractedFor));
     return (i) => lerp(a(pointAt(mesh.positions, i)), b(pointAt(mesh.positions, i)), s);
   }
   if (motion.kind === 'sampled-points') {
-    const { before, after, s } = piece(motion.times, t);
+    const { before, after, s } = pieceAt(motion.times, t);
     const [a, b] = [motion.points[before], motion.points[after]];
     return (i) => add(motion.origin, lerp(pointAt(a, i), pointAt(b, i), s));
   }
