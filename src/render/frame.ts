@@ -8,7 +8,6 @@ import { aberrateCone, type Ball, coneAround, coneMaybeSeen } from './cull.ts';
 import type { FloatTable } from './floatTable.ts';
 import type { PointStore } from './pointStore.ts';
 import {
-  leadingPoint,
   meet,
   type RelativeEvent,
   rapidityFactor,
@@ -17,6 +16,7 @@ import {
   type Span,
   sampleWindow,
   spanOf,
+  trailingPoint,
 } from './sight.ts';
 
 /** Texels per object in the object table. */
@@ -80,7 +80,7 @@ export class Frame {
       out[at + 3] = -1;
       return false;
     }
-    const anchor = span.anchor ?? this.leading(body, sight);
+    const anchor = span.anchor ?? this.trailing(body, sight);
     if (!anchor) {
       out[at + 3] = -1;
       return false;
@@ -93,10 +93,10 @@ export class Frame {
     return true;
   }
 
-  private leading(body: Body, sight: Sight): RelativeEvent | undefined {
+  private trailing(body: Body, sight: Sight): RelativeEvent | undefined {
     const { motion } = body.object;
     if (motion.kind !== 'hyperbolic') return undefined;
-    return meet(lineOfCentre(body, sight.c, leadingPoint(motion.properAcceleration, body.radius)), sight);
+    return meet(lineOfCentre(body, sight.c, trailingPoint(motion.properAcceleration, body.radius)), sight);
   }
 
   private placeMotion(body: Body, line: WorldLine, span: Span, anchor: RelativeEvent, sight: Sight, at: number): void {
@@ -107,8 +107,10 @@ export class Frame {
       out.set([...v, oneMinusSquare(v)], at + 4);
       out.set([rigid, 0, 0, 0], at + 12);
     } else if (line.kind === 'hyperbolic') {
-      const shift = span.anchor ? 0 : body.radius;
-      const reference = shift > 0 ? lineOfCentre(body, sight.c, leadingPoint(line.properAcceleration, shift)) : line;
+      const shift = span.anchor ? 0 : -body.radius;
+      const reference = span.anchor
+        ? line
+        : lineOfCentre(body, sight.c, trailingPoint(line.properAcceleration, body.radius));
       if (reference.kind !== 'hyperbolic') return;
       const a = reference.properAcceleration;
       out.set([...normalize(a, [1, 0, 0]), length(a) / (sight.c * sight.c)], at + 4);

@@ -106,10 +106,10 @@ export function rapidityFactor(acceleration: Vec3, t0: number, ahead: number, si
   return Math.exp(Math.asinh(a * (sight.c * (sight.t - t0) + ahead)));
 }
 
-/** A point of the ball around the line's centre that leads it along the acceleration: the last to fall behind the horizon. */
-export const leadingPoint = (acceleration: Vec3, radius: number): Vec3 => {
+/** The point of the ball around the line's centre that the acceleration leaves behind: the first to come out from behind the horizon. */
+export const trailingPoint = (acceleration: Vec3, radius: number): Vec3 => {
   const a = length(acceleration);
-  return a > 0 ? scale(acceleration, radius / a) : ZERO;
+  return a > 0 ? scale(acceleration, -radius / a) : ZERO;
 };
 
 export const relativeTo = (point: Vec3, sight: Sight, anchor: RelativeEvent): Vec3 =>
