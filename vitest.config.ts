@@ -29,6 +29,16 @@ export default defineConfig({
       },
       {
         test: {
+          name: 'visual',
+          include: ['tests/visual/**/*.test.ts'],
+          pool: 'forks',
+          fileParallelism: false,
+          testTimeout: 180_000,
+          hookTimeout: 60_000,
+        },
+      },
+      {
+        test: {
           name: 'cli',
           include: ['tests/cli/**/*.test.ts'],
           globalSetup: built,

@@ -21,6 +21,7 @@ const stages = {
   oracle: { steps: vitest('oracle'), needs: ['python'] },
   cli: { steps: vitest('cli'), needs: ['system', 'build'] },
   gpu: { steps: vitest('gpu'), needs: ['system'] },
+  visual: { steps: vitest('visual'), needs: ['system'] },
   e2e: { steps: vitest('e2e'), needs: ['system', 'build'] },
 };
 

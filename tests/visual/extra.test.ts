@@ -1,0 +1,24 @@
+import { afterAll, beforeAll, describe, it } from 'vitest';
+import { EXTRA_SCENES } from './extraScenes.ts';
+import { BETAS, extraFrame } from './frames.ts';
+import { expectRight, judgeFrame, openStage, Report, type Stage, withPainters } from './visual.ts';
+
+const SIZE = { width: 160, height: 90 };
+
+const painters = withPainters();
+
+describe.each(EXTRA_SCENES.map((extra) => [extra.scene.name, extra] as const))('%s', (name, extra) => {
+  let stage: Stage;
+  const report = new Report();
+  beforeAll(async () => {
+    stage = await openStage(extra.scene, painters);
+  });
+  afterAll(() => report.print());
+
+  const cases = (['light-cone', 'simultaneity'] as const).flatMap((view) => BETAS.map((beta) => [view, beta] as const));
+  it.each(cases)('%s at %s c', async (view, beta) => {
+    const tallies = await judgeFrame(stage, extraFrame(extra, view, beta), SIZE);
+    report.add(`${name}, ${view}, ${beta} c`, tallies);
+    expectRight(tallies);
+  });
+});

@@ -1,0 +1,175 @@
+import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../src/math/quat.ts';
+import { normalize, type Vec3 } from '../../src/math/vec3.ts';
+import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
+import { box, cylinder, grid, plane } from '../../src/scene/primitives.ts';
+import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../src/scene/types.ts';
+
+/** A scene made to find one kind of mistake, and how it is looked at. */
+export interface ExtraScene {
+  readonly scene: Scene;
+  /** Of the observer's event: world time [s], place [m]. */
+  readonly t: number;
+  readonly eye: Vec3;
+  /** What is in the middle of the picture however fast the observer goes: a place in the world, and how much around it is in view, from the top to the bottom [m]. */
+  readonly subject: Vec3;
+  readonly extent: number;
+  /** Unit: the way the observer goes. */
+  readonly towards: Vec3;
+}
+
+const C = 10;
+const AHEAD: Vec3 = [0, 0, -1];
+
+/** 8 × 8 squares of two colours, so that a shifted texture shows. */
+const CHECKER: Texture = {
+  name: 'checker',
+  width: 64,
+  height: 64,
+  data: Uint8Array.from({ length: 4 * 64 * 64 }, (_, i) => {
+    const [x, y] = [(i >> 2) & 63, i >> 8];
+    return i % 4 === 3 ? 255 : ((x >> 3) + (y >> 3)) % 2 === 0 ? 60 : 210;
+  }),
+  colorSpace: 'linear',
+  filter: 'linear',
+  wrapS: 'repeat',
+  wrapT: 'repeat',
+};
+
+const scene = (name: string, objects: readonly SceneObject[]): Scene =>
+  makeScene({
+    name,
+    objects,
+    materials: [makeMaterial({ name: 'checker', baseColor: [1, 1, 1], baseColorTexture: CHECKER })],
+    hints: { speedOfLight: C },
+  });
+const at = (path: string, mesh: Mesh, position: Vec3): SceneObject =>
+  makeObject({ path, mesh, motion: restingAt(position) });
+
+/** As few triangles as can be: 12 and 2. */
+const cube: ExtraScene = {
+  scene: scene('cube on a floor', [
+    at('/Floor', plane(60, 60, 'Y'), [0, 0, 0]),
+    at('/Cube', box([1, 1, 1]), [0.6, 0.5, -4]),
+  ]),
+  t: 0,
+  eye: [0, 1.6, 0],
+  subject: [0.6, 0.5, -4],
+  extent: 2.4,
+  towards: normalize([1, 0, -0.5]),
+};
+
+/** Bars that pass the observer on all sides, walls behind him, a lid close over his head: fast, he sees all of it in front. */
+const behind: ExtraScene = {
+  scene: scene('from behind into view', [
+    at('/Left', box([0.2, 0.2, 80]), [-0.7, -0.3, 0]),
+    at('/Right', box([0.2, 0.2, 80]), [0.9, 0.4, 0]),
+    at('/Lid', plane(6, 80, 'Y'), [0, 0.15, 0]),
+    at('/WallBehind', box([12, 8, 0.5]), [1, 0, 9]),
+    at('/PostBeside', box([0.3, 5, 0.3]), [1.6, 0, 0.02]),
+    at('/PostBehind', box([0.3, 5, 0.3]), [-1.3, 0, 2.5]),
+  ]),
+  t: 0,
+  eye: [0, 0, 0],
+  subject: [0, 0, -10],
+  // So much at 14 times the distance, at 0.99 c: a wide view, in which things behind the observer are seen.
+  extent: 190,
+  towards: AHEAD,
+};
+
+/** Two slanted walls that nearly touch, about a pixel's width apart; the one in front covers half of the one behind. Seen through a long lens, so that depth alone decides. */
+const touching = (name: string, distance: number, gap: number): ExtraScene => ({
+  scene: scene(name, [
+    slanted('/Behind', [80 * gap, 80 * gap, 0.1 * gap], [-20 * gap, 0, -distance - gap]),
+    slanted('/Front', [40 * gap, 80 * gap, 0.1 * gap], [0, 0, -distance]),
+  ]),
+  t: 0,
+  eye: [0, 0, 0],
+  subject: [0, 0, -distance],
+  extent: 90 * gap,
+  towards: normalize([0.5, 0.2, 1]),
+});
+const near = touching('walls 1 cm apart at 10 m', 10, 0.01);
+const far = touching('walls 1 m apart at 10 km', 10_000, 1);
+
+function slanted(path: string, size: Vec3, position: Vec3): SceneObject {
+  const orientation = fromAxisAngle([1, 0, 0], -0.2);
+  return makeObject({ path, mesh: box(size), motion: { kind: 'static', pose: { position, orientation } } });
+}
+
+/**
+ * Two long bars that slow down, turn and accelerate away along +X. Authored in the world, each point has a horizon of its own: the observer sees
+ * the rear of that bar, its front not yet, and between them the bar comes from infinitely far. The other is Born rigid: one horizon for all of it.
+ */
+const horizon: ExtraScene = {
+  scene: scene('horizon', [
+    bar('/World', 'world', [0, -1.2, -6]),
+    bar('/Rest', 'rest', [0, 1.2, -6]),
+    at('/Wall', box([60, 12, 0.5]), [10, 0, -14]),
+  ]),
+  t: 0.35,
+  eye: [-6, 0, 0],
+  subject: [2, 0, -6],
+  extent: 8,
+  towards: [0.6, 0, -0.8],
+};
+
+function bar(path: string, authoredIn: SceneObject['authoredIn'], position: Vec3): SceneObject {
+  const motion: Motion = {
+    kind: 'hyperbolic',
+    pose: { position, orientation: IDENTITY },
+    properAcceleration: [30, 0, 0],
+    t0: 0,
+  };
+  return makeObject({ path, mesh: box([5, 0.8, 0.8]), motion, authoredIn });
+}
+
+/** A wheel of six triangulated spokes that turns with a rim at 0.8 c while its axle goes at 0.15 c. */
+const wheel: ExtraScene = {
+  scene: scene('turning wheel', [
+    ...[0, 1, 2].map((k) => turning(`/Spoke${k}`, box([0.25, 3.6, 0.2]), (k * Math.PI) / 3)),
+    turning('/Rim', cylinder(1.8, 0.15, { segments: 24 }), 0.1),
+    at('/Floor', plane(40, 40, 'Y'), [0, -2.2, 0]),
+  ]),
+  t: 1,
+  eye: [0, 0.5, 4.5],
+  subject: [0, 0, 0],
+  extent: 5,
+  towards: normalize([-0.7, 0, -1]),
+};
+
+function turning(path: string, mesh: Mesh, phase: number): SceneObject {
+  const count = 400;
+  const times = Float64Array.from({ length: count }, (_, k) => -2 + (4 * k) / (count - 1));
+  const poses = new Float64Array(7 * count);
+  times.forEach((t, k) => {
+    const turn: Quat = multiply(fromAxisAngle([0, 1, 0], 0.5), fromAxisAngle([0, 0, 1], phase + ((0.8 * C) / 1.8) * t));
+    poses.set([0.15 * C * (t - 0.5), 0, path === '/Rim' ? -0.3 : 0, ...turn], 7 * k);
+  });
+  return makeObject({ path, mesh, motion: { kind: 'sampled', times, poses } });
+}
+
+/** A cloth of few large triangles in a running wave, faster than 0.5 c in places. */
+const cloth: ExtraScene = {
+  scene: scene('cloth', [waving('/Cloth', grid(5, 4, 6, 5)), at('/Wall', box([14, 9, 0.5]), [0, 0, -9])]),
+  t: 1,
+  eye: [0, 0.3, 0],
+  subject: [0, 0, -5],
+  extent: 5,
+  towards: [0.6, 0, -0.8],
+};
+
+function waving(path: string, mesh: Mesh): SceneObject {
+  const times = Float64Array.from({ length: 80 }, (_, k) => -2 + (4 * k) / 79);
+  const points = Array.from(times, (t) => {
+    const out = new Float32Array(mesh.positions);
+    for (let i = 0; i < out.length; i += 3) {
+      const [x, y] = [out[i], out[i + 1]];
+      out[i + 2] += 0.7 * Math.sin(1.5 * x - 7 * t) + 0.2 * Math.cos(2 * y + 5 * t);
+      out[i] += 0.3 * Math.sin(4 * t + y);
+    }
+    return out;
+  });
+  return makeObject({ path, mesh, motion: { kind: 'sampled-points', times, origin: [0, 0, -5], points } });
+}
+
+export const EXTRA_SCENES: readonly ExtraScene[] = [cube, behind, near, far, horizon, wheel, cloth];

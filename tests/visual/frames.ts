@@ -1,0 +1,51 @@
+import { rotate } from '../../src/math/quat.ts';
+import { length, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
+import { apparentPosition } from '../../src/physics/apparent.ts';
+import { properVelocity } from '../../src/physics/boost.ts';
+import { simultaneousPosition } from '../../src/physics/simultaneity.ts';
+import { framingCamera, lookAtOrientation, observerFromCamera } from '../../src/scene/camera.ts';
+import type { Scene } from '../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type View, type ViewPoint } from '../../src/scene/view.ts';
+import { type ExampleName, speedOfLight } from '../examples/open.ts';
+import type { ExtraScene } from './extraScenes.ts';
+
+export const BETAS = [0, 0.5, 0.9, 0.99] as const;
+export const VIEWS: readonly View[] = ['light-cone', 'simultaneity', 'galilean'];
+
+/** Which way the observer goes, in the camera's axes: into the picture, or where a scene has its things beside the way, aslant. */
+const COURSES: Partial<Record<ExampleName, Vec3>> = {
+  dice: [0.8, 0, -0.6],
+  sphere: [-0.6, 0, -0.8],
+  saturn: [0.5, 0.2, -1],
+  ladder: [1, 0, -0.3],
+};
+
+/** One picture. */
+export interface Frame {
+  readonly view: ViewPoint;
+  readonly settings: RenderSettings;
+}
+
+/** An example from the place and at the time at which the command line looks at it, at a speed β. */
+export function exampleFrame(name: ExampleName, scene: Scene, view: View, beta: number): Frame {
+  const c = speedOfLight(scene);
+  const t = scene.hints.openAt ?? scene.startTime;
+  const { position, orientation, fovY } = observerFromCamera(scene.cameras[0] ?? framingCamera(scene), t, c);
+  const course = rotate(orientation, normalize(COURSES[name] ?? [0, 0, -1]));
+  const u = properVelocity(scale(course, beta));
+  return { view: { t, position, u, orientation, fovY }, settings: { ...DEFAULT_SETTINGS, view, speedOfLight: c } };
+}
+
+/** The subject in the middle of the picture, which shows `extent` metres at its apparent distance: lengths across the line of sight are seen as they are. */
+export function extraFrame({ scene, t, eye, subject, extent, towards }: ExtraScene, view: View, beta: number): Frame {
+  const u = properVelocity(scale(towards, beta));
+  const dx = sub(subject, eye);
+  const shown =
+    view === 'light-cone' ? apparentPosition(dx, u) : view === 'simultaneity' ? simultaneousPosition(dx, u) : dx;
+  const fovY = Math.min(1.9, 2 * Math.atan(extent / 2 / length(shown)));
+  const orientation = lookAtOrientation(shown, [0, 1, 0]);
+  return {
+    view: { t, position: eye, u, orientation, fovY },
+    settings: { ...DEFAULT_SETTINGS, view, speedOfLight: speedOfLight(scene) },
+  };
+}

@@ -1,0 +1,42 @@
+import { readUsd } from '../../src/formats/usd/index.ts';
+import { SceneRenderer } from '../../src/render/renderer.ts';
+import type { RendererInfo } from '../../src/render/settings.ts';
+import { EXTRA_SCENES } from './extraScenes.ts';
+import { type Order, takePixels } from './pixels.ts';
+
+declare global {
+  interface Window {
+    visual: {
+      /** An example by its file, or one of the extra scenes by its name. */
+      open(name: string): Promise<void>;
+      /** `takePixels` as base64. */
+      take(order: Order): Promise<string>;
+      info(): Promise<RendererInfo>;
+    };
+    /** A file of examples/, as base64; it comes from the test. */
+    readExample(path: string): Promise<string>;
+  }
+}
+
+const renderer = await SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
+const files = {
+  read: async (path: string) => Uint8Array.from(atob(await window.readExample(path)), (c) => c.charCodeAt(0)),
+};
+
+window.visual = {
+  async open(name) {
+    const extra = EXTRA_SCENES.find(({ scene }) => scene.name === name);
+    await renderer.setScene(extra?.scene ?? (await readUsd(files, name, {})));
+  },
+  async take(order) {
+    const values = await takePixels(renderer, order);
+    return base64(new Uint8Array(values.buffer));
+  },
+  info: async () => renderer.info,
+};
+
+function base64(bytes: Uint8Array): string {
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+  return btoa(text);
+}

@@ -1,0 +1,42 @@
+import type { PictureMaker } from '../../src/render/api.ts';
+import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
+import type { Claim } from './judge.ts';
+
+/** A picture to make, and the pixels of it that are wanted. Plain data: it travels to a page. */
+export interface Order {
+  readonly view: ViewPoint;
+  readonly settings: RenderSettings;
+  readonly width: number;
+  readonly height: number;
+  /** Places in the picture's rows; absent: all. */
+  readonly pixels?: readonly number[];
+}
+
+/** What is read of every pixel, one after the other, in this order. */
+const NAMES = ['object', 'position', 'emission_time', 'doppler', 'velocity', 'albedo'] as const;
+const FLOATS = 12;
+
+/** Makes the picture; `FLOATS` numbers for each wanted pixel. */
+export async function takePixels(renderer: PictureMaker, order: Order): Promise<Float32Array> {
+  const { view, settings, width, height } = order;
+  if (renderer.width !== width || renderer.height !== height) renderer.setSize(width, height);
+  renderer.render(view, settings);
+  const aovs: Float32Array[] = [];
+  for (const name of NAMES) aovs.push(await renderer.readAov(name));
+  const pixels = order.pixels ?? Array.from({ length: width * height }, (_, i) => i);
+  const out = new Float32Array(FLOATS * pixels.length);
+  pixels.forEach((pixel, k) => {
+    let at = FLOATS * k;
+    for (const aov of aovs) {
+      const channels = aov.length / (width * height);
+      for (let n = 0; n < channels; n++) out[at++] = aov[channels * pixel + n];
+    }
+  });
+  return out;
+}
+
+/** What the pixel at place `k` of `takePixels` says. */
+export function claimAt(values: Float32Array, k: number): Claim {
+  const [object, x, y, z, time, doppler, vx, vy, vz, r, g, b] = values.subarray(FLOATS * k, FLOATS * (k + 1));
+  return { object, position: [x, y, z], time, doppler, velocity: [vx, vy, vz], albedo: [r, g, b] };
+}
