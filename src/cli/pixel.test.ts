@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { addScaled, scale, type Vec3 } from '../math/vec3.ts';
+import { addScaled, dot, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { unaberrate } from '../physics/aberration.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { dopplerAtPixel } from '../physics/doppler.ts';
@@ -29,10 +29,24 @@ describe('what is seen at a pixel', () => {
     const n = unaberrate(nPrime, properVelocity([0.3, 0.2, -0.6]));
     const distance = -2 / n[1];
     const expected: Vec3 = [n[0] * distance, 0, n[2] * distance];
-    for (const k of [0, 1, 2]) expect(seen?.position[k]).toBeCloseTo(expected[k], 4);
-    expect(seen?.time).toBeCloseTo(3 - distance / 10, 5);
-    expect(seen?.doppler).toBeCloseTo(dopplerAtPixel(nPrime, properVelocity([0.3, 0.2, -0.6])), 6);
+    for (const k of [0, 1, 2]) expect(seen?.position[k]).toBeCloseTo(expected[k], 10);
+    expect(seen?.time).toBeCloseTo(3 - distance / 10, 10);
+    expect(seen?.doppler).toBeCloseTo(dopplerAtPixel(nPrime, properVelocity([0.3, 0.2, -0.6])), 10);
     expect(seen).toMatchObject({ prim: '/Floor', object: 1 });
+    // The picture's middle is straight ahead, whatever it took to get there.
+    for (const k of [0, 1, 2]) expect(seen?.apparent[k]).toBeCloseTo(nPrime[k] * (seen?.distance ?? 0), 10);
+  });
+
+  test("of a floor in the slice of simultaneity is an event of the observer's own moment: c Δt = β·Δx", () => {
+    const scene = makeScene({ name: 'floor', objects: [makeObject({ path: '/Floor', mesh: plane(400, 400, 'Y') })] });
+    const beta: Vec3 = [0.3, 0.2, -0.6];
+    const seen = seenAtPixel(scene, view(beta), 10, 'simultaneity', size, [99.5, 49.5]);
+    if (!seen) throw new Error('the floor is not hit');
+    expect(10 * (seen.time - 3)).toBeCloseTo(dot(beta, sub(seen.position, [0, 2, 0])), 10);
+    expect(seen.position[1]).toBeCloseTo(0, 10);
+    expect(seen.doppler).toBe(1);
+    const direction = normalize(down);
+    for (const k of [0, 1, 2]) expect(seen.apparent[k]).toBeCloseTo(direction[k] * seen.distance, 10);
   });
 
   test('is the nearest thing, and nothing where there is none', () => {

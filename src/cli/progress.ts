@@ -9,11 +9,18 @@ export class Progress {
     this.shown = true;
   }
 
-  /** `done` of `total` frames, with the time that is left if it goes on so. */
+  /** `done` of `total` frames, with the time that is left if it goes on so; parts of a frame count. */
   frames(done: number, total: number): void {
     const elapsed = (performance.now() - this.began) / 1000;
     const left = done > 0 ? `, ${duration((elapsed / done) * (total - done))} left` : '';
-    this.show(`frame ${done}/${total}${left}`);
+    const part = done % 1 > 0 ? ` ${Math.floor(100 * (done % 1))} %` : '';
+    this.show(`frame ${Math.floor(done)}/${total}${part}${left}`);
+  }
+
+  /** A line that stays. */
+  note(text: string): void {
+    this.clear();
+    console.error(text);
   }
 
   clear(): void {

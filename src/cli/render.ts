@@ -1,4 +1,4 @@
-import { Command, Option } from 'commander';
+import { Command } from 'commander';
 import type { AovName } from '../scene/view.ts';
 import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from './flags.ts';
 import {
@@ -11,8 +11,9 @@ import {
   type Size,
   sizeOption,
 } from './parse.ts';
+import { addPipelineFlags, type PipelineFlags } from './pipeline.ts';
 
-export interface RenderFlags extends ObserverFlags, SettingFlags {
+export interface RenderFlags extends ObserverFlags, SettingFlags, PipelineFlags {
   readonly output: string;
   readonly size: Size;
   readonly time?: number;
@@ -20,8 +21,7 @@ export interface RenderFlags extends ObserverFlags, SettingFlags {
   readonly fps?: number;
   readonly hold?: boolean;
   readonly aov?: readonly AovName[];
-  readonly samples: number;
-  readonly backend: 'auto' | 'webgpu' | 'webgl';
+  readonly samples?: number;
   readonly json?: boolean;
 }
 
@@ -30,7 +30,8 @@ Examples:
   slowlight render street.usda -o street.png --time 2 --c 10 --beta 0,0,-0.8
   slowlight render street.usda -o street.exr --aov beauty,depth,doppler --size 1920x1080
   slowlight render street.usda -o street.mp4 --frames 1:96 --fps 24
-  slowlight render street.usda -o 'street.####.png' --frames 1:96`;
+  slowlight render street.usda -o 'street.####.png' --frames 1:96
+  slowlight render street.usda -o truth.png --pipeline reference --samples 8`;
 
 export function renderCommand(): Command {
   const command = new Command('render')
@@ -49,22 +50,19 @@ export function renderCommand(): Command {
     '--hold',
     'with --frames: stay in place although there is a velocity, instead of coasting with it',
   );
+  addSettingFlags(command)
+    .option(
+      '--samples <n>',
+      'n × n samples per pixel (default: 1 of raster, whose edges FXAA then smooths; 4 of reference)',
+      parseSamples,
+    )
+    .option(
+      '--aov <names>',
+      'for .exr: channels to write, of beauty, albedo, depth, emission_time, doppler, position, normal, velocity, object',
+      parseAovs,
+    );
   return (
-    addSettingFlags(command)
-      .option('--samples <n>', 'n × n samples per pixel; 1 smooths edges by FXAA instead', parseSamples, 1)
-      .option(
-        '--aov <names>',
-        'for .exr: channels to write, of beauty, albedo, depth, emission_time, doppler, position, normal, velocity, object',
-        parseAovs,
-      )
-      .addOption(
-        new Option(
-          '--backend <name>',
-          'webgpu draws here; webgl in a headless Chromium; auto takes the first that works',
-        )
-          .choices(['auto', 'webgpu', 'webgl'])
-          .default('auto'),
-      )
+    addPipelineFlags(command)
       .option('--json', 'print what was made as JSON')
       .addHelpText('after', examples)
       // Loaded when it is needed: the renderer is large.

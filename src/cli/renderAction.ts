@@ -3,7 +3,7 @@ import { length } from '../math/vec3.ts';
 import { gamma, velocity } from '../physics/boost.ts';
 import type { Scene } from '../scene/types.ts';
 import { validate } from '../scene/validate.ts';
-import type { AovName } from '../scene/view.ts';
+import type { AovName, ViewPoint } from '../scene/view.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { usageError } from './exit.ts';
 import { openSceneFile } from './files.ts';
@@ -11,6 +11,7 @@ import { renderSettings, speedOfLight } from './flags.ts';
 import { observerPath } from './observer.ts';
 import { endIfStopped } from './output.ts';
 import { openPainter, type Painter } from './painter.ts';
+import { checkPipeline } from './pipeline.ts';
 import { Progress } from './progress.ts';
 import type { RenderFlags } from './render.ts';
 import { openSink, type Sink } from './sinks.ts';
@@ -21,7 +22,16 @@ interface FrameTime {
   readonly t: number;
 }
 
+/** What has been made, for the report. */
+interface Made {
+  readonly frames: readonly FrameTime[];
+  readonly first: ViewPoint;
+  readonly painter: Painter;
+  readonly samples: number;
+}
+
 export async function render(path: string, flags: RenderFlags): Promise<void> {
+  checkPipeline(flags);
   const aovs = chooseAovs(flags);
   const progress = new Progress();
   progress.show('reading …');
@@ -33,16 +43,18 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
   const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
   const sink = await openSink(flags, scene, frames.length);
   try {
-    progress.show('opening the GPU …');
-    const painter = await openPainter(flags.backend, path, scene, flags.size);
+    progress.show('getting ready to draw …');
+    const painter = await openPainter(path, scene, flags, (text) => progress.note(text));
+    const samples = flags.samples ?? painter.usualSamples;
     try {
-      for (const [i, frame] of frames.entries()) {
-        progress.frames(i, frames.length);
+      for (const [i, { number, t }] of frames.entries()) {
+        const onPart = (part: number): void => progress.frames(i + part, frames.length);
+        onPart(0);
         endIfStopped();
-        const view = observer(frame.t);
+        const view = observer(t);
         const settings = renderSettings(flags, c, view, flags.size.width / flags.size.height);
-        const picture = await painter.paint({ view, settings, samples: flags.samples, aovs });
-        await sink.add(picture, { number: frame.number, view, speedOfLight: c });
+        const picture = await painter.paint({ view, settings, samples, pixels: aovs.length === 0, aovs }, onPart);
+        await sink.add(picture, { number, view, speedOfLight: c });
       }
     } finally {
       await painter.close();
@@ -51,7 +63,7 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
     progress.show('finishing …');
     await sink.finish();
     progress.clear();
-    report(flags, scene, c, frames, observer(frames[0]!.t), painter, sink);
+    report(flags, scene, c, { frames, first: observer(frames[0]!.t), painter, samples }, sink);
   } finally {
     progress.clear();
     sink.discard();
@@ -75,35 +87,23 @@ function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond
   return Array.from({ length: count }, (_, i) => ({ number: frames.first + i, t: (frames.first + i) / fps }));
 }
 
-function report(
-  flags: RenderFlags,
-  scene: Scene,
-  c: number,
-  frames: readonly FrameTime[],
-  first: { position: readonly number[]; u: readonly [number, number, number] },
-  painter: Painter,
-  sink: Sink,
-): void {
-  const { width, height } = flags.size;
+function report(flags: RenderFlags, scene: Scene, c: number, made: Made, sink: Sink): void {
+  const { files } = sink;
+  const { frames, first } = made;
   if (!flags.json) {
-    console.log(`${sink.files.length > 1 ? `${sink.files.length} files, the last ` : ''}${sink.files.at(-1)}`);
+    console.log(`${files.length > 1 ? `${files.length} files, the last ` : ''}${files.at(-1)}`);
     return;
   }
+  const beta = velocity(first.u);
   const summary = {
-    files: sink.files,
-    width,
-    height,
+    files,
+    ...flags.size,
     frames: frames.length,
     times: [frames[0]!.t, frames.at(-1)!.t],
     speedOfLight: c,
-    observer: {
-      position: first.position,
-      beta: velocity(first.u),
-      speed: length(velocity(first.u)),
-      gamma: gamma(first.u),
-    },
-    backend: painter.backend,
-    adapter: painter.adapterName,
+    observer: { position: first.position, beta, speed: length(beta), gamma: gamma(first.u) },
+    ...made.painter.info,
+    samples: made.samples,
     objects: scene.objects.map((object, i) => ({ id: i + 1, path: object.path })),
   };
   console.log(JSON.stringify(summary, null, 2));

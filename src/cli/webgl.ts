@@ -43,7 +43,8 @@ export async function openWebGlPainter(path: string, { width, height }: Size): P
       (request) => (window as unknown as HeadlessWindow).slowlight.open(request),
       { base: `${server.url}${files}${addressOf(folder)}/`, entry: basename(path), width, height },
     );
-    return { backend: 'webgl', adapterName, paint: (request) => paint(page, request), close };
+    const info = { pipeline: 'raster', backend: 'webgl', adapter: adapterName } as const;
+    return { info, usualSamples: 1, paint: (request) => paint(page, request), close };
   } catch (error) {
     await close();
     throw error;
@@ -63,13 +64,23 @@ async function launch(): Promise<Browser> {
   }
   const { chromium } = await import('playwright-core');
   const gl = process.platform === 'linux' ? ['--use-gl=angle', '--use-angle=gl-egl'] : [];
-  return chromium.launch({
+  const starting = chromium.launch({
     executablePath,
     headless: true,
     handleSIGINT: false,
     handleSIGTERM: false,
     args: [...gl, '--ignore-gpu-blocklist'],
   });
+  return starting.catch((error: unknown) => {
+    throw unavailable(`Chromium (${executablePath}) does not start: ${complaints(String(error))}`);
+  });
+}
+
+/** Of Playwright's long report: what went wrong, and what the browser itself said of it. */
+function complaints(report: string): string {
+  const [first, ...rest] = report.split('\n');
+  const said = rest.flatMap((line) => /\[err\] (.*)/.exec(line)?.[1] ?? []);
+  return [first, ...new Set(said)].slice(0, 3).join('; ');
 }
 
 async function openPage(browser: Browser, url: string): Promise<Page> {
@@ -79,6 +90,11 @@ async function openPage(browser: Browser, url: string): Promise<Page> {
   await page.goto(url);
   if (!(await page.evaluate(() => 'slowlight' in window))) {
     throw new Error(`the page headless.html did not start: ${errors.join('; ') || 'no reason given'}`);
+  }
+  if (!(await page.evaluate(() => document.createElement('canvas').getContext('webgl2') !== null))) {
+    throw unavailable(
+      'the Chromium here has no WebGL2. On Debian or Ubuntu: apt-get install -y libegl-mesa0 libgl1-mesa-dri',
+    );
   }
   return page;
 }

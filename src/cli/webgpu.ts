@@ -14,12 +14,12 @@ export async function openWebGpuPainter(scene: Scene, { width, height }: Size): 
   renderer.setSize(width, height);
   await renderer.setScene(scene);
   return {
-    backend: 'webgpu',
-    adapterName: gpu.adapterName,
-    paint: async ({ view, settings, samples, aovs }: PictureRequest) => {
+    info: { pipeline: 'raster', backend: 'webgpu', adapter: gpu.adapterName },
+    usualSamples: 1,
+    paint: async ({ view, settings, samples, aovs, pixels: wanted }: PictureRequest) => {
       pumpFrame();
       renderer.render(view, settings, samples);
-      const pixels = await renderer.readPixels();
+      const pixels = wanted ? await renderer.readPixels() : new Uint8Array();
       const data = new Map<AovName, Float32Array>();
       for (const name of aovs) data.set(name, await renderer.readAov(name));
       gpu.assertHealthy();

@@ -18,9 +18,11 @@ export interface Outcome {
 }
 
 /** Starts the built program, as a person would. */
-export function start(...args: string[]): ChildProcess {
-  return spawn(process.execPath, [bin, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
-}
+export const start = (...args: string[]): ChildProcess => startIn(process.env, ...args);
+
+/** Starts it with other environment variables. */
+export const startIn = (env: NodeJS.ProcessEnv, ...args: string[]): ChildProcess =>
+  spawn(process.execPath, [bin, ...args], { stdio: ['ignore', 'pipe', 'pipe'], env });
 
 /** How a program that was started ends, with all it said. */
 export function outcome(child: ChildProcess): Promise<Outcome> {

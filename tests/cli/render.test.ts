@@ -2,7 +2,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { type ExrImage, readExr } from '../../src/formats/index.ts';
-import { ask, outcome, outputFolder, scene, slowlight, slowlightJson, start } from './program.ts';
+import { ask, outcome, outputFolder, scene, slowlight, slowlightJson, start, startIn } from './program.ts';
 
 const folder = outputFolder();
 const out = (name: string): string => join(folder, name);
@@ -110,11 +110,10 @@ test('numbered frames are of different times', async () => {
 });
 
 test('without ffmpeg the film is refused with the line that installs it', async () => {
-  const path = process.env.PATH;
-  process.env.PATH = folder;
-  const child = start('render', movers, '-o', out('none.mp4'), ...size, '--frames', '0:2');
-  process.env.PATH = path;
-  const { code, err } = await outcome(child);
+  const env = { ...process.env, PATH: folder };
+  const { code, err } = await outcome(
+    startIn(env, 'render', movers, '-o', out('none.mp4'), ...size, '--frames', '0:2'),
+  );
   expect(code).toBe(4);
   expect(err).toContain('apt-get install -y ffmpeg');
   expect(existsSync(out('none.mp4'))).toBe(false);

@@ -1,0 +1,8 @@
+// For NODE_OPTIONS=--import: a Node in which the libraries that draw on GPUs and drive browsers cannot be loaded.
+import { register } from 'node:module';
+
+const hooks = `export const resolve = (name, context, next) => {
+  if (/^(webgpu|three|playwright-core)(\\/|$)/.test(name)) throw new Error(name + ' must not be loaded here');
+  return next(name, context);
+};`;
+register(`data:text/javascript,${encodeURIComponent(hooks)}`);
