@@ -1,6 +1,6 @@
 import { multiply, transform } from '../math/mat3.ts';
 import { conjugate, rotate, toMatrix } from '../math/quat.ts';
-import { addScaled, dot, normalize, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
+import { addScaled, normalize, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
 import { gamma, properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import type { Pose, SceneObject, StaticMotion, UniformMotion } from '../scene/types.ts';
@@ -60,7 +60,6 @@ export class RigidTracer implements Tracer {
       ...eventOf(ray, this.index, crossing, this.c),
       velocity: scale(this.velocity, 1 / this.c),
       normal: normalize(authoredIn === 'rest' ? turned : contraction(turned, this.u)),
-      front: dot(plane, this.way(ray)) < 0,
     };
   }
 
@@ -111,7 +110,7 @@ export class RigidTracer implements Tracer {
         const sum = p + q + r;
         const s = ((p * az + q * bz + r * cz) / sum) * sz;
         if (!(s >= begin && s <= limit)) continue;
-        if (search.offer(this, s, first[i], q / sum, r / sum, 0)) limit = s;
+        if (search.offer(this, s, first[i], q / sum, r / sum, sum * sz > 0, 0)) limit = s;
       }
     }
   }

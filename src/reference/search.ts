@@ -9,6 +9,7 @@ export interface Crossing {
   /** Weights of the second and third corner. */
   readonly v: number;
   readonly w: number;
+  readonly front: boolean;
   /** Which stretch of the object's motion it is in, where that has more than one. */
   readonly piece: number;
 }
@@ -39,9 +40,9 @@ export class Search {
   }
 
   /** Takes a crossing where it is nearer than all before and the ray does not pass through; says whether it was taken. */
-  offer(tracer: Tracer, s: number, corner: number, v: number, w: number, piece: number): boolean {
+  offer(tracer: Tracer, s: number, corner: number, v: number, w: number, front: boolean, piece: number): boolean {
     if (!(s >= this.begin && s <= this.end) || (s === this.end && this.crossing)) return false;
-    const crossing = { s, corner, v, w, piece };
+    const crossing = { s, corner, v, w, front, piece };
     if (this.accepts && !this.accepts(tracer.describe(this.ray, crossing))) return false;
     this.end = s;
     this.tracer = tracer;
@@ -58,14 +59,15 @@ export class Search {
 export const eventOf = (
   { t, x, dt, dx }: SpacetimeRay,
   object: number,
-  { s, corner, v, w }: Crossing,
+  { s, corner, v, w, front }: Crossing,
   c: number,
-): Omit<Hit, 'velocity' | 'normal' | 'front'> => ({
+): Omit<Hit, 'velocity' | 'normal'> => ({
   s,
   object,
   corner,
   v,
   w,
+  front,
   time: t + (s * dt) / c,
   position: addScaled(x, dx, s),
 });

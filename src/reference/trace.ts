@@ -1,6 +1,8 @@
 import { restToWorld } from '../scene/resample.ts';
 import type { Mesh, Scene, SceneObject } from '../scene/types.ts';
 import { RigidTracer } from './rigid.ts';
+import { SampledTracer } from './sampled.ts';
+import { ShapeStore } from './samples.ts';
 import { Search, type Tracer } from './search.ts';
 import { type TriangleTree, treeOfTriangles } from './triangleTree.ts';
 import type { Hit, RayFilter, SpacetimeRay } from './types.ts';
@@ -15,6 +17,9 @@ export interface TracedScene {
   readonly tracers: readonly Tracer[];
 }
 
+/** Memory for the shapes of sampled objects at their samples [bytes]; per thread, besides what the last ray's two need. */
+const SHAPES = 256 * 2 ** 20;
+
 /** Makes a scene ready for rays at the speed of light c [m/s]. What belongs to samples of a motion is made when a ray needs it. */
 export function traceable(scene: Scene, c: number): TracedScene {
   const objects = scene.objects.map((object) => restToWorld(object, c));
@@ -24,7 +29,8 @@ export function traceable(scene: Scene, c: number): TracedScene {
     trees.set(mesh, tree);
     return tree;
   };
-  const tracers = objects.flatMap((object, i) => tracerOf(object, i, treeOf, c) ?? []);
+  const store = new ShapeStore(SHAPES);
+  const tracers = objects.flatMap((object, i) => tracerOf(object, i, treeOf, c, store) ?? []);
   return { scene, c, objects, tracers };
 }
 
@@ -33,10 +39,13 @@ function tracerOf(
   index: number,
   treeOf: (mesh: Mesh) => TriangleTree,
   c: number,
+  store: ShapeStore,
 ): Tracer | undefined {
   const { motion } = object;
   if (motion.kind === 'static' || motion.kind === 'uniform')
     return new RigidTracer(index, { ...object, motion }, treeOf(object.mesh), c);
+  if (motion.kind === 'sampled' || motion.kind === 'sampled-points')
+    return new SampledTracer(index, { ...object, motion }, c, store);
   return undefined;
 }
 

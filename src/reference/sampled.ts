@@ -1,0 +1,158 @@
+import { addScaled, cross, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { properVelocity } from '../physics/boost.ts';
+import { contraction } from '../physics/simultaneity.ts';
+import { samplesUntil } from '../physics/worldLine.ts';
+import type { SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
+import { MovingWalk } from './movingWalk.ts';
+import { Samples, type ShapeStore } from './samples.ts';
+import { type Crossing, eventOf, type Search, spanBetween, type Tracer } from './search.ts';
+import { SpacetimeTriangle } from './spacetimeTriangle.ts';
+import { TimeTree } from './timeTree.ts';
+import type { Hit, SpacetimeRay } from './types.ts';
+
+const walk = new MovingWalk();
+const triangle = new SpacetimeTriangle();
+
+/** Roundings on the way from places and times to corners seen from the ray, in units of the last place. */
+const ROUNDINGS = 32;
+
+export type SampledObject = SceneObject & { readonly motion: SampledMotion | SampledPointsMotion };
+
+/**
+ * An object whose vertices run straight between samples. Piece k lies between samples k and k + 1; it rests in piece −1, before its first sample,
+ * and in the last one, after its last sample.
+ */
+export class SampledTracer implements Tracer {
+  private readonly index: number;
+  private readonly object: SampledObject;
+  private readonly c: number;
+  private readonly samples: Samples;
+  private readonly stretches: TimeTree;
+  /** The greatest coordinate of all [m]. */
+  private readonly reach: number;
+
+  constructor(index: number, object: SampledObject, c: number, store: ShapeStore) {
+    this.index = index;
+    this.object = object;
+    this.c = c;
+    this.samples = new Samples(object, store);
+    this.stretches = new TimeTree(this.samples.outlines());
+    this.reach = Math.max(...this.stretches.whole.map(Math.abs));
+  }
+
+  /** The box of all places where it ever is, 6 numbers [m]. */
+  get bounds(): readonly number[] {
+    const { origin } = this.samples;
+    return Array.from(this.stretches.whole, (x, i) => x + origin[i % 3]);
+  }
+
+  trace(ray: SpacetimeRay, search: Search): void {
+    const { birth, death } = this.object.lifetime;
+    const [begin, end] = spanBetween(ray, birth, death, this.c, search.begin, search.end);
+    if (begin > end) return;
+    const { times } = this.samples;
+    const { pieces } = this.stretches;
+    if (ray.dt === 0) {
+      this.tracePiece(ray, samplesUntil(times, ray.t) - 1, begin, end, search);
+      return;
+    }
+    const [early, late] = ray.dt > 0 ? [-1, pieces] : [pieces, -1];
+    this.tracePiece(ray, early, begin, end, search);
+    this.descend(ray, 1, 0, pieces - 1, begin, end, search);
+    this.tracePiece(ray, late, begin, end, search);
+  }
+
+  /** Into the pieces from first to last, those that the ray passes first in time first. */
+  private descend(
+    ray: SpacetimeRay,
+    node: number,
+    first: number,
+    last: number,
+    begin: number,
+    end: number,
+    search: Search,
+  ): void {
+    const { times, origin } = this.samples;
+    const [near, far] = spanBetween(ray, times[first], times[last + 1], this.c, begin, Math.min(end, search.end));
+    if (near > far) return;
+    const from = sub(ray.x, origin);
+    if (!this.stretches.meets(node, from, ray.dx, near, far, this.noise(from))) return;
+    if (first === last) {
+      this.tracePiece(ray, first, near, far, search);
+      return;
+    }
+    const middle = (first + last) >> 1;
+    const rising = ray.dt > 0;
+    if (rising) this.descend(ray, 2 * node, first, middle, begin, end, search);
+    this.descend(ray, 2 * node + 1, middle + 1, last, begin, end, search);
+    if (!rising) this.descend(ray, 2 * node, first, middle, begin, end, search);
+  }
+
+  private tracePiece(ray: SpacetimeRay, k: number, begin: number, end: number, search: Search): void {
+    const { times, origin, shape } = this.samples;
+    const last = times.length - 1;
+    const from = k < 0 ? Number.NEGATIVE_INFINITY : times[k];
+    const to = k < last ? times[k + 1] : Number.POSITIVE_INFINITY;
+    const [near, far] = spanBetween(ray, from, to, this.c, begin, Math.min(end, search.end));
+    if (near > far) return;
+    const [before, after] = [this.samples.at(Math.max(0, k)), this.samples.at(Math.min(last, k + 1))];
+    const span = before === after ? Number.POSITIVE_INFINITY : to - from;
+    const rate = ray.dt / (this.c * span);
+    const share = before === after ? 0 : (ray.t - from) / span + near * rate;
+    const o = sub(addScaled(ray.x, ray.dx, near), origin);
+    walk.line(o[0], o[1], o[2], ray.dx[0], ray.dx[1], ray.dx[2], share, rate);
+    walk.start(shape.tree, before.boxes, after.boxes, far - near, this.noise(o));
+    this.visit(before.points, after.points, o, ray.dx, share, rate, near, k, search);
+  }
+
+  private visit(
+    before: ArrayLike<number>,
+    after: ArrayLike<number>,
+    o: Vec3,
+    d: Vec3,
+    share: number,
+    rate: number,
+    begin: number,
+    piece: number,
+    search: Search,
+  ): void {
+    const { tree, first } = this.samples.shape;
+    const { indices } = this.object.mesh;
+    const { a, b } = triangle;
+    const noise = this.noise(o);
+    for (let leaf = walk.next(search.end - begin); leaf >= 0; leaf = walk.next(search.end - begin)) {
+      const { near, far } = walk;
+      const from = tree.link[leaf];
+      for (let i = from; i < from + tree.count[leaf]; i++) {
+        for (let corner = 0; corner < 3; corner++)
+          for (let axis = 0; axis < 3; axis++) {
+            const at = 3 * indices[first[i] + corner] + axis;
+            const moved = after[at] - before[at];
+            a[3 * corner + axis] = before[at] - o[axis] + (moved * (share + rate * near) - d[axis] * near);
+            b[3 * corner + axis] = moved * rate - d[axis];
+          }
+        const n = triangle.meet(far - near, noise);
+        for (let j = 0; j < n; j++) {
+          const s = begin + near + triangle.sigma[j];
+          if (search.offer(this, s, first[i], triangle.v[j], triangle.w[j], triangle.front[j], piece)) break;
+        }
+      }
+    }
+  }
+
+  describe(ray: SpacetimeRay, crossing: Crossing): Hit {
+    const event = eventOf(ray, this.index, crossing, this.c);
+    const { corner, v, w, piece } = crossing;
+    const { indices } = this.object.mesh;
+    const [p, q, r] = [0, 1, 2].map((k) => this.samples.vertex(indices[corner + k], piece, event.time));
+    const fastest = addScaled(scale(p.velocity, 1 - v - w), q.velocity, v);
+    const velocity = scale(addScaled(fastest, r.velocity, w), 1 / this.c);
+    const plane = cross(sub(q.place, p.place), sub(r.place, p.place));
+    return { ...event, velocity, normal: normalize(contraction(plane, properVelocity(velocity))) };
+  }
+
+  /** How well places round o are known [m]. */
+  private noise(o: Vec3): number {
+    return ROUNDINGS * Number.EPSILON * (Math.abs(o[0]) + Math.abs(o[1]) + Math.abs(o[2]) + this.reach);
+  }
+}
