@@ -1,7 +1,8 @@
-import { scale, type Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { dopplerFactor } from '../physics/doppler.ts';
 import type { AovName, View } from '../scene/view.ts';
+import { surfaceAt } from './surface.ts';
 import type { TracedScene } from './trace.ts';
 import type { Hit, SpacetimeRay } from './types.ts';
 
@@ -14,7 +15,7 @@ export type DataReader = (hit: Hit, ray: SpacetimeRay) => readonly number[];
 export function dataReader(name: DataAov, scene: TracedScene, u: Vec3, view: View): DataReader {
   switch (name) {
     case 'albedo':
-      return ({ object }) => scene.scene.materials[scene.objects[object].mesh.groups[0].material].baseColor;
+      return (hit) => surfaceAt(scene, hit).albedo;
     case 'depth':
       return ({ s }) => [s];
     case 'emission_time':
@@ -24,7 +25,7 @@ export function dataReader(name: DataAov, scene: TracedScene, u: Vec3, view: Vie
     case 'position':
       return ({ position }) => position;
     case 'normal':
-      return ({ normal, front }) => (front ? normal : scale(normal, -1));
+      return (hit) => surfaceAt(scene, hit).normal;
     case 'velocity':
       return ({ velocity }) => velocity;
     case 'object':

@@ -1,14 +1,14 @@
 import { rotate } from '../math/quat.ts';
-import { add, negate, normalize, scale, type Vec3 } from '../math/vec3.ts';
+import { lerp, negate, normalize, type Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { pieceAt, samplePose } from '../scene/motion.ts';
 import { pointAt } from '../scene/polygons.ts';
 import type { Material, SceneObject } from '../scene/types.ts';
+import { materialOf } from './material.ts';
 import { type Rgba, sampleTexture } from './texture.ts';
 import type { TracedScene } from './trace.ts';
 import type { Hit } from './types.ts';
-import { materialOf } from './visible.ts';
 
 /** What a surface is where a ray meets it. Colours are linear sRGB. */
 export interface SurfacePoint {
@@ -53,13 +53,14 @@ export function opacityAt(scene: TracedScene, hit: Hit): number {
   return baseColor(material, uvAt(scene.objects[hit.object].mesh.uvs, cornersOf(scene, hit)))[3];
 }
 
-interface Corners {
+/** The corners of a triangle that is hit. */
+export interface Corners {
   /** Vertices of the mesh. */
-  readonly indices: Vec3;
+  readonly indices: readonly [number, number, number];
   readonly weights: Vec3;
 }
 
-function cornersOf({ objects }: TracedScene, { object, corner, v, w }: Hit): Corners {
+export function cornersOf({ objects }: TracedScene, { object, corner, v, w }: Hit): Corners {
   const { indices } = objects[object].mesh;
   return { indices: [indices[corner], indices[corner + 1], indices[corner + 2]], weights: [1 - v - w, v, w] };
 }
@@ -101,23 +102,21 @@ function normalAt({ objects }: TracedScene, hit: Hit, corners: Corners): Vec3 {
 }
 
 /** Vertex → normal as the object has it at world time t, on the world's axes, not unit. */
-function normalsAt({ mesh, motion }: SceneObject, t: number): (vertex: number) => Vec3 {
+export function normalsAt({ mesh, motion }: SceneObject, t: number): (vertex: number) => Vec3 {
   const own = (i: number): Vec3 => pointAt(mesh.normals, i);
   switch (motion.kind) {
     case 'sampled': {
       const { before, after, s } = pieceAt(motion.times, t);
       const [a, b] = [samplePose(motion.poses, before).orientation, samplePose(motion.poses, after).orientation];
-      return (i) => mixed(rotate(a, own(i)), rotate(b, own(i)), s);
+      return (i) => lerp(rotate(a, own(i)), rotate(b, own(i)), s);
     }
     case 'sampled-points': {
       if (!motion.normals) return own;
       const { before, after, s } = pieceAt(motion.times, t);
       const [a, b] = [motion.normals[before], motion.normals[after]];
-      return (i) => mixed(pointAt(a, i), pointAt(b, i), s);
+      return (i) => lerp(pointAt(a, i), pointAt(b, i), s);
     }
     default:
       return (i) => rotate(motion.pose.orientation, own(i));
   }
 }
-
-const mixed = (a: Vec3, b: Vec3, s: number): Vec3 => add(scale(a, 1 - s), scale(b, s));

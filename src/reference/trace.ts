@@ -1,5 +1,6 @@
 import { restToWorld } from '../scene/resample.ts';
-import type { Mesh, Scene, SceneObject } from '../scene/types.ts';
+import { isTransparent } from '../scene/transparency.ts';
+import type { Material, Mesh, Scene, SceneObject } from '../scene/types.ts';
 import { RigidTracer } from './rigid.ts';
 import { SampledTracer } from './sampled.ts';
 import { ShapeStore } from './samples.ts';
@@ -14,6 +15,8 @@ export interface TracedScene {
   readonly c: number;
   /** As `scene.objects`, in the same order; sampled ones that are authored at rest are brought into the world frame. */
   readonly objects: readonly SceneObject[];
+  /** Materials that are blended with what is behind them. */
+  readonly transparent: ReadonlySet<Material>;
   readonly tracers: readonly Tracer[];
 }
 
@@ -31,7 +34,7 @@ export function traceable(scene: Scene, c: number): TracedScene {
   };
   const store = new ShapeStore(SHAPES);
   const tracers = objects.flatMap((object, i) => tracerOf(object, i, treeOf, c, store) ?? []);
-  return { scene, c, objects, tracers };
+  return { scene, c, objects, transparent: new Set(scene.materials.filter(isTransparent)), tracers };
 }
 
 function tracerOf(

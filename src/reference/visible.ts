@@ -1,4 +1,5 @@
-import type { Material } from '../scene/types.ts';
+import { materialOf } from './material.ts';
+import { opacityAt } from './surface.ts';
 import { nearestHit, type TracedScene } from './trace.ts';
 import type { Hit, SpacetimeRay } from './types.ts';
 
@@ -14,12 +15,10 @@ export function visibleHit(scene: TracedScene, ray: SpacetimeRay, transparent: T
 }
 
 /** Whether a surface is there for who looks at it from where the ray comes. */
-export function isShown(scene: TracedScene, hit: Hit, _transparent: Transparent): boolean {
-  return hit.front || scene.objects[hit.object].mesh.doubleSided;
-}
-
-/** The material of the triangle that is hit. */
-export function materialOf({ scene, objects }: TracedScene, { object, corner }: Hit): Material {
-  const group = objects[object].mesh.groups.find(({ start, count }) => corner >= start && corner < start + count);
-  return scene.materials[group?.material ?? 0];
+export function isShown(scene: TracedScene, hit: Hit, transparent: Transparent): boolean {
+  if (!hit.front && !scene.objects[hit.object].mesh.doubleSided) return false;
+  const material = materialOf(scene, hit);
+  if (transparent === 'skip' && scene.transparent.has(material)) return false;
+  const { opacityThreshold } = material;
+  return opacityThreshold === 0 || opacityAt(scene, hit) >= opacityThreshold;
 }

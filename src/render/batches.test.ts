@@ -2,20 +2,10 @@ import { expect, it } from 'vitest';
 import { fromAxisAngle } from '../math/quat.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../scene/defaults.ts';
 import { box, sphere } from '../scene/primitives.ts';
-import type { Material, SceneObject, Texture } from '../scene/types.ts';
-import { isTransparent, makeBatches } from './batches.ts';
+import type { Material, SceneObject } from '../scene/types.ts';
+import { makeBatches } from './batches.ts';
 import { makeBody } from './bodies.ts';
 
-const image = (alpha: number): Texture => ({
-  name: 'image',
-  width: 1,
-  height: 1,
-  data: Uint8Array.of(255, 255, 255, alpha),
-  colorSpace: 'srgb',
-  filter: 'linear',
-  wrapS: 'repeat',
-  wrapT: 'repeat',
-});
 const batchesOf = (objects: SceneObject[], materials: Material[] = []) => {
   const scene = makeScene({ name: 'test', objects, materials });
   return makeBatches(
@@ -62,13 +52,4 @@ it('what deforms, what is large and what is see-through is drawn alone', () => {
   const batches = batchesOf(objects, [makeMaterial({ name: 'matt' }), glass]);
   expect(batches.map((b) => b.bodies.map(({ id }) => id))).toEqual([[1], [2], [3, 4], [5], [6]]);
   expect(batches.map((b) => b.transparent)).toEqual([true, true, false, false, false]);
-});
-
-it('a material is see-through by its opacity or its picture, but not where it is cut out', () => {
-  const plain = makeMaterial({ name: 'm' });
-  expect(isTransparent(plain)).toBe(false);
-  expect(isTransparent({ ...plain, opacity: 0.9 })).toBe(true);
-  expect(isTransparent({ ...plain, baseColorTexture: image(255) })).toBe(false);
-  expect(isTransparent({ ...plain, baseColorTexture: image(100) })).toBe(true);
-  expect(isTransparent({ ...plain, baseColorTexture: image(100), opacityThreshold: 0.5 })).toBe(false);
 });

@@ -1,8 +1,8 @@
 import { rotate } from '../math/quat.ts';
 import { sub, type Vec3 } from '../math/vec3.ts';
-import type { Material, Motion, Scene, Texture } from '../scene/types.ts';
+import { isTransparent } from '../scene/transparency.ts';
+import type { Motion, Scene, Texture } from '../scene/types.ts';
 import type { Body } from './bodies.ts';
-import { hasAlpha } from './textures.ts';
 
 /** Objects with more triangles than this are drawn alone, so that culling them saves their work. */
 const ALONE = 20_000;
@@ -35,12 +35,6 @@ interface Part {
   readonly material: number;
   readonly start: number;
   readonly count: number;
-}
-
-/** Blended, where it is neither opaque nor cut out. */
-export function isTransparent({ opacity, opacityThreshold, baseColorTexture }: Material): boolean {
-  if (opacityThreshold > 0) return false;
-  return opacity < 1 || (baseColorTexture !== undefined && hasAlpha(baseColorTexture));
 }
 
 export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {

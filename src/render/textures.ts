@@ -31,9 +31,3 @@ export function uploadTexture(image: Texture): DataTexture {
   made.needsUpdate = true;
   return made;
 }
-
-/** Whether any texel is not opaque. */
-export function hasAlpha({ data }: Texture): boolean {
-  for (let i = 3; i < data.length; i += 4) if (data[i] < 255) return true;
-  return false;
-}
