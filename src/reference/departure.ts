@@ -1,0 +1,78 @@
+import { rotate } from '../math/quat.ts';
+import { add, addScaled, dot, length, lerp, negate, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { properVelocity } from '../physics/boost.ts';
+import { contraction } from '../physics/simultaneity.ts';
+import { pieceAt, samplePose } from '../scene/motion.ts';
+import { pointAt } from '../scene/polygons.ts';
+import type { SceneObject } from '../scene/types.ts';
+import type { Start } from './lighting.ts';
+import { cornersOf, normalsAt } from './surface.ts';
+import type { TracedScene } from './trace.ts';
+import type { Hit } from './types.ts';
+
+/** Where rays leave a surface on the side from which it is looked at. */
+export interface Departure extends Start {
+  /** The triangle that they leave, and do not meet again. */
+  readonly hit: Hit;
+  /** The triangle's own normal on that side, in the rest frame. */
+  readonly side: Vec3;
+}
+
+/**
+ * Triangles that stand for a round body shade it where their neighbours stick out of them. Rays therefore begin on the curved surface that
+ * the corners' normals tell of: each corner's tangent plane, weighted as the corner is. On flat faces this is the hit itself.
+ * Source: Hanika 2021, "Hacking the shadow terminator", Ray Tracing Gems II, ch. 4.
+ */
+export function departureAt(scene: TracedScene, hit: Hit): Departure {
+  const corners = cornersOf(scene, hit);
+  const object = scene.objects[hit.object];
+  const facing = hit.front ? 1 : -1;
+  const place = placesAt(object, hit.time);
+  const normal = normalsAt(object, hit.time);
+  const [a, b, c] = corners.indices.map(place);
+  const [p, q, r] = corners.weights;
+  const here = add(add(scale(a, p), scale(b, q)), scale(c, r));
+  let out: Vec3 = [0, 0, 0];
+  [a, b, c].forEach((corner, k) => {
+    const n = scale(normal(corners.indices[k]), facing);
+    const under = Math.min(0, dot(sub(here, corner), n)) / Math.max(dot(n, n), 1e-12);
+    out = addScaled(out, n, -under * corners.weights[k]);
+  });
+  const contracted = object.authoredIn === 'rest' ? contraction(out, properVelocity(hit.velocity)) : out;
+  const clear = clearance(scene, hit, Math.max(length(sub(b, a)), length(sub(c, a))));
+  return { t: hit.time, x: add(hit.position, contracted), clear, hit, side: sideOf(hit) };
+}
+
+/** The hit itself, for rays that go on behind the surface. */
+export const passageAt = (scene: TracedScene, hit: Hit): Departure => ({
+  t: hit.time,
+  x: hit.position,
+  clear: clearance(scene, hit, 0),
+  hit,
+  side: negate(sideOf(hit)),
+});
+
+const sideOf = ({ front, normal }: Hit): Vec3 => (front ? normal : negate(normal));
+
+/** Well above the rounding of f64 of places, and of times times the surface's speed. */
+const clearance = ({ c }: TracedScene, { position, time, velocity }: Hit, size: number): number =>
+  1e-10 * (length(position) + size) + 1e-13 * c * Math.abs(time) * length(velocity);
+
+/** Vertex → place on the world's slice t (or, of what is authored at rest, in its rest frame), from an origin that they share. */
+function placesAt({ mesh, motion }: SceneObject, t: number): (vertex: number) => Vec3 {
+  const own = (i: number): Vec3 => pointAt(mesh.positions, i);
+  switch (motion.kind) {
+    case 'sampled': {
+      const { before, after, s } = pieceAt(motion.times, t);
+      const [a, b] = [samplePose(motion.poses, before).orientation, samplePose(motion.poses, after).orientation];
+      return (i) => lerp(rotate(a, own(i)), rotate(b, own(i)), s);
+    }
+    case 'sampled-points': {
+      const { before, after, s } = pieceAt(motion.times, t);
+      const [a, b] = [motion.points[before], motion.points[after]];
+      return (i) => lerp(pointAt(a, i), pointAt(b, i), s);
+    }
+    default:
+      return (i) => rotate(motion.pose.orientation, own(i));
+  }
+}

@@ -1,0 +1,176 @@
+import { add, addScaled, negate, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { simultaneousPosition } from '../physics/simultaneity.ts';
+import type { RenderSettings } from '../scene/view.ts';
+import { type Departure, departureAt } from './departure.ts';
+import { cosineDirection, type Random, turnedTo } from './directions.ts';
+import { type Glass, isGlass, throughGlass } from './glass.ts';
+import { frameOf, type Lighting, type LightOptions, lightingOf, rayBack } from './lighting.ts';
+import { directLight } from './lights.ts';
+import { type Beam, coverage, isElsewhere } from './passage.ts';
+import { type Look, lookOf, sampleMirrored } from './reflectance.ts';
+import { dopplerBetween, type RestFrame, restFrame } from './restFrame.ts';
+import { seen } from './shift.ts';
+import { type SurfacePoint, surfaceAt } from './surface.ts';
+import { nearestHit, type TracedScene } from './trace.ts';
+import type { Hit, SpacetimeRay } from './types.ts';
+
+/** Mirrors in mirrors, and sides of glass, are followed so deep. */
+const MOST_MIRRORS = 8;
+/** Transparent layers, one behind the other. */
+const MOST_LAYERS = 64;
+/** What less than this part of is left of is not followed further. */
+const FAINT = 1e-4;
+
+/** Who looks along a ray, and how far what is met there is followed. */
+export interface Path {
+  /** The frame in which the light is received. */
+  readonly frame: RestFrame;
+  /** Whether it is a picture that forms: of front sides, by what they reflect. Else light is gathered: from both sides, and what is left of `bounces` counts. */
+  readonly eye: boolean;
+  /** The sky has its suns in it. */
+  readonly suns: boolean;
+  readonly bounces: number;
+  readonly mirrors: number;
+}
+
+/**
+ * The light that arrives along a ray, from s = 0 on: linear sRGB radiance for a receiver with proper velocity u (world frame, units of c). Between two rest
+ * frames there is one Doppler factor, so light that is scattered on its way is shifted at each step (physics.md, "Shading"). In the
+ * views that show no light, D = 1. One sample of an integral: the mean of many is the picture. `random` in 0 … 1.
+ */
+export function radiance(
+  scene: TracedScene,
+  ray: SpacetimeRay,
+  receiver: { readonly u: Vec3 },
+  settings: RenderSettings,
+  options: LightOptions,
+  random: Random,
+): Vec3 {
+  const lighting = lightingOf(scene, settings, options, receiver.u, random);
+  const luminous = settings.view === 'light-cone';
+  const frame = restFrame(luminous ? receiver.u : ZERO);
+  // A slice has the sky of the observer's own directions.
+  const toward = settings.view === 'simultaneity' ? simultaneousPosition(ray.dx, receiver.u) : ray.dx;
+  const path = { frame, eye: true, suns: true, bounces: options.bounces, mirrors: MOST_MIRRORS };
+  return gather(lighting, { ray, begin: 0, toward: normalize(toward) }, path);
+}
+
+/** A beam, and the direction in which the sky is behind it. */
+interface Gaze extends Beam {
+  readonly toward: Vec3;
+}
+
+/** Through all that is transparent, to the first solid surface or the sky. */
+function gather(lighting: Lighting, gaze: Gaze, path: Path): Vec3 {
+  const { scene } = lighting;
+  let beam: Beam = gaze;
+  let sum = ZERO;
+  let share = 1;
+  for (let layer = 0; layer < MOST_LAYERS; layer++) {
+    const hit = met(scene, beam, path);
+    if (!hit) return addScaled(sum, skyLight(lighting, gaze.toward, path), share);
+    const glass = path.eye && isGlass(lighting, hit);
+    const held = glass ? 1 : coverage(scene, hit);
+    sum = addScaled(sum, surfaceLight(lighting, gaze, hit, path, glass), share * held);
+    share *= 1 - held;
+    if (share < FAINT) break;
+    beam = { ray: beam.ray, begin: hit.s, from: hit };
+  }
+  return sum;
+}
+
+function met(scene: TracedScene, beam: Beam, { eye }: Path): Hit | undefined {
+  return nearestHit(scene, beam.ray, {
+    begin: beam.begin,
+    accepts: (hit) =>
+      isElsewhere(beam, hit) &&
+      (!eye || hit.front || scene.objects[hit.object].mesh.doubleSided) &&
+      coverage(scene, hit) > 0,
+  });
+}
+
+function skyLight({ sky, settings }: Lighting, n: Vec3, { frame, suns }: Path): Vec3 {
+  const light = suns ? add(sky.light(n), sky.suns(n)) : sky.light(n);
+  return seen(light, frame.doppler(n), settings);
+}
+
+/** What the surface sends towards the receiver, as it arrives there. */
+function surfaceLight(lighting: Lighting, { ray }: Gaze, hit: Hit, path: Path, glass: boolean): Vec3 {
+  const n = normalize(ray.dx);
+  const frame = frameOf(lighting, hit.velocity);
+  const point = surfaceAt(lighting.scene, hit);
+  const V = negate(frame.into(n));
+  const light = glass
+    ? glassLight(lighting, hit, point, V, frame, path)
+    : solidLight(lighting, hit, point, V, frame, path);
+  return seen(light, dopplerBetween(n, path.frame, frame), lighting.settings);
+}
+
+/** Radiance of a surface towards V, in its rest frame: what it emits, and what it reflects where that is looked at. */
+function solidLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, frame: RestFrame, path: Path): Vec3 {
+  if (!path.eye && path.bounces === 0) return point.emissive;
+  const look = lookOf(point, V);
+  const at = departureAt(lighting.scene, hit);
+  const direct = add(point.emissive, directLight(lighting, at, look, frame));
+  return add(direct, scattered(lighting, at, look, point.roughness, frame, path));
+}
+
+/** Light of the sky and of other surfaces. What is seen directly is lit by both parts of the reflectance; further on one of them, by chance, stands for both. */
+function scattered(
+  lighting: Lighting,
+  at: Departure,
+  look: Look,
+  roughness: number,
+  frame: RestFrame,
+  path: Path,
+): Vec3 {
+  const { options, random } = lighting;
+  const eye = path.eye && options.mirrors && path.mirrors > 0;
+  const scatters = path.bounces > 0;
+  const diffuse = (): Vec3 => diffuselyFrom(lighting, at, look, frame, path);
+  const { L, share } = sampleMirrored(look, roughness, random);
+  const mirror = (): Vec3 =>
+    eye || scatters ? product(share, lightFrom(lighting, at, L, mirrorPath(path, frame, eye))) : ZERO;
+  const [d, m] = [scatters ? Math.max(...look.diffuse) : 0, Math.max(...share)];
+  if (path.eye && path.mirrors === MOST_MIRRORS) return add(d > 0 ? diffuse() : ZERO, m > 0 ? mirror() : ZERO);
+  if (d + m === 0) return ZERO;
+  return random() * (d + m) < d ? scale(diffuse(), (d + m) / d) : scale(mirror(), (d + m) / m);
+}
+
+const mirrorPath = (path: Path, frame: RestFrame, eye: boolean): Path =>
+  eye
+    ? { ...path, frame, suns: false, mirrors: path.mirrors - 1 }
+    : { ...path, frame, suns: false, eye: false, bounces: path.bounces - 1 };
+
+function diffuselyFrom(lighting: Lighting, at: Departure, look: Look, frame: RestFrame, path: Path): Vec3 {
+  const L = cosineDirection(look.N, lighting.random);
+  const onward = { ...path, frame, eye: false, suns: false, bounces: path.bounces - 1 };
+  return product(look.diffuse, lightFrom(lighting, at, L, onward));
+}
+
+/** Radiance from the direction L of the rest frame, as it arrives there. Directions below the triangle count as their mirror images above it. */
+function lightFrom(lighting: Lighting, at: Departure, L: Vec3, path: Path): Vec3 {
+  const n = path.frame.out(turnedTo(at.side, L));
+  return gather(lighting, { ray: rayBack(lighting, at, n), begin: at.clear, from: at.hit, toward: n }, path);
+}
+
+/** The body's own colour as much as it is opaque, the lamps' highlights, and what comes through and from its sides. */
+function glassLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, frame: RestFrame, path: Path): Vec3 {
+  const { opacity } = point;
+  const look = lookOf({ ...point, albedo: scale(point.albedo, opacity), metallic: 0 }, V);
+  const at = departureAt(lighting.scene, hit);
+  const own = addScaled(directLight(lighting, at, look, frame), point.emissive, opacity);
+  const diffuse = opacity > 0 && path.bounces > 0 ? diffuselyFrom(lighting, at, look, frame, path) : ZERO;
+  const onward = { ...path, frame, suns: true, mirrors: path.mirrors - 1 };
+  const glass: Glass = {
+    frame,
+    point,
+    branches: path.mirrors === MOST_MIRRORS,
+    outside: (from, L) => lightFrom(lighting, from, L, onward),
+    along: (beam) => gather(lighting, { ...beam, toward: normalize(beam.ray.dx) }, onward),
+  };
+  const clear = path.mirrors > 0 ? throughGlass(lighting, hit, at, V, glass) : ZERO;
+  return add(add(own, diffuse), clear);
+}
+
+const product = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];

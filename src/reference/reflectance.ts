@@ -1,0 +1,100 @@
+import { add, addScaled, dot, lerp, normalize, scale, type Vec3 } from '../math/vec3.ts';
+import { inFrameOf, mirrored, type Random, tangents } from './directions.ts';
+import type { SurfacePoint } from './surface.ts';
+
+// Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.
+
+/** How a surface reflects towards V. */
+export interface Look {
+  /** Albedo of the Lambert part. */
+  readonly diffuse: Vec3;
+  /** Mirrored share at normal and at grazing incidence. */
+  readonly F0: Vec3;
+  readonly F90: number;
+  /** As direct light meets it: a point of light on a perfect mirror would have no size. */
+  readonly roughness: number;
+  readonly N: Vec3;
+  readonly V: Vec3;
+  readonly NV: number;
+}
+
+export function lookOf({ albedo, metallic, roughness, ior, normal: N }: SurfacePoint, V: Vec3): Look {
+  const bare = ((ior - 1) / (ior + 1)) ** 2;
+  const F0 = lerp([bare, bare, bare], albedo, metallic);
+  return {
+    diffuse: scale(albedo, 1 - metallic),
+    F0,
+    // What refracts like its surroundings has no surface to mirror, not even at grazing incidence.
+    F90: ior === 1 ? metallic : 1,
+    roughness: Math.min(Math.max(roughness, 0.05), 1),
+    N,
+    V,
+    NV: Math.max(dot(N, V), 1e-3),
+  };
+}
+
+/** BRDF · cos of light from L. */
+export function reflectance(look: Look, L: Vec3): Vec3 {
+  const NL = Math.min(dot(look.N, L), 1);
+  if (NL <= 0) return [0, 0, 0];
+  return scale(add(scale(look.diffuse, 1 / Math.PI), ggx(look, L, NL)), NL);
+}
+
+/** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
+function ggx(look: Look, L: Vec3, NL: number): Vec3 {
+  const { N, V, NV, roughness } = look;
+  const H = normalize(add(L, V));
+  const a2 = roughness ** 4;
+  const NH = Math.min(Math.max(dot(N, H), 0), 1);
+  const spread = NH * NH * (a2 - 1) + 1;
+  const distribution = a2 / (spread * spread * Math.PI);
+  const visibility = 0.5 / Math.max(NL * lambda(NV, a2) + NV * lambda(NL, a2), 1e-4);
+  return scale(fresnel(look, dot(V, H)), Math.min(distribution * visibility, 1e4));
+}
+
+/** √(a² + (1 − a²) x²) */
+const lambda = (x: number, a2: number): number => Math.sqrt(x * x * (1 - a2) + a2);
+
+/** Schlick 1994. */
+function fresnel({ F0, F90 }: Look, VH: number): Vec3 {
+  return lerp(F0, [F90, F90, F90], (1 - Math.min(Math.max(VH, 0), 1)) ** 5);
+}
+
+/** Below this a surface mirrors as if it were perfectly smooth. */
+const SMOOTH = 0.05;
+
+/** A direction from which mirrored light comes, and what share of it goes towards V. */
+export interface Mirrored {
+  readonly L: Vec3;
+  readonly share: Vec3;
+}
+
+/** Chosen by the facets that are seen from V, so that `share` is F · G₂/G₁ and never great. */
+export function sampleMirrored(look: Look, roughness: number, random: Random): Mirrored {
+  const { N, V, NV } = look;
+  const H = roughness < SMOOTH ? N : visibleFacet(N, V, roughness * roughness, random);
+  const L = mirrored(scale(V, -1), H);
+  const NL = dot(N, L);
+  if (roughness < SMOOTH) return { L, share: fresnel(look, NV) };
+  if (NL <= 0) return { L, share: [0, 0, 0] };
+  const a2 = roughness ** 4;
+  const [v, l] = [NL * lambda(NV, a2), NV * lambda(NL, a2)];
+  return { L, share: scale(fresnel(look, dot(V, H)), (NL * (NV + lambda(NV, a2))) / (v + l)) };
+}
+
+/** Source: Heitz 2018, "Sampling the GGX distribution of visible normals", JCGT 7(4). */
+export function visibleFacet(N: Vec3, V: Vec3, a: number, random: Random): Vec3 {
+  const [s, t] = tangents(N);
+  const Vh = normalize([a * dot(V, s), a * dot(V, t), Math.max(dot(V, N), 1e-3)]);
+  const flat = Vh[0] ** 2 + Vh[1] ** 2;
+  const T1: Vec3 = flat > 0 ? scale([-Vh[1], Vh[0], 0], 1 / Math.sqrt(flat)) : [1, 0, 0];
+  const T2: Vec3 = [Vh[1] * T1[2] - Vh[2] * T1[1], Vh[2] * T1[0] - Vh[0] * T1[2], Vh[0] * T1[1] - Vh[1] * T1[0]];
+  const r = Math.sqrt(random());
+  const phi = 2 * Math.PI * random();
+  const x = r * Math.cos(phi);
+  const half = (1 + Vh[2]) / 2;
+  const y = (1 - half) * Math.sqrt(1 - x * x) + half * r * Math.sin(phi);
+  const z = Math.sqrt(Math.max(0, 1 - x * x - y * y));
+  const Nh = addScaled(addScaled(scale(T1, x), T2, y), Vh, z);
+  return normalize(inFrameOf(N, a * Nh[0], a * Nh[1], Math.max(1e-6, Nh[2])));
+}

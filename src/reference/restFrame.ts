@@ -1,0 +1,28 @@
+import type { Vec3 } from '../math/vec3.ts';
+import { aberrate, unaberrate } from '../physics/aberration.ts';
+import { observerDoppler } from '../physics/doppler.ts';
+
+/** The frame of something that moves with u = γβ: directions n (unit, world, towards the source) as they are there, and back, and D of light from n. */
+export interface RestFrame {
+  readonly u: Vec3;
+  into(n: Vec3): Vec3;
+  out(nPrime: Vec3): Vec3;
+  doppler(n: Vec3): number;
+}
+
+const WORLD: RestFrame = { u: [0, 0, 0], into: (n) => n, out: (n) => n, doppler: () => 1 };
+
+/** Most surfaces rest: then nothing is computed. */
+export const restFrame = (u: Vec3): RestFrame =>
+  u[0] === 0 && u[1] === 0 && u[2] === 0
+    ? WORLD
+    : {
+        u,
+        into: (n) => aberrate(n, u),
+        out: (n) => unaberrate(n, u),
+        doppler: (n) => observerDoppler(n, u),
+      };
+
+/** D of light from n between two frames, from `source` to `receiver`. */
+export const dopplerBetween = (n: Vec3, receiver: RestFrame, source: RestFrame): number =>
+  receiver === source ? 1 : receiver.doppler(n) / source.doppler(n);

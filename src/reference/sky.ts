@@ -1,0 +1,57 @@
+import { addScaled, dot, lerp, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { axesOf, DAY, directLights, domeOf, SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
+import type { DistantLight, DomeLight, Scene, Texture } from '../scene/types.ts';
+import { sampleTexture } from './texture.ts';
+
+/** Radiance from world directions n (unit), for one who is at rest in the world. */
+export interface Sky {
+  light(n: Vec3): Vec3;
+  /** The discs of distant lights and their glow, which are in the sky for the eye alone: as light they have no size. */
+  suns(n: Vec3): Vec3;
+}
+
+export function skyOf(scene: Scene): Sky {
+  const { up } = axesOf(scene.upAxis);
+  const dome = domeOf(scene);
+  const suns = directLights(scene).filter((light) => light.kind === 'distant');
+  return {
+    light: dome ? domeLight(dome, scene.upAxis) : (n) => gradient(dot(n, up), DAY.zenith, DAY.horizon, DAY.ground),
+    suns: (n) => suns.reduce((sum, sun) => addScaled(sum, sun.color, discAndGlow(n, sun)), ZERO),
+  };
+}
+
+function domeLight({ color, texture }: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
+  if (texture) return domePicture(texture, color, upAxis);
+  const { up } = axesOf(upAxis);
+  return (n) => gradient(dot(n, up), color, color, color);
+}
+
+/** From the horizon to the zenith, and a ground that only closes the sphere. */
+function gradient(height: number, zenith: Vec3, horizon: Vec3, ground: Vec3): Vec3 {
+  const { curve, dim, haze, seam } = SKY_SHAPE;
+  const above = lerp(horizon, zenith, Math.max(height, 0) ** curve);
+  const below = lerp(scale(horizon, dim), ground, smoothstep(0, haze, -height));
+  return lerp(below, above, smoothstep(-seam, seam, height));
+}
+
+/** A latitude–longitude picture: its top row at the zenith. */
+function domePicture(texture: Texture, color: Vec3, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
+  const { up, ahead, right } = axesOf(upAxis);
+  return (n) => {
+    const around = Math.atan2(dot(n, right), dot(n, ahead)) / (2 * Math.PI) + 0.5;
+    const above = 1 - Math.acos(Math.min(Math.max(dot(n, up), -1), 1)) / Math.PI;
+    const [r, g, b] = sampleTexture(texture, around, above);
+    return [r * color[0], g * color[1], b * color[2]];
+  };
+}
+
+function discAndGlow(n: Vec3, { direction }: DistantLight): number {
+  const away = 1 + dot(n, direction);
+  const disc = SUN_DISC.radiance * (1 - smoothstep(...SUN_DISC.rim, away));
+  return SUN_DISC.glows.reduce((sum, [strength, rate]) => sum + strength * Math.exp(-rate * away), disc);
+}
+
+function smoothstep(from: number, to: number, x: number): number {
+  const s = Math.min(Math.max((x - from) / (to - from), 0), 1);
+  return s * s * (3 - 2 * s);
+}
