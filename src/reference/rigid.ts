@@ -48,7 +48,7 @@ export class RigidTracer implements Tracer {
     const [begin, end] = spanBetween(ray, birth, death, this.c, search.begin, search.end);
     if (begin > end) return;
     const [o, d] = [this.origin(ray), this.way(ray)];
-    walk.start(this.shape.tree, o[0], o[1], o[2], d[0], d[1], d[2], begin, end);
+    walk.start(this.shape.tree, o[0], o[1], o[2], d[0], d[1], d[2], begin);
     this.visit(o, d, begin, end, search);
   }
 

@@ -1,6 +1,7 @@
 import { restToWorld } from '../scene/resample.ts';
 import { isTransparent } from '../scene/transparency.ts';
 import type { Material, Mesh, Scene, SceneObject } from '../scene/types.ts';
+import { HyperbolicTracer } from './hyperbolic.ts';
 import { RigidTracer } from './rigid.ts';
 import { SampledTracer } from './sampled.ts';
 import { ShapeStore } from './samples.ts';
@@ -33,7 +34,7 @@ export function traceable(scene: Scene, c: number): TracedScene {
     return tree;
   };
   const store = new ShapeStore(SHAPES);
-  const tracers = objects.flatMap((object, i) => tracerOf(object, i, treeOf, c, store) ?? []);
+  const tracers = objects.map((object, i) => tracerOf(object, i, treeOf, c, store));
   return { scene, c, objects, transparent: new Set(scene.materials.filter(isTransparent)), tracers };
 }
 
@@ -43,13 +44,13 @@ function tracerOf(
   treeOf: (mesh: Mesh) => TriangleTree,
   c: number,
   store: ShapeStore,
-): Tracer | undefined {
+): Tracer {
   const { motion } = object;
   if (motion.kind === 'static' || motion.kind === 'uniform')
     return new RigidTracer(index, { ...object, motion }, treeOf(object.mesh), c);
   if (motion.kind === 'sampled' || motion.kind === 'sampled-points')
     return new SampledTracer(index, { ...object, motion }, c, store);
-  return undefined;
+  return new HyperbolicTracer(index, { ...object, motion }, treeOf(object.mesh), c);
 }
 
 /**

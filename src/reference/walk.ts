@@ -1,3 +1,4 @@
+import type { Vec3 } from '../math/vec3.ts';
 import type { Bvh } from './bvh.ts';
 
 /** Rounding of the three factors of a slab's crossing. Source: Ize 2013, "Robust BVH ray traversal". */
@@ -31,18 +32,8 @@ export class Walk {
   private fy = 0;
   private fz = 0;
 
-  /** Line and box in one frame [m]; from s = `begin` to `end`. */
-  start(
-    tree: Bvh,
-    ox: number,
-    oy: number,
-    oz: number,
-    dx: number,
-    dy: number,
-    dz: number,
-    begin: number,
-    end: number,
-  ): void {
+  /** Line and box in one frame [m]; from s = `begin`. */
+  start(tree: Bvh, ox: number, oy: number, oz: number, dx: number, dy: number, dz: number, begin: number): void {
     this.bounds = tree.bounds;
     this.link = tree.link;
     this.count = tree.count;
@@ -56,8 +47,23 @@ export class Walk {
     this.nx = this.fx = ox;
     this.ny = this.fy = oy;
     this.nz = this.fz = oz;
-    this.top = 0;
-    if (tree.link.length > 0) this.push(0, this.enter(0, end));
+    this.stack[0] = 0;
+    this.entered[0] = this.begin;
+    this.top = tree.link.length > 0 ? 1 : 0;
+  }
+
+  /** After `start`: the line stands for a curve that is up to `bulge` [m] beside it on that side, and both are known to `noise` [m]. */
+  thicken([x, y, z]: Vec3, noise: number): void {
+    // A box is met by some of the thick line where the line itself meets the box made larger to the other side.
+    const [lowX, highX] = [Math.max(0, x) + noise, Math.min(0, x) - noise];
+    const [lowY, highY] = [Math.max(0, y) + noise, Math.min(0, y) - noise];
+    const [lowZ, highZ] = [Math.max(0, z) + noise, Math.min(0, z) - noise];
+    this.nx += this.nearX === 0 ? lowX : highX;
+    this.fx += this.nearX === 0 ? highX : lowX;
+    this.ny += this.nearY === 1 ? lowY : highY;
+    this.fy += this.nearY === 1 ? highY : lowY;
+    this.nz += this.nearZ === 2 ? lowZ : highZ;
+    this.fz += this.nearZ === 2 ? highZ : lowZ;
   }
 
   /** The next leaf that is met before s = `end`; −1 where there is none left. */
