@@ -35,23 +35,17 @@ export class LeafList {
     this.used = 0;
   }
 
-  /** A whole triangle. */
-  addWhole(triangle: number): void {
-    const at = this.next();
-    this.floats.set([triangle, 0, 0, 1, 0, 0, 1, 0], at);
-  }
-
-  /** The six weights are read from `weights` at the places of the leaf's corners (two numbers each). */
-  add(triangle: number, weights: Float64Array, c0: number, c1: number, c2: number): void {
+  /** A part of a triangle: a, b, c are the places of its corners in `points` (shown.ts). */
+  add(triangle: number, points: Float64Array, a: number, b: number, c: number): void {
     const at = this.next();
     const out = this.floats;
     out[at] = triangle;
-    out[at + 1] = weights[2 * c0];
-    out[at + 2] = weights[2 * c0 + 1];
-    out[at + 3] = weights[2 * c1];
-    out[at + 4] = weights[2 * c1 + 1];
-    out[at + 5] = weights[2 * c2];
-    out[at + 6] = weights[2 * c2 + 1];
+    out[at + 1] = points[a + 6];
+    out[at + 2] = points[a + 7];
+    out[at + 3] = points[b + 6];
+    out[at + 4] = points[b + 7];
+    out[at + 5] = points[c + 6];
+    out[at + 6] = points[c + 7];
     out[at + 7] = 0;
   }
 

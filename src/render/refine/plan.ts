@@ -1,38 +1,18 @@
-import type { Quat } from '../../math/quat.ts';
 import type { Batch } from '../batches.ts';
-import type { Sight } from '../sight.ts';
-import type { Projection } from '../vertexStage.ts';
+import type { Body } from '../bodies.ts';
+import { Clusters, DeformingLumps, lumpsOf, type Run, together } from './clusters.ts';
+import { Coarse } from './coarse.ts';
+import { Fine } from './fine.ts';
 import { LEAF_FLOATS, LeafList, MOST_LEVEL } from './leaf.ts';
-
-/** How a picture is looked at, as far as its edges' cutting goes. */
-export interface Look {
-  readonly sight: Sight;
-  readonly projection: Projection;
-  /** Camera axes (−Z forward, +Y up) against the world axes carried by the pure boost. */
-  readonly orientation: Quat;
-  /** Tangents of half the angles of view. */
-  readonly tanX: number;
-  readonly tanY: number;
-  /** Pixels per unit tangent: height / (2 tanY). */
-  readonly focal: number;
-  /** How far a straight edge may be from the curve that is seen [px]. */
-  readonly tolerance: number;
-  /** Most leaves of a picture; where more were needed, the tolerance is doubled until there are not. */
-  readonly budget: number;
-}
-
-/** What becomes of a cluster in a picture. */
-export const DRAWN = 0;
-/** Its triangles are among the leaves. */
-export const REFINED = 1;
-/** It is surely outside the picture. */
-export const OUTSIDE = 2;
+import { type Gauge, gaugeOf, type Look } from './look.ts';
+import { showing, windowOf } from './showing.ts';
+import { DRAWN, type Lump, OUTSIDE, REFINED, type Shown } from './shown.ts';
 
 /** How one batch is drawn in one picture. */
 export interface Plan {
-  /** Nothing needs cutting and nothing is outside: draw the batch as it is. */
+  /** Every cluster is DRAWN. */
   readonly whole: boolean;
-  /** Per cluster DRAWN, REFINED or OUTSIDE. */
+  /** The Fate of each cluster. */
   readonly clusters: Uint8Array;
   /** 8 floats each (leaf.ts), in the order of their triangles; valid until the next plan. */
   readonly leaves: Float32Array;
@@ -44,48 +24,124 @@ export interface Plan {
 /** Leaves by the level of their interiors, 0 … MOST_LEVEL, the levels of their edges filled in; valid until the next call. */
 export type Levelled = readonly LeafList[];
 
-/** Most triangles of a cluster. */
-const CLUSTER = 128;
-
 /** One batch: its clusters, and what they need in a picture. */
 export class Refinement {
-  /** First triangle of each cluster, and after the last one the number of triangles. A cluster has triangles of one body. */
-  readonly starts: Uint32Array;
+  private readonly batch: Batch;
+  private readonly bodies: ReadonlyMap<number, Body>;
+  private readonly clusters: Clusters;
+  /** Of each cluster, where the mesh does not deform, and of each run. */
+  private readonly lumps: readonly Lump[];
+  private readonly whole: readonly Lump[];
+  private readonly deforming: DeformingLumps | undefined;
+  private readonly fates: Uint8Array;
   private readonly leaves = new LeafList();
   private readonly levels: Levelled = Array.from({ length: MOST_LEVEL + 1 }, () => new LeafList());
 
-  constructor({ arrays }: Batch) {
-    const triangles = arrays.indices.length / 3;
-    const starts: number[] = [];
-    for (let t = 0; t < triangles; t++) {
-      const body = arrays.ids[2 * arrays.indices[3 * t]];
-      const before = t > 0 ? arrays.ids[2 * arrays.indices[3 * t - 3]] : -1;
-      if (body !== before || t - starts[starts.length - 1] >= CLUSTER) starts.push(t);
-    }
-    this.starts = Uint32Array.from([...starts, triangles]);
+  constructor(batch: Batch) {
+    const { arrays, bodies } = batch;
+    this.batch = batch;
+    this.bodies = new Map(bodies.map((body) => [body.id, body]));
+    this.clusters = new Clusters(arrays);
+    this.fates = new Uint8Array(this.clusters.count);
+    const { motion } = bodies[0].object;
+    const deforms = motion.kind === 'sampled-points';
+    this.deforming = deforms ? new DeformingLumps(this.clusters, arrays.indices, motion) : undefined;
+    this.lumps = deforms ? [] : lumpsOf(this.clusters, arrays);
+    this.whole = deforms ? [] : this.clusters.runs.map(({ first, end }) => together(this.lumps.slice(first, end)));
   }
 
-  /** `tolerance` [px]: that of the look, or more where the budget asks for it. */
-  plan(look: Look, tolerance = look.tolerance): Plan {
+  /** First triangle of each cluster, and after the last one the number of triangles. A cluster has triangles of one body. */
+  get starts(): Uint32Array {
+    return this.clusters.starts;
+  }
+
+  /** `tolerance` [px]: that of the look, or more where the budget asks for it. Stops when there are more leaves than `most`. */
+  plan(look: Look, tolerance = look.tolerance, most = Number.POSITIVE_INFINITY): Plan {
+    const gauge = gaugeOf(look, tolerance);
     this.leaves.clear();
-    for (let t = 0; t < this.starts[this.starts.length - 1]; t++) this.leaves.addWhole(t);
-    const clusters = new Uint8Array(this.starts.length - 1).fill(REFINED);
-    return { whole: false, clusters, leaves: this.leaves.leaves, count: this.leaves.count, tolerance };
+    for (let r = 0; r < this.clusters.runs.length; r++) this.planRun(r, gauge, most);
+    const { leaves, count } = this.leaves;
+    return { whole: this.fates.every((f) => f === DRAWN), clusters: this.fates, leaves, count, tolerance };
   }
 
   /** The levels of a plan's leaves, for the same look. */
-  levelled(plan: Plan, _look: Look): Levelled {
+  levelled({ leaves, count, tolerance }: Plan, look: Look): Levelled {
+    const gauge = gaugeOf(look, tolerance);
+    const { indices, ids } = this.batch.arrays;
     for (const list of this.levels) list.clear();
-    for (let i = 0; i < plan.count; i++) this.levels[0].copy(plan.leaves, i, plan.leaves[LEAF_FLOATS * i + 7]);
+    let fine: Fine | undefined;
+    let body = -1;
+    for (let i = 0; i < count; i++) {
+      const owner = ids[2 * indices[3 * leaves[LEAF_FLOATS * i]]];
+      if (owner !== body) {
+        const shown = this.shown(owner, gauge);
+        fine = shown && new Fine(shown, gauge);
+        body = owner;
+      }
+      fine?.measure(leaves, i, indices);
+      if (fine) this.levels[fine.interior].copy(leaves, i, fine.levels);
+    }
     return this.levels;
+  }
+
+  private shown(body: number, gauge: Gauge): Shown | undefined {
+    const found = this.bodies.get(body + 1);
+    return found && showing(found, this.batch, gauge);
+  }
+
+  private planRun(r: number, gauge: Gauge, most: number): void {
+    const run = this.clusters.runs[r];
+    const shown = this.shown(run.body, gauge);
+    if (!shown) {
+      this.fates.fill(OUTSIDE, run.first, run.end);
+      return;
+    }
+    this.decide(r, shown, gauge);
+    this.keepOrder(run);
+    const coarse = new Coarse(shown, gauge, this.leaves, most);
+    for (let k = run.first; k < run.end; k++) if (this.fates[k] === REFINED) this.cut(k, coarse);
+  }
+
+  /** The body as a whole first: most need no look at their clusters. */
+  private decide(r: number, shown: Shown, gauge: Gauge): void {
+    const { first, end, body } = this.clusters.runs[r];
+    const found = this.bodies.get(body + 1);
+    const window = found && this.deforming ? windowOf(found, gauge) : undefined;
+    const lumps = window && this.deforming ? this.deforming.over(window) : this.lumps;
+    if (!this.deforming) {
+      const fate = shown.fate(this.whole[r]);
+      if (fate === OUTSIDE || end - first === 1) {
+        this.fates.fill(fate, first, end);
+        return;
+      }
+    }
+    for (let k = first; k < end; k++) this.fates[k] = shown.fate(lumps[k]);
+  }
+
+  /** What is blended keeps the order of its triangles: all of a body are leaves, or none is. */
+  private keepOrder({ first, end }: Run): void {
+    if (!this.batch.transparent) return;
+    const fates = this.fates.subarray(first, end);
+    if (!fates.includes(REFINED)) return;
+    for (let k = 0; k < fates.length; k++) if (fates[k] === DRAWN) fates[k] = REFINED;
+  }
+
+  private cut(cluster: number, coarse: Coarse): void {
+    const { indices } = this.batch.arrays;
+    for (let t = this.starts[cluster]; t < this.starts[cluster + 1]; t++)
+      coarse.cut(t, indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]);
   }
 }
 
 /** The plans of all batches of a picture that may be seen (undefined: a batch that is not). One tolerance for all, or there were cracks. */
 export function planPicture(refinements: readonly (Refinement | undefined)[], look: Look): (Plan | undefined)[] {
   for (let tolerance = look.tolerance; ; tolerance *= 2) {
-    const plans = refinements.map((r) => r?.plan(look, tolerance));
+    const most = tolerance < LARGEST_TOLERANCE ? look.budget : Number.POSITIVE_INFINITY;
+    const plans = refinements.map((r) => r?.plan(look, tolerance, most));
     const count = plans.reduce((n, plan) => n + (plan?.count ?? 0), 0);
-    if (count <= look.budget || tolerance > 1e3) return plans;
+    if (count <= most) return plans;
   }
 }
+
+/** Beyond this [px] a budget is not kept. */
+const LARGEST_TOLERANCE = 1000;

@@ -1,0 +1,98 @@
+import type { Mat4 } from '../../math/mat4.ts';
+import { IDENTITY } from '../../math/mat4.ts';
+import { negate, type Vec3 } from '../../math/vec3.ts';
+import { boostMatrix, gamma } from '../../physics/boost.ts';
+import { ballOutside, longestImage, pixelsPerMetre } from './bounds.ts';
+import type { Gauge } from './look.ts';
+import { DRAWN, type Fate, type Lump, OUTSIDE, REFINED, SHORTEST, type Shown } from './shown.ts';
+
+/** Where the points of a body that changes its velocity are, on the surface that a picture is made of. */
+export interface Mover {
+  /** Chooses a triangle, by its vertices' places in the batch. */
+  take(a: number, b: number, c: number): void;
+  /** Observer → event [m] of the point with these weights of the triangle's second and third corner, to `out[at …]`; NaN where there is none. */
+  meet(w1: number, w2: number, out: Float64Array, at: number): void;
+  /** What holds all events of a lump. */
+  reach(lump: Lump): Reach;
+}
+
+/** A ball relative to the observer's event, world frame [m], and the most that anything in it moves, in units of c. */
+export interface Reach {
+  readonly centre: Vec3;
+  readonly radius: number;
+  readonly speed: number;
+}
+
+/** Bodies whose points have no common frame: their edges are looked at by their events alone. */
+export class Moving implements Shown {
+  private readonly mover: Mover;
+  private readonly gauge: Gauge;
+  /** From (|Δx|, Δx) to (|Δx′|, Δx′). */
+  private readonly L: Mat4;
+  /** Shown contracted: Δx′ = Δx − u (u·Δx)/(γ(γ + 1)). */
+  private readonly squeeze: number;
+
+  constructor(mover: Mover, gauge: Gauge) {
+    const { sight, projection } = gauge.look;
+    const g = gamma(sight.u);
+    this.mover = mover;
+    this.gauge = gauge;
+    this.L = projection.place === 'apparent' ? boostMatrix(negate(sight.u)) : IDENTITY;
+    this.squeeze = projection.place === 'contracted' ? 1 / (g * (g + 1)) : 0;
+  }
+
+  /** Events of neighbours are apart by the time in which they move too: at most 1/(1 − v) times their distance at one time. */
+  fate(lump: Lump): Fate {
+    const { centre, radius, speed } = this.mover.reach(lump);
+    if (!(radius < Number.POSITIVE_INFINITY)) return REFINED;
+    const { L, gauge } = this;
+    const u = gauge.look.sight.u;
+    const squeezed = this.squeeze * (u[0] * centre[0] + u[1] * centre[1] + u[2] * centre[2]);
+    const [x, y, z] = [centre[0] - squeezed * u[0], centre[1] - squeezed * u[1], centre[2] - squeezed * u[2]];
+    if (ballOutside(L, gauge.sides, x, y, z, radius)) return OUTSIDE;
+    if (!(Math.hypot(x, y, z) > radius) || !(speed < 1)) return REFINED;
+    const longest = (lump.longest / (1 - speed)) * longestImage(L, x, y, z, radius);
+    return longest * pixelsPerMetre(L, gauge, x, y, z, radius) < SHORTEST ? DRAWN : REFINED;
+  }
+
+  take(a: number, b: number, c: number): void {
+    this.mover.take(a, b, c);
+  }
+
+  turnedAway(): boolean {
+    return false;
+  }
+
+  point(out: Float64Array, at: number): void {
+    const { L } = this;
+    const [u0, u1, u2] = this.gauge.look.sight.u;
+    this.mover.meet(out[at + 6], out[at + 7], out, at + 3);
+    const [x, y, z] = [out[at + 3], out[at + 4], out[at + 5]];
+    const r = Math.sqrt(x * x + y * y + z * z);
+    const squeezed = this.squeeze * (u0 * x + u1 * y + u2 * z);
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - squeezed * u0;
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - squeezed * u1;
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - squeezed * u2;
+  }
+
+  /** Between graded edges the surface stays well within twice its corners' distance from their middle. */
+  outside(points: Float64Array, a: number, b: number, c: number): boolean {
+    const x = (points[a] + points[b] + points[c]) / 3;
+    const y = (points[a + 1] + points[b + 1] + points[c + 1]) / 3;
+    const z = (points[a + 2] + points[b + 2] + points[c + 2]) / 3;
+    const radius = 2 * Math.max(apart(points, a, x, y, z), apart(points, b, x, y, z), apart(points, c, x, y, z));
+    for (const s of this.gauge.sides) if (s[0] * x + s[1] * y + s[2] * z < -radius) return true;
+    return false;
+  }
+
+  surelyOutside(): boolean {
+    return false;
+  }
+
+  calm(): boolean {
+    return false;
+  }
+}
+
+const apart = (points: Float64Array, i: number, x: number, y: number, z: number): number =>
+  Math.hypot(points[i] - x, points[i + 1] - y, points[i + 2] - z);

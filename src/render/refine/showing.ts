@@ -1,0 +1,34 @@
+import type { Batch } from '../batches.ts';
+import { type Body, lineOfCentre } from '../bodies.ts';
+import { sampleWindow, spanOf } from '../sight.ts';
+import { Hyperbolic } from './hyperbolic.ts';
+import type { Gauge } from './look.ts';
+import { Moving } from './moving.ts';
+import { Deforming, Posed, type Window } from './polyline.ts';
+import type { Shown } from './shown.ts';
+import { Steady, steadyMap } from './steady.ts';
+
+/** How a body of a batch is shown in one picture; undefined where nothing of it ever is. */
+export function showing(body: Body, { arrays, doubleSided }: Batch, gauge: Gauge): Shown | undefined {
+  const { motion, authoredIn } = body.object;
+  const { sight } = gauge.look;
+  const line = lineOfCentre(body, sight.c);
+  if (line.kind === 'static' || line.kind === 'uniform') {
+    const map = steadyMap(line, authoredIn === 'rest', Math.max(body.radius, 1e-6), gauge);
+    return new Steady(map, arrays.positions, doubleSided, gauge);
+  }
+  if (motion.kind === 'hyperbolic') return new Moving(new Hyperbolic(body, motion, arrays.positions, sight), gauge);
+  const window = windowOf(body, gauge);
+  if (line.kind !== 'polyline' || !window) return undefined;
+  if (motion.kind === 'sampled') return new Moving(new Posed(motion, line, window, arrays.positions, sight), gauge);
+  return motion.kind === 'sampled-points' ? new Moving(new Deforming(motion, window, sight), gauge) : undefined;
+}
+
+/** The samples that a picture of a sampled body needs. */
+export function windowOf(body: Body, { look }: Gauge): Window | undefined {
+  const line = lineOfCentre(body, look.sight.c);
+  const span = spanOf(line, body.radius, look.sight);
+  if (line.kind !== 'polyline' || !span) return undefined;
+  const [first, count] = sampleWindow(line, span, look.sight, line.times.length);
+  return { first, count };
+}

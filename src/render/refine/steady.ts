@@ -1,0 +1,205 @@
+import { IDENTITY, type Mat4, multiply } from '../../math/mat4.ts';
+import { add, addScaled, dot, length, negate, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { boostMatrix, gamma, properVelocity } from '../../physics/boost.ts';
+import { contraction, simultaneitySlice, simultaneousPosition } from '../../physics/simultaneity.ts';
+import { positionAt, type StaticLine, type UniformLine } from '../../physics/worldLine.ts';
+import { ballOutside, longestImage, pixelsPerMetre } from './bounds.ts';
+import type { Gauge } from './look.ts';
+import { DRAWN, type Fate, type Lump, OUTSIDE, REFINED, SHORTEST, type Shown } from './shown.ts';
+
+/**
+ * Within this many times its length of an edge's middle lies every triangle that has no longer edge (√3/2, rounded up): its farthest
+ * corner is that of an equilateral one.
+ */
+const NEIGHBOURHOOD = 0.87;
+
+/**
+ * How a body at constant velocity is shown: a point at p in its batch is at X = Ap + x₀ in coordinates in which (|X|, X) goes to (|Δx′|, Δx′) by
+ * the matrix L. For light, X is the place in the body's rest frame and L the boosts from there to the world and on to the observer.
+ * Straight edges stay straight but for |X|, whose second derivative along an edge of length ℓ is at most ℓ²/|X|.
+ */
+export interface SteadyMap {
+  /** 3 × 3, by rows. */
+  readonly A: readonly number[];
+  readonly x0: Vec3;
+  readonly L: Mat4;
+}
+
+type SteadyLine = StaticLine | UniformLine;
+
+/** `line`: of the body's centre; `rigid`: its offsets are those of its rest frame. */
+export function steadyMap(line: SteadyLine, rigid: boolean, size: number, { look }: Gauge): SteadyMap {
+  const { sight, projection } = look;
+  const v = line.kind === 'uniform' ? properVelocity(scale(line.velocity, 1 / sight.c)) : ZERO;
+  const toObserver = projection.place === 'apparent' ? boostMatrix(negate(sight.u)) : IDENTITY;
+  const now = sub(positionAt(line, sight.t, sight.c), sight.position);
+  if (sight.surface === 'past-light-cone') {
+    const A = rigid ? columns((p) => p) : columns((p) => stretched(p, v));
+    return { A, x0: stretched(now, v), L: multiply(toObserver, boostMatrix(v)) };
+  }
+  const offset = (p: Vec3): Vec3 => (rigid ? contraction(p, v) : p);
+  if (sight.surface === 'now') return { A: columns(offset), x0: now, L: toObserver };
+  const place = (p: Vec3): Vec3 => {
+    const moved = { ...line, position: add(line.position, offset(p)) };
+    return simultaneousPosition(simultaneitySlice(moved, sight, sight.u, sight.c).offset, sight.u);
+  };
+  const x0 = place(ZERO);
+  return { A: columns((p) => scale(sub(place(scale(p, size)), x0), 1 / size)), x0, L: IDENTITY };
+}
+
+/** From the world's slice to the rest frame: the inverse of the contraction. */
+const stretched = (x: Vec3, u: Vec3): Vec3 => addScaled(x, u, dot(u, x) / (gamma(u) + 1));
+
+/** The matrix of a linear function, by rows. */
+function columns(f: (p: Vec3) => Vec3): number[] {
+  const [a, b, c] = [f([1, 0, 0]), f([0, 1, 0]), f([0, 0, 1])];
+  return [a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]];
+}
+
+export class Steady implements Shown {
+  private readonly gauge: Gauge;
+  private readonly map: SteadyMap;
+  private readonly positions: Float32Array;
+  private readonly doubleSided: boolean;
+  /** The picture's sides on (|X|, X): b|X| + a·X ≥ 0 inside. */
+  private readonly sides: readonly { readonly a: Vec3; readonly b: number }[];
+  /** γ and u = γβ of the observer against the frame of X. */
+  private readonly gamma: number;
+  private readonly u: Vec3;
+  private readonly w: number;
+  /** How much A can lengthen. */
+  private readonly growth: number;
+  /** X of the chosen triangle's corners. */
+  private readonly corners = new Float64Array(9);
+
+  constructor(map: SteadyMap, positions: Float32Array, doubleSided: boolean, gauge: Gauge) {
+    const { L, A } = map;
+    this.map = map;
+    this.gauge = gauge;
+    this.positions = positions;
+    this.doubleSided = doubleSided;
+    this.gamma = L[0];
+    this.u = [L[1], L[2], L[3]];
+    this.w = length(this.u);
+    this.growth = norm(A);
+    const row = (i: number): Vec3 => [L[4 + i], L[8 + i], L[12 + i]];
+    this.sides = gauge.sides.map((s) => ({ a: [dot(s, row(1)), dot(s, row(2)), dot(s, row(3))], b: dot(s, row(0)) }));
+  }
+
+  fate(lump: Lump): Fate {
+    const { A, x0 } = this.map;
+    const { x, y, z } = lump;
+    const cx = A[0] * x + A[1] * y + A[2] * z + x0[0];
+    const cy = A[3] * x + A[4] * y + A[5] * z + x0[1];
+    const cz = A[6] * x + A[7] * y + A[8] * z + x0[2];
+    const radius = this.growth * lump.radius;
+    if (ballOutside(this.map.L, this.gauge.sides, cx, cy, cz, radius)) return OUTSIDE;
+    return this.mayBend(cx, cy, cz, radius, this.growth * lump.longest) ? REFINED : DRAWN;
+  }
+
+  take(a: number, b: number, c: number): void {
+    this.place(a, 0);
+    this.place(b, 3);
+    this.place(c, 6);
+  }
+
+  turnedAway(): boolean {
+    if (this.doubleSided) return false;
+    const X = this.corners;
+    const [ex, ey, ez] = [X[3] - X[0], X[4] - X[1], X[5] - X[2]];
+    const [fx, fy, fz] = [X[6] - X[0], X[7] - X[1], X[8] - X[2]];
+    const [nx, ny, nz] = [ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx];
+    const height = nx * X[0] + ny * X[1] + nz * X[2];
+    return height > 1e-6 * Math.hypot(nx, ny, nz) * Math.hypot(X[0], X[1], X[2]);
+  }
+
+  point(out: Float64Array, at: number): void {
+    const X = this.corners;
+    const { L } = this.map;
+    const [w1, w2] = [out[at + 6], out[at + 7]];
+    const w0 = 1 - w1 - w2;
+    const x = w0 * X[0] + w1 * X[3] + w2 * X[6];
+    const y = w0 * X[1] + w1 * X[4] + w2 * X[7];
+    const z = w0 * X[2] + w1 * X[5] + w2 * X[8];
+    const r = Math.sqrt(x * x + y * y + z * z);
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z;
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z;
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z;
+    out[at + 3] = x;
+    out[at + 4] = y;
+    out[at + 5] = z;
+  }
+
+  outside(points: Float64Array, a: number, b: number, c: number): boolean {
+    return this.surelyOutside(points, a, b, c);
+  }
+
+  /**
+   * b|X| + a·X over the triangle is greatest at a corner where b ≥ 0, for then it is convex; where b < 0 it is concave and nowhere above its
+   * tangent (a + bn)·X at the middle, n = X/|X| there.
+   */
+  surelyOutside(points: Float64Array, i: number, j: number, k: number): boolean {
+    const mx = points[i + 3] + points[j + 3] + points[k + 3];
+    const my = points[i + 4] + points[j + 4] + points[k + 4];
+    const mz = points[i + 5] + points[j + 5] + points[k + 5];
+    const far = Math.sqrt(mx * mx + my * my + mz * mz);
+    if (far === 0) return false;
+    for (const { a, b } of this.sides) {
+      const convex = b >= 0;
+      const ax = convex ? a[0] : a[0] + (b * mx) / far;
+      const ay = convex ? a[1] : a[1] + (b * my) / far;
+      const az = convex ? a[2] : a[2] + (b * mz) / far;
+      const bend = convex ? b : 0;
+      const most = Math.max(
+        side(points, i, ax, ay, az, bend),
+        side(points, j, ax, ay, az, bend),
+        side(points, k, ax, ay, az, bend),
+      );
+      if (most < -1e-9 * far * this.gamma) return true;
+    }
+    return false;
+  }
+
+  calm(points: Float64Array, a: number, b: number): boolean {
+    const dx = points[a + 3] - points[b + 3];
+    const dy = points[a + 4] - points[b + 4];
+    const dz = points[a + 5] - points[b + 5];
+    const x = 0.5 * (points[a + 3] + points[b + 3]);
+    const y = 0.5 * (points[a + 4] + points[b + 4]);
+    const z = 0.5 * (points[a + 5] + points[b + 5]);
+    return !this.mayBend(x, y, z, 0, Math.sqrt(dx * dx + dy * dy + dz * dz));
+  }
+
+  /** A chord of at most `longest` is off its curve by at most w longest²/(8|X|), for Δx′ = MX + |X|m with |m| = w. */
+  private mayBend(x: number, y: number, z: number, radius: number, longest: number): boolean {
+    if (this.w === 0) return false;
+    const reach = radius + NEIGHBOURHOOD * longest;
+    const near = Math.sqrt(x * x + y * y + z * z) - reach;
+    if (!(near > 0)) return true;
+    const scale = pixelsPerMetre(this.map.L, this.gauge, x, y, z, reach);
+    if (longest * longestImage(this.map.L, x, y, z, reach) * scale < SHORTEST) return false;
+    return !((this.w * longest * longest * scale) / (8 * near) < this.gauge.tolerance);
+  }
+
+  private place(vertex: number, to: number): void {
+    const { A, x0 } = this.map;
+    const p = this.positions;
+    const [x, y, z] = [p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]];
+    this.corners[to] = A[0] * x + A[1] * y + A[2] * z + x0[0];
+    this.corners[to + 1] = A[3] * x + A[4] * y + A[5] * z + x0[1];
+    this.corners[to + 2] = A[6] * x + A[7] * y + A[8] * z + x0[2];
+  }
+}
+
+/** The most that a symmetric matrix can lengthen a vector, or a little more: by its row sums. */
+function norm(A: readonly number[]): number {
+  const row = (i: number) => Math.abs(A[i]) + Math.abs(A[i + 1]) + Math.abs(A[i + 2]);
+  const column = (i: number) => Math.abs(A[i]) + Math.abs(A[i + 3]) + Math.abs(A[i + 6]);
+  return Math.sqrt(Math.max(row(0), row(3), row(6)) * Math.max(column(0), column(1), column(2)));
+}
+
+const side = (p: Float64Array, i: number, ax: number, ay: number, az: number, b: number): number => {
+  const [x, y, z] = [p[i + 3], p[i + 4], p[i + 5]];
+  const r = b > 0 ? b * Math.sqrt(x * x + y * y + z * z) : 0;
+  return ax * x + ay * y + az * z + r;
+};
