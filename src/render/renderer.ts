@@ -167,6 +167,7 @@ export class SceneRenderer implements PictureMaker {
     uniforms.gamma.value = gamma(sight.u);
     uniforms.iterations.value = settings.iterations;
     uniforms.damping.value = settings.damping;
+    uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;
     uniforms.boosted.value = projection.place === 'apparent' ? 1 : 0;
     uniforms.boostLight.value = luminous;
     uniforms.dopplerMix.value = luminous * settings.dopplerMix;

@@ -9,11 +9,13 @@ import {
   normalize,
   property,
   round,
+  select,
   texture,
   vec4,
 } from 'three/tsl';
 import type { DataTexture, MRTNode } from 'three/webgpu';
 import { dopplerFactor } from '../shaders/dopplerFactor.ts';
+import { ontoLightCone } from '../shaders/ontoLightCone.ts';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import type { FloatTable } from './floatTable.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -61,10 +63,14 @@ export function readSurface(sources: SurfaceSources): Surface {
   const emissive = emission.xyz.toVar();
   if (sources.emissive) emissive.mulAssign(texture(sources.emissive, vUv).rgb);
 
-  Discard(vLife.x.lessThan(0).or(vLife.y.lessThan(0)).or(vNormal.w.lessThan(0.9999)).or(color.w.lessThan(emission.w)));
-  const { u, gamma, boostLight } = sources.uniforms;
-  const dx = vEvent.xyz.toVar();
+  const { u, gamma, boostLight, onLightCone } = sources.uniforms;
   const velocity = vMotion.toVar();
+  // Between the vertices the events are interpolated, and beside the light cone: each is that of the point which is painted here.
+  const event = select(onLightCone.greaterThan(0.5), ontoLightCone(vEvent, velocity), vEvent).toVar();
+  const later = event.w.sub(vEvent.w).toVar();
+  const alive = vLife.x.add(later).greaterThanEqual(0).and(vLife.y.sub(later).greaterThanEqual(0));
+  Discard(alive.not().or(vNormal.w.lessThan(0.9999)).or(color.w.lessThan(emission.w)));
+  const dx = event.xyz.toVar();
   const D = mix(1, dopplerFactor(dx, u, gamma, velocity), boostLight);
   return {
     color,
@@ -73,7 +79,7 @@ export function readSurface(sources: SurfaceSources): Surface {
     metallic: finish.y,
     normal: normalize(vNormal.xyz).mul(faceDirection),
     dx,
-    time: vEvent.w,
+    time: event.w,
     velocity,
     D,
     object: round(vLife.z),

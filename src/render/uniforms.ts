@@ -9,6 +9,8 @@ export function makeUniforms() {
     gamma: uniform(1),
     iterations: uniform(1, 'int'),
     damping: uniform(1),
+    /** 1 where what is seen are events on the past light cone. */
+    onLightCone: uniform(1),
     /** 1 where directions are boosted, 0 where they are the world's. */
     boosted: uniform(1),
     /** 1 where light meets surfaces in their rest frame, 0 in the views that show no light. */

@@ -8,6 +8,7 @@ export { hyperbolicPlace } from './hyperbolicPlace.ts';
 export { hyperbolicSlice } from './hyperbolicSlice.ts';
 export { newtonEmission } from './newtonEmission.ts';
 export { observerDoppler } from './observerDoppler.ts';
+export { ontoLightCone } from './ontoLightCone.ts';
 export { polylineEmission } from './polylineEmission.ts';
 export { polylinePlace } from './polylinePlace.ts';
 export { polylineSlice } from './polylineSlice.ts';

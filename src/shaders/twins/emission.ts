@@ -1,5 +1,5 @@
 import { int, select, vec4 } from 'three/tsl';
-import { add, addScaled, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { add, addScaled, length, normalize, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import {
   emitterDoppler,
   newtonEmissionTime,
@@ -9,11 +9,12 @@ import {
   type WorldLine,
 } from '../../physics/index.ts';
 import { newtonEmission } from '../newtonEmission.ts';
+import { ontoLightCone } from '../ontoLightCone.ts';
 import { polylineEmission } from '../polylineEmission.ts';
 import { staticEmission } from '../staticEmission.ts';
 import type { HyperbolicVertexEvent, Int, Vec4, VertexEvent } from '../types.ts';
 import { always, where, within } from './checks.ts';
-import { draw, logUniform, unit, vec3At, withLength } from './domain.ts';
+import { AIMS, aimed, draw, logUniform, mover, SPEEDS, unit, vec3At, withLength } from './domain.ts';
 import { type Mover, type MoverStratum, movers } from './movers.ts';
 import type { Check, Twin, TwinCase } from './twin.ts';
 
@@ -200,6 +201,33 @@ const staticTwin: Twin = {
   checks: eventChecks,
 };
 
+/** (Δx, s) a little beside the light cone · (v, 1 − v²) */
+const ontoConeTwin: Twin = {
+  name: 'ontoLightCone',
+  texels: 2,
+  outputs: 3,
+  cases: (random) =>
+    // Nearer to c, f32 does not tell on which side of the cone an event is.
+    draw(strata(SPEEDS.filter((beta) => beta <= 0.999)), EACH, ({ beta, size }) => {
+      const dx = anchorOf(random, size);
+      const direction = aimed(random, normalize(dx, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
+      const beside = (random() < 0.5 ? -1 : 1) * logUniform(random, 2e-3, 0.05) * (1 - beta);
+      return [...dx, -length(dx) * (1 + beside), ...mover(direction, beta)];
+    }),
+  cpu: (input) => {
+    const [dx, s, v] = [vec3At(input, 0), input[3], vec3At(input, 1)];
+    const line: WorldLine = { kind: 'uniform', position: addScaled(dx, v, -s), velocity: v };
+    const seen = pastLightCone(line, OBSERVER, 1);
+    return seen ? expectedAt(line, seen.offset, -seen.delay, -seen.delay) : nowhere;
+  },
+  gpu: (texel) => {
+    const [event, velocity] = [texel(0), texel(1)];
+    const seen = ontoLightCone(event, velocity).toVar();
+    return outputsOf({ dx: seen.xyz, s: seen.w, velocity });
+  },
+  checks: eventChecks,
+};
+
 const LONGEST = 4096;
 
 /** A zigzag of as many samples as a table may have, its root anywhere in it or outside. anchor · (first sample) · (step) */
@@ -248,6 +276,7 @@ const longestTable: Twin = {
 
 export const emission: readonly Twin[] = [
   staticTwin,
+  ontoConeTwin,
   emissionTwin(movers.uniform, ['linearEmission']),
   emissionTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaEvent']),
   emissionTwin(movers.polyline, ['linearEmission', 'bisect', 'pieceVelocity']),
