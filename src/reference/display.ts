@@ -1,12 +1,4 @@
-import type { RenderSettings } from '../scene/view.ts';
 import { encodeSrgb } from '../spectrum/srgb.ts';
-import { toneMap } from '../spectrum/toneMap.ts';
-
-export function displayed(light: Float32Array, { exposure }: RenderSettings): Float32Array {
-  const out = new Float32Array(light.length);
-  for (let i = 0; i < light.length; i += 3) out.set(toneMap([light[i], light[i + 1], light[i + 2]], exposure), i);
-  return out;
-}
 
 /**
  * Linear light to display, 0 … 1, 3 values per pixel, to RGBA8 in sRGB as the rasterizer has it: half a step of ordered noise, so

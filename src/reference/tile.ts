@@ -1,8 +1,13 @@
 import { AOVS, type AovName, type RenderSettings, type ViewPoint } from '../scene/view.ts';
 import { type DataAov, dataReader } from './aov.ts';
+import { fillBeauty } from './beauty.ts';
 import { cameraRay } from './camera.ts';
+import type { LightOptions } from './lighting.ts';
 import type { TracedScene } from './trace.ts';
 import { visibleHit } from './visible.ts';
+
+/** What can be drawn: AOVs, and `picture`, the beauty as a screen shows it: exposed and tone mapped, linear sRGB 0 … 1 (display.ts encodes it). */
+export type Layer = AovName | 'picture';
 
 /** What a picture is to be. */
 export interface TileRequest {
@@ -11,10 +16,11 @@ export interface TileRequest {
   /** Of the whole picture [px]. */
   readonly width: number;
   readonly height: number;
-  readonly aovs: readonly AovName[];
-  /** n × n samples per pixel of the beauty. */
+  readonly layers: readonly Layer[];
+  /** n × n samples per pixel of the beauty and the picture. */
   readonly samples: number;
   readonly seed: number;
+  readonly light: LightOptions;
 }
 
 /** Pixels x0 ≤ x < x1, y0 ≤ y < y1, from the top left. */
@@ -25,21 +31,24 @@ export interface Tile {
   readonly y1: number;
 }
 
-/** What was asked for: as many values per pixel as the AOV has channels, rows from the top. */
-export type TileData = Partial<Record<AovName, Float32Array>>;
+/** What was asked for: as many values per pixel as the layer has channels, rows from the top. */
+export type TileData = Partial<Record<Layer, Float32Array>>;
+
+export const channelsOf = (layer: Layer): number => (layer === 'picture' ? 3 : AOVS[layer].channels.length);
 
 /** Draws a part of a picture. Its bits depend on nothing but the request and the pixel. */
 export function renderTile(scene: TracedScene, request: TileRequest, tile: Tile): TileData {
   const data: TileData = {};
   const pixels = (tile.x1 - tile.x0) * (tile.y1 - tile.y0);
-  for (const name of request.aovs) data[name] = new Float32Array(pixels * AOVS[name].channels.length);
+  for (const layer of request.layers) data[layer] = new Float32Array(pixels * channelsOf(layer));
+  if (data.beauty || data.picture) fillBeauty(scene, request, tile, data);
   fillData(scene, request, tile, data);
   return data;
 }
 
 function fillData(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: Tile, data: TileData): void {
-  const { view, settings, width, height, aovs } = request;
-  const named = aovs.filter((name): name is DataAov => name !== 'beauty');
+  const { view, settings, width, height, layers } = request;
+  const named = layers.filter((layer): layer is DataAov => layer !== 'beauty' && layer !== 'picture');
   if (named.length === 0) return;
   const readers = named.map((name) => ({ read: dataReader(name, scene, view.u, settings.view), out: data[name] }));
   for (let y = y0; y < y1; y++)
