@@ -9,6 +9,8 @@ export const EXIT = {
   input: 3,
   /** No GPU, browser or encoder to do it with. */
   unavailable: 4,
+  /** `compare --fail-above`: the pictures differ by more than that. */
+  different: 5,
   /** Ctrl-C. */
   cancelled: 130,
 } as const;

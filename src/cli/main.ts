@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { Command, CommanderError } from 'commander';
 import { InputError } from '../scene/types.ts';
+import { compareCommand } from './compare.ts';
 import { CliError, EXIT } from './exit.ts';
 import { inspectCommand } from './inspect.ts';
 import { stoppedWith } from './output.ts';
@@ -15,6 +16,7 @@ Exit codes:
   2    a flag or an argument that makes no sense
   3    a file that is missing, damaged, describes what cannot be, or cannot be written
   4    no GPU, browser, encoder or port to do it with
+  5    compare --fail-above: the pictures differ by more than that
   130  stopped with Ctrl-C; no half-written file is left`;
 
 /** Runs the command line; returns the exit code. */
@@ -32,7 +34,8 @@ function program(): Command {
     .description('Shows what a fast observer sees, and what is really there.')
     .version(version())
     .addHelpText('after', exitCodes);
-  for (const add of [renderCommand, probeCommand, inspectCommand, serveCommand]) program.addCommand(add());
+  for (const add of [renderCommand, probeCommand, inspectCommand, compareCommand, serveCommand])
+    program.addCommand(add());
   for (const command of [program, ...program.commands]) {
     command
       .exitOverride()

@@ -20,6 +20,7 @@ const numberWhere =
   };
 
 export const parsePositive = numberWhere((x) => x > 0, 'a number above 0');
+export const parseNotNegative = numberWhere((x) => x >= 0, 'a number, 0 or above');
 export const parseFraction = numberWhere((x) => x >= 0 && x <= 1, 'a number from 0 to 1');
 export const parseDamping = numberWhere((x) => x > 0 && x <= 1, 'a number above 0 and at most 1');
 export const parseFov = numberWhere((x) => x > 0 && x < 180, 'degrees between 0 and 180');
@@ -30,6 +31,7 @@ export const parseSeed = numberWhere(
   (x) => Number.isInteger(x) && x >= 0 && x < 2 ** 32,
   'a whole number, 0 to 4294967295',
 );
+export const parseBounces = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 64, 'a whole number, 0 to 64');
 export const parsePort = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 65535, 'a port, 0 to 65535');
 
 export function parseVec3(text: string): Vec3 {

@@ -1,0 +1,51 @@
+import { extname } from 'node:path';
+import { encodePng } from '../formats/png.ts';
+import { SHOWN_CHANNELS } from '../reference/compare/channels.ts';
+import { errorMap, sheet } from '../reference/compare/errorMap.ts';
+import type { CompareFlags } from './compare.ts';
+import { comparePair, type ErrorPicture } from './compareMetrics.ts';
+import { openPair, type PictureFile, toShow } from './comparePictures.ts';
+import { compareLines, percent } from './compareTable.ts';
+import { CliError, EXIT, inputProblem, usageError } from './exit.ts';
+import { checkWritable, writeWhole } from './output.ts';
+
+export async function compare(pathA: string, pathB: string, flags: CompareFlags): Promise<void> {
+  checkFlags(flags);
+  const [a, b] = await openPair(pathA, pathB);
+  const { findings, share, map } = comparePair(a, b, flags);
+  if (!map && (flags.output !== undefined || flags.failAbove !== undefined)) throw noMap();
+  if (map && flags.output !== undefined) writeWhole(flags.output, drawn(a, b, map, flags));
+  const about = { a: pathA, b: pathB, width: a.width, height: a.height };
+  console.log(
+    flags.json ? JSON.stringify({ ...about, ...findings }, null, 2) : compareLines(about, findings).join('\n'),
+  );
+  if (share !== undefined && flags.failAbove !== undefined && share > flags.failAbove)
+    throw new CliError(
+      EXIT.different,
+      `${percent(share)} of the pixels are different, and --fail-above allows ${percent(flags.failAbove)}`,
+    );
+}
+
+function checkFlags({ output, triptych, metric, channel }: CompareFlags): void {
+  if (triptych && output === undefined) throw usageError('--triptych needs a picture to draw: give -o FILE.png');
+  if (channel !== undefined && metric !== 'aov') throw usageError('--channel goes with --metric aov');
+  if (output === undefined) return;
+  if (extname(output).toLowerCase() !== '.png') throw usageError(`--output ${output}: its name must end in .png`);
+  checkWritable(output);
+}
+
+const noMap = (): CliError =>
+  inputProblem(
+    `displacement needs the channels ${SHOWN_CHANNELS.join(', ')} in both: render with --aov position,object, or name another by --channel`,
+  );
+
+function drawn(a: PictureFile, b: PictureFile, { title, errors, max }: ErrorPicture, flags: CompareFlags): Uint8Array {
+  const map = errorMap(errors, a.width, a.height, max);
+  const before = [
+    { picture: toShow(a, flags.exposure), caption: 'A' },
+    { picture: toShow(b, flags.exposure), caption: 'B' },
+  ];
+  const pictures = flags.triptych ? [...before, { picture: map, caption: 'ERROR' }] : [{ picture: map }];
+  const { width, height, pixels } = sheet(pictures, { title, max });
+  return encodePng(width, height, pixels);
+}

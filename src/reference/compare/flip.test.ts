@@ -1,0 +1,71 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { flip } from './flip.ts';
+import { exposuresFor, hdrFlip } from './hdrFlip.ts';
+import type { Picture } from './picture.ts';
+import { summarize } from './statistics.ts';
+import expected from './testdata/flip.json' with { type: 'json' };
+import { HEIGHT, pair, picture, WIDTH } from './testdata/pairs.ts';
+
+/** The authors' program reckons in f32, and raises to powers below 1 what is nearly 0. */
+const TOLERANCE = 2e-4;
+
+describe("against the authors' own program", () => {
+  it.each(['noise', 'darker', 'shifted', 'firefly'] as const)('%s', (name) => {
+    const map = flip(...pair(name));
+    expect(Math.abs((summarize(map)?.mean ?? 1) - expected[name].mean)).toBeLessThan(TOLERANCE);
+    for (const [x, y, value] of expected[name].pixels)
+      expect(Math.abs(map[y * WIDTH + x] - value), `${x},${y}`).toBeLessThan(TOLERANCE);
+  });
+
+  it.each(['bright', 'night'] as const)('%s, of any brightness', (name) => {
+    const { map, exposures } = hdrFlip(...pair(name));
+    const { start, stop, count } = expected[name].exposures;
+    expect(exposures.count).toBe(count);
+    // It rounds the weights of luminance to four digits.
+    expect(exposures.start).toBeCloseTo(start, 3);
+    expect(exposures.stop).toBeCloseTo(stop, 3);
+    expect(Math.abs((summarize(map)?.mean ?? 1) - expected[name].mean)).toBeLessThan(TOLERANCE);
+    for (const [x, y, value] of expected[name].pixels)
+      expect(Math.abs(map[y * WIDTH + x] - value), `${x},${y}`).toBeLessThan(TOLERANCE);
+  });
+});
+
+describe('what must hold of every pair', () => {
+  const size = { width: 9, height: 7 };
+  const anyPicture = (most: number): fc.Arbitrary<Picture> =>
+    fc
+      .array(fc.float({ min: 0, max: most, noNaN: true }), { minLength: 189, maxLength: 189 })
+      .map((values) => ({ ...size, rgb: Float32Array.from(values) }));
+
+  it('is 0 of a picture and itself, between 0 and 1, and the same both ways', () => {
+    fc.assert(
+      fc.property(anyPicture(1), anyPicture(1), (a, b) => {
+        expect(flip(a, a).every((error) => error === 0)).toBe(true);
+        const there = flip(a, b);
+        expect(there.every((error) => error >= 0 && error <= 1)).toBe(true);
+        expect(flip(b, a)).toEqual(there);
+      }),
+      { numRuns: 30 },
+    );
+  });
+
+  it('is 0 of any light and itself, and does not depend on the unit of light', () => {
+    fc.assert(
+      fc.property(anyPicture(100), anyPicture(100), fc.constantFrom(0.25, 4), (a, b, unit) => {
+        const scaled = (p: Picture): Picture => ({ ...p, rgb: p.rgb.map((value) => unit * value) });
+        // A black reference has no exposure of its own.
+        fc.pre(exposuresFor(b).stop < 15);
+        expect(hdrFlip(b, b).map.every((error) => error === 0)).toBe(true);
+        const [before, after] = [hdrFlip(a, b).map, hdrFlip(scaled(a), scaled(b)).map];
+        before.forEach((error, i) => void expect(after[i]).toBeCloseTo(error, 3));
+      }),
+      { numRuns: 15 },
+    );
+  });
+
+  it('is nearly 1 between the green and the blue of a screen', () => {
+    const [green, blue] = [1, 2].map((channel) => picture((_x, _y, k) => Number(k === channel), WIDTH, HEIGHT));
+    expect(flip(green, blue)[0]).toBeCloseTo(1, 4);
+  });
+});

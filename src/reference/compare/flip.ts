@@ -1,0 +1,173 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import { fromXyz, lab, toXyz } from './colors.ts';
+import { alongColumns, alongRows, type Kernel, kernelOf } from './convolve.ts';
+import type { Picture } from './picture.ts';
+
+/**
+ * ꟻLIP, the difference that a person sees who looks at two pictures in turn: 0 none … 1 as large as can be, for each pixel.
+ * ΔE = ΔE_c^(1 − ΔE_f): a difference of colour, after the filter that the eye is, raised by a difference of edges and points.
+ * Source: Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström & Fairchild, "ꟻLIP: A Difference Evaluator for Alternating
+ * Images", Proc. ACM CGIT 3 (2020) 15; equations and constants of its section 4.
+ */
+
+/** Of a screen 0.7 m wide with 3840 pixels, seen from 0.7 m (section 4.1). */
+export const PIXELS_PER_DEGREE = (0.7 * (3840 / 0.7) * Math.PI) / 180;
+
+/** Both pictures: linear sRGB as it leaves the screen, 0 … 1. Symmetric in them. */
+export function flip(a: Picture, b: Picture, pixelsPerDegree = PIXELS_PER_DEGREE): Float32Array {
+  const color = colorDifference(a, b, pixelsPerDegree);
+  const feature = featureDifference(luminances(a), luminances(b), a.width, a.height, pixelsPerDegree);
+  return color.map((difference, i) => difference ** (1 - feature[i]));
+}
+
+// ── Colour (4.1) ───────────────────────────────────────────────────────────────────────────────────────────────────
+
+interface Gaussian {
+  /** Weight, and width [degrees²], of a·√(π/b)·exp(−π²x²/b), x in degrees. */
+  readonly a: number;
+  readonly b: number;
+}
+/** What the eye does to light and dark, to red–green and to blue–yellow: table 1. */
+const LIGHT_DARK: readonly Gaussian[] = [{ a: 1, b: 0.0047 }];
+const RED_GREEN: readonly Gaussian[] = [{ a: 1, b: 0.0053 }];
+const BLUE_YELLOW: readonly Gaussian[] = [
+  { a: 34.1, b: 0.04 },
+  { a: 13.5, b: 0.025 },
+];
+const WIDEST = 0.04;
+
+/** The exponent that spreads small differences, and where (as a fraction of the largest) which part of 0 … 1 ends. */
+const COLOR_EXPONENT = 0.7;
+const KNEE = 0.4;
+const KNEE_VALUE = 0.95;
+/** The largest difference on a screen: between its green and its blue. */
+const LARGEST = difference(perceived([0, 1, 0]), perceived([0, 0, 1])) ** COLOR_EXPONENT;
+
+function colorDifference(a: Picture, b: Picture, pixelsPerDegree: number): Float32Array {
+  const [seenA, seenB] = [seen(a, pixelsPerDegree), seen(b, pixelsPerDegree)];
+  return Float32Array.from({ length: a.width * a.height }, (_, i) =>
+    redistribute(difference(perceivedAt(seenA, i), perceivedAt(seenB, i)) ** COLOR_EXPONENT),
+  );
+}
+
+/** Y, X − Y and Y − Z over those of white: the axes of YCxCz but for constants, which filters that add up to 1 leave alone. */
+type Opponents = readonly [Float32Array, Float32Array, Float32Array];
+
+function seen(picture: Picture, pixelsPerDegree: number): Opponents {
+  const { width, height } = picture;
+  const [y, redGreen, blueYellow] = opponents(picture);
+  const filtered = (plane: Float32Array, parts: readonly Gaussian[]) =>
+    sumOfGaussians(plane, width, height, parts, pixelsPerDegree);
+  return [filtered(y, LIGHT_DARK), filtered(redGreen, RED_GREEN), filtered(blueYellow, BLUE_YELLOW)];
+}
+
+function opponents({ rgb }: Picture): Opponents {
+  const pixels = rgb.length / 3;
+  const planes: Opponents = [new Float32Array(pixels), new Float32Array(pixels), new Float32Array(pixels)];
+  for (let i = 0; i < pixels; i++) {
+    const [x, y, z] = toXyz([rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]]);
+    planes[0][i] = y;
+    planes[1][i] = x - y;
+    planes[2][i] = y - z;
+  }
+  return planes;
+}
+
+/** The filter of `parts` in two dimensions, as a sum of separable ones; over three standard deviations of the widest of all. */
+function sumOfGaussians(
+  plane: Float32Array,
+  width: number,
+  height: number,
+  parts: readonly Gaussian[],
+  pixelsPerDegree: number,
+): Float32Array {
+  const radius = Math.ceil(3 * Math.sqrt(WIDEST / (2 * Math.PI ** 2)) * pixelsPerDegree);
+  const shape = ({ b }: Gaussian, x: number) => Math.exp(-((Math.PI * x) ** 2) / (b * pixelsPerDegree ** 2));
+  const mass = (part: Gaussian) => {
+    let sum = 0;
+    for (let x = -radius; x <= radius; x++) sum += shape(part, x);
+    return part.a * Math.sqrt(Math.PI / part.b) * sum ** 2;
+  };
+  const total = parts.reduce((sum, part) => sum + mass(part), 0);
+  const out = new Float32Array(plane.length);
+  for (const part of parts) {
+    const kernel = kernelOf(radius, (x) => shape(part, x));
+    const weight = mass(part) / total;
+    const filtered = alongColumns(alongRows(plane, width, height, kernel), width, height, kernel);
+    for (let i = 0; i < out.length; i++) out[i] += weight * filtered[i];
+  }
+  return out;
+}
+
+function perceivedAt([light, redGreen, blueYellow]: Opponents, i: number): Vec3 {
+  const y = light[i];
+  const [r, g, b] = fromXyz([redGreen[i] + y, y, y - blueYellow[i]]);
+  return perceived([clamp(r), clamp(g), clamp(b)]);
+}
+
+const clamp = (x: number): number => Math.min(Math.max(x, 0), 1);
+
+/** L*a*b* with Hunt's effect: what is darker is less colourful (4.1.2). */
+function perceived(rgb: Vec3): Vec3 {
+  const [L, a, b] = lab(toXyz(rgb));
+  return [L, 0.01 * L * a, 0.01 * L * b];
+}
+
+/** HyAB: |ΔL| + √(Δa² + Δb²), which holds for large differences too (4.1.3). */
+function difference(p: Vec3, q: Vec3): number {
+  return Math.abs(p[0] - q[0]) + Math.hypot(p[1] - q[1], p[2] - q[2]);
+}
+
+/** 0 … the largest → 0 … 1, in two straight parts, so that the rare large ones do not take all the room (4.1.4). */
+function redistribute(value: number): number {
+  const knee = KNEE * LARGEST;
+  return value < knee
+    ? (KNEE_VALUE / knee) * value
+    : KNEE_VALUE + ((value - knee) / (LARGEST - knee)) * (1 - KNEE_VALUE);
+}
+
+// ── Edges and points (4.2) ─────────────────────────────────────────────────────────────────────────────────────────
+
+/** Of an edge that is just seen as one [degrees]. */
+const FEATURE_WIDTH = 0.082;
+const FEATURE_EXPONENT = 0.5;
+
+function luminances({ rgb }: Picture): Float32Array {
+  return Float32Array.from(
+    { length: rgb.length / 3 },
+    (_, i) => toXyz([rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]])[1],
+  );
+}
+
+/** ((1/√2) · max(difference of edges, difference of points))^½ */
+function featureDifference(
+  a: Float32Array,
+  b: Float32Array,
+  width: number,
+  height: number,
+  pixelsPerDegree: number,
+): Float32Array {
+  const [ofA, ofB] = [features(a, width, height, pixelsPerDegree), features(b, width, height, pixelsPerDegree)];
+  return Float32Array.from(a, (_, i) => {
+    const edge = Math.abs(ofA.edges[i] - ofB.edges[i]);
+    const point = Math.abs(ofA.points[i] - ofB.points[i]);
+    return (Math.max(edge, point) / Math.SQRT2) ** FEATURE_EXPONENT;
+  });
+}
+
+/** Lengths of the first derivatives (x, y) of the picture smoothed by a Gaussian, and of its second ones. */
+function features(plane: Float32Array, width: number, height: number, pixelsPerDegree: number) {
+  const deviation = 0.5 * FEATURE_WIDTH * pixelsPerDegree;
+  const radius = Math.ceil(3 * deviation);
+  const gaussian = (x: number) => Math.exp(-(x * x) / (2 * deviation ** 2));
+  const smooth = kernelOf(radius, gaussian);
+  const both = (derivative: Kernel) => {
+    const x = alongColumns(alongRows(plane, width, height, derivative), width, height, smooth);
+    const y = alongColumns(alongRows(plane, width, height, smooth), width, height, derivative);
+    return x.map((value, i) => Math.hypot(value, y[i]));
+  };
+  return {
+    edges: both(kernelOf(radius, (x) => -x * gaussian(x))),
+    points: both(kernelOf(radius, (x) => (x ** 2 / deviation ** 2 - 1) * gaussian(x))),
+  };
+}
