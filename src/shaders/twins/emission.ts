@@ -207,8 +207,8 @@ const ontoConeTwin: Twin = {
   texels: 2,
   outputs: 3,
   cases: (random) =>
-    // Nearer to c, f32 does not tell on which side of the cone an event is.
-    draw(strata(SPEEDS.filter((beta) => beta <= 0.999)), EACH, ({ beta, size }) => {
+    // Nearer to c, f32 inputs do not tell how far from the cone an event is.
+    draw(strata(SPEEDS.filter((beta) => beta <= 0.99)), EACH, ({ beta, size }) => {
       const dx = anchorOf(random, size);
       const direction = aimed(random, normalize(dx, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
       const beside = (random() < 0.5 ? -1 : 1) * logUniform(random, 2e-3, 0.05) * (1 - beta);
