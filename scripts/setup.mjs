@@ -180,15 +180,16 @@ function build(name) {
   else run(process.execPath, [at('node_modules/vite/bin/vite.js'), 'build', '--logLevel', 'error']);
 }
 
-// ── Independent judges of our files, for tests ─────────────────────────────────────────────────────────────────────
+// ── Independent judges of our files and figures, for tests ─────────────────────────────────────────────────────────
 
-const judges = ['usd-core==25.11', 'OpenEXR==3.4.4', 'numpy==2.3.5'];
+const judges = ['usd-core==25.11', 'OpenEXR==3.4.4', 'numpy==2.3.5', 'flip-evaluator==1.7'];
 
 /** The folder of the Python that has the judges, or undefined with the reason said. Kept in .cache/, never in the system. */
 export function ensureOracle() {
   const folder = at('.cache', 'venv', process.platform === 'win32' ? 'Scripts' : 'bin');
   const python = join(folder, 'python3');
-  const hasJudges = () => existsSync(python) && ask(python, ['-c', 'import pxr.Usd, OpenEXR, numpy']) !== undefined;
+  const hasJudges = () =>
+    existsSync(python) && ask(python, ['-c', 'import pxr.Usd, OpenEXR, numpy, flip_evaluator']) !== undefined;
   if (hasJudges()) return folder;
   try {
     if (ensurePackages(oraclePackages, 'for the optional tests against other programs').length > 0) return undefined;

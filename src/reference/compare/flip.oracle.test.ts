@@ -5,10 +5,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
 import { random } from '../../math/random.ts';
+import kept from './fixtures/flip.json' with { type: 'json' };
+import { picture } from './fixtures/pairs.ts';
 import { flip } from './flip.ts';
 import { hdrFlip } from './hdrFlip.ts';
-import kept from './testdata/flip.json' with { type: 'json' };
-import { picture } from './testdata/pairs.ts';
 
 /** ꟻLIP as its authors' own program has it (PyPI flip-evaluator). */
 
@@ -16,7 +16,7 @@ const folder = mkdtempSync(join(tmpdir(), 'slowlight-flip-'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 const python = process.env.SLOWLIGHT_PYTHON ?? 'python3';
-const script = fileURLToPath(new URL('testdata/flip.py', import.meta.url));
+const script = fileURLToPath(new URL('fixtures/flip.py', import.meta.url));
 const available = spawnSync(python, ['-c', 'import flip_evaluator, numpy']).status === 0;
 if (!available)
   console.warn('skipped: FLIP against flip-evaluator; pip install it, or name a Python with it in SLOWLIGHT_PYTHON');

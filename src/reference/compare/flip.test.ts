@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import expected from './fixtures/flip.json' with { type: 'json' };
+import { HEIGHT, pair, picture, WIDTH } from './fixtures/pairs.ts';
 import { flip } from './flip.ts';
 import { exposuresFor, hdrFlip } from './hdrFlip.ts';
 import type { Picture } from './picture.ts';
 import { summarize } from './statistics.ts';
-import expected from './testdata/flip.json' with { type: 'json' };
-import { HEIGHT, pair, picture, WIDTH } from './testdata/pairs.ts';
 
 /** The authors' program reckons in f32, and raises to powers below 1 what is nearly 0. */
 const TOLERANCE = 2e-4;
