@@ -1,0 +1,95 @@
+import { IDENTITY } from '../../src/math/quat.ts';
+import { add, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { rayToward } from '../../src/reference/camera.ts';
+import type { LightOptions } from '../../src/reference/lighting.ts';
+import { radiance } from '../../src/reference/path.ts';
+import { pixelSequence } from '../../src/reference/sequence.ts';
+import { type TracedScene, traceable } from '../../src/reference/trace.ts';
+import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
+import type { DomeLight, Light, Material, Mesh, SceneObject, SphereLight } from '../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
+
+/** Light walks at 1 m/s, and colours do not turn: what is left of a shift by D is D⁴. */
+export const GREY: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1, dopplerMix: 0 };
+export const DIRECT: LightOptions = { bounces: 0, mirrors: false, glass: false };
+
+/** A dome of one colour all round; dark where none is given. */
+export const dome = (color: Vec3 = ZERO): DomeLight => ({
+  kind: 'dome',
+  path: '/dome',
+  color,
+  texture: picture([[255, 255, 255]]),
+});
+
+/** A picture of one column, from the top down. */
+export const picture = (rows: readonly (readonly [number, number, number])[]) =>
+  ({
+    name: 'column',
+    width: 1,
+    height: rows.length,
+    data: Uint8Array.from(rows.flatMap((row) => [...row, 255])),
+    colorSpace: 'linear',
+    filter: 'linear',
+    wrapS: 'clamp',
+    wrapT: 'clamp',
+  }) as const;
+
+/** A perfect scatterer: it refracts like its surroundings, so nothing is mirrored. */
+export const lambert = (albedo: number, given: Partial<Material> = {}): Material =>
+  makeMaterial({ name: 'lambert', baseColor: [albedo, albedo, albedo], ior: 1, ...given });
+
+export const mirror = (given: Partial<Material> = {}): Material =>
+  makeMaterial({ name: 'mirror', baseColor: [1, 1, 1], metallic: 1, roughness: 0, ...given });
+
+export const lamp = (position: Vec3, given: Partial<SphereLight> = {}): SphereLight => ({
+  kind: 'sphere',
+  path: '/lamp',
+  motion: restingAt(position),
+  lifetime: FOREVER,
+  radius: 0,
+  color: [1, 1, 1],
+  ...given,
+});
+
+export const twoSided = (mesh: Mesh): Mesh => ({ ...mesh, doubleSided: true });
+
+/** Each object with a material of its own, under the given lights and no others. */
+export function lit(
+  things: readonly (Partial<SceneObject> & { readonly mesh: Mesh; readonly material: Material })[],
+  lights: readonly Light[] = [],
+): TracedScene {
+  const objects = things.map(({ material: _, mesh, ...given }, k) =>
+    makeObject({
+      path: `/${k}`,
+      mesh: { ...mesh, groups: [{ start: 0, count: mesh.indices.length, material: k }] },
+      ...given,
+    }),
+  );
+  const materials = things.map(({ material }) => material);
+  const all = lights.some(({ kind }) => kind === 'dome') ? lights : [...lights, dome()];
+  return traceable(makeScene({ name: 'lit', objects, materials, lights: all }), 1);
+}
+
+export interface Eye {
+  readonly position: Vec3;
+  /** World time [s]. */
+  readonly t?: number;
+  /** γβ */
+  readonly u?: Vec3;
+}
+
+/** What an observer sees in a direction of his own frame: the mean of so many samples. */
+export function look(
+  scene: TracedScene,
+  { position, t = 0, u = ZERO }: Eye,
+  direction: Vec3,
+  options: LightOptions = DIRECT,
+  samples = 1,
+  { settings = GREY, seed = 1 }: { readonly settings?: RenderSettings; readonly seed?: number } = {},
+): Vec3 {
+  const ray = rayToward({ t, position, u, orientation: IDENTITY, fovY: 1 }, settings, direction);
+  const numbers = pixelSequence(seed, 0, 0);
+  let sum = ZERO;
+  for (let i = 0; i < samples; i++) sum = add(sum, radiance(scene, ray, { u }, settings, options, numbers(i)));
+  return scale(sum, 1 / samples);
+}
