@@ -1,4 +1,4 @@
-import { dot, Fn, floor, fract, If, mix, mrt, pow, screenCoordinate, select, step, vec2, vec3, vec4 } from 'three/tsl';
+import { dot, Fn, floor, fract, mix, mrt, pow, screenCoordinate, select, step, vec2, vec3, vec4 } from 'three/tsl';
 import type { Node, Texture } from 'three/webgpu';
 import { toneMap } from '../shaders/toneMap.ts';
 import type { Vec3, Vec4 } from '../shaders/types.ts';
@@ -9,19 +9,17 @@ import { depthHere } from './passes.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 
-/** Linear light to display, 0 … 1, with the grid over it. */
-function displayed(hdr: Vec3, buffer: GBuffer, uniforms: Uniforms): Vec3 {
+/** Linear light to display, 0 … 1, with the grid over it where that is wanted. */
+function displayed(hdr: Vec3, buffer: GBuffer, uniforms: Uniforms, grid: boolean): Vec3 {
   const picture = toneMap(hdr, uniforms.exposure).toVar();
-  If(uniforms.grid.greaterThan(0.5), () => {
-    const grid = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
-    picture.assign(mix(picture, grid.xyz, grid.w));
-  });
-  return picture;
+  if (!grid) return picture;
+  const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
+  return mix(picture, lines.xyz, lines.w).toVar();
 }
 
-/** One sample: encoded for FXAA, which needs what the eye sees. */
-export const singleSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms): Vec4 =>
-  Fn(() => vec4(encode(displayed(texelHere(hdr).rgb, buffer, uniforms)), 1))();
+/** One sample: encoded in 8 bits, for FXAA needs what the eye sees. */
+export const singleSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms, grid: boolean): Vec4 =>
+  Fn(() => vec4(dithered(encode(displayed(texelHere(hdr).rgb, buffer, uniforms, grid))), 1))();
 
 /**
  * One of several samples, added to those before: the picture after tone mapping, so that edges of very bright things are smooth too,
@@ -32,17 +30,18 @@ export function addedSample(
   before: { readonly picture: Texture; readonly light: Texture },
   buffer: GBuffer,
   uniforms: Uniforms,
+  grid: boolean,
 ): Node {
   const sum = (now: Vec3, of: Texture): Vec4 =>
     vec4(select(uniforms.firstSample.greaterThan(0.5), vec3(0), texelHere(of).rgb).add(now.mul(uniforms.weight)), 1);
   const light = texelHere(hdr).rgb;
   return mrt({
-    picture: Fn(() => sum(displayed(light, buffer, uniforms), before.picture))(),
+    picture: Fn(() => sum(displayed(light, buffer, uniforms, grid), before.picture))(),
     light: sum(light, before.light),
   });
 }
 
-export const antialiased = (picture: Texture): Vec4 => vec4(dithered(fxaa(picture)), 1);
+export const antialiased = (picture: Texture): Vec4 => vec4(fxaa(picture), 1);
 export const averaged = (picture: Texture): Vec4 => vec4(dithered(encode(texelHere(picture).rgb)), 1);
 
 /** sRGB encoding, IEC 61966-2-1. */

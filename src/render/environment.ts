@@ -1,4 +1,4 @@
-import { acos, atan, clamp, dot, int, texture, uniform, vec2 } from 'three/tsl';
+import { acos, atan, clamp, dot, int, Loop, texture, uniform, vec2, vec3 } from 'three/tsl';
 import { Color, type DataTexture, Vector3 } from 'three/webgpu';
 import { normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
 import { axesOf, DAY, type DirectLight, directLights, domeOf } from '../scene/daylight.ts';
@@ -15,6 +15,9 @@ export interface LightTexels {
   readonly color: gpu.Vec3;
 }
 
+/** So many lights are written out one by one: a software GPU goes through the body of a loop once more than it need. */
+const WRITTEN_OUT = 4;
+
 /** Where light comes from: distant and sphere lights in a table, and a sky (the scene's dome, or a clear day's). */
 export class Environment {
   readonly uniforms = {
@@ -26,13 +29,15 @@ export class Environment {
   };
   /** Radiance of the dome's picture in a world direction. */
   readonly image: ((n: gpu.Vec3) => gpu.Vec3) | undefined;
-  readonly lights: readonly DirectLight[];
+  /** Distant ones first. */
+  private readonly lights: readonly DirectLight[];
   private readonly table = new FloatTable(256);
   private readonly domeTexture: DataTexture | undefined;
 
   constructor(scene: Scene) {
     const dome = domeOf(scene);
-    this.lights = directLights(scene);
+    const direct = directLights(scene);
+    this.lights = [...direct.filter(isDistant), ...direct.filter((light) => !isDistant(light))];
     this.table.reserve(2 * this.lights.length);
     if (dome) this.setDome(dome);
     else this.setDay();
@@ -42,9 +47,22 @@ export class Environment {
     }
   }
 
-  light(index: gpu.Int): LightTexels {
+  private light(index: gpu.Int): LightTexels {
     const at = index.mul(int(2));
     return { place: this.table.texel(at).toVar(), color: this.table.texel(at.add(int(1))).xyz.toVar() };
+  }
+
+  /** Adds up what `of` gives for each light, or for the distant ones. */
+  sum(which: 'all' | 'distant', of: (light: LightTexels) => gpu.Vec3): gpu.Vec3 {
+    const count = which === 'all' ? this.lights.length : this.lights.filter(isDistant).length;
+    const total = vec3(0).toVar();
+    const add = (i: gpu.Int): void => {
+      total.addAssign(of(this.light(i)));
+    };
+    if (count > WRITTEN_OUT)
+      Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => add(int(i)));
+    else for (let i = 0; i < count; i++) add(int(i));
+    return total;
   }
 
   /** Places are uploaded relative to the observer's event. */
@@ -82,6 +100,7 @@ export class Environment {
   }
 }
 
+const isDistant = ({ kind }: DirectLight): boolean => kind === 'distant';
 const WHITE: Vec3 = [1, 1, 1];
 
 /**

@@ -46,7 +46,10 @@ export class FloatTable {
 
   texel(index: Node<'int'>): Node<'vec4'> {
     const mask = int((1 << this.widthBits) - 1);
-    return this.node.load(ivec2(index.bitAnd(mask), index.shiftRight(int(this.widthBits))));
+    const texel = this.node.load(ivec2(index.bitAnd(mask), index.shiftRight(int(this.widthBits))));
+    // Else three multiplies the whole numbers by the texture's matrix at every fetch.
+    texel.updateMatrix = false;
+    return texel;
   }
 
   dispose(): void {

@@ -1,25 +1,50 @@
-import { attribute, ivec2, normalize, screenCoordinate, texture, vec3 } from 'three/tsl';
-import { type Node, NodeMaterial, QuadMesh, type RenderTarget, type Texture, type WebGPURenderer } from 'three/webgpu';
+import { attribute, float, ivec2, normalize, screenCoordinate, textureLoad, vec3 } from 'three/tsl';
+import {
+  GreaterDepth,
+  LessEqualDepth,
+  type Node,
+  NodeMaterial,
+  QuadMesh,
+  type RenderTarget,
+  type Texture,
+  type WebGPURenderer,
+} from 'three/webgpu';
 import type { Vec3, Vec4 } from '../shaders/types.ts';
 import type { Uniforms } from './uniforms.ts';
 
-/** A picture-filling pass: `output` is a colour, or an `mrt()`. */
+/** Pixels of a pass over a target with the G-buffer's depth: where something was drawn, or where nothing was. */
+export type Where = 'surfaces' | 'sky';
+
+/**
+ * A picture-filling pass: `output` is a colour, or an `mrt()`. `where` is left to the depth test, and not to an `If`: that spares the pixels
+ * before they are shaded, where branches are computed on both sides (docs/adr/0006-software-gpu.md).
+ */
 export class FullScreen {
   private readonly material = new NodeMaterial();
   private readonly quad: QuadMesh;
+  private readonly where: Where | undefined;
 
-  constructor(output: Node, name: string) {
+  constructor(output: Node, name: string, where?: Where) {
+    this.where = where;
     this.material.name = name;
     this.material.fragmentNode = output;
-    this.material.depthTest = false;
+    this.material.depthTest = where !== undefined;
+    this.material.depthFunc = where === 'surfaces' ? GreaterDepth : LessEqualDepth;
     this.material.depthWrite = false;
     this.quad = new QuadMesh(this.material);
   }
 
-  render(renderer: WebGPURenderer, target: RenderTarget | null): void {
+  /** `over`: what the target holds already stays where this pass does not draw. */
+  render(renderer: WebGPURenderer, target: RenderTarget | null, over = false): void {
+    // Three's quad lies at z = 0: the far plane, but where depth is not reversed.
+    if (this.where && !renderer.reversedDepthBuffer) this.material.depthNode = float(1);
     renderer.setMRT(null);
     renderer.setRenderTarget(target);
+    renderer.autoClearColor = !over;
+    renderer.autoClearDepth = false;
     this.quad.render(renderer);
+    renderer.autoClearColor = true;
+    renderer.autoClearDepth = true;
   }
 
   dispose(): void {
@@ -28,7 +53,7 @@ export class FullScreen {
 }
 
 /** The texel of another target of the same size under this fragment. */
-export const texelHere = (of: Texture): Vec4 => texture(of).load(ivec2(screenCoordinate));
+export const texelHere = (of: Texture): Vec4 => textureLoad(of, ivec2(screenCoordinate));
 
 /** Unit direction of this pixel in the observer's frame, on the world axes that the boost carries. */
 export function pixelDirection({ halfTangents, jitter, orientation }: Uniforms): Vec3 {

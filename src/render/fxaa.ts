@@ -1,4 +1,22 @@
-import { abs, dot, Fn, If, int, max, min, screenSize, screenUV, select, texture, vec2, vec3 } from 'three/tsl';
+import {
+  abs,
+  clamp,
+  dot,
+  Fn,
+  If,
+  int,
+  ivec2,
+  max,
+  min,
+  screenCoordinate,
+  screenSize,
+  screenUV,
+  select,
+  texture,
+  textureLoad,
+  vec2,
+  vec3,
+} from 'three/tsl';
 import type { Node, Texture } from 'three/webgpu';
 import type { Float, Vec3 } from '../shaders/types.ts';
 
@@ -14,12 +32,15 @@ const LEAST_CONTRAST = 1 / 32;
 export const fxaa = (picture: Texture): Vec3 =>
   Fn(() => {
     const pixel = vec2(1).div(screenSize).toVar();
-    const at = (x: Float | number, y: Float | number): Vec3 =>
-      texture(picture, screenUV.add(pixel.mul(vec2(x, y)))).level(int(0)).rgb;
+    const at = (x: Float, y: Float): Vec3 => texture(picture, screenUV.add(pixel.mul(vec2(x, y)))).level(int(0)).rgb;
+    // Whole texels are fetched, for a software GPU takes long to filter.
+    const last = screenSize.sub(0.5).toVar();
+    const texel = (x: number, y: number): Vec3 =>
+      textureLoad(picture, ivec2(clamp(screenCoordinate.add(vec2(x, y)), vec2(0.5), last))).rgb;
     const luma = (rgb: Vec3): Float => dot(rgb, vec3(0.299, 0.587, 0.114)).toVar();
-    const middle = at(0, 0).toVar();
+    const middle = texel(0, 0).toVar();
     const m = luma(middle);
-    const [nw, ne, sw, se] = [luma(at(-1, -1)), luma(at(1, -1)), luma(at(-1, 1)), luma(at(1, 1))];
+    const [nw, ne, sw, se] = [luma(texel(-1, -1)), luma(texel(1, -1)), luma(texel(-1, 1)), luma(texel(1, 1))];
     const darkest = min(m, min(min(nw, ne), min(sw, se))).toVar();
     const brightest = max(m, max(max(nw, ne), max(sw, se))).toVar();
 

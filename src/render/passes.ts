@@ -1,10 +1,10 @@
-import { Discard, Fn, float, If, length, min, select, vec3, vec4 } from 'three/tsl';
+import { Discard, Fn, float, length, min, select, vec4 } from 'three/tsl';
 import { NoBlending, NodeMaterial, NormalBlending } from 'three/webgpu';
-import type { Float, Vec4 } from '../shaders/types.ts';
+import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import type { Environment } from './environment.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';
 import { type Drawable, sideOf } from './sceneUpload.ts';
-import { shade } from './shade.ts';
+import { type ShadedSurface, shade } from './shade.ts';
 import { background } from './sky.ts';
 import { readSurface, surfaceOutputs, type TargetName } from './surface.ts';
 import type { GBuffer } from './targets.ts';
@@ -28,23 +28,22 @@ export function geometryMaterial(
   return material;
 }
 
-/** Every pixel of the G-buffer shaded, and the sky where nothing is. */
-export const deferredLight = (buffer: GBuffer, environment: Environment, uniforms: Uniforms): Vec4 =>
-  Fn(() => {
-    const light = vec3(0).toVar();
-    If(texelHere(buffer.texture('object')).x.lessThan(0.5), () => {
-      light.assign(background(environment, uniforms, pixelDirection(uniforms)));
-    }).Else(() => {
-      light.assign(shade(surfaceHere(buffer), environment, uniforms));
-    });
-    return vec4(min(light, MOST_LIGHT), 1);
-  })();
+const kept = (light: Vec3): Vec4 => vec4(min(light, MOST_LIGHT), 1);
 
-function surfaceHere(buffer: GBuffer) {
+/** The sky, for pixels in which nothing is. */
+export const skyLight = (environment: Environment, uniforms: Uniforms): Vec4 =>
+  Fn(() => kept(background(environment, uniforms, pixelDirection(uniforms))))();
+
+/** The G-buffer shaded, for pixels in which something is. `moving`: not all of it rests. */
+export const surfaceLight = (buffer: GBuffer, environment: Environment, uniforms: Uniforms, moving: boolean): Vec4 =>
+  Fn(() => kept(shade(surfaceHere(buffer, moving), environment, uniforms)))();
+
+function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
   const [base, emissive, event, motion] = (['base', 'emissive', 'event', 'motion'] as const).map((name) =>
     texelHere(buffer.texture(name)).toVar(),
   );
   const speed = length(motion.xyz).toVar();
+  const velocity = vec4(motion.xyz, speed.oneMinus().mul(speed.add(1)));
   return {
     color: vec4(base.rgb, 1),
     roughness: base.w,
@@ -52,7 +51,7 @@ function surfaceHere(buffer: GBuffer) {
     metallic: emissive.w,
     normal: texelHere(buffer.texture('normal')).xyz.normalize(),
     dx: event.xyz,
-    velocity: vec4(motion.xyz, speed.oneMinus().mul(speed.add(1))),
+    velocity: moving ? velocity : undefined,
     D: motion.w,
   };
 }
@@ -70,8 +69,9 @@ export function forwardMaterial(
   material.vertexNode = vertexStage(drawable.vertex, projection);
   material.fragmentNode = Fn(() => {
     const surface = readSurface(drawable.surface);
+    const velocity = drawable.batch.kind === 'static' ? undefined : surface.velocity;
     Discard(surface.distance.greaterThan(depthHere(buffer)));
-    return vec4(min(shade(surface, environment, uniforms), MOST_LIGHT), surface.color.w);
+    return vec4(min(shade({ ...surface, velocity }, environment, uniforms), MOST_LIGHT), surface.color.w);
   })();
   material.side = sideOf(drawable.batch);
   material.transparent = true;

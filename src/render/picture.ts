@@ -8,8 +8,8 @@ import {
 } from 'three/webgpu';
 import type { Gpu } from './device.ts';
 import { addedSample, antialiased, averaged, singleSample } from './display.ts';
-import { FullScreen } from './fullScreen.ts';
-import { deferredLight, forwardMaterial, geometryMaterial } from './passes.ts';
+import { FullScreen, type Where } from './fullScreen.ts';
+import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
 import type { Drawable, SceneUpload } from './sceneUpload.ts';
 import { dataTarget, GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -19,7 +19,7 @@ import type { Projection } from './vertexStage.ts';
 export class PictureMachine {
   readonly buffer: GBuffer;
   readonly light: RenderTarget;
-  private readonly single = dataTarget(1, HalfFloatType);
+  private readonly single = dataTarget(1, UnsignedByteType);
   private readonly sums: readonly [RenderTarget, RenderTarget];
   private readonly screen = dataTarget(1, UnsignedByteType);
   private readonly gpu: Gpu;
@@ -31,7 +31,7 @@ export class PictureMachine {
     this.gpu = gpu;
     this.uniforms = uniforms;
     this.buffer = new GBuffer(gpu.bytesPerSample, gpu.attachments);
-    this.light = dataTarget(1, gpu.floatBlending ? FloatType : HalfFloatType);
+    this.light = dataTarget(1, gpu.floatBlending ? FloatType : HalfFloatType, this.buffer.depth);
     this.single.texture.minFilter = LinearFilter;
     this.single.texture.magFilter = LinearFilter;
     this.sums = [sumTarget(), sumTarget()];
@@ -59,7 +59,16 @@ export class PictureMachine {
   /** G-buffer to light, then what is transparent over it. */
   drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera): void {
     const { buffer, uniforms, light, gpu } = this;
-    this.run(`light ${upload.serial}`, () => deferredLight(buffer, upload.environment, uniforms), light);
+    const { environment, bodies } = upload;
+    const moving = () => bodies.some(({ object }) => object.motion.kind !== 'static');
+    this.run(`sky ${upload.serial}`, () => skyLight(environment, uniforms), light, 'sky');
+    if (upload.opaque.children.some((mesh) => mesh.visible))
+      this.run(
+        `light ${upload.serial}`,
+        () => surfaceLight(buffer, environment, uniforms, moving()),
+        light,
+        'surfaces',
+      );
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawable of upload.drawables)
       if (drawable.batch.transparent)
@@ -72,19 +81,19 @@ export class PictureMachine {
     gpu.renderer.autoClear = true;
   }
 
-  /** Light to display: sample `index` of `count`. */
-  display(index: number, count: number): void {
+  /** Light to display: sample `index` of `count`, with or without the reference grid. */
+  display(index: number, count: number, grid: boolean): void {
     const { buffer, uniforms, light } = this;
     this.samples = count;
     if (count === 1) {
-      this.run('single', () => singleSample(light.texture, buffer, uniforms), this.single);
+      this.run(`single ${grid}`, () => singleSample(light.texture, buffer, uniforms, grid), this.single);
       return;
     }
     uniforms.weight.value = 1 / count;
     uniforms.firstSample.value = index === 0 ? 1 : 0;
     const [from, to] = index % 2 === 0 ? [1, 0] : [0, 1];
     const before = { picture: this.sums[from].textures[0], light: this.sums[from].textures[1] };
-    this.run(`add ${to}`, () => addedSample(light.texture, before, buffer, uniforms), this.sums[to]);
+    this.run(`add ${to} ${grid}`, () => addedSample(light.texture, before, buffer, uniforms, grid), this.sums[to]);
   }
 
   /** The finished picture to the canvas (`null`), or to where it can be read. */
@@ -107,9 +116,10 @@ export class PictureMachine {
 
   /** Lets go of the passes that read a scene. */
   forget(upload: SceneUpload): void {
-    const name = `light ${upload.serial}`;
-    this.passes.get(name)?.dispose();
-    this.passes.delete(name);
+    for (const name of [`sky ${upload.serial}`, `light ${upload.serial}`]) {
+      this.passes.get(name)?.dispose();
+      this.passes.delete(name);
+    }
   }
 
   dispose(): void {
@@ -122,10 +132,11 @@ export class PictureMachine {
     name: string,
     output: () => ConstructorParameters<typeof FullScreen>[0],
     target: RenderTarget | null,
+    where?: Where,
   ): void {
-    const pass = this.passes.get(name) ?? new FullScreen(output(), name);
+    const pass = this.passes.get(name) ?? new FullScreen(output(), name, where);
     this.passes.set(name, pass);
-    pass.render(this.gpu.renderer, target);
+    pass.render(this.gpu.renderer, target, where === 'surfaces');
   }
 
   private dress(drawable: Drawable, key: string, make: () => Drawable['mesh']['material']): void {

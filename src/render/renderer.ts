@@ -86,7 +86,7 @@ export class SceneRenderer implements PictureMaker {
       this.jitter(samples, i);
       this.machine.drawGeometry(upload, projection, this.camera);
       this.machine.drawLight(upload, projection, this.camera);
-      this.machine.display(i, count);
+      this.machine.display(i, count, settings.grid);
     }
     if (count > 1) {
       // Data are of the pixels' centres, not of the last sample.
@@ -174,8 +174,7 @@ export class SceneRenderer implements PictureMaker {
     uniforms.beaming.value = luminous * settings.beaming;
     uniforms.exposure.value = settings.exposure;
     uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
-    uniforms.lightCount.value = upload.environment.lights.length;
-    lookAtGround(uniforms, view, settings, upload);
+    lookAtGround(uniforms, view, upload);
     camera.fov = (view.fovY * 180) / Math.PI;
     camera.aspect = this.width / this.height;
     camera.quaternion.copy(new Quaternion(...view.orientation));
@@ -219,18 +218,12 @@ function sightOf({ t, position, u }: ViewPoint, { speedOfLight }: RenderSettings
 }
 
 /** The ground is the plane of the two axes that do not point up, at height 0; its grid is as fine as the scene's size asks. */
-function lookAtGround(
-  uniforms: Uniforms,
-  { position }: ViewPoint,
-  { grid }: RenderSettings,
-  { scene, radius }: SceneUpload,
-): void {
+function lookAtGround(uniforms: Uniforms, { position }: ViewPoint, { scene, radius }: SceneUpload): void {
   const step = 10 ** Math.floor(Math.log10(Math.max(radius, 1e-6) / 15));
   const [up, north] = scene.upAxis === 'Y' ? [1, 2] : [2, 1];
   const wrap = (x: number) => x - 10 * step * Math.floor(x / (10 * step));
   uniforms.zenith.value.set(0, up === 1 ? 1 : 0, up === 2 ? 1 : 0);
   uniforms.gridNorth.value.set(0, north === 1 ? 1 : 0, north === 2 ? 1 : 0);
-  uniforms.grid.value = grid ? 1 : 0;
   uniforms.gridStep.value = step;
   uniforms.ground.value.set(position[up], wrap(position[0]), wrap(position[north]));
 }

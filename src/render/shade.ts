@@ -1,31 +1,36 @@
-import { clamp, dot, exp2, Fn, If, int, inverseSqrt, Loop, max, min, mix, normalize, reflect, vec3 } from 'three/tsl';
+import { clamp, dot, exp2, Fn, If, inverseSqrt, max, min, mix, normalize, reflect, vec3 } from 'three/tsl';
 import { aberrate } from '../shaders/aberrate.ts';
 import { observerDoppler } from '../shaders/observerDoppler.ts';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { unaberrate } from '../shaders/unaberrate.ts';
-import type { Environment } from './environment.ts';
+import type { Environment, LightTexels } from './environment.ts';
 import { met, seen } from './radiance.ts';
 import { skyLight, skyRadiance } from './sky.ts';
 import type { Surface } from './surface.ts';
 import type { Uniforms } from './uniforms.ts';
 
-/** What shading reads of a surface: `normal` unit in its rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²). */
-export type ShadedSurface = Pick<
-  Surface,
-  'color' | 'emissive' | 'roughness' | 'metallic' | 'normal' | 'dx' | 'velocity' | 'D'
->;
+/**
+ * What shading reads of a surface: `normal` unit in its rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²), or undefined
+ * where all things rest, which costs a third.
+ */
+export type ShadedSurface = Pick<Surface, 'color' | 'emissive' | 'roughness' | 'metallic' | 'normal' | 'dx' | 'D'> & {
+  readonly velocity: Vec4 | undefined;
+};
 
-/** The surface's rest frame: directions of the world as they are there, and back, and D of light from a world direction. */
+/** The surface's rest frame: directions of the world as they are there, and back, and light from a world direction as it meets it. */
 interface Rest {
   into: (n: Vec3) => Vec3;
   out: (n: Vec3) => Vec3;
-  doppler: (n: Vec3) => Float;
+  radiance: (rgb: Vec3, n: Vec3) => Vec3;
+  irradiance: (rgb: Vec3, n: Vec3) => Vec3;
 }
 
+const AT_REST: Rest = { into: (n) => n, out: (n) => n, radiance: (rgb) => rgb, irradiance: (rgb) => rgb };
+
 /** Most surfaces rest: then nothing is computed. */
-function restFrame(velocity: Vec4, { boostLight }: Uniforms): Rest {
+function restFrame(velocity: Vec4, uniforms: Uniforms): Rest {
   const gamma = inverseSqrt(clamp(velocity.w, 1e-12, 1)).toVar();
-  const u = velocity.xyz.mul(gamma).mul(boostLight).toVar();
+  const u = velocity.xyz.mul(gamma).mul(uniforms.boostLight).toVar();
   const moving = dot(u, u).greaterThan(0).toVar();
   const where = (rest: Vec3, moved: () => Vec3): Vec3 => {
     const value = rest.toVar();
@@ -34,10 +39,12 @@ function restFrame(velocity: Vec4, { boostLight }: Uniforms): Rest {
     });
     return value;
   };
+  const doppler = (n: Vec3): Float => where(vec3(1), () => vec3(observerDoppler(n, u, gamma))).x;
   return {
     into: (n) => where(n, () => aberrate(n, u, gamma)),
     out: (n) => where(n, () => unaberrate(n, u, gamma)),
-    doppler: (n) => where(vec3(1), () => vec3(observerDoppler(n, u, gamma))).x,
+    radiance: (rgb, n) => seen(rgb, doppler(n), uniforms),
+    irradiance: (rgb, n) => met(rgb, doppler(n), uniforms),
   };
 }
 
@@ -48,15 +55,13 @@ function restFrame(velocity: Vec4, { boostLight }: Uniforms): Rest {
  */
 export const shade = (surface: ShadedSurface, environment: Environment, uniforms: Uniforms): Vec3 =>
   Fn(() => {
-    const rest = restFrame(surface.velocity, uniforms);
+    const rest = surface.velocity ? restFrame(surface.velocity, uniforms) : AT_REST;
     const N = surface.normal.toVar();
     const V = rest.into(normalize(surface.dx)).negate().toVar();
     const look = lookOf(surface, max(dot(N, V), 1e-3).toVar());
-    const sum = skyReflection(look, N, V, rest, environment, uniforms).add(surface.emissive).toVar();
-    Loop({ start: int(0), end: uniforms.lightCount, type: 'int', condition: '<' }, ({ i }) => {
-      sum.addAssign(directLight(look, N, V, surface.dx, rest, environment.light(int(i)), uniforms));
-    });
-    return seen(sum, surface.D, uniforms);
+    const direct = environment.sum('all', (light) => directLight(look, N, V, surface.dx, rest, light));
+    const reflected = skyReflection(look, N, V, rest, environment, uniforms);
+    return seen(direct.add(reflected).add(surface.emissive), surface.D, uniforms);
   })();
 
 interface Look {
@@ -75,22 +80,13 @@ function lookOf({ color, roughness, metallic }: ShadedSurface, NV: Float): Look 
   };
 }
 
-function directLight(
-  look: Look,
-  N: Vec3,
-  V: Vec3,
-  dx: Vec3,
-  rest: Rest,
-  light: ReturnType<Environment['light']>,
-  uniforms: Uniforms,
-): Vec3 {
+function directLight(look: Look, N: Vec3, V: Vec3, dx: Vec3, rest: Rest, light: LightTexels): Vec3 {
   const { place, color } = light;
   // Distant lights give their direction; sphere lights their place, and E falls with the square of the distance in the world, where they rest.
   const away = mix(place.xyz, place.xyz.sub(dx), place.w).toVar();
   const fall = mix(1, dot(away, away).max(1e-6).reciprocal(), place.w);
   const s = normalize(away).toVar();
-  const Din = rest.doppler(s);
-  const E = met(color, Din, uniforms).mul(fall);
+  const E = rest.irradiance(color, s).mul(fall);
   const L = rest.into(s);
   const NL = clamp(dot(N, L), 0, 1).toVar();
   return E.mul(NL).mul(look.diffuse.mul(1 / Math.PI).add(ggx(look, N, V, L, NL)));
@@ -99,7 +95,8 @@ function directLight(
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
 function ggx({ F0, roughness, NV }: Look, N: Vec3, V: Vec3, L: Vec3, NL: Float): Vec3 {
   const H = normalize(L.add(V)).toVar();
-  const a2 = roughness.pow(4).toVar();
+  const a = roughness.mul(roughness).toVar();
+  const a2 = a.mul(a).toVar();
   const NH = clamp(dot(N, H), 0, 1).toVar();
   const spread = NH.mul(NH).mul(a2.sub(1)).add(1).toVar();
   const distribution = a2.div(spread.mul(spread).mul(Math.PI));
@@ -107,7 +104,9 @@ function ggx({ F0, roughness, NV }: Look, N: Vec3, V: Vec3, L: Vec3, NL: Float):
   const visibility = max(smith(NL, NV).add(smith(NV, NL)), 1e-4)
     .reciprocal()
     .mul(0.5);
-  const F = F0.add(F0.oneMinus().mul(clamp(dot(V, H), 0, 1).oneMinus().pow(5)));
+  const away = clamp(dot(V, H), 0, 1).oneMinus().toVar();
+  const away2 = away.mul(away).toVar();
+  const F = F0.add(F0.oneMinus().mul(away2.mul(away2).mul(away)));
   return F.mul(min(distribution.mul(visibility), 1e4));
 }
 
@@ -116,7 +115,7 @@ function skyReflection(look: Look, N: Vec3, V: Vec3, rest: Rest, environment: En
   const { F0, roughness, NV, diffuse } = look;
   const arriving = (nPrime: Vec3, radiance: (n: Vec3) => Vec3): Vec3 => {
     const n = rest.out(nPrime);
-    return seen(radiance(n), rest.doppler(n), uniforms);
+    return rest.radiance(radiance(n), n);
   };
   const soft = (n: Vec3) => skyLight(environment, n, uniforms.zenith);
   const sharp = (n: Vec3) => mix(skyRadiance(environment, n, uniforms.zenith), soft(n), roughness.sqrt());

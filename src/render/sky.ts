@@ -1,4 +1,4 @@
-import { clamp, dot, exp, Fn, float, If, int, Loop, max, mix, pow, smoothstep, vec3 } from 'three/tsl';
+import { clamp, dot, exp, Fn, float, max, mix, pow, smoothstep } from 'three/tsl';
 import { SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
 import { observerDoppler } from '../shaders/observerDoppler.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
@@ -24,32 +24,24 @@ export function skyLight({ uniforms }: Environment, n: Vec3, zenith: Vec3): Vec3
 }
 
 /** The discs of distant lights, with their glow. */
-function suns(environment: Environment, n: Vec3, count: Uniforms['lightCount']): Vec3 {
-  const sum = vec3(0).toVar();
-  Loop({ start: int(0), end: count, type: 'int', condition: '<' }, ({ i }) => {
-    const { place, color } = environment.light(int(i));
-    If(place.w.lessThan(0.5), () => {
-      const away = max(float(1).sub(dot(n, place.xyz)), 0).toVar();
-      const disc = smoothstep(...SUN_DISC.rim, away)
-        .oneMinus()
-        .mul(SUN_DISC.radiance);
-      const [near, far] = SUN_DISC.glows.map(([strength, rate]) => exp(away.mul(-rate)).mul(strength));
-      sum.addAssign(color.mul(disc.add(near).add(far)));
-    });
+const suns = (environment: Environment, n: Vec3): Vec3 =>
+  environment.sum('distant', ({ place, color }) => {
+    const away = max(float(1).sub(dot(n, place.xyz)), 0).toVar();
+    const disc = smoothstep(...SUN_DISC.rim, away)
+      .oneMinus()
+      .mul(SUN_DISC.radiance);
+    const [near, far] = SUN_DISC.glows.map(([strength, rate]) => exp(away.mul(-rate)).mul(strength));
+    return color.mul(disc.add(near).add(far));
   });
-  return sum;
-}
 
 /** What is behind everything, in the direction `nPrime` of the observer's frame (unit, on the world axes that the boost carries). */
 export const background = (environment: Environment, uniforms: Uniforms, nPrime: Vec3): Vec3 =>
   Fn(() => {
-    const { u, gamma, boosted, zenith, lightCount } = uniforms;
+    const { u, gamma, boosted, zenith } = uniforms;
     const n = mix(nPrime, unaberrate(nPrime, u, gamma), boosted)
       .normalize()
       .toVar();
     const D: Float = observerDoppler(n, u, gamma).toVar();
-    const light = skyRadiance(environment, n, zenith)
-      .add(suns(environment, n, lightCount))
-      .toVar();
+    const light = skyRadiance(environment, n, zenith).add(suns(environment, n)).toVar();
     return seen(light, D, uniforms);
   })();

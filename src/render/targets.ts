@@ -1,4 +1,5 @@
 import {
+  DepthTexture,
   FloatType,
   HalfFloatType,
   NearestFilter,
@@ -18,12 +19,14 @@ const FLOATS: ReadonlySet<TargetName> = new Set(['object', 'event', 'motion']);
  */
 export class GBuffer {
   readonly passes: readonly { readonly names: readonly TargetName[]; readonly target: RenderTarget }[];
+  /** Of the opaque scene, for passes that draw only where something is, or nothing. */
+  readonly depth = new DepthTexture(1, 1, FloatType);
 
   constructor(bytesPerSample: number, attachments: number) {
     const names = Object.keys(TARGETS) as TargetName[];
     const whole = names.reduce((sum, name) => sum + TARGETS[name], 0) <= bytesPerSample && names.length <= attachments;
     const groups = whole ? [names] : [names.filter((n) => TARGETS[n] <= 8), names.filter((n) => TARGETS[n] > 8)];
-    this.passes = groups.map((group) => ({ names: group, target: makeTarget(group) }));
+    this.passes = groups.map((group) => ({ names: group, target: makeTarget(group, this.depth) }));
   }
 
   texture(name: TargetName) {
@@ -46,8 +49,8 @@ export class GBuffer {
   }
 }
 
-function makeTarget(names: readonly TargetName[]): RenderTarget {
-  const target = dataTarget(names.length, HalfFloatType, true);
+function makeTarget(names: readonly TargetName[], depth: DepthTexture): RenderTarget {
+  const target = dataTarget(names.length, HalfFloatType, depth);
   names.forEach((name, i) => {
     target.textures[i].name = name;
     if (FLOATS.has(name)) target.textures[i].type = FloatType;
@@ -56,13 +59,14 @@ function makeTarget(names: readonly TargetName[]): RenderTarget {
   return target;
 }
 
-/** A target of numbers, not of colours to be looked at: read texel by texel. */
-export function dataTarget(count: number, type: TextureDataType, depthBuffer = false): RenderTarget {
+/** A target of numbers, not of colours to be looked at: read texel by texel. `depth` is that of another target, or its own. */
+export function dataTarget(count: number, type: TextureDataType, depth?: DepthTexture): RenderTarget {
   const target = new RenderTarget(1, 1, {
     count,
     type,
     format: RGBAFormat,
-    depthBuffer,
+    depthBuffer: depth !== undefined,
+    ...(depth && { depthTexture: depth }),
     minFilter: NearestFilter,
     magFilter: NearestFilter,
     generateMipmaps: false,

@@ -26,8 +26,6 @@ export function makeUniforms() {
     orientation: uniform(new Matrix3()),
     /** Unit, world frame. */
     zenith: uniform(new Vector3(0, 1, 0)),
-    lightCount: uniform(0, 'int'),
-    grid: uniform(0),
     /** Height of the observer above the ground [m], and its place along the ground's two axes, modulo the grid's coarsest step. */
     ground: uniform(new Vector3()),
     gridStep: uniform(1),

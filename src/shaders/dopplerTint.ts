@@ -1,8 +1,9 @@
-import { clamp, exp, Fn, float, log, max, mix, pow, select, smoothstep, vec3 } from 'three/tsl';
+import { clamp, exp, Fn, log, max, mix, select, smoothstep, vec3 } from 'three/tsl';
 import { DAYLIGHT_LENGTH, PRIMARIES, TINT_RANGE } from '../spectrum/dopplerTint.ts';
 import type { Float, Vec3 } from './types.ts';
 
 const [LOG_RED, LOG_GREEN, LOG_BLUE] = PRIMARIES.map(Math.log);
+const LOG_RANGE = [Math.log(TINT_RANGE[0]), Math.log(TINT_RANGE[1])] as const;
 
 /** ρ at the wavelength of which `logWavelength` is the logarithm: r, g, b at the primaries, smooth between, constant outside. */
 const reflectance = (rgb: Vec3, logWavelength: Float): Float => {
@@ -11,12 +12,12 @@ const reflectance = (rgb: Vec3, logWavelength: Float): Float => {
   return mix(mix(rgb.z, rgb.y, toGreen), rgb.x, toRed);
 };
 
-/** (e^x − 1)/(e^{x/D} − 1) = e^{x − y}(1 − e^{−x})/(1 − e^{−y}), y = x/D; the denominator as a series where y is small. */
-const planckRatio = (x: number, D: Float): Float => {
-  const y = float(x).div(D).toVar();
+/** (e^x − 1)/(e^{x/D} − 1) = (e^x − 1) e^{−y}/(1 − e^{−y}), y = x/D; the denominator as a series where y is small. */
+const planckRatio = (x: number, inverseD: Float): Float => {
+  const y = inverseD.mul(x).toVar();
+  const fall = exp(y.negate()).toVar();
   const series = y.mul(y.mul(y.div(-3).add(1)).div(-2).add(1));
-  const denominator = select(y.lessThan(0.02), series, exp(y.negate()).oneMinus());
-  return exp(y.negate().add(x)).mul(-Math.expm1(-x)).div(denominator);
+  return fall.mul(Math.expm1(x)).div(select(y.lessThan(0.02), series, fall.oneMinus()));
 };
 
 /**
@@ -25,12 +26,12 @@ const planckRatio = (x: number, D: Float): Float => {
  */
 export const dopplerTint = Fn(
   ([rgb, D, amount]: [Vec3, Float, Float]): Vec3 => {
-    const shift = clamp(pow(max(D, 1e-20), amount), ...TINT_RANGE).toVar();
-    const logShift = log(shift).toVar();
-    const energy = pow(shift, -4).toVar();
+    const logShift = clamp(log(max(D, 1e-20)).mul(amount), ...LOG_RANGE).toVar();
+    const inverse = exp(logShift.negate()).toVar();
+    const square = inverse.mul(inverse).toVar();
     const band = (wavelength: number): Float =>
-      reflectance(rgb, logShift.add(Math.log(wavelength))).mul(planckRatio(DAYLIGHT_LENGTH / wavelength, shift));
-    return vec3(band(PRIMARIES[0]), band(PRIMARIES[1]), band(PRIMARIES[2])).mul(energy);
+      reflectance(rgb, logShift.add(Math.log(wavelength))).mul(planckRatio(DAYLIGHT_LENGTH / wavelength, inverse));
+    return vec3(band(PRIMARIES[0]), band(PRIMARIES[1]), band(PRIMARIES[2])).mul(square.mul(square));
   },
   { rgb: 'vec3', D: 'float', amount: 'float', return: 'vec3' },
 );
