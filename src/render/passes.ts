@@ -1,9 +1,9 @@
 import { Discard, Fn, float, length, min, select, vec4 } from 'three/tsl';
 import { NoBlending, NodeMaterial, NormalBlending } from 'three/webgpu';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
+import { type Drawable, sideOf } from './drawable.ts';
 import type { Environment } from './environment.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';
-import { type Drawable, sideOf } from './sceneUpload.ts';
 import { type ShadedSurface, shade } from './shade.ts';
 import { background } from './sky.ts';
 import { readSurface, surfaceOutputs, type TargetName } from './surface.ts';

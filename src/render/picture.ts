@@ -8,9 +8,10 @@ import {
 } from 'three/webgpu';
 import type { Gpu } from './device.ts';
 import { addedSample, antialiased, averaged, singleSample } from './display.ts';
+import type { Drawable } from './drawable.ts';
 import { FullScreen, type Where } from './fullScreen.ts';
 import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
-import type { Drawable, SceneUpload } from './sceneUpload.ts';
+import type { SceneUpload } from './sceneUpload.ts';
 import { dataTarget, GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';

@@ -30,7 +30,7 @@ export class SceneRenderer implements PictureMaker {
   private upload: SceneUpload | undefined;
   private taken: Sight | undefined;
   private size = { width: 1, height: 1 };
-  private drawn = { triangles: 0, objectsDrawn: 0, milliseconds: 0 };
+  private drawn = { objectsDrawn: 0, milliseconds: 0 };
 
   static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
     return new SceneRenderer(await openGpu(options), options.canvas !== undefined);
@@ -46,7 +46,9 @@ export class SceneRenderer implements PictureMaker {
   }
 
   get info(): RendererInfo {
-    return { backend: this.gpu.backend, objects: this.upload?.bodies.length ?? 0, ...this.drawn };
+    const { upload, drawn, gpu } = this;
+    const triangles = upload?.refiner.triangles ?? 0;
+    return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, ...drawn };
   }
   get width(): number {
     return this.size.width;
@@ -79,7 +81,7 @@ export class SceneRenderer implements PictureMaker {
       this.gaze(viewPoint, projection),
       projection.event === 'newton',
     );
-    this.choose(upload, seen);
+    this.cut(upload, viewPoint, sight, projection, seen);
     upload.environment.update(sight);
     const count = samples * samples;
     for (let i = 0; i < count; i++) {
@@ -95,10 +97,12 @@ export class SceneRenderer implements PictureMaker {
     }
     if (this.toCanvas) this.machine.present('canvas');
     this.taken = sight;
-    this.drawn = { ...this.drawn, milliseconds: performance.now() - began };
+    this.drawn = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
+    if (this.toCanvas) upload.refiner.countSometimes();
   }
 
   async readPixels(): Promise<Uint8Array> {
+    await this.upload?.refiner.count();
     return readBytes(this.gpu, this.machine.present('screen'), this.whole());
   }
 
@@ -138,7 +142,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   private replace(scene: Scene, speedOfLight: number): void {
-    const made = new SceneUpload(scene, speedOfLight, this.uniforms);
+    const made = new SceneUpload(scene, speedOfLight, this.uniforms, this.gpu);
     if (this.upload) {
       this.machine.forget(this.upload);
       this.upload.dispose();
@@ -192,16 +196,19 @@ export class SceneRenderer implements PictureMaker {
     this.uniforms.jitter.value.set((2 * dx) / width, (-2 * dy) / height);
   }
 
-  /** Shows the batches in which something may be seen, and sorts the transparent ones from far to near. */
-  private choose(upload: SceneUpload, seen: readonly boolean[]): void {
-    let triangles = 0;
-    for (const { batch, mesh } of upload.drawables) {
-      mesh.visible = batch.bodies.some(({ id }) => seen[id - 1]);
-      if (!mesh.visible) continue;
-      triangles += batch.arrays.indices.length / 3;
-      if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => upload.frame.distance(id)));
-    }
-    this.drawn = { ...this.drawn, triangles, objectsDrawn: seen.filter(Boolean).length };
+  /** Cuts the batches in which something may be seen, as this picture needs it, and sorts the transparent ones from far to near. */
+  private cut(
+    { drawables, frame, refiner }: SceneUpload,
+    { orientation }: ViewPoint,
+    sight: Sight,
+    projection: Projection,
+    seen: readonly boolean[],
+  ): void {
+    const { x: tanX, y: tanY } = this.uniforms.halfTangents.value;
+    const look = { sight, projection, orientation, tanX, tanY, focal: this.height / (2 * tanY) };
+    refiner.show(look, ({ bodies }) => bodies.some(({ id }) => seen[id - 1]));
+    for (const { batch, mesh } of drawables)
+      if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => frame.distance(id)));
   }
 }
 

@@ -1,35 +1,19 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  type DataTexture,
-  DoubleSide,
-  FrontSide,
-  Mesh,
-  NodeMaterial,
-  Scene as ThreeScene,
-} from 'three/webgpu';
+import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene } from 'three/webgpu';
 import type { Scene, Texture } from '../scene/types.ts';
 import { type Batch, type BatchArrays, makeBatches } from './batches.ts';
 import { type Body, makeBody } from './bodies.ts';
+import type { Gpu } from './device.ts';
+import { type Drawable, disposeDrawable, makeDrawable } from './drawable.ts';
 import { Environment } from './environment.ts';
 import { FloatTable } from './floatTable.ts';
 import { Frame } from './frame.ts';
 import { PointStore } from './pointStore.ts';
-import { MATERIAL_TEXELS, type SurfaceSources } from './surface.ts';
-import { isSampledAtRest, tessellate } from './tessellate.ts';
+import { Refiner } from './refine/gpuRefiner.ts';
+import { MATERIAL_TEXELS } from './surface.ts';
 import { uploadTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 import { indexedVertex } from './vertexInput.ts';
-import type { VertexSources } from './vertexStage.ts';
-
-/** One draw call with what its shaders read, and its materials, made when they are first asked for. */
-export interface Drawable {
-  readonly batch: Batch;
-  readonly mesh: Mesh<BufferGeometry, NodeMaterial>;
-  readonly vertex: VertexSources;
-  readonly surface: SurfaceSources;
-  readonly materials: Map<string, NodeMaterial>;
-}
+import { isSampledAtRest, radiusOf, worldObjects } from './worldObjects.ts';
 
 let uploads = 0;
 
@@ -42,7 +26,9 @@ export class SceneUpload {
   readonly speedOfLight: number;
   readonly dependsOnSpeedOfLight: boolean;
   readonly bodies: readonly Body[];
-  readonly drawables: readonly Drawable[];
+  /** First one for every batch, then those of their pieces, as they are made. */
+  readonly drawables: Drawable[] = [];
+  readonly refiner: Refiner;
   readonly environment: Environment;
   readonly frame: Frame;
   readonly opaque = new ThreeScene();
@@ -55,29 +41,26 @@ export class SceneUpload {
   private readonly points = new Map<number, PointStore>();
   private readonly textures = new Map<Texture, DataTexture>();
 
-  constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms) {
+  constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms, gpu: Gpu) {
     this.scene = scene;
     this.speedOfLight = speedOfLight;
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
-    const { objects, radius } = tessellate(scene, speedOfLight);
-    this.radius = radius;
-    this.bodies = objects.map((object, i) => makeBody(object, i + 1));
+    this.bodies = worldObjects(scene, speedOfLight).map((object, i) => makeBody(object, i + 1));
+    this.radius = radiusOf(this.bodies);
     this.environment = new Environment(scene);
     this.frame = new Frame({ objects: this.objects, samples: this.samples, points: this.points });
     for (const { id, object } of this.bodies)
       if (object.motion.kind === 'sampled-points')
         this.points.set(id, new PointStore(object.motion, object.mesh.normals));
     this.fillMaterials();
-    this.drawables = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies).map((batch) =>
-      this.makeDrawable(batch, uniforms),
-    );
+    const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
+    for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
+    this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable));
   }
 
   dispose(): void {
-    for (const { mesh, materials } of this.drawables) {
-      mesh.geometry.dispose();
-      for (const material of materials.values()) material.dispose();
-    }
+    this.drawables.forEach(disposeDrawable);
+    this.refiner.dispose();
     for (const store of this.points.values()) store.dispose();
     for (const image of this.textures.values()) image.dispose();
     for (const table of [this.objects, this.samples, this.materials]) table.dispose();
@@ -94,20 +77,18 @@ export class SceneUpload {
     this.materials.upload();
   }
 
-  private makeDrawable(batch: Batch, uniforms: Uniforms): Drawable {
-    const geometry = makeGeometry(batch.arrays);
-    const mesh = new Mesh(geometry, new NodeMaterial());
-    mesh.frustumCulled = false;
-    mesh.matrixAutoUpdate = false;
-    (batch.transparent ? this.transparent : this.opaque).add(mesh);
+  private add(drawable: Drawable): void {
+    this.drawables.push(drawable);
+    (drawable.batch.transparent ? this.transparent : this.opaque).add(drawable.mesh);
+  }
+
+  private drawBatch(batch: Batch, uniforms: Uniforms): Drawable {
     const points = batch.kind === 'sampled-points' ? this.points.get(batch.bodies[0].id) : undefined;
     const colored = batch.arrays.colors !== undefined;
     const baseColor = this.texture(batch.baseColorTexture);
     const emissive = this.texture(batch.emissiveTexture);
-    return {
+    return makeDrawable(makeGeometry(batch.arrays), {
       batch,
-      mesh,
-      materials: new Map(),
       vertex: {
         kind: batch.kind,
         objects: this.objects,
@@ -123,7 +104,7 @@ export class SceneUpload {
         ...(baseColor && { baseColor }),
         ...(emissive && { emissive }),
       },
-    };
+    });
   }
 
   private texture(image: Texture | undefined): DataTexture | undefined {
@@ -133,8 +114,6 @@ export class SceneUpload {
     return made;
   }
 }
-
-export const sideOf = (batch: Batch) => (batch.doubleSided ? DoubleSide : FrontSide);
 
 function makeGeometry(arrays: BatchArrays): BufferGeometry {
   const geometry = new BufferGeometry();

@@ -118,16 +118,16 @@ export function vertexStage(sources: VertexSources, projection: Projection): Vec
   })();
 }
 
-/** Where a point of a triangle is seen: its event from the observer and its place in the picture [m], and whether there is one. */
+/** Where a vertex is shown, from the observer [m], and whether there is such a place. */
 export function shownPoint(
   sources: MotionSources,
   projection: Projection,
   vertex: VertexInput,
-): { dx: Vec3; shown: Vec3; exists: Bool } {
+): { shown: Vec3; exists: Bool } {
   const texel = objectTexel(sources, vertex.object);
   const anchor = texel(0);
   const { dx, exists } = solve({ sources, anchor, motion: texel(1), extra: texel(3), vertex }, projection);
-  return { dx, shown: place(dx, projection.place, sources.uniforms), exists };
+  return { shown: place(dx, projection.place, sources.uniforms), exists };
 }
 
 function place(dx: Vec3, how: Projection['place'], { u, gamma }: Uniforms): Vec3 {

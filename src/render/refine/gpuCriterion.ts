@@ -1,0 +1,111 @@
+import { bool, dot, float, If, int, Loop, length, max, min, select, uniform, vec2, vec3 } from 'three/tsl';
+import { Vector3 } from 'three/webgpu';
+import { rotate } from '../../math/quat.ts';
+import type { Bool, Float, Int, Vec3 } from '../../shaders/types.ts';
+import { MOST_LEVEL } from './leaf.ts';
+import type { Look } from './look.ts';
+import { SHORTEST } from './shown.ts';
+
+/** Errors of depth count this much less than those across the line of sight. */
+const DEPTH_WEIGHT = 0.25;
+
+/** Where a point of an edge is shown, in the observer's frame [m], and whether there is such a point. */
+export interface ShownPoint {
+  readonly shown: Vec3;
+  readonly exists: Bool;
+}
+
+/** What a picture's edges are measured by; `take` once per picture. */
+export class EdgeGauge {
+  readonly focal = uniform(1);
+  readonly tolerance = uniform(1);
+  readonly forward = uniform(new Vector3());
+  /** 1 + tan² of the picture's corner. */
+  readonly corner = uniform(1);
+
+  take({ focal, orientation, tanX, tanY }: Look, tolerance: number): void {
+    this.focal.value = focal;
+    this.tolerance.value = tolerance;
+    this.forward.value.set(...rotate(orientation, [0, 0, -1]));
+    this.corner.value = 1 + tanX * tanX + tanY * tanY;
+  }
+}
+
+/** Levels of a leaf's three edges, packed, and the highest; `show` tells where the point with some weights of the triangle's corners is seen. */
+export function leafLevels(
+  corners: readonly [Vec3, Vec3, Vec3],
+  show: (weights: Vec3) => ShownPoint,
+  gauge: EdgeGauge,
+): { levels: Int; interior: Int } {
+  const levels = int(0).toVar();
+  const interior = int(0).toVar();
+  Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
+    const edge = int(i).toVar();
+    const of = (k: number) => {
+      const at = edge.add(int(k));
+      return select(at.equal(int(1)), corners[1], select(at.equal(int(2)), corners[2], corners[0]));
+    };
+    const level = edgeLevel(of(0).toVar(), of(1).toVar(), show, gauge);
+    levels.addAssign(level.shiftLeft(edge.mul(int(3))));
+    interior.assign(select(level.greaterThan(interior), level, interior));
+  });
+  return { levels, interior };
+}
+
+/**
+ * As EdgeCriterion.pieces (criterion.ts), for edges that are graded already, and as little dependent on which end is the first: weights are
+ * exact, and of the five points only symmetric functions are used.
+ */
+function edgeLevel(from: Vec3, to: Vec3, show: (weights: Vec3) => ShownPoint, gauge: EdgeGauge): Int {
+  const quarter = to.sub(from).mul(0.25).toVar();
+  const [before, middle] = [vec3(0).toVar(), vec3(0).toVar()];
+  const [begin, end] = [vec3(0).toVar(), vec3(0).toVar()];
+  const [least, largest, bend] = [float(1e30).toVar(), float(0).toVar(), float(0).toVar()];
+  const missing = bool(false).toVar();
+  Loop({ start: int(0), end: int(5), type: 'int', condition: '<' }, ({ i }) => {
+    // Loops inside `show` count with a variable of the same name.
+    const k = int(i).toVar();
+    const point = show(from.add(quarter.mul(float(k))).toVar());
+    end.assign(point.shown);
+    missing.assign(missing.or(point.exists.not()));
+    If(k.equal(int(0)), () => {
+      begin.assign(end);
+    });
+    least.assign(min(least, length(end)));
+    largest.assign(max(largest, magnification(end, gauge)));
+    If(k.greaterThan(int(1)), () => {
+      bend.assign(max(bend, bendOf(before.add(end).sub(middle.mul(2)).toVar(), middle, gauge)));
+    });
+    before.assign(middle);
+    middle.assign(end);
+  });
+  const long = length(end.sub(begin))
+    .mul(gauge.focal)
+    .mul(largest)
+    .greaterThanEqual(least.mul(float(SHORTEST)));
+  const square = select(long.and(missing.not()), bend.mul(2).div(gauge.tolerance), float(0)).toVar();
+  const level = int(0).toVar();
+  for (let k = 0; k < MOST_LEVEL; k++) level.addAssign(select(square.greaterThan(4 ** k), int(1), int(0)));
+  return level;
+}
+
+/** Size of the second difference S at a place F in the picture [px]: S⊥ focal (1 + tan²θ)/|F|, and a share of what is along F. */
+function bendOf(difference: Vec3, at: Vec3, gauge: EdgeGauge): Float {
+  const distance = max(length(at), 1e-30).toVar();
+  const n = at.div(distance).toVar();
+  const along = dot(difference, n).toVar();
+  const across = length(difference.sub(n.mul(along)))
+    .mul(magnification(at, gauge))
+    .toVar();
+  return length(vec2(across, along.mul(float(DEPTH_WEIGHT))))
+    .div(distance)
+    .mul(gauge.focal);
+}
+
+/** 1 + tan² of the angle from the picture's middle, at most that of its corner. */
+function magnification(at: Vec3, { forward, corner }: EdgeGauge): Float {
+  const depth = dot(at, forward).toVar();
+  const square = dot(at, at).toVar();
+  const inside = depth.greaterThan(0).and(square.lessThan(depth.mul(depth).mul(corner)));
+  return select(inside, square.div(max(depth.mul(depth), 1e-30)), corner);
+}

@@ -1,0 +1,95 @@
+import { attribute, int } from 'three/tsl';
+import {
+  type BufferGeometry,
+  InstancedBufferGeometry,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
+} from 'three/webgpu';
+import { type Drawable, makeDrawable } from '../drawable.ts';
+import type { VertexInput } from '../vertexInput.ts';
+import type { Corners } from './gpuCorners.ts';
+import { weightsAt } from './gpuLeaf.ts';
+import { patternGeometry, patternTriangles } from './gpuPatterns.ts';
+import { LEAF_FLOATS, type LeafList, MOST_LEVEL } from './leaf.ts';
+import type { Levelled } from './plan.ts';
+
+const LEAST_ROOM = 64;
+
+/** The leaves of one batch with levels found on the CPU: per level a pattern, drawn once for each leaf. */
+export class InstancedPieces {
+  readonly drawables: readonly Drawable[];
+  private readonly rooms: InstanceRoom[];
+
+  constructor(indexed: Drawable, corners: Corners) {
+    const vertex = (): VertexInput => {
+      const place = attribute<'vec3'>('position', 'vec3');
+      const head = attribute<'vec4'>('head', 'vec4');
+      const tail = attribute<'vec4'>('tail', 'vec4');
+      const weights = weightsAt({ head, tail, levels: int(tail.w).toVar() }, int(place.x), int(place.y));
+      return corners.point(int(head.x), weights, indexed.batch.kind, indexed.surface.colored);
+    };
+    const sources = { ...indexed, vertex: { ...indexed.vertex, vertex } };
+    this.rooms = Array.from({ length: MOST_LEVEL + 1 }, (_, level) => new InstanceRoom(level));
+    // One shader for all levels, so one set of materials.
+    const materials: Drawable['materials'] = new Map();
+    this.drawables = this.rooms.map(({ geometry }) => ({ ...makeDrawable(geometry, sources), materials }));
+    this.hide();
+  }
+
+  /** `firstTriangle` is added to the leaves' triangles. Tells how many triangles that makes. */
+  show(levels: Levelled, firstTriangle: number): number {
+    let triangles = 0;
+    this.drawables.forEach(({ mesh }, level) => {
+      const leaves = levels[level];
+      mesh.visible = leaves.count > 0;
+      if (leaves.count === 0) return;
+      mesh.geometry = this.rooms[level].fill(leaves, firstTriangle);
+      triangles += leaves.count * patternTriangles(level);
+    });
+    return triangles;
+  }
+
+  hide(): void {
+    for (const { mesh } of this.drawables) mesh.visible = false;
+  }
+}
+
+/** A pattern's geometry with room for the leaves that it is drawn for. */
+class InstanceRoom {
+  geometry: InstancedBufferGeometry;
+  private readonly pattern: BufferGeometry;
+  private buffer: InstancedInterleavedBuffer;
+
+  constructor(level: number) {
+    this.pattern = patternGeometry([level]).geometry;
+    this.buffer = leafBuffer(LEAST_ROOM);
+    this.geometry = instanced(this.pattern, this.buffer);
+  }
+
+  fill({ leaves, count }: LeafList, firstTriangle: number): InstancedBufferGeometry {
+    if (count > this.buffer.count) {
+      this.geometry.dispose();
+      this.buffer = leafBuffer(2 ** Math.ceil(Math.log2(count)));
+      this.geometry = instanced(this.pattern, this.buffer);
+    }
+    const { array } = this.buffer;
+    array.set(leaves);
+    for (let i = 0; i < leaves.length; i += LEAF_FLOATS) array[i] += firstTriangle;
+    this.buffer.clearUpdateRanges();
+    this.buffer.addUpdateRange(0, leaves.length);
+    this.buffer.needsUpdate = true;
+    this.geometry.instanceCount = count;
+    return this.geometry;
+  }
+}
+
+const leafBuffer = (room: number) => new InstancedInterleavedBuffer(new Float32Array(LEAF_FLOATS * room), LEAF_FLOATS);
+
+function instanced(pattern: BufferGeometry, buffer: InstancedInterleavedBuffer): InstancedBufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  geometry.setAttribute('position', pattern.getAttribute('position'));
+  geometry.setIndex(pattern.index);
+  geometry.setAttribute('head', new InterleavedBufferAttribute(buffer, 4, 0));
+  geometry.setAttribute('tail', new InterleavedBufferAttribute(buffer, 4, 4));
+  return geometry;
+}
