@@ -159,7 +159,7 @@ export function emptyBox(boxes: Float64Array, k: number): void {
 }
 
 /** Enlarges the box at k by the one at j of another list. */
-export function growBox(boxes: Float64Array, k: number, others: Float64Array, j: number): void {
+export function growBox(boxes: Float64Array, k: number, others: ArrayLike<number>, j: number): void {
   for (let i = 0; i < 3; i++) {
     if (others[j + i] < boxes[k + i]) boxes[k + i] = others[j + i];
     if (others[j + 3 + i] > boxes[k + 3 + i]) boxes[k + 3 + i] = others[j + 3 + i];

@@ -5,7 +5,7 @@ import { contraction } from '../physics/simultaneity.ts';
 import { pointAt } from '../scene/polygons.ts';
 import type { HyperbolicMotion, SceneObject } from '../scene/types.ts';
 import { Corners } from './corners.ts';
-import { type Crossing, eventOf, type Search, spanBetween, type Tracer } from './search.ts';
+import { type Crossing, hitOf, type Search, spanBetween, type Tracer } from './search.ts';
 import { planeOf, type TriangleTree } from './triangleTree.ts';
 import type { Hit, SpacetimeRay } from './types.ts';
 import { Walk } from './walk.ts';
@@ -40,7 +40,9 @@ interface Curve {
  * that bends one way, and beyond the horizon |kτ| = 1 + kX there is nothing. Source: Rindler, Relativity, §3.8.
  */
 export class HyperbolicTracer implements Tracer {
-  private readonly index: number;
+  readonly bounds = undefined;
+  readonly index: number;
+  readonly doubleSided: boolean;
   private readonly object: HyperbolicObject;
   private readonly shape: TriangleTree;
   private readonly c: number;
@@ -56,6 +58,7 @@ export class HyperbolicTracer implements Tracer {
   constructor(index: number, object: HyperbolicObject, shape: TriangleTree, c: number) {
     const { pose, properAcceleration } = object.motion;
     this.index = index;
+    this.doubleSided = object.mesh.doubleSided;
     this.object = object;
     this.shape = shape;
     this.c = c;
@@ -80,11 +83,8 @@ export class HyperbolicTracer implements Tracer {
     const [place, time] = [k * (X + crossing.s * dX), k * (tau + crossing.s * dTau)];
     const speed = rigid ? time / (1 + place) : time / Math.hypot(1, time);
     const plane = rotate(this.object.motion.pose.orientation, planeOf(this.object.mesh, crossing.corner));
-    return {
-      ...eventOf(ray, this.index, crossing, this.c),
-      velocity: scale(along, speed),
-      normal: normalize(rigid ? plane : contraction(plane, scale(along, time))),
-    };
+    const N = rigid ? plane : contraction(plane, scale(along, time));
+    return hitOf(ray, this.index, crossing, this.c, scale(along, speed), N);
   }
 
   private curveOf({ t, x, dt, dx }: SpacetimeRay): Curve {
@@ -167,7 +167,7 @@ export class HyperbolicTracer implements Tracer {
     const rate = to > from ? (b - a) / (to - from) : 0;
     const way = addScaled(d, A, -rate);
     const noise = this.noise(o, d, to, b);
-    walk.start(this.shape.tree, begin[0], begin[1], begin[2], way[0], way[1], way[2], 0);
+    walk.start(this.shape.tree, [...begin, ...way], 0);
     walk.thicken(scale(A, bulge), noise);
   }
 

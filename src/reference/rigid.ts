@@ -1,30 +1,37 @@
-import { multiply, transform } from '../math/mat3.ts';
+import { multiply } from '../math/mat3.ts';
 import { conjugate, rotate, toMatrix } from '../math/quat.ts';
-import { addScaled, normalize, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
+import { add, scale, type Vec3, ZERO } from '../math/vec3.ts';
 import { gamma, properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import type { Pose, SceneObject, StaticMotion, UniformMotion } from '../scene/types.ts';
-import { type Crossing, eventOf, type Search, spanBetween, type Tracer } from './search.ts';
+import { emptyBox, growBox } from './bvh.ts';
+import { type Bounds, type Crossing, hitOf, isForever, type Search, spanBetween, type Tracer } from './search.ts';
 import { planeOf, type TriangleTree } from './triangleTree.ts';
 import type { Hit, SpacetimeRay } from './types.ts';
 import { Walk } from './walk.ts';
 
 const walk = new Walk();
+/** The ray that is under way, in the coordinates of the object that it is tried on: o x y z, d x y z. */
+const line = new Float64Array(6);
 
 /**
  * An object at rest or at constant speed. In the coordinates y = M (x − x₀ − v t) its triangles stand still, and a straight line of
  * events is a straight line: M turns back the object's orientation and, where the object is authored in its rest frame, undoes the contraction.
  */
 export class RigidTracer implements Tracer {
-  private readonly index: number;
+  readonly index: number;
+  readonly doubleSided: boolean;
   private readonly object: SceneObject;
   private readonly shape: TriangleTree;
   private readonly c: number;
   private readonly pose: Pose;
-  /** [m/s] */
+  /** [m/s]; the same in units of c; and γβ. */
   private readonly velocity: Vec3;
+  private readonly beta: Vec3;
+  private readonly u: Vec3;
   /** M, row by row. */
-  private readonly toObject: readonly number[];
+  private readonly toObject: Float64Array;
+  private readonly mortal: boolean;
 
   constructor(
     index: number,
@@ -34,45 +41,63 @@ export class RigidTracer implements Tracer {
   ) {
     const { motion } = object;
     this.index = index;
+    this.doubleSided = object.mesh.doubleSided;
     this.object = object;
     this.shape = shape;
     this.c = c;
     this.pose = motion.pose;
     this.velocity = motion.kind === 'uniform' ? motion.velocity : ZERO;
+    this.beta = scale(this.velocity, 1 / c);
+    this.u = properVelocity(this.beta);
     const turn = toMatrix(conjugate(motion.pose.orientation));
-    this.toObject = object.authoredIn === 'rest' ? multiply(turn, lengthening(this.u)) : turn;
+    this.toObject = Float64Array.from(object.authoredIn === 'rest' ? multiply(turn, lengthening(this.u)) : turn);
+    this.mortal = !isForever(object.lifetime);
+  }
+
+  get bounds(): Bounds | undefined {
+    const { bounds } = this.shape.tree;
+    if (bounds.length === 0) return undefined;
+    const box = new Float64Array(6);
+    emptyBox(box, 0);
+    for (let corner = 0; corner < 8; corner++) {
+      const own: Vec3 = [bounds[corner & 1 ? 3 : 0], bounds[corner & 2 ? 4 : 1], bounds[corner & 4 ? 5 : 2]];
+      const turned = rotate(this.pose.orientation, own);
+      const offset = this.object.authoredIn === 'rest' ? contraction(turned, this.u) : turned;
+      const at = add(this.pose.position, offset);
+      growBox(box, 0, [...at, ...at], 0);
+    }
+    return { box: [...box], velocity: this.velocity };
   }
 
   trace(ray: SpacetimeRay, search: Search): void {
-    const { birth, death } = this.object.lifetime;
-    const [begin, end] = spanBetween(ray, birth, death, this.c, search.begin, search.end);
-    if (begin > end) return;
-    const [o, d] = [this.origin(ray), this.way(ray)];
-    walk.start(this.shape.tree, o[0], o[1], o[2], d[0], d[1], d[2], begin);
-    this.visit(o, d, begin, end, search);
+    let { begin, end } = search;
+    if (this.mortal) {
+      const { birth, death } = this.object.lifetime;
+      [begin, end] = spanBetween(ray, birth, death, this.c, begin, end);
+      if (begin > end) return;
+    }
+    this.bring(ray);
+    walk.start(this.shape.tree, line, begin);
+    this.visit(begin, end, search);
   }
 
   describe(ray: SpacetimeRay, crossing: Crossing): Hit {
     const { mesh, authoredIn } = this.object;
-    const plane = planeOf(mesh, crossing.corner);
-    const turned = rotate(this.pose.orientation, plane);
-    return {
-      ...eventOf(ray, this.index, crossing, this.c),
-      velocity: scale(this.velocity, 1 / this.c),
-      normal: normalize(authoredIn === 'rest' ? turned : contraction(turned, this.u)),
-    };
+    const plane = rotate(this.pose.orientation, planeOf(mesh, crossing.corner));
+    const N = authoredIn === 'world' ? contraction(plane, this.u) : plane;
+    return hitOf(ray, this.index, crossing, this.c, this.beta, N);
   }
 
-  private get u(): Vec3 {
-    return properVelocity(scale(this.velocity, 1 / this.c));
-  }
-
-  private origin({ t, x }: SpacetimeRay): Vec3 {
-    return transform(this.toObject, sub(x, addScaled(this.pose.position, this.velocity, t)));
-  }
-
-  private way({ dt, dx }: SpacetimeRay): Vec3 {
-    return transform(this.toObject, addScaled(dx, this.velocity, -dt / this.c));
+  /** The ray in the object's coordinates, in `line`. */
+  private bring({ t, x, dt, dx }: SpacetimeRay): void {
+    const { toObject: m, velocity: v, beta } = this;
+    const p = this.pose.position;
+    const [ox, oy, oz] = [x[0] - p[0] - v[0] * t, x[1] - p[1] - v[1] * t, x[2] - p[2] - v[2] * t];
+    const [dX, dY, dZ] = [dx[0] - beta[0] * dt, dx[1] - beta[1] * dt, dx[2] - beta[2] * dt];
+    for (let i = 0; i < 3; i++) {
+      line[i] = m[3 * i] * ox + m[3 * i + 1] * oy + m[3 * i + 2] * oz;
+      line[3 + i] = m[3 * i] * dX + m[3 * i + 1] * dY + m[3 * i + 2] * dZ;
+    }
   }
 
   /**
@@ -80,15 +105,17 @@ export class RigidTracer implements Tracer {
    * that share it; an edge's sign then is the same for both of its sides, so no ray slips through.
    * Source: Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection", JCGT 2(1).
    */
-  private visit(o: Vec3, d: Vec3, begin: number, end: number, search: Search): void {
+  private visit(begin: number, end: number, search: Search): void {
     const { corners, first, tree } = this.shape;
-    const z = longestAxis(d);
+    const z = longestAxis(line);
     const x = (z + 1) % 3;
     const y = (z + 2) % 3;
-    const [ox, oy, oz] = [o[x], o[y], o[z]];
-    const sz = 1 / d[z];
-    const sx = d[x] * sz;
-    const sy = d[y] * sz;
+    const ox = line[x];
+    const oy = line[y];
+    const oz = line[z];
+    const sz = 1 / line[3 + z];
+    const sx = line[3 + x] * sz;
+    const sy = line[3 + y] * sz;
     let limit = end;
     for (let leaf = walk.next(limit); leaf >= 0; leaf = walk.next(limit)) {
       const from = tree.link[leaf];
@@ -116,8 +143,10 @@ export class RigidTracer implements Tracer {
   }
 }
 
-function longestAxis([x, y, z]: Vec3): number {
-  const [a, b, c] = [Math.abs(x), Math.abs(y), Math.abs(z)];
+function longestAxis(line: Float64Array): number {
+  const a = Math.abs(line[3]);
+  const b = Math.abs(line[4]);
+  const c = Math.abs(line[5]);
   return a >= b && a >= c ? 0 : b >= c ? 1 : 2;
 }
 

@@ -1,11 +1,11 @@
-import { addScaled, cross, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { addScaled, cross, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { samplesUntil } from '../physics/worldLine.ts';
 import type { SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 import { MovingWalk } from './movingWalk.ts';
 import { Samples, type ShapeStore } from './samples.ts';
-import { type Crossing, eventOf, type Search, spanBetween, type Tracer } from './search.ts';
+import { type Bounds, type Crossing, hitOf, type Search, spanBetween, type Tracer } from './search.ts';
 import { SpacetimeTriangle } from './spacetimeTriangle.ts';
 import { TimeTree } from './timeTree.ts';
 import type { Hit, SpacetimeRay } from './types.ts';
@@ -23,7 +23,8 @@ export type SampledObject = SceneObject & { readonly motion: SampledMotion | Sam
  * and in the last one, after its last sample.
  */
 export class SampledTracer implements Tracer {
-  private readonly index: number;
+  readonly index: number;
+  readonly doubleSided: boolean;
   private readonly object: SampledObject;
   private readonly c: number;
   private readonly samples: Samples;
@@ -33,6 +34,7 @@ export class SampledTracer implements Tracer {
 
   constructor(index: number, object: SampledObject, c: number, store: ShapeStore) {
     this.index = index;
+    this.doubleSided = object.mesh.doubleSided;
     this.object = object;
     this.c = c;
     this.samples = new Samples(object, store);
@@ -40,10 +42,10 @@ export class SampledTracer implements Tracer {
     this.reach = Math.max(...this.stretches.whole.map(Math.abs));
   }
 
-  /** The box of all places where it ever is, 6 numbers [m]. */
-  get bounds(): readonly number[] {
-    const { origin } = this.samples;
-    return Array.from(this.stretches.whole, (x, i) => x + origin[i % 3]);
+  get bounds(): Bounds | undefined {
+    const { origin, shape } = this.samples;
+    if (shape.first.length === 0) return undefined;
+    return { box: Array.from(this.stretches.whole, (x, i) => x + origin[i % 3]), velocity: ZERO };
   }
 
   trace(ray: SpacetimeRay, search: Search): void {
@@ -141,14 +143,14 @@ export class SampledTracer implements Tracer {
   }
 
   describe(ray: SpacetimeRay, crossing: Crossing): Hit {
-    const event = eventOf(ray, this.index, crossing, this.c);
-    const { corner, v, w, piece } = crossing;
+    const { s, corner, v, w, piece } = crossing;
     const { indices } = this.object.mesh;
-    const [p, q, r] = [0, 1, 2].map((k) => this.samples.vertex(indices[corner + k], piece, event.time));
-    const fastest = addScaled(scale(p.velocity, 1 - v - w), q.velocity, v);
-    const velocity = scale(addScaled(fastest, r.velocity, w), 1 / this.c);
+    const time = ray.t + (s * ray.dt) / this.c;
+    const [p, q, r] = [0, 1, 2].map((k) => this.samples.vertex(indices[corner + k], piece, time));
+    const firstTwo = addScaled(scale(p.velocity, 1 - v - w), q.velocity, v);
+    const velocity = scale(addScaled(firstTwo, r.velocity, w), 1 / this.c);
     const plane = cross(sub(q.place, p.place), sub(r.place, p.place));
-    return { ...event, velocity, normal: normalize(contraction(plane, properVelocity(velocity))) };
+    return hitOf(ray, this.index, crossing, this.c, velocity, contraction(plane, properVelocity(velocity)));
   }
 
   /** How well places round o are known [m]. */

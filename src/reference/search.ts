@@ -1,4 +1,5 @@
-import { addScaled } from '../math/vec3.ts';
+import { addScaled, normalize, type Vec3 } from '../math/vec3.ts';
+import type { Lifetime } from '../scene/types.ts';
 import type { Hit, RayFilter, SpacetimeRay } from './types.ts';
 
 /** Where a ray crosses a triangle, in as few numbers as tell it. */
@@ -14,68 +15,100 @@ export interface Crossing {
   readonly piece: number;
 }
 
+/** A box that stands still in the coordinates x − v t: least x y z, greatest x y z [m]. */
+export interface Bounds {
+  readonly box: readonly number[];
+  /** v [m/s] */
+  readonly velocity: Vec3;
+}
+
 /** Finds where rays meet one object. */
 export interface Tracer {
+  /** Place in `Scene.objects`. */
+  readonly index: number;
+  /** Holds all events of the object; undefined where no such box does, and where it has no triangles. */
+  readonly bounds: Bounds | undefined;
+  /** Back sides can be seen. */
+  readonly doubleSided: boolean;
   /** Offers the crossings between `search.begin` and `search.end` to the search; those behind the nearest that was taken may be left out. */
   trace(ray: SpacetimeRay, search: Search): void;
   describe(ray: SpacetimeRay, crossing: Crossing): Hit;
 }
 
 /** What one ray is looking for, and the nearest that it has found. */
-export class Search {
+export class Search implements Crossing {
   readonly ray: SpacetimeRay;
   /** s from which crossings count. */
   readonly begin: number;
   /** s beyond which nothing counts; the nearest crossing's, once there is one. */
   end: number;
-  private readonly accepts: RayFilter['accepts'];
+  /** The nearest crossing, where there is one. */
+  s = 0;
+  corner = 0;
+  v = 0;
+  w = 0;
+  front = false;
+  piece = 0;
   private tracer: Tracer | undefined;
-  private crossing: Crossing | undefined;
+  private readonly filter: RayFilter;
 
-  constructor(ray: SpacetimeRay, { begin = 0, end = Number.POSITIVE_INFINITY, accepts }: RayFilter) {
+  constructor(ray: SpacetimeRay, filter: RayFilter) {
     this.ray = ray;
-    this.begin = begin;
-    this.end = end;
-    this.accepts = accepts;
+    this.begin = filter.begin ?? 0;
+    this.end = filter.end ?? Number.POSITIVE_INFINITY;
+    this.filter = filter;
   }
 
   /** Takes a crossing where it is nearer than all before and the ray does not pass through; says whether it was taken. */
   offer(tracer: Tracer, s: number, corner: number, v: number, w: number, front: boolean, piece: number): boolean {
-    if (!(s >= this.begin && s <= this.end) || (s === this.end && this.crossing)) return false;
-    const crossing = { s, corner, v, w, front, piece };
-    if (this.accepts && !this.accepts(tracer.describe(this.ray, crossing))) return false;
+    if (!(s >= this.begin && s <= this.end) || (s === this.end && this.tracer)) return false;
+    const { shown, accepts, unasked } = this.filter;
+    if (shown && !front && !tracer.doubleSided) return false;
+    const ask = accepts && !unasked?.[tracer.index];
+    if (ask && !accepts(tracer.describe(this.ray, { s, corner, v, w, front, piece }))) return false;
     this.end = s;
     this.tracer = tracer;
-    this.crossing = crossing;
+    this.s = s;
+    this.corner = corner;
+    this.v = v;
+    this.w = w;
+    this.front = front;
+    this.piece = piece;
     return true;
   }
 
   get nearest(): Hit | undefined {
-    return this.crossing && this.tracer?.describe(this.ray, this.crossing);
+    return this.tracer?.describe(this.ray, this);
   }
 }
 
-/** What is known of a hit from the ray alone. c [m/s]. */
-export const eventOf = (
+/** A hit where the world line of the surface's point has velocity β [c] and the triangle, in its rest frame, the normal N of any length. */
+export function hitOf(
   { t, x, dt, dx }: SpacetimeRay,
   object: number,
   { s, corner, v, w, front }: Crossing,
   c: number,
-): Omit<Hit, 'velocity' | 'normal'> => ({
-  s,
-  object,
-  corner,
-  v,
-  w,
-  front,
-  time: t + (s * dt) / c,
-  position: addScaled(x, dx, s),
-});
+  velocity: Vec3,
+  N: Vec3,
+): Hit {
+  return {
+    s,
+    object,
+    corner,
+    v,
+    w,
+    time: t + (s * dt) / c,
+    position: addScaled(x, dx, s),
+    velocity,
+    normal: normalize(N),
+    front,
+  };
+}
 
-/**
- * The part of [begin, end] in which the ray's time is within [from, to] (world times [s]); empty where its
- * first number is greater.
- */
+export const isForever = ({ birth, death }: Lifetime): boolean =>
+  birth === Number.NEGATIVE_INFINITY && death === Number.POSITIVE_INFINITY;
+
+/** The part of [begin, end] in which the ray's time is within [from, to] (world times [s]); empty where its first number is greater. */
 export function spanBetween(
   { t, dt }: SpacetimeRay,
   from: number,

@@ -6,6 +6,7 @@ import { RigidTracer } from './rigid.ts';
 import { SampledTracer } from './sampled.ts';
 import { ShapeStore } from './samples.ts';
 import { Search, type Tracer } from './search.ts';
+import { TopLevel } from './topLevel.ts';
 import { type TriangleTree, treeOfTriangles } from './triangleTree.ts';
 import type { Hit, RayFilter, SpacetimeRay } from './types.ts';
 
@@ -18,7 +19,9 @@ export interface TracedScene {
   readonly objects: readonly SceneObject[];
   /** Materials that are blended with what is behind them. */
   readonly transparent: ReadonlySet<Material>;
-  readonly tracers: readonly Tracer[];
+  /** Objects that are opaque all over, by their place in `objects`. */
+  readonly solid: readonly boolean[];
+  readonly surfaces: TopLevel;
 }
 
 /** Memory for the shapes of sampled objects at their samples [bytes]; per thread, besides what the last ray's two need. */
@@ -35,8 +38,21 @@ export function traceable(scene: Scene, c: number): TracedScene {
   };
   const store = new ShapeStore(SHAPES);
   const tracers = objects.map((object, i) => tracerOf(object, i, treeOf, c, store));
-  return { scene, c, objects, transparent: new Set(scene.materials.filter(isTransparent)), tracers };
+  const transparent = new Set(scene.materials.filter(isTransparent));
+  return {
+    scene,
+    c,
+    objects,
+    transparent,
+    solid: objects.map(({ mesh }) =>
+      mesh.groups.every(({ material }) => isSolid(scene.materials[material], transparent)),
+    ),
+    surfaces: new TopLevel(tracers, c),
+  };
 }
+
+const isSolid = (material: Material, transparent: ReadonlySet<Material>): boolean =>
+  material.opacityThreshold === 0 && !transparent.has(material);
 
 function tracerOf(
   object: SceneObject,
@@ -57,8 +73,8 @@ function tracerOf(
  * The first event on the ray, from `begin` to `end`, at which it meets a surface within its lifetime, from either side. `accepts` is asked
  * about each that is nearer than all taken before, in no order of its own, and must not trace rays itself.
  */
-export function nearestHit({ tracers }: TracedScene, ray: SpacetimeRay, filter: RayFilter = {}): Hit | undefined {
+export function nearestHit({ surfaces }: TracedScene, ray: SpacetimeRay, filter: RayFilter = {}): Hit | undefined {
   const search = new Search(ray, filter);
-  for (const tracer of tracers) tracer.trace(ray, search);
+  surfaces.trace(ray, search);
   return search.nearest;
 }

@@ -39,6 +39,10 @@ export interface RayFilter {
   readonly end?: number;
   /** s before which nothing counts; 0 where absent. A ray that leaves a surface begins a little way from it. */
   readonly begin?: number;
+  /** Only what can be seen: front sides, and back sides of double-sided meshes. */
+  readonly shown?: boolean;
   /** Called for every candidate nearer than the nearest so far: `false` lets the ray through (cut-outs, back faces). */
   readonly accepts?: (hit: Hit) => boolean;
+  /** By their place in `Scene.objects`, objects whose every candidate is taken, without asking `accepts`. */
+  readonly unasked?: readonly boolean[];
 }

@@ -11,14 +11,13 @@ export type Transparent = 'hit' | 'skip';
  * Data of a picture are of what hides the rest, so transparent surfaces are skipped there.
  */
 export function visibleHit(scene: TracedScene, ray: SpacetimeRay, transparent: Transparent = 'skip'): Hit | undefined {
-  return nearestHit(scene, ray, { accepts: (hit) => isShown(scene, hit, transparent) });
+  const accepts = (hit: Hit): boolean => isThere(scene, hit, transparent);
+  return nearestHit(scene, ray, { shown: true, unasked: scene.solid, accepts });
 }
 
-/** Whether a surface is there for who looks at it from where the ray comes. */
-export function isShown(scene: TracedScene, hit: Hit, transparent: Transparent): boolean {
-  if (!hit.front && !scene.objects[hit.object].mesh.doubleSided) return false;
+/** Whether any of the surface is left at a hit. */
+function isThere(scene: TracedScene, hit: Hit, transparent: Transparent): boolean {
   const material = materialOf(scene, hit);
-  if (transparent === 'skip' && scene.transparent.has(material)) return false;
-  const { opacityThreshold } = material;
-  return opacityThreshold === 0 || opacityAt(scene, hit) >= opacityThreshold;
+  if (scene.transparent.has(material)) return transparent === 'hit';
+  return material.opacityThreshold === 0 || opacityAt(scene, hit) >= material.opacityThreshold;
 }

@@ -32,21 +32,21 @@ export class Walk {
   private fy = 0;
   private fz = 0;
 
-  /** Line and box in one frame [m]; from s = `begin`. */
-  start(tree: Bvh, ox: number, oy: number, oz: number, dx: number, dy: number, dz: number, begin: number): void {
+  /** From s = `begin` on; `line`: o x y z, d x y z, in the frame of the boxes [m]. */
+  start(tree: Bvh, line: ArrayLike<number>, begin: number): void {
     this.bounds = tree.bounds;
     this.link = tree.link;
     this.count = tree.count;
     this.begin = begin;
-    this.ix = 1 / dx;
-    this.iy = 1 / dy;
-    this.iz = 1 / dz;
+    this.ix = 1 / line[3];
+    this.iy = 1 / line[4];
+    this.iz = 1 / line[5];
     this.nearX = this.ix < 0 ? 3 : 0;
     this.nearY = this.iy < 0 ? 4 : 1;
     this.nearZ = this.iz < 0 ? 5 : 2;
-    this.nx = this.fx = ox;
-    this.ny = this.fy = oy;
-    this.nz = this.fz = oz;
+    this.nx = this.fx = line[0];
+    this.ny = this.fy = line[1];
+    this.nz = this.fz = line[2];
     this.stack[0] = 0;
     this.entered[0] = this.begin;
     this.top = tree.link.length > 0 ? 1 : 0;
