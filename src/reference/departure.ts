@@ -39,24 +39,27 @@ export function departureAt(scene: TracedScene, hit: Hit): Departure {
     out = addScaled(out, n, -under * corners.weights[k]);
   });
   const contracted = object.authoredIn === 'rest' ? contraction(out, properVelocity(hit.velocity)) : out;
-  const clear = clearance(scene, hit, Math.max(length(sub(b, a)), length(sub(c, a))));
-  return { t: hit.time, x: add(hit.position, contracted), clear, hit, side: sideOf(hit) };
+  return { t: hit.time, x: add(hit.position, contracted), clear: clearance(scene, hit), hit, side: sideOf(hit) };
 }
 
 /** The hit itself, for rays that go on behind the surface. */
 export const passageAt = (scene: TracedScene, hit: Hit): Departure => ({
   t: hit.time,
   x: hit.position,
-  clear: clearance(scene, hit, 0),
+  clear: clearance(scene, hit),
   hit,
   side: negate(sideOf(hit)),
 });
 
 const sideOf = ({ front, normal }: Hit): Vec3 => (front ? normal : negate(normal));
 
-/** Well above the rounding of f64 of places, and of times times the surface's speed. */
-const clearance = ({ c }: TracedScene, { position, time, velocity }: Hit, size: number): number =>
-  1e-10 * (length(position) + size) + 1e-13 * c * Math.abs(time) * length(velocity);
+/** Well above the rounding of f64 of places, and of times times the surface's speed [m]. */
+function clearance({ objects, c }: TracedScene, { object, corner, position, time, velocity }: Hit): number {
+  const { positions, indices } = objects[object].mesh;
+  const [a, b] = [pointAt(positions, indices[corner]), pointAt(positions, indices[corner + 1])];
+  const size = length(position) + length(a) + length(b);
+  return 1e-10 * size + 1e-13 * c * Math.abs(time) * length(velocity);
+}
 
 /** Vertex → place on the world's slice t (or, of what is authored at rest, in its rest frame), from an origin that they share. */
 function placesAt({ mesh, motion }: SceneObject, t: number): (vertex: number) => Vec3 {

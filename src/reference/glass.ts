@@ -57,7 +57,7 @@ function inside(lighting: Lighting, from: Departure, direction: Vec3, glass: Gla
   const beam: Beam = { ray, begin: from.clear / length(ray.dx), from: from.hit };
   const hit = nearestHit(scene, ray, {
     begin: beam.begin,
-    accepts: (found) => isElsewhere(beam, found) && coverage(scene, found) > 0,
+    accepts: (found) => isElsewhere(beam, found) && (coverage(scene, found) > 0 || isGlass(lighting, found)),
   });
   if (!hit) return glass.outside(from, direction);
   if (hit.object !== from.hit.object || hit.front) return glass.along(beam);

@@ -21,7 +21,7 @@ export interface LightOptions {
   readonly glass: boolean;
 }
 
-export const DEFAULT_LIGHT: LightOptions = { bounces: 1, mirrors: true, glass: false };
+export const DEFAULT_LIGHT: LightOptions = { bounces: 2, mirrors: true, glass: false };
 
 /** A sphere light and the world line of its centre. */
 export interface Lamp {

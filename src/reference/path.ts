@@ -67,7 +67,7 @@ function gather(lighting: Lighting, gaze: Gaze, path: Path): Vec3 {
   let sum = ZERO;
   let share = 1;
   for (let layer = 0; layer < MOST_LAYERS; layer++) {
-    const hit = met(scene, beam, path);
+    const hit = met(lighting, beam, path);
     if (!hit) return addScaled(sum, skyLight(lighting, gaze.toward, path), share);
     const glass = path.eye && isGlass(lighting, hit);
     const held = glass ? 1 : coverage(scene, hit);
@@ -79,13 +79,14 @@ function gather(lighting: Lighting, gaze: Gaze, path: Path): Vec3 {
   return sum;
 }
 
-function met(scene: TracedScene, beam: Beam, { eye }: Path): Hit | undefined {
+function met(lighting: Lighting, beam: Beam, { eye }: Path): Hit | undefined {
+  const { scene } = lighting;
   return nearestHit(scene, beam.ray, {
     begin: beam.begin,
     accepts: (hit) =>
       isElsewhere(beam, hit) &&
       (!eye || hit.front || scene.objects[hit.object].mesh.doubleSided) &&
-      coverage(scene, hit) > 0,
+      (coverage(scene, hit) > 0 || (eye && isGlass(lighting, hit))),
   });
 }
 
