@@ -1,0 +1,58 @@
+import { IDENTITY } from '../../src/math/quat.ts';
+import { type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { type TracedScene, traceable } from '../../src/reference/trace.ts';
+import type { Hit } from '../../src/reference/types.ts';
+import { makeScene } from '../../src/scene/defaults.ts';
+import { probeVertex, type VertexProbe } from '../../src/scene/probe.ts';
+import type { Motion, SampledPointsMotion, SceneObject } from '../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type View, type ViewPoint } from '../../src/scene/view.ts';
+
+export const tracedScene = (objects: readonly SceneObject[], c = 1): TracedScene =>
+  traceable(makeScene({ name: 'test', objects }), c);
+
+/** At the origin at t = 0, at rest, looking along −Z; what is given replaces it. */
+export const viewFrom = (given: Partial<ViewPoint> = {}): ViewPoint => ({
+  t: 0,
+  position: ZERO,
+  u: ZERO,
+  orientation: IDENTITY,
+  fovY: Math.PI / 2,
+  ...given,
+});
+
+export const settingsFor = (view: View, c = 1): RenderSettings => ({ ...DEFAULT_SETTINGS, view, speedOfLight: c });
+
+/** What an observer has of the point with weights (1 − v − w, v, w) of a triangle, by the formulas for single points. */
+export function probePoint(
+  object: SceneObject,
+  { corner, v, w }: Pick<Hit, 'corner' | 'v' | 'w'>,
+  observer: ViewPoint,
+  c: number,
+  view: View,
+): VertexProbe | undefined {
+  const { mesh } = object;
+  const [i, j, k] = mesh.indices.subarray(corner, corner + 3);
+  // Positions are f32 in a mesh; a typed array's place may be taken by one that is not rounded.
+  const blend = (p: ArrayLike<number>): Float32Array =>
+    Float64Array.from(
+      [0, 1, 2],
+      (n) => (1 - v - w) * p[3 * i + n] + v * p[3 * j + n] + w * p[3 * k + n],
+    ) as unknown as Float32Array;
+  const point = {
+    ...object,
+    mesh: { ...mesh, positions: blend(mesh.positions) },
+    motion: blended(object.motion, blend),
+  };
+  return probeVertex(point, 0, observer, c, view);
+}
+
+function blended(motion: Motion, blend: (points: Float32Array) => Float32Array): Motion {
+  if (motion.kind !== 'sampled-points') return motion;
+  return { ...motion, points: motion.points.map(blend) } satisfies SampledPointsMotion;
+}
+
+/** Corner k of the triangle that begins at `corner`. */
+export function cornerAt({ mesh }: SceneObject, corner: number, k: number): Vec3 {
+  const i = 3 * mesh.indices[corner + k];
+  return [mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]];
+}
