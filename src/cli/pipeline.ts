@@ -1,8 +1,9 @@
 import { type Command, Option } from 'commander';
+import { DEFAULT_LIGHT } from '../reference/lighting.ts';
 import type { Backend } from '../render/settings.ts';
 import type { Solver } from '../scene/view.ts';
 import { usageError } from './exit.ts';
-import { parseSeed, parseThreads } from './parse.ts';
+import { parseBounces, parseSeed, parseThreads } from './parse.ts';
 
 /** What draws: the rasterizer, on a GPU; or the reference renderer, in 64-bit arithmetic on the processor. */
 export type Pipeline = 'raster' | 'reference';
@@ -15,6 +16,10 @@ export interface PipelineFlags {
   readonly threads?: number;
   /** Of its random numbers. */
   readonly seed?: number;
+  /** How it follows light; see `LightOptions` of reference/lighting.ts. */
+  readonly bounces?: number;
+  readonly mirrors: boolean;
+  readonly glass: boolean;
 }
 
 const pipelines = ['auto', 'raster', 'reference'];
@@ -37,21 +42,41 @@ export function addPipelineFlags(command: Command): Command {
       '--seed <n>',
       'of reference: of its random numbers; the same seed gives the same bits (default: 0)',
       parseSeed,
+    )
+    .option(
+      '--bounces <n>',
+      `of reference: how often light of the sky and of what glows is scattered on its way (default: ${DEFAULT_LIGHT.bounces})`,
+      parseBounces,
+    )
+    .option('--no-mirrors', 'of reference: smooth surfaces mirror the sky and what glows, not each other')
+    .option(
+      '--glass',
+      'of reference: closed transparent bodies refract light, by their material’s ior',
+      DEFAULT_LIGHT.glass,
     );
 }
 
 /** Says so where flags do not go together, before any work is done. */
-export function checkPipeline({ pipeline, backend, solver, ...flags }: PipelineFlags & { solver: Solver }): void {
-  if (pipeline === 'reference' && backend !== 'auto') {
+export function checkPipeline(flags: PipelineFlags & { readonly solver: Solver }): void {
+  const { pipeline, backend, solver } = flags;
+  const idle = idleFlag(flags);
+  if (idle) throw usageError(`${idle} is for the reference renderer: add --pipeline reference, or leave it out`);
+  if (pipeline !== 'reference') return;
+  const foreign = backend !== 'auto' ? `--backend ${backend}` : solver !== 'exact' ? `--solver ${solver}` : undefined;
+  if (foreign) {
     throw usageError(
-      `--backend ${backend} is what the rasterizer draws with; --pipeline reference needs no GPU. Leave one of them out`,
+      `${foreign} is for the rasterizer; --pipeline reference needs no GPU and is always exact. Leave one of them out`,
     );
   }
-  if (pipeline === 'reference' && solver !== 'exact') {
-    throw usageError(
-      `--solver ${solver} is the rasterizer's; --pipeline reference is always exact. Leave one of them out`,
-    );
-  }
-  const idle = pipeline === 'raster' && (['threads', 'seed'] as const).find((name) => flags[name] !== undefined);
-  if (idle) throw usageError(`--${idle} is for --pipeline reference; the rasterizer has no use for it`);
+}
+
+/** A flag that only the reference renderer obeys. With `auto` it may come to that, but nothing that changes the picture may depend on the machine. */
+function idleFlag({ pipeline, threads, seed, bounces, mirrors, glass }: PipelineFlags): string | undefined {
+  if (pipeline === 'reference') return undefined;
+  if (bounces !== undefined) return '--bounces';
+  if (!mirrors) return '--no-mirrors';
+  if (glass) return '--glass';
+  if (pipeline === 'auto') return undefined;
+  if (threads !== undefined) return '--threads';
+  return seed === undefined ? undefined : '--seed';
 }

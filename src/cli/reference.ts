@@ -1,8 +1,9 @@
 import { availableParallelism } from 'node:os';
-import { displayed, toScreen } from '../reference/display.ts';
-import type { Tile, TileRequest } from '../reference/tile.ts';
+import { toScreen } from '../reference/display.ts';
+import { DEFAULT_LIGHT, type LightOptions } from '../reference/lighting.ts';
+import { channelsOf, type Tile, type TileRequest } from '../reference/tile.ts';
 import type { Scene } from '../scene/types.ts';
-import { AOVS, type AovName } from '../scene/view.ts';
+import type { AovName } from '../scene/view.ts';
 import { CliError, EXIT } from './exit.ts';
 import { speedOfLight } from './flags.ts';
 import { stopWithUs } from './output.ts';
@@ -17,14 +18,18 @@ const TILE = 16;
 /** Draws on the processor: 64-bit arithmetic, no GPU. */
 export async function openReferencePainter(scene: Scene, flags: RenderFlags): Promise<Painter> {
   const { size, seed = 0 } = flags;
-  const tiles = cut(size);
+  const light = lightOptions(flags);
+  const tiles = tilesOf(size);
   const threads = Math.min(flags.threads ?? availableParallelism(), tiles.length);
   const pool = new TracerPool(scene, speedOfLight(scene, flags.c), { threads });
   const forget = stopWithUs({ kill: () => pool.stop(new CliError(EXIT.cancelled, 'stopped')) });
   return {
     info: { pipeline: 'reference', threads, seed },
     usualSamples: 4,
-    paint: (request, onPart) => paint(pool, tiles, { ...request, ...size, seed }, request.pixels, onPart),
+    paint: ({ view, settings, samples, pixels, aovs }, onPart) => {
+      const layers = pixels ? [...aovs, 'picture' as const] : aovs;
+      return paint(pool, tiles, { view, settings, ...size, layers, samples, seed, light }, onPart);
+    },
     close: async () => {
       forget();
       await pool.close();
@@ -32,7 +37,14 @@ export async function openReferencePainter(scene: Scene, flags: RenderFlags): Pr
   };
 }
 
-function cut({ width, height }: Size): Tile[] {
+const lightOptions = ({ bounces = DEFAULT_LIGHT.bounces, mirrors, glass }: RenderFlags): LightOptions => ({
+  bounces,
+  mirrors,
+  glass,
+});
+
+/** A picture in tiles, row by row. */
+export function tilesOf({ width, height }: Size): Tile[] {
   const tiles: Tile[] = [];
   for (let y0 = 0; y0 < height; y0 += TILE) {
     for (let x0 = 0; x0 < width; x0 += TILE) {
@@ -46,21 +58,21 @@ async function paint(
   pool: TracerPool,
   tiles: readonly Tile[],
   request: TileRequest,
-  wanted: boolean,
   onPart: (part: number) => void = () => {},
 ): Promise<Picture> {
-  const { width, height } = request;
-  const names: readonly AovName[] = wanted ? [...request.aovs, 'beauty'] : request.aovs;
-  const whole = new Map(names.map((name) => [name, new Float32Array(width * height * AOVS[name].channels.length)]));
+  const { width, height, layers } = request;
+  const images = new Map(layers.map((layer) => [layer, new Float32Array(width * height * channelsOf(layer))]));
   let done = 0;
-  await pool.draw({ ...request, aovs: names }, tiles, (tile, data) => {
-    for (const [name, image] of whole) place(image, width, tile, data[name]);
+  await pool.draw(request, tiles, (tile, data) => {
+    for (const [layer, image] of images) place(image, width, tile, data[layer]);
     done++;
     onPart(done / tiles.length);
   });
-  const light = whole.get('beauty');
-  const pixels = wanted && light ? toScreen(displayed(light, request.settings), width, height) : new Uint8Array();
-  return { pixels, aovs: whole };
+  const picture = images.get('picture');
+  const pixels = picture ? toScreen(picture, width, height) : new Uint8Array();
+  const aovs = new Map<AovName, Float32Array>();
+  for (const [layer, image] of images) if (layer !== 'picture') aovs.set(layer, image);
+  return { pixels, aovs };
 }
 
 /** Puts the rows of a tile where they belong. */

@@ -51,6 +51,7 @@ test.each([
     2,
     '--threads',
   ],
+  ['mirrors for who draws none', ['render', movers, '-o', out('a.png'), '--no-mirrors'], 2, 'add --pipeline reference'],
   ['no threads at all', ['render', movers, '-o', out('a.png'), '--threads', '0'], 2, '1 to 1024'],
   ['a camera that is not there', ['render', movers, '-o', out('a.png'), '--camera', '/No'], 2, '/World/Eye'],
   ['a folder that is not there', ['render', movers, '-o', join(folder, 'none', 'a.png')], 3, 'no folder'],

@@ -1,0 +1,182 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { expect, test } from 'vitest';
+import type { ExrImage } from '../../src/formats/exr.ts';
+import { readExr } from '../../src/formats/exrRead.ts';
+import { decodeImage } from '../../src/formats/images.ts';
+import { DEFAULT_LIGHT } from '../../src/reference/lighting.ts';
+import type { TileRequest } from '../../src/reference/tile.ts';
+import { makeScene } from '../../src/scene/defaults.ts';
+import { AOVS, type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view.ts';
+import {
+  ask,
+  type Outcome,
+  outcome,
+  outputFolder,
+  scene,
+  slowlight,
+  slowlightJson,
+  start,
+  startIn,
+} from './program.ts';
+
+const folder = outputFolder();
+const out = (name: string): string => join(folder, name);
+const movers = scene('movers.usda');
+const size = ['--size', '96x54'];
+const flight = ['--time', '1', '--beta', '0.2,0,-0.5'];
+const reference = ['--pipeline', 'reference', '--samples', '1'];
+const data: readonly AovName[] = ['depth', 'emission_time', 'doppler', 'position', 'velocity', 'object'];
+
+type Seen = Readonly<Record<'distance' | 'time' | 'doppler' | 'object', number>> &
+  Readonly<Record<'position' | 'velocity', readonly number[]>>;
+
+/** A machine without a GPU and without a browser: nothing is on the PATH, and the only Vulkan driver named is not there. */
+const { CHROMIUM: _, ...rest } = process.env;
+const noGpu = { ...rest, PATH: folder, VK_ICD_FILENAMES: out('no-driver.json') };
+/** A machine on which the libraries that draw on GPUs do not even load. */
+const noLibraries = {
+  ...noGpu,
+  NODE_OPTIONS: `--import ${new URL('noGpuLibraries.mjs', import.meta.url).href}`,
+};
+
+const without = (env: NodeJS.ProcessEnv, ...args: string[]): Promise<Outcome> => outcome(startIn(env, ...args));
+
+test('a picture without any GPU, library for one or browser: the red cube ahead, sky above', async () => {
+  const file = out('still.png');
+  const flags = [...size, '--time', '1', '--pipeline', 'reference', '--samples', '2', '--threads', '2', '--json'];
+  const { code, err, out: json } = await without(noLibraries, 'render', movers, '-o', file, ...flags);
+  expect(code, err).toBe(0);
+  expect(JSON.parse(json)).toMatchObject({ pipeline: 'reference', threads: 2, seed: 0, samples: 2 });
+  const { width, height, data: pixels } = decodeImage(new Uint8Array(readFileSync(file)), file);
+  expect([width, height]).toEqual([96, 54]);
+  const at = (x: number, y: number) => pixels.subarray(4 * (y * 96 + x), 4 * (y * 96 + x) + 3);
+  const [red, green, blue] = at(48, 27);
+  expect(red).toBeGreaterThan(1.5 * green);
+  expect(red).toBeGreaterThan(1.5 * blue);
+  expect(at(48, 1)[2]).toBeGreaterThan(at(48, 1)[0]);
+});
+
+/** The values of an AOV at a pixel. */
+function valuesAt(image: ExrImage, name: AovName, x: number, y: number): number[] {
+  return AOVS[name].channels.map((channel) => {
+    const found = image.channels.find((candidate) => candidate.name === channel);
+    if (!found) throw new Error(`no channel ${channel}`);
+    return found.data[y * image.width + x];
+  });
+}
+
+test.each(['light-cone', 'simultaneity', 'galilean'])(
+  'data channels are what probe says of a pixel: %s',
+  async (view) => {
+    const file = out(`${view}.exr`);
+    const how = [...size, ...flight, '--view', view];
+    const { code, err } = await slowlight('render', movers, '-o', file, ...how, ...reference, '--aov', data.join());
+    expect(code, err).toBe(0);
+    const image = readExr(new Uint8Array(readFileSync(file)), file);
+    const ids = Array.from(image.channels.find(({ name }) => name === 'object')?.data ?? []);
+    const places = [1, 2, 3].map((id) => ids.indexOf(id)).filter((i) => i >= 0);
+    // The cube ahead is seen in every view; one that moves, in the views of light.
+    expect(places.length).toBeGreaterThanOrEqual(view === 'light-cone' ? 2 : 1);
+    for (const place of places) {
+      const [x, y] = [place % 96, Math.floor(place / 96)];
+      const { seen } = await slowlightJson<{ seen: Seen }>('probe', movers, '--pixel', `${x},${y}`, ...how);
+      const said: Record<string, readonly number[]> = {
+        depth: [seen.distance],
+        emission_time: [seen.time],
+        doppler: [seen.doppler],
+        position: seen.position,
+        velocity: seen.velocity,
+        object: [seen.object],
+      };
+      for (const name of data) {
+        const found = valuesAt(image, name, x, y);
+        // Both are f64 until the file's f32.
+        said[name].forEach((value, k) => void expect(found[k], `${name} at ${x},${y}`).toBeCloseTo(value, 5));
+      }
+    }
+  },
+);
+
+test('the same bits from any number of threads, other ones from another seed', async () => {
+  const aovs = ['--aov', ['beauty', 'albedo', 'normal', ...data].join()];
+  const draw = async (name: string, ...flags: string[]): Promise<Buffer> => {
+    const file = out(`${name}.exr`);
+    const how = [...size, ...flight, '--pipeline', 'reference', '--samples', '2', ...aovs];
+    const { code, err } = await slowlight('render', movers, '-o', file, ...how, ...flags);
+    expect(code, err).toBe(0);
+    return readFileSync(file);
+  };
+  const [one, three, again] = await Promise.all([
+    draw('one', '--threads', '1'),
+    draw('three', '--threads', '3', '--seed', '0'),
+    draw('other', '--threads', '2', '--seed', '7'),
+  ]);
+  expect(one.equals(three)).toBe(true);
+  expect(one.equals(again)).toBe(false);
+});
+
+test('without a GPU the reference renderer takes over, and says so; not where a GPU was asked for', async () => {
+  const render = (name: string, ...flags: string[]): Promise<Outcome> =>
+    without(noGpu, 'render', movers, '-o', out(name), '--size', '32x18', '--json', ...flags);
+  const { code, err, out: json } = await render('fallback.png');
+  expect(code, err).toBe(0);
+  expect(err).toContain('no usable GPU, so the reference renderer draws');
+  expect(err).toContain('apt-get install -y chromium');
+  expect(JSON.parse(json)).toMatchObject({ pipeline: 'reference' });
+  expect(existsSync(out('fallback.png'))).toBe(true);
+  for (const flags of [
+    ['--pipeline', 'raster'],
+    ['--backend', 'webgpu'],
+    ['--backend', 'webgl'],
+    ['--solver', 'newton'],
+  ]) {
+    const refused = await render('refused.png', ...flags);
+    expect(refused.code, flags.join(' ')).toBe(4);
+    expect(refused.err).toContain('Without a GPU: --pipeline reference');
+    expect(existsSync(out('refused.png'))).toBe(false);
+  }
+});
+
+test('a film of the reference renderer has every frame', async () => {
+  const file = out('film.mp4');
+  const flags = ['--size', '32x18', ...reference, '--frames', '0:3', '--fps', '8'];
+  const { code, err } = await slowlight('render', movers, '-o', file, ...flags);
+  expect(code, err).toBe(0);
+  const entries = ['-show_entries', 'stream=nb_frames,width', '-of', 'csv=p=0'];
+  expect((await ask('ffprobe', '-v', 'error', ...entries, file)).trim()).toBe('32,4');
+});
+
+test('Ctrl-C in the midst of the pictures ends them, without a word and without half a file', async () => {
+  const frames = ['--frames', '0:9999', '--fps', '100000'];
+  const child = start('render', movers, '-o', out('frame.#.png'), '--size', '64x36', ...reference, ...frames);
+  const ended = outcome(child);
+  while (!existsSync(out('frame.0.png'))) await new Promise((resolve) => setTimeout(resolve, 20));
+  child.kill('SIGINT');
+  expect(await ended).toMatchObject({ code: 130, err: '' });
+  const left = readdirSync(folder).filter((name) => name.includes('frame'));
+  expect(left.filter((name) => !/^frame\.\d+\.png$/.test(name))).toEqual([]);
+  expect(left.length).toBeLessThan(9999);
+});
+
+test('a thread that runs out of memory ends the picture with a word on what to do', async () => {
+  const built = fileURLToPath(new URL('../../dist/lib/cli/tracerPool.js', import.meta.url));
+  const { TracerPool } = (await import(built)) as typeof import('../../src/cli/tracerPool.ts');
+  const limits = { maxOldGenerationSizeMb: 4, maxYoungGenerationSizeMb: 1 };
+  const pool = new TracerPool(makeScene({ name: 'empty' }), 10, { threads: 2, limits });
+  const view: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 };
+  const request: TileRequest = {
+    view,
+    settings: DEFAULT_SETTINGS,
+    width: 8,
+    height: 8,
+    layers: ['depth'],
+    samples: 1,
+    seed: 0,
+    light: DEFAULT_LIGHT,
+  };
+  const draw = (): Promise<void> => pool.draw(request, [{ x0: 0, y0: 0, x1: 8, y1: 8 }], () => {});
+  await expect(draw()).rejects.toThrow(/out of memory.*--threads/);
+  await expect(draw()).rejects.toThrow(/out of memory/);
+});
