@@ -88,14 +88,19 @@ export function together(lumps: readonly Lump[]): Lump {
   };
 }
 
+/** How the vertices of each cluster move at a sample [m/s]: at most, in the piece that ends there, and how much that changes there. */
+interface Pace {
+  readonly speeds: Float64Array;
+  readonly jolts: Float64Array;
+}
+
 /** The clusters of a deforming mesh, measured from the motion's origin; each sample is worked out when it is first needed. */
 export class DeformingLumps {
   private readonly clusters: Clusters;
   private readonly indices: Uint32Array;
   private readonly motion: SampledPointsMotion;
-  private readonly atSample = new Map<number, readonly Lump[]>();
-  /** From sample k to the next, per cluster [m/s]. */
-  private readonly speeds = new Map<number, Float64Array>();
+  private readonly places = new Map<number, readonly Lump[]>();
+  private readonly paces = new Map<number, Pace>();
   private last: { readonly window: Window; readonly lumps: readonly Lump[] } | undefined;
 
   constructor(clusters: Clusters, indices: Uint32Array, motion: SampledPointsMotion) {
@@ -107,39 +112,48 @@ export class DeformingLumps {
   /** What holds each cluster at all samples of a window, and so between them. */
   over(window: Window): readonly Lump[] {
     if (this.last?.window.first === window.first && this.last.window.count === window.count) return this.last.lumps;
-    const samples = Array.from({ length: window.count }, (_, i) => this.lumpsAt(window.first + i));
-    const speeds = Array.from({ length: window.count - 1 }, (_, i) => this.speedsFrom(window.first + i));
-    const lumps = samples[0].map((_, k) => ({
-      ...together(samples.map((s) => s[k])),
-      speed: speeds.reduce((most, s) => Math.max(most, s[k]), 0),
+    const samples = Array.from({ length: window.count }, (_, i) => window.first + i);
+    const places = samples.map((k) => kept(this.places, k, () => this.placesAt(k)));
+    const paces = samples.map((k) => kept(this.paces, k, () => this.paceAt(k)));
+    const lumps = places[0].map((_, i) => ({
+      ...together(places.map((lumps) => lumps[i])),
+      speed: paces.slice(1).reduce((most, { speeds }) => Math.max(most, speeds[i]), 0),
+      jolts: Float64Array.from(paces, ({ jolts }) => jolts[i]),
     }));
     this.last = { window, lumps };
     return lumps;
   }
 
-  private lumpsAt(sample: number): readonly Lump[] {
+  private placesAt(sample: number): readonly Lump[] {
     const { clusters, indices, motion } = this;
-    const known = this.atSample.get(sample);
-    const lumps =
-      known ??
-      Array.from({ length: clusters.count }, (_, k) => lumpOf(motion.points[sample], corners(clusters, indices, k)));
-    this.atSample.set(sample, lumps);
-    return lumps;
+    return Array.from({ length: clusters.count }, (_, i) =>
+      lumpOf(motion.points[sample], corners(clusters, indices, i)),
+    );
   }
 
-  private speedsFrom(sample: number): Float64Array {
+  private paceAt(sample: number): Pace {
     const { clusters, indices, motion } = this;
-    const known = this.speeds.get(sample);
-    if (known) return known;
-    const [p, q] = [motion.points[sample], motion.points[sample + 1]];
-    const dt = motion.times[sample + 1] - motion.times[sample];
-    const speeds = new Float64Array(clusters.count);
-    for (let k = 0; k < clusters.count; k++)
-      for (const v of corners(clusters, indices, k)) {
-        const moved = Math.hypot(q[3 * v] - p[3 * v], q[3 * v + 1] - p[3 * v + 1], q[3 * v + 2] - p[3 * v + 2]);
-        speeds[k] = Math.max(speeds[k], moved / dt);
-      }
-    this.speeds.set(sample, speeds);
-    return speeds;
+    const [before, after] = [velocities(motion, sample), velocities(motion, sample + 1)];
+    const most = (speed: (at: number) => number) =>
+      Float64Array.from({ length: clusters.count }, (_, i) =>
+        corners(clusters, indices, i).reduce((fastest, v) => Math.max(fastest, speed(3 * v)), 0),
+      );
+    return {
+      speeds: most((i) => Math.hypot(before(i), before(i + 1), before(i + 2))),
+      jolts: most((i) => Math.hypot(after(i) - before(i), after(i + 1) - before(i + 1), after(i + 2) - before(i + 2))),
+    };
   }
+}
+
+/** Coordinate by coordinate [m/s], in the piece that ends with a sample; outside the samples it rests. */
+function velocities({ times, points }: SampledPointsMotion, sample: number): (i: number) => number {
+  if (sample < 1 || sample >= times.length) return () => 0;
+  const [p, q, dt] = [points[sample - 1], points[sample], times[sample] - times[sample - 1]];
+  return (i) => (q[i] - p[i]) / dt;
+}
+
+function kept<T>(known: Map<number, T>, key: number, make: () => T): T {
+  const value = known.get(key) ?? make();
+  known.set(key, value);
+  return value;
 }

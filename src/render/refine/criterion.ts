@@ -2,7 +2,7 @@ import type { Gauge } from './look.ts';
 import { POINT, SHORTEST, type Shown } from './shown.ts';
 
 /** Edges along which the distance, or the place that the edge is graded by, changes by more than this share of the least distance are cut. */
-const GRADE = 0.75;
+export const GRADE = 0.75;
 /** Errors of depth count this much less than those across the line of sight. */
 export const DEPTH_WEIGHT = 0.25;
 /** The ends that do not exist are cut off as finely as this share of an edge of the mesh. */
@@ -14,6 +14,7 @@ const HORIZON = 1 / 256;
  *
  * F(f) is where the point at share f of the edge is shown. Over a step h the chord is off by F″h²/8, and S = F(f − ¼) − 2F(f) + F(f + ¼) ≈ F″/16, so
  * n² = 2 max|S|/tolerance, |S| in pixels: what is across the line of sight times focal (1 + tan²θ)/|F|, θ the angle from the picture's middle.
+ * Where F′ jumps by J, which shows as second differences that are not alike, by J/8 at least, the chord is off by Jh/4 at most: n = ΔS/tolerance.
  */
 export class EdgeCriterion {
   private readonly gauge: Gauge;
@@ -43,7 +44,7 @@ export class EdgeCriterion {
     );
     if (length * this.gauge.look.focal * largest < SHORTEST * least) return 1;
     if (length > GRADE * least || !this.graded(points, a, b)) return Number.POSITIVE_INFINITY;
-    return Math.max(1, Math.sqrt((2 * this.bend(points, a, b)) / this.gauge.tolerance));
+    return Math.max(1, this.curved(shown.kinked, points, a, b));
   }
 
   private sample(shown: Shown, points: Float64Array, a: number, b: number): void {
@@ -96,14 +97,14 @@ export class EdgeCriterion {
     return distance(points, a, points, b, 3) <= GRADE * least;
   }
 
-  /** The largest second difference [px]. */
-  private bend(points: Float64Array, a: number, b: number): number {
-    const { inner } = this;
-    return Math.max(
-      this.bendAt(points, a, 0, inner, POINT, 1),
-      this.bendAt(inner, 0, POINT, inner, 2 * POINT, 2),
-      this.bendAt(points, b, 2 * POINT, inner, POINT, 3),
-    );
+  private curved(kinked: boolean, points: Float64Array, a: number, b: number): number {
+    const { inner, gauge } = this;
+    const s1 = this.bendAt(points, a, 0, inner, POINT, 1);
+    const s2 = this.bendAt(inner, 0, POINT, inner, 2 * POINT, 2);
+    const s3 = this.bendAt(points, b, 2 * POINT, inner, POINT, 3);
+    const most = Math.max(s1, s2, s3);
+    const smooth = Math.sqrt((2 * most) / gauge.tolerance);
+    return kinked ? Math.max(smooth, (most - Math.min(s1, s2, s3)) / gauge.tolerance) : smooth;
   }
 
   /** Before and after may change places. `middle`: a place in `inner`. */

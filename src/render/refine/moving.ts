@@ -2,7 +2,8 @@ import type { Mat4 } from '../../math/mat4.ts';
 import { IDENTITY } from '../../math/mat4.ts';
 import { negate, type Vec3 } from '../../math/vec3.ts';
 import { boostMatrix, gamma } from '../../physics/boost.ts';
-import { ballOutside, longestImage, pixelsPerMetre } from './bounds.ts';
+import { ShownBall } from './bounds.ts';
+import { GRADE } from './criterion.ts';
 import type { Gauge } from './look.ts';
 import { DRAWN, type Fate, type Lump, OUTSIDE, REFINED, SHORTEST, type Shown } from './shown.ts';
 
@@ -16,43 +17,72 @@ export interface Mover {
   reach(lump: Lump): Reach;
 }
 
-/** A ball relative to the observer's event, world frame [m], and the most that anything in it moves, in units of c. */
+/** A ball relative to the observer's event, world frame [m], and how what is in it moves, in units of c. */
 export interface Reach {
   readonly centre: Vec3;
   readonly radius: number;
+  /** The fastest. */
   readonly speed: number;
+  /** The most by which the velocities of an edge's ends can differ at one time. */
+  readonly shear: number;
+  /** The most by which a velocity can change within so much time [m of light], all changes added. */
+  readonly jolt: (time: number) => number;
 }
 
 /** Bodies whose points have no common frame: their edges are looked at by their events alone. */
 export class Moving implements Shown {
+  readonly kinked: boolean;
   private readonly mover: Mover;
   private readonly gauge: Gauge;
   /** From (|Δx|, Δx) to (|Δx′|, Δx′). */
   private readonly L: Mat4;
+  private readonly ball: ShownBall;
   /** Shown contracted: Δx′ = Δx − u (u·Δx)/(γ(γ + 1)). */
   private readonly squeeze: number;
 
-  constructor(mover: Mover, gauge: Gauge) {
+  constructor(mover: Mover, kinked: boolean, gauge: Gauge) {
     const { sight, projection } = gauge.look;
     const g = gamma(sight.u);
     this.mover = mover;
+    this.kinked = kinked;
     this.gauge = gauge;
     this.L = projection.place === 'apparent' ? boostMatrix(negate(sight.u)) : IDENTITY;
+    this.ball = new ShownBall(this.L, gauge);
     this.squeeze = projection.place === 'contracted' ? 1 / (g * (g + 1)) : 0;
   }
 
-  /** Events of neighbours are apart by the time in which they move too: at most 1/(1 − v) times their distance at one time. */
   fate(lump: Lump): Fate {
-    const { centre, radius, speed } = this.mover.reach(lump);
+    const reach = this.mover.reach(lump);
+    const { centre, radius, speed } = reach;
     if (!(radius < Number.POSITIVE_INFINITY)) return REFINED;
     const { L, gauge } = this;
     const u = gauge.look.sight.u;
     const squeezed = this.squeeze * (u[0] * centre[0] + u[1] * centre[1] + u[2] * centre[2]);
     const [x, y, z] = [centre[0] - squeezed * u[0], centre[1] - squeezed * u[1], centre[2] - squeezed * u[2]];
-    if (ballOutside(L, gauge.sides, x, y, z, radius)) return OUTSIDE;
-    if (!(Math.hypot(x, y, z) > radius) || !(speed < 1)) return REFINED;
-    const longest = (lump.longest / (1 - speed)) * longestImage(L, x, y, z, radius);
-    return longest * pixelsPerMetre(L, gauge, x, y, z, radius) < SHORTEST ? DRAWN : REFINED;
+    const { ball } = this;
+    ball.set(x, y, z, radius);
+    if (ball.outside()) return OUTSIDE;
+    if (!(ball.near > 0) || !(speed < 1)) return REFINED;
+    ball.look();
+    const longest = lump.longest / (1 - speed);
+    const image = longest * Math.sqrt(2 * L[0] * ball.mostStretched);
+    const scale = (gauge.look.focal * ball.magnified) / (ball.leastStretched * ball.near);
+    if (image * scale < SHORTEST) return DRAWN;
+    const graded = image < GRADE * ball.leastStretched * ball.near && longest < GRADE * ball.near;
+    return graded && 2 * scale * this.bend(reach, longest, ball.near) < gauge.tolerance ? DRAWN : REFINED;
+  }
+
+  /**
+   * Bound of the second difference of Δx′(f) over ¼ of an edge. Events of neighbours are apart by the time in which they move too: |Δx′(f)| and |t′(f)|
+   * are at most ℓ/(1 − v) for an edge ℓ long at one time. Where velocities v(f) are constant, Δx″ = 2v′t′ + v t″, and |t″| ≤ |Δx′|²/|Δx| + |Δx″| on the
+   * light cone; where one changes by J, Δx′ jumps by at most J|t′|/(1 − v). The boost takes Δx to MΔx + |Δx|m with |M| = γ, |m| = γβ.
+   */
+  private bend({ speed, shear, jolt }: Reach, longest: number, near: number): number {
+    const jump = (jolt(longest) * longest) / (1 - speed);
+    const curve = (2 * shear * longest + (speed * longest * longest) / near) / (1 - speed);
+    const delay = (longest * longest) / near + curve;
+    const w = Math.hypot(this.L[1], this.L[2], this.L[3]);
+    return this.L[0] * (curve / 16 + jump / 4) + w * (delay / 16 + jump / 4);
   }
 
   take(a: number, b: number, c: number): void {

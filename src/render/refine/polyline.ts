@@ -14,6 +14,12 @@ export interface Window {
   readonly count: number;
 }
 
+/** How fast something changes in each piece between samples, the first being 0, and by how much that changes at each sample [1/m of light]. */
+interface Changes {
+  readonly rates: Float64Array;
+  readonly jolts: Float64Array;
+}
+
 /** Points that go straight from sample to sample, and rest before the first and after the last one. */
 abstract class Polyline implements Mover {
   protected readonly sight: Sight;
@@ -24,9 +30,14 @@ abstract class Polyline implements Mover {
   protected y = 0;
   protected z = 0;
   private readonly gamma: number;
+  /** The window has the first and the last sample of the motion, outside which it rests. */
+  private readonly begins: boolean;
+  private readonly ends: boolean;
 
   constructor(times: Float64Array, { first, count }: Window, sight: Sight) {
     this.sight = sight;
+    this.begins = first === 0;
+    this.ends = first + count === times.length;
     this.times = times.slice(first, first + count).map((t) => sight.c * (t - sight.t));
     this.gamma = gamma(sight.u);
   }
@@ -63,6 +74,28 @@ abstract class Polyline implements Mover {
     out[at + 2] = az + vz * s;
   }
 
+  /** Changes of what has `size` numbers per sample. */
+  protected changes(values: Float64Array, size: number): Changes {
+    const n = this.times.length;
+    const rate = (k: number, i: number): number => {
+      if (k < 1) return this.begins ? 0 : rate(1, i);
+      if (k >= n) return this.ends ? 0 : rate(n - 1, i);
+      return (values[size * k + i] - values[size * k - size + i]) / (this.times[k] - this.times[k - 1]);
+    };
+    const norm = (part: (i: number) => number) => {
+      let sum = 0;
+      for (let i = 0; i < size; i++) sum += part(i) ** 2;
+      return Math.sqrt(sum);
+    };
+    const rates = new Float64Array(n);
+    const jolts = new Float64Array(n);
+    for (let k = 0; k < n; k++) {
+      if (k > 0) rates[k] = norm((i) => rate(k, i));
+      jolts[k] = norm((i) => rate(k + 1, i) - rate(k, i));
+    }
+    return { rates, jolts };
+  }
+
   /** How far behind the surface the event (x, t) is; it rises along every world line. */
   private late(t: number): number {
     const { x, y, z } = this;
@@ -94,6 +127,8 @@ export class Posed extends Polyline {
   private readonly positions: Float32Array;
   private readonly centres: Float64Array;
   private readonly turns: Float64Array;
+  /** Of the rotation matrices, by their Frobenius norm: at most so much moves a point at distance 1. */
+  private readonly turning: Changes;
   private readonly corners = new Float64Array(9);
   private px = 0;
   private py = 0;
@@ -107,6 +142,7 @@ export class Posed extends Polyline {
     this.centres = line.positions.slice(3 * first, 3 * (first + count)).map((x, i) => x - sight.position[i % 3]);
     this.turns = new Float64Array(9 * count);
     for (let k = 0; k < count; k++) this.turns.set(toMatrix(samplePose(motion.poses, first + k).orientation), 9 * k);
+    this.turning = this.changes(this.turns, 9);
   }
 
   take(a: number, b: number, c: number): void {
@@ -118,17 +154,20 @@ export class Posed extends Polyline {
     }
   }
 
-  reach({ x, y, z, radius }: Lump): Reach {
-    const places: Vec3[] = [];
-    let speed = 0;
-    for (let k = 0; k < this.times.length; k++) {
+  reach({ x, y, z, radius, longest }: Lump): Reach {
+    const n = this.times.length;
+    const places = new Float64Array(3 * n);
+    for (let k = 0; k < n; k++) {
       this.turn(k, x, y, z);
-      places.push([this.x, this.y, this.z]);
-      if (k === 0) continue;
-      const moved = length(sub(places[k], places[k - 1])) + radius * this.turned(k);
-      speed = Math.max(speed, moved / (this.times[k] - this.times[k - 1]));
+      places[3 * k] = this.x;
+      places[3 * k + 1] = this.y;
+      places[3 * k + 2] = this.z;
     }
-    return { ...ballAround(places, radius), speed };
+    const { rates, jolts } = this.changes(places, 3);
+    const speed = rates.reduce((most, v, k) => Math.max(most, v + radius * this.turning.rates[k]), 0);
+    const shear = longest * this.turning.rates.reduce((most, rate) => Math.max(most, rate), 0);
+    const sums = jolts.map((jolt, k) => jolt + radius * this.turning.jolts[k]);
+    return { ...ballAround(places, radius), speed, shear, jolt: (time) => mostWithin(sums, this.times, time) };
   }
 
   protected aim(w1: number, w2: number): void {
@@ -148,13 +187,6 @@ export class Posed extends Polyline {
     this.x = R[i] * px + R[i + 1] * py + R[i + 2] * pz + this.centres[3 * k];
     this.y = R[i + 3] * px + R[i + 4] * py + R[i + 5] * pz + this.centres[3 * k + 1];
     this.z = R[i + 6] * px + R[i + 7] * py + R[i + 8] * pz + this.centres[3 * k + 2];
-  }
-
-  /** At most so far does a point at distance 1 move by the turn that ends with sample k: the Frobenius norm. */
-  private turned(k: number): number {
-    let sum = 0;
-    for (let i = 0; i < 9; i++) sum += (this.turns[9 * k + i] - this.turns[9 * k - 9 + i]) ** 2;
-    return Math.sqrt(sum);
   }
 }
 
@@ -176,8 +208,16 @@ export class Deforming extends Polyline {
     this.corners = [3 * a, 3 * b, 3 * c];
   }
 
-  reach({ x, y, z, radius, speed }: Lump): Reach {
-    return { centre: add(this.origin, [x, y, z]), radius, speed: speed / this.sight.c };
+  reach({ x, y, z, radius, speed, jolts }: Lump): Reach {
+    const fastest = speed / this.sight.c;
+    const sums = jolts?.map((jolt) => jolt / this.sight.c) ?? new Float64Array(this.times.length);
+    return {
+      centre: add(this.origin, [x, y, z]),
+      radius,
+      speed: fastest,
+      shear: 2 * fastest,
+      jolt: (time) => mostWithin(sums, this.times, time),
+    };
   }
 
   protected aim(w1: number, w2: number): void {
@@ -196,7 +236,22 @@ export class Deforming extends Polyline {
   }
 }
 
-function ballAround(places: readonly Vec3[], radius: number): { centre: Vec3; radius: number } {
-  const middle = scale(add(places[0], places[places.length - 1]), 0.5);
-  return { centre: middle, radius: radius + Math.max(...places.map((p) => length(sub(p, middle)))) };
+function ballAround(places: Float64Array, radius: number): { centre: Vec3; radius: number } {
+  const at = (i: number): Vec3 => [places[i], places[i + 1], places[i + 2]];
+  const centre = scale(add(at(0), at(places.length - 3)), 0.5);
+  let far = 0;
+  for (let i = 0; i < places.length; i += 3) far = Math.max(far, length(sub(at(i), centre)));
+  return { centre, radius: radius + far };
+}
+
+/** The largest sum of what happens within a time. */
+function mostWithin(jolts: Float64Array, times: Float64Array, time: number): number {
+  let [most, sum, first] = [0, 0, 0];
+  for (let k = 0; k < jolts.length; k++) {
+    sum += jolts[k];
+    while (times[k] - times[first] > time) sum -= jolts[first++];
+    most = Math.max(most, sum);
+  }
+  // Sums and differences leave roundings.
+  return most * (1 + 1e-9);
 }

@@ -17,11 +17,13 @@ export function showing(body: Body, { arrays, doubleSided }: Batch, gauge: Gauge
     const map = steadyMap(line, authoredIn === 'rest', Math.max(body.radius, 1e-6), gauge);
     return new Steady(map, arrays.positions, doubleSided, gauge);
   }
-  if (motion.kind === 'hyperbolic') return new Moving(new Hyperbolic(body, motion, arrays.positions, sight), gauge);
+  if (motion.kind === 'hyperbolic')
+    return new Moving(new Hyperbolic(body, motion, arrays.positions, sight), false, gauge);
   const window = windowOf(body, gauge);
   if (line.kind !== 'polyline' || !window) return undefined;
-  if (motion.kind === 'sampled') return new Moving(new Posed(motion, line, window, arrays.positions, sight), gauge);
-  return motion.kind === 'sampled-points' ? new Moving(new Deforming(motion, window, sight), gauge) : undefined;
+  if (motion.kind === 'sampled')
+    return new Moving(new Posed(motion, line, window, arrays.positions, sight), true, gauge);
+  return motion.kind === 'sampled-points' ? new Moving(new Deforming(motion, window, sight), true, gauge) : undefined;
 }
 
 /** The samples that a picture of a sampled body needs. */

@@ -19,12 +19,15 @@ export interface Lump {
   readonly z: number;
   readonly radius: number;
   readonly longest: number;
-  /** The fastest of their vertices between samples [m/s]; 0 for what is rigid. */
+  /** Of what deforms: its fastest vertex between samples, and the most by which a vertex's velocity changes at each [m/s]. */
   readonly speed: number;
+  readonly jolts?: Float64Array;
 }
 
 /** How the points of one body are shown in one picture, in f64. `take`, `point`, `outside` and `calm` do not allocate. */
 export interface Shown {
+  /** Curves have corners: velocities change suddenly. */
+  readonly kinked: boolean;
   /** Conservative: DRAWN only where the criterion would cut no edge, OUTSIDE only where nothing is in the picture. */
   fate(lump: Lump): Fate;
   /** Chooses a triangle, by its vertices' places in the batch. */

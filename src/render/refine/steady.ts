@@ -3,7 +3,8 @@ import { add, addScaled, dot, length, negate, scale, sub, type Vec3, ZERO } from
 import { boostMatrix, gamma, properVelocity } from '../../physics/boost.ts';
 import { contraction, simultaneitySlice, simultaneousPosition } from '../../physics/simultaneity.ts';
 import { positionAt, type StaticLine, type UniformLine } from '../../physics/worldLine.ts';
-import { ballOutside, longestImage, pixelsPerMetre } from './bounds.ts';
+import { ShownBall } from './bounds.ts';
+import { DEPTH_WEIGHT } from './criterion.ts';
 import type { Gauge } from './look.ts';
 import { DRAWN, type Fate, type Lump, OUTSIDE, REFINED, SHORTEST, type Shown } from './shown.ts';
 
@@ -16,7 +17,8 @@ const NEIGHBOURHOOD = 0.87;
 /**
  * How a body at constant velocity is shown: a point at p in its batch is at X = Ap + x₀ in coordinates in which (|X|, X) goes to (|Δx′|, Δx′) by
  * the matrix L. For light, X is the place in the body's rest frame and L the boosts from there to the world and on to the observer.
- * Straight edges stay straight but for |X|, whose second derivative along an edge of length ℓ is at most ℓ²/|X|.
+ * Δx′ = MX + |X|m, |m| = γβ: straight edges stay straight but for |X|, whose second derivative along an edge of length ℓ is at most ℓ²/|X|, so that a
+ * chord is off by at most |m|ℓ²/(8|X|). Its image has D|X| of distance and is at most √(2γD) times as long: √(2γD − 1) along the line of sight, 1 across.
  */
 export interface SteadyMap {
   /** 3 × 3, by rows. */
@@ -57,6 +59,7 @@ function columns(f: (p: Vec3) => Vec3): number[] {
 }
 
 export class Steady implements Shown {
+  readonly kinked = false;
   private readonly gauge: Gauge;
   private readonly map: SteadyMap;
   private readonly positions: Float32Array;
@@ -67,6 +70,7 @@ export class Steady implements Shown {
   private readonly gamma: number;
   private readonly u: Vec3;
   private readonly w: number;
+  private readonly ball: ShownBall;
   /** How much A can lengthen. */
   private readonly growth: number;
   /** X of the chosen triangle's corners. */
@@ -81,6 +85,7 @@ export class Steady implements Shown {
     this.gamma = L[0];
     this.u = [L[1], L[2], L[3]];
     this.w = length(this.u);
+    this.ball = new ShownBall(L, gauge);
     this.growth = norm(A);
     const row = (i: number): Vec3 => [L[4 + i], L[8 + i], L[12 + i]];
     this.sides = gauge.sides.map((s) => ({ a: [dot(s, row(1)), dot(s, row(2)), dot(s, row(3))], b: dot(s, row(0)) }));
@@ -93,7 +98,8 @@ export class Steady implements Shown {
     const cy = A[3] * x + A[4] * y + A[5] * z + x0[1];
     const cz = A[6] * x + A[7] * y + A[8] * z + x0[2];
     const radius = this.growth * lump.radius;
-    if (ballOutside(this.map.L, this.gauge.sides, cx, cy, cz, radius)) return OUTSIDE;
+    this.ball.set(cx, cy, cz, radius);
+    if (this.ball.outside()) return OUTSIDE;
     return this.mayBend(cx, cy, cz, radius, this.growth * lump.longest) ? REFINED : DRAWN;
   }
 
@@ -170,15 +176,19 @@ export class Steady implements Shown {
     return !this.mayBend(x, y, z, 0, Math.sqrt(dx * dx + dy * dy + dz * dz));
   }
 
-  /** A chord of at most `longest` is off its curve by at most w longest²/(8|X|), for Δx′ = MX + |X|m with |m| = w. */
+  /** Whether a chord of at most `longest` in a ball, or what lies between three of them, can be too far from what is seen. */
   private mayBend(x: number, y: number, z: number, radius: number, longest: number): boolean {
-    if (this.w === 0) return false;
-    const reach = radius + NEIGHBOURHOOD * longest;
-    const near = Math.sqrt(x * x + y * y + z * z) - reach;
-    if (!(near > 0)) return true;
-    const scale = pixelsPerMetre(this.map.L, this.gauge, x, y, z, reach);
-    if (longest * longestImage(this.map.L, x, y, z, reach) * scale < SHORTEST) return false;
-    return !((this.w * longest * longest * scale) / (8 * near) < this.gauge.tolerance);
+    const { w, ball } = this;
+    if (w === 0) return false;
+    ball.set(x, y, z, radius + NEIGHBOURHOOD * longest);
+    if (!(ball.near > 0)) return true;
+    ball.look();
+    const scale = this.gauge.look.focal / (ball.leastStretched * ball.near);
+    const image = longest * Math.sqrt(2 * this.gamma * ball.mostStretched);
+    if (image * scale * ball.magnified < SHORTEST) return false;
+    const across = ball.sine * ball.magnified;
+    const seen = w * Math.sqrt(across * across + DEPTH_WEIGHT * DEPTH_WEIGHT);
+    return !((seen * longest * longest * scale) / (8 * ball.near) < this.gauge.tolerance);
   }
 
   private place(vertex: number, to: number): void {
