@@ -9,6 +9,8 @@ import { block, column, moved, quad, roundedBox, turned } from '../kit/parts.ts'
 
 /** Half width, height and half length of the hall [m]. */
 const [W, H, L] = [7, 9, 32];
+/** Half width of the opening along the ceiling, through which all light comes in [m]. */
+const SKYLIGHT = 3;
 
 export const scene: ExampleScene = { name: 'hall', make };
 
@@ -74,10 +76,11 @@ function shell(builder: SceneBuilder): void {
   const trim = builder.material('trim', '#d8cdb8', { roughness: 0.7 });
   const [w, l] = [(2 * W) / 4, (2 * L) / 4];
   builder.object('/World/Floor', [paint(quad([-W, 0, L], [W, 0, L], [W, 0, -L], [-W, 0, -L], w, l), floor)]);
-  builder.object('/World/Ceiling', [
-    paint(quad([-W, H, -L], [W, H, -L], [W, H, L], [-W, H, L], w, l), ceiling),
-    ...beams(trim),
-  ]);
+  const halves = [
+    [-W, -SKYLIGHT],
+    [SKYLIGHT, W],
+  ].map(([a, b]) => paint(quad([a, H, -L], [b, H, -L], [b, H, L], [a, H, L], (b - a) / 4, l), ceiling));
+  builder.object('/World/Ceiling', [...halves, ...beams(trim)]);
   const sides = [
     quad([-W, 0, L], [-W, 0, -L], [-W, H, -L], [-W, H, L], l, H / 4),
     quad([W, 0, -L], [W, 0, L], [W, H, L], [W, H, -L], l, H / 4),

@@ -13,7 +13,7 @@ import type { SpacetimeRay } from './types.ts';
 
 /** What of the light between things a picture takes into account. Plain data, so that a worker can be told. */
 export interface LightOptions {
-  /** How often light of the sky and of what glows may be scattered before it is seen: 0 leaves the light of suns and lamps alone. */
+  /** 0: suns and lamps light surfaces; 1: so do the sky and what glows; 2: so do surfaces lit by these; and so on. */
   readonly bounces: number;
   /** Surfaces mirror what is around them, smooth ones sharply; else they mirror only the sky and what glows, once. */
   readonly mirrors: boolean;
