@@ -8,6 +8,8 @@ test('plain data with its arrays in shared memory, each of them once', () => {
   expect(copy).toEqual(data);
   expect(copy.meshes[0].positions.buffer).toBeInstanceOf(SharedArrayBuffer);
   expect(copy.meshes[1].positions).toBe(copy.meshes[0].positions);
+  const { key, by } = shared({ key: positions, by: new Map([[positions, { x: 1 }]]) });
+  expect(by.get(key)).toEqual({ x: 1 });
   // The other side of a thread sees what is written here.
   const sent = structuredClone(copy);
   copy.meshes[0].positions[2] = 7;

@@ -15,6 +15,7 @@ export function shared<T>(data: T): T {
 
 function container(value: object, copy: (part: unknown) => unknown): object {
   if (Array.isArray(value)) return value.map(copy);
+  if (value instanceof Map) return new Map([...value].map(([key, part]) => [copy(key), copy(part)]));
   return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, copy(part)]));
 }
 
@@ -23,6 +24,7 @@ const KINDS: readonly (new (bytes: SharedArrayBuffer) => ArrayBufferView)[] = [
   Float64Array,
   Uint8Array,
   Uint16Array,
+  Int32Array,
   Uint32Array,
 ];
 

@@ -1,9 +1,13 @@
 import { type ResourceLimits, Worker } from 'node:worker_threads';
 import type { Order, Reply } from '../reference/serve.ts';
 import type { Tile, TileData, TileRequest } from '../reference/tile.ts';
+import { groundwork } from '../reference/trace.ts';
 import type { Scene } from '../scene/types.ts';
 import { unavailable } from './exit.ts';
 import { shared } from './shared.ts';
+
+/** Memory for the shapes of sampled objects at their samples: of all threads, and of one [bytes]. */
+const [SHAPES, MOST_SHAPES] = [4 * 2 ** 30, 256 * 2 ** 20];
 
 export interface PoolOptions {
   readonly threads: number;
@@ -30,7 +34,11 @@ export class TracerPool {
   private broken: Error | undefined;
 
   constructor(scene: Scene, speedOfLight: number, { threads, limits }: PoolOptions) {
-    const order: Order = { kind: 'scene', scene: shared(scene), speedOfLight };
+    const order: Order = {
+      kind: 'scene',
+      ground: shared(groundwork(scene, speedOfLight)),
+      shapes: Math.min(MOST_SHAPES, SHAPES / threads),
+    };
     this.workers = Array.from({ length: threads }, () => this.start(order, limits));
   }
 

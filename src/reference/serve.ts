@@ -1,10 +1,9 @@
-import type { Scene } from '../scene/types.ts';
 import { renderTile, type Tile, type TileData, type TileRequest } from './tile.ts';
-import { type TracedScene, traceable } from './trace.ts';
+import { type Groundwork, type TracedScene, traced } from './trace.ts';
 
 /** What a thread that draws tiles is told, in this order: a scene, then for each picture what it is to be, then its tiles. */
 export type Order =
-  | { readonly kind: 'scene'; readonly scene: Scene; readonly speedOfLight: number }
+  | { readonly kind: 'scene'; readonly ground: Groundwork; readonly shapes: number }
   | { readonly kind: 'picture'; readonly request: TileRequest }
   | { readonly kind: 'tile'; readonly tile: Tile };
 
@@ -25,7 +24,7 @@ export function serve(port: Port): void {
   let scene: TracedScene | undefined;
   let request: TileRequest | undefined;
   const obey = (order: Order): void => {
-    if (order.kind === 'scene') scene = traceable(order.scene, order.speedOfLight);
+    if (order.kind === 'scene') scene = traced(order.ground, order.shapes);
     else if (order.kind === 'picture') request = order.request;
     else if (!scene || !request) throw new Error('a tile was ordered before its scene and its picture');
     else {

@@ -24,20 +24,34 @@ export interface TracedScene {
   readonly surfaces: TopLevel;
 }
 
-/** Memory for the shapes of sampled objects at their samples [bytes]; per thread, besides what the last ray's two need. */
-const SHAPES = 256 * 2 ** 20;
+/** What is dear to make of a scene, and the same for every thread that traces it. Plain data. */
+export interface Groundwork {
+  readonly scene: Scene;
+  readonly c: number;
+  readonly objects: readonly SceneObject[];
+  /** Of the meshes that keep their shape. */
+  readonly trees: ReadonlyMap<Mesh, TriangleTree>;
+}
 
-/** Makes a scene ready for rays at the speed of light c [m/s]. What belongs to samples of a motion is made when a ray needs it. */
-export function traceable(scene: Scene, c: number): TracedScene {
+export function groundwork(scene: Scene, c: number): Groundwork {
   const objects = scene.objects.map((object) => restToWorld(object, c));
   const trees = new Map<Mesh, TriangleTree>();
-  const treeOf = (mesh: Mesh): TriangleTree => {
-    const tree = trees.get(mesh) ?? treeOfTriangles(mesh);
-    trees.set(mesh, tree);
-    return tree;
-  };
-  const store = new ShapeStore(SHAPES);
-  const tracers = objects.map((object, i) => tracerOf(object, i, treeOf, c, store));
+  for (const { mesh, motion } of objects)
+    if (motion.kind !== 'sampled' && motion.kind !== 'sampled-points' && !trees.has(mesh))
+      trees.set(mesh, treeOfTriangles(mesh));
+  return { scene, c, objects, trees };
+}
+
+/** Memory for the shapes of sampled objects at their samples [bytes], besides what the last ray's two need. */
+const SHAPES = 256 * 2 ** 20;
+
+/** Makes a scene ready for rays at the speed of light c [m/s]. */
+export const traceable = (scene: Scene, c: number): TracedScene => traced(groundwork(scene, c));
+
+/** Ready for rays, on what may be shared. What belongs to samples of a motion is made when a ray needs it, and kept in `shapes` bytes. */
+export function traced({ scene, c, objects, trees }: Groundwork, shapes = SHAPES): TracedScene {
+  const store = new ShapeStore(shapes);
+  const tracers = objects.map((object, i) => tracerOf(object, i, trees, c, store));
   const transparent = new Set(scene.materials.filter(isTransparent));
   return {
     scene,
@@ -57,16 +71,18 @@ const isSolid = (material: Material, transparent: ReadonlySet<Material>): boolea
 function tracerOf(
   object: SceneObject,
   index: number,
-  treeOf: (mesh: Mesh) => TriangleTree,
+  trees: Groundwork['trees'],
   c: number,
   store: ShapeStore,
 ): Tracer {
-  const { motion } = object;
-  if (motion.kind === 'static' || motion.kind === 'uniform')
-    return new RigidTracer(index, { ...object, motion }, treeOf(object.mesh), c);
+  const { mesh, motion } = object;
   if (motion.kind === 'sampled' || motion.kind === 'sampled-points')
     return new SampledTracer(index, { ...object, motion }, c, store);
-  return new HyperbolicTracer(index, { ...object, motion }, treeOf(object.mesh), c);
+  const tree = trees.get(mesh);
+  if (!tree) throw new Error(`${object.path} has no tree`);
+  return motion.kind === 'hyperbolic'
+    ? new HyperbolicTracer(index, { ...object, motion }, tree, c)
+    : new RigidTracer(index, { ...object, motion }, tree, c);
 }
 
 /**
