@@ -1,6 +1,7 @@
 import { Discard, Fn, float, length, min, select, vec4 } from 'three/tsl';
 import { NoBlending, NodeMaterial, NormalBlending } from 'three/webgpu';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
+import { logarithmicDepth } from './depth.ts';
 import { type Drawable, sideOf } from './drawable.ts';
 import type { Environment } from './environment.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';
@@ -9,20 +10,23 @@ import { background } from './sky.ts';
 import { readSurface, surfaceOutputs, type TargetName } from './surface.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
-import { type Projection, vertexStage } from './vertexStage.ts';
+import { type Projection, vertexStage, vShown } from './vertexStage.ts';
 
 /** Largest finite half float: what may be kept where the light target has no more. */
 const MOST_LIGHT = 65_000;
 
+/** `reversed`: whether the depth buffer is. */
 export function geometryMaterial(
   drawable: Drawable,
   projection: Projection,
   names: readonly TargetName[],
+  reversed: boolean,
 ): NodeMaterial {
   const material = new NodeMaterial();
   material.name = `${drawable.batch.kind} ${projection.event} ${projection.place}`;
   material.vertexNode = vertexStage(drawable.vertex, projection);
   material.fragmentNode = surfaceOutputs(drawable.surface, names);
+  if (!reversed) material.depthNode = logarithmicDepth(vShown);
   material.side = sideOf(drawable.batch);
   material.blending = NoBlending;
   return material;

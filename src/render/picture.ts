@@ -50,7 +50,7 @@ export class PictureMachine {
       for (const drawable of upload.drawables)
         if (!drawable.batch.transparent)
           this.dress(drawable, `${names[0]} ${projection.event} ${projection.place}`, () =>
-            geometryMaterial(drawable, projection, names),
+            geometryMaterial(drawable, projection, names, renderer.reversedDepthBuffer),
           );
       renderer.setRenderTarget(target);
       renderer.render(upload.opaque, camera);

@@ -5,6 +5,7 @@ import type { Scene } from '../scene/types.ts';
 import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../scene/view.ts';
 import type { PictureMaker } from './api.ts';
 import { frustumSides } from './cull.ts';
+import { FAR, NEAR } from './depth.ts';
 import { type Gpu, openGpu } from './device.ts';
 import { PictureMachine } from './picture.ts';
 import { type Region, readBytes, readData, readFloats, readPick } from './readback.ts';
@@ -13,12 +14,6 @@ import type { PickResult, RendererInfo, RendererOptions } from './settings.ts';
 import type { Sight } from './sight.ts';
 import { makeUniforms, type Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
-
-/** Clip planes [m]. Depth is reversed 32-bit float, which is separable to 1e-6 from one to the other. */
-const NEAR = 1e-3;
-const FAR = 1e9;
-/** Where the depth buffer cannot be reversed (WebGL2 without EXT_clip_control): what 24 bits can still tell apart. */
-const MODEST = { near: 0.05, far: 1e5 };
 
 /** Makes pictures of a scene for a page, a command line or a benchmark; see api.ts. */
 export class SceneRenderer implements PictureMaker {
@@ -40,9 +35,8 @@ export class SceneRenderer implements PictureMaker {
     this.gpu = gpu;
     this.toCanvas = toCanvas;
     this.machine = new PictureMachine(gpu, this.uniforms);
-    const { near, far } = gpu.renderer.reversedDepthBuffer ? { near: NEAR, far: FAR } : MODEST;
-    this.camera.near = near;
-    this.camera.far = far;
+    this.camera.near = NEAR;
+    this.camera.far = FAR;
   }
 
   get info(): RendererInfo {
