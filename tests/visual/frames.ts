@@ -10,7 +10,6 @@ import { type ExampleName, speedOfLight } from '../examples/open.ts';
 import type { ExtraScene } from './extraScenes.ts';
 
 export const BETAS = [0, 0.5, 0.9, 0.99] as const;
-export const VIEWS: readonly View[] = ['light-cone', 'simultaneity', 'galilean'];
 
 /** Which way the observer goes, in the camera's axes: into the picture, or where a scene has its things beside the way, aslant. */
 const COURSES: Partial<Record<ExampleName, Vec3>> = {

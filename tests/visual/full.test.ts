@@ -19,11 +19,11 @@ describe.each(NAMES)('%s at full size', (name) => {
     scene = await openExample(name);
     stage = await openStage(scene, painters);
   });
-  afterAll(() => report.print());
+  afterAll(() => report.print(`${name}, 1280×720`));
 
   it.each([0.9, 0.99])('at %s c', async (beta) => {
     const tallies = await judgeFrame(stage, exampleFrame(name, scene, 'light-cone', beta), SIZE, SAMPLE);
-    report.add(`${name}, light-cone, ${beta} c, 1280×720`, tallies);
+    report.add(`light-cone ${beta} c`, tallies);
     expectRight(tallies);
   });
 });

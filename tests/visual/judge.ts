@@ -1,11 +1,10 @@
 import { conjugate, rotate } from '../../src/math/quat.ts';
-import { addScaled, dot, length, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
+import { dot, length, sub, type Vec3 } from '../../src/math/vec3.ts';
 import { apparentPosition } from '../../src/physics/apparent.ts';
-import { boost, properVelocity } from '../../src/physics/boost.ts';
+import { boost, properVelocity, velocity } from '../../src/physics/boost.ts';
 import { dopplerFactor } from '../../src/physics/doppler.ts';
 import { fourVector, spatial } from '../../src/physics/fourVector.ts';
-import { pastLightCone } from '../../src/physics/lightCone.ts';
-import { simultaneitySlice, simultaneousPosition } from '../../src/physics/simultaneity.ts';
+import { simultaneousPosition } from '../../src/physics/simultaneity.ts';
 import { cameraRay } from '../../src/reference/camera.ts';
 import { surfaceAt } from '../../src/reference/surface.ts';
 import type { TracedScene } from '../../src/reference/trace.ts';
@@ -14,9 +13,9 @@ import { visibleHit } from '../../src/reference/visible.ts';
 import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
 
 /*
- * Is a rasterized pixel right? It claims that an event of an object's surface (place, time, velocity) is seen at the pixel's centre. It is right
- * where that very point of the material is truly seen within `REACH` pixels of the centre; background likewise. Where the point is truly
- * seen follows from its world line alone, by the formulas of physics/; that the surface is there, and that nothing hides it, from rays of the reference.
+ * Is a rasterized pixel right? It claims that an event of an object's surface is seen at the pixel's centre. It is right where that very
+ * event is truly seen within `REACH` pixels of the centre; background likewise. Where it is seen follows from its place alone, by the
+ * formulas of physics/; that the surface is there at that moment, and that nothing hides it, from rays of the reference.
  */
 
 /** How far from the pixel's centre what it shows may truly be [px]: the goal of the whole renderer. */
@@ -37,6 +36,8 @@ export interface Claim {
   readonly object: number;
   readonly position: Vec3;
   readonly time: number;
+  /** Apparent distance [m]. */
+  readonly depth: number;
   readonly doppler: number;
   /** World frame, units of c. */
   readonly velocity: Vec3;
@@ -45,29 +46,36 @@ export interface Claim {
 
 export interface Verdict {
   readonly right: boolean;
-  /** From the pixel's centre to where the claimed point is truly seen [px]; 0 for background, infinite where it is behind the camera. */
+  /** From the pixel's centre to where the claimed event is truly seen [px]; 0 for background, infinite where it is behind the camera. */
   readonly displacement: number;
-  /** Errors of a right pixel's data. Time: of light's own way, c|Δt|/distance; D: relative; velocity: in units of c. */
+  /** Errors of a right pixel's data. Time: over the light's own way, c|Δt|/|Δx|; depth and D: relative; velocity: in units of c. */
   readonly time: number;
+  readonly depth: number;
   readonly doppler: number;
   readonly velocity: number;
+  /** The surface goes straight from sample to sample: its velocity, and so D, jump there, and a rasterizer runs from one to the other. */
+  readonly sampled: boolean;
 }
 
-/** Where, when and how fast the claimed point of the material truly passes the surface of events that the picture is made of. */
+/** The claimed event as an event of the picture: its time is what its place asks for. */
 interface Truth {
   /** Observer → event, world frame [m]. */
   readonly dx: Vec3;
-  /** t − t_o [m of light]. */
-  readonly ahead: number;
+  /** [s] */
+  readonly time: number;
   /** In the picture, from its top left [px]. */
   readonly x: number;
   readonly y: number;
-  /** Along the view's axis [m]; negative behind the camera. */
-  readonly depth: number;
+  /** Where it is seen, in the camera's axes [m]. */
+  readonly seen: Vec3;
 }
 
-const WRONG: Verdict = { right: false, displacement: Number.POSITIVE_INFINITY, time: 0, doppler: 0, velocity: 0 };
-const BACKGROUND: Verdict = { right: true, displacement: 0, time: 0, doppler: 0, velocity: 0 };
+const NO_ERRORS = { time: 0, depth: 0, doppler: 0, velocity: 0, sampled: false };
+const WRONG: Verdict = { right: false, displacement: Number.POSITIVE_INFINITY, ...NO_ERRORS };
+const BACKGROUND: Verdict = { right: true, displacement: 0, ...NO_ERRORS };
+
+/** Half a step of f32, twice: the CPU rounds, and so does the GPU. */
+const F32 = 2 ** -23;
 
 /** Where the ring search looks [px from the centre]: on circles up to `REACH`. */
 const RING: readonly (readonly [number, number])[] = [0.2, 0.35, 0.5].flatMap((share, k) =>
@@ -91,9 +99,9 @@ export class Judge {
     const centre = this.centre(pixel);
     if (claim.object === 0) return this.judgeBackground(pixel, centre);
     const own = centre?.object === claim.object - 1 ? centre : undefined;
-    const truth = this.truth(claim, own?.velocity ?? claim.velocity);
+    const truth = this.truth(claim);
     const [x, y] = this.placeOf(pixel);
-    const displacement = truth.depth > 0 ? Math.hypot(truth.x - x, truth.y - y) : Number.POSITIVE_INFINITY;
+    const displacement = truth.seen[2] < 0 ? Math.hypot(truth.x - x, truth.y - y) : Number.POSITIVE_INFINITY;
     if (!(displacement <= REACH)) return { ...WRONG, displacement };
     const hit = this.meeting(claim, truth, pixel, own);
     return hit ? this.compare(claim, truth, hit, displacement) : { ...WRONG, displacement };
@@ -140,36 +148,36 @@ export class Judge {
    * Whether the claimed point lies in the surface that the ray has met: no farther from its plane, in its rest frame, than the footprint of
    * `REACH` pixels. (Along the plane it is as near as the two places in the picture are; lengths across the line of sight are the same in all frames.)
    */
-  private samePoint({ position, time }: Claim, { depth }: Truth, hit: Hit): boolean {
+  private samePoint({ position }: Claim, { time, seen }: Truth, hit: Hit): boolean {
     const { view, settings, height } = this.picture;
     const between = fourVector(settings.speedOfLight * (time - hit.time), sub(position, hit.position));
     const offPlane = dot(hit.normal, spatial(boost(between, properVelocity(hit.velocity))));
     const pixel = (2 * Math.tan(view.fovY / 2)) / height;
-    return Math.abs(offPlane) <= REACH * pixel * depth;
+    return Math.abs(offPlane) <= REACH * pixel * -seen[2];
   }
 
-  private compare(claim: Claim, { dx, ahead }: Truth, hit: Hit, displacement: number): Verdict {
-    const { view, settings } = this.picture;
+  private compare(claim: Claim, { dx, time, seen }: Truth, hit: Hit, displacement: number): Verdict {
+    const { scene, view, settings } = this.picture;
     const D = settings.view === 'light-cone' ? dopplerFactor(dx, view.u, properVelocity(hit.velocity)) : 1;
-    const late = settings.speedOfLight * (claim.time - view.t) - ahead;
+    // The AOV is f32, of a world time that may be large.
+    const late = Math.max(0, Math.abs(claim.time - time) - F32 * Math.abs(time));
     return {
       right: true,
       displacement,
-      time: Math.abs(late) / length(dx),
+      time: (settings.speedOfLight * late) / length(dx),
+      depth: Math.abs(claim.depth / length(seen) - 1),
       doppler: Math.abs(claim.doppler / D - 1),
       velocity: length(sub(claim.velocity, hit.velocity)),
+      sampled: scene.objects[hit.object].motion.kind.startsWith('sampled'),
     };
   }
 
-  /** The claimed point goes on as it went: over the tiny time between the claimed and the true event that is its world line. */
-  private truth({ position, time }: Claim, beta: Vec3): Truth {
+  private truth({ position }: Claim): Truth {
     const { view, settings } = this.picture;
-    const c = settings.speedOfLight;
-    const velocity = scale(beta, c);
-    const line = { kind: 'uniform', position: addScaled(position, velocity, -time), velocity } as const;
-    const { dx, ahead } = eventOf(line, view, settings);
+    const dx = sub(position, view.position);
+    const time = view.t + delayOf(dx, view.u, settings) / settings.speedOfLight;
     const seen = rotate(conjugate(view.orientation), shownAt(dx, view.u, settings));
-    return { dx, ahead, ...this.project(seen), depth: -seen[2] };
+    return { dx, time, seen, ...this.project(seen) };
   }
 
   private project([x, y, z]: Vec3): { x: number; y: number } {
@@ -194,14 +202,10 @@ export class Judge {
   }
 }
 
-type UniformLine = Extract<Parameters<typeof pastLightCone>[0], { kind: 'uniform' }>;
-
-function eventOf(line: UniformLine, view: ViewPoint, settings: RenderSettings): { dx: Vec3; ahead: number } {
-  const c = settings.speedOfLight;
-  const seen = settings.view === 'light-cone' && settings.lightDelay ? pastLightCone(line, view, c) : undefined;
-  if (seen) return { dx: seen.offset, ahead: -seen.delay };
-  const { offset, ahead } = simultaneitySlice(line, view, settings.view === 'simultaneity' ? view.u : [0, 0, 0], c);
-  return { dx: offset, ahead };
+/** c(t − t_o) of an event at Δx on the light cone or slice that is looked at [m of light]. */
+function delayOf(dx: Vec3, u: Vec3, { view, lightDelay }: RenderSettings): number {
+  if (view === 'simultaneity') return dot(velocity(u), dx);
+  return view === 'light-cone' && lightDelay ? -length(dx) : 0;
 }
 
 /** From the observer, on the world axes that the boost carries [m]. */

@@ -13,8 +13,8 @@ export interface Order {
 }
 
 /** What is read of every pixel, one after the other, in this order. */
-const NAMES = ['object', 'position', 'emission_time', 'doppler', 'velocity', 'albedo'] as const;
-const FLOATS = 12;
+const NAMES = ['object', 'position', 'emission_time', 'depth', 'doppler', 'velocity', 'albedo'] as const;
+const FLOATS = 13;
 
 /** Makes the picture; `FLOATS` numbers for each wanted pixel. */
 export async function takePixels(renderer: PictureMaker, order: Order): Promise<Float32Array> {
@@ -37,6 +37,6 @@ export async function takePixels(renderer: PictureMaker, order: Order): Promise<
 
 /** What the pixel at place `k` of `takePixels` says. */
 export function claimAt(values: Float32Array, k: number): Claim {
-  const [object, x, y, z, time, doppler, vx, vy, vz, r, g, b] = values.subarray(FLOATS * k, FLOATS * (k + 1));
-  return { object, position: [x, y, z], time, doppler, velocity: [vx, vy, vz], albedo: [r, g, b] };
+  const [object, x, y, z, time, depth, doppler, vx, vy, vz, r, g, b] = values.subarray(FLOATS * k, FLOATS * (k + 1));
+  return { object, position: [x, y, z], time, depth, doppler, velocity: [vx, vy, vz], albedo: [r, g, b] };
 }

@@ -1,24 +1,36 @@
 import type { Verdict } from './judge.ts';
 
+/** What is compared at right pixels. Of sampled motions D and the velocity are apart. */
+export const MEASURES = ['time', 'depth', 'doppler', 'velocity', 'sampled doppler', 'sampled velocity'] as const;
+export type Measure = (typeof MEASURES)[number];
+
+/** What 99 % of the pixels stay below, and all. */
+export interface Spread {
+  readonly most: number;
+  readonly worst: number;
+}
+
 /** What came out for one picture, or for several together. */
 export class Tally {
   private readonly displacements: number[] = [];
-  private readonly times: number[] = [];
-  private readonly dopplers: number[] = [];
-  private readonly velocities: number[] = [];
-  private albedos = { asked: 0, unfit: 0 };
-  private wrongPixels: number[] = [];
+  private readonly errors = new Map<Measure, number[]>(MEASURES.map((name) => [name, []]));
+  private readonly wrongPixels: number[] = [];
+  private readonly albedos = { asked: 0, unfit: 0 };
   private judged = 0;
 
   add(pixel: number, verdict: Verdict): void {
     this.judged++;
-    if (!verdict.right) this.wrongPixels.push(pixel);
-    // Where an object is shown that is nowhere near, the distance says nothing.
+    // Where the event is behind the camera, the distance says nothing.
     if (Number.isFinite(verdict.displacement)) this.displacements.push(verdict.displacement);
-    if (!verdict.right) return;
-    this.times.push(verdict.time);
-    this.dopplers.push(verdict.doppler);
-    this.velocities.push(verdict.velocity);
+    if (!verdict.right) {
+      this.wrongPixels.push(pixel);
+      return;
+    }
+    const kind = verdict.sampled ? 'sampled ' : '';
+    this.errors.get('time')?.push(verdict.time);
+    this.errors.get('depth')?.push(verdict.depth);
+    this.errors.get(`${kind}doppler`)?.push(verdict.doppler);
+    this.errors.get(`${kind}velocity`)?.push(verdict.velocity);
   }
 
   addAlbedo(fits: boolean | undefined): void {
@@ -31,53 +43,36 @@ export class Tally {
   get wrong(): number {
     return this.wrongPixels.length / Math.max(1, this.judged);
   }
-  get pixels(): number {
-    return this.judged;
-  }
-  /** The first of them, to look at. */
+  /** The first of them, to look at: their places in the picture's rows. */
   get wrongPlaces(): readonly number[] {
     return this.wrongPixels.slice(0, 8);
   }
-  /** Of what is truly seen near the pixel at all [px]. */
-  get worstDisplacement(): number {
-    return worst(this.displacements);
+  /** From the pixels' centres to where what they show is truly seen [px]. */
+  get displacement(): Spread {
+    return spread(this.displacements);
   }
-  get time(): Spread {
-    return spread(this.times);
-  }
-  get doppler(): Spread {
-    return spread(this.dopplers);
-  }
-  get velocity(): Spread {
-    return spread(this.velocities);
+  error(measure: Measure): Spread {
+    return spread(this.errors.get(measure) ?? []);
   }
   get albedoUnfit(): number {
     return this.albedos.unfit / Math.max(1, this.albedos.asked);
   }
 
   line(): string {
-    const { time, doppler, velocity } = this;
-    const exponential = ({ most, worst: extreme }: Spread): string =>
-      `${most.toExponential(0)}/${extreme.toExponential(0)}`;
+    const { most, worst } = this.displacement;
+    const errors = MEASURES.map((name) => [name, this.error(name)] as const).filter(([, { worst }]) => worst > 0);
+    const exponential = (x: number): string => x.toExponential(0).replace('e-', 'e−');
     return [
-      `${this.judged} px, wrong ${(100 * this.wrong).toFixed(3)} %`,
-      `displaced 99 % ${quantile(this.displacements, 0.99).toFixed(2)} worst ${this.worstDisplacement.toFixed(2)} px`,
-      `time ${exponential(time)}, D ${exponential(doppler)}, v ${exponential(velocity)}`,
-      `albedo off ${(100 * this.albedoUnfit).toFixed(1)} %`,
-    ].join('; ');
+      `wrong ${(100 * this.wrong).toFixed(3)} % of ${this.judged}`,
+      `displaced ${most.toFixed(2)}/${worst.toFixed(2)} px`,
+      ...errors.map(([name, e]) => `${name} ${exponential(e.most)}/${exponential(e.worst)}`),
+      `albedo ${(100 * this.albedoUnfit).toFixed(1)} %`,
+    ].join(', ');
   }
 }
 
-/** What 99 % of the pixels stay below, and all. */
-export interface Spread {
-  readonly most: number;
-  readonly worst: number;
-}
-
-const worst = (values: readonly number[]): number => values.reduce((most, value) => Math.max(most, value), 0);
-const spread = (values: readonly number[]): Spread => ({ most: quantile(values, 0.99), worst: worst(values) });
-
-function quantile(values: readonly number[], share: number): number {
+function spread(values: readonly number[]): Spread {
   const sorted = [...values].sort((a, b) => a - b);
-  return sorted[Math.floor(share * (sorted.length - 1))] ?? 0;
+  const last = sorted.length - 1;
+  return { most: sorted[Math.floor(0.99 * last)] ?? 0, worst: sorted[last] ?? 0 };
 }
