@@ -1,9 +1,13 @@
+import { lerp, type Vec3 } from '../math/vec3.ts';
 import { toneMap } from '../spectrum/toneMap.ts';
 import { cameraRay } from './camera.ts';
+import { groundGrid } from './grid.ts';
 import { radiance } from './path.ts';
 import { pixelSequence } from './sequence.ts';
 import type { Tile, TileRequest } from './tile.ts';
 import type { TracedScene } from './trace.ts';
+import type { SpacetimeRay } from './types.ts';
+import { visibleHit } from './visible.ts';
 
 /** Where the means of a tile's samples go, 3 values per pixel; what is absent is not wanted. */
 export interface Means {
@@ -18,6 +22,7 @@ export interface Means {
  */
 export function fillBeauty(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: Tile, means: Means): void {
   const { view, settings, width, height, samples: n, seed, light } = request;
+  const show = display(scene, request);
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
       const numbers = pixelSequence(seed, x, y);
@@ -25,9 +30,10 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, { x0, y0, x
       for (let i = 0; i < n * n; i++) {
         const random = numbers(i);
         const [right, down] = n === 1 ? [0.5, 0.5] : [random(), random()];
-        const ray = cameraRay(view, settings, x + right, y + down, width, height);
+        const [px, py] = [x + right, y + down];
+        const ray = cameraRay(view, settings, px, py, width, height);
         const arrived = radiance(scene, ray, view, settings, light, random);
-        const shown = toneMap(arrived, settings.exposure);
+        const shown = show(arrived, ray, px, py);
         for (let k = 0; k < 3; k++) {
           sums[k] += arrived[k] / (n * n);
           sums[3 + k] += shown[k] / (n * n);
@@ -37,4 +43,19 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, { x0, y0, x
       means.beauty?.set(sums.slice(0, 3), pixel);
       means.picture?.set(sums.slice(3), pixel);
     }
+}
+
+/** What a screen shows of the light that arrives along the ray of a point of the picture: tone mapped, with the grid over it. */
+function display(
+  scene: TracedScene,
+  request: TileRequest,
+): (light: Vec3, ray: SpacetimeRay, x: number, y: number) => Vec3 {
+  const { settings, view, width, height } = request;
+  if (!settings.grid) return (light) => toneMap(light, settings.exposure);
+  const grid = groundGrid(scene, view, width, height);
+  return (light, ray, x, y) => {
+    const depth = visibleHit(scene, ray)?.s ?? Number.POSITIVE_INFINITY;
+    const { color, cover } = grid(x, y, depth);
+    return lerp(toneMap(light, settings.exposure), color, cover);
+  };
 }

@@ -17,13 +17,24 @@ export function cameraRay(
   width: number,
   height: number,
 ): SpacetimeRay {
-  const tan = Math.tan(view.fovY / 2);
-  const right = ((2 * x) / width - 1) * tan * (width / height);
-  const up = (1 - (2 * y) / height) * tan;
-  return rayToward(view, settings, normalize(rotate(view.orientation, [right, up, -1])));
+  return rayToward(view, settings, directionAt(view, x, y, width, height));
 }
 
-/** The ray of a direction n′: unit, observer's frame, on the world's axes carried by the pure boost. */
+/** n′ of a point of the picture: unit, observer's frame, on the world's axes carried by the pure boost. */
+export function directionAt(
+  { orientation, fovY }: ViewPoint,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): Vec3 {
+  const tan = Math.tan(fovY / 2);
+  const right = ((2 * x) / width - 1) * tan * (width / height);
+  const up = (1 - (2 * y) / height) * tan;
+  return normalize(rotate(orientation, [right, up, -1]));
+}
+
+/** The ray of a direction n′. */
 export function rayToward({ t, position, u }: ViewPoint, settings: RenderSettings, n: Vec3): SpacetimeRay {
   if (settings.view === 'simultaneity') {
     // The events (0, s n′) of the observer's frame.

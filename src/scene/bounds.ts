@@ -40,6 +40,14 @@ export function boundingSphere(points: ArrayLike<number>): Sphere {
   return { center, radius };
 }
 
+/** Half the diagonal of the box of spheres [m]; 1 m of none. */
+export function halfDiagonal(spheres: readonly Sphere[]): number {
+  const box = boundingBox(
+    spheres.flatMap(({ center, radius }) => [-radius, radius].flatMap((side) => center.map((x) => x + side))),
+  );
+  return box ? distance(box.min, box.max) / 2 : 1;
+}
+
 /** The box of all that exists at world time t [s]; undefined where nothing does. c [m/s]. */
 export function sceneBounds(scene: Scene, t: number, c: number): Box | undefined {
   const corners: number[] = [];
