@@ -1,5 +1,6 @@
 // `npm run pictures`: renders the pictures that README and docs show, and the gallery's thumbnails, with the program's own
-// command line. `npm run pictures -- street` makes those of some scenes.
+// command line. `npm run pictures -- street` makes those of some scenes. The comparisons of docs/guide/comparing.md are made with
+// `npm run pictures -- compare` only, since the reference renderer takes its time.
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './setup.mjs';
@@ -24,6 +25,20 @@ const pictures = [
   ['dice', 'dice-seen', []],
   ['dice', 'dice-there', ['--view', 'simultaneity']],
 ];
+/** Scene, name of the picture, format that is compared, flags of both, flags of the rasterizer and of `compare`. */
+const there = ['--aov', 'position,object'];
+const comparisons = [
+  ['wheel', 'compare-flip', 'png', ['--size', '256x144', '--samples', '6'], [], ['--triptych']],
+  [
+    'street',
+    'compare-moved',
+    'exr',
+    ['--time', '6.5', '--beta', '0,0,-0.9', ...there],
+    [],
+    ['--metric', 'aov', '--max', '0.5'],
+  ],
+  ['dice', 'compare-newton', 'exr', there, ['--solver', 'newton', '--iterations', '2'], ['--metric', 'aov']],
+];
 
 try {
   checkNode();
@@ -37,6 +52,7 @@ try {
     if (chosen(scene)) render(scene, `examples/thumbnails/${scene}.png`, ['--size', '480x270', ...flags]);
   for (const [scene, name, flags] of pictures)
     if (chosen(scene)) render(scene, `docs/pictures/${name}.png`, ['--size', '960x540', ...flags]);
+  if (wanted.includes('compare')) for (const comparison of comparisons) compare(...comparison);
 } catch (error) {
   if (!(error instanceof SetupError)) throw error;
   console.error(`\nnpm run pictures: ${error.message}`);
@@ -44,14 +60,21 @@ try {
 }
 
 function render(scene, out, flags) {
-  run(process.execPath, [
-    join(root, 'bin/slowlight.js'),
-    'render',
-    `examples/${scene}.usda`,
-    '-o',
-    out,
-    '--samples',
-    '3',
-    ...flags,
-  ]);
+  slowlight('render', `examples/${scene}.usda`, '-o', out, '--samples', '3', ...flags);
+}
+
+/** The rasterizer's picture against that of the reference renderer. */
+function compare(scene, name, format, both, fast, how) {
+  mkdirSync(join(root, '.cache/compare'), { recursive: true });
+  const [a, b] = ['raster', 'reference'].map((pipeline) => {
+    const out = `.cache/compare/${name}-${pipeline}.${format}`;
+    const flags = pipeline === 'raster' ? fast : [];
+    render(scene, out, ['--size', '480x270', '--pipeline', pipeline, ...both, ...flags]);
+    return out;
+  });
+  slowlight('compare', a, b, '-o', `docs/pictures/${name}.png`, ...how);
+}
+
+function slowlight(...args) {
+  run(process.execPath, [join(root, 'bin/slowlight.js'), ...args]);
 }

@@ -41,11 +41,10 @@ const noMap = (): CliError =>
 
 function drawn(a: PictureFile, b: PictureFile, { title, errors, max }: ErrorPicture, flags: CompareFlags): Uint8Array {
   const map = errorMap(errors, a.width, a.height, max);
-  const before = [
-    { picture: toShow(a, flags.exposure), caption: 'A' },
-    { picture: toShow(b, flags.exposure), caption: 'B' },
-  ];
-  const pictures = flags.triptych ? [...before, { picture: map, caption: 'ERROR' }] : [{ picture: map }];
+  const shown = (picture: PictureFile, caption: string) => ({ picture: toShow(picture, flags.exposure), caption });
+  const pictures = flags.triptych
+    ? [shown(a, 'A'), shown(b, 'B'), { picture: map, caption: `ERROR: ${title}` }]
+    : [{ picture: map }];
   const { width, height, pixels } = sheet(pictures, { title, max });
   return encodePng(width, height, pixels);
 }

@@ -67,7 +67,7 @@ function displacementRows(found: NonNullable<AovFindings['displacement']>): stri
     ['displacement', `mean ${number(mean)} px, 99 % at most ${number(p99)} px, largest ${number(max)} px`],
     [
       `beyond ${threshold} px`,
-      `${percent(share)} of ${measured + lost} pixels; ${lost} of them have nothing like it within a pixel`,
+      `${percent(share)} of ${measured + lost} pixels; of these without a counterpart within a pixel: ${lost}`,
     ],
   ];
 }

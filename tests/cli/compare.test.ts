@@ -42,6 +42,7 @@ const wall = (shift: number): ExrChannel[] => [
 ];
 const light = (gain: number): ExrChannel[] =>
   ['R', 'G', 'B'].map((name, k) => channel(name, (x, y) => gain * (1 + k + x + 2 * y)));
+const aovTo = (map: string): string[] => ['--metric', 'aov', '-o', map];
 
 const a = png('a.png', 10);
 const b = png('b.png', 12);
@@ -114,6 +115,22 @@ test('compares channels, and tells how far what is seen is displaced', async () 
   expect(out).toMatch(/displacement +mean 2 px/);
   expect(out).toMatch(/R above 0 +100 % of the pixels/);
   expect(out).toMatch(/only in A +doppler/);
+});
+
+test('data without light are compared and drawn', async () => {
+  const map = place('data.png');
+  const { code, err } = await slowlight('compare', ...[exr('p.exr', wall(1)), exr('q.exr', wall(0))], ...aovTo(map));
+  expect(code, err).toBe(0);
+  expect(decodeImage(readFileSync(map), map).height).toBeGreaterThan(height);
+  const { code: refused, err: why } = await slowlight(
+    'compare',
+    place('p.exr'),
+    place('q.exr'),
+    ...aovTo(map),
+    '--triptych',
+  );
+  expect(refused).toBe(3);
+  expect(why).toContain('has no channel R');
 });
 
 test('light of any brightness is compared at the exposures that it needs', async () => {

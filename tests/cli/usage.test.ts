@@ -9,7 +9,7 @@ const movers = scene('movers.usda');
 test('help and version', async () => {
   const help = await slowlight('--help');
   expect(help.code).toBe(0);
-  for (const word of ['render', 'probe', 'inspect', 'serve', '130']) expect(help.out).toContain(word);
+  for (const word of ['render', 'probe', 'inspect', 'compare', 'serve', '130']) expect(help.out).toContain(word);
   const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8')) as {
     version: string;
   };

@@ -31,16 +31,16 @@ export function sheet(
   const gap = 2 * size;
   const line = textHeight(size) + 6 * size;
   const top = pictures.some(({ caption }) => caption) ? line : 0;
-  const bar = legendBar(Math.max(first.width, leastWidth(legend, size)), size, legend);
-  const columns = pictures.length;
-  const wide = Math.max(first.width, bar.width) * columns + gap * (columns - 1);
+  const column = Math.max(first.width, Math.ceil(leastWidth(legend, size) / pictures.length));
+  const wide = column * pictures.length + gap * (pictures.length - 1);
+  const bar = legendBar(wide, size, legend);
   const made = canvas(wide, top + first.height + bar.height, GROUND);
   pictures.forEach(({ picture, caption = '' }, n) => {
-    const x = n * (Math.max(first.width, bar.width) + gap);
+    const x = n * (column + gap);
     write(made, caption, x + 3 * size, 3 * size, size, INK);
     paste(made, picture, x, top);
   });
-  paste(made, bar, wide - bar.width, top + first.height);
+  paste(made, bar, 0, top + first.height);
   return made;
 }
 
