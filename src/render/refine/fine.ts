@@ -1,6 +1,7 @@
 import { EdgeCriterion } from './criterion.ts';
 import { LEAF_FLOATS, MOST_LEVEL, packLevels } from './leaf.ts';
 import type { Gauge } from './look.ts';
+import { patternOf } from './pattern.ts';
 import { POINT, type Shown } from './shown.ts';
 
 /** Finds the levels of leaves' edges, each from the edge alone. */
@@ -9,9 +10,9 @@ export class Fine {
   private readonly criterion: EdgeCriterion;
   private readonly points = new Float64Array(3 * POINT);
   private triangle = -1;
-  /** Of the last leaf: those of its edges, packed, and the highest, which is that of its interior. */
+  /** Of the last leaf: those of its edges, packed, and its pattern. */
   levels = 0;
-  interior = 0;
+  pattern = 0;
 
   constructor(shown: Shown, gauge: Gauge) {
     this.shown = shown;
@@ -33,7 +34,7 @@ export class Fine {
     }
     const [l01, l12, l20] = [this.level(0, POINT), this.level(POINT, 2 * POINT), this.level(2 * POINT, 0)];
     this.levels = packLevels(l01, l12, l20);
-    this.interior = Math.max(l01, l12, l20);
+    this.pattern = patternOf(Math.max(l01, l12, l20), Math.min(l01, l12, l20));
   }
 
   private level(a: number, b: number): number {

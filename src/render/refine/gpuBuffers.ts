@@ -3,9 +3,10 @@ import { IndirectStorageBufferAttribute, type Node, StorageBufferAttribute } fro
 import type { Int } from '../../shaders/types.ts';
 import type { ShaderLeaf } from './gpuLeaf.ts';
 import { type IndexRun, patternTriangles } from './gpuPatterns.ts';
-import { LEAF_FLOATS, MOST_LEVEL } from './leaf.ts';
+import { LEAF_FLOATS } from './leaf.ts';
+import { PATTERNS } from './pattern.ts';
 
-const LEVELS = MOST_LEVEL + 1;
+const LISTS = PATTERNS.length;
 /** Numbers of an indexed indirect draw: indices, instances, first index, base vertex, first instance. */
 const DRAW = 5;
 const INSTANCES = 1;
@@ -15,21 +16,20 @@ const LEAST_ROOM = 1024;
 
 type Uint = Node<'uint'>;
 
-/** Where the leaves of a batch are in a picture; its list of the level L begins at LEVELS · first + L · count. */
+/** Where the leaves of a batch are in a picture; the list of its k-th pattern begins at LISTS · first + k · count. */
 export interface LeafRun<T = number> {
   readonly first: T;
   readonly count: T;
 }
 
-const place = (run: LeafRun<Uint>, level: Int): Uint =>
-  run.first.mul(uint(LEVELS)).add(run.count.mul(uint(level))) as Uint;
+const place = (run: LeafRun<Uint>, pattern: Int): Uint =>
+  run.first.mul(uint(LISTS)).add(run.count.mul(uint(pattern))) as Uint;
 
 /**
- * The leaves of a picture on the GPU, of all batches one after another, and for each batch (`slot`) and level a list of its leaves of that
- * level, with an indirect draw whose instances are the list's entries. The last of a leaf's floats is its batch's slot.
+ * The leaves of a picture on the GPU, of all batches one after another, and for each batch (`slot`) and pattern a list of its leaves, with an indirect draw whose instances are the list's entries. The last of a leaf's floats is its batch's slot.
  */
 export class LeafBuffers {
-  /** Of batch after batch, a draw per level. */
+  /** Of batch after batch, a draw per pattern. */
   readonly draws: IndirectStorageBufferAttribute;
   private readonly runs: StorageBufferAttribute;
   private leaves = leafBuffer(LEAST_ROOM);
@@ -40,11 +40,11 @@ export class LeafBuffers {
   private readonly runsRead;
   private readonly drawsCounted;
 
-  /** `patterns`: where each level's triangles are in the index buffer that is drawn with. */
+  /** `patterns`: where each pattern's triangles are in the index buffer that is drawn with. */
   constructor(batches: number, patterns: readonly IndexRun[]) {
-    const draws = new Uint32Array(DRAW * LEVELS * batches);
-    for (let i = 0; i < LEVELS * batches; i++) {
-      const { first, count } = patterns[i % LEVELS];
+    const draws = new Uint32Array(DRAW * LISTS * batches);
+    for (let i = 0; i < LISTS * batches; i++) {
+      const { first, count } = patterns[i % LISTS];
       draws.set([count, 0, first, 0, 0], DRAW * i);
     }
     this.draws = new IndirectStorageBufferAttribute(draws, DRAW);
@@ -55,7 +55,7 @@ export class LeafBuffers {
 
   /** Byte offsets of a batch's draws. */
   offsets(slot: number): number[] {
-    return Array.from({ length: LEVELS }, (_, level) => 4 * DRAW * (LEVELS * slot + level));
+    return Array.from({ length: LISTS }, (_, pattern) => 4 * DRAW * (LISTS * slot + pattern));
   }
 
   /** Begins a picture with so many leaves; all lists are empty. */
@@ -88,17 +88,17 @@ export class LeafBuffers {
   }
 
   /** In a kernel: adds a leaf to its list. `slot`: the last of its floats. */
-  enlist(index: Uint, slot: Int, levels: Int, interior: Int): void {
+  enlist(index: Uint, slot: Int, levels: Int, pattern: Int): void {
     const run = this.runsRead.element(slot).toVar();
-    const draw = slot.mul(int(LEVELS)).add(interior).mul(int(DRAW));
+    const draw = slot.mul(int(LISTS)).add(pattern).mul(int(DRAW));
     const before = atomicAdd(this.drawsCounted.element(draw.add(int(INSTANCES))), uint(1));
-    const at = place({ first: run.x, count: run.y }, interior).add(before);
+    const at = place({ first: run.x, count: run.y }, pattern).add(before);
     this.listWritten.element(at).assign(index.shiftLeft(uint(LEVEL_BITS)).bitOr(uint(levels)));
   }
 
   /** In a vertex stage: the leaf of an instance. */
-  listed(run: LeafRun<Uint>, level: Int, instance: Uint): ShaderLeaf {
-    const entry = this.listRead.element(place(run, level).add(instance)).toVar();
+  listed(run: LeafRun<Uint>, pattern: Int, instance: Uint): ShaderLeaf {
+    const entry = this.listRead.element(place(run, pattern).add(instance)).toVar();
     const levels = int(entry.bitAnd(uint((1 << LEVEL_BITS) - 1))).toVar();
     return { ...this.leaf(entry.shiftRight(uint(LEVEL_BITS)).toVar()), levels };
   }
@@ -106,7 +106,7 @@ export class LeafBuffers {
   /** Of the draws, as they were read back. */
   static triangles(draws: Uint32Array): number {
     let sum = 0;
-    for (let i = 0; i < draws.length / DRAW; i++) sum += draws[DRAW * i + INSTANCES] * patternTriangles(i % LEVELS);
+    for (let i = 0; i < draws.length / DRAW; i++) sum += draws[DRAW * i + INSTANCES] * patternTriangles(i % LISTS);
     return sum;
   }
 
@@ -127,4 +127,4 @@ export class LeafBuffers {
 }
 
 const leafBuffer = (room: number) => new StorageBufferAttribute(new Float32Array(LEAF_FLOATS * room), 4);
-const listBuffer = (room: number) => new StorageBufferAttribute(new Uint32Array(LEVELS * room), 1);
+const listBuffer = (room: number) => new StorageBufferAttribute(new Uint32Array(LISTS * room), 1);

@@ -31,14 +31,14 @@ export class EdgeGauge {
   }
 }
 
-/** Levels of a leaf's three edges, packed, and the highest; `show` tells where the point with some weights of the triangle's corners is seen. */
+/** Levels of a leaf's three edges, packed, and its pattern; `show` tells where the point with some weights of the triangle's corners is seen. */
 export function leafLevels(
   corners: readonly [Vec3, Vec3, Vec3],
   show: (weights: Vec3) => ShownPoint,
   gauge: EdgeGauge,
-): { levels: Int; interior: Int } {
+): { levels: Int; pattern: Int } {
   const levels = int(0).toVar();
-  const interior = int(0).toVar();
+  const [most, least] = [int(0).toVar(), int(MOST_LEVEL).toVar()];
   Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
     const edge = int(i).toVar();
     const of = (k: number) => {
@@ -47,9 +47,16 @@ export function leafLevels(
     };
     const level = edgeLevel(of(0).toVar(), of(1).toVar(), show, gauge);
     levels.addAssign(level.shiftLeft(edge.mul(int(3))));
-    interior.assign(select(level.greaterThan(interior), level, interior));
+    most.assign(select(level.greaterThan(most), level, most));
+    least.assign(select(level.lessThan(least), level, least));
   });
-  return { levels, interior };
+  // As patternOf.
+  const pattern = most
+    .mul(most.add(int(1)))
+    .shiftRight(int(1))
+    .add(least)
+    .toVar();
+  return { levels, pattern };
 }
 
 /**

@@ -10,12 +10,13 @@ import type { VertexInput } from '../vertexInput.ts';
 import type { Corners } from './gpuCorners.ts';
 import { weightsAt } from './gpuLeaf.ts';
 import { patternGeometry, patternTriangles } from './gpuPatterns.ts';
-import { LEAF_FLOATS, type LeafList, MOST_LEVEL } from './leaf.ts';
+import { LEAF_FLOATS, type LeafList } from './leaf.ts';
+import { PATTERNS } from './pattern.ts';
 import type { Levelled } from './plan.ts';
 
 const LEAST_ROOM = 64;
 
-/** The leaves of one batch with levels found on the CPU: per level a pattern, drawn once for each leaf. */
+/** The leaves of one batch with levels found on the CPU: each pattern is drawn once for each leaf. */
 export class InstancedPieces {
   readonly drawables: readonly Drawable[];
   private readonly rooms: InstanceRoom[];
@@ -25,12 +26,12 @@ export class InstancedPieces {
       const place = attribute<'vec3'>('position', 'vec3');
       const head = attribute<'vec4'>('head', 'vec4');
       const tail = attribute<'vec4'>('tail', 'vec4');
-      const weights = weightsAt({ head, tail, levels: int(tail.w).toVar() }, int(place.x), int(place.y));
+      const weights = weightsAt({ head, tail, levels: int(tail.w).toVar() }, place.x, place.y);
       return corners.point(int(head.x), weights, indexed.batch.kind, indexed.surface.colored);
     };
     const sources = { ...indexed, vertex: { ...indexed.vertex, vertex } };
-    this.rooms = Array.from({ length: MOST_LEVEL + 1 }, (_, level) => new InstanceRoom(level));
-    // One shader for all levels, so one set of materials.
+    this.rooms = PATTERNS.map((_, pattern) => new InstanceRoom(pattern));
+    // One shader for all patterns, so one set of materials.
     const materials: Drawable['materials'] = new Map();
     this.drawables = this.rooms.map(({ geometry }) => ({ ...makeDrawable(geometry, sources), materials }));
     this.hide();
@@ -39,12 +40,12 @@ export class InstancedPieces {
   /** `firstTriangle` is added to the leaves' triangles. Tells how many triangles that makes. */
   show(levels: Levelled, firstTriangle: number): number {
     let triangles = 0;
-    this.drawables.forEach(({ mesh }, level) => {
-      const leaves = levels[level];
+    this.drawables.forEach(({ mesh }, pattern) => {
+      const leaves = levels[pattern];
       mesh.visible = leaves.count > 0;
       if (leaves.count === 0) return;
-      mesh.geometry = this.rooms[level].fill(leaves, firstTriangle);
-      triangles += leaves.count * patternTriangles(level);
+      mesh.geometry = this.rooms[pattern].fill(leaves, firstTriangle);
+      triangles += leaves.count * patternTriangles(pattern);
     });
     return triangles;
   }
@@ -60,8 +61,8 @@ class InstanceRoom {
   private readonly pattern: BufferGeometry;
   private buffer: InstancedInterleavedBuffer;
 
-  constructor(level: number) {
-    this.pattern = patternGeometry([level]).geometry;
+  constructor(pattern: number) {
+    this.pattern = patternGeometry([pattern]).geometry;
     this.buffer = leafBuffer(LEAST_ROOM);
     this.geometry = instanced(this.pattern, this.buffer);
   }

@@ -1,9 +1,8 @@
-import { If, int, vec3 } from 'three/tsl';
-import type { Int, Vec3, Vec4 } from '../../shaders/types.ts';
+import { float, If, int, select, vec3 } from 'three/tsl';
+import type { Node } from 'three/webgpu';
+import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
 import { MOST_LEVEL } from './leaf.ts';
-
-/** Places in a pattern count in pieces of the finest one, so that levels can be compared. */
-export const STEPS = 1 << MOST_LEVEL;
+import { STEPS } from './pattern.ts';
 
 /** A leaf as shaders have it: its eight floats, and its edges' levels as packLevels made them. */
 export interface ShaderLeaf {
@@ -22,28 +21,37 @@ export const cornerWeights = (head: Vec4, tail: Vec4): readonly [Vec3, Vec3, Vec
 const whole = (second: Vec4['x'], third: Vec4['x']): Vec3 => vec3(second.oneMinus().sub(third), second, third);
 
 /**
- * Weights of the triangle's corners at the place (i, j) of a leaf's pattern, in pieces of the finest one.
- * A place on an edge that has fewer pieces than the pattern goes to one of the edge's own (pattern.ts).
- * Exact: weights are multiples of 2^−20 and places of 2^−4.
+ * Weights of the triangle's corners at the place (i, j) of a leaf's pattern (pattern.ts). A place on an edge that has fewer pieces than the
+ * pattern goes to one of the edge's own. Exact on edges: weights are multiples of 2^−20 and places of 2^−4.
  */
-export function weightsAt({ head, tail, levels }: ShaderLeaf, i: Int, j: Int): Vec3 {
+export function weightsAt({ head, tail, levels }: ShaderLeaf, i: Float, j: Float): Vec3 {
+  const [l01, l12, l20] = [0, 3, 6].map((shift) => levels.shiftRight(int(shift)).bitAnd(int(7)).toVar());
+  const [w0, w1, w2] = cornerWeights(head, tail);
+  // As apexOf.
+  const first = l01.lessThanEqual(l12).and(l01.lessThanEqual(l20)).toVar();
+  const second = l12.lessThanEqual(l20).toVar();
+  const turned = <T extends 'int' | 'vec3'>(at0: Node<T>, at1: Node<T>, at2: Node<T>) =>
+    select(first, at2, select(second, at0, at1)) as Node<T>;
+  const base = turned(l12, l20, l01).toVar();
   const c1 = i.toVar();
   const c2 = j.toVar();
-  const c0 = int(STEPS).sub(i).sub(j).toVar();
-  const snap = (from: Int, to: Int, edge: Int): void => {
-    const shift = int(MOST_LEVEL)
-      .sub(edge.bitAnd(int(7)))
-      .toVar();
-    const half = int(1).shiftLeft(shift).sub(int(1)).shiftRight(int(1));
-    to.assign(to.add(half).shiftRight(shift).shiftLeft(shift));
-    from.assign(int(STEPS).sub(to));
-  };
-  If(c2.equal(int(0)), () => snap(c0, c1, levels))
-    .ElseIf(c0.equal(int(0)), () => snap(c1, c2, levels.shiftRight(int(3))))
-    .ElseIf(c1.equal(int(0)), () => snap(c2, c0, levels.shiftRight(int(6))));
-  const share = vec3(c0, c1, c2)
-    .mul(1 / STEPS)
+  If(j.equal(0), () => {
+    c1.assign(snapped(i, turned(l01, l12, l20), base));
+  }).ElseIf(i.equal(0), () => {
+    c2.assign(snapped(j, turned(l20, l01, l12), base));
+  });
+  const [b, c] = [c1.mul(1 / STEPS).toVar(), c2.mul(1 / STEPS).toVar()];
+  return turned(w0, w1, w2)
+    .mul(b.add(c).oneMinus())
+    .add(turned(w1, w2, w0).mul(b))
+    .add(turned(w2, w0, w1).mul(c))
     .toVar();
-  const [w0, w1, w2] = cornerWeights(head, tail);
-  return w0.mul(share.x).add(w1.mul(share.y)).add(w2.mul(share.z)).toVar();
+}
+
+/** As its namesake in pattern.ts. */
+function snapped(k: Float, level: Int, base: Int): Float {
+  const shift = int(MOST_LEVEL).sub(level).toVar();
+  const single = k.lessThanEqual(float(int(STEPS).shiftRight(base)));
+  const up = select(single, int(1).shiftLeft(shift).sub(int(1)), int(0));
+  return float(int(k).add(up).shiftRight(shift).shiftLeft(shift));
 }

@@ -27,7 +27,7 @@ interface Kernel {
   readonly first: { value: number };
 }
 
-/** On WebGPU: kernels that find the levels of each leaf's edges, each from the edge alone, and put the leaf into the list of the highest. */
+/** On WebGPU: kernels that find the levels of each leaf's edges, each from the edge alone, and put the leaf into the list of its pattern. */
 export class GpuLevels {
   private readonly renderer: WebGPURenderer;
   private readonly corners: Corners;
@@ -92,8 +92,8 @@ export class GpuLevels {
       const triangle = int(head.x).toVar();
       const show = (weights: Vec3) =>
         shownPoint(sources, projection, corners.point(triangle, weights, sources.kind, false));
-      const { levels, interior } = leafLevels(cornerWeights(head, tail), show, gauge);
-      buffers.enlist(index, int(tail.w).toVar(), levels, interior);
+      const { levels, pattern } = leafLevels(cornerWeights(head, tail), show, gauge);
+      buffers.enlist(index, int(tail.w).toVar(), levels, pattern);
     })().compute(1);
     return { node, first };
   }

@@ -6,13 +6,13 @@ import type { LeafBuffers, LeafRun } from './gpuBuffers.ts';
 import type { Corners } from './gpuCorners.ts';
 import { weightsAt } from './gpuLeaf.ts';
 
-/** The leaves of one batch, drawn from the lists that a kernel filled (gpuLevels.ts): one indirect draw per level. */
+/** The leaves of one batch, drawn from the lists that a kernel filled (gpuLevels.ts): one indirect draw per pattern. */
 export class ListedPieces {
   readonly drawables: readonly Drawable[];
   private readonly first = uniform(0, 'uint');
   private readonly count = uniform(0, 'uint');
 
-  /** `patterns`: of all levels, as gpuPatterns.ts makes them. */
+  /** `patterns`: all, as gpuPatterns.ts makes them. */
   constructor(indexed: Drawable, slot: number, patterns: BufferGeometry, corners: Corners, buffers: LeafBuffers) {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', patterns.getAttribute('position') as BufferAttribute);
@@ -22,7 +22,7 @@ export class ListedPieces {
     const vertex = (): VertexInput => {
       const place = attribute<'vec3'>('position', 'vec3');
       const leaf = buffers.listed({ first, count }, int(place.z), instanceIndex);
-      const weights = weightsAt(leaf, int(place.x), int(place.y));
+      const weights = weightsAt(leaf, place.x, place.y);
       return corners.point(int(leaf.head.x), weights, indexed.batch.kind, indexed.surface.colored);
     };
     this.drawables = [makeDrawable(geometry, { ...indexed, vertex: { ...indexed.vertex, vertex } })];

@@ -3,9 +3,8 @@ import { BufferAttribute, BufferGeometry } from 'three/webgpu';
 import { type Drawable, makeDrawable } from '../drawable.ts';
 import type { VertexInput } from '../vertexInput.ts';
 import type { Corners } from './gpuCorners.ts';
-import { STEPS } from './gpuLeaf.ts';
-import { cutPattern } from './gpuPatterns.ts';
 import { LEAF_FLOATS } from './leaf.ts';
+import { cutLeaf } from './pattern.ts';
 import type { Levelled } from './plan.ts';
 
 /** Numbers per vertex: triangle, and the weights of its second and third corner. */
@@ -45,9 +44,9 @@ export class OrderedPieces {
   }
 
   private addLeaf([triangle, w01, w02, w11, w12, w21, w22, levels]: Float32Array, firstTriangle: number): void {
-    const places = cutPattern(levels);
+    const places = cutLeaf(levels);
     for (let v = 0; v < places.length; v += 2) {
-      const [f1, f2] = [places[v] / STEPS, places[v + 1] / STEPS];
+      const [f1, f2] = [places[v], places[v + 1]];
       const f0 = 1 - f1 - f2;
       this.add(triangle + firstTriangle, w01 * f0 + w11 * f1 + w21 * f2, w02 * f0 + w12 * f1 + w22 * f2);
     }

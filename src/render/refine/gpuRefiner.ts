@@ -8,7 +8,7 @@ import { InstancedPieces } from './gpuInstanced.ts';
 import { GpuLevels, type LeafRequest } from './gpuLevels.ts';
 import { ListedPieces } from './gpuListed.ts';
 import { OrderedPieces } from './gpuOrdered.ts';
-import { ALL_LEVELS, patternGeometry } from './gpuPatterns.ts';
+import { ALL_PATTERNS, patternGeometry } from './gpuPatterns.ts';
 import type { Look } from './look.ts';
 import { type Plan, planPicture, Refinement } from './plan.ts';
 
@@ -38,7 +38,7 @@ export class Refiner {
   private readonly parts: readonly Part[];
   private readonly addDrawable: (drawable: Drawable) => void;
   private readonly corners = new Corners();
-  private readonly patterns = patternGeometry(ALL_LEVELS);
+  private readonly patterns = patternGeometry(ALL_PATTERNS);
   private readonly buffers: LeafBuffers;
   private readonly levels: GpuLevels;
   /** Triangles of the last picture, as far as they are known here, and those that a kernel listed. */

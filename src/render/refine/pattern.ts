@@ -1,38 +1,123 @@
 import { MOST_LEVEL } from './leaf.ts';
 
+/** Places in a pattern count in pieces of the finest one. */
+export const STEPS = 1 << MOST_LEVEL;
+
 /**
- * How the interior of a leaf of one level is divided: (n + 1)(n + 2)/2 vertices in rows along the edge 0–1 and n² triangles, n = 2^level.
- * The place of a vertex is (i, j)/n, its weights of the leaf's corners 1 and 2; corner 0 has what is left.
+ * How a leaf is divided whose edges have at most n = 2^level pieces and at least 2^base. The edge with the fewest is its base; rows run from the apex
+ * across from it down to it, the i-th at the share i/n. A place (i, j) has i + j STEPS-ths of the way from the apex to the base, j of them along the edge
+ * that ends at the base's second corner.
+ *
+ * Where all edges have n pieces, the i-th row has i. Else it has 2^base at the base and half as many as often as it is half as long, so that a
+ * sliver is one strip.
  */
 export interface Pattern {
   readonly level: number;
   /** (i, j) per vertex. */
-  readonly places: Uint8Array;
+  readonly places: Float32Array;
   readonly indices: Uint16Array;
 }
 
-function makePattern(level: number): Pattern {
+export const patternOf = (level: number, base: number): number => (level * (level + 1)) / 2 + base;
+
+export const PATTERNS: readonly Pattern[] = Array.from({ length: MOST_LEVEL + 1 }, (_, level) =>
+  Array.from({ length: level + 1 }, (_, base) => makePattern(level, base)),
+).flat();
+
+function makePattern(level: number, base: number): Pattern {
   const n = 1 << level;
   const places: number[] = [];
   const indices: number[] = [];
-  const first = (j: number) => j * (n + 1) - (j * (j - 1)) / 2;
-  for (let j = 0; j <= n; j++) for (let i = 0; i + j <= n; i++) places.push(i, j);
-  for (let j = 0; j < n; j++)
-    for (let i = 0; i + j < n; i++) {
-      const [a, b] = [first(j) + i, first(j + 1) + i];
-      indices.push(a, a + 1, b);
-      if (i + j + 1 < n) indices.push(a + 1, b + 1, b);
+  let above = { first: 0, pieces: 0 };
+  for (let row = 0; row <= n; row++) {
+    const here = { first: places.length / 2, pieces: piecesOfRow(row, level, base) };
+    for (let k = 0; k <= here.pieces; k++) {
+      const j = here.pieces > 0 ? (((STEPS / n) * row) / here.pieces) * k : 0;
+      places.push((STEPS / n) * row - j, j);
     }
-  return { level, places: Uint8Array.from(places), indices: Uint16Array.from(indices) };
+    if (row > 0) zip(above, here, indices);
+    above = here;
+  }
+  return { level, places: Float32Array.from(places), indices: Uint16Array.from(indices) };
 }
 
-export const PATTERNS: readonly Pattern[] = Array.from({ length: MOST_LEVEL + 1 }, (_, level) => makePattern(level));
+function piecesOfRow(row: number, level: number, base: number): number {
+  if (base === level || row === 0) return row;
+  const long = 1 << (level - base);
+  return 1 << Math.max(0, Math.ceil(Math.log2(row / long)));
+}
+
+interface Row {
+  readonly first: number;
+  readonly pieces: number;
+}
+
+/** Triangles between two rows. */
+function zip(above: Row, below: Row, indices: number[]): void {
+  let [a, b] = [0, 0];
+  while (a < above.pieces || b < below.pieces) {
+    const [top, bottom] = [above.first + a, below.first + b];
+    if ((b + 1) * above.pieces <= (a + 1) * below.pieces) {
+      indices.push(top, bottom, bottom + 1);
+      b++;
+    } else {
+      indices.push(top, bottom, top + 1);
+      a++;
+    }
+  }
+}
 
 /**
- * A vertex at step k of n = 2^level along an edge whose own level is lower goes to the nearest of the edge's 2^edge + 1 places; in steps of n.
- * Every place is taken by some vertex, so leaves on both sides of the edge meet it at the same points, whatever their interiors.
+ * A place at k STEPS-ths from the apex along an edge of some level goes to one of the 2^level + 1 that the edge has, so that leaves on both sides of
+ * the edge meet it at the same points: in the part of the pattern that is one piece wide to the next one, else all triangles at the apex would lie
+ * in the edge across from it, and where there are vertices between the edges to the one before. Each is taken by some vertex.
  */
-export function snapped(k: number, level: number, edge: number): number {
-  const step = 1 << (level - edge);
-  return Math.floor((k + (step >> 1)) / step) * step;
+export function snapped(k: number, level: number, base: number): number {
+  const step = STEPS >> level;
+  return Math.floor((k + (k <= STEPS >> base ? step - 1 : 0)) / step) * step;
+}
+
+/** Which corner of a leaf is the apex: across from the edge of the lowest level, the first of several. */
+export function apexOf([l01, l12, l20]: readonly [number, number, number]): number {
+  const lowest = Math.min(l01, l12, l20);
+  return l01 === lowest ? 2 : l12 === lowest ? 0 : 1;
+}
+
+const cut = new Map<number, Float32Array>();
+
+/**
+ * The triangles of a leaf with such levels (packLevels): six numbers each, the weights of the leaf's corners 1 and 2 at its three vertices. The same that
+ * a shader makes of the pattern (gpuLeaf.ts), but for those that shrink to nothing.
+ */
+export function cutLeaf(levels: number): Float32Array {
+  const known = cut.get(levels) ?? makeCut([levels & 7, (levels >> 3) & 7, levels >> 6]);
+  cut.set(levels, known);
+  return known;
+}
+
+function makeCut(levels: readonly [number, number, number]): Float32Array {
+  const { places, indices } = PATTERNS[patternOf(Math.max(...levels), Math.min(...levels))];
+  const apex = apexOf(levels);
+  const out: number[] = [];
+  for (let t = 0; t < indices.length; t += 3) {
+    const corners = [0, 1, 2].map((k) => {
+      const v = 2 * indices[t + k];
+      const shares = snapPlace(
+        places[v],
+        places[v + 1],
+        [0, 1, 2].map((e) => levels[(apex + e) % 3]),
+      );
+      return [shares[(4 - apex) % 3], shares[(5 - apex) % 3]];
+    });
+    const [[ax, ay], [bx, by], [cx, cy]] = corners;
+    if ((bx - ax) * (cy - ay) !== (by - ay) * (cx - ax)) out.push(...corners.flat());
+  }
+  return Float32Array.from(out);
+}
+
+/** Weights of the apex and the base's ends; `levels` of the edges from the apex, of the base, and back to the apex. */
+function snapPlace(i: number, j: number, [first, base, second]: readonly number[]): readonly [number, number, number] {
+  const c1 = j === 0 ? snapped(i, first, base) : i;
+  const c2 = i === 0 ? snapped(j, second, base) : j;
+  return [1 - (c1 + c2) / STEPS, c1 / STEPS, c2 / STEPS];
 }

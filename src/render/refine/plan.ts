@@ -3,8 +3,9 @@ import type { Body } from '../bodies.ts';
 import { Clusters, DeformingLumps, lumpsOf, type Run, together } from './clusters.ts';
 import { Coarse } from './coarse.ts';
 import { Fine } from './fine.ts';
-import { LEAF_FLOATS, LeafList, MOST_LEVEL } from './leaf.ts';
+import { LEAF_FLOATS, LeafList } from './leaf.ts';
 import { type Gauge, gaugeOf, type Look } from './look.ts';
+import { PATTERNS } from './pattern.ts';
 import { showing, windowOf } from './showing.ts';
 import { DRAWN, type Lump, OUTSIDE, REFINED, type Shown } from './shown.ts';
 
@@ -21,7 +22,7 @@ export interface Plan {
   readonly tolerance: number;
 }
 
-/** Leaves by the level of their interiors, 0 … MOST_LEVEL, the levels of their edges filled in; valid until the next call. */
+/** Leaves by their patterns (pattern.ts), the levels of their edges filled in; valid until the next call. */
 export type Levelled = readonly LeafList[];
 
 /** One batch: its clusters, and what they need in a picture. */
@@ -35,7 +36,7 @@ export class Refinement {
   private readonly deforming: DeformingLumps | undefined;
   private readonly fates: Uint8Array;
   private readonly leaves = new LeafList();
-  private readonly levels: Levelled = Array.from({ length: MOST_LEVEL + 1 }, () => new LeafList());
+  private readonly levels: Levelled = PATTERNS.map(() => new LeafList());
 
   constructor(batch: Batch) {
     const { arrays, bodies } = batch;
@@ -79,7 +80,7 @@ export class Refinement {
         body = owner;
       }
       fine?.measure(leaves, i, indices);
-      if (fine) this.levels[fine.interior].copy(leaves, i, fine.levels);
+      if (fine) this.levels[fine.pattern].copy(leaves, i, fine.levels);
     }
     return this.levels;
   }
