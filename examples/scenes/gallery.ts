@@ -13,6 +13,8 @@ import { block, join, moved, quad, roundedBox, turned } from '../kit/parts.ts';
 /** Half width, height of the walls, half length [m]; a barrel vault above. */
 const [W, H, L] = [4.5, 4.6, 30];
 const BAY = 6;
+/** Steps of the vault, of 28, that are left open along its crown: all light comes in there. */
+const SKYLIGHT = 6;
 
 export const scene: ExampleScene = { name: 'gallery', make };
 
@@ -45,8 +47,8 @@ function make(): Scene {
   return builder.finish('gallery', hints, [from, to], [flight], lights);
 }
 
-/** The inside of a half barrel from z0 to z1: radius r about the axis at height h. */
-function vault(r: number, h: number, z0: number, z1: number, steps: number, thick = 0): Mesh {
+/** The inside of a half barrel from z0 to z1: radius r about the axis at height h, without the `open` steps round its crown. */
+function vault(r: number, h: number, z0: number, z1: number, steps: number, thick = 0, open = 0): Mesh {
   const points: number[] = [];
   const normals: number[] = [];
   const uvs: number[] = [];
@@ -59,9 +61,17 @@ function vault(r: number, h: number, z0: number, z1: number, steps: number, thic
       uvs.push((i / steps) * 4, z / 3);
     }
   }
-  for (let i = 0; i < steps; i++) faceIndices.push(2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1);
+  for (let i = 0; i < steps; i++) {
+    const isCrown = Math.abs(i + 0.5 - steps / 2) < open / 2;
+    if (!isCrown) faceIndices.push(2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2);
+  }
   const values = { normals: { per: 'point' as const, values: normals }, uvs: { per: 'point' as const, values: uvs } };
-  const { mesh } = makeMesh({ points, faceCounts: new Array<number>(steps).fill(4), faceIndices, ...values });
+  const { mesh } = makeMesh({
+    points,
+    faceCounts: new Array<number>(faceIndices.length / 4).fill(4),
+    faceIndices,
+    ...values,
+  });
   return { ...mesh, doubleSided: true };
 }
 
@@ -101,7 +111,7 @@ function room(builder: SceneBuilder): void {
     paint(block(0.4, 0.22, 2 * L, 1, [s * (W - 0.2), H - 0.22, 0]), stone),
   ]);
   builder.object('/World/Walls', [...[...sides, ...ends].map((m) => paint(m, wall)), ...panels, ...rails]);
-  builder.object('/World/Vault', [paint(vault(W, H, -L, L, 28), plaster)]);
+  builder.object('/World/Vault', [paint(vault(W, H, -L, L, 28, 0, SKYLIGHT), plaster)]);
   for (let k = 0; k <= (2 * L) / BAY; k++)
     builder.object(`/World/Arch${k}`, placePart(arch(stone), place([0, 0, -L + BAY * k])));
 }

@@ -6,7 +6,7 @@ import { pieceAt, samplePose } from '../scene/motion.ts';
 import { pointAt } from '../scene/polygons.ts';
 import type { SceneObject } from '../scene/types.ts';
 import type { Start } from './lighting.ts';
-import { cornersOf, normalsAt } from './surface.ts';
+import { cornersOf, normalsAt, sideOf, towards } from './surface.ts';
 import type { TracedScene } from './trace.ts';
 import type { Hit } from './types.ts';
 
@@ -26,7 +26,6 @@ export interface Departure extends Start {
 export function departureAt(scene: TracedScene, hit: Hit): Departure {
   const corners = cornersOf(scene, hit);
   const object = scene.objects[hit.object];
-  const facing = hit.front ? 1 : -1;
   const place = placesAt(object, hit.time);
   const normal = normalsAt(object, hit.time);
   const [a, b, c] = corners.indices.map(place);
@@ -34,7 +33,7 @@ export function departureAt(scene: TracedScene, hit: Hit): Departure {
   const here = add(add(scale(a, p), scale(b, q)), scale(c, r));
   let out: Vec3 = [0, 0, 0];
   [a, b, c].forEach((corner, k) => {
-    const n = scale(normal(corners.indices[k]), facing);
+    const n = towards(sideOf(hit), normal(corners.indices[k]));
     const under = Math.min(0, dot(sub(here, corner), n)) / Math.max(dot(n, n), 1e-12);
     out = addScaled(out, n, -under * corners.weights[k]);
   });
@@ -50,8 +49,6 @@ export const passageAt = (scene: TracedScene, hit: Hit): Departure => ({
   hit,
   side: negate(sideOf(hit)),
 });
-
-const sideOf = ({ front, normal }: Hit): Vec3 => (front ? normal : negate(normal));
 
 /** Well above the rounding of f64 of places, and of times times the surface's speed [m]. */
 function clearance({ objects, c }: TracedScene, { object, corner, position, time, velocity }: Hit): number {

@@ -135,6 +135,20 @@ describe('a sheet above a floor', () => {
   });
 });
 
+describe('a closed box', () => {
+  it('is dark inside, round or not, and also where its normals point to the wrong side', () => {
+    const options = { bounces: 2, mirrors: true, glass: false };
+    for (const shape of [box([2, 2, 2]), sphere(1, { segments: 12 })])
+      for (const sign of [1, -1]) {
+        const mesh = { ...twoSided(shape), normals: shape.normals.map((x) => sign * x) };
+        const scene = lit([{ mesh, material: lambert(0.8) }], [dome([1, 1, 1]), lamp([0, 0, 3])]);
+        const eye = { position: [0, 0.1, 0] } as const;
+        for (const n of [normalize([0.3, 0.2, 1]), normalize([1, -0.4, 0.2])])
+          expect(look(scene, eye, n, options, 64)).toEqual([0, 0, 0]);
+      }
+  });
+});
+
 describe('what is transparent or cut out', () => {
   const floor = { mesh: plane(9, 9), material: lambert(1) } as const;
   const sheet = (material: Parameters<typeof lit>[0][number]['material']) => ({

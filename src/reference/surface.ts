@@ -1,5 +1,5 @@
 import { rotate } from '../math/quat.ts';
-import { lerp, negate, normalize, type Vec3 } from '../math/vec3.ts';
+import { dot, lerp, negate, normalize, type Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { pieceAt, samplePose } from '../scene/motion.ts';
@@ -90,16 +90,22 @@ function emission({ emissive, emissiveTexture }: Material, uv: readonly [number,
 
 /**
  * The surface is a plane of events, whose normal has no time part in the rest frame: one of the world's slice loses the factor γ
- * along the motion. Where interpolated normals cancel, the triangle's own.
+ * along the motion. Where interpolated normals cancel, the triangle's own. Which side is which the triangle tells, for there are
+ * files whose normals point to the other one, and light that starts on the wrong side of a wall comes through it.
  */
 function normalAt({ objects }: TracedScene, hit: Hit, corners: Corners): Vec3 {
   const object = objects[hit.object];
   const given = blended(corners, normalsAt(object, hit.time));
   const ofWorld = 'times' in object.motion || (object.authoredIn === 'world' && object.motion.kind !== 'static');
   const rest = ofWorld ? contraction(given, properVelocity(hit.velocity)) : given;
-  const n = normalize(rest, hit.normal);
-  return hit.front ? n : negate(n);
+  return towards(sideOf(hit), normalize(rest, hit.normal));
 }
+
+/** The triangle's own normal on the side that is looked at. */
+export const sideOf = ({ front, normal }: Hit): Vec3 => (front ? normal : negate(normal));
+
+/** n or −n, whichever is on the side. */
+export const towards = (side: Vec3, n: Vec3): Vec3 => (dot(side, n) < 0 ? negate(n) : n);
 
 /** Vertex → normal as the object has it at world time t, on the world's axes, not unit. */
 export function normalsAt({ mesh, motion }: SceneObject, t: number): (vertex: number) => Vec3 {
