@@ -2,20 +2,24 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { direction, properVelocityUpTo } from '../../tests/physicsArbitraries.ts';
 import { lambert, lamp, lit, look, mirror, twoSided } from '../../tests/support/lightKit.ts';
-import { fromAxisAngle, type Quat } from '../math/quat.ts';
-import { distance, length, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { conjugate, fromAxisAngle, multiply, type Quat } from '../math/quat.ts';
+import { addScaled, distance, length, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
 import { inverseBoost, velocity } from '../physics/boost.ts';
-import { contraction } from '../physics/simultaneity.ts';
+import { addVelocities, wignerRotation } from '../physics/velocity.ts';
 import { makeMaterial } from '../scene/defaults.ts';
 import { box, plane, sphere } from '../scene/primitives.ts';
 import type { Material, Mesh, UniformMotion } from '../scene/types.ts';
 
-/** What rests at `position` in the frame that moves with u, as the world has it; c = 1 m/s. */
-const carried = (position: Vec3, orientation: Quat, u: Vec3): UniformMotion => ({
-  kind: 'uniform',
-  pose: { position: contraction(position, u), orientation },
-  velocity: velocity(u),
-});
+/**
+ * What is at `position` at the time 0 of the frame that moves with u, and has there the proper velocity w (0: it rests), as the world has it;
+ * c = 1 m/s. Its own axes are reached by two boosts, the world's by one: between them is Wigner's rotation.
+ */
+function carried(position: Vec3, orientation: Quat, u: Vec3, w = ZERO): UniformMotion {
+  const [t, ...x] = inverseBoost([0, ...position], u);
+  const v = velocity(addVelocities(u, w));
+  const turned = multiply(conjugate(wignerRotation(u, w)), orientation);
+  return { kind: 'uniform', pose: { position: addScaled(x, v, -t), orientation: turned }, velocity: v };
+}
 
 const TURN = fromAxisAngle([1, 2, 3], 0.8);
 const NOT: Quat = [0, 0, 0, 1];
@@ -32,16 +36,27 @@ const things: readonly (readonly [Mesh, Material, Vec3, Quat])[] = [
   [twoSided(box([9, 9, 9])), lambert(0.3, { emissive: [0.2, 0.3, 0.4] }), [0, 0, 3], NOT],
 ];
 
-/** All things and a lamp, at rest in the frame of u. */
+/** All things and a lamp, at rest in the frame of u; and there a mirror and a lamp without size that fly past. */
 const stage = (u: Vec3) =>
   lit(
-    things.map(([mesh, material, position, orientation]) => ({
-      mesh,
-      material,
-      motion: carried(position, orientation, u),
-      authoredIn: 'rest',
-    })),
-    [lamp(ZERO, { motion: carried([1, 1, 3], NOT, u), radius: 0.4, color: [5, 4, 3] })],
+    [
+      ...things.map(([mesh, material, position, orientation]) => ({
+        mesh,
+        material,
+        motion: carried(position, orientation, u),
+        authoredIn: 'rest' as const,
+      })),
+      {
+        mesh: sphere(0.4, { segments: 12 }),
+        material: mirror(),
+        motion: carried([0.4, 1.3, 0], TURN, u, [0.7, -0.4, 0.2]),
+        authoredIn: 'rest',
+      },
+    ],
+    [
+      lamp(ZERO, { motion: carried([1, 1, 3], NOT, u), radius: 0.4, color: [5, 4, 3] }),
+      lamp(ZERO, { motion: carried([-2, 0, 2], NOT, u, [0.3, 1.5, -0.2]), color: [2, 3, 4] }),
+    ],
   );
 
 describe('light does not care for the frame it is described in', () => {
