@@ -11,13 +11,13 @@ import { probePoint, settingsFor, tracedScene, viewFrom } from '../../tests/supp
 import { fromAxisAngle, multiply } from '../math/quat.ts';
 import { add, distance, length, normalize, scale, type Vec3 } from '../math/vec3.ts';
 import { velocity } from '../physics/boost.ts';
-import { makeObject } from '../scene/defaults.ts';
+import { makeObject, makeScene } from '../scene/defaults.ts';
 import { box, sphere } from '../scene/primitives.ts';
 import type { Mesh, Motion, SceneObject } from '../scene/types.ts';
 import type { View } from '../scene/view.ts';
 import { dopplerOf } from './aov.ts';
 import { cameraRay, rayToward } from './camera.ts';
-import { nearestHit } from './trace.ts';
+import { groundwork, nearestHit, traced } from './trace.ts';
 
 const C = 10;
 const rotation = fc.tuple(direction, uniform(-3, 3)).map(([axis, angle]) => fromAxisAngle(axis, angle));
@@ -115,7 +115,7 @@ describe('a ray and the surfaces in its way', () => {
           expect(nearestHit(tracedScene([o], C), ray)?.s, 'nothing seen is missed').toBeLessThan(seen.distance + near);
         },
       ),
-      { numRuns: 1500 },
+      { numRuns: 400 },
     ));
 
   it('whatever is met is seen there', () =>
@@ -135,7 +135,7 @@ describe('a ray and the surfaces in its way', () => {
           expectClose(length(hit.normal), 1, 1e-12);
         },
       ),
-      { numRuns: 500 },
+      { numRuns: 300 },
     ));
 
   it('a scene is met where the nearest of its objects is', () =>
@@ -153,7 +153,25 @@ describe('a ray and the surfaces in its way', () => {
           if (all) expect(alone[all.object]).toBe(all.s);
         },
       ),
-      { numRuns: 200 },
+      { numRuns: 80 },
+    ));
+
+  it('the same is met with next to no memory for samples', () =>
+    fc.assert(
+      fc.property(
+        fc.array(object, { minLength: 3, maxLength: 5 }),
+        observer,
+        fc.array(direction),
+        (objects, view, ways) => {
+          const ground = groundwork(makeScene({ name: 'test', objects }), C);
+          const [ample, poor] = [traced(ground), traced(ground, 1)];
+          for (const n of ways) {
+            const ray = rayToward(view, settingsFor('light-cone', C), n);
+            expect(nearestHit(poor, ray)).toEqual(nearestHit(ample, ray));
+          }
+        },
+      ),
+      { numRuns: 60 },
     ));
 
   it('a body is met where the nearest of its triangles is', () =>
@@ -172,7 +190,7 @@ describe('a ray and the surfaces in its way', () => {
         const all = nearestHit(tracedScene([o], C), ray)?.s ?? Number.POSITIVE_INFINITY;
         if (all !== nearest) expectClose(all, nearest, 1e-9 * (1 + nearest));
       }),
-      { numRuns: 150 },
+      { numRuns: 60 },
     ));
 });
 

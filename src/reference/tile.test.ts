@@ -1,0 +1,121 @@
+import { expect, it } from 'vitest';
+import { settingsFor, viewFrom } from '../../tests/support/rays.ts';
+import { fromAxisAngle } from '../math/quat.ts';
+import { dot, length, normalize, type Vec3 } from '../math/vec3.ts';
+import { apparentPosition } from '../physics/apparent.ts';
+import { makeMaterial, makeObject, makeScene, restingAt } from '../scene/defaults.ts';
+import { withMaterial } from '../scene/meshOps.ts';
+import { box, plane, sphere } from '../scene/primitives.ts';
+import type { Motion } from '../scene/types.ts';
+import type { AovName } from '../scene/view.ts';
+import { DEFAULT_LIGHT } from './lighting.ts';
+import { renderTile, type Tile, type TileRequest } from './tile.ts';
+import { type TracedScene, traceable } from './trace.ts';
+
+const turning: Motion = {
+  kind: 'sampled',
+  times: Float64Array.of(-20, -15, -10, -5, 0),
+  poses: Float64Array.from([0, 1, 2, 3, 4].flatMap((k) => [-1.5, 0, -6, ...fromAxisAngle([0, 1, 1], 0.5 * k)])),
+};
+const materials = [
+  makeMaterial({ name: 'grey' }),
+  makeMaterial({ name: 'pane', opacity: 0.5, baseColor: [1, 0, 0] }),
+  makeMaterial({ name: 'gone', opacity: 0.3, opacityThreshold: 0.4 }),
+];
+const objects = [
+  makeObject({ path: '/Ball', mesh: sphere(1, { segments: 12 }), motion: restingAt([1.5, 0, -6]) }),
+  makeObject({ path: '/Turning', mesh: box([1, 2, 1]), motion: turning }),
+  makeObject({
+    path: '/Flying',
+    mesh: box([1, 1, 1]),
+    authoredIn: 'rest',
+    motion: { kind: 'uniform', pose: { position: [4, -1, -5], orientation: [0, 0, 0, 1] }, velocity: [0.8, 0, 0] },
+  }),
+  makeObject({ path: '/Pane', mesh: withMaterial(plane(2, 9, 'Z'), 1), motion: restingAt([2, 0, -3]) }),
+  makeObject({ path: '/Gone', mesh: withMaterial(plane(2, 9, 'Z'), 2), motion: restingAt([0, 0, -2]) }),
+];
+const scene: TracedScene = traceable(makeScene({ name: 'test', objects, materials }), 1);
+const [width, height] = [24, 16];
+const request: TileRequest = {
+  view: viewFrom({ u: [0.2, 0.1, -0.4] }),
+  settings: settingsFor('light-cone'),
+  width,
+  height,
+  layers: [
+    'beauty',
+    'picture',
+    'depth',
+    'object',
+    'position',
+    'emission_time',
+    'velocity',
+    'normal',
+    'doppler',
+    'albedo',
+  ],
+  samples: 2,
+  seed: 11,
+  light: DEFAULT_LIGHT,
+};
+const whole = renderTile(scene, request, { x0: 0, y0: 0, x1: width, y1: height });
+
+it('a picture has the same bits however it is cut into tiles', () => {
+  const again = traceable(makeScene({ name: 'test', objects, materials }), 1);
+  const cuts: Tile[] = [
+    { x0: 10, y0: 0, x1: width, y1: 7 },
+    { x0: 0, y0: 7, x1: width, y1: height },
+    { x0: 0, y0: 0, x1: 10, y1: 7 },
+  ];
+  for (const tile of cuts) {
+    const part = renderTile(again, request, tile);
+    for (const [name, values] of Object.entries(part)) {
+      const all = whole[name as AovName] ?? new Float32Array(0);
+      const n = all.length / (width * height);
+      for (let y = tile.y0; y < tile.y1; y++) {
+        const row = values.slice((y - tile.y0) * (tile.x1 - tile.x0) * n, (y - tile.y0 + 1) * (tile.x1 - tile.x0) * n);
+        expect(row, `${name}, row ${y}`).toEqual(all.slice((y * width + tile.x0) * n, (y * width + tile.x1) * n));
+      }
+    }
+  }
+});
+
+it('another seed is another picture, of the same things', () => {
+  const other = renderTile(scene, { ...request, seed: 12 }, { x0: 0, y0: 0, x1: width, y1: height });
+  expect(other.beauty).not.toEqual(whole.beauty);
+  expect(other.depth).toEqual(whole.depth);
+});
+
+it('the data of a pixel are of one event of one thing', () => {
+  const { depth, object, position, emission_time: time, normal, doppler } = whole;
+  if (!depth || !object || !position || !time || !normal || !doppler) return expect.fail('not all layers');
+  const seen = new Set<number>();
+  for (let i = 0; i < width * height; i++) {
+    seen.add(object[i]);
+    const at: Vec3 = [position[3 * i], position[3 * i + 1], position[3 * i + 2]];
+    if (object[i] === 0) {
+      expect([...at, depth[i], time[i], doppler[i]]).toEqual([0, 0, 0, 0, 0, 0]);
+      continue;
+    }
+    expect(length(at)).toBeCloseTo(-time[i], 5);
+    const apparent = apparentPosition(at, request.view.u);
+    expect(length(apparent)).toBeCloseTo(depth[i], 5);
+    // Its direction is that of the pixel.
+    const [x, y] = [((i % width) + 0.5) / width, (Math.floor(i / width) + 0.5) / height];
+    const ray = normalize([(2 * x - 1) * (width / height), 1 - 2 * y, -1]);
+    expect(dot(ray, normalize(apparent))).toBeCloseTo(1, 6);
+    expect(Math.hypot(normal[3 * i], normal[3 * i + 1], normal[3 * i + 2])).toBeCloseTo(1, 6);
+  }
+  // Neither the pane, which is blended, nor what is cut out.
+  expect([...seen].sort()).toEqual([0, 1, 2, 3]);
+});
+
+it('there is no Doppler effect where there is no light', () => {
+  const settings = settingsFor('simultaneity');
+  const { doppler, object } = renderTile(
+    scene,
+    { ...request, settings, layers: ['doppler', 'object'] },
+    { x0: 0, y0: 0, x1: width, y1: height },
+  );
+  expect(new Set(doppler)).toEqual(new Set([0, 1]));
+  expect(doppler?.map((d, i) => d - Math.min(1, object?.[i] ?? 0)).every((x) => x === 0)).toBe(true);
+});
