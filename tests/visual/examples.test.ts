@@ -11,9 +11,9 @@ const CASES = [
   ...(['light-cone', 'simultaneity'] as const).flatMap((view) => BETAS.map((beta) => [view, beta] as const)),
   ['galilean', 0] as const,
 ];
-/** The doors of the barn start at once with 0.7 c: no speed in between is theirs, and all of them are between the vertices. */
+/** The doors of the barn start at once with 0.86 c: no speed in between is theirs, and all of them are between the vertices. */
 const JUMPING: readonly string[] = ['ladder'];
-const JUMPS: readonly Measure[] = ['sampled doppler', 'sampled velocity'];
+const JUMPS: readonly Measure[] = ['changing doppler', 'changing velocity'];
 
 const painters = withPainters();
 

@@ -10,6 +10,7 @@ import { surfaceAt } from '../../src/reference/surface.ts';
 import type { TracedScene } from '../../src/reference/trace.ts';
 import type { Hit } from '../../src/reference/types.ts';
 import { visibleHit } from '../../src/reference/visible.ts';
+import type { Motion } from '../../src/scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
 
 /*
@@ -53,8 +54,8 @@ export interface Verdict {
   readonly depth: number;
   readonly doppler: number;
   readonly velocity: number;
-  /** The surface goes straight from sample to sample: its velocity, and so D, jump there, and a rasterizer runs from one to the other. */
-  readonly sampled: boolean;
+  /** The surface's velocity changes: the rasterizer has it at its vertices, each for its own light, and takes what is between them. */
+  readonly changing: boolean;
 }
 
 /** The claimed event as an event of the picture: its time is what its place asks for. */
@@ -70,7 +71,9 @@ interface Truth {
   readonly seen: Vec3;
 }
 
-const NO_ERRORS = { time: 0, depth: 0, doppler: 0, velocity: 0, sampled: false };
+const STEADY: readonly Motion['kind'][] = ['static', 'uniform'];
+
+const NO_ERRORS = { time: 0, depth: 0, doppler: 0, velocity: 0, changing: false };
 const WRONG: Verdict = { right: false, displacement: Number.POSITIVE_INFINITY, ...NO_ERRORS };
 const BACKGROUND: Verdict = { right: true, displacement: 0, ...NO_ERRORS };
 
@@ -168,7 +171,7 @@ export class Judge {
       depth: Math.abs(claim.depth / length(seen) - 1),
       doppler: Math.abs(claim.doppler / D - 1),
       velocity: length(sub(claim.velocity, hit.velocity)),
-      sampled: scene.objects[hit.object].motion.kind.startsWith('sampled'),
+      changing: !STEADY.includes(scene.objects[hit.object].motion.kind),
     };
   }
 

@@ -2,12 +2,13 @@ import { readUsd } from '../../src/formats/usd/index.ts';
 import { SceneRenderer } from '../../src/render/renderer.ts';
 import type { RendererInfo } from '../../src/render/settings.ts';
 import { EXTRA_SCENES } from './extraScenes.ts';
+import { LATE_SCENES } from './lateScenes.ts';
 import { type Order, takePixels } from './pixels.ts';
 
 declare global {
   interface Window {
     visual: {
-      /** An example by its file, or one of the extra scenes by its name. */
+      /** An example by its file, or one of the scenes made for these tests by its name. */
       open(name: string): Promise<void>;
       /** `takePixels` as base64. */
       take(order: Order): Promise<string>;
@@ -19,14 +20,14 @@ declare global {
 }
 
 const renderer = await SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
+const made = [...EXTRA_SCENES.map(({ scene }) => scene), ...LATE_SCENES];
 const files = {
   read: async (path: string) => Uint8Array.from(atob(await window.readExample(path)), (c) => c.charCodeAt(0)),
 };
 
 window.visual = {
   async open(name) {
-    const extra = EXTRA_SCENES.find(({ scene }) => scene.name === name);
-    await renderer.setScene(extra?.scene ?? (await readUsd(files, name, {})));
+    await renderer.setScene(made.find((scene) => scene.name === name) ?? (await readUsd(files, name, {})));
   },
   async take(order) {
     const values = await takePixels(renderer, order);

@@ -1,7 +1,7 @@
 import type { Verdict } from './judge.ts';
 
-/** What is compared at right pixels. Of sampled motions D and the velocity are apart. */
-export const MEASURES = ['time', 'depth', 'doppler', 'velocity', 'sampled doppler', 'sampled velocity'] as const;
+/** What is compared at right pixels. D and the velocity are apart for what changes its velocity. */
+export const MEASURES = ['time', 'depth', 'doppler', 'velocity', 'changing doppler', 'changing velocity'] as const;
 export type Measure = (typeof MEASURES)[number];
 
 /** What 99 % of the pixels stay below, and all. */
@@ -26,7 +26,7 @@ export class Tally {
       this.wrongPixels.push(pixel);
       return;
     }
-    const kind = verdict.sampled ? 'sampled ' : '';
+    const kind = verdict.changing ? 'changing ' : '';
     this.errors.get('time')?.push(verdict.time);
     this.errors.get('depth')?.push(verdict.depth);
     this.errors.get(`${kind}doppler`)?.push(verdict.doppler);

@@ -4,7 +4,7 @@ import { makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import { box, sphere } from '../../src/scene/primitives.ts';
 import type { Mesh, Motion, Scene } from '../../src/scene/types.ts';
 
-/** Slow light and a late time, so that world times and places are large numbers. */
+/** Slow light and a late time, so that world times and places are large numbers: f32 must never meet them. */
 export const C = 10;
 export const T = 1e4;
 export const EYE: Vec3 = [200, 12, -70];
@@ -56,9 +56,10 @@ function wobbling(mesh: Mesh): Motion {
 const ball = sphere(1.5, { segments: 48, rings: 24 });
 const backdrop = makeObject({ path: '/wall', mesh: box([14, 9, 1]), motion: restingAt(off(HERE, 0, 0, -6)) });
 const scene = (name: string, ...objects: Scene['objects'][number][]): Scene =>
-  makeScene({ name, objects: [...objects, backdrop] });
+  makeScene({ name: `late: ${name}`, objects: [...objects, backdrop], hints: { speedOfLight: C } });
 
-export const SCENES: readonly Scene[] = [
+/** One for each kind of motion; the object that matters is the first. */
+export const LATE_SCENES: readonly Scene[] = [
   scene('static', makeObject({ path: '/ball', mesh: ball, motion: { kind: 'static', pose: pose(HERE) } })),
   scene('uniform', makeObject({ path: '/ball', mesh: ball, motion: uniform([7, 1, 3]) })),
   scene('uniform at rest', makeObject({ path: '/ball', mesh: ball, motion: uniform([-6, 2, 5]), authoredIn: 'rest' })),
