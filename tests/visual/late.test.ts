@@ -1,0 +1,75 @@
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { add, cross, dot, length, normalize, scale, sub, type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { apparentPosition } from '../../src/physics/apparent.ts';
+import { properVelocity } from '../../src/physics/boost.ts';
+import { simultaneousPosition } from '../../src/physics/simultaneity.ts';
+import { lookAtOrientation } from '../../src/scene/camera.ts';
+import { probeVertices } from '../../src/scene/probe.ts';
+import type { Scene } from '../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
+import type { Frame } from './frames.ts';
+import { REACH } from './judge.ts';
+import { C, EYE, LATE_SCENES, T } from './lateScenes.ts';
+import { allPixels, expectRight, judgeFrame, openStage, Report, type Stage, withPainters } from './visual.ts';
+
+const SIZE = { width: 160, height: 90 };
+/** Every fifth pixel of every fifth row. */
+const PIXELS = allPixels(SIZE).filter((i) => (i % SIZE.width) % 5 === 2 && Math.floor(i / SIZE.width) % 5 === 2);
+
+const FORWARD = normalize([0.3, 0.1, -0.6]);
+/** Where edges are seen straight, or too small to bend, f32 is all that can be wrong [px]; else the pieces of a curve are, as everywhere. */
+const [STRAIGHT, CURVED] = [0.1, REACH];
+const LOOKS: readonly (readonly [string, Partial<RenderSettings>, beta: number, limit: number])[] = [
+  ['light-cone', {}, 0, STRAIGHT],
+  ['light-cone', {}, 0.9, CURVED],
+  ['light-cone', {}, 0.9999, STRAIGHT],
+  ['without light delay', { lightDelay: false }, 0.6, CURVED],
+  ['without aberration', { aberration: false }, 0.6, STRAIGHT],
+  ['simultaneity', { view: 'simultaneity' }, 0.6, STRAIGHT],
+  ['galilean', { view: 'galilean' }, 0.6, STRAIGHT],
+];
+
+/** Looks where the first object's middle is in this view; it fills most of the picture, however small or large the speed makes it. */
+function frameOf(scene: Scene, change: Partial<RenderSettings>, beta: number): Frame {
+  const settings = { ...DEFAULT_SETTINGS, ...change, speedOfLight: C };
+  const u = properVelocity(scale(FORWARD, beta));
+  const places = placesOf(scene, u, settings);
+  const middle = scale(places.reduce(add, ZERO), 1 / places.length);
+  const fovY = Math.min(1.5, 3 * Math.max(...places.map((x) => angle(x, middle))));
+  return { view: { t: T, position: EYE, u, orientation: lookAtOrientation(middle, [0, 1, 0]), fovY }, settings };
+}
+
+/** Where the vertices of the first object are shown, from the observer [m]. */
+function placesOf({ objects }: Scene, u: Vec3, { view, lightDelay, aberration }: RenderSettings): Vec3[] {
+  const events = view === 'light-cone' && !lightDelay ? 'galilean' : view;
+  const probes = probeVertices(objects[0], { t: T, position: EYE, u }, C, events).filter((p) => p !== undefined);
+  const show = view === 'simultaneity' ? simultaneousPosition : apparentPosition;
+  const plain = view === 'galilean' || (view === 'light-cone' && !aberration);
+  return probes.map(({ position }) => (plain ? sub(position, EYE) : show(sub(position, EYE), u)));
+}
+
+const angle = (a: Vec3, b: Vec3): number => Math.atan2(length(cross(a, b)), dot(a, b));
+
+const painters = withPainters();
+
+describe.each(LATE_SCENES.map((scene) => [scene.name, scene] as const))(
+  '%s, at t = 1e4 s and c = 10 m/s',
+  (name, scene) => {
+    let stage: Stage;
+    const report = new Report();
+    beforeAll(async () => {
+      stage = await openStage(scene, painters);
+    });
+    afterAll(() => report.print(name));
+
+    it.each(LOOKS)('%s', async (look, change, beta, limit) => {
+      const tallies = await judgeFrame(stage, frameOf(scene, change, beta), SIZE, PIXELS);
+      report.add(`${look} ${beta} c`, tallies);
+      expectRight(tallies);
+      for (const tally of tallies.values()) {
+        expect(tally.wrong).toBe(0);
+        expect(tally.displacement.worst).toBeLessThan(limit);
+      }
+    });
+  },
+);
