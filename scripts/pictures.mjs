@@ -1,6 +1,6 @@
 // `npm run pictures`: renders the pictures that README and docs show, and the gallery's thumbnails, with the program's own
 // command line. `npm run pictures -- street` makes those of some scenes. The comparisons of docs/guide/comparing.md are made with
-// `npm run pictures -- compare` only, since the reference renderer takes its time.
+// `npm run pictures -- compare` (or the name of one, `compare-moved`) only, since the reference renderer takes its time.
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './setup.mjs';
@@ -28,12 +28,12 @@ const pictures = [
 /** Scene, name of the picture, format that is compared, flags of both, flags of the rasterizer and of `compare`. */
 const there = ['--aov', 'position,object'];
 const comparisons = [
-  ['wheel', 'compare-flip', 'png', ['--size', '256x144', '--samples', '6'], [], ['--triptych']],
+  ['wheel', 'compare-flip', 'png', ['--size', '240x135', '--samples', '6'], [], ['--triptych']],
   [
     'street',
     'compare-moved',
     'exr',
-    ['--time', '6.5', '--beta', '0,0,-0.9', ...there],
+    ['--size', '432x243', '--time', '6.5', '--beta', '0,0,-0.9', ...there],
     [],
     ['--metric', 'aov', '--max', '0.5'],
   ],
@@ -52,7 +52,8 @@ try {
     if (chosen(scene)) render(scene, `examples/thumbnails/${scene}.png`, ['--size', '480x270', ...flags]);
   for (const [scene, name, flags] of pictures)
     if (chosen(scene)) render(scene, `docs/pictures/${name}.png`, ['--size', '960x540', ...flags]);
-  if (wanted.includes('compare')) for (const comparison of comparisons) compare(...comparison);
+  for (const comparison of comparisons)
+    if (wanted.includes('compare') || wanted.includes(comparison[1])) compare(...comparison);
 } catch (error) {
   if (!(error instanceof SetupError)) throw error;
   console.error(`\nnpm run pictures: ${error.message}`);
