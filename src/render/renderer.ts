@@ -22,17 +22,19 @@ export class SceneRenderer implements PictureMaker {
   private readonly machine: PictureMachine;
   private readonly camera = new PerspectiveCamera();
   private readonly toCanvas: boolean;
+  private readonly tolerance: number | undefined;
   private upload: SceneUpload | undefined;
   private taken: Sight | undefined;
   private size = { width: 1, height: 1 };
   private drawn = { objectsDrawn: 0, milliseconds: 0 };
 
   static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
-    return new SceneRenderer(await openGpu(options), options.canvas !== undefined);
+    return new SceneRenderer(await openGpu(options), options.canvas !== undefined, options.tolerance);
   }
 
-  private constructor(gpu: Gpu, toCanvas: boolean) {
+  private constructor(gpu: Gpu, toCanvas: boolean, tolerance: number | undefined) {
     this.gpu = gpu;
+    this.tolerance = tolerance;
     this.toCanvas = toCanvas;
     this.machine = new PictureMachine(gpu, this.uniforms);
     this.camera.near = NEAR;
@@ -136,7 +138,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   private replace(scene: Scene, speedOfLight: number): void {
-    const made = new SceneUpload(scene, speedOfLight, this.uniforms, this.gpu);
+    const made = new SceneUpload(scene, speedOfLight, this.uniforms, this.gpu, this.tolerance);
     if (this.upload) {
       this.machine.forget(this.upload);
       this.upload.dispose();

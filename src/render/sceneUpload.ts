@@ -41,7 +41,7 @@ export class SceneUpload {
   private readonly points = new Map<number, PointStore>();
   private readonly textures = new Map<Texture, DataTexture>();
 
-  constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms, gpu: Gpu) {
+  constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms, gpu: Gpu, tolerance?: number) {
     this.scene = scene;
     this.speedOfLight = speedOfLight;
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
@@ -55,7 +55,7 @@ export class SceneUpload {
     this.fillMaterials();
     const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
-    this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable));
+    this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), tolerance);
   }
 
   dispose(): void {

@@ -24,6 +24,11 @@ export interface RendererOptions {
   readonly device?: GPUDevice;
   /** `auto`: WebGPU where there is an adapter, else WebGL2. */
   readonly backend?: Backend | 'auto';
+  /**
+   * How far the straight edges that are drawn may be from the curves that are seen [px]; default 0.25. ∞: triangles are drawn as they are in
+   * the scene, for comparing.
+   */
+  readonly tolerance?: number;
   /** Called once when the device or the context is lost; dispose this renderer and create another on a new canvas. */
   readonly onLost?: (reason: string) => void;
 }

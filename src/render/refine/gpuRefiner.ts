@@ -35,6 +35,7 @@ const TOLERANCE = 0.25;
 /** Cuts a scene's batches as each picture needs it: on WebGPU by kernels and indirect draws, elsewhere and what is transparent on the CPU. */
 export class Refiner {
   private readonly gpu: Gpu;
+  private readonly tolerance: number;
   private readonly parts: readonly Part[];
   private readonly addDrawable: (drawable: Drawable) => void;
   private readonly corners = new Corners();
@@ -47,8 +48,9 @@ export class Refiner {
   private pictures = 0;
 
   /** `add` is given drawables as they are made; they are its to dispose. */
-  constructor(gpu: Gpu, indexed: readonly Drawable[], add: (drawable: Drawable) => void) {
+  constructor(gpu: Gpu, indexed: readonly Drawable[], add: (drawable: Drawable) => void, tolerance = TOLERANCE) {
     this.gpu = gpu;
+    this.tolerance = tolerance;
     this.addDrawable = add;
     this.parts = indexed.map((drawable, slot) => makePart(drawable, slot));
     this.buffers = new LeafBuffers(indexed.length, this.patterns.runs);
@@ -62,7 +64,11 @@ export class Refiner {
 
   /** Shows what is drawn of the batches that may be in the picture, cut for it. */
   show(look: Omit<Look, 'tolerance' | 'budget'>, seen: (batch: Batch) => boolean): void {
-    const wanted: Look = { ...look, tolerance: TOLERANCE, budget: BUDGET[this.gpu.backend] };
+    if (this.tolerance === Number.POSITIVE_INFINITY) {
+      this.showUncut(seen);
+      return;
+    }
+    const wanted: Look = { ...look, tolerance: this.tolerance, budget: BUDGET[this.gpu.backend] };
     const refinements = this.parts.map(({ indexed, refinement }) => (seen(indexed.batch) ? refinement : undefined));
     const plans = planPicture(refinements, wanted);
     const requests: ListRequest[] = [];
@@ -94,6 +100,13 @@ export class Refiner {
     this.buffers.dispose();
     this.corners.dispose();
     this.patterns.geometry.dispose();
+  }
+
+  private showUncut(seen: (batch: Batch) => boolean): void {
+    this.known = 0;
+    for (const part of this.parts)
+      if (seen(part.indexed.batch)) this.known += part.clusters.showAll();
+      else hidePart(part);
   }
 
   private showPart(part: Part, plan: Plan, look: Look, requests: ListRequest[]): void {
