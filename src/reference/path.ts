@@ -18,6 +18,10 @@ import type { Hit, SpacetimeRay } from './types.ts';
 const MOST_MIRRORS = 8;
 /** Transparent layers, one behind the other. */
 const MOST_LAYERS = 64;
+/** So many directions are asked for the diffuse light of what is seen directly: there most of a picture's noise is. */
+const FIRST_RAYS = 2;
+/** What mirrors a share s of the light is followed with the probability 4s. */
+const MIRROR_CHANCE = 4;
 /** What less than this part of is left of is not followed further. */
 const FAINT = 1e-4;
 
@@ -116,7 +120,10 @@ function solidLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, 
   return add(direct, scattered(lighting, at, look, point.roughness, frame, path));
 }
 
-/** Light of the sky and of other surfaces. What is seen directly is lit by both parts of the reflectance; further on one of them, by chance, stands for both. */
+/**
+ * Light of the sky and of other surfaces. Of what is seen directly both parts of the reflectance are followed, the faint mirroring
+ * of a plastic now and then and all the more; further on one of the parts, by chance, stands for both.
+ */
 function scattered(
   lighting: Lighting,
   at: Departure,
@@ -128,12 +135,17 @@ function scattered(
   const { options, random } = lighting;
   const eye = path.eye && options.mirrors && path.mirrors > 0;
   const scatters = path.bounces > 0;
-  const diffuse = (): Vec3 => diffuselyFrom(lighting, at, look, frame, path);
   const { L, share } = sampleMirrored(look, roughness, random);
-  const mirror = (): Vec3 =>
-    eye || scatters ? product(share, lightFrom(lighting, at, L, mirrorPath(path, frame, eye))) : ZERO;
-  const [d, m] = [scatters ? Math.max(...look.diffuse) : 0, Math.max(...share)];
-  if (path.eye && path.mirrors === MOST_MIRRORS) return add(d > 0 ? diffuse() : ZERO, m > 0 ? mirror() : ZERO);
+  const d = scatters ? Math.max(...look.diffuse) : 0;
+  const m = eye || scatters ? Math.max(...share) : 0;
+  const diffuse = (): Vec3 => diffuselyFrom(lighting, at, look, frame, path);
+  const mirror = (): Vec3 => product(share, lightFrom(lighting, at, L, mirrorPath(path, frame, eye)));
+  if (path.eye && path.mirrors === MOST_MIRRORS) {
+    let sum = ZERO;
+    if (d > 0) for (let k = 0; k < FIRST_RAYS; k++) sum = addScaled(sum, diffuse(), 1 / FIRST_RAYS);
+    const chance = Math.min(1, MIRROR_CHANCE * m);
+    return random() < chance ? addScaled(sum, mirror(), 1 / chance) : sum;
+  }
   if (d + m === 0) return ZERO;
   return random() * (d + m) < d ? scale(diffuse(), (d + m) / d) : scale(mirror(), (d + m) / m);
 }

@@ -12,6 +12,8 @@ import type { Hit, SpacetimeRay } from './types.ts';
 
 const walk = new MovingWalk();
 const triangle = new SpacetimeTriangle();
+/** The ray that is under way, from the origin of the object that it is tried on: o x y z, d x y z. */
+const line = new Float64Array(6);
 
 /** Roundings on the way from places and times to corners seen from the ray, in units of the last place. */
 const ROUNDINGS = 32;
@@ -58,6 +60,10 @@ export class SampledTracer implements Tracer {
       this.tracePiece(ray, samplesUntil(times, ray.t) - 1, begin, end, search);
       return;
     }
+    for (let i = 0; i < 3; i++) {
+      line[i] = ray.x[i] - this.samples.origin[i];
+      line[3 + i] = ray.dx[i];
+    }
     const [early, late] = ray.dt > 0 ? [-1, pieces] : [pieces, -1];
     this.tracePiece(ray, early, begin, end, search);
     this.descend(ray, 1, 0, pieces - 1, begin, end, search);
@@ -74,11 +80,13 @@ export class SampledTracer implements Tracer {
     end: number,
     search: Search,
   ): void {
-    const { times, origin } = this.samples;
-    const [near, far] = spanBetween(ray, times[first], times[last + 1], this.c, begin, Math.min(end, search.end));
-    if (near > far) return;
-    const from = sub(ray.x, origin);
-    if (!this.stretches.meets(node, from, ray.dx, near, far, this.noise(from))) return;
+    const { times } = this.samples;
+    const perSecond = this.c / ray.dt;
+    const one = (times[first] - ray.t) * perSecond;
+    const other = (times[last + 1] - ray.t) * perSecond;
+    const near = Math.max(begin, Math.min(one, other));
+    const far = Math.min(end, search.end, Math.max(one, other));
+    if (near > far || !this.stretches.meets(node, line, near, far)) return;
     if (first === last) {
       this.tracePiece(ray, first, near, far, search);
       return;

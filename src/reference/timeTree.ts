@@ -1,5 +1,7 @@
 import { emptyBox, growBox } from './bvh.ts';
 
+const MARGIN = 1e-9;
+
 /** Boxes over stretches of time: each is round an object in all pieces of its stretch, and has two halves. */
 export class TimeTree {
   /** Pieces between two samples. */
@@ -11,7 +13,7 @@ export class TimeTree {
   constructor(outlines: Float64Array) {
     this.pieces = outlines.length / 6 - 1;
     this.boxes = new Float64Array(6 * 2 ** (2 + Math.ceil(Math.log2(this.pieces))));
-    this.fill(1, 0, this.pieces - 1, outlines);
+    this.fill(1, 0, this.pieces - 1, enlarged(outlines));
   }
 
   /** The place of a node's box in `boxes`: least x y z, greatest x y z. */
@@ -19,20 +21,21 @@ export class TimeTree {
     return this.boxes.subarray(6, 12);
   }
 
-  /** Whether o + s d is in a node's box, taken larger by `noise`, anywhere from s = near to far. */
-  meets(node: number, o: readonly number[], d: readonly number[], near: number, far: number, noise: number): boolean {
+  /** Whether a line (o x y z, d x y z) is in a node's box anywhere from s = near to far. */
+  meets(node: number, line: Float64Array, near: number, far: number): boolean {
     const { boxes } = this;
-    let [from, to] = [near, far];
+    let from = near;
+    let to = far;
     for (let axis = 0; axis < 3; axis++) {
-      const a = boxes[6 * node + axis] - noise - o[axis];
-      const b = boxes[6 * node + 3 + axis] + noise - o[axis];
-      if (d[axis] === 0) {
+      const a = boxes[6 * node + axis] - line[axis];
+      const b = boxes[6 * node + 3 + axis] - line[axis];
+      const d = line[3 + axis];
+      if (d === 0) {
         if (a > 0 || b < 0) return false;
         continue;
       }
-      const [p, q] = [a / d[axis], b / d[axis]];
-      from = Math.max(from, Math.min(p, q));
-      to = Math.min(to, Math.max(p, q));
+      from = Math.max(from, Math.min(a / d, b / d));
+      to = Math.min(to, Math.max(a / d, b / d));
       if (from > to) return false;
     }
     return true;
@@ -52,4 +55,10 @@ export class TimeTree {
     growBox(boxes, 6 * node, boxes, 12 * node);
     growBox(boxes, 6 * node, boxes, 12 * node + 6);
   }
+}
+
+/** By a part of the greatest coordinate that is beyond all rounding. */
+function enlarged(outlines: Float64Array): Float64Array {
+  const reach = outlines.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+  return outlines.map((x, i) => x + (i % 6 < 3 ? -MARGIN : MARGIN) * reach);
 }

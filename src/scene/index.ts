@@ -25,8 +25,6 @@ export type { ProbeObserver, VertexProbe } from './probe.ts';
 export { probeVertex, probeVertices } from './probe.ts';
 export type { Samples } from './resample.ts';
 export { resampleRotation, restToWorld, sampleMotion } from './resample.ts';
-export type { Subdivision } from './subdivide.ts';
-export { subdivideLongEdges, subdivideObject } from './subdivide.ts';
 export type * from './types.ts';
 export { InputError } from './types.ts';
 export { validate } from './validate.ts';

@@ -3,8 +3,8 @@ import { type LeafList, MOST_HALVINGS, MOST_LEVEL } from './leaf.ts';
 import type { Gauge } from './look.ts';
 import { POINT, type Shown } from './shown.ts';
 
-/** More pieces than a leaf's edge can have. */
-const TOO_MANY = 1 << MOST_LEVEL;
+/** Of a leaf's edge. */
+const MOST_PIECES = 1 << MOST_LEVEL;
 /** Weights are multiples of this. */
 const FINEST = 2 ** -MOST_HALVINGS;
 
@@ -87,7 +87,7 @@ export class Coarse {
   private mustCut(a: number, b: number): boolean {
     const p = this.points;
     const divisible = isWeight(0.5 * (p[a + 6] + p[b + 6])) && isWeight(0.5 * (p[a + 7] + p[b + 7]));
-    return divisible && this.criterion.pieces(this.shown, p, a, b) > TOO_MANY;
+    return divisible && this.criterion.mustCut(this.shown, p, a, b, MOST_PIECES);
   }
 
   private middle(a: number, b: number): number {

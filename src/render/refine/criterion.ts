@@ -1,5 +1,5 @@
 import type { Gauge } from './look.ts';
-import { POINT, SHORTEST, type Shown } from './shown.ts';
+import { POINT, SHORTEST, SHORTEST_KINKED, type Shown } from './shown.ts';
 
 /** Edges along which the distance, or the place that the edge is graded by, changes by more than this share of the least distance are cut. */
 export const GRADE = 0.75;
@@ -14,7 +14,8 @@ const HORIZON = 1 / 256;
  *
  * F(f) is where the point at share f of the edge is shown. Over a step h the chord is off by F″h²/8, and S = F(f − ¼) − 2F(f) + F(f + ¼) ≈ F″/16, so
  * n² = 2 max|S|/tolerance, |S| in pixels: what is across the line of sight times focal (1 + tan²θ)/|F|, θ the angle from the picture's middle.
- * Where F′ jumps by J, which shows as second differences that are not alike, by J/8 at least, the chord is off by Jh/4 at most: n = ΔS/tolerance.
+ * Where F′ jumps by J, as it does where velocities change suddenly, second differences are not alike: their spread is J/8 at least, but near the ends, and
+ * the chord is off by J/4 at most.
  */
 export class EdgeCriterion {
   private readonly gauge: Gauge;
@@ -22,6 +23,8 @@ export class EdgeCriterion {
   private readonly inner = new Float64Array(3 * POINT);
   private readonly distances = new Float64Array(5);
   private readonly magnified = new Float64Array(5);
+  /** Of the second differences of the last edge [px]. */
+  private spread = 0;
 
   constructor(gauge: Gauge) {
     this.gauge = gauge;
@@ -29,22 +32,35 @@ export class EdgeCriterion {
 
   /** 1 where it need not be cut; Infinity where it must be and it cannot be told how often. a, b: places of its ends in `points`. */
   pieces(shown: Shown, points: Float64Array, a: number, b: number): number {
-    if (shown.calm(points, a, b)) return 1;
+    if (shown.calm(points, a, b) || this.length(points, a, b) < SHORTEST) return 1;
+    return this.longPieces(shown, points, a, b);
+  }
+
+  /** Whether it must be cut before the levels of leaves are found, which are `most` pieces at most and do not help where it has a corner. */
+  mustCut(shown: Shown, points: Float64Array, a: number, b: number, most: number): boolean {
+    if (shown.calm(points, a, b)) return false;
+    const length = this.length(points, a, b);
+    if (length < (shown.kinked ? SHORTEST_KINKED : SHORTEST)) return false;
+    const pieces = this.longPieces(shown, points, a, b);
+    return (length >= SHORTEST && pieces > most) || (shown.kinked && this.spread > 2 * this.gauge.tolerance);
+  }
+
+  private longPieces(shown: Shown, points: Float64Array, a: number, b: number): number {
+    this.spread = 0;
     this.sample(shown, points, a, b);
     const missing = this.missing(points, a, b);
     if (missing > 0) return missing === 5 || extent(points, a, b) <= HORIZON ? 1 : Number.POSITIVE_INFINITY;
-    const least = this.measure(points, a, b);
-    const length = distance(points, a, points, b, 0);
-    const largest = Math.max(
-      this.magnified[0],
-      this.magnified[1],
-      this.magnified[2],
-      this.magnified[3],
-      this.magnified[4],
-    );
-    if (length * this.gauge.look.focal * largest < SHORTEST * least) return 1;
-    if (length > GRADE * least || !this.graded(points, a, b)) return Number.POSITIVE_INFINITY;
-    return Math.max(1, this.curved(shown.kinked, points, a, b));
+    if (!this.graded(points, a, b)) return Number.POSITIVE_INFINITY;
+    return Math.max(1, Math.sqrt((2 * this.bend(points, a, b)) / this.gauge.tolerance));
+  }
+
+  /** As it is shown [px]. By its ends alone, so that the many short edges of fine meshes cost little; NaN where one does not exist. */
+  private length(points: Float64Array, a: number, b: number): number {
+    this.measure(points, a, 0);
+    this.measure(points, b, 4);
+    const least = Math.min(this.distances[0], this.distances[4]);
+    const magnified = Math.max(this.magnified[0], this.magnified[4]);
+    return (distance(points, a, points, b, 0) * this.gauge.look.focal * magnified) / least;
   }
 
   private sample(shown: Shown, points: Float64Array, a: number, b: number): void {
@@ -66,51 +82,46 @@ export class EdgeCriterion {
     return count;
   }
 
-  /** Fills |F| and 1 + tan²θ, at most that of the picture's corner, of the five points; the least |F|. */
-  private measure(points: Float64Array, a: number, b: number): number {
-    this.measureOne(points, a, 0);
-    for (let i = 0; i < 3; i++) this.measureOne(this.inner, POINT * i, i + 1);
-    this.measureOne(points, b, 4);
-    const r = this.distances;
-    return Math.min(r[0], r[1], r[2], r[3], r[4]);
-  }
-
-  private measureOne(p: Float64Array, i: number, to: number): void {
-    const [fx, fy, fz] = this.gauge.forward;
-    const [x, y, z] = [p[i], p[i + 1], p[i + 2]];
+  /** Fills |F| and 1 + tan²θ, at most that of the picture's corner, of one of the five points. */
+  private measure(p: Float64Array, i: number, to: number): void {
+    const f = this.gauge.forward;
+    const x = p[i];
+    const y = p[i + 1];
+    const z = p[i + 2];
     const square = x * x + y * y + z * z;
-    const depth = fx * x + fy * y + fz * z;
+    const depth = f[0] * x + f[1] * y + f[2] * z;
+    const { corner } = this.gauge;
     this.distances[to] = Math.sqrt(square);
-    this.magnified[to] =
-      depth > 0 && square < this.gauge.corner * depth * depth ? square / (depth * depth) : this.gauge.corner;
+    this.magnified[to] = depth > 0 && square < corner * depth * depth ? square / (depth * depth) : corner;
   }
 
+  /** Both of where it is shown and of what it is graded by; the ends are measured already. */
   private graded(points: Float64Array, a: number, b: number): boolean {
-    const { inner } = this;
-    const least = Math.min(
-      norm(points, a + 3),
-      norm(inner, 3),
-      norm(inner, POINT + 3),
-      norm(inner, 2 * POINT + 3),
-      norm(points, b + 3),
-    );
+    const { inner, distances: r } = this;
+    for (let i = 0; i < 3; i++) this.measure(inner, POINT * i, i + 1);
+    if (distance(points, a, points, b, 0) > GRADE * Math.min(r[0], r[1], r[2], r[3], r[4])) return false;
+    const ends = Math.min(norm(points, a + 3), norm(points, b + 3));
+    const least = Math.min(ends, norm(inner, 3), norm(inner, POINT + 3), norm(inner, 2 * POINT + 3));
     return distance(points, a, points, b, 3) <= GRADE * least;
   }
 
-  private curved(kinked: boolean, points: Float64Array, a: number, b: number): number {
-    const { inner, gauge } = this;
+  /** The largest second difference [px]; their spread is left in `spread`. */
+  private bend(points: Float64Array, a: number, b: number): number {
+    const { inner } = this;
     const s1 = this.bendAt(points, a, 0, inner, POINT, 1);
     const s2 = this.bendAt(inner, 0, POINT, inner, 2 * POINT, 2);
     const s3 = this.bendAt(points, b, 2 * POINT, inner, POINT, 3);
     const most = Math.max(s1, s2, s3);
-    const smooth = Math.sqrt((2 * most) / gauge.tolerance);
-    return kinked ? Math.max(smooth, (most - Math.min(s1, s2, s3)) / gauge.tolerance) : smooth;
+    this.spread = most - Math.min(s1, s2, s3);
+    return most;
   }
 
   /** Before and after may change places. `middle`: a place in `inner`. */
   private bendAt(before: Float64Array, i: number, middle: number, after: Float64Array, k: number, at: number): number {
     const p = this.inner;
-    const [x, y, z] = [p[middle], p[middle + 1], p[middle + 2]];
+    const x = p[middle];
+    const y = p[middle + 1];
+    const z = p[middle + 2];
     const sx = before[i] + after[k] - 2 * x;
     const sy = before[i + 1] + after[k + 1] - 2 * y;
     const sz = before[i + 2] + after[k + 2] - 2 * z;

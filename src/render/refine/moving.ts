@@ -5,7 +5,7 @@ import { boostMatrix, gamma } from '../../physics/boost.ts';
 import { ShownBall } from './bounds.ts';
 import { GRADE } from './criterion.ts';
 import type { Gauge } from './look.ts';
-import { DRAWN, type Fate, type Lump, OUTSIDE, REFINED, SHORTEST, type Shown } from './shown.ts';
+import { DRAWN, type Fate, type Lump, OUTSIDE, REFINED, SHORTEST, SHORTEST_KINKED, type Shown } from './shown.ts';
 
 /** Where the points of a body that changes its velocity are, on the surface that a picture is made of. */
 export interface Mover {
@@ -67,7 +67,7 @@ export class Moving implements Shown {
     const longest = lump.longest / (1 - speed);
     const image = longest * Math.sqrt(2 * L[0] * ball.mostStretched);
     const scale = (gauge.look.focal * ball.magnified) / (ball.leastStretched * ball.near);
-    if (image * scale < SHORTEST) return DRAWN;
+    if (image * scale < (this.kinked ? SHORTEST_KINKED : SHORTEST)) return DRAWN;
     const graded = image < GRADE * ball.leastStretched * ball.near && longest < GRADE * ball.near;
     return graded && 2 * scale * this.bend(reach, longest, ball.near) < gauge.tolerance ? DRAWN : REFINED;
   }
@@ -95,14 +95,16 @@ export class Moving implements Shown {
 
   point(out: Float64Array, at: number): void {
     const { L } = this;
-    const [u0, u1, u2] = this.gauge.look.sight.u;
+    const { u } = this.gauge.look.sight;
     this.mover.meet(out[at + 6], out[at + 7], out, at + 3);
-    const [x, y, z] = [out[at + 3], out[at + 4], out[at + 5]];
+    const x = out[at + 3];
+    const y = out[at + 4];
+    const z = out[at + 5];
     const r = Math.sqrt(x * x + y * y + z * z);
-    const squeezed = this.squeeze * (u0 * x + u1 * y + u2 * z);
-    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - squeezed * u0;
-    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - squeezed * u1;
-    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - squeezed * u2;
+    const squeezed = this.squeeze * (u[0] * x + u[1] * y + u[2] * z);
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - squeezed * u[0];
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - squeezed * u[1];
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - squeezed * u[2];
   }
 
   /** Between graded edges the surface stays well within twice its corners' distance from their middle. */
@@ -124,5 +126,9 @@ export class Moving implements Shown {
   }
 }
 
-const apart = (points: Float64Array, i: number, x: number, y: number, z: number): number =>
-  Math.hypot(points[i] - x, points[i + 1] - y, points[i + 2] - z);
+function apart(points: Float64Array, i: number, x: number, y: number, z: number): number {
+  const dx = points[i] - x;
+  const dy = points[i + 1] - y;
+  const dz = points[i + 2] - z;
+  return Math.sqrt(dx * dx + dy * dy + dz * dz);
+}

@@ -52,26 +52,31 @@ abstract class Polyline implements Mover {
   /** The surface is crossed once, since nothing is as fast as light: bisection finds the piece, a quadratic or linear equation the event in it. */
   meet(w1: number, w2: number, out: Float64Array, at: number): void {
     this.aim(w1, w2);
-    let [lo, hi] = [0, this.times.length];
+    const { times } = this;
+    let lo = 0;
+    let hi = times.length;
     while (lo < hi) {
       const mid = (lo + hi) >>> 1;
       this.sample(mid);
-      if (this.late(this.times[mid]) <= 0) lo = mid + 1;
+      if (this.late(times[mid]) <= 0) lo = mid + 1;
       else hi = mid;
     }
     this.sample(Math.max(0, lo - 1));
-    const [ax, ay, az] = [this.x, this.y, this.z];
-    out[at] = ax;
-    out[at + 1] = ay;
-    out[at + 2] = az;
-    if (lo === 0 || lo === this.times.length) return;
-    this.sample(lo);
-    const span = this.times[lo] - this.times[lo - 1];
-    const [vx, vy, vz] = [(this.x - ax) / span, (this.y - ay) / span, (this.z - az) / span];
-    const s = Math.min(span, Math.max(0, this.crossing(-this.times[lo - 1], ax, ay, az, vx, vy, vz)));
-    out[at] = ax + vx * s;
-    out[at + 1] = ay + vy * s;
-    out[at + 2] = az + vz * s;
+    const ax = this.x;
+    const ay = this.y;
+    const az = this.z;
+    let s = 0;
+    if (lo > 0 && lo < times.length) {
+      this.sample(lo);
+      const span = times[lo] - times[lo - 1];
+      this.x = (this.x - ax) / span;
+      this.y = (this.y - ay) / span;
+      this.z = (this.z - az) / span;
+      s = Math.min(span, Math.max(0, this.crossing(-times[lo - 1], ax, ay, az)));
+    }
+    out[at] = ax + this.x * s;
+    out[at + 1] = ay + this.y * s;
+    out[at + 2] = az + this.z * s;
   }
 
   /** Changes of what has `size` numbers per sample. */
@@ -99,18 +104,21 @@ abstract class Polyline implements Mover {
   /** How far behind the surface the event (x, t) is; it rises along every world line. */
   private late(t: number): number {
     const { x, y, z } = this;
-    const [u0, u1, u2] = this.sight.u;
-    if (this.sight.surface === 'past-light-cone') return Math.sqrt(x * x + y * y + z * z) + t;
-    return this.sight.surface === 'slice' ? this.gamma * t - (u0 * x + u1 * y + u2 * z) : t;
+    const { u, surface } = this.sight;
+    if (surface === 'past-light-cone') return Math.sqrt(x * x + y * y + z * z) + t;
+    return surface === 'slice' ? this.gamma * t - (u[0] * x + u[1] * y + u[2] * z) : t;
   }
 
-  /** Time [m of light] from A, T before the observer's, to the crossing, with velocity v: `timeSince` of physics/emission.ts, `uniformSlice`. */
-  private crossing(T: number, ax: number, ay: number, az: number, vx: number, vy: number, vz: number): number {
-    const [u0, u1, u2] = this.sight.u;
-    if (this.sight.surface === 'now') return T;
-    if (this.sight.surface === 'slice')
-      return (u0 * ax + u1 * ay + u2 * az + this.gamma * T) / (this.gamma - (u0 * vx + u1 * vy + u2 * vz));
-    const [nx, ny, nz] = [ax + vx * T, ay + vy * T, az + vz * T];
+  /** Time [m of light] from A, T before the observer's, to the crossing, with the velocity in x, y, z: `timeSince` of physics/emission.ts, `uniformSlice`. */
+  private crossing(T: number, ax: number, ay: number, az: number): number {
+    const { x: vx, y: vy, z: vz } = this;
+    const { u, surface } = this.sight;
+    if (surface === 'now') return T;
+    if (surface === 'slice')
+      return (u[0] * ax + u[1] * ay + u[2] * az + this.gamma * T) / (this.gamma - (u[0] * vx + u[1] * vy + u[2] * vz));
+    const nx = ax + vx * T;
+    const ny = ay + vy * T;
+    const nz = az + vz * T;
     const slow = 1 - (vx * vx + vy * vy + vz * vz);
     const away = nx * vx + ny * vy + nz * vz;
     const now = nx * nx + ny * ny + nz * nz;
@@ -183,7 +191,8 @@ export class Posed extends Polyline {
   }
 
   private turn(k: number, px: number, py: number, pz: number): void {
-    const [R, i] = [this.turns, 9 * k];
+    const R = this.turns;
+    const i = 9 * k;
     this.x = R[i] * px + R[i + 1] * py + R[i + 2] * pz + this.centres[3 * k];
     this.y = R[i + 3] * px + R[i + 4] * py + R[i + 5] * pz + this.centres[3 * k + 1];
     this.z = R[i + 6] * px + R[i + 7] * py + R[i + 8] * pz + this.centres[3 * k + 2];
@@ -194,7 +203,9 @@ export class Posed extends Polyline {
 export class Deforming extends Polyline {
   private readonly points: readonly Float32Array[];
   private readonly origin: Vec3;
-  private corners: readonly [number, number, number] = [0, 0, 0];
+  private a = 0;
+  private b = 0;
+  private c = 0;
   private w1 = 0;
   private w2 = 0;
 
@@ -205,7 +216,9 @@ export class Deforming extends Polyline {
   }
 
   take(a: number, b: number, c: number): void {
-    this.corners = [3 * a, 3 * b, 3 * c];
+    this.a = 3 * a;
+    this.b = 3 * b;
+    this.c = 3 * c;
   }
 
   reach({ x, y, z, radius, speed, jolts }: Lump): Reach {
@@ -226,9 +239,9 @@ export class Deforming extends Polyline {
   }
 
   protected sample(k: number): void {
-    const [p, o] = [this.points[k], this.origin];
-    const [a, b, c] = this.corners;
-    const { w1, w2 } = this;
+    const p = this.points[k];
+    const o = this.origin;
+    const { a, b, c, w1, w2 } = this;
     const w0 = 1 - w1 - w2;
     this.x = w0 * p[a] + w1 * p[b] + w2 * p[c] + o[0];
     this.y = w0 * p[a + 1] + w1 * p[b + 1] + w2 * p[c + 1] + o[1];

@@ -2,6 +2,8 @@
 export const POINT = 8;
 /** Edges that are shown shorter are never cut [px]. */
 export const SHORTEST = 6;
+/** The same for curves with corners. */
+export const SHORTEST_KINKED = 2;
 
 /** What becomes of a cluster in a picture: */
 export type Fate = typeof DRAWN | typeof REFINED | typeof OUTSIDE;

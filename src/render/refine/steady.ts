@@ -112,17 +112,25 @@ export class Steady implements Shown {
   turnedAway(): boolean {
     if (this.doubleSided) return false;
     const X = this.corners;
-    const [ex, ey, ez] = [X[3] - X[0], X[4] - X[1], X[5] - X[2]];
-    const [fx, fy, fz] = [X[6] - X[0], X[7] - X[1], X[8] - X[2]];
-    const [nx, ny, nz] = [ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx];
+    const ex = X[3] - X[0];
+    const ey = X[4] - X[1];
+    const ez = X[5] - X[2];
+    const fx = X[6] - X[0];
+    const fy = X[7] - X[1];
+    const fz = X[8] - X[2];
+    const nx = ey * fz - ez * fy;
+    const ny = ez * fx - ex * fz;
+    const nz = ex * fy - ey * fx;
     const height = nx * X[0] + ny * X[1] + nz * X[2];
-    return height > 1e-6 * Math.hypot(nx, ny, nz) * Math.hypot(X[0], X[1], X[2]);
+    const square = (nx * nx + ny * ny + nz * nz) * (X[0] * X[0] + X[1] * X[1] + X[2] * X[2]);
+    return height > 1e-6 * Math.sqrt(square);
   }
 
   point(out: Float64Array, at: number): void {
     const X = this.corners;
     const { L } = this.map;
-    const [w1, w2] = [out[at + 6], out[at + 7]];
+    const w1 = out[at + 6];
+    const w2 = out[at + 7];
     const w0 = 1 - w1 - w2;
     const x = w0 * X[0] + w1 * X[3] + w2 * X[6];
     const y = w0 * X[1] + w1 * X[4] + w2 * X[7];
@@ -179,7 +187,6 @@ export class Steady implements Shown {
   /** Whether a chord of at most `longest` in a ball, or what lies between three of them, can be too far from what is seen. */
   private mayBend(x: number, y: number, z: number, radius: number, longest: number): boolean {
     const { w, ball } = this;
-    if (w === 0) return false;
     ball.set(x, y, z, radius + NEIGHBOURHOOD * longest);
     if (!(ball.near > 0)) return true;
     ball.look();
@@ -194,7 +201,9 @@ export class Steady implements Shown {
   private place(vertex: number, to: number): void {
     const { A, x0 } = this.map;
     const p = this.positions;
-    const [x, y, z] = [p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]];
+    const x = p[3 * vertex];
+    const y = p[3 * vertex + 1];
+    const z = p[3 * vertex + 2];
     this.corners[to] = A[0] * x + A[1] * y + A[2] * z + x0[0];
     this.corners[to + 1] = A[3] * x + A[4] * y + A[5] * z + x0[1];
     this.corners[to + 2] = A[6] * x + A[7] * y + A[8] * z + x0[2];
@@ -209,7 +218,9 @@ function norm(A: readonly number[]): number {
 }
 
 const side = (p: Float64Array, i: number, ax: number, ay: number, az: number, b: number): number => {
-  const [x, y, z] = [p[i + 3], p[i + 4], p[i + 5]];
+  const x = p[i + 3];
+  const y = p[i + 4];
+  const z = p[i + 5];
   const r = b > 0 ? b * Math.sqrt(x * x + y * y + z * z) : 0;
   return ax * x + ay * y + az * z + r;
 };
