@@ -2,6 +2,7 @@ import { bool, dot, float, If, int, Loop, length, max, min, select, uniform, vec
 import { Vector3 } from 'three/webgpu';
 import { rotate } from '../../math/quat.ts';
 import type { Bool, Float, Int, Vec3 } from '../../shaders/types.ts';
+import { greater, patternBase } from './gpuLeaf.ts';
 import { MOST_LEVEL } from './leaf.ts';
 import type { Look } from './look.ts';
 import { SHORTEST } from './shown.ts';
@@ -37,8 +38,7 @@ export function leafLevels(
   show: (weights: Vec3) => ShownPoint,
   gauge: EdgeGauge,
 ): { levels: Int; pattern: Int } {
-  const levels = int(0).toVar();
-  const [most, least] = [int(0).toVar(), int(MOST_LEVEL).toVar()];
+  const levels = [int(0).toVar(), int(0).toVar(), int(0).toVar()] as const;
   Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
     const edge = int(i).toVar();
     const of = (k: number) => {
@@ -46,17 +46,22 @@ export function leafLevels(
       return select(at.equal(int(1)), corners[1], select(at.equal(int(2)), corners[2], corners[0]));
     };
     const level = edgeLevel(of(0).toVar(), of(1).toVar(), show, gauge);
-    levels.addAssign(level.shiftLeft(edge.mul(int(3))));
-    most.assign(select(level.greaterThan(most), level, most));
-    least.assign(select(level.lessThan(least), level, least));
+    levels.forEach((to, k) => {
+      to.assign(select(edge.equal(int(k)), level, to));
+    });
   });
-  // As patternOf.
+  const most = greater(greater(levels[0], levels[1]), levels[2]);
+  // As patternOf and packLevels.
   const pattern = most
     .mul(most.add(int(1)))
     .shiftRight(int(1))
-    .add(least)
+    .add(patternBase(...levels))
     .toVar();
-  return { levels, pattern };
+  const packed = levels[0]
+    .add(levels[1].shiftLeft(int(3)))
+    .add(levels[2].shiftLeft(int(6)))
+    .toVar();
+  return { levels: packed, pattern };
 }
 
 /**
