@@ -4,7 +4,7 @@ import { POINT, SHORTEST, SHORTEST_KINKED, type Shown } from './shown.ts';
 /** Edges along which the distance, or the place that the edge is graded by, changes by more than this share of the least distance are cut. */
 export const GRADE = 0.75;
 /** Errors of depth count this much less than those across the line of sight. */
-export const DEPTH_WEIGHT = 0.25;
+export const DEPTH_WEIGHT = 0.5;
 /** The ends that do not exist are cut off as finely as this share of an edge of the mesh. */
 const HORIZON = 1 / 256;
 
@@ -42,7 +42,7 @@ export class EdgeCriterion {
     const length = this.length(points, a, b);
     if (length < (shown.kinked ? SHORTEST_KINKED : SHORTEST)) return false;
     const pieces = this.longPieces(shown, points, a, b);
-    return (length >= SHORTEST && pieces > most) || (shown.kinked && this.spread > 2 * this.gauge.tolerance);
+    return (length >= SHORTEST && pieces > most) || (shown.kinked && this.spread > this.gauge.tolerance);
   }
 
   private longPieces(shown: Shown, points: Float64Array, a: number, b: number): number {

@@ -8,7 +8,7 @@ import type { Look } from './look.ts';
 import { SHORTEST } from './shown.ts';
 
 /** Errors of depth count this much less than those across the line of sight. */
-const DEPTH_WEIGHT = 0.25;
+const DEPTH_WEIGHT = 0.5;
 
 /** Where a point of an edge is shown, in the observer's frame [m], and whether there is such a point. */
 export interface ShownPoint {
