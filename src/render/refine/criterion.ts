@@ -3,6 +3,13 @@ import { POINT, SHORTEST, SHORTEST_KINKED, type Shown } from './shown.ts';
 
 /** Edges along which the distance, or the place that the edge is graded by, changes by more than this share of the least distance are cut. */
 export const GRADE = 0.75;
+/**
+ * The same for edges near the plane through the eye across the line of sight, where no point can be projected: no triangle reaches from there into the
+ * picture, and nothing is left to the GPU's clipping, whose places SwiftShader has wrong by many pixels, or loses.
+ */
+export const GRADE_SIDEWAYS = 0.25;
+/** Cosine of the angle from the line of sight at which that begins. */
+export const SIDEWAYS = 0.15;
 /** Errors of depth count this much less than those across the line of sight. */
 export const DEPTH_WEIGHT = 0.5;
 /** The ends that do not exist are cut off as finely as this share of an edge of the mesh. */
@@ -23,6 +30,8 @@ export class EdgeCriterion {
   private readonly inner = new Float64Array(3 * POINT);
   private readonly distances = new Float64Array(5);
   private readonly magnified = new Float64Array(5);
+  /** Cosines of their angles from the line of sight. */
+  private readonly ahead = new Float64Array(5);
   /** Of the second differences of the last edge [px]. */
   private spread = 0;
 
@@ -82,7 +91,7 @@ export class EdgeCriterion {
     return count;
   }
 
-  /** Fills |F| and 1 + tan²θ, at most that of the picture's corner, of one of the five points. */
+  /** Fills |F|, cos θ and 1 + tan²θ, at most that of the picture's corner, of one of the five points. */
   private measure(p: Float64Array, i: number, to: number): void {
     const f = this.gauge.forward;
     const x = p[i];
@@ -91,7 +100,9 @@ export class EdgeCriterion {
     const square = x * x + y * y + z * z;
     const depth = f[0] * x + f[1] * y + f[2] * z;
     const { corner } = this.gauge;
-    this.distances[to] = Math.sqrt(square);
+    const distance = Math.sqrt(square);
+    this.distances[to] = distance;
+    this.ahead[to] = depth / distance;
     this.magnified[to] = depth > 0 && square < corner * depth * depth ? square / (depth * depth) : corner;
   }
 
@@ -99,10 +110,16 @@ export class EdgeCriterion {
   private graded(points: Float64Array, a: number, b: number): boolean {
     const { inner, distances: r } = this;
     for (let i = 0; i < 3; i++) this.measure(inner, POINT * i, i + 1);
-    if (distance(points, a, points, b, 0) > GRADE * Math.min(r[0], r[1], r[2], r[3], r[4])) return false;
+    const grade = this.sideways() ? GRADE_SIDEWAYS : GRADE;
+    if (distance(points, a, points, b, 0) > grade * Math.min(r[0], r[1], r[2], r[3], r[4])) return false;
     const ends = Math.min(norm(points, a + 3), norm(points, b + 3));
     const least = Math.min(ends, norm(inner, 3), norm(inner, POINT + 3), norm(inner, 2 * POINT + 3));
     return distance(points, a, points, b, 3) <= GRADE * least;
+  }
+
+  private sideways(): boolean {
+    const { ahead: c } = this;
+    return Math.min(c[0], c[1], c[2], c[3], c[4]) < SIDEWAYS && Math.max(c[0], c[1], c[2], c[3], c[4]) > -SIDEWAYS;
   }
 
   /** The largest second difference [px]; their spread is left in `spread`. */
