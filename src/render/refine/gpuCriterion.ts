@@ -2,13 +2,11 @@ import { bool, dot, float, If, int, Loop, length, max, min, select, uniform, vec
 import { Vector3 } from 'three/webgpu';
 import { rotate } from '../../math/quat.ts';
 import type { Bool, Float, Int, Vec3 } from '../../shaders/types.ts';
+import { DEPTH_WEIGHT, SHORTEST_STEP } from './criterion.ts';
 import { greater, patternBase } from './gpuLeaf.ts';
 import { MOST_LEVEL } from './leaf.ts';
 import type { Look } from './look.ts';
 import { SHORTEST } from './shown.ts';
-
-/** Errors of depth count this much less than those across the line of sight. */
-const DEPTH_WEIGHT = 0.5;
 
 /** Where a point of an edge is shown, in the observer's frame [m], and whether there is such a point. */
 export interface ShownPoint {
@@ -73,6 +71,7 @@ function edgeLevel(from: Vec3, to: Vec3, show: (weights: Vec3) => ShownPoint, ga
   const [before, middle] = [vec3(0).toVar(), vec3(0).toVar()];
   const [begin, end] = [vec3(0).toVar(), vec3(0).toVar()];
   const [least, largest, bend] = [float(1e30).toVar(), float(0).toVar(), float(0).toVar()];
+  const [turned, direction] = [float(0).toVar(), vec3(0).toVar()];
   const missing = bool(false).toVar();
   Loop({ start: int(0), end: int(5), type: 'int', condition: '<' }, ({ i }) => {
     // Loops inside `show` count with a variable of the same name.
@@ -83,7 +82,13 @@ function edgeLevel(from: Vec3, to: Vec3, show: (weights: Vec3) => ShownPoint, ga
     If(k.equal(int(0)), () => {
       begin.assign(end);
     });
-    least.assign(min(least, length(end)));
+    const distance = length(end).toVar();
+    const n = end.div(max(distance, 1e-30)).toVar();
+    If(k.greaterThan(int(0)), () => {
+      turned.assign(max(turned, length(n.sub(direction))));
+    });
+    direction.assign(n);
+    least.assign(min(least, distance));
     largest.assign(max(largest, magnification(end, gauge)));
     If(k.greaterThan(int(1)), () => {
       bend.assign(max(bend, bendOf(before.add(end).sub(middle.mul(2)).toVar(), middle, gauge)));
@@ -95,7 +100,8 @@ function edgeLevel(from: Vec3, to: Vec3, show: (weights: Vec3) => ShownPoint, ga
     .mul(gauge.focal)
     .mul(largest)
     .greaterThanEqual(least.mul(float(SHORTEST)));
-  const square = select(long.and(missing.not()), bend.mul(2).div(gauge.tolerance), float(0)).toVar();
+  const wide = turned.mul(gauge.focal).mul(largest).greaterThanEqual(SHORTEST_STEP);
+  const square = select(long.and(wide).and(missing.not()), bend.mul(2).div(gauge.tolerance), float(0)).toVar();
   const level = int(0).toVar();
   for (let k = 0; k < MOST_LEVEL; k++) level.addAssign(select(square.greaterThan(4 ** k), int(1), int(0)));
   return level;

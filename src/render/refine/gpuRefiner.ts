@@ -26,7 +26,7 @@ interface ListRequest extends LeafRequest {
 }
 
 /** Most leaves of a picture, by who finds their levels. */
-const BUDGET = { webgpu: 2 ** 17, webgl: 2 ** 14 } as const;
+const BUDGET = { webgpu: 2 ** 17, webgl: 2 ** 16 } as const;
 /** Pictures. */
 const COUNT_EVERY = 10;
 /** [px] */

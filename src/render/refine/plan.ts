@@ -127,10 +127,16 @@ export class Refinement {
     for (let k = 0; k < fates.length; k++) if (fates[k] === DRAWN) fates[k] = REFINED;
   }
 
+  /** Where no edge of a cluster is cut after all, it is drawn as it is. */
   private cut(cluster: number, coarse: Coarse): void {
     const { indices } = this.batch.arrays;
+    const before = this.leaves.count;
+    let whole = !this.batch.transparent;
     for (let t = this.starts[cluster]; t < this.starts[cluster + 1]; t++)
-      coarse.cut(t, indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]);
+      whole = coarse.cut(t, indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]) && whole;
+    if (!whole) return;
+    this.leaves.truncate(before);
+    this.fates[cluster] = DRAWN;
   }
 }
 
