@@ -10,9 +10,10 @@ import { load } from './load.ts';
 import { memory } from './memory.ts';
 import { page } from './page.ts';
 import { reference } from './reference.ts';
+import { refine } from './refine.ts';
 
 /** Every benchmark, in the order of the page. */
-const benches: readonly Bench[] = [frame, emission, memory, load, reference, page, bundle];
+const benches: readonly Bench[] = [frame, refine, emission, memory, load, reference, page, bundle];
 
 const file = fileURLToPath(new URL('../../../docs/performance.md', import.meta.url));
 const [BEGIN, END] = ['<!-- measured: npm run bench -->', '<!-- end -->'];
