@@ -1,7 +1,7 @@
 import { makeBatches } from '../src/render/batches.ts';
 import { makeBody } from '../src/render/bodies.ts';
 import type { Look } from '../src/render/refine/look.ts';
-import { planPicture, Refinement } from '../src/render/refine/plan.ts';
+import { LocalPlanner } from '../src/render/refine/planner.ts';
 import { worldObjects } from '../src/render/worldObjects.ts';
 import type { Scene } from '../src/scene/types.ts';
 import type { Frame } from '../tests/visual/frames.ts';
@@ -10,19 +10,17 @@ import { interleaved } from './bench.ts';
 
 const ROUNDS = 9;
 
-/** What the main thread does to cut one picture of light: clusters and coarse cuts, and with the levels of all leaves, as on WebGL2 [ms]. No budget. */
+/** What a processor does to cut one picture of light: clusters and coarse cuts, and with the levels of all leaves, as for WebGL2 [ms]. No budget. */
 export async function timesOfPlanning(scene: Scene, { view, settings }: Frame, size: Size): Promise<readonly number[]> {
   const { speedOfLight: c } = settings;
   const bodies = worldObjects(scene, c).map((object, i) => makeBody(object, i + 1));
-  const refinements = makeBatches({ ...scene, objects: bodies.map((body) => body.object) }, bodies).map(
-    (batch) => new Refinement(batch),
-  );
+  const batches = makeBatches({ ...scene, objects: bodies.map((body) => body.object) }, bodies);
   const look = lookOf(view, c, size);
-  const plan = () => planPicture(refinements, look);
-  const planAll = (): void => {
-    for (const [i, one] of plan().entries()) if (one) refinements[i].levelled(one, look);
-  };
-  return interleaved([() => void plan(), planAll], ROUNDS);
+  const works = [false, true].map((levelled) => {
+    const planner = new LocalPlanner(batches.map((batch) => ({ batch, levelled })));
+    return () => void planner.plan({ look, seen: batches.map(() => true) });
+  });
+  return interleaved(works, ROUNDS);
 }
 
 function lookOf({ t, position, u, orientation, fovY }: Frame['view'], c: number, { width, height }: Size): Look {

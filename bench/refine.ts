@@ -32,7 +32,7 @@ export const refine: Bench = {
     `The examples from their cameras at ${SIZE.width} × ${SIZE.height}, on WebGPU. *Uncut*: the triangles of the scene. *As needed*: what the program does. *Alike*: no edge longer than the greatest length, of halvings of the ` +
     `scene's longest one, with which the picture is as right as the program's, or has at most ${100 * WRONG} % wrong pixels and none more than ${REACH} px beside its place; at most ${MOST_TRIANGLES.toLocaleString('en')} triangles. ` +
     `Wrong, and the most that what a pixel shows is beside its place: ${PIXELS.length.toLocaleString('en')} pixels against rays of the reference, as in tests/visual. A frame ends when the GPU has answered; all three take turns. ` +
-    "*Plan*: the main thread's part of it, in f64; *with levels*: and what the GPU has left to do on WebGPU, but not on WebGL2.",
+    "*Plan*: a processor's part of it, in f64, which in the page is a worker's; *with levels*: and what the GPU has left to do on WebGPU, but not on WebGL2.",
   async run() {
     const errors: (string | number)[][] = [];
     const costs: (string | number)[][] = [];
