@@ -12,7 +12,8 @@ import type {
 import { parseListOp, parseMetadata, takeQualifier } from './metadata.ts';
 import { absolutePath } from './paths.ts';
 import { Scanner } from './scanner.ts';
-import { parseItems, parseTypeName, parseValue, rawBraces } from './values.ts';
+import { parseSpline } from './splines.ts';
+import { parseItems, parseTypeName, parseValue } from './values.ts';
 
 /** Prims in prims and variants in variants, to this depth. */
 const MAX_DEPTH = 256;
@@ -190,7 +191,7 @@ function parseOpinion(
       parseListOp(s, attribute.connections, qualifier, () => absolutePath(s.path(), prim.path));
       break;
     case 'spline':
-      attribute.spline = rawBraces(s);
+      attribute.spline = parseSpline(s, attribute.typeName);
       break;
     default:
       s.fail(`'.${part}' is not .timeSamples, .connect or .spline`);
