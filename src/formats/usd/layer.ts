@@ -24,7 +24,7 @@ export interface PrimSpec {
   readonly metadata: Map<string, MetadataValue>;
   readonly properties: Map<string, PropertySpec>;
   readonly children: Map<string, PrimSpec>;
-  /** Variant set → variant → what that variant adds. */
+  /** Variant set → variant → what that variant adds. A set without variants is not among them. */
   readonly variantSets: Map<string, Map<string, PrimSpec>>;
   childOrder?: readonly string[];
   propertyOrder?: readonly string[];
