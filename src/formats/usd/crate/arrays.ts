@@ -66,6 +66,26 @@ function readTexts(cursor: Cursor, count: number, storage: string, texts: Texts)
   });
 }
 
+/** One number as it lies. */
+export function readNumber(cursor: Cursor, scalar: CrateScalar): number {
+  const { view } = cursor.source;
+  const at = cursor.pass(BYTES[scalar], 'a number');
+  switch (scalar) {
+    case 'half':
+      return fromHalf(view.getUint16(at, true));
+    case 'float':
+      return view.getFloat32(at, true);
+    case 'double':
+      return view.getFloat64(at, true);
+    case 'int':
+      return view.getInt32(at, true);
+    case 'uint':
+      return view.getUint32(at, true);
+    default:
+      return view.getUint8(at);
+  }
+}
+
 /** `count` numbers as they lie. Halves become f32. */
 export function readNumbers(cursor: Cursor, scalar: CrateScalar, count: number): NumberArray {
   const { source } = cursor;

@@ -18,11 +18,11 @@ export const isCrate = (bytes: Uint8Array): boolean =>
 
 /** Reads the header and the table of contents: where each section begins. Refuses versions that are not read. */
 export function readSections(source: CrateSource): Map<SectionName, number> {
-  source.place = 'header';
+  source.section = 'header';
   source.need(0, HEADER_BYTES, 'the header');
   source.version = checkVersion(source);
   const start = new Cursor(source, 16).i64('the place of the table of contents');
-  source.place = 'table of contents';
+  source.section = 'table of contents';
   const cursor = new Cursor(source, start);
   const count = cursor.count('sections', ENTRY_BYTES);
   if (count > MAX_SECTIONS) source.fail(`it says ${count} sections; a crate file has ${SECTIONS.length}`, start);

@@ -4,17 +4,48 @@ import type { CrateSource, Cursor } from './source.ts';
 /** Prims in prims and variants in variants, to this depth; as in text. */
 const MAX_DEPTH = 256;
 
-export interface PathNode {
-  readonly path: string;
+/** One path, and the spec that it has. */
+export class PathNode {
   /** Of this path in its parent: the name of a prim or property, `{set=variant}`, `[target]`. */
   readonly element: string;
   readonly isProperty: boolean;
   readonly parent: PathNode | undefined;
   readonly depth: number;
+  /** Of the path as text. */
+  readonly length: number;
+  readonly children: PathNode[] = [];
+  /** 0 where there is no spec. */
+  specType = 0;
+  /** Where its set of fields begins. */
+  fieldSet = -1;
+  /** Whether the spec has found its place in the layer. */
+  isBuilt = false;
+  private text: string | undefined;
+
+  constructor(element: string, isProperty: boolean, parent: PathNode | undefined) {
+    this.element = element;
+    this.isProperty = isProperty;
+    this.parent = parent;
+    this.depth = parent ? parent.depth + 1 : 0;
+    this.length = parent ? parent.length + 1 + element.length : 1;
+  }
+
+  /** `/A/B.x`, `/A{set=variant}B`. */
+  get path(): string {
+    const { parent, element } = this;
+    if (!parent) return '/';
+    this.text ??= parent.path + separator(parent, element, this.isProperty) + element;
+    return this.text;
+  }
+}
+
+function separator(parent: PathNode, element: string, isProperty: boolean): string {
+  if (isProperty) return '.';
+  return !parent.parent || parent.element.endsWith('}') || /^[{[]/.test(element) ? '' : '/';
 }
 
 /** What one path costs beyond its characters. */
-const NODE_BYTES = 96;
+const NODE_BYTES = 128;
 
 /**
  * The tree of paths, depth first. Of each there is its index, the token of its last part (negative for a property),
@@ -80,20 +111,13 @@ function newNode(
   tokens: readonly string[],
   at: number,
 ): PathNode {
-  if (!parent) return { path: '/', element: '', isProperty: false, parent, depth: 0 };
+  if (!parent) return new PathNode('', false, undefined);
   const element = tokens[Math.abs(signed)];
   if (element === undefined)
     return source.fail(`an element of a path is token ${Math.abs(signed)} of ${tokens.length}`, at);
-  const depth = parent.depth + 1;
-  if (depth > MAX_DEPTH) source.fail(`paths are nested more than ${MAX_DEPTH} deep: ${parent.path}`, at);
-  const isProperty = signed < 0;
-  const path = parent.path + separator(parent.path, element, isProperty) + element;
-  source.spend(NODE_BYTES + 2 * path.length, 'a path', at);
-  return { path, element, isProperty, parent, depth };
-}
-
-function separator(parent: string, element: string, isProperty: boolean): string {
-  if (isProperty) return '.';
-  const bare = parent === '/' || parent.endsWith('}') || /^[{[]/.test(element);
-  return bare ? '' : '/';
+  if (parent.depth === MAX_DEPTH) source.fail(`paths are nested more than ${MAX_DEPTH} deep`, at);
+  const node = new PathNode(element, signed < 0, parent);
+  source.spend(NODE_BYTES + 2 * node.length, 'a path', at);
+  parent.children.push(node);
+  return node;
 }

@@ -1,6 +1,6 @@
 import { fromHalf } from '../../half.ts';
 import type { NumberArray, Value } from '../layer.ts';
-import { readNumbers, type Texts } from './arrays.ts';
+import { readNumber, type Texts } from './arrays.ts';
 import type { Rep } from './rep.ts';
 import { type CrateSource, Cursor } from './source.ts';
 import type { ArrayType, CrateScalar } from './types.ts';
@@ -9,9 +9,9 @@ import type { ArrayType, CrateScalar } from './types.ts';
 export function readSingle(source: CrateSource, rep: Rep, type: ArrayType, texts: Texts): Value {
   switch (type.kind) {
     case 'bool':
-      return { type: 'bool', data: readNumber(source, rep, 'bool') !== 0 };
+      return { type: 'bool', data: numberOf(source, rep, 'bool') !== 0 };
     case 'number':
-      return { type: type.storage, data: readNumber(source, rep, type.scalar) };
+      return { type: type.storage, data: numberOf(source, rep, type.scalar) };
     case 'long':
       return { type: type.storage, data: readLong(source, rep, type.storage) };
     case 'text':
@@ -24,8 +24,8 @@ export function readSingle(source: CrateSource, rep: Rep, type: ArrayType, texts
 const scratch = new DataView(new ArrayBuffer(4));
 
 /** Doubles are inlined as floats, where a float holds them. */
-function readNumber(source: CrateSource, rep: Rep, scalar: CrateScalar): number {
-  if (!rep.isInlined) return readNumbers(new Cursor(source, rep.offset), scalar, 1)[0];
+function numberOf(source: CrateSource, rep: Rep, scalar: CrateScalar): number {
+  if (!rep.isInlined) return readNumber(new Cursor(source, rep.offset), scalar);
   const { low } = rep;
   switch (scalar) {
     case 'bool':
@@ -61,12 +61,24 @@ type TupleType = Extract<ArrayType, { kind: 'tuple' }>;
 
 /** Small whole numbers are inlined as bytes with a sign: all of a vector, or the diagonal of a matrix. */
 function readTuple(source: CrateSource, rep: Rep, { scalar, size, storage }: TupleType): NumberArray {
-  if (!rep.isInlined) return readNumbers(new Cursor(source, rep.offset), scalar, size);
+  source.spend(TUPLE_BYTES, `a ${storage}`, rep.at);
+  const out = newTuple(scalar, size);
+  if (!rep.isInlined) {
+    const cursor = new Cursor(source, rep.offset);
+    for (let i = 0; i < size; i++) out[i] = readNumber(cursor, scalar);
+    return out;
+  }
   if (storage === 'half2') return Float32Array.of(fromHalf(rep.low & 0xffff), fromHalf(rep.low >>> 16));
   const byte = (i: number): number => (rep.low << (24 - 8 * i)) >> 24;
   const step = storage.startsWith('matrix') ? Math.sqrt(size) + 1 : 1;
-  const at = (i: number): number => (i % step === 0 ? byte(i / step) : 0);
-  const numbers = Array.from({ length: size }, (_, i) => at(i));
-  if (scalar === 'int') return Int32Array.from(numbers);
-  return scalar === 'double' ? Float64Array.from(numbers) : Float32Array.from(numbers);
+  for (let i = 0; i * step < size; i++) out[i * step] = byte(i);
+  return out;
+}
+
+/** What a small array costs. */
+const TUPLE_BYTES = 160;
+
+function newTuple(scalar: CrateScalar, size: number): NumberArray {
+  if (scalar === 'int') return new Int32Array(size);
+  return scalar === 'double' ? new Float64Array(size) : new Float32Array(size);
 }

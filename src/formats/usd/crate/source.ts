@@ -10,8 +10,9 @@ export class CrateSource {
   readonly view: DataView;
   /** Of the file: 8 is 0.8. Set by the header. */
   version = 0;
-  /** The section that is read, or the path of the spec and which of its fields. */
-  place = '';
+  /** The section that is read, or the spec and which of its fields. */
+  section = '';
+  node: { readonly path: string } | undefined;
   field = '';
   private left: number;
   private readonly most: number;
@@ -49,9 +50,8 @@ export class CrateSource {
   }
 
   private where(at: number | undefined): string {
-    const isPath = this.place.startsWith('/');
-    const inside = isPath ? `<${this.place}>${this.field && ` ${this.field}`}` : '';
-    const details = [isPath ? '' : this.place, at === undefined ? '' : `byte ${at}`].filter(Boolean);
+    const inside = this.node ? `<${this.node.path}>${this.field && ` ${this.field}`}` : '';
+    const details = [this.node ? '' : this.section, at === undefined ? '' : `byte ${at}`].filter(Boolean);
     return `${this.file}${inside}${details.length > 0 ? ` (${details.join(', ')})` : ''}`;
   }
 }

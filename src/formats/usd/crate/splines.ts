@@ -1,5 +1,5 @@
 import type { Dictionary, Extrapolation, Spline, SplineKnot, SplineLoop, Tangent } from '../layer.ts';
-import { readNumbers } from './arrays.ts';
+import { readNumber } from './arrays.ts';
 import { ENTRY_BYTES, type Values } from './kinds.ts';
 import type { Rep } from './rep.ts';
 import { Cursor } from './source.ts';
@@ -54,7 +54,7 @@ function readBytes(cursor: Cursor, custom: CustomData): Spline {
   const shape: Shape = {
     version,
     isHermite: (first & 128) !== 0,
-    value: () => readNumbers(cursor, scalar, 1)[0],
+    value: () => readNumber(cursor, scalar),
   };
   const modes = cursor.u8('a spline');
   const before = readExtrapolation(cursor, modes & 7);

@@ -35,7 +35,7 @@ const TEXT_BYTES = 32;
 
 export function readStructure(source: CrateSource, sections: ReadonlyMap<SectionName, number>): Structure {
   const enter = (name: SectionName): Cursor => {
-    source.place = name;
+    source.section = name;
     return new Cursor(source, sections.get(name)!);
   };
   const tokens = readTokens(enter('TOKENS'));

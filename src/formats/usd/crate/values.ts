@@ -2,13 +2,13 @@ import type { Value } from '../layer.ts';
 import { readArray } from './arrays.ts';
 import { ENTRY_BYTES, type FieldValue, type Values } from './kinds.ts';
 import { readListOp, readSelections, readVector } from './lists.ts';
-import { type Rep, repOf } from './rep.ts';
+import { Rep } from './rep.ts';
 import { readSingle } from './singles.ts';
 import { type CrateSource, Cursor } from './source.ts';
 import { readSpline } from './splines.ts';
 import type { Structure } from './structure.ts';
 import { readTimeSamples } from './timeSamples.ts';
-import { arrayTypes, LONE } from './types.ts';
+import { type ArrayType, arrayTypes, LONE } from './types.ts';
 
 /** Values in values, to this depth. */
 const MAX_DEPTH = 64;
@@ -20,7 +20,8 @@ const MAX_DEPTH = 64;
 export class ValueReader implements Values {
   readonly source: CrateSource;
   private readonly structure: Structure;
-  private readonly known = new Map<number, { readonly kind: number; readonly value: FieldValue }>();
+  /** What was read, by type and flags, then by place. */
+  private readonly known = new Map<number, Map<number, FieldValue>>();
   private depth = 0;
 
   constructor(source: CrateSource, structure: Structure) {
@@ -48,15 +49,19 @@ export class ValueReader implements Values {
 
   /** The value of a representation. */
   read(rep: Rep): FieldValue {
-    if (rep.isInlined) return this.decode(rep);
-    const known = this.known.get(rep.offset);
-    if (known?.kind === rep.kind) return known.value;
+    const type = arrayTypes.get(rep.type);
+    if (type && !rep.isArray) return readSingle(this.source, rep, type, this);
+    if (rep.isInlined) return this.decode(rep, type);
+    const known = this.known.get(rep.kind) ?? new Map<number, FieldValue>();
+    this.known.set(rep.kind, known);
+    const before = known.get(rep.offset);
+    if (before) return before;
     if (this.depth === MAX_DEPTH) this.source.fail(`values are nested more than ${MAX_DEPTH} deep`, rep.at);
     this.depth++;
-    const value = this.decode(rep);
+    const value = this.decode(rep, type);
     this.depth--;
     this.source.spend(ENTRY_BYTES, 'a value', rep.at);
-    this.known.set(rep.offset, { kind: rep.kind, value });
+    known.set(rep.offset, value);
     return value;
   }
 
@@ -64,7 +69,7 @@ export class ValueReader implements Values {
   readAt(cursor: Cursor): FieldValue {
     const at = cursor.pass(8, 'a value');
     const { view } = this.source;
-    return this.read(repOf(this.source, view.getUint32(at, true), view.getUint32(at + 4, true), at));
+    return this.read(new Rep(this.source, view.getUint32(at, true), view.getUint32(at + 4, true), at));
   }
 
   /** The value whose representation is where the next offset leads; what is read next follows it. */
@@ -99,9 +104,8 @@ export class ValueReader implements Values {
     }
   }
 
-  private decode(rep: Rep): FieldValue {
-    const type = arrayTypes.get(rep.type);
-    if (type) return rep.isArray ? readArray(this.source, rep, type, this) : readSingle(this.source, rep, type, this);
+  private decode(rep: Rep, type: ArrayType | undefined): FieldValue {
+    if (type) return readArray(this.source, rep, type, this);
     if (rep.isArray) this.source.fail(`there are no arrays of type ${rep.type}`, rep.at);
     return this.decodeLone(rep, new Cursor(this.source, rep.offset));
   }
