@@ -44,6 +44,7 @@ export class SpecReader {
     source.node = node;
     for (let i = fieldSet; fieldSets[i] !== -1; i++) {
       const field = fieldSets[i];
+      source.field = '';
       if (!(field >= 0 && field < fields.names.length))
         source.fail(`of its fields, from ${fieldSet} on, one is field ${field} of ${fields.names.length}`);
       source.spend(ENTRY_BYTES, 'a field');
@@ -72,6 +73,7 @@ export class Fields {
   }
 
   add(name: string, field: FieldValue): void {
+    if (this.keys.includes(name)) this.source.fail('it has this field twice');
     this.keys.push(name);
     this.fields.push(field);
   }

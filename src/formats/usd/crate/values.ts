@@ -51,15 +51,13 @@ export class ValueReader implements Values {
   read(rep: Rep): FieldValue {
     const type = arrayTypes.get(rep.type);
     if (type && !rep.isArray) return readSingle(this.source, rep, type, this);
-    if (rep.isInlined) return this.decode(rep, type);
+    // A dictionary is read each time it is referred to: shared ones could hold each other twice, 2⁶⁴ entries in all.
+    if (rep.isInlined || rep.type === LONE.dictionary) return this.decode(rep, type);
     const known = this.known.get(rep.kind) ?? new Map<number, FieldValue>();
     this.known.set(rep.kind, known);
     const before = known.get(rep.offset);
     if (before) return before;
-    if (this.depth === MAX_DEPTH) this.source.fail(`values are nested more than ${MAX_DEPTH} deep`, rep.at);
-    this.depth++;
     const value = this.decode(rep, type);
-    this.depth--;
     this.source.spend(ENTRY_BYTES, 'a value', rep.at);
     known.set(rep.offset, value);
     return value;
@@ -107,7 +105,11 @@ export class ValueReader implements Values {
   private decode(rep: Rep, type: ArrayType | undefined): FieldValue {
     if (type) return readArray(this.source, rep, type, this);
     if (rep.isArray) this.source.fail(`there are no arrays of type ${rep.type}`, rep.at);
-    return this.decodeLone(rep, new Cursor(this.source, rep.offset));
+    if (this.depth === MAX_DEPTH) this.source.fail(`values are nested more than ${MAX_DEPTH} deep`, rep.at);
+    this.depth++;
+    const value = this.decodeLone(rep, new Cursor(this.source, rep.offset));
+    this.depth--;
+    return value;
   }
 
   private decodeLone(rep: Rep, cursor: Cursor): FieldValue {
