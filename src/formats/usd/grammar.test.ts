@@ -155,6 +155,15 @@ describe('statements', () => {
     expect([...properties.keys()]).toEqual(['x', 'y', 'z', 'w']);
   });
 
+  it('that delete or prepend nothing say nothing, and an empty list says that it is empty', () => {
+    const op = (statement: string) => {
+      const entry = parse(`def "A" (\n${statement} = []\n)\n{\n}`).rootPrims.get('A')!.metadata.get('references');
+      return entry?.type === 'arcs' ? entry.op : undefined;
+    };
+    expect(op('delete references')).toEqual({});
+    expect(op('references')).toEqual({ explicit: [] });
+  });
+
   it('keep a value of unknown type as text', () => {
     expect(valueIn('odd x = [("]", 2), @a@]')).toEqual({ type: 'unregistered', data: '[("]", 2), @a@]' });
   });

@@ -1,8 +1,7 @@
-import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { random } from '../../../math/random.ts';
 import { InputError } from '../../../scene/types.ts';
 import type { AttributeSpec, Layer } from '../layer.ts';
+import { outcome, refusal } from './fixtures/outcome.ts';
 import {
   bytes,
   type CrateParts,
@@ -17,61 +16,6 @@ import {
   u64,
   writeCrate,
 } from './fixtures/writeCrate.ts';
-import { readCrate } from './read.ts';
-
-const fixture = (name: string): Uint8Array =>
-  new Uint8Array(readFileSync(new URL(`./fixtures/${name}.usdc`, import.meta.url)));
-
-/** A layer, or a clear refusal: anything else that is thrown is a bug. */
-function outcome(data: Uint8Array): Layer | InputError {
-  try {
-    return readCrate(data, 'a.usdc');
-  } catch (thrown) {
-    if (!(thrown instanceof InputError)) throw thrown;
-    expect(thrown.message).toMatch(/^a\.usdc(<.*>.*)?( \(.*\))?: ./s);
-    return thrown;
-  }
-}
-
-const refusal = (data: Uint8Array): string => {
-  const result = outcome(data);
-  return result instanceof InputError ? result.message : 'read';
-};
-
-describe.each(['values', 'arrays', 'arrays-0.4', 'structure', 'splines', 'written'])('%s.usdc, damaged,', (name) => {
-  const whole = fixture(name);
-
-  it('is refused when cut off anywhere', () => {
-    for (let k = 0; k < 20; k++)
-      expect(outcome(whole.subarray(0, Math.floor((whole.length * k) / 20)))).toBeInstanceOf(InputError);
-    expect(outcome(whole.subarray(0, whole.length - 1))).toBeInstanceOf(InputError);
-  });
-
-  it('is read or refused with any byte changed', () => {
-    const next = random(20261121);
-    const damaged = whole.slice();
-    for (let k = 0; k < 2000; k++) {
-      const at = Math.floor(next() * whole.length);
-      damaged[at] = Math.floor(next() * 256);
-      outcome(damaged);
-      damaged[at] = whole[at];
-    }
-  });
-});
-
-describe.each(['splines', 'written'])('%s.usdc', (name) => {
-  it('is read or refused with a huge count anywhere', () => {
-    const whole = fixture(name);
-    const damaged = whole.slice();
-    const view = new DataView(damaged.buffer);
-    for (let at = 16; at + 8 <= whole.length; at++)
-      for (const count of [2n ** 31n - 1n, 2n ** 40n, 2n ** 63n - 1n, -1n]) {
-        view.setBigInt64(at, count, true);
-        outcome(damaged);
-        damaged.set(whole.subarray(at, at + 8), at);
-      }
-  });
-});
 
 const TOKENS = [
   '',
@@ -195,6 +139,22 @@ describe('a crate written here', () => {
   it('with one field twice is refused', () => {
     const field = ['default', rep(3, 1, 'i')] as const;
     expect(refusal(crate(u64(0), [field, field]))).toBe('a.usdc</A.x> default: it has this field twice');
+  });
+
+  it('with a place past the end of a table of numbers is refused', () => {
+    const places = Array.from({ length: 20 }, (_, i) => (i === 7 ? 2 : 1));
+    const data = bytes(u64(20), ['t'.charCodeAt(0)], u32(2, 0, 0x3f800000), integers(places));
+    expect(refusal(crate(data, [['default', rep(8, DATA_START, 'ac')]]))).toContain(
+      'default (byte 96): number 7 of an array is at place 2 of a table of 2',
+    );
+  });
+
+  it('with more samples than times is refused', () => {
+    const times = bytes(u64(1), new Uint8Array(8));
+    const samples = bytes(times, u64(8, rep(48, DATA_START), 8, 2, rep(3, 0, 'i'), rep(3, 0, 'i')));
+    expect(refusal(crate(samples, [['timeSamples', rep(46, DATA_START + times.length)]]))).toContain(
+      'there are 2 samples at 1 times',
+    );
   });
 
   it('with samples out of order is refused', () => {
@@ -351,6 +311,23 @@ describe('tokens that lie', () => {
     expect(tokens(bytes(u64(5, 4), sized(stored(u32(0)))))).toContain('it says 5 tokens in 4 bytes');
     expect(tokens(bytes(u64(1, 2 ** 50), sized(stored(u32(0)))))).toContain('it says 1125899906842624 bytes of tokens');
     expect(tokens(bytes(u64(1e8, 1e8), sized(repeated(0, 1e8))))).toContain('100000000 tokens would take');
+  });
+
+  it('are referred to and not there', () => {
+    expect(refusal(crate(u64(0), [], [], { strings: [99] }))).toMatch(
+      /STRINGS, byte \d+\): string 0 is token 99 of 11/,
+    );
+    const fields = bytes(u64(1), integers([99]), sized(stored(u64(0))));
+    expect(refusal(crate(u64(0), [], [], { sections: { FIELDS: fields } }))).toContain(
+      'the name of field 0 is token 99 of 11',
+    );
+  });
+
+  it('are of fields that have fewer values', () => {
+    const fields = bytes(u64(2), integers([1, 2]), sized(stored(u64(0))));
+    expect(refusal(crate(u64(0), [], [], { sections: { FIELDS: fields } }))).toContain(
+      'the values of 2 fields take 8 bytes, not 16',
+    );
   });
 
   it('are compressed wrongly', () => {
