@@ -10,6 +10,16 @@ const LEAST_COMPRESSED = 16;
 
 const BYTES = { bool: 1, uchar: 1, int: 4, uint: 4, half: 2, float: 4, double: 8 } as const;
 
+export const ARRAYS = {
+  bool: Uint8Array,
+  uchar: Uint8Array,
+  int: Int32Array,
+  uint: Uint32Array,
+  half: Float32Array,
+  float: Float32Array,
+  double: Float64Array,
+} as const;
+
 /** What a text in an array costs: a reference. */
 const REFERENCE_BYTES = 8;
 
@@ -86,29 +96,25 @@ export function readNumber(cursor: Cursor, scalar: CrateScalar): number {
   }
 }
 
+/** What is shorter is read number by number, which makes no buffer of its own [bytes]. */
+const LEAST_COPIED = 64;
+
 /** `count` numbers as they lie. Halves become f32. */
 export function readNumbers(cursor: Cursor, scalar: CrateScalar, count: number): NumberArray {
   const { source } = cursor;
-  const { bytes } = source;
   const size = BYTES[scalar] * count;
   const from = cursor.pass(size, `an array of ${count} numbers`);
   source.spend(scalar === 'half' ? 2 * size : size, `an array of ${count} numbers`, from);
-  // A copy: the file need not be kept for it, and it begins where the platform wants numbers to begin.
-  const buffer = bytes.slice(from, from + size).buffer;
-  switch (scalar) {
-    case 'half':
-      return Float32Array.from(new Uint16Array(buffer), fromHalf);
-    case 'float':
-      return new Float32Array(buffer);
-    case 'double':
-      return new Float64Array(buffer);
-    case 'int':
-      return new Int32Array(buffer);
-    case 'uint':
-      return new Uint32Array(buffer);
-    default:
-      return new Uint8Array(buffer);
+  const NumbersArray = ARRAYS[scalar];
+  if (size < LEAST_COPIED) {
+    const out = new NumbersArray(count);
+    const each = new Cursor(source, from);
+    for (let i = 0; i < count; i++) out[i] = readNumber(each, scalar);
+    return out;
   }
+  // A copy: the file need not be kept for it, and it begins where the platform wants numbers to begin.
+  const { buffer } = source.bytes.slice(from, from + size);
+  return scalar === 'half' ? Float32Array.from(new Uint16Array(buffer), fromHalf) : new NumbersArray(buffer);
 }
 
 function readPairs(cursor: Cursor, count: number): Uint32Array<ArrayBuffer> {
@@ -126,7 +132,7 @@ function readCompressed(cursor: Cursor, scalar: CrateScalar, count: number): Num
   if (scalar === 'uchar' || scalar === 'bool') return source.fail(`an array of ${scalar} says it is compressed`, at);
   const code = cursor.u8('how numbers are compressed');
   if (code !== AS_INTEGERS && code !== BY_TABLE) source.fail(`numbers are compressed in an unknown way (${code})`, at);
-  const FloatArray = scalar === 'double' ? Float64Array : Float32Array;
+  const FloatArray = ARRAYS[scalar];
   source.spend(FloatArray.BYTES_PER_ELEMENT * count, `an array of ${count} numbers`, at);
   if (code === AS_INTEGERS) return FloatArray.from(readInt32s(cursor, count, 'whole numbers'));
   const table = readNumbers(cursor, scalar, cursor.u32('the size of a table of numbers'));

@@ -119,8 +119,12 @@ export class Fields {
     for (const name of names) this.takeOut(name);
   }
 
-  *rest(): Generator<[string, FieldValue]> {
-    for (const [i, field] of this.fields.entries()) if (field) yield [this.keys[i], field];
+  /** Passes on what is left. */
+  forRest(use: (name: string, field: FieldValue) => void): void {
+    for (let i = 0; i < this.keys.length; i++) {
+      const field = this.fields[i];
+      if (field) use(this.keys[i], field);
+    }
   }
 
   fail(message: string): never {

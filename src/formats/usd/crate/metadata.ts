@@ -18,10 +18,10 @@ export function metadataOf(fields: Fields): Map<string, MetadataValue> {
   const metadata = new Map<string, MetadataValue>();
   const subLayers = subLayersOf(fields);
   if (subLayers) metadata.set('subLayers', { type: 'subLayers', data: subLayers });
-  for (const [name, field] of fields.rest()) {
+  fields.forRest((name, field) => {
     const key = WRITTEN.get(name) ?? name;
     metadata.set(key, entryOf(fields, key, field));
-  }
+  });
   return metadata;
 }
 

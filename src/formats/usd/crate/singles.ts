@@ -1,6 +1,6 @@
 import { fromHalf } from '../../half.ts';
 import type { NumberArray, Value } from '../layer.ts';
-import { readNumber, type Texts } from './arrays.ts';
+import { ARRAYS, readNumber, type Texts } from './arrays.ts';
 import type { Rep } from './rep.ts';
 import { type CrateSource, Cursor } from './source.ts';
 import type { ArrayType, CrateScalar } from './types.ts';
@@ -62,7 +62,7 @@ type TupleType = Extract<ArrayType, { kind: 'tuple' }>;
 /** Small whole numbers are inlined as bytes with a sign: all of a vector, or the diagonal of a matrix. */
 function readTuple(source: CrateSource, rep: Rep, { scalar, size, storage }: TupleType): NumberArray {
   source.spend(TUPLE_BYTES, `a ${storage}`, rep.at);
-  const out = newTuple(scalar, size);
+  const out = new ARRAYS[scalar](size);
   if (!rep.isInlined) {
     const cursor = new Cursor(source, rep.offset);
     for (let i = 0; i < size; i++) out[i] = readNumber(cursor, scalar);
@@ -77,8 +77,3 @@ function readTuple(source: CrateSource, rep: Rep, { scalar, size, storage }: Tup
 
 /** What a small array costs. */
 const TUPLE_BYTES = 160;
-
-function newTuple(scalar: CrateScalar, size: number): NumberArray {
-  if (scalar === 'int') return new Int32Array(size);
-  return scalar === 'double' ? new Float64Array(size) : new Float32Array(size);
-}

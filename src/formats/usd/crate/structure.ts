@@ -65,19 +65,36 @@ function readTokens(cursor: Cursor): string[] {
 }
 
 function splitTokens(source: CrateSource, bytes: Uint8Array, count: number, at: number): string[] {
-  const utf8 = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
   const tokens: string[] = [];
   for (let start = 0; tokens.length < count; ) {
     const end = bytes.indexOf(0, start);
     if (end < 0) source.fail(`of ${count} tokens there are ${tokens.length}`, at);
-    try {
-      tokens.push(utf8.decode(bytes.subarray(start, end)));
-    } catch {
-      source.fail(`token ${tokens.length} is not UTF-8`, at);
-    }
+    tokens.push(textOf(bytes, start, end) ?? source.fail(`token ${tokens.length} is not UTF-8`, at));
     start = end + 1;
   }
   return tokens;
+}
+
+const utf8 = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
+/** Up to this length ASCII is quicker without the platform's decoder. */
+const SHORT = 24;
+
+/** Undefined for what is not UTF-8. */
+function textOf(bytes: Uint8Array, start: number, end: number): string | undefined {
+  let text = '';
+  for (let i = start; i < end; i++) {
+    if (i - start > SHORT || bytes[i] > 127) return decode(bytes.subarray(start, end));
+    text += String.fromCharCode(bytes[i]);
+  }
+  return text;
+}
+
+function decode(bytes: Uint8Array): string | undefined {
+  try {
+    return utf8.decode(bytes);
+  } catch {
+    return undefined;
+  }
 }
 
 function readStrings(cursor: Cursor, tokens: number): Uint32Array {
