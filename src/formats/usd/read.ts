@@ -4,10 +4,8 @@ import type { ReadOptions } from '../registry.ts';
 import { type FileSource, resolvePath } from '../source.ts';
 import { DiagnosticList, metadataNumber, report, type StageContext } from './context.ts';
 import { noteUnreadLayers } from './coverage.ts';
-import { isCrate } from './crate/bootstrap.ts';
-import { readCrate } from './crate/read.ts';
 import type { Layer } from './layer.ts';
-import { parseLayer } from './parser.ts';
+import { readLayer } from './readLayer.ts';
 import { hintsOf } from './slowlight.ts';
 import { readStage, type StageContents, upAxisOf } from './stage.ts';
 import { isZip, openPackage } from './usdz.ts';
@@ -48,10 +46,6 @@ function openLayer(files: FileSource, entry: string, bytes: Uint8Array): { layer
   };
   return { layer: readLayer(contents.files.get(contents.layer)!, resolvePath(prefix, contents.layer)), source };
 }
-
-/** Text or binary, whatever the file is called. */
-const readLayer = (bytes: Uint8Array, name: string): Layer =>
-  isCrate(bytes) ? readCrate(bytes, name) : parseLayer(bytes, name);
 
 function contextOf(layer: Layer, source: FileSource, options: ReadOptions): StageContext {
   const number = (key: string): number | undefined => metadataNumber(layer.metadata, key);
