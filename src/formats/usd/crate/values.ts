@@ -14,6 +14,12 @@ import { type ArrayType, arrayTypes, LONE } from './types.ts';
 const MAX_DEPTH = 64;
 
 /**
+ * What can be, or hold, a dictionary in a dictionary is read each time it is referred to: shared ones could hold each
+ * other twice on every level, 2⁶⁴ entries in all.
+ */
+const NOT_SHARED: ReadonlySet<number> = new Set([LONE.dictionary, LONE.value, LONE.unregistered]);
+
+/**
  * Reads values by their representations. What lies in the file is read once, however often it is referred to: samples
  * of equal arrays are one array.
  */
@@ -51,8 +57,7 @@ export class ValueReader implements Values {
   read(rep: Rep): FieldValue {
     const type = arrayTypes.get(rep.type);
     if (type && !rep.isArray) return readSingle(this.source, rep, type, this);
-    // A dictionary is read each time it is referred to: shared ones could hold each other twice, 2⁶⁴ entries in all.
-    if (rep.isInlined || rep.type === LONE.dictionary) return this.decode(rep, type);
+    if (rep.isInlined || NOT_SHARED.has(rep.type)) return this.decode(rep, type);
     const known = this.known.get(rep.kind) ?? new Map<number, FieldValue>();
     this.known.set(rep.kind, known);
     const before = known.get(rep.offset);
