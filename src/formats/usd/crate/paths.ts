@@ -117,7 +117,7 @@ function newNode(
     return source.fail(`an element of a path is token ${Math.abs(signed)} of ${tokens.length}`, at);
   if (parent.depth === MAX_DEPTH) source.fail(`paths are nested more than ${MAX_DEPTH} deep`, at);
   const node = new PathNode(element, signed < 0, parent);
-  source.spend(NODE_BYTES + 2 * node.length, 'a path', at);
+  source.spend(NODE_BYTES + node.length, 'a path', at);
   parent.children.push(node);
   return node;
 }
