@@ -5,7 +5,7 @@ import { type FileSource, resolvePath } from '../source.ts';
 import { DiagnosticList, metadataNumber, report, type StageContext } from './context.ts';
 import { noteUnreadLayers } from './coverage.ts';
 import type { Layer } from './layer.ts';
-import { parseLayer } from './parser.ts';
+import { readLayer } from './readLayer.ts';
 import { hintsOf } from './slowlight.ts';
 import { readStage, type StageContents, upAxisOf } from './stage.ts';
 import { isZip, openPackage } from './usdz.ts';
@@ -17,7 +17,7 @@ const CHORD_TOLERANCE = 1e-4;
 const POINT_BUDGET = 2 ** 30;
 
 /**
- * Reads a USD text layer, or a package that holds one, as a scene. What it says and is not read is in the scene's
+ * Reads a USD layer, text or binary, or a package that holds one, as a scene. What it says and is not read is in the scene's
  * diagnostics. Throws an InputError where the file is not readable at all.
  */
 export async function readUsd(files: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
@@ -37,24 +37,14 @@ export async function readUsd(files: FileSource, entry: string, options: ReadOpt
 }
 
 function openLayer(files: FileSource, entry: string, bytes: Uint8Array): { layer: Layer; source: FileSource } {
-  if (!isZip(bytes)) return { layer: textLayer(bytes, entry), source: files };
+  if (!isZip(bytes)) return { layer: readLayer(bytes, entry), source: files };
   const contents = openPackage(bytes, entry);
   // Within a package, paths are relative to its root; the layer's name tells both.
   const prefix = `${entry}/`;
   const source: FileSource = {
     read: async (path) => (path.startsWith(prefix) ? contents.files.get(path.slice(prefix.length)) : files.read(path)),
   };
-  return { layer: textLayer(contents.files.get(contents.layer)!, resolvePath(prefix, contents.layer)), source };
-}
-
-const CRATE = 'PXR-USDC';
-
-function textLayer(bytes: Uint8Array, name: string): Layer {
-  if (String.fromCharCode(...bytes.subarray(0, CRATE.length)) === CRATE) {
-    const message = 'is a binary (crate) layer, which is not read yet; convert it to text: usdcat in.usd -o out.usda';
-    throw inputError('usd.crate', name, message);
-  }
-  return parseLayer(bytes, name);
+  return { layer: readLayer(contents.files.get(contents.layer)!, resolvePath(prefix, contents.layer)), source };
 }
 
 function contextOf(layer: Layer, source: FileSource, options: ReadOptions): StageContext {
