@@ -7,6 +7,8 @@ export interface ReadOptions {
   readonly animation?: string | number;
   /** Greatest distance between a resampled path and the true one, as a fraction of the object's size. */
   readonly chordTolerance?: number;
+  /** Name of a variant set → the option to show. Default: what the file itself chooses. */
+  readonly variants?: ReadonlyMap<string, string>;
 }
 
 /** A kind of scene file. `read` loads its parser on first use, so that the page stays small. */
