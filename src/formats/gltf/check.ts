@@ -13,7 +13,7 @@ const ELEMENT_SIZE: Readonly<Record<string, number>> = {
   MAT4: 16,
 };
 /** Most bytes that the accessors of a file may unpack to. */
-const MAX_UNPACKED = 2 ** 31;
+export const MAX_UNPACKED = 2 ** 31;
 /** Deepest nesting of nodes. */
 const MAX_DEPTH = 1000;
 
@@ -110,7 +110,8 @@ function checkBuffers(entry: string, json: GLTF.IGLTF, resources: Readonly<Recor
   });
 }
 
-function checkRange(entry: string, what: string, offset: number, length: number, available: number): void {
+/** Refuses a part that wants bytes which are not there. */
+export function checkRange(entry: string, what: string, offset: number, length: number, available: number): void {
   const whole = Number.isInteger(offset) && Number.isInteger(length) && offset >= 0 && length >= 0;
   if (whole && offset + length <= available) return;
   const message = `wants bytes ${offset} to ${offset + length} of ${available}; the file is damaged, export it again`;

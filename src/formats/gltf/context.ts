@@ -14,6 +14,9 @@ export interface GltfContext {
   readonly notes: Notes;
 }
 
+/** Bytes of buffers and images, by uri. */
+export type Resources = Record<string, Uint8Array<ArrayBuffer>>;
+
 /** Diagnostics, each said once. */
 export class Notes {
   readonly #byKey = new Map<string, Diagnostic>();
