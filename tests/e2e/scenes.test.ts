@@ -1,8 +1,11 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { KHRMaterialsUnlit } from '@gltf-transform/extensions';
 import { decode } from 'fast-png';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Example } from '../../src/editor/loading/examples.ts';
+import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
+import { Kit } from '../support/gltfKit.ts';
 import { colours, difference, type Guarded, Program } from './program.ts';
 
 let program: Program;
@@ -65,6 +68,24 @@ describe('scenes', () => {
     await visit.page.getByText('The square wears the picture').waitFor();
     await visit.page.getByRole('tab', { name: 'Scene' }).click();
     await visit.page.getByText('checker.png').first().waitFor();
+    await visit.close();
+  });
+
+  it.each([
+    ['Draco', (kit: Kit) => dracoGlb(kit.doc, 'edgebreaker')],
+    ['meshopt', (kit: Kit) => meshoptGlb(kit.doc, 'quantize')],
+  ])('glTF compressed with %s opens under the page’s own policy', async (_, write) => {
+    const kit = new Kit();
+    const pink = kit.doc.createMaterial().setBaseColorFactor([1, 0, 1, 1]).setDoubleSided(true);
+    pink.setExtension('KHR_materials_unlit', kit.doc.createExtension(KHRMaterialsUnlit).createUnlit());
+    const square = kit.triangle([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]).setMaterial(pink);
+    kit.scene.addChild(kit.meshNode('Square', square.setIndices(kit.ints('SCALAR', [0, 1, 2, 2, 1, 3]))));
+    const buffer = Buffer.from(await write(kit));
+    const visit = await (await program.open(SMALL)).ready();
+    expect(pinkShare(await visit.pixels())).toBe(0);
+    const file = { name: 'square.glb', mimeType: 'model/gltf-binary', buffer };
+    await visit.page.locator('input[type=file]').first().setInputFiles(file);
+    await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.03);
     await visit.close();
   });
 
