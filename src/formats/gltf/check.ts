@@ -67,6 +67,8 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
         p.indices,
         ...[p.attributes, ...(p.targets ?? [])].flatMap((a) => Object.values(a)),
       );
+      check('materials', `mesh ${i}, a variant`, ...variantMappings(p).map((mapping) => mapping.material));
+      checkVariants(entry, json, i, p);
     }
   });
   json.nodes?.forEach((n, i) => {
@@ -74,6 +76,11 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
     check('meshes', `node ${i}`, n.mesh);
     check('skins', `node ${i}`, n.skin);
     check('cameras', `node ${i}`, n.camera);
+    check(
+      'accessors',
+      `node ${i}, its instances`,
+      ...Object.values(extensionOf<Instances>(n, 'EXT_mesh_gpu_instancing')?.attributes ?? {}),
+    );
   });
   json.skins?.forEach((s, i) => {
     check('nodes', `skin ${i}`, s.skeleton, ...s.joints);
@@ -89,6 +96,29 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
   check('scenes', 'the default scene', json.scene);
 }
 
+type Extended = { readonly extensions?: Record<string, unknown> };
+const extensionOf = <T>(thing: Extended, name: string): T | undefined => thing.extensions?.[name] as T | undefined;
+
+interface Instances {
+  readonly attributes?: Readonly<Record<string, number>>;
+}
+interface Mapping {
+  readonly material?: number;
+  readonly variants?: readonly number[];
+}
+const VARIANTS = 'KHR_materials_variants';
+const variantMappings = (p: Extended): readonly Mapping[] =>
+  extensionOf<{ mappings?: readonly Mapping[] }>(p, VARIANTS)?.mappings ?? [];
+
+function checkVariants(entry: string, json: GLTF.IGLTF, mesh: number, p: Extended): void {
+  const count = extensionOf<{ variants?: readonly unknown[] }>(json, VARIANTS)?.variants?.length ?? 0;
+  for (const i of variantMappings(p).flatMap((mapping) => mapping.variants ?? [])) {
+    if (Number.isInteger(i) && i >= 0 && i < count) continue;
+    const message = `refers to material variant ${i}, of which there are ${count}; export it again`;
+    throw gltfError(entry, 'bad-reference', `mesh ${mesh}`, message);
+  }
+}
+
 const textureIndices = (m: GLTF.IMaterial): (number | undefined)[] => [
   m.pbrMetallicRoughness?.baseColorTexture?.index,
   m.pbrMetallicRoughness?.metallicRoughnessTexture?.index,
@@ -101,6 +131,10 @@ function checkBuffers(entry: string, json: GLTF.IGLTF, resources: Readonly<Recor
   json.buffers?.forEach((buffer, i) => {
     const held = resources[buffer.uri ?? '@glb.bin']?.length ?? 0;
     if (held >= buffer.byteLength) return;
+    if (!(buffer.byteLength >= 0)) {
+      const message = `has byteLength ${buffer.byteLength}; the file is damaged, export it again`;
+      throw gltfError(entry, 'damaged', `buffer ${i}`, message);
+    }
     const message = `holds ${formatBytes(held)} of ${formatBytes(buffer.byteLength)}: the file is cut off; copy or export it again`;
     throw gltfError(entry, 'truncated', `buffer ${i}`, message);
   });

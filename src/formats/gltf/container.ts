@@ -1,9 +1,11 @@
 import { BufferUtils, type Document, type GLTF, type ILogger, WebIO } from '@gltf-transform/core';
 import {
+  EXTMeshGPUInstancing,
   KHRLightsPunctual,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
   KHRMaterialsUnlit,
+  KHRMaterialsVariants,
   KHRMeshQuantization,
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
@@ -20,10 +22,12 @@ const BIN_CHUNK = 0x004e4942;
 const GLB_BUFFER = '@glb.bin';
 
 const EXTENSIONS = [
+  EXTMeshGPUInstancing,
   KHRLightsPunctual,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
   KHRMaterialsUnlit,
+  KHRMaterialsVariants,
   KHRMeshQuantization,
   KHRTextureTransform,
 ];

@@ -1,5 +1,5 @@
 import type { Document, GLTF } from '@gltf-transform/core';
-import type { Diagnostic } from '../../scene/types.ts';
+import type { Diagnostic, VariantSet } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
 import type { ReadOptions } from '../registry.ts';
 
@@ -11,6 +11,8 @@ export interface GltfContext {
   readonly json: GLTF.IGLTF;
   readonly document: Document;
   readonly options: ReadOptions;
+  /** Of its materials, with the one to show. */
+  readonly variants: VariantSet | undefined;
   readonly notes: Notes;
 }
 

@@ -190,13 +190,15 @@ describe('glTF motion', () => {
     kit.animate(node, 'scale', [0, 3], [1, 1, 1, 2, 2, 2]);
     const bake = async (budget: number): Promise<[number[], string[]]> => {
       const notes = new Notes('a.glb');
-      const context = { entry: 'a.glb', options: {}, notes, ...(await loadGltf(await kit.files(), 'a.glb', notes)) };
+      const file = await loadGltf(await kit.files(), 'a.glb', notes);
+      const context = { entry: 'a.glb', options: {}, variants: undefined, notes, ...file };
       const root = context.document.getRoot();
       const tree = new NodeTree(context, root.listAnimations()[0]);
       const [jelly] = root.listNodes();
       const geometry = readGeometry(context, root.listMeshes()[0], new MaterialLibrary(context))!;
-      const baker = new Baker(context, tree, budget);
-      const { motion } = baker.bakeAffine(jelly, geometry, makeDeformer(context, tree, jelly, geometry));
+      const baker = new Baker(context, budget);
+      const frame = tree.frame(jelly);
+      const { motion } = baker.bakeAffine(frame, geometry, makeDeformer(context, tree, jelly, frame, geometry));
       const times = motion.kind === 'sampled-points' ? [...motion.times] : [];
       return [times, notes.list().map((d) => d.code)];
     };

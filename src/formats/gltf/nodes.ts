@@ -24,6 +24,15 @@ export interface Placement {
   readonly rotation: Quat;
 }
 
+/** A frame of a node, or one fixed in it: a thing that may move. */
+export interface Frame {
+  /** For messages. */
+  readonly path: string;
+  /** Everything that moves it. */
+  readonly curves: readonly Curve[];
+  placementAt(t: number): Placement;
+}
+
 /** The node tree with one animation on it: where every node is at any time [s]. */
 export class NodeTree {
   readonly #nodes = new Map<GltfNode, TreeNode>();
@@ -73,13 +82,22 @@ export class NodeTree {
     return this.#of(node).curves.weights;
   }
 
+  /** The frame of a node; or, with `within`, one that is fixed in it. */
+  frame(node: GltfNode, within?: Placement): Frame {
+    return {
+      path: this.path(node),
+      curves: this.curvesAbove(node),
+      placementAt: (t) => {
+        const own = this.placementAt(node, t);
+        return within ? placedIn(own, within) : own;
+      },
+    };
+  }
+
   placementAt(node: GltfNode, t: number): Placement {
     const chain: TreeNode[] = [];
     for (let n: TreeNode | undefined = this.#of(node); n; n = n.parent) chain.push(n);
-    return chain.reduceRight<Placement>((above, n) => {
-      const own = localAt(n, t);
-      return { matrix: multiply(above.matrix, own.matrix), rotation: after(above.rotation, own.rotation) };
-    }, WORLD);
+    return chain.reduceRight<Placement>((above, n) => placedIn(above, localAt(n, t)), WORLD);
   }
 
   #of(node: GltfNode): TreeNode {
@@ -88,6 +106,11 @@ export class NodeTree {
 }
 
 const WORLD: Placement = { matrix: IDENTITY, rotation: [0, 0, 0, 1] };
+
+const placedIn = (above: Placement, own: Placement): Placement => ({
+  matrix: multiply(above.matrix, own.matrix),
+  rotation: after(above.rotation, own.rotation),
+});
 
 function localAt({ source, matrix, curves }: TreeNode, t: number): Placement {
   const isMoved = curves.translation ?? curves.rotation ?? curves.scale;
