@@ -3,6 +3,9 @@ import { forEachFace, type Polygons, pointAt } from './polygons.ts';
 import { newellNormal } from './triangulate.ts';
 import type { Mesh } from './types.ts';
 
+/** Around a point with more corners all faces count, however they meet: to compare each with each would take for ever. */
+const MOST_COMPARED = 1024;
+
 /**
  * A normal for each corner: the mean, weighted by the angle at the corner, over the faces around its point that meet
  * its own face at less than `smoothAngle` [rad]. 0: flat; π: smooth everywhere.
@@ -46,16 +49,22 @@ function smoothed(
 ): Float32Array {
   const around = cornersAround(pointOfCorner, points);
   const out = new Float32Array(faceNormal.length);
-  for (let c = 0; c < weight.length; c++) {
-    const own = pointAt(faceNormal, c);
+  const sumOf = (corners: Uint32Array, counts: (corner: number) => boolean): Vec3 => {
     const sum = [0, 0, 0];
-    for (const other of around(pointOfCorner[c])) {
-      const n = pointAt(faceNormal, other);
-      // A face's own normal counts even where rounding puts n·n under the cosine of 0.
-      if (other !== c && dot(own, n) < cosine) continue;
-      for (let k = 0; k < 3; k++) sum[k] = sum[k] + n[k] * weight[other];
+    for (const c of corners) {
+      if (counts(c)) for (let k = 0; k < 3; k++) sum[k] += faceNormal[3 * c + k] * weight[c];
     }
-    out.set(normalize([sum[0], sum[1], sum[2]], own), 3 * c);
+    return [sum[0], sum[1], sum[2]];
+  };
+  for (let p = 0; p < points; p++) {
+    const corners = around(p);
+    const whole = cosine <= -1 || corners.length > MOST_COMPARED ? sumOf(corners, () => true) : undefined;
+    for (const c of corners) {
+      const own = pointAt(faceNormal, c);
+      // A face's own normal counts even where rounding puts n·n under the cosine of 0.
+      const isNear = (other: number): boolean => other === c || dot(own, pointAt(faceNormal, other)) >= cosine;
+      out.set(normalize(whole ?? sumOf(corners, isNear), own), 3 * c);
+    }
   }
   return out;
 }
