@@ -35,6 +35,12 @@ export const sceneFormats: readonly SceneFormat[] = [
     extensions: ['gltf', 'glb'],
     read: async (source, entry, options) => (await import('./gltf/index.ts')).readGltf(source, entry, options),
   },
+  {
+    id: 'obj',
+    name: 'Wavefront OBJ',
+    extensions: ['obj'],
+    read: async (source, entry) => (await import('./obj/index.ts')).readObj(source, entry),
+  },
 ];
 
 /** The format of a path by its extension; undefined where none reads it. */

@@ -10,9 +10,10 @@ import {
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
 import { formatBytes, messageOf } from '../fail.ts';
+import type { Notes } from '../notes.ts';
 import { type FileSource, resolvePath } from '../source.ts';
 import { checkGltf } from './check.ts';
-import { gltfError, type Notes, type Resources } from './context.ts';
+import { gltfError, type Resources } from './context.ts';
 import { COMPRESSIONS, isFallback, unpackGeometry } from './unpack.ts';
 
 const GLB_MAGIC = 0x46546c67;

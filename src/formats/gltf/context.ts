@@ -1,6 +1,7 @@
 import type { Document, GLTF } from '@gltf-transform/core';
-import type { Diagnostic, VariantSet } from '../../scene/types.ts';
+import type { VariantSet } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
+import type { Notes } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
 
 /** What every part of the reader needs to know of the file it reads. */
@@ -18,24 +19,6 @@ export interface GltfContext {
 
 /** Bytes of buffers and images, by uri. */
 export type Resources = Record<string, Uint8Array<ArrayBuffer>>;
-
-/** Diagnostics, each said once. */
-export class Notes {
-  readonly #byKey = new Map<string, Diagnostic>();
-  readonly #entry: string;
-  constructor(entry: string) {
-    this.#entry = entry;
-  }
-
-  add(severity: Diagnostic['severity'], code: string, what: string, message: string): void {
-    const place = what ? `${this.#entry}: ${what}` : this.#entry;
-    this.#byKey.set(`${code} ${place} ${message}`, { severity, code: `gltf.${code}`, place, message });
-  }
-
-  list(): Diagnostic[] {
-    return [...this.#byKey.values()];
-  }
-}
 
 /** Refuses the file: `what` names the thing in it, `message` the value and what to do. */
 export const gltfError = (entry: string, code: string, what: string, message: string, cause?: unknown) =>

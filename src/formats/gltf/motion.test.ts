@@ -4,9 +4,9 @@ import { fromAxisAngle } from '../../math/quat.ts';
 import { distance, type Vec3 } from '../../math/vec3.ts';
 import { vertexPosition } from '../../scene/motion.ts';
 import type { SceneObject } from '../../scene/types.ts';
+import { Notes } from '../notes.ts';
 import { Baker } from './bake.ts';
 import { loadGltf } from './container.ts';
-import { Notes } from './context.ts';
 import { makeDeformer } from './deform.ts';
 import { MaterialLibrary } from './materials.ts';
 import { NodeTree } from './nodes.ts';
@@ -189,7 +189,7 @@ describe('glTF motion', () => {
     kit.animate(node, 'rotation', [0, 1, 2, 3], turnKeys([0, 2, 4, 6]));
     kit.animate(node, 'scale', [0, 3], [1, 1, 1, 2, 2, 2]);
     const bake = async (budget: number): Promise<[number[], string[]]> => {
-      const notes = new Notes('a.glb');
+      const notes = new Notes('a.glb', 'gltf');
       const file = await loadGltf(await kit.files(), 'a.glb', notes);
       const context = { entry: 'a.glb', options: {}, variants: undefined, notes, ...file };
       const root = context.document.getRoot();

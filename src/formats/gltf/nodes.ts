@@ -2,6 +2,7 @@ import type { Animation, Node as GltfNode } from '@gltf-transform/core';
 import { decomposeRigid, fromParts, IDENTITY, type Mat4, multiply } from '../../math/mat4.ts';
 import { multiply as after, normalizeQuat, type Quat, toMatrix } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { PathNames } from '../pathNames.ts';
 import { type GltfContext, gltfError } from './context.ts';
 import { type Curve, makeCurve } from './curves.ts';
 
@@ -157,17 +158,3 @@ const morphCount = (node: GltfNode | null): number =>
       ?.listPrimitives()
       .map((p) => p.listTargets().length) ?? []),
   );
-
-/** Names that USD takes too, each once under its parent. */
-class PathNames {
-  readonly #used = new Map<string, number>();
-  of(parent: string, name: string): string {
-    const clean = name.replace(/[^\p{L}\p{N}_]/gu, '_').replace(/^(?=\p{N})/u, '_') || '_';
-    const wanted = `${parent}/${clean}`;
-    let path = wanted;
-    for (let i = this.#used.get(wanted) ?? 0; this.#used.has(path); ) path = `${wanted}_${++i}`;
-    this.#used.set(wanted, (this.#used.get(wanted) ?? -1) + 1);
-    if (path !== wanted) this.#used.set(path, 0);
-    return path;
-  }
-}

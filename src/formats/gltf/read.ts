@@ -12,11 +12,12 @@ import {
   type SceneObject,
 } from '../../scene/types.ts';
 import { messageOf } from '../fail.ts';
+import { Notes } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
-import type { FileSource } from '../source.ts';
+import { type FileSource, stemOf } from '../source.ts';
 import { Baker } from './bake.ts';
 import { loadGltf } from './container.ts';
-import { type GltfContext, gltfError, Notes } from './context.ts';
+import { type GltfContext, gltfError } from './context.ts';
 import { makeDeformer, settleMorphs } from './deform.ts';
 import { readInstances } from './instances.ts';
 import { MaterialLibrary } from './materials.ts';
@@ -35,7 +36,7 @@ const MAX_VERTICES = 2 ** 26;
  */
 export async function readGltf(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
   try {
-    const notes = new Notes(entry);
+    const notes = new Notes(entry, 'gltf');
     const file = await loadGltf(source, entry, notes);
     const variants = variantSet({ entry, json: file.json, options });
     const context: GltfContext = { entry, options, notes, variants, ...file };
@@ -55,7 +56,7 @@ function buildScene(context: GltfContext): Scene {
   for (const node of shown?.listChildren() ?? root.listNodes().filter((n) => !n.getParentNode())) builder.add(node);
   const times = [...(animation?.listSamplers() ?? [])].flatMap((s) => [...(s.getInput()?.getArray() ?? [])]);
   return makeScene({
-    name: shown?.getName() || context.entry.replace(/^.*\//, '').replace(/\.[^.]*$/, ''),
+    name: shown?.getName() || stemOf(context.entry),
     upAxis: 'Y',
     metersPerUnit: 1,
     startTime: times.reduce((a, b) => Math.min(a, b), times[0] ?? 0),
