@@ -41,6 +41,18 @@ export const sceneFormats: readonly SceneFormat[] = [
     extensions: ['obj'],
     read: async (source, entry) => (await import('./obj/index.ts')).readObj(source, entry),
   },
+  {
+    id: 'ply',
+    name: 'PLY',
+    extensions: ['ply'],
+    read: async (source, entry) => (await import('./ply/index.ts')).readPly(source, entry),
+  },
+  {
+    id: 'stl',
+    name: 'STL',
+    extensions: ['stl'],
+    read: async (source, entry) => (await import('./stl/index.ts')).readStl(source, entry),
+  },
 ];
 
 /** The format of a path by its extension; undefined where none reads it. */

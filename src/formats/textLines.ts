@@ -23,13 +23,13 @@ export function* textLines(bytes: Uint8Array, entry: string): Generator<TextLine
     if (to - from > BLOCK + MAX_LINE) {
       throw inputError(
         'text.long-line',
-        `${entry}: line ${number + 1}`,
-        `has more than ${MAX_LINE} bytes; the file is damaged`,
+        `${entry}: after line ${number}`,
+        `a line has more than ${MAX_LINE} bytes; the file is damaged`,
       );
     }
     const lines = decoder.decode(bytes.subarray(from, to)).split(/\r\n|\n|\r/);
-    // A block ends with a line's end, after which nothing stands; the file may end without one.
-    if (lines.at(-1) === '' && to < bytes.length) lines.pop();
+    // After the last line's end nothing stands.
+    if (lines.at(-1) === '') lines.pop();
     for (const text of lines) yield { number: ++number, text };
     from = to;
   }
@@ -41,4 +41,12 @@ function endOfBlock(bytes: Uint8Array, from: number): number {
   let at = Math.min(from + BLOCK, bytes.length);
   while (at < bytes.length && at - from <= BLOCK + MAX_LINE && !isEnd(at - 1)) at++;
   return at;
+}
+
+/** The number that a word is, as single precision has room for it; throws what `fail` makes of the reason where it is none. */
+export function numberIn(word: string | undefined, fail: (message: string) => Error): number {
+  if (!word) throw fail('a number is missing; the file is cut off or damaged');
+  const value = Number(word);
+  if (Number.isFinite(Math.fround(value))) return value;
+  throw fail(Number.isFinite(value) ? `${word} is too large a number` : `${word.slice(0, 40)} is not a number`);
 }

@@ -1,6 +1,7 @@
 import { inputError } from '../fail.ts';
 import type { Notes } from '../notes.ts';
 import type { FileSource } from '../source.ts';
+import { numberIn } from '../textLines.ts';
 
 /** What every part of the reader needs to know. */
 export interface ObjContext {
@@ -14,17 +15,9 @@ export interface ObjContext {
 export const lineError = (file: string, line: number, code: string, message: string): Error =>
   inputError(`obj.${code}`, `${file}: line ${line}`, message);
 
-/** A number of a line; throws where it is none, or not finite. */
-export function numberOf(file: string, line: number, word: string | undefined): number {
-  const value = word ? Number(word) : Number.NaN;
-  if (Number.isFinite(value)) return value;
-  throw lineError(
-    file,
-    line,
-    'number',
-    word ? `${word} is not a number` : 'a number is missing; the file is cut off or damaged',
-  );
-}
+/** A number of a line; throws where it is none. */
+export const numberOf = (file: string, line: number, word: string | undefined): number =>
+  numberIn(word, (message) => lineError(file, line, 'number', message));
 
 /** The words after a line's keyword, and all of them as they stand. */
 export interface Statement {

@@ -204,6 +204,7 @@ describe('a damaged OBJ', () => {
     ['v 1 2\n', 'set/a.obj: line 1: a number is missing; the file is cut off or damaged'],
     ['v 1 2 1,5\n', 'set/a.obj: line 1: 1,5 is not a number'],
     ['v 1 2 1e999\n', 'set/a.obj: line 1: 1e999 is not a number'],
+    ['v 1 2 1e39\n', 'set/a.obj: line 1: 1e39 is too large a number'],
     ['v 0 0 0\n\nf 1 2\n', 'set/a.obj: line 3: a face has 2 corners; from 3 to 4096 are read'],
     [
       'v 0 0 0\nf 1 1 9\nf 1 1 2',
