@@ -21,7 +21,7 @@ export interface SceneFormat {
   read(source: FileSource, entry: string, options: ReadOptions): Promise<Scene>;
 }
 
-/** Every kind of scene file that can be opened. */
+/** Every kind of scene file that can be opened; those that may use others come before them. */
 export const sceneFormats: readonly SceneFormat[] = [
   {
     id: 'usd',
