@@ -48,17 +48,16 @@ function readFacets(view: DataView, count: number, entry: string): Facets {
   let turned = 0;
   for (let f = 0; f < count; f++) {
     const at = HEADER + FACET * f;
-    const vector = (k: number): Vec3 =>
-      [0, 4, 8].map((byte) => view.getFloat32(at + 12 * k + byte, true)) as unknown as Vec3;
-    const corners = [vector(1), vector(2), vector(3)] as const;
-    for (const [k, x] of corners.flat().entries()) {
+    for (let k = 0; k < 9; k++) {
+      const x = view.getFloat32(at + 12 + 4 * k, true);
       if (!Number.isFinite(x)) {
         const message = `facet ${f + 1} of ${count} has a corner at ${x}; the file is damaged, export it again`;
         throw inputError('stl.number', `${entry}: byte ${at + 12 + 4 * k}`, message);
       }
       points[9 * f + k] = x;
     }
-    if (isTurned(vector(0), facetNormal(...corners))) turned++;
+    const written: Vec3 = [view.getFloat32(at, true), view.getFloat32(at + 4, true), view.getFloat32(at + 8, true)];
+    if (isTurned(written, facetNormal(points, f))) turned++;
   }
   return { name: '', points, turned };
 }

@@ -11,8 +11,11 @@ export interface Facets {
   readonly turned: number;
 }
 
-/** The normal that the order of three corners gives, not of unit length. */
-export const facetNormal = (a: Vec3, b: Vec3, c: Vec3): Vec3 => cross(sub(b, a), sub(c, a));
+/** The normal that the order of a facet's corners gives, not of unit length. */
+export function facetNormal(points: ArrayLike<number>, facet: number): Vec3 {
+  const a = pointAt(points, 3 * facet);
+  return cross(sub(pointAt(points, 3 * facet + 1), a), sub(pointAt(points, 3 * facet + 2), a));
+}
 
 /** Whether a written normal points away from the one of the corners. */
 export const isTurned = (written: Vec3, corners: Vec3): boolean => dot(written, corners) < 0;
@@ -22,7 +25,7 @@ export function facetMesh({ points }: Facets): Mesh {
   const vertices = points.length / 3;
   const normals = new Float32Array(points.length);
   for (let v = 0; v < vertices; v += 3) {
-    const n = normalize(facetNormal(pointAt(points, v), pointAt(points, v + 1), pointAt(points, v + 2)), [0, 0, 1]);
+    const n = normalize(facetNormal(points, v / 3), [0, 0, 1]);
     for (let k = 0; k < 3; k++) normals.set(n, 3 * (v + k));
   }
   return {

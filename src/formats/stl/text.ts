@@ -91,7 +91,7 @@ class TextReader {
     if (corners.length !== 3)
       throw this.#error('corners', `a facet has 3 corners, this one ${corners.length}; export it again`);
     for (const [x, y, z] of corners) solid.points.push(x, y, z);
-    if (isTurned(this.#normal, facetNormal(corners[0], corners[1], corners[2]))) solid.turned++;
+    if (isTurned(this.#normal, facetNormal(corners.flat(), 0))) solid.turned++;
     this.#corners = [];
     this.#inside = 'facet';
   }
