@@ -26,6 +26,7 @@ export function checkGltf(entry: string, json: GLTF.IGLTF, resources: Readonly<R
   if (version !== '2.0')
     throw gltfError(entry, 'version', 'asset', `glTF ${version}; only 2.0 is read, export it as 2.0`);
   checkReferences(entry, json);
+  checkExtensionIndices(entry, json);
   checkBuffers(entry, json, resources);
   checkAccessors(entry, json);
   checkTree(entry, json);
@@ -68,7 +69,6 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
         ...[p.attributes, ...(p.targets ?? [])].flatMap((a) => Object.values(a)),
       );
       check('materials', `mesh ${i}, a variant`, ...variantMappings(p).map((mapping) => mapping.material));
-      checkVariants(entry, json, i, p);
     }
   });
   json.nodes?.forEach((n, i) => {
@@ -100,23 +100,37 @@ type Extended = { readonly extensions?: Record<string, unknown> };
 const extensionOf = <T>(thing: Extended, name: string): T | undefined => thing.extensions?.[name] as T | undefined;
 
 interface Instances {
-  readonly attributes?: Readonly<Record<string, number>>;
+  readonly attributes: Readonly<Record<string, number>>;
 }
 interface Mapping {
-  readonly material?: number;
-  readonly variants?: readonly number[];
+  readonly material: number;
+  readonly variants: readonly number[];
 }
 const VARIANTS = 'KHR_materials_variants';
+const LIGHTS = 'KHR_lights_punctual';
 const variantMappings = (p: Extended): readonly Mapping[] =>
-  extensionOf<{ mappings?: readonly Mapping[] }>(p, VARIANTS)?.mappings ?? [];
+  extensionOf<{ mappings: readonly Mapping[] }>(p, VARIANTS)?.mappings ?? [];
 
-function checkVariants(entry: string, json: GLTF.IGLTF, mesh: number, p: Extended): void {
-  const count = extensionOf<{ variants?: readonly unknown[] }>(json, VARIANTS)?.variants?.length ?? 0;
-  for (const i of variantMappings(p).flatMap((mapping) => mapping.variants ?? [])) {
-    if (Number.isInteger(i) && i >= 0 && i < count) continue;
-    const message = `refers to material variant ${i}, of which there are ${count}; export it again`;
-    throw gltfError(entry, 'bad-reference', `mesh ${mesh}`, message);
-  }
+function checkExtensionIndices(entry: string, json: GLTF.IGLTF): void {
+  const check = (what: string, kind: string, count: number, indices: readonly (number | undefined)[]): void => {
+    const bad = indices.find((i) => i !== undefined && i >= count);
+    if (bad === undefined) return;
+    throw gltfError(
+      entry,
+      'bad-reference',
+      what,
+      `refers to ${kind} ${bad}, of which there are ${count}; export it again`,
+    );
+  };
+  const variants = extensionOf<{ variants: readonly unknown[] }>(json, VARIANTS)?.variants.length ?? 0;
+  const lights = extensionOf<{ lights: readonly unknown[] }>(json, LIGHTS)?.lights.length ?? 0;
+  json.meshes?.forEach((mesh, i) => {
+    const named = mesh.primitives.flatMap((p) => variantMappings(p)).flatMap((mapping) => mapping.variants);
+    check(`mesh ${i}`, 'material variant', variants, named);
+  });
+  json.nodes?.forEach((node, i) => {
+    check(`node ${i}`, 'light', lights, [extensionOf<{ light: number }>(node, LIGHTS)?.light]);
+  });
 }
 
 const textureIndices = (m: GLTF.IMaterial): (number | undefined)[] => [
@@ -131,10 +145,6 @@ function checkBuffers(entry: string, json: GLTF.IGLTF, resources: Readonly<Recor
   json.buffers?.forEach((buffer, i) => {
     const held = resources[buffer.uri ?? '@glb.bin']?.length ?? 0;
     if (held >= buffer.byteLength) return;
-    if (!(buffer.byteLength >= 0)) {
-      const message = `has byteLength ${buffer.byteLength}; the file is damaged, export it again`;
-      throw gltfError(entry, 'damaged', `buffer ${i}`, message);
-    }
     const message = `holds ${formatBytes(held)} of ${formatBytes(buffer.byteLength)}: the file is cut off; copy or export it again`;
     throw gltfError(entry, 'truncated', `buffer ${i}`, message);
   });

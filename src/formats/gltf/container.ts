@@ -14,6 +14,7 @@ import type { Notes } from '../notes.ts';
 import { type FileSource, resolvePath } from '../source.ts';
 import { checkGltf } from './check.ts';
 import { gltfError, type Resources } from './context.ts';
+import { checkShape } from './shape.ts';
 import { COMPRESSIONS, isFallback, unpackGeometry } from './unpack.ts';
 
 const GLB_MAGIC = 0x46546c67;
@@ -93,14 +94,16 @@ function readChunks(entry: string, view: DataView, bytes: Uint8Array, size: numb
 }
 
 function parseJson(entry: string, bytes: Uint8Array): GLTF.IGLTF {
+  let json: unknown;
   try {
-    const json: unknown = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
-    if (typeof json === 'object' && json !== null && 'asset' in json) return json as GLTF.IGLTF;
+    json = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
   } catch (thrown) {
     const message = `the JSON is damaged or cut off (${messageOf(thrown)}); copy or export it again`;
     throw gltfError(entry, 'damaged', '', message, thrown);
   }
-  throw gltfError(entry, 'damaged', '', 'not a glTF: the JSON has no "asset"');
+  const isGltf = typeof json === 'object' && json !== null && Object.hasOwn(json, 'asset');
+  if (!isGltf) throw gltfError(entry, 'damaged', '', 'not a glTF: the JSON has no "asset"');
+  return checkShape(entry, json);
 }
 
 /** Buffers and images by uri. Data URIs are unpacked under a short name of their own, which then stands in `json`. */

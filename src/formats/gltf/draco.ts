@@ -36,7 +36,7 @@ function decode(draco: DracoModule, data: Uint8Array): DracoMesh {
   const mesh = new draco.Mesh();
   buffer.Init(data, data.length);
   const status = decoder.DecodeBufferToMesh(buffer, mesh);
-  if (!status.ok()) throw new Error(status.error_msg() || 'the decoder gives no reason');
+  if (!status.ok()) throw new Error(`cannot be decoded (${status.error_msg() || 'no reason is given'})`);
   draco.destroy(buffer);
   return {
     indices: readIndices(draco, decoder, mesh),

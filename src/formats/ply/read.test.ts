@@ -4,15 +4,15 @@ import { describe, expect, it } from 'vitest';
 import { sceneSoup, threeSoup } from '../../../tests/support/threeSoup.ts';
 import { random } from '../../math/random.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
-import { openScene } from '../open.ts';
 import { encodePng } from '../png.ts';
 import { memorySource } from '../source.ts';
+import { readPly } from './index.ts';
 
 type Format = 'ascii' | 'binary_little_endian' | 'binary_big_endian';
 const FORMATS: readonly Format[] = ['ascii', 'binary_little_endian', 'binary_big_endian'];
 const encode = (value: string): Uint8Array => new TextEncoder().encode(value);
 const read = (bytes: Uint8Array, files: Record<string, Uint8Array> = {}): Promise<Scene> =>
-  openScene(memorySource({ 'a.ply': bytes, ...files }), 'a.ply');
+  readPly(memorySource({ 'a.ply': bytes, ...files }), 'a.ply');
 const refusal = (bytes: Uint8Array): Promise<string> =>
   read(bytes).then(
     () => 'read',

@@ -7,11 +7,11 @@ import { random } from '../../math/random.ts';
 import { pointAt } from '../../scene/polygons.ts';
 import { box } from '../../scene/primitives.ts';
 import { InputError, type Mesh, type Scene } from '../../scene/types.ts';
-import { openScene } from '../open.ts';
 import { memorySource } from '../source.ts';
+import { readStl } from './index.ts';
 
 const encode = (value: string): Uint8Array => new TextEncoder().encode(value);
-const read = (bytes: Uint8Array): Promise<Scene> => openScene(memorySource({ 'a.stl': bytes }), 'a.stl');
+const read = (bytes: Uint8Array): Promise<Scene> => readStl(memorySource({ 'a.stl': bytes }), 'a.stl');
 const refusal = (bytes: Uint8Array): Promise<string> =>
   read(bytes).then(
     () => 'read',
