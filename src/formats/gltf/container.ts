@@ -51,6 +51,7 @@ export async function loadGltf(
   const resources = await loadResources(source, entry, json, notes);
   if (binary) resources[GLB_BUFFER] = binary;
   checkExtensions(entry, json, notes);
+  dropUnreadTextures(json, notes);
   await unpackGeometry(entry, json, resources);
   checkGltf(entry, json, resources);
   const quiet = (): void => {};
@@ -175,4 +176,29 @@ function checkExtensions(entry: string, json: GLTF.IGLTF, notes: Notes): void {
   json.extensionsRequired = json.extensionsRequired?.filter((name) =>
     EXTENSIONS.some((e) => e.EXTENSION_NAME === name),
   );
+}
+
+/** Textures whose pictures only an extension has that is not read (WebP, KTX2): materials go without them. */
+function dropUnreadTextures(json: GLTF.IGLTF, notes: Notes): void {
+  const isUnread = (info: GLTF.ITextureInfo | undefined): boolean =>
+    info !== undefined && json.textures?.[info.index] !== undefined && json.textures[info.index].source === undefined;
+  for (const [i, material] of (json.materials ?? []).entries()) {
+    const slots: (readonly [Record<string, unknown>, string])[] = [
+      [material as Record<string, unknown>, 'emissiveTexture'],
+      [material as Record<string, unknown>, 'normalTexture'],
+      [material as Record<string, unknown>, 'occlusionTexture'],
+      [(material.pbrMetallicRoughness ?? {}) as Record<string, unknown>, 'baseColorTexture'],
+      [(material.pbrMetallicRoughness ?? {}) as Record<string, unknown>, 'metallicRoughnessTexture'],
+    ];
+    for (const [holder, name] of slots) {
+      if (!isUnread(holder[name] as GLTF.ITextureInfo | undefined)) continue;
+      delete holder[name];
+      notes.add(
+        'warning',
+        'texture',
+        `material ${material.name ?? i}`,
+        `its ${name} has no picture that is read; shown without it`,
+      );
+    }
+  }
 }

@@ -126,6 +126,12 @@ describe('a damaged glTF', () => {
     expect(await attemptJson({ asset, extensions: { KHR_lights_punctual: { lights: [null] } } })).toContain(
       'extensions.KHR_lights_punctual.lights[0]: is null, not an object',
     );
+    expect(await attemptJson({ asset, cameras: [{ type: 'perspective' }] })).toContain(
+      'cameras[0].perspective: is missing',
+    );
+    expect(await attemptJson({ asset, images: [{}] })).toContain(
+      'images[0]: is {}, not a picture: it needs uri or bufferView',
+    );
     const lit = [{ extensions: { KHR_lights_punctual: { light: 2 } } }];
     expect(await attemptJson({ asset, nodes: lit })).toContain('node 0: refers to light 2, of which there are 0');
     expect(await attemptJson({})).toBe('a.gltf: not a glTF: the JSON has no "asset"');

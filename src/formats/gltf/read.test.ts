@@ -190,7 +190,8 @@ describe('glTF extensions', () => {
       extensionsUsed: ['KHR_node_visibility', 'KHR_materials_ior', 'ACME_smell', 'EXT_texture_webp'],
       extensionsRequired: ['KHR_materials_ior', 'EXT_texture_webp'],
       materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
-      textures: [{ extensions: { EXT_texture_webp: { source: 0 } } }],
+      textures: [{ sampler: 0, extensions: { EXT_texture_webp: { source: 0 } } }],
+      samplers: [{ wrapS: 33071 }],
       images: [{ uri: 'data:image/webp;base64,UklGRg==' }],
       nodes: [{ extensions: hidden, children: [1] }, { camera: 0 }, { camera: 0, name: 'Seen' }],
       cameras: [{ type: 'perspective', perspective: { yfov: 1, znear: 1 } }],
@@ -201,6 +202,7 @@ describe('glTF extensions', () => {
     expect(diagnostics.map((d) => [d.severity, d.message])).toEqual([
       ['warning', 'the extension ACME_smell is left out'],
       ['warning', 'the extension EXT_texture_webp is left out; what uses it is shown without its picture or colour'],
+      ['warning', 'its baseColorTexture has no picture that is read; shown without it'],
     ]);
   });
 });

@@ -77,6 +77,21 @@ const primitive = fields({
 });
 const meshopt = fields({ count: index, byteStride: index, byteLength: index, buffer: index, mode: text });
 
+const perspective = fields({ type: text, perspective: fields({ yfov: number }) });
+const orthographic = fields({ type: text, orthographic: object });
+const camera: Kind = (value, place) => {
+  object(value, place);
+  const check = (value as { type?: unknown }).type === 'perspective' ? perspective : orthographic;
+  check(value, place);
+};
+/** With its picture in the file, or beside it. */
+const image: Kind = (value, place) => {
+  fields({ uri: optional(text), bufferView: optional(index), mimeType: optional(text) })(value, place);
+  const { uri, bufferView } = value as GLTF.IImage;
+  if (uri === undefined && bufferView === undefined)
+    throw new ShapeError(place, value, 'a picture: it needs uri or bufferView');
+};
+
 const FILE = fields({
   asset: object,
   scene: optional(index),
@@ -116,7 +131,7 @@ const FILE = fields({
       }),
     ),
   ),
-  images: optional(list(fields({ uri: optional(text), bufferView: optional(index), mimeType: optional(text) }))),
+  images: optional(list(image)),
   samplers: optional(list(object)),
   textures: optional(list(fields({ source: optional(index), sampler: optional(index) }))),
   materials: optional(
@@ -163,7 +178,7 @@ const FILE = fields({
   skins: optional(
     list(fields({ joints: list(index), inverseBindMatrices: optional(index), skeleton: optional(index) })),
   ),
-  cameras: optional(list(fields({ type: text, perspective: optional(fields({ yfov: number })) }))),
+  cameras: optional(list(camera)),
   animations: optional(
     list(
       fields({
