@@ -117,7 +117,7 @@ function smoothNormals(part: ObjPart, faces: Faces): Float32Array {
     const row = groups.get(group) ?? groups.size;
     groups.set(group, row);
     const key = (row * faces.points.length) / 3 + point;
-    faceIndices[c] = group === FLAT ? add(point) : (places.get(key) ?? add(point));
+    faceIndices[c] = places.get(key) ?? add(point);
     if (group !== FLAT) places.set(key, faceIndices[c]);
   });
   return cornerNormals({ points, faceCounts: faces.faceCounts, faceIndices }, Math.PI);

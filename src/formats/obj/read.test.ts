@@ -184,7 +184,7 @@ Ke 3 2 1
 
   it('that are missing are told with where they were looked for', async () => {
     const files = {
-      'set/b.mtl': text('newmtl A\nmap_Kd D:\\x\\no.png\nmap_Ke bad.png'),
+      'set/b.mtl': text('newmtl A\nmap_Kd D:\\x\\no.png\nmap_Ke bad.png\nmap_d -clamp 7'),
       'set/bad.png': text('GIF89a'),
     };
     const obj = `mtllib b.mtl no.mtl\n${square}usemtl A\n${face}usemtl B\n${face}`;
@@ -192,6 +192,7 @@ Ke 3 2 1
     expect(materials.map((m) => m.name)).toEqual(['A', 'B']);
     expect(diagnostics.filter((d) => d.severity === 'warning').map((d) => `${d.place}: ${d.message}`)).toEqual([
       'set/a.obj: line 1: the materials no.mtl are not there (looked for set/no.mtl); put them beside it, or open the folder that holds both',
+      'set/a.obj: set/b.mtl: line 4: the texture 7 is not there (looked for set/7); shown without it',
       'set/a.obj: set/b.mtl: line 2: the texture D:\\x\\no.png is not there (looked for set/D:/x/no.png and set/no.png); shown without it',
       'set/a.obj: set/b.mtl: line 3: set/bad.png: the picture is neither PNG nor JPEG; convert it to PNG or JPEG; shown without it',
       'set/a.obj: B: no such material (set/b.mtl); it is shown light grey',
