@@ -49,25 +49,30 @@ function smoothed(
 ): Float32Array {
   const around = cornersAround(pointOfCorner, points);
   const out = new Float32Array(faceNormal.length);
-  const sumOf = (corners: Uint32Array, counts: (corner: number) => boolean): Vec3 => {
-    const sum = [0, 0, 0];
+  const sum: [number, number, number] = [0, 0, 0];
+  /** Over the corners whose faces meet that of `own` at less than the angle; over all where `own` is none. */
+  const addUp = (corners: Uint32Array, own?: number): void => {
+    sum.fill(0);
     for (const c of corners) {
-      if (counts(c)) for (let k = 0; k < 3; k++) sum[k] += faceNormal[3 * c + k] * weight[c];
+      // A face's own normal counts even where rounding puts n·n under the cosine of 0.
+      if (own !== undefined && c !== own && dotAt(faceNormal, own, c) < cosine) continue;
+      for (let k = 0; k < 3; k++) sum[k] += faceNormal[3 * c + k] * weight[c];
     }
-    return [sum[0], sum[1], sum[2]];
   };
   for (let p = 0; p < points; p++) {
     const corners = around(p);
-    const whole = cosine <= -1 || corners.length > MOST_COMPARED ? sumOf(corners, () => true) : undefined;
+    const areAllNear = cosine <= -1 || corners.length > MOST_COMPARED;
+    if (areAllNear) addUp(corners);
     for (const c of corners) {
-      const own = pointAt(faceNormal, c);
-      // A face's own normal counts even where rounding puts n·n under the cosine of 0.
-      const isNear = (other: number): boolean => other === c || dot(own, pointAt(faceNormal, other)) >= cosine;
-      out.set(normalize(whole ?? sumOf(corners, isNear), own), 3 * c);
+      if (!areAllNear) addUp(corners, c);
+      out.set(normalize(sum, pointAt(faceNormal, c)), 3 * c);
     }
   }
   return out;
 }
+
+const dotAt = (v: ArrayLike<number>, i: number, j: number): number =>
+  v[3 * i] * v[3 * j] + v[3 * i + 1] * v[3 * j + 1] + v[3 * i + 2] * v[3 * j + 2];
 
 /** Point → its corners, from one pass of counting. */
 function cornersAround(pointOfCorner: ArrayLike<number>, points: number): (point: number) => Uint32Array {
