@@ -18,11 +18,8 @@ const path = (name: string) => fileURLToPath(new URL(`scenes/${name}`, import.me
 const SMALL = '?backend=webgl&scene=examples/sphere.usda';
 
 /** Drops files on the page as a file manager does. */
-async function drop(visit: Guarded, names: readonly string[]): Promise<void> {
-  const files = names.map((name) => ({
-    name: name.split('/').at(-1)!,
-    text: readFileSync(path(name)).toString('base64'),
-  }));
+async function drop(visit: Guarded, given: readonly { name: string; content: Buffer }[]): Promise<void> {
+  const files = given.map(({ name, content }) => ({ name, text: content.toString('base64') }));
   await visit.page.evaluate((dropped) => {
     const transfer = new DataTransfer();
     for (const { name, text } of dropped) {
@@ -53,7 +50,10 @@ describe('scenes', () => {
   it('a dropped scene opens with its texture, and undo goes back to the one before', async () => {
     const visit = await (await program.open(SMALL)).ready();
     const before = await visit.pixels();
-    await drop(visit, ['textured.usda', 'textures/checker.png']);
+    await drop(visit, [
+      { name: 'textured.usda', content: readFileSync(path('textured.usda')) },
+      { name: 'checker.png', content: readFileSync(path('textures/checker.png')) },
+    ]);
     await visit.page.getByText('The square wears the picture').waitFor();
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
     await visit.shot('dropped');
@@ -85,6 +85,17 @@ describe('scenes', () => {
     expect(pinkShare(await visit.pixels())).toBe(0);
     const file = { name: 'square.glb', mimeType: 'model/gltf-binary', buffer };
     await visit.page.locator('input[type=file]').first().setInputFiles(file);
+    await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.03);
+    await visit.close();
+  });
+
+  it('a dropped OBJ opens with its materials', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const obj = 'mtllib square.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl pink\nf 1 2 3 4\n';
+    await drop(visit, [
+      { name: 'square.mtl', content: Buffer.from('newmtl pink\nKd 0 0 0\nKs 0 0 0\nKe 1 0 1\n') },
+      { name: 'square.obj', content: Buffer.from(obj) },
+    ]);
     await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.03);
     await visit.close();
   });
