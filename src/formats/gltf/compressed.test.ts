@@ -100,6 +100,26 @@ describe('compressed glTF', () => {
     expect([...object.mesh.colors!]).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
   });
 
+  it('Draco: a regular grid, which packs better than anything else, is within the bounds', async () => {
+    const kit = new Kit();
+    const n = 150;
+    const at = (i: number, j: number): number => i * (n + 1) + j;
+    const points = Array.from({ length: (n + 1) ** 2 }, (_, v) => [Math.floor(v / (n + 1)), v % (n + 1), 0]).flat();
+    const squares = Array.from({ length: n * n }, (_, s) => [Math.floor(s / n), s % n]);
+    const indices = squares.flatMap(([i, j]) => [
+      at(i, j),
+      at(i, j + 1),
+      at(i + 1, j),
+      at(i, j + 1),
+      at(i + 1, j + 1),
+      at(i + 1, j),
+    ]);
+    kit.scene.addChild(kit.meshNode('Grid', kit.triangle(points).setIndices(kit.ints('SCALAR', indices))));
+    const glb = await dracoGlb(kit.doc, 'edgebreaker', 8);
+    const { mesh } = (await readGlb(glb)).objects[0];
+    expect([mesh.indices.length / 3, glb.length < 20_000]).toEqual([2 * n * n, true]);
+  });
+
   it('meshopt without filters: bit for bit, though triangles may begin with another corner', async () => {
     const [wanted] = (await readGlb(await plain(ball().doc))).objects;
     const scene = await readGlb(await meshoptGlb(ball().doc, 'quantize'));
@@ -201,6 +221,16 @@ describe.each([
     }
   }, 30_000);
 });
+
+it('Draco data that asks for any amount of memory is read, or an InputError', async () => {
+  const glb = await dracoGlb(ball(4).doc, 'edgebreaker');
+  const start = glb.length - partsOf(glb).binary.length;
+  for (let at = start; at + 4 <= glb.length; at += 6) {
+    const bomb = glb.slice();
+    bomb.set([255, 255, 255, 127], at);
+    await readGlb(bomb).catch((error) => expect(error).toBeInstanceOf(InputError));
+  }
+}, 30_000);
 
 interface PackedJson {
   buffers: { uri?: string; extensions?: object }[];

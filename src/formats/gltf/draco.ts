@@ -16,6 +16,10 @@ type DracoValues = (Float32Array | Int8Array | Uint8Array | Int16Array | Uint16A
 /** Most triangles for each byte of data: a flat grid, the most regular mesh there is, takes a byte for 4. */
 const MAX_TRIANGLES_PER_BYTE = 64;
 
+/** Memory of the decoder [bytes]: so much, and for each byte of data so much more. A regular grid takes 700 bytes a byte. */
+const MEMORY = 2 ** 27;
+const MEMORY_PER_BYTE = 2 ** 10;
+
 /**
  * Draco's own decoder, compiled to plain JavaScript (version 1.3.4, the last that needs neither WebAssembly, which
  * `script-src 'self'` forbids, nor a hand on the process): it reads bitstream 2.2, the one glTF asks for. It is loaded
@@ -26,7 +30,23 @@ export async function loadDraco(): Promise<(data: Uint8Array) => DracoMesh> {
   const quiet = (): void => {};
   // 'SHELL' is what asks nothing of where it runs. The module is no promise, though it has a `then`: it must not be awaited.
   const draco = createModule({ ENVIRONMENT: 'SHELL', print: quiet, printErr: quiet });
-  return (data) => decode(draco, data);
+  let allowed = MEMORY;
+  const enlarge = draco.reallocBuffer;
+  draco.reallocBuffer = (bytes) => bytes <= allowed && enlarge(bytes);
+  return (data) => {
+    allowed += MEMORY_PER_BYTE * data.length;
+    return guarded(() => decode(draco, data));
+  };
+}
+
+/** The decoder gives up by throwing a text, where it gets no more memory. */
+function guarded<T>(decode: () => T): T {
+  try {
+    return decode();
+  } catch (thrown) {
+    if (thrown instanceof Error) throw thrown;
+    throw new Error('wants more memory than its size accounts for', { cause: thrown });
+  }
 }
 
 function decode(draco: DracoModule, data: Uint8Array): DracoMesh {
@@ -41,7 +61,7 @@ function decode(draco: DracoModule, data: Uint8Array): DracoMesh {
   return {
     indices: readIndices(draco, decoder, mesh),
     points: mesh.num_points(),
-    attribute: (id, componentType) => readAttribute(draco, decoder, mesh, id, componentType),
+    attribute: (id, componentType) => guarded(() => readAttribute(draco, decoder, mesh, id, componentType)),
   };
 }
 

@@ -41,6 +41,8 @@ declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
     readonly DracoUInt16Array: new () => NumberArray;
     readonly DracoInt32Array: new () => NumberArray;
     readonly DracoUInt32Array: new () => NumberArray;
+    /** Gives the decoder a memory of that many bytes; false where there is none. */
+    reallocBuffer: (bytes: number) => ArrayBuffer | false;
     destroy(thing: Decoder | Buffer | Mesh | NumberArray): void;
   }
   const createModule: (settings: {
