@@ -21,6 +21,8 @@ export interface ReadMaterial {
   readonly uvs?: UvPlacement;
 }
 
+/** Most names of .mtl files that are looked for. */
+const MAX_FILES = 1000;
 /** Most materials of one file. */
 const MAX_MATERIALS = 2 ** 16;
 const COLORS = ['Kd', 'Ks', 'Ke'];
@@ -35,6 +37,7 @@ export class MaterialLibrary {
   readonly #pictures: PictureLoader;
   readonly #written = new Map<string, MtlMaterial>();
   readonly #files: string[] = [];
+  #named = 0;
   constructor(context: ObjContext) {
     this.#context = context;
     this.#pictures = new PictureLoader(context);
@@ -42,6 +45,10 @@ export class MaterialLibrary {
 
   /** `mtllib a.mtl b.mtl`: a name may hold spaces, which the format leaves open. */
   async load({ line, words, rest }: Statement): Promise<void> {
+    this.#named += words.length;
+    if (this.#named > MAX_FILES) {
+      throw lineError(this.#context.entry, line, 'too-many', `more than ${MAX_FILES} files of materials are named`);
+    }
     if (await this.#loadFile(rest)) return;
     const missing: string[] = [];
     for (const name of words.length > 1 ? words : []) if (!(await this.#loadFile(name))) missing.push(name);

@@ -224,6 +224,7 @@ describe('a damaged OBJ', () => {
       'set/a.obj: line 2: the corner -2 names point -2; indices count from 1, or back from −1, and there are 1 so far',
     ],
     ['v 0 0 0\nf 1//x 1 1', 'set/a.obj: line 2: the corner 1//x names normal x; indices count from 1'],
+    [`mtllib ${'a.mtl '.repeat(2000)}`, 'set/a.obj: line 1: more than 1000 files of materials are named'],
     [Array.from({ length: 200 }, (_, i) => `x${i}`).join('\n'), 'set/a.obj: line 101: it is no Wavefront OBJ'],
   ])('%j is refused', async (obj, message) => {
     expect(await refusal(obj)).toContain(message);
