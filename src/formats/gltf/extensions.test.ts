@@ -183,4 +183,19 @@ describe('what a scene cannot carry is said', () => {
       'a.glb: /Wide: its field of view is 4 rad; it is left out',
     ]);
   });
+
+  it('of colours that are not opaque', async () => {
+    const alpha = async (mode: 'OPAQUE' | 'BLEND', last: number): Promise<string[]> => {
+      const kit = new Kit();
+      const colors = kit.values('VEC4', [1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, last]);
+      const glass = kit
+        .triangle()
+        .setAttribute('COLOR_0', colors)
+        .setMaterial(kit.doc.createMaterial().setAlphaMode(mode));
+      kit.scene.addChild(kit.meshNode('Glass', glass));
+      return (await kit.read()).diagnostics.map((d) => `${d.place}: ${d.message}`);
+    };
+    expect(await alpha('BLEND', 0.5)).toEqual(['a.glb: mesh Glass: the opacity of its vertex colours is left out']);
+    expect([...(await alpha('BLEND', 1)), ...(await alpha('OPAQUE', 0.5))]).toEqual([]);
+  });
 });

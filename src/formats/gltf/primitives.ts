@@ -109,12 +109,21 @@ function readPrimitive(context: GltfContext, what: string, p: Primitive, library
     return pick(accessor, width, isFlat ? corners : undefined);
   };
   const material = materialOf(context, p);
+  noteVertexAlpha(context, what, p, material);
   const indices = isFlat ? Uint32Array.from(corners.keys()) : corners;
   return buildPart(p, take, indices, {
     material,
     place: library.placeOf(material),
     uvs: uvSourceOf(context, material),
   });
+}
+
+/** Colours of a mesh have no opacity here. */
+function noteVertexAlpha({ notes }: GltfContext, what: string, p: Primitive, material: GltfMaterial | null): void {
+  const colors = p.getAttribute('COLOR_0');
+  if (!colors || colors.getElementSize() !== 4 || (material?.getAlphaMode() ?? 'OPAQUE') === 'OPAQUE') return;
+  if (floatsOf(colors).every((value, i) => i % 4 !== 3 || value >= 1)) return;
+  notes.add('warning', 'vertex-alpha', what, 'the opacity of its vertex colours is left out');
 }
 
 /** Values of an attribute, `width` per vertex of the finished mesh. */

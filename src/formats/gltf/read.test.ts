@@ -95,7 +95,7 @@ describe('glTF meshes', () => {
     expect([first.ior, second.ior]).toEqual([undefined, 2.4]);
     expect(second).toMatchObject({ emissive: [4, 0, 2], opacityThreshold: 0.3 });
     expect(mesh.doubleSided).toBe(true);
-    expect(scene.diagnostics.map((d) => d.code)).toEqual(['gltf.mixed-sides']);
+    expect(scene.diagnostics.map((d) => d.code)).toEqual(['gltf.vertex-alpha', 'gltf.mixed-sides']);
   });
 
   it('an unlit material sends out its colour', async () => {
