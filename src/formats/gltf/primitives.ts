@@ -121,7 +121,7 @@ function readPrimitive(context: GltfContext, what: string, p: Primitive, library
 /** Colours of a mesh have no opacity here. */
 function noteVertexAlpha({ notes }: GltfContext, what: string, p: Primitive, material: GltfMaterial | null): void {
   const colors = p.getAttribute('COLOR_0');
-  if (!colors || colors.getElementSize() !== 4 || (material?.getAlphaMode() ?? 'OPAQUE') === 'OPAQUE') return;
+  if (colors?.getElementSize() !== 4 || (material?.getAlphaMode() ?? 'OPAQUE') === 'OPAQUE') return;
   if (floatsOf(colors).every((value, i) => i % 4 !== 3 || value >= 1)) return;
   notes.add('warning', 'vertex-alpha', what, 'the opacity of its vertex colours is left out');
 }
