@@ -32,6 +32,9 @@ export interface SurfaceSources {
   readonly colored: boolean;
 }
 
+/** (v, 1 − v²) */
+const AT_REST = vec4(0, 0, 0, 1);
+
 /** What is known of the surface at a fragment. */
 export interface Surface {
   /** Linear sRGB and opacity. */
@@ -83,8 +86,15 @@ export function readSurface(sources: SurfaceSources): Surface {
     velocity,
     D,
     object: round(vLife.z),
-    distance: length(vShown),
+    distance: distanceOf(dx, sources.uniforms),
   };
+}
+
+/** |Δx′| = (γ + u·n)|Δx| of the event itself; where directions are not boosted, places between the vertices are those of the events, or linear. */
+function distanceOf(dx: Vec3, { u, gamma, boosted, onLightCone }: SurfaceSources['uniforms']): Float {
+  const r = length(dx).toVar();
+  const still = select(onLightCone.greaterThan(0.5), r, length(vShown));
+  return select(boosted.greaterThan(0.5), r.mul(dopplerFactor(dx, u, gamma, AT_REST)), still);
 }
 
 /** The G-buffer's targets, in the order of their attachments; bytes per sample as WebGPU counts them. */
