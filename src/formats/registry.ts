@@ -7,6 +7,18 @@ export interface ReadOptions {
   readonly animation?: string | number;
   /** Greatest distance between a resampled path and the true one, as a fraction of the object's size. */
   readonly chordTolerance?: number;
+  /** Variants to show instead of those that the file selects; of which there are, the scene tells. */
+  readonly variants?: readonly VariantChoice[];
+  /** Variants by set, the best first, where nothing is selected. */
+  readonly variantFallbacks?: Readonly<Record<string, readonly string[]>>;
+}
+
+/** One choice among a `VariantSet`; an empty variant shows none. */
+export interface VariantChoice {
+  /** Of the prim that has the set. */
+  readonly path: string;
+  readonly set: string;
+  readonly variant: string;
 }
 
 /** A kind of scene file. `read` loads its parser on first use, so that the page stays small. */

@@ -22,6 +22,17 @@ export interface Scene {
   /** What the author suggests for viewing; a user's choice comes before it. */
   readonly hints: SceneHints;
   readonly diagnostics: readonly Diagnostic[];
+  /** What the file lets one choose between. */
+  readonly variantSets?: readonly VariantSet[];
+}
+
+/** A choice that a file offers: a variant set of USD. */
+export interface VariantSet {
+  /** Of the prim that it is about. */
+  readonly path: string;
+  readonly name: string;
+  readonly variants: readonly string[];
+  readonly selected?: string;
 }
 
 export interface SceneHints {

@@ -1,14 +1,15 @@
 import type { Scene } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
 import type { ReadOptions } from '../registry.ts';
-import { type FileSource, resolvePath } from '../source.ts';
+import type { FileSource } from '../source.ts';
+import { AssetFiles } from './compose/assets.ts';
+import { LayerStore } from './compose/layerStore.ts';
+import { type ComposedStage, composeStage } from './compose/stage.ts';
 import { DiagnosticList, metadataNumber, report, type StageContext } from './context.ts';
-import { noteUnreadLayers } from './coverage.ts';
 import type { Layer } from './layer.ts';
 import { parseLayer } from './parser.ts';
 import { hintsOf } from './slowlight.ts';
 import { readStage, type StageContents, upAxisOf } from './stage.ts';
-import { isZip, openPackage } from './usdz.ts';
 
 /** Distance between a resampled path and the true one, as a fraction of the object's size, where none is asked for. */
 const CHORD_TOLERANCE = 1e-4;
@@ -17,39 +18,36 @@ const CHORD_TOLERANCE = 1e-4;
 const POINT_BUDGET = 2 ** 30;
 
 /**
- * Reads a USD text layer, or a package that holds one, as a scene. What it says and is not read is in the scene's
- * diagnostics. Throws an InputError where the file is not readable at all.
+ * Reads the stage of a USD layer, or of a package, as a scene, with all layers that it is composed from. What it says
+ * and is not read is in the scene's diagnostics. Throws an InputError where the file is not readable at all.
  */
-export async function readUsd(files: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
-  const bytes = await files.read(entry);
+export async function readUsd(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
+  const bytes = await source.read(entry);
   if (!bytes) throw inputError('file.missing', entry, 'no such file');
-  const { layer, source } = openLayer(files, entry, bytes);
-  const context = contextOf(layer, source, options);
-  noteUnreadLayers(context);
+  const diagnostics = new DiagnosticList();
+  const files = new AssetFiles(source, entry);
+  const store = new LayerStore(files, parseAny);
+  const fallbacks = new Map(Object.entries(options.variantFallbacks ?? {}));
+  const root = await store.root(entry, bytes);
+  const stage = await composeStage(store, root, diagnostics, { variants: options.variants, fallbacks });
+  const context = contextOf(stage.layer, files, diagnostics, options);
   const contents = await readStage(context);
   noteSubdivision(context);
   return {
     ...sceneHeader(context, entry),
     ...timeRange(context, contents),
     ...contents,
-    diagnostics: context.diagnostics.list,
+    diagnostics: diagnostics.list,
+    ...variantSetsIn(stage),
   };
 }
 
-function openLayer(files: FileSource, entry: string, bytes: Uint8Array): { layer: Layer; source: FileSource } {
-  if (!isZip(bytes)) return { layer: textLayer(bytes, entry), source: files };
-  const contents = openPackage(bytes, entry);
-  // Within a package, paths are relative to its root; the layer's name tells both.
-  const prefix = `${entry}/`;
-  const source: FileSource = {
-    read: async (path) => (path.startsWith(prefix) ? contents.files.get(path.slice(prefix.length)) : files.read(path)),
-  };
-  return { layer: textLayer(contents.files.get(contents.layer)!, resolvePath(prefix, contents.layer)), source };
-}
+const variantSetsIn = ({ variantSets }: ComposedStage) => (variantSets.length > 0 ? { variantSets } : {});
 
 const CRATE = 'PXR-USDC';
 
-function textLayer(bytes: Uint8Array, name: string): Layer {
+/** The layer that a file's bytes hold, of whatever kind they are. */
+function parseAny(bytes: Uint8Array, name: string): Layer {
   if (String.fromCharCode(...bytes.subarray(0, CRATE.length)) === CRATE) {
     const message = 'is a binary (crate) layer, which is not read yet; convert it to text: usdcat in.usd -o out.usda';
     throw inputError('usd.crate', name, message);
@@ -57,16 +55,16 @@ function textLayer(bytes: Uint8Array, name: string): Layer {
   return parseLayer(bytes, name);
 }
 
-function contextOf(layer: Layer, source: FileSource, options: ReadOptions): StageContext {
+function contextOf(layer: Layer, files: AssetFiles, diagnostics: DiagnosticList, options: ReadOptions): StageContext {
   const number = (key: string): number | undefined => metadataNumber(layer.metadata, key);
   const context: StageContext = {
     layer,
-    source,
+    files,
     unit: number('metersPerUnit') ?? 0.01,
     codesPerSecond: number('timeCodesPerSecond') ?? number('framesPerSecond') ?? 24,
     startCode: number('startTimeCode') ?? 0,
     chordTolerance: options.chordTolerance ?? CHORD_TOLERANCE,
-    diagnostics: new DiagnosticList(),
+    diagnostics,
     pointBudget: { bytes: POINT_BUDGET },
     subdivided: [],
   };

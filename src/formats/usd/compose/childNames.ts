@@ -1,0 +1,46 @@
+import { inOrder } from './listOps.ts';
+import type { Node } from './node.ts';
+import { nameOf, parentOf } from './paths.ts';
+
+/** The names of the prims in a prim, in their order: from the weakest site to the strongest, what is new comes last. */
+export function childNames(index: Node): string[] {
+  let names: string[] = [];
+  const gone = new Set<string>();
+  const visit = (node: Node): void => {
+    for (const child of [...node.children].reverse()) visit(child);
+    names = moved(node, names, gone);
+    if (!node.isInert) names = withLocal(node, names);
+  };
+  visit(index);
+  return names.filter((name) => !gone.has(name));
+}
+
+function withLocal(node: Node, names: readonly string[]): string[] {
+  let all = [...names];
+  for (const { spec, from } of [...node.opinions].reverse()) {
+    const known = new Set(all);
+    if (!from.source.isSession) for (const name of spec.children.keys()) if (!known.has(name)) all.push(name);
+    if (spec.childOrder) all = inOrder(all, spec.childOrder, (name) => name);
+  }
+  return all;
+}
+
+/** Relocates of the node's layers: some names go, others come, and those that stay in the prim change in place. */
+function moved(node: Node, names: readonly string[], gone: Set<string>): string[] {
+  const { relocates } = node.stack;
+  if (!relocates) return [...names];
+  let out = [...names];
+  const come: string[] = [];
+  for (const [source, target] of relocates.bySource) {
+    const to = target !== '' && parentOf(target) === node.path ? nameOf(target) : undefined;
+    if (parentOf(source) === node.path) {
+      const from = nameOf(source);
+      const renamed = to !== undefined && !out.includes(to);
+      out = out.flatMap((name) => (name !== from ? [name] : renamed ? [to] : []));
+      if (!out.includes(from)) gone.add(from);
+    }
+    if (to !== undefined && !out.includes(to)) come.push(to);
+    if (to !== undefined) gone.delete(to);
+  }
+  return [...out, ...come.sort()];
+}

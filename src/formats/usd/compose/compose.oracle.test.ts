@@ -1,0 +1,64 @@
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, describe, expect, it } from 'vitest';
+import type { Json } from '../fixtures/layerJson.ts';
+import { composedFiles } from './fixtures/composedFiles.ts';
+import { type Ingredients, randomStage } from './fixtures/randomStage.ts';
+import { stageJson, variantSetsJson } from './fixtures/stageJson.ts';
+
+const script = fileURLToPath(new URL('./fixtures/stageOracle.py', import.meta.url));
+
+const python = (...args: string[]): string =>
+  execFileSync('python3', args, { encoding: 'utf8', maxBuffer: 2 ** 29, stdio: ['ignore', 'pipe', 'ignore'] });
+
+function hasUsdCore(): boolean {
+  try {
+    python('-c', 'import pxr.Usd');
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+const available = hasUsdCore();
+if (!available) console.warn('usd-core is not installed (pip install usd-core): composition is not compared with it');
+
+interface StageOracle {
+  readonly prims: Record<string, Json>;
+  readonly variantSets: Json;
+}
+
+const folder = mkdtempSync(join(tmpdir(), 'slowlight-compose-'));
+afterAll(() => rmSync(folder, { recursive: true }));
+
+function save(path: string, text: string): void {
+  mkdirSync(dirname(join(folder, path)), { recursive: true });
+  writeFileSync(join(folder, path), text);
+}
+
+const COUNT = 25;
+const KINDS: [string, Ingredients][] = [
+  ['references', { arcs: ['references'] }],
+  ['references and payloads', { arcs: ['references', 'payload'] }],
+];
+
+describe.skipIf(!available)('random stages are what usd-core composes', () => {
+  it.each(KINDS)('of %s', async (name, ingredients) => {
+    const stages = Array.from({ length: COUNT }, (_, seed) => randomStage(seed, ingredients));
+    for (const [seed, files] of stages.entries())
+      for (const [file, text] of files) save(`${name}/${seed}/${file}`, text);
+    const roots = stages.map((_, seed) => `${seed}/root.usda`);
+    const oracle: Record<string, StageOracle> = JSON.parse(python(script, '--check', join(folder, name), ...roots));
+    for (const [seed, files] of stages.entries()) {
+      const { stage, assets } = await composedFiles(files, 'root.usda');
+      const expected = oracle[`${seed}/root.usda`];
+      expect(await stageJson(stage, assets), `seed ${seed}`).toEqual(expected.prims);
+      expect(sorted(variantSetsJson(stage)), `seed ${seed}`).toEqual(sorted(expected.variantSets));
+    }
+  });
+});
+
+const sorted = (json: Json): string[] => (json as Json[]).map((entry) => JSON.stringify(entry)).sort();
