@@ -1,17 +1,22 @@
+import { isInstance } from './instances.ts';
 import { inOrder } from './listOps.ts';
 import type { Node } from './node.ts';
 import { nameOf, parentOf } from './paths.ts';
 
-/** The names of the prims in a prim, in their order: from the weakest site to the strongest, what is new comes last. */
+/**
+ * The names of the prims in a prim, in their order: from the weakest site to the strongest, what is new comes last. In
+ * an instance is only what its own arcs bring.
+ */
 export function childNames(index: Node): string[] {
   let names: string[] = [];
   const gone = new Set<string>();
-  const visit = (node: Node): void => {
-    for (const child of [...node.children].reverse()) visit(child);
+  const visit = (node: Node, isLocal: boolean): void => {
+    const local = isLocal && !node.isDirect;
+    for (const child of [...node.children].reverse()) visit(child, local);
     names = moved(node, names, gone);
-    if (!node.isInert) names = withLocal(node, names);
+    if (!node.isInert && !local) names = withLocal(node, names);
   };
-  visit(index);
+  visit(index, isInstance(index));
   return names.filter((name) => !gone.has(name));
 }
 

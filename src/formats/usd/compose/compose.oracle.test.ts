@@ -1,5 +1,5 @@
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -8,8 +8,10 @@ import type { Json } from '../fixtures/layerJson.ts';
 import { composedFiles } from './fixtures/composedFiles.ts';
 import { type Ingredients, randomStage } from './fixtures/randomStage.ts';
 import { stageJson, variantSetsJson } from './fixtures/stageJson.ts';
+import { fixtureStages } from './fixtures/stages.ts';
 
-const script = fileURLToPath(new URL('./fixtures/stageOracle.py', import.meta.url));
+const fixture = (name: string): string => fileURLToPath(new URL(`./fixtures/${name}`, import.meta.url));
+const script = fixture('stageOracle.py');
 
 const python = (...args: string[]): string =>
   execFileSync('python3', args, { encoding: 'utf8', maxBuffer: 2 ** 29, stdio: ['ignore', 'pipe', 'ignore'] });
@@ -39,10 +41,25 @@ function save(path: string, text: string): void {
   writeFileSync(join(folder, path), text);
 }
 
+describe.skipIf(!available)('usd-core', () => {
+  /** `REFRESH=1 npx vitest run --project oracle src/formats/usd/compose`, then `npx biome format --write .` */
+  it('still composes of the stages in stages.txt what is committed', () => {
+    const stages = fixtureStages(readFileSync(fixture('stages.txt'), 'utf8'));
+    for (const [name, files] of stages) for (const [file, text] of files) save(`stages/${name}/${file}`, text);
+    const roots = [...stages.keys()].map((name) => `${name}/root.usda`);
+    const fresh: Record<string, Json> = JSON.parse(python(script, join(folder, 'stages'), ...roots));
+    const byStage = Object.fromEntries([...stages.keys()].map((name) => [name, fresh[`${name}/root.usda`]]));
+    const committed = fixture('stages.expected.json');
+    if (process.env.REFRESH) writeFileSync(committed, `${JSON.stringify(byStage, null, 1)}\n`);
+    expect(byStage).toEqual(JSON.parse(readFileSync(committed, 'utf8')));
+  });
+});
+
 const COUNT = 25;
 const KINDS: [string, Ingredients][] = [
   ['references', { arcs: ['references'] }],
   ['references and payloads', { arcs: ['references', 'payload'] }],
+  ['references and variants', { arcs: ['references', 'variants'] }],
 ];
 
 describe.skipIf(!available)('random stages are what usd-core composes', () => {

@@ -102,7 +102,7 @@ export class Node {
   }
 
   /**
-   * The same tree one level down in namespace. Sites that nobody speaks at, and no arc starts from, are left out. In an
+   * The same tree one level down in namespace. Sites that nobody spoke at above this, and no arc starts from, are left out. In an
    * instance nothing counts but what its own arcs lead to.
    */
   toChild(name: string, isInInstance: boolean): Node {
@@ -119,9 +119,14 @@ export class Node {
         below.parent = child;
         child.children.push(below);
       }
+      // Judged by the level above: where a variant ends here, what was selected by it still counts here.
       const needed =
-        child.opinions.length > 0 || child.children.length > 0 || origins.has(node) || node.stack.relocates;
-      if (!needed && node.parent) return undefined;
+        node.opinions.length > 0 ||
+        child.children.length > 0 ||
+        origins.has(node) ||
+        node.stack.relocates ||
+        !node.isAncestral;
+      if (!needed) return undefined;
       copies.set(node, child);
       return child;
     };

@@ -49,7 +49,7 @@ export interface ArcOptions {
 /** Indexes within indexes, to this depth. */
 const MAX_LEVEL = 300;
 /** Sites that one prim can have. */
-const MAX_NODES = 300;
+const MAX_NODES = 4000;
 
 /**
  * Finds all sites that have opinions on one prim and orders them by strength: local, inherits, variants, relocates,
