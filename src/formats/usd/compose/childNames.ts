@@ -38,13 +38,12 @@ function moved(node: Node, names: readonly string[], gone: Set<string>): string[
   const come: string[] = [];
   for (const [source, target] of relocates.bySource) {
     const to = target !== '' && parentOf(target) === node.path ? nameOf(target) : undefined;
-    if (parentOf(source) === node.path) {
-      const from = nameOf(source);
+    const from = parentOf(source) === node.path ? nameOf(source) : undefined;
+    if (from !== undefined) {
       const renamed = to !== undefined && !out.includes(to);
       out = out.flatMap((name) => (name !== from ? [name] : renamed ? [to] : []));
-      if (!out.includes(from)) gone.add(from);
-    }
-    if (to !== undefined && !out.includes(to)) come.push(to);
+      gone.add(from);
+    } else if (to !== undefined && !out.includes(to)) come.push(to);
     if (to !== undefined) gone.delete(to);
   }
   return [...out, ...come.sort()];

@@ -1,11 +1,12 @@
 import { composeOffsets, inverseOffset, isNoOffset, NO_OFFSET, type TimeOffset } from './offsets.ts';
 import { hasPrefix } from './paths.ts';
 
-type Pair = readonly [source: string, target: string];
+/** One side is missing where what is under the other maps nowhere. */
+type Pair = readonly [source: string | undefined, target: string | undefined];
 
 /**
  * How the namespace of what an arc leads to becomes the namespace of what has the arc: prefixes and what replaces
- * them, the longest first to count; paths under none of them do not map. With it goes how times map.
+ * them, the longest counts; paths under none of them do not map. With it goes how times map.
  */
 export interface NamespaceMap {
   readonly pairs: readonly Pair[];
@@ -31,28 +32,37 @@ export const mapToSource = (map: NamespaceMap, path: string): string | undefined
 function translate(pairs: readonly Pair[], path: string, from: 0 | 1): string | undefined {
   const to = from === 0 ? 1 : 0;
   let best: Pair | undefined;
-  for (const pair of pairs)
-    if (hasPrefix(path, pair[from]) && (!best || pair[from].length > best[from].length)) best = pair;
-  if (!best) return undefined;
-  const result = best[to] + path.slice(best[from].length);
-  const taken = pairs.some((p) => p !== best && p[to].length > best[to].length && hasPrefix(result, p[to]));
-  return taken ? undefined : result;
+  let covered = -1;
+  for (const pair of pairs) {
+    const prefix = pair[from];
+    if (prefix === undefined || prefix.length <= covered || !hasPrefix(path, prefix)) continue;
+    best = pair;
+    covered = prefix.length;
+  }
+  const replaced = best?.[to];
+  if (replaced === undefined) return undefined;
+  const result = replaced + path.slice(covered);
+  const isTaken = ({ [to]: other }: Pair): boolean =>
+    other !== undefined && other.length > replaced.length && hasPrefix(result, other);
+  return pairs.some((pair) => pair !== best && isTaken(pair)) ? undefined : result;
 }
 
 /** First `inner`, then `outer`. */
 export function composeMaps(outer: NamespaceMap, inner: NamespaceMap): NamespaceMap {
   if (isIdentity(outer)) return inner;
   if (isIdentity(inner)) return outer;
-  const bySource = new Map<string, string>();
-  for (const [source, middle] of inner.pairs) {
-    const target = mapToTarget(outer, middle);
-    if (target !== undefined) bySource.set(source, target);
-  }
-  for (const [middle, target] of outer.pairs) {
-    const source = mapToSource(inner, middle);
-    if (source !== undefined && !bySource.has(source)) bySource.set(source, target);
-  }
-  return { pairs: canonical([...bySource]), time: composeOffsets(outer.time, inner.time) };
+  const through = (path: string | undefined, first: NamespaceMap, then: NamespaceMap, from: 0 | 1) => {
+    const middle = path === undefined ? undefined : translate(first.pairs, path, from);
+    return middle === undefined ? undefined : translate(then.pairs, middle, from);
+  };
+  const sources = [...inner.pairs.map((p) => p[0]), ...outer.pairs.map((p) => p[0] && mapToSource(inner, p[0]))];
+  const targets = [...outer.pairs.map((p) => p[1]), ...inner.pairs.map((p) => p[1] && mapToTarget(outer, p[1]))];
+  const pairs: Pair[] = [];
+  for (const source of new Set(sources))
+    if (source !== undefined) pairs.push([source, through(source, inner, outer, 0)]);
+  for (const target of new Set(targets))
+    if (target !== undefined) pairs.push([through(target, outer, inner, 1), target]);
+  return { pairs: canonical(pairs), time: composeOffsets(outer.time, inner.time) };
 }
 
 export const inverseMap = ({ pairs, time }: NamespaceMap): NamespaceMap => ({
@@ -71,11 +81,18 @@ export const withPairs = (map: NamespaceMap, more: readonly Pair[]): NamespaceMa
   pairs: canonical([...map.pairs, ...more]),
 });
 
-/** Sorted, and without the pairs that say what a shorter one says already. */
+/** Sorted, and without the pairs that say what shorter ones say already. */
 function canonical(pairs: readonly Pair[]): Pair[] {
-  const sorted = [...pairs].sort((a, b) => a[0].length - b[0].length || (a[0] < b[0] ? -1 : 1));
+  const lengthOf = ([source, target]: Pair): number => (source ?? target ?? '').length;
+  const textOf = ([source, target]: Pair): string => `${source ?? ' '}\n${target ?? ' '}`;
+  const sorted = [...pairs].sort((a, b) => lengthOf(a) - lengthOf(b) || (textOf(a) < textOf(b) ? -1 : 1));
   const kept: Pair[] = [];
-  for (const pair of sorted) if (translate(kept, pair[0], 0) !== pair[1]) kept.push(pair);
+  for (const pair of sorted) {
+    const [source, target] = pair;
+    const known =
+      source === undefined ? translate(kept, target ?? '', 1) === undefined : translate(kept, source, 0) === target;
+    if (!known) kept.push(pair);
+  }
   return kept;
 }
 

@@ -132,6 +132,8 @@ export class Node {
     };
     const root = copy(this, isInInstance)!;
     for (const node of everyNode(root)) {
+      // What the site's own layers move away is elsewhere.
+      if (node.parent && node.stack.relocates?.bySource.has(node.path)) silence(node);
       const { origin } = node.arc;
       if (origin) node.arc = { ...node.arc, origin: copies.get(origin) ?? node.parent };
     }
@@ -160,6 +162,13 @@ export class Node {
 
 function forgetMaps(tree: Node): void {
   for (const node of everyNode(tree)) Node.forget(node);
+}
+
+export const speaksAnywhere = (node: Node): boolean => node.opinions.length > 0 || node.children.some(speaksAnywhere);
+
+/** Keeps a tree for its place only. */
+export function silence(tree: Node): void {
+  for (const node of everyNode(tree)) node.isInert = true;
 }
 
 export const hasClasses = (node: Node): boolean => node.children.some((child) => child.isClass);

@@ -2,7 +2,7 @@ import { addClasses, implyClasses, startOfClasses } from './classes.ts';
 import { isInstance } from './instances.ts';
 import type { LayerStack, LayerStacks, Note } from './layerStack.ts';
 import type { LayerStore } from './layerStore.ts';
-import { type Arc, areRelated, everyNode, hasClasses, Node } from './node.ts';
+import { type Arc, areRelated, everyNode, hasClasses, Node, silence, speaksAnywhere } from './node.ts';
 import { hasPrefix, nameOf, parentOf } from './paths.ts';
 import { addReferences } from './references.ts';
 import { addRelocate, implyRelocate } from './relocations.ts';
@@ -150,7 +150,7 @@ export class IndexBuilder {
     const skipsDuplicates = options.skipsDuplicates || (this.frame?.skipsDuplicates ?? false);
     if ((skipsDuplicates && this.hasSite(parent, stack, path)) || !this.canAfford()) return undefined;
     const ancestral = options.ancestral ?? false;
-    const contributes = (options.contributes ?? true) && !(ancestral && isMovedAway(stack, path));
+    const contributes = options.contributes ?? true;
     let node: Node;
     if (ancestral) {
       node = IndexBuilder.target(stack, path, { path, parent, arc, skipsDuplicates, outer: this }, contributes);
@@ -159,6 +159,7 @@ export class IndexBuilder {
       node.isInert = !contributes;
       node.serial = this.count.nodes++;
     }
+    if (arc.kind !== 'relocate' && isMovedAway(stack, path)) silence(node);
     node.isAncestral = false;
     parent.adopt(node, arc);
     this.addTasks(node, !ancestral);
@@ -246,9 +247,7 @@ const PERFORM: Readonly<Record<TaskKind, (builder: IndexBuilder, task: Task) => 
 /** Sites without opinions of their own still imply classes, and are moved. */
 const PERFORM_INERT: ReadonlySet<TaskKind> = new Set(['impliedClasses', 'relocate', 'impliedRelocate']);
 
-const speaksAnywhere = (node: Node): boolean => node.opinions.length > 0 || node.children.some(speaksAnywhere);
-
-/** What is said where a relocate of the same layers takes the prim away from does not count. */
+/** Where a relocate of the same layers takes the prim away from, nothing is left that an arc could lead to. */
 function isMovedAway({ relocates }: LayerStack, path: string): boolean {
   if (!relocates) return false;
   for (const source of relocates.whole.keys()) if (hasPrefix(path, source)) return true;

@@ -12,21 +12,20 @@ export interface Relocates {
 
 /** The relocates of a layer stack, the strongest layer's first; undefined where there are none. */
 export function relocatesOf(layers: readonly StackLayer[], note: Note): Relocates | undefined {
-  const bySource = new Map<string, string>();
-  const byTarget = new Map<string, string>();
+  const written = new Map<string, string>();
   for (const { source: layer } of layers) {
-    const written = layer.layer.metadata.get('relocates');
-    if (written?.type !== 'relocates') continue;
-    for (const [source, target] of written.data) {
-      if (bySource.has(source)) continue;
-      const fault = faultOf(source, target) ?? (byTarget.has(target) ? `${target} is taken by another` : undefined);
-      if (fault) note('usd.relocates', '', `the relocate of ${source} to ${target}: ${fault}; it is left out`);
-      else {
-        bySource.set(source, target);
-        if (target !== '') byTarget.set(target, source);
-      }
-    }
+    const relocates = layer.layer.metadata.get('relocates');
+    if (relocates?.type !== 'relocates') continue;
+    for (const [source, target] of relocates.data) if (!written.has(source)) written.set(source, target);
   }
+  const bySource = new Map(written);
+  for (const [source, target] of written) {
+    const fault = faultOf(source, target) ?? conflictOf(source, target, written);
+    if (!fault) continue;
+    note('usd.relocates', '', `the relocate of ${source} to ${target}: ${fault}; it is left out`);
+    bySource.delete(source);
+  }
+  const byTarget = new Map([...bySource].flatMap(([from, to]) => (to === '' ? [] : [[to, from] as const])));
   return bySource.size === 0 ? undefined : { bySource, byTarget, whole: wholeMoves(bySource) };
 }
 
@@ -34,6 +33,18 @@ function faultOf(source: string, target: string): string | undefined {
   if (!isPrimPath(source) || (target !== '' && !isPrimPath(target))) return 'it is not from prim to prim';
   if (depthOf(source) < 2 || depthOf(target) === 1) return 'root prims cannot be moved';
   if (target !== '' && (hasPrefix(target, source) || hasPrefix(source, target))) return 'one of them is in the other';
+  return undefined;
+}
+
+/** Relocates are in the namespace that all of them make: none may lead to or from where another one starts. */
+function conflictOf(source: string, target: string, all: ReadonlyMap<string, string>): string | undefined {
+  for (const [from, to] of all) {
+    if (from === source) continue;
+    if (to !== '' && to === target) return `${from} goes there as well`;
+    if (to === source) return `${from} goes to ${source}`;
+    if (target !== '' && hasPrefix(target, from)) return `${from} is moved away`;
+    if (hasPrefix(source, from)) return `${from}, around it, is moved away`;
+  }
   return undefined;
 }
 

@@ -1,5 +1,5 @@
 import { IDENTITY, mapToTarget } from './namespaceMap.ts';
-import { everyNode, type Node } from './node.ts';
+import { type Node, silence } from './node.ts';
 import { depthOf } from './paths.ts';
 import type { IndexBuilder } from './primIndex.ts';
 
@@ -16,10 +16,6 @@ export function addRelocate(builder: IndexBuilder, node: Node): void {
     builder.note('usd.relocates', message);
   }
   silenceMoved(added);
-}
-
-function silence(tree: Node): void {
-  for (const node of everyNode(tree)) node.isInert = true;
 }
 
 /** What other relocates take away from here speaks at another prim. */
