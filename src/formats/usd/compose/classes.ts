@@ -19,7 +19,7 @@ type ClassKind = 'inherit' | 'specialize';
 export function addClasses(builder: IndexBuilder, node: Node, kind: ClassKind): void {
   const paths = classesAt(node.opinions, kind === 'inherit' ? 'inherits' : 'specializes');
   paths.forEach((path, number) => {
-    if (isPrimPath(path)) addClass(builder, kind, node, node, withRoot(mapForArc(node, path)), number);
+    if (isPrimPath(path)) addClass(builder, kind, node, undefined, withRoot(mapForArc(node, path)), number);
     else builder.note('usd.class-path', `it ${kind}s ${path}, which is not the path of a prim; that is left out`);
   });
 }
@@ -29,7 +29,7 @@ function addClass(
   builder: IndexBuilder,
   kind: ClassKind,
   parent: Node,
-  origin: Node,
+  origin: Node | undefined,
   map: NamespaceMap,
   number: number,
 ): Node | undefined {
@@ -38,7 +38,7 @@ function addClass(
   const known = parent.children.find((child) => child.isSite(parent.stack, path));
   if (known) return known;
   // Implied from one node of a layer stack to another it can be the very same site: kept only to be implied further.
-  const contributes = path !== parent.path && !(origin !== parent && origin.isSite(parent.stack, path));
+  const contributes = path !== parent.path && !origin?.isSite(parent.stack, path);
   const arc = { kind, origin, map, number, depth: depthOf(parent.path) };
   const ancestral = contributes && depthOf(path) > 1;
   return builder.addArc(parent, parent.stack, path, arc, { contributes, ancestral, skipsDuplicates: contributes });

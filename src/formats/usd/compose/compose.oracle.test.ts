@@ -1,5 +1,5 @@
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -7,7 +7,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import type { Json } from '../fixtures/layerJson.ts';
 import { composedFiles } from './fixtures/composedFiles.ts';
 import { type Ingredients, randomStage } from './fixtures/randomStage.ts';
-import { stageJson, variantSetsJson } from './fixtures/stageJson.ts';
+import { checkSum, stageJson, variantSetsJson } from './fixtures/stageJson.ts';
 import { fixtureStages } from './fixtures/stages.ts';
 
 const fixture = (name: string): string => fileURLToPath(new URL(`./fixtures/${name}`, import.meta.url));
@@ -30,6 +30,7 @@ if (!available) console.warn('usd-core is not installed (pip install usd-core): 
 
 interface StageOracle {
   readonly prims: Record<string, Json>;
+  readonly variants: Record<string, Record<string, Json>>;
   readonly variantSets: Json;
 }
 
@@ -52,6 +53,22 @@ describe.skipIf(!available)('usd-core', () => {
     const committed = fixture('stages.expected.json');
     if (process.env.REFRESH) writeFileSync(committed, `${JSON.stringify(byStage, null, 1)}\n`);
     expect(byStage).toEqual(JSON.parse(readFileSync(committed, 'utf8')));
+  });
+});
+
+const data = fileURLToPath(new URL('../../../../../shared/data/usd', import.meta.url));
+
+describe.skipIf(!available || !existsSync(data))('usd-core', () => {
+  it('still composes of real files what is committed', () => {
+    const paths = readdirSync(data, { recursive: true, encoding: 'utf8' }).filter((path) => /\.usda?$/.test(path));
+    const fresh: Record<string, StageOracle> = JSON.parse(python(script, data, ...paths.sort()));
+    const sums = Object.entries(fresh).map(([path, { prims, variants }]) => {
+      const chosen = Object.entries(variants).map(([key, other]) => [key, checkSum(other)]);
+      return [path, { '': checkSum(prims), ...Object.fromEntries(chosen) }];
+    });
+    const committed = fixture('shared.expected.json');
+    if (process.env.REFRESH) writeFileSync(committed, `${JSON.stringify(Object.fromEntries(sums), null, 1)}\n`);
+    expect(Object.fromEntries(sums)).toEqual(JSON.parse(readFileSync(committed, 'utf8')));
   });
 });
 

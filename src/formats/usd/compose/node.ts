@@ -9,8 +9,8 @@ export type ArcKind = (typeof ARCS)[number];
 /** How a node comes to be under another. */
 export interface Arc {
   readonly kind: ArcKind;
-  /** Where the arc is written: the parent, or for an implied class the node that it is implied by. */
-  origin: Node | undefined;
+  /** Of a class or relocate that is implied: the node that it is implied by. Absent where the parent has the arc itself. */
+  readonly origin?: Node | undefined;
   /** From the node's namespace to its parent's. */
   readonly map: NamespaceMap;
   /** Place among the arcs of its kind that are written together. */
@@ -19,7 +19,7 @@ export interface Arc {
   readonly depth: number;
 }
 
-const ROOT_ARC: Arc = { kind: 'root', origin: undefined, map: IDENTITY, number: 0, depth: 0 };
+const ROOT_ARC: Arc = { kind: 'root', map: IDENTITY, number: 0, depth: 0 };
 
 /**
  * A site that has, or may have, opinions on a prim: a path in a layer stack. The nodes of a prim are a tree: its own
@@ -79,7 +79,7 @@ export class Node {
   }
 
   get isImplied(): boolean {
-    return this.isClass && this.arc.origin !== this.parent;
+    return this.isClass && this.arc.origin !== undefined;
   }
 
   /** From this node's namespace to that of the tree's root. */
@@ -108,7 +108,7 @@ export class Node {
   toChild(name: string, isInInstance: boolean): Node {
     const copies = new Map<Node, Node>();
     const origins = new Set<Node>();
-    for (const node of everyNode(this)) if (node.isImplied && node.arc.origin) origins.add(node.arc.origin);
+    for (const { arc } of everyNode(this)) if (arc.origin) origins.add(arc.origin);
     const copy = (node: Node, isLocal: boolean): Node | undefined => {
       const child = node.below(name);
       const local = isLocal && !node.isDirect;
@@ -127,7 +127,7 @@ export class Node {
         node.stack.relocates ||
         !node.isAncestral;
       if (!needed) return undefined;
-      copies.set(node, child);
+      if (origins.has(node)) copies.set(node, child);
       return child;
     };
     const root = copy(this, isInInstance)!;
@@ -135,7 +135,7 @@ export class Node {
       // What the site's own layers move away is elsewhere.
       if (node.parent && node.stack.relocates?.bySource.has(node.path)) silence(node);
       const { origin } = node.arc;
-      if (origin) node.arc = { ...node.arc, origin: copies.get(origin) ?? node.parent };
+      if (origin) node.arc = { ...node.arc, origin: copies.get(origin) };
     }
     return root;
   }
@@ -174,16 +174,18 @@ export function silence(tree: Node): void {
 export const hasClasses = (node: Node): boolean => node.children.some((child) => child.isClass);
 
 /** All nodes of a tree, each before those under it. */
-export function* everyNode(node: Node): Generator<Node> {
-  yield node;
-  for (const child of node.children) yield* everyNode(child);
+export function everyNode(node: Node, into: Node[] = []): Node[] {
+  into.push(node);
+  for (const child of node.children) everyNode(child, into);
+  return into;
 }
 
 /** Below 0 where `a` is stronger: by kind of arc, depth of what has it, origin, and place among those written. */
 function compareSiblings(a: Node, b: Node): number {
   if (a.arc.kind !== b.arc.kind) return ARCS.indexOf(a.arc.kind) - ARCS.indexOf(b.arc.kind);
   if (a.arc.depth !== b.arc.depth) return b.arc.depth - a.arc.depth;
-  if (a.arc.origin !== b.arc.origin && a.arc.origin && b.arc.origin) return firstOf(a, a.arc.origin, b.arc.origin);
+  const [from, other] = [a.arc.origin ?? a.parent!, b.arc.origin ?? b.parent!];
+  if (from !== other) return firstOf(a, from, other);
   return a.arc.number - b.arc.number;
 }
 

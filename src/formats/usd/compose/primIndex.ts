@@ -47,7 +47,7 @@ export interface ArcOptions {
 }
 
 /** Indexes within indexes, to this depth. */
-const MAX_LEVEL = 300;
+const MAX_LEVEL = 100;
 /** Sites that one prim can have. */
 const MAX_NODES = 4000;
 
@@ -119,7 +119,9 @@ export class IndexBuilder {
   }
 
   private run(): Node {
-    for (const node of everyNode(this.root)) node.serial = this.count.nodes++;
+    const nodes = everyNode(this.root);
+    for (const node of nodes) node.serial = this.count.nodes++;
+    this.composer.budget.nodes -= nodes.length;
     this.addArcTasks(this.root, true);
     for (let task = this.tasks.take(); task; task = this.tasks.take()) this.perform(task);
     return this.root;
@@ -168,13 +170,9 @@ export class IndexBuilder {
 
   private canAfford(): boolean {
     this.composer.budget.nodes--;
-    if (this.count.nodes <= MAX_NODES && this.composer.budget.nodes > 0) return true;
-    const message =
-      this.composer.budget.nodes > 0
-        ? `more than ${MAX_NODES} sites have opinions on it; the rest is left out`
-        : 'the scene has more arcs than can be followed; the rest is left out';
-    this.note('usd.too-many-arcs', message);
-    return false;
+    if (this.count.nodes > MAX_NODES)
+      this.note('usd.too-many-arcs', `more than ${MAX_NODES} sites have opinions on it; the rest is left out`);
+    return this.count.nodes <= MAX_NODES && this.composer.budget.nodes > 0;
   }
 
   /** What is to be done for a new node: its own arcs, unless its index has followed them, and what they imply above. */

@@ -8,7 +8,7 @@ export function addRelocate(builder: IndexBuilder, node: Node): void {
   const source = node.stack.relocates?.byTarget.get(node.path);
   if (source === undefined || (node.isInert && node.depthBelowArc === 0)) return;
   for (const child of node.children) if (child.arc.kind !== 'variant') silence(child);
-  const arc = { kind: 'relocate' as const, origin: node, map: IDENTITY, number: 0, depth: depthOf(node.path) };
+  const arc = { kind: 'relocate' as const, map: IDENTITY, number: 0, depth: depthOf(node.path) };
   const added = builder.addArc(node, node.stack, source, arc, { contributes: false, ancestral: true });
   if (!added) return;
   if (added.opinions.length > 0) {

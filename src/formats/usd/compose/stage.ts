@@ -14,7 +14,7 @@ import { variantSetsOf } from './variantSets.ts';
 
 /** Prims of one stage, and sites that they are composed from: a small file can ask for any number. */
 const MAX_PRIMS = 250_000;
-const MAX_NODES = 4_000_000;
+const MAX_NODES = 1_000_000;
 /** Prims in prims. */
 const MAX_DEPTH = 512;
 
@@ -112,8 +112,7 @@ class StageComposer {
     if (depth >= MAX_DEPTH)
       return this.say('usd.too-deep', path, `prims nested more than ${MAX_DEPTH} deep are left out`);
     for (const name of childNames(around)) {
-      if (++this.prims > MAX_PRIMS)
-        return this.say('usd.too-many-prims', '', `the stage has more than ${MAX_PRIMS} prims; the rest is left out`);
+      if (++this.prims > MAX_PRIMS || this.composer.budget.nodes <= 0) return this.sayFull();
       const childPath = `${path}/${name}`;
       const build = (): Node => IndexBuilder.stagePrim(this.composer, stack, childPath, around);
       let index = build();
@@ -124,6 +123,11 @@ class StageComposer {
       if (!isActive(prim)) continue;
       await this.addChildren(stack, index, childPath, prim.children, depth + 1, isShared || isInstance(index));
     }
+  }
+
+  private sayFull(): void {
+    const message = `the stage has more than ${MAX_PRIMS} prims, or they more than ${MAX_NODES} sites; the rest is left out`;
+    this.say('usd.too-many-prims', '', message);
   }
 
   private noteUnmetChoices(): void {

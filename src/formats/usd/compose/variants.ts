@@ -22,7 +22,7 @@ export function addVariant(builder: IndexBuilder, task: Task): void {
     return;
   }
   if (!isVariantName(selected)) return;
-  const arc = { kind: 'variant' as const, origin: node, map: IDENTITY, number, depth: depthOf(node.path) };
+  const arc = { kind: 'variant' as const, map: IDENTITY, number, depth: depthOf(node.path) };
   if (builder.addArc(node, node.stack, variantPath(node.path, set, selected), arc)) builder.tasks.retryVariants();
 }
 
