@@ -1,6 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { openSceneFile } from '../src/cli/files.ts';
+import { readCrate } from '../src/formats/usd/crate/read.ts';
 import { timed } from './bench.ts';
 import { openRenderer, releaseGpu } from './gpu.ts';
 import { ballScene } from './scenes.ts';
@@ -8,12 +9,20 @@ import { ballScene } from './scenes.ts';
 /** What a benchmark measures in a process of its own, so that memory is its alone. Prints one line of JSON. */
 const [task, argument] = process.argv.slice(2);
 if (task === 'load') await load(argument);
+else if (task === 'crate') await crate(argument);
 else if (task === 'memory') await memory(Number(argument));
 else throw new Error(`no task ${task}`);
 
 async function load(path: string): Promise<void> {
   const ms = await timed(async () => void (await openSceneFile(path)));
   console.log(JSON.stringify({ seconds: ms / 1000, peakBytes: peakMemory() }));
+}
+
+async function crate(path: string): Promise<void> {
+  const bytes = readFileSync(path);
+  const read = (): Promise<number> => timed(() => void readCrate(bytes, path));
+  const [first, again] = [await read(), await read()];
+  console.log(JSON.stringify({ first: first / 1000, again: again / 1000 }));
 }
 
 /** Of this program alone: the operating system's own count (`maxRSS`) begins with what the parent had when it forked. */

@@ -3,6 +3,7 @@ import { cpus, totalmem } from 'node:os';
 import { fileURLToPath } from 'node:url';
 import { type Bench, markdown } from './bench.ts';
 import { bundle } from './bundle.ts';
+import { crate } from './crate.ts';
 import { emission } from './emission.ts';
 import { frame } from './frame.ts';
 import { gpu, releaseGpu } from './gpu.ts';
@@ -10,9 +11,10 @@ import { load } from './load.ts';
 import { memory } from './memory.ts';
 import { page } from './page.ts';
 import { reference } from './reference.ts';
+import { refine } from './refine.ts';
 
 /** Every benchmark, in the order of the page. */
-const benches: readonly Bench[] = [frame, emission, memory, load, reference, page, bundle];
+const benches: readonly Bench[] = [frame, refine, emission, memory, load, crate, reference, page, bundle];
 
 const file = fileURLToPath(new URL('../../../docs/performance.md', import.meta.url));
 const [BEGIN, END] = ['<!-- measured: npm run bench -->', '<!-- end -->'];

@@ -36,7 +36,7 @@ Examples:
 export function renderCommand(): Command {
   const command = new Command('render')
     .description('Makes pictures of a scene: .png, .exr with data channels, or .mp4.')
-    .argument('<scene>', 'USD (.usda, .usdz) or glTF (.gltf, .glb) file')
+    .argument('<scene>', 'USD (.usda, .usdz), glTF (.gltf, .glb), .obj, .ply or .stl file')
     .requiredOption('-o, --output <file>', 'file to write; #### in the name of a .png or .exr becomes the frame')
     .addOption(sizeOption('in pixels'))
     .option(

@@ -84,3 +84,17 @@ function decodePng(bytes: Uint8Array, name: string): DecodedImage {
   checkSize(width, height, name);
   return { width, height, data: decodePngPixels(bytes) };
 }
+
+/** The picture (white where there is none) with its alpha from one channel of another, read at the nearest pixel. */
+export function withAlphaFrom(image: DecodedImage | undefined, alpha: DecodedImage, channel: number): DecodedImage {
+  const { width, height } = image ?? alpha;
+  const data = image ? image.data.slice() : new Uint8Array(width * height * 4).fill(255);
+  for (let y = 0; y < height; y++) {
+    const row = Math.floor((y * alpha.height) / height) * alpha.width;
+    for (let x = 0; x < width; x++) {
+      const from = row + Math.floor((x * alpha.width) / width);
+      data[4 * (y * width + x) + 3] = alpha.data[4 * from + channel];
+    }
+  }
+  return { width, height, data };
+}

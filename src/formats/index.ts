@@ -6,4 +6,4 @@ export { type OpenOptions, openScene } from './open.ts';
 export { encodePng } from './png.ts';
 export { formatOf, type ReadOptions, type SceneFormat, sceneFormats } from './registry.ts';
 export { extensionOf, type FileSource, memorySource, normalizePath, resolvePath } from './source.ts';
-export { parseLayer, readUsd, writeTextures, writeUsda, writeUsdz } from './usd/index.ts';
+export { parseLayer, readLayer, readUsd, writeTextures, writeUsda, writeUsdz } from './usd/index.ts';

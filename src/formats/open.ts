@@ -33,7 +33,7 @@ export async function openScene(files: FileSource, entry: string, options: OpenO
 }
 
 function unknownFormat(path: string): InputError {
-  const known = sceneFormats.map((f) => `${f.name} (${f.extensions.map((e) => `.${e}`).join(', ')})`).join(' and ');
+  const known = sceneFormats.map((f) => `${f.name} (${f.extensions.map((e) => `.${e}`).join(', ')})`).join(', ');
   const extension = extensionOf(path);
   const what = extension ? `.${extension} is not a scene format that can be opened` : 'the name has no extension';
   return inputError('file.unknown-format', path, `${what}; ${known} can`);

@@ -7,18 +7,10 @@ export interface ReadOptions {
   readonly animation?: string | number;
   /** Greatest distance between a resampled path and the true one, as a fraction of the object's size. */
   readonly chordTolerance?: number;
-  /** Variants to show instead of those that the file selects; of which there are, the scene tells. */
-  readonly variants?: readonly VariantChoice[];
-  /** Variants by set, the best first, where nothing is selected. */
-  readonly variantFallbacks?: Readonly<Record<string, readonly string[]>>;
-}
-
-/** One choice among a `VariantSet`; an empty variant shows none. */
-export interface VariantChoice {
-  /** Of the prim that has the set. */
-  readonly path: string;
-  readonly set: string;
-  readonly variant: string;
+  /** Name of a variant set → the option to show. Default: what the file itself chooses. */
+  readonly variants?: ReadonlyMap<string, string>;
+  /** USD: variants by the name of a set, the best first, where nothing is chosen. */
+  readonly variantFallbacks?: ReadonlyMap<string, readonly string[]>;
 }
 
 /** A kind of scene file. `read` loads its parser on first use, so that the page stays small. */
@@ -31,7 +23,7 @@ export interface SceneFormat {
   read(source: FileSource, entry: string, options: ReadOptions): Promise<Scene>;
 }
 
-/** Every kind of scene file that can be opened. */
+/** Every kind of scene file that can be opened; those that may use others come before them. */
 export const sceneFormats: readonly SceneFormat[] = [
   {
     id: 'usd',
@@ -44,6 +36,24 @@ export const sceneFormats: readonly SceneFormat[] = [
     name: 'glTF',
     extensions: ['gltf', 'glb'],
     read: async (source, entry, options) => (await import('./gltf/index.ts')).readGltf(source, entry, options),
+  },
+  {
+    id: 'obj',
+    name: 'Wavefront OBJ',
+    extensions: ['obj'],
+    read: async (source, entry) => (await import('./obj/index.ts')).readObj(source, entry),
+  },
+  {
+    id: 'ply',
+    name: 'PLY',
+    extensions: ['ply'],
+    read: async (source, entry) => (await import('./ply/index.ts')).readPly(source, entry),
+  },
+  {
+    id: 'stl',
+    name: 'STL',
+    extensions: ['stl'],
+    read: async (source, entry) => (await import('./stl/index.ts')).readStl(source, entry),
   },
 ];
 

@@ -8,10 +8,15 @@ import { placed, samplePose } from '../scene/motion.ts';
 import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 
 /** What a frame needs to know of an object, whatever its motion: at every world time all its points are within `radius` of `line`. */
-export interface Body {
+export interface Body extends MovingBody {
+  readonly object: SceneObject;
+}
+
+/** As much of it as tells where it is; its motion alone, for meshes are large. */
+export interface MovingBody {
   /** Place in Scene.objects plus one. */
   readonly id: number;
-  readonly object: SceneObject;
+  readonly object: Pick<SceneObject, 'motion' | 'authoredIn'>;
   /** Centre of the bounding sphere in the object's own frame [m]; vertices are uploaded relative to it. */
   readonly centre: Vec3;
   /** [m] */
@@ -24,7 +29,7 @@ export interface Body {
  * World line [m, s] of the bounding sphere's centre, or of the point `shift` [m] from it. c [m/s]: an object authored in its rest
  * frame is contracted about its origin, and where it accelerates every point has its own acceleration a/(1 + a·ξ/c²) (Born rigid).
  */
-export function lineOfCentre(body: Body, c: number, shift: Vec3 = ZERO): WorldLine {
+export function lineOfCentre(body: MovingBody, c: number, shift: Vec3 = ZERO): WorldLine {
   const { line, object } = body;
   const { motion } = object;
   if (line.kind === 'uniform' && motion.kind === 'uniform' && object.authoredIn === 'rest') {

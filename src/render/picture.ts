@@ -2,8 +2,9 @@ import {
   FloatType,
   HalfFloatType,
   LinearFilter,
-  type PerspectiveCamera,
+  PerspectiveCamera,
   type RenderTarget,
+  Scene,
   UnsignedByteType,
 } from 'three/webgpu';
 import type { Gpu } from './device.ts';
@@ -41,6 +42,9 @@ export class PictureMachine {
   setSize(width: number, height: number): void {
     this.buffer.setSize(width, height);
     for (const target of [this.light, this.single, this.screen, ...this.sums]) target.setSize(width, height);
+    // Three clears the depth of a target of a new size when it first draws to it. That of `light` is the G-buffer's: after the scene it would be too late.
+    this.gpu.renderer.setRenderTarget(this.light);
+    this.gpu.renderer.render(new Scene(), new PerspectiveCamera());
   }
 
   /** Draws the opaque scene into the G-buffer. */

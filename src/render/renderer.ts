@@ -22,20 +22,20 @@ export class SceneRenderer implements PictureMaker {
   private readonly machine: PictureMachine;
   private readonly camera = new PerspectiveCamera();
   private readonly toCanvas: boolean;
-  private readonly tolerance: number | undefined;
+  private readonly options: RendererOptions;
   private upload: SceneUpload | undefined;
   private taken: Sight | undefined;
   private size = { width: 1, height: 1 };
   private drawn = { objectsDrawn: 0, milliseconds: 0 };
 
   static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
-    return new SceneRenderer(await openGpu(options), options.canvas !== undefined, options.tolerance);
+    return new SceneRenderer(await openGpu(options), options);
   }
 
-  private constructor(gpu: Gpu, toCanvas: boolean, tolerance: number | undefined) {
+  private constructor(gpu: Gpu, options: RendererOptions) {
     this.gpu = gpu;
-    this.tolerance = tolerance;
-    this.toCanvas = toCanvas;
+    this.options = options;
+    this.toCanvas = options.canvas !== undefined;
     this.machine = new PictureMachine(gpu, this.uniforms);
     this.camera.near = NEAR;
     this.camera.far = FAR;
@@ -44,7 +44,8 @@ export class SceneRenderer implements PictureMaker {
   get info(): RendererInfo {
     const { upload, drawn, gpu } = this;
     const triangles = upload?.refiner.triangles ?? 0;
-    return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, ...drawn };
+    const tolerance = upload?.refiner.toleranceReached ?? 0;
+    return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, ...drawn };
   }
   get width(): number {
     return this.size.width;
@@ -138,7 +139,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   private replace(scene: Scene, speedOfLight: number): void {
-    const made = new SceneUpload(scene, speedOfLight, this.uniforms, this.gpu, this.tolerance);
+    const made = new SceneUpload(scene, speedOfLight, this.uniforms, this.gpu, this.options);
     if (this.upload) {
       this.machine.forget(this.upload);
       this.upload.dispose();

@@ -8,7 +8,7 @@ import { Environment } from './environment.ts';
 import { FloatTable } from './floatTable.ts';
 import { Frame } from './frame.ts';
 import { PointStore } from './pointStore.ts';
-import { Refiner } from './refine/gpuRefiner.ts';
+import { Refiner, type RefinerOptions } from './refine/gpuRefiner.ts';
 import { MATERIAL_TEXELS } from './surface.ts';
 import { uploadTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -41,7 +41,7 @@ export class SceneUpload {
   private readonly points = new Map<number, PointStore>();
   private readonly textures = new Map<Texture, DataTexture>();
 
-  constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms, gpu: Gpu, tolerance?: number) {
+  constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms, gpu: Gpu, options: RefinerOptions) {
     this.scene = scene;
     this.speedOfLight = speedOfLight;
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
@@ -55,7 +55,7 @@ export class SceneUpload {
     this.fillMaterials();
     const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
-    this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), tolerance);
+    this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), options);
   }
 
   dispose(): void {

@@ -29,6 +29,13 @@ export interface RendererOptions {
    * the scene, for comparing.
    */
   readonly tolerance?: number;
+  /**
+   * Makes a worker that plans how edges are cut (`servePlans` of refine/planServer.ts), off the thread that draws: a picture is then drawn with the
+   * plan of a moment ago, wherever that is nearly its own. Absent: plans are made while rendering.
+   */
+  readonly planWorker?: () => Worker;
+  /** Called when the worker has a plan that fits the last picture better than its own: time to render it again. */
+  readonly onBetterPlan?: () => void;
   /** Called once when the device or the context is lost; dispose this renderer and create another on a new canvas. */
   readonly onLost?: (reason: string) => void;
 }
@@ -37,6 +44,8 @@ export interface RendererInfo {
   readonly backend: Backend;
   /** Drawn in the last frame, after culling. */
   readonly triangles: number;
+  /** How far the straight edges drawn in the last frame may be from the curves that are seen [px]; more than asked for where there would be too many. */
+  readonly tolerance: number;
   readonly objectsDrawn: number;
   readonly objects: number;
   /** CPU time of the last `render` call [ms]; the GPU may still be at work. */

@@ -264,3 +264,21 @@ describe('transformMesh and mergeMeshes', () => {
     expect(merged.colors).toBeUndefined();
   });
 });
+
+describe('a point with very many faces', () => {
+  // A cone of 100 000 sides: comparing each with each would be 10¹⁰ steps.
+  const sides = 100_000;
+  const rim = Array.from({ length: sides }, (_, i) => (2 * Math.PI * i) / sides);
+  const polygons = {
+    points: [0, 0, 1, ...rim.flatMap((a) => [Math.cos(a), Math.sin(a), 0])],
+    faceCounts: rim.map(() => 3),
+    faceIndices: rim.flatMap((_, i) => [0, 1 + i, 1 + ((i + 1) % sides)]),
+  };
+  it('is cut flat and smooth alike', () => {
+    expect(makeMesh(polygons).mesh.indices.length).toBe(3 * sides);
+    const { mesh, pointOfVertex } = makeMesh({ ...polygons, smoothAngle: Math.PI / 6 });
+    expect(mesh.indices.length).toBe(3 * sides);
+    const apex = pointOfVertex.indexOf(0);
+    expect(distance(pointAt(mesh.normals, apex), [0, 0, 1])).toBeLessThan(1e-6);
+  });
+});

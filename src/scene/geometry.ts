@@ -55,6 +55,9 @@ function appendFace(
   for (const k of count === 3 ? [0, 1, 2] : triangulate(outline())) run.push(welder.vertex(corner(k), face));
 }
 
+/** How many vertices of a point are compared with a corner; welding more would save little, and could take for ever. */
+const MOST_COMPARED = 64;
+
 /** Gives corners with the same point, normal, uv and colour the same vertex. */
 class VertexWelder {
   private readonly polygons: Polygons;
@@ -81,7 +84,10 @@ class VertexWelder {
   vertex(corner: number, face: number): number {
     const point = this.polygons.faceIndices[corner];
     this.readCorner(corner, face, point);
-    for (let v = this.firstOfPoint[point]; v >= 0; v = this.next[v]) if (this.matches(v)) return v;
+    let compared = 0;
+    for (let v = this.firstOfPoint[point]; v >= 0 && compared < MOST_COMPARED; v = this.next[v], compared++) {
+      if (this.matches(v)) return v;
+    }
     const v = this.size++;
     this.pointOf[v] = point;
     this.values.set(this.scratch, v * this.stride);

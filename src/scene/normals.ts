@@ -3,6 +3,9 @@ import { forEachFace, type Polygons, pointAt } from './polygons.ts';
 import { newellNormal } from './triangulate.ts';
 import type { Mesh } from './types.ts';
 
+/** Around a point with more corners all faces count, however they meet: to compare each with each would take for ever. */
+const MOST_COMPARED = 1024;
+
 /**
  * A normal for each corner: the mean, weighted by the angle at the corner, over the faces around its point that meet
  * its own face at less than `smoothAngle` [rad]. 0: flat; π: smooth everywhere.
@@ -46,19 +49,30 @@ function smoothed(
 ): Float32Array {
   const around = cornersAround(pointOfCorner, points);
   const out = new Float32Array(faceNormal.length);
-  for (let c = 0; c < weight.length; c++) {
-    const own = pointAt(faceNormal, c);
-    const sum = [0, 0, 0];
-    for (const other of around(pointOfCorner[c])) {
-      const n = pointAt(faceNormal, other);
+  const sum: [number, number, number] = [0, 0, 0];
+  /** Over the corners whose faces meet that of `own` at less than the angle; over all where `own` is none. */
+  const addUp = (corners: Uint32Array, own?: number): void => {
+    sum.fill(0);
+    for (const c of corners) {
       // A face's own normal counts even where rounding puts n·n under the cosine of 0.
-      if (other !== c && dot(own, n) < cosine) continue;
-      for (let k = 0; k < 3; k++) sum[k] = sum[k] + n[k] * weight[other];
+      if (own !== undefined && c !== own && dotAt(faceNormal, own, c) < cosine) continue;
+      for (let k = 0; k < 3; k++) sum[k] += faceNormal[3 * c + k] * weight[c];
     }
-    out.set(normalize([sum[0], sum[1], sum[2]], own), 3 * c);
+  };
+  for (let p = 0; p < points; p++) {
+    const corners = around(p);
+    const areAllNear = cosine <= -1 || corners.length > MOST_COMPARED;
+    if (areAllNear) addUp(corners);
+    for (const c of corners) {
+      if (!areAllNear) addUp(corners, c);
+      out.set(normalize(sum, pointAt(faceNormal, c)), 3 * c);
+    }
   }
   return out;
 }
+
+const dotAt = (v: ArrayLike<number>, i: number, j: number): number =>
+  v[3 * i] * v[3 * j] + v[3 * i + 1] * v[3 * j + 1] + v[3 * i + 2] * v[3 * j + 2];
 
 /** Point → its corners, from one pass of counting. */
 function cornersAround(pointOfCorner: ArrayLike<number>, points: number): (point: number) => Uint32Array {

@@ -21,18 +21,18 @@ export interface Scene {
   readonly cameras: readonly SceneCamera[];
   /** What the author suggests for viewing; a user's choice comes before it. */
   readonly hints: SceneHints;
+  /** What the file offers to choose between; absent where it offers nothing. */
+  readonly variants?: readonly VariantSet[];
   readonly diagnostics: readonly Diagnostic[];
-  /** What the file lets one choose between. */
-  readonly variantSets?: readonly VariantSet[];
 }
 
-/** A choice that a file offers: a variant set of USD. */
+/** Things that a file shows one at a time, with the one that is shown. */
 export interface VariantSet {
-  /** Of the prim that it is about. */
-  readonly path: string;
-  readonly name: string;
-  readonly variants: readonly string[];
-  readonly selected?: string;
+  /** Unique in the scene. glTF: `material`; USD: prim path and set, `/World/Car{paint}`. */
+  readonly set: string;
+  readonly options: readonly string[];
+  /** One of `options`, or empty where none is chosen. */
+  readonly chosen: string;
 }
 
 export interface SceneHints {

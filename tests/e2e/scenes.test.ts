@@ -1,8 +1,11 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { KHRMaterialsUnlit } from '@gltf-transform/extensions';
 import { decode } from 'fast-png';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Example } from '../../src/editor/loading/examples.ts';
+import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
+import { Kit } from '../support/gltfKit.ts';
 import { colours, difference, type Guarded, Program } from './program.ts';
 
 let program: Program;
@@ -15,11 +18,8 @@ const path = (name: string) => fileURLToPath(new URL(`scenes/${name}`, import.me
 const SMALL = '?backend=webgl&scene=examples/sphere.usda';
 
 /** Drops files on the page as a file manager does. */
-async function drop(visit: Guarded, names: readonly string[]): Promise<void> {
-  const files = names.map((name) => ({
-    name: name.split('/').at(-1)!,
-    text: readFileSync(path(name)).toString('base64'),
-  }));
+async function drop(visit: Guarded, given: readonly { name: string; content: Buffer }[]): Promise<void> {
+  const files = given.map(({ name, content }) => ({ name, text: content.toString('base64') }));
   await visit.page.evaluate((dropped) => {
     const transfer = new DataTransfer();
     for (const { name, text } of dropped) {
@@ -50,7 +50,10 @@ describe('scenes', () => {
   it('a dropped scene opens with its texture, and undo goes back to the one before', async () => {
     const visit = await (await program.open(SMALL)).ready();
     const before = await visit.pixels();
-    await drop(visit, ['textured.usda', 'textures/checker.png']);
+    await drop(visit, [
+      { name: 'textured.usda', content: readFileSync(path('textured.usda')) },
+      { name: 'checker.png', content: readFileSync(path('textures/checker.png')) },
+    ]);
     await visit.page.getByText('The square wears the picture').waitFor();
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
     await visit.shot('dropped');
@@ -65,6 +68,35 @@ describe('scenes', () => {
     await visit.page.getByText('The square wears the picture').waitFor();
     await visit.page.getByRole('tab', { name: 'Scene' }).click();
     await visit.page.getByText('checker.png').first().waitFor();
+    await visit.close();
+  });
+
+  it.each([
+    ['Draco', (kit: Kit) => dracoGlb(kit.doc, 'edgebreaker')],
+    ['meshopt', (kit: Kit) => meshoptGlb(kit.doc, 'quantize')],
+  ])('glTF compressed with %s opens under the page’s own policy', async (_, write) => {
+    const kit = new Kit();
+    const pink = kit.doc.createMaterial().setBaseColorFactor([1, 0, 1, 1]).setDoubleSided(true);
+    pink.setExtension('KHR_materials_unlit', kit.doc.createExtension(KHRMaterialsUnlit).createUnlit());
+    const square = kit.triangle([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]).setMaterial(pink);
+    kit.scene.addChild(kit.meshNode('Square', square.setIndices(kit.ints('SCALAR', [0, 1, 2, 2, 1, 3]))));
+    const buffer = Buffer.from(await write(kit));
+    const visit = await (await program.open(SMALL)).ready();
+    expect(pinkShare(await visit.pixels())).toBe(0);
+    const file = { name: 'square.glb', mimeType: 'model/gltf-binary', buffer };
+    await visit.page.locator('input[type=file]').first().setInputFiles(file);
+    await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.03);
+    await visit.close();
+  });
+
+  it('a dropped OBJ opens with its materials', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const obj = 'mtllib square.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl pink\nf 1 2 3 4\n';
+    await drop(visit, [
+      { name: 'square.mtl', content: Buffer.from('newmtl pink\nKd 0 0 0\nKs 0 0 0\nKe 1 0 1\n') },
+      { name: 'square.obj', content: Buffer.from(obj) },
+    ]);
+    await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.03);
     await visit.close();
   });
 

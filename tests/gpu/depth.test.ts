@@ -56,7 +56,8 @@ function checks(paint: Paint): void {
     const { object, depth } = await paint('speck before a wall', ahead(0));
     expect([object[middle], object[0]]).toEqual([1, 2]);
     expect(depth[middle]).toBeCloseTo(2e-3, 5);
-    expect((-depth[0] * direction(0, 0)[2]) / 1e6).toBeCloseTo(1, 5);
+    // The wall's corners are hundreds of pixels outside the picture, and SwiftShader has them to 1/16 pixel.
+    expect((-depth[0] * direction(0, 0)[2]) / 1e6).toBeCloseTo(1, 3);
   });
 
   it.each(DISTANCES)('the nearer of two sheets is seen in every pixel, at %d m', async (distance) => {

@@ -170,6 +170,17 @@ describe('the renderer', () => {
     expect(nine.every(Number.isFinite)).toBe(true);
   });
 
+  it('has all its light in the first picture of a size', async () => {
+    const { renderer } = headless;
+    for (const size of [SIZE + 24, SIZE]) {
+      renderer.setSize(size, size);
+      await render(ballAt([0, 0, -5]), look(ZERO));
+      const first = await renderer.readAov('beauty');
+      renderer.render(look(ZERO), SETTINGS);
+      expect(await renderer.readAov('beauty')).toEqual(first);
+    }
+  });
+
   it('culls what cannot be seen, and keeps what aberration brings into view', async () => {
     await render(ballAt([0, 0, 6]), look(ZERO));
     expect(headless.renderer.info.objectsDrawn).toBe(0);

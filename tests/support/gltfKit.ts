@@ -1,11 +1,5 @@
 import { Document, type Node as GltfNode, type Primitive, WebIO } from '@gltf-transform/core';
-import {
-  KHRLightsPunctual,
-  KHRMaterialsEmissiveStrength,
-  KHRMaterialsIOR,
-  KHRMaterialsUnlit,
-  KHRTextureTransform,
-} from '@gltf-transform/extensions';
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { readGltf } from '../../src/formats/gltf/index.ts';
 import type { ReadOptions } from '../../src/formats/registry.ts';
 import { type FileSource, memorySource } from '../../src/formats/source.ts';
@@ -48,15 +42,11 @@ export class Kit {
     const channel = this.doc.createAnimationChannel().setTargetNode(node).setTargetPath(path).setSampler(sampler);
     this.animation.addSampler(sampler).addChannel(channel);
   }
+  glb(): Promise<Uint8Array> {
+    return new WebIO().registerExtensions(ALL_EXTENSIONS).writeBinary(this.doc);
+  }
   async files(): Promise<FileSource> {
-    const used = [
-      KHRLightsPunctual,
-      KHRMaterialsEmissiveStrength,
-      KHRMaterialsIOR,
-      KHRMaterialsUnlit,
-      KHRTextureTransform,
-    ];
-    return memorySource({ 'a.glb': await new WebIO().registerExtensions(used).writeBinary(this.doc) });
+    return memorySource({ 'a.glb': await this.glb() });
   }
   async read(options?: ReadOptions): Promise<Scene> {
     return readGltf(await this.files(), 'a.glb', options);

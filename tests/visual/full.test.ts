@@ -2,7 +2,8 @@ import { afterAll, beforeAll, describe, it } from 'vitest';
 import type { Scene } from '../../src/scene/types.ts';
 import { NAMES, openExample } from '../examples/open.ts';
 import { exampleFrame } from './frames.ts';
-import { expectRight, judgeFrame, openStage, Report, type Stage, somePixels, withPainters } from './visual.ts';
+import { somePixels } from './pixels.ts';
+import { expectRight, judgeFrame, openStage, Report, type Stage, withPainters } from './visual.ts';
 
 /** The renderer's goal is told for this size. */
 const SIZE = { width: 1280, height: 720 };

@@ -10,7 +10,8 @@ import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
 import type { Frame } from './frames.ts';
 import { REACH } from './judge.ts';
 import { C, EYE, LATE_SCENES, T } from './lateScenes.ts';
-import { allPixels, expectRight, judgeFrame, openStage, Report, type Stage, withPainters } from './visual.ts';
+import { allPixels } from './pixels.ts';
+import { expectRight, judgeFrame, openStage, Report, type Stage, withPainters } from './visual.ts';
 
 const SIZE = { width: 160, height: 90 };
 /** Every fifth pixel of every fifth row. */

@@ -1,13 +1,17 @@
+import { random } from '../../src/math/random.ts';
 import type { PictureMaker } from '../../src/render/api.ts';
 import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
 import type { Claim } from './judge.ts';
 
-/** A picture to make, and the pixels of it that are wanted. Plain data: it travels to a page. */
-export interface Order {
-  readonly view: ViewPoint;
-  readonly settings: RenderSettings;
+export interface Size {
   readonly width: number;
   readonly height: number;
+}
+
+/** A picture to make, and the pixels of it that are wanted. Plain data: it travels to a page. */
+export interface Order extends Size {
+  readonly view: ViewPoint;
+  readonly settings: RenderSettings;
   /** Places in the picture's rows; absent: all. */
   readonly pixels?: readonly number[];
 }
@@ -23,7 +27,7 @@ export async function takePixels(renderer: PictureMaker, order: Order): Promise<
   renderer.render(view, settings);
   const aovs: Float32Array[] = [];
   for (const name of NAMES) aovs.push(await renderer.readAov(name));
-  const pixels = order.pixels ?? Array.from({ length: width * height }, (_, i) => i);
+  const pixels = order.pixels ?? allPixels(order);
   const out = new Float32Array(FLOATS * pixels.length);
   pixels.forEach((pixel, k) => {
     let at = FLOATS * k;
@@ -33,6 +37,17 @@ export async function takePixels(renderer: PictureMaker, order: Order): Promise<
     }
   });
   return out;
+}
+
+export const allPixels = ({ width, height }: Size): readonly number[] =>
+  Array.from({ length: width * height }, (_, i) => i);
+
+/** Different pixels of a picture, drawn evenly. */
+export function somePixels({ width, height }: Size, count: number, seed: number): readonly number[] {
+  const next = random(seed);
+  const chosen = new Set<number>();
+  while (chosen.size < count) chosen.add(Math.floor(next() * width * height));
+  return [...chosen];
 }
 
 /** What the pixel at place `k` of `takePixels` says. */

@@ -1,4 +1,5 @@
-import type { Verdict } from './judge.ts';
+import type { Judge, Verdict } from './judge.ts';
+import { claimAt } from './pixels.ts';
 
 /** What is compared at right pixels. D and the velocity are apart for what changes its velocity. */
 export const MEASURES = ['time', 'depth', 'doppler', 'velocity', 'changing doppler', 'changing velocity'] as const;
@@ -9,6 +10,11 @@ export interface Spread {
   readonly most: number;
   readonly worst: number;
 }
+
+/** By how much a base colour may lie outside those around: mipmaps and anisotropic filters differ between GPUs. */
+const ALBEDO_SLACK = 0.08;
+/** Every so many pixels the base colour is asked for, which costs 49 rays. */
+const ALBEDO_STEP = 61;
 
 /** What came out for one picture, or for several together. */
 export class Tally {
@@ -69,6 +75,19 @@ export class Tally {
       `albedo ${(100 * this.albedoUnfit).toFixed(1)} %`,
     ].join(', ');
   }
+}
+
+/** Judges the given pixels of a picture; `values`: theirs, as `takePixels` has them. */
+export function tallyOf(judge: Judge, values: Float32Array, pixels: readonly number[]): Tally {
+  const tally = new Tally();
+  pixels.forEach((pixel, k) => {
+    const claim = claimAt(values, k);
+    const verdict = judge.judge(pixel, claim);
+    tally.add(pixel, verdict);
+    if (verdict.right && claim.object > 0 && k % ALBEDO_STEP === 0)
+      tally.addAlbedo(judge.albedoFits(pixel, claim, ALBEDO_SLACK));
+  });
+  return tally;
 }
 
 function spread(values: readonly number[]): Spread {

@@ -115,6 +115,7 @@ export const messages = {
   'status.c': ['Speed of light', '光速'],
   'status.ownTime': ['Own clock', '固有时'],
   'status.triangles': ['{{count}} triangles', '{{count}} 个三角形'],
+  'status.coarse': ['up to {{pixels}} px off', '误差不超过 {{pixels}} 像素'],
   'status.starting': ['starting…', '启动中…'],
   'status.recovering': ['recovering…', '恢复中…'],
 
@@ -195,8 +196,8 @@ export const messages = {
   'notice.remedy': ['Set {{what}} to {{value}}', '将{{what}}设为 {{value}}'],
   'notice.saved': ['Saved {{name}}', '已保存 {{name}}'],
   'notice.noScene': [
-    'None of these files is a scene. Drop a .usda, .usdz, .gltf or .glb file, or a folder that holds one.',
-    '这些文件中没有场景。请拖入 .usda、.usdz、.gltf 或 .glb 文件，或含有它们的文件夹。',
+    'None of these files is a scene. Drop a USD, glTF, OBJ, PLY or STL file, or a folder that holds one.',
+    '这些文件中没有场景。请拖入 USD、glTF、OBJ、PLY 或 STL 文件，或含有它们的文件夹。',
   ],
   'notice.recovered': ['The graphics device was lost and started again.', '图形设备曾丢失，现已恢复。'],
   'notice.noGraphics': [

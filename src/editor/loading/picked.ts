@@ -1,4 +1,4 @@
-import { formatOf } from '../../formats/registry.ts';
+import { formatOf, sceneFormats } from '../../formats/registry.ts';
 
 /** Files by their paths within what was chosen. */
 export type PickedFiles = ReadonlyMap<string, File>;
@@ -39,11 +39,14 @@ const portion = (reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> 
   new Promise((resolve, reject) => reader.readEntries(resolve, reject));
 
 /**
- * Which of the files is the scene: one of a kind that can be read, the least deep, then the first by name. A single file is
- * taken whatever it is, so that its reader can say what is wrong.
+ * Which of the files is the scene: one of a kind that can be read, the least deep, then of the kind that comes first in the
+ * registry (a scene rather than a mesh that it may use), then the first by name. A single file is taken whatever it is, so
+ * that its reader can say what is wrong.
  */
 export function entryOf(paths: readonly string[]): string | undefined {
   if (paths.length === 1) return paths[0];
   const depth = (path: string) => path.split('/').length;
-  return paths.filter(formatOf).sort((a, b) => depth(a) - depth(b) || (a < b ? -1 : 1))[0];
+  const kind = (path: string) => sceneFormats.indexOf(formatOf(path)!);
+  const scenes = paths.filter(formatOf);
+  return scenes.sort((a, b) => depth(a) - depth(b) || kind(a) - kind(b) || (a < b ? -1 : 1))[0];
 }

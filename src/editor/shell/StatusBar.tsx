@@ -107,18 +107,23 @@ function Clock(): ReactNode {
   return <Item id="own-time" label={t('status.ownTime')} value={`τ = ${formatSeconds(properTime)}`} />;
 }
 
+/** Nobody sees by how much less than this what is drawn is off [px]. */
+const EXACT = 0.5;
+
 const BACKENDS = { webgpu: 'WebGPU', webgl: 'WebGL 2' } as const;
 
 function Machine(): ReactNode {
   const { t } = useTexts();
   const graphics = useStudioState((state) => state.graphics);
   const triangles = useTelemetry((live) => live.triangles);
+  const tolerance = useTelemetry((live) => live.tolerance);
   const starting = graphics === 'starting' ? t('status.starting') : t('status.recovering');
   const name = graphics === 'webgpu' || graphics === 'webgl' ? BACKENDS[graphics] : starting;
   return (
     <>
       <Text size="xs" className="sl-status-item sl-figure" c="dimmed" data-status="triangles">
         {t('status.triangles', { count: formatCount(triangles) })}
+        {tolerance > EXACT && ` · ${t('status.coarse', { pixels: formatCount(Math.ceil(tolerance)) })}`}
       </Text>
       <Text size="xs" className="sl-status-item" c="dimmed" data-status="backend">
         {name}

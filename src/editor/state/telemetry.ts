@@ -13,20 +13,30 @@ export interface Telemetry {
   readonly beta: number;
   readonly gamma: number;
   readonly triangles: number;
+  /** How far what is drawn may be from what is seen [px]. */
+  readonly tolerance: number;
 }
 
 const INTERVAL = 100; // [ms]
 
-export const telemetry = createStore<Telemetry>(() => ({ t: 0, properTime: 0, beta: 0, gamma: 1, triangles: 0 }));
+export const telemetry = createStore<Telemetry>(() => ({
+  t: 0,
+  properTime: 0,
+  beta: 0,
+  gamma: 1,
+  triangles: 0,
+  tolerance: 0,
+}));
 
 let last = Number.NEGATIVE_INFINITY;
 
 /** `now` [ms] is the frame's time stamp. What changed too recently is shown with a later frame. */
-export function report(state: ObserverState, triangles: number, now: number): void {
+export function report(state: ObserverState, drawn: Pick<Telemetry, 'triangles' | 'tolerance'>, now: number): void {
   if (now - last < INTERVAL) return;
   last = now;
   const g = gamma(state.u);
-  const next = { t: state.t, properTime: state.properTime, beta: length(state.u) / g, gamma: g, triangles };
+  const { triangles, tolerance } = drawn;
+  const next = { t: state.t, properTime: state.properTime, beta: length(state.u) / g, gamma: g, triangles, tolerance };
   const shown = telemetry.getState();
   if ((Object.keys(next) as (keyof Telemetry)[]).some((key) => next[key] !== shown[key])) telemetry.setState(next);
 }

@@ -42,8 +42,18 @@ export class Stage {
     backend: Backend | 'auto',
     onLost: (reason: string) => void,
   ): Promise<Stage> {
-    const renderer = await SceneRenderer.create({ canvas, backend, onLost });
-    return new Stage(canvas, renderer, studio, pilot);
+    let stage: Stage | undefined;
+    const renderer = await SceneRenderer.create({
+      canvas,
+      backend,
+      onLost,
+      planWorker: () => new Worker(new URL('./plan.worker.ts', import.meta.url), { type: 'module' }),
+      onBetterPlan: () => {
+        if (stage) stage.#again();
+      },
+    });
+    stage = new Stage(canvas, renderer, studio, pilot);
+    return stage;
   }
 
   private constructor(canvas: HTMLCanvasElement, renderer: SceneRenderer, studio: Studio, pilot: Pilot) {
@@ -95,7 +105,7 @@ export class Stage {
       this.#scale = this.#resolution.scale;
       this.#resize();
     }
-    report(this.#pilot.observer, this.#renderer.info.triangles, now);
+    report(this.#pilot.observer, this.#renderer.info, now);
   }
 
   /** Takes up a new picture; where its scene is another one, after the upload: until then the last one stays. */
@@ -119,6 +129,11 @@ export class Stage {
     } finally {
       this.#uploading = false;
     }
+  }
+
+  /** The next tick draws, also where nothing has changed. */
+  #again(): void {
+    this.#shown = undefined;
   }
 
   /** Whether there was anything new to draw. */

@@ -1,5 +1,4 @@
-import type { Node as GltfNode } from '@gltf-transform/core';
-import { invert, multiply as times3, transpose } from '../../math/mat3.ts';
+import { invert, type Mat3, multiply as times3, transpose } from '../../math/mat3.ts';
 import { fromParts, isRigid, linearPart } from '../../math/mat4.ts';
 import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../math/vec3.ts';
@@ -9,7 +8,7 @@ import type { Mesh, Motion, Pose, SampledMotion, StaticMotion } from '../../scen
 import { formatBytes } from '../fail.ts';
 import type { GltfContext } from './context.ts';
 import type { Deformer } from './deform.ts';
-import type { NodeTree, Placement } from './nodes.ts';
+import type { Frame, Placement } from './nodes.ts';
 import type { Geometry } from './primitives.ts';
 import { type Knots, knotsOf, sampleTimes } from './sampling.ts';
 
@@ -34,38 +33,37 @@ export interface Baked {
 /** Bakes the objects of one scene, within one budget of memory. */
 export class Baker {
   readonly #context: GltfContext;
-  readonly #tree: NodeTree;
   readonly #budget: number;
+  readonly #stretches = new Map<Mesh, Map<string, Mesh>>();
   #left: number;
   /** `budget`: most bytes of baked points. */
-  constructor(context: GltfContext, tree: NodeTree, budget = MAX_BAKED) {
+  constructor(context: GltfContext, budget = MAX_BAKED) {
     this.#context = context;
-    this.#tree = tree;
     this.#budget = budget;
     this.#left = budget;
   }
 
   /** A mesh that only its node moves: rigid where that is a rotation and a translation, else deforming. */
-  bakeAffine(node: GltfNode, geometry: Geometry, deformer: Deformer): Baked {
-    const placementAt = (t: number): Placement => this.#tree.placementAt(node, t);
+  bakeAffine(frame: Frame, geometry: Geometry, deformer: Deformer): Baked {
+    const { placementAt } = frame;
     const knots = knotsOf(deformer.curves);
     const first = placementAt(knots.times[0] ?? 0);
-    if (knots.times.length === 0) return placed(geometry.mesh, first);
-    this.#noteJumps(node, knots);
+    if (knots.times.length === 0) return this.#placed(geometry.mesh, first);
+    this.#noteJumps(frame, knots);
     const corners = boxCorners(geometry.mesh.positions);
     const shape = cornerPaths(corners, placementAt);
     const times = sampleTimes(knots, shape, this.#tolerance(RIGID_TOLERANCE) * radiusOf(shape(knots.times[0])));
     const poses = rigidPoses(placementAt, first, times);
-    if (!poses) return this.bakePoints(node, geometry, deformer);
-    return { mesh: placed(geometry.mesh, first).mesh, motion: rigidMotion(times, poses) };
+    if (!poses) return this.bakePoints(frame, geometry, deformer);
+    return { mesh: this.#placed(geometry.mesh, first).mesh, motion: rigidMotion(times, poses) };
   }
 
   /** A mesh that bends: every vertex at every sample time. */
-  bakePoints(node: GltfNode, geometry: Geometry, deformer: Deformer): Baked {
+  bakePoints(frame: Frame, geometry: Geometry, deformer: Deformer): Baked {
     const knots = knotsOf(deformer.curves);
-    this.#noteJumps(node, knots);
+    this.#noteJumps(frame, knots);
     const start = knots.times[0] ?? 0;
-    const times = this.#pointTimes(node, geometry, deformer, knots);
+    const times = this.#pointTimes(frame, geometry, deformer, knots);
     const shapes = times.map((t) => deformer.pointsAt(t));
     const origin = centerOf(shapes[0] ?? deformer.pointsAt(start));
     const relative = (shape: Float64Array): Float32Array => Float32Array.from(shape, (x, i) => x - origin[i % 3]);
@@ -78,9 +76,8 @@ export class Baker {
   }
 
   /** Where a camera is and looks, or a light; its scale does not count. */
-  bakeFrame(node: GltfNode): StaticMotion | SampledMotion {
-    const placementAt = (t: number): Placement => this.#tree.placementAt(node, t);
-    const knots = knotsOf(this.#tree.curvesAbove(node));
+  bakeFrame({ curves, placementAt }: Frame): StaticMotion | SampledMotion {
+    const knots = knotsOf(curves);
     const poseAt = (t: number): Pose => poseOf(placementAt(t));
     if (knots.times.length < 2) return { kind: 'static', pose: poseAt(knots.times[0] ?? 0) };
     const axes = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
@@ -92,18 +89,37 @@ export class Baker {
     return rigidMotion(times, times.map(poseAt));
   }
 
+  /** The mesh in a frame that has the node's rotation; scale, shear and mirror are in the mesh. */
+  #placed(mesh: Mesh, placement: Placement): Baked {
+    const linear = linearPart(placement.matrix);
+    const stretch = times3(transpose(toMatrix(placement.rotation)), linear);
+    const isPlain = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
+    const own = isPlain ? mesh : this.#stretched(mesh, stretch);
+    return { mesh: own, motion: { kind: 'static', pose: poseOf(placement) } };
+  }
+
+  /** Copies of one mesh in one size share it. */
+  #stretched(mesh: Mesh, stretch: Mat3): Mesh {
+    const known = this.#stretches.get(mesh) ?? new Map<string, Mesh>();
+    this.#stretches.set(mesh, known);
+    const key = stretch.map((x) => x.toPrecision(12)).join(' ');
+    const made = known.get(key) ?? transformMesh(mesh, fromParts(stretch, ZERO));
+    known.set(key, made);
+    return made;
+  }
+
   #tolerance(byDefault: number): number {
     return this.#context.options.chordTolerance ?? byDefault;
   }
 
-  #noteJumps(node: GltfNode, { jumps }: Knots): void {
+  #noteJumps({ path }: Frame, { jumps }: Knots): void {
     if (jumps.size === 0) return;
     const message = `jumps ${jumps.size} times (first at ${[...jumps].sort((a, b) => a - b)[0]} s); each jump is shown as a ramp of at most 1 ms, and may be faster than light`;
-    this.#context.notes.add('warning', 'jump', this.#tree.path(node), message);
+    this.#context.notes.add('warning', 'jump', path, message);
   }
 
   /** Sample times of a deforming mesh; with a wider tolerance, or every n-th, where memory would not hold them. */
-  #pointTimes(node: GltfNode, { mesh }: Geometry, deformer: Deformer, knots: Knots): number[] {
+  #pointTimes({ path }: Frame, { mesh }: Geometry, deformer: Deformer, knots: Knots): number[] {
     if (knots.times.length === 0) return [];
     const vertices = mesh.positions.length / 3;
     const probes = Array.from({ length: Math.min(PROBES, vertices) }, (_, i) =>
@@ -122,20 +138,11 @@ export class Baker {
     if (times.length > most) times = thinned(times, most);
     if (times.length < knots.times.length || tolerance > wanted) {
       const message = `bends too much to hold in ${formatBytes(this.#budget)}; it is sampled at ${times.length} times only`;
-      this.#context.notes.add('warning', 'coarse', this.#tree.path(node), message);
+      this.#context.notes.add('warning', 'coarse', path, message);
     }
     this.#left -= times.length * sampleBytes;
     return times;
   }
-}
-
-/** The mesh in a frame that has the node's rotation; scale, shear and mirror are in the mesh. */
-function placed(mesh: Mesh, placement: Placement): Baked {
-  const linear = linearPart(placement.matrix);
-  const stretch = times3(transpose(toMatrix(placement.rotation)), linear);
-  const isPlain = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
-  const own = isPlain ? mesh : transformMesh(mesh, fromParts(stretch, ZERO));
-  return { mesh: own, motion: { kind: 'static', pose: poseOf(placement) } };
 }
 
 const poseOf = ({ matrix, rotation }: Placement): Pose => ({

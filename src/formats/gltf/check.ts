@@ -13,7 +13,7 @@ const ELEMENT_SIZE: Readonly<Record<string, number>> = {
   MAT4: 16,
 };
 /** Most bytes that the accessors of a file may unpack to. */
-const MAX_UNPACKED = 2 ** 31;
+export const MAX_UNPACKED = 2 ** 31;
 /** Deepest nesting of nodes. */
 const MAX_DEPTH = 1000;
 
@@ -26,6 +26,7 @@ export function checkGltf(entry: string, json: GLTF.IGLTF, resources: Readonly<R
   if (version !== '2.0')
     throw gltfError(entry, 'version', 'asset', `glTF ${version}; only 2.0 is read, export it as 2.0`);
   checkReferences(entry, json);
+  checkExtensionIndices(entry, json);
   checkBuffers(entry, json, resources);
   checkAccessors(entry, json);
   checkTree(entry, json);
@@ -67,6 +68,7 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
         p.indices,
         ...[p.attributes, ...(p.targets ?? [])].flatMap((a) => Object.values(a)),
       );
+      check('materials', `mesh ${i}, a variant`, ...variantMappings(p).map((mapping) => mapping.material));
     }
   });
   json.nodes?.forEach((n, i) => {
@@ -74,6 +76,11 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
     check('meshes', `node ${i}`, n.mesh);
     check('skins', `node ${i}`, n.skin);
     check('cameras', `node ${i}`, n.camera);
+    check(
+      'accessors',
+      `node ${i}, its instances`,
+      ...Object.values(extensionOf<Instances>(n, 'EXT_mesh_gpu_instancing')?.attributes ?? {}),
+    );
   });
   json.skins?.forEach((s, i) => {
     check('nodes', `skin ${i}`, s.skeleton, ...s.joints);
@@ -87,6 +94,43 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
     check('nodes', `scene ${i}`, ...(s.nodes ?? []));
   });
   check('scenes', 'the default scene', json.scene);
+}
+
+type Extended = { readonly extensions?: Record<string, unknown> };
+const extensionOf = <T>(thing: Extended, name: string): T | undefined => thing.extensions?.[name] as T | undefined;
+
+interface Instances {
+  readonly attributes: Readonly<Record<string, number>>;
+}
+interface Mapping {
+  readonly material: number;
+  readonly variants: readonly number[];
+}
+const VARIANTS = 'KHR_materials_variants';
+const LIGHTS = 'KHR_lights_punctual';
+const variantMappings = (p: Extended): readonly Mapping[] =>
+  extensionOf<{ mappings: readonly Mapping[] }>(p, VARIANTS)?.mappings ?? [];
+
+function checkExtensionIndices(entry: string, json: GLTF.IGLTF): void {
+  const check = (what: string, kind: string, count: number, indices: readonly (number | undefined)[]): void => {
+    const bad = indices.find((i) => i !== undefined && i >= count);
+    if (bad === undefined) return;
+    throw gltfError(
+      entry,
+      'bad-reference',
+      what,
+      `refers to ${kind} ${bad}, of which there are ${count}; export it again`,
+    );
+  };
+  const variants = extensionOf<{ variants: readonly unknown[] }>(json, VARIANTS)?.variants.length ?? 0;
+  const lights = extensionOf<{ lights: readonly unknown[] }>(json, LIGHTS)?.lights.length ?? 0;
+  json.meshes?.forEach((mesh, i) => {
+    const named = mesh.primitives.flatMap((p) => variantMappings(p)).flatMap((mapping) => mapping.variants);
+    check(`mesh ${i}`, 'material variant', variants, named);
+  });
+  json.nodes?.forEach((node, i) => {
+    check(`node ${i}`, 'light', lights, [extensionOf<{ light: number }>(node, LIGHTS)?.light]);
+  });
 }
 
 const textureIndices = (m: GLTF.IMaterial): (number | undefined)[] => [
@@ -110,7 +154,8 @@ function checkBuffers(entry: string, json: GLTF.IGLTF, resources: Readonly<Recor
   });
 }
 
-function checkRange(entry: string, what: string, offset: number, length: number, available: number): void {
+/** Refuses a part that wants bytes which are not there. */
+export function checkRange(entry: string, what: string, offset: number, length: number, available: number): void {
   const whole = Number.isInteger(offset) && Number.isInteger(length) && offset >= 0 && length >= 0;
   if (whole && offset + length <= available) return;
   const message = `wants bytes ${offset} to ${offset + length} of ${available}; the file is damaged, export it again`;

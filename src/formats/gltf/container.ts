@@ -1,16 +1,21 @@
 import { BufferUtils, type Document, type GLTF, type ILogger, WebIO } from '@gltf-transform/core';
 import {
+  EXTMeshGPUInstancing,
   KHRLightsPunctual,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
   KHRMaterialsUnlit,
+  KHRMaterialsVariants,
   KHRMeshQuantization,
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
 import { formatBytes, messageOf } from '../fail.ts';
+import type { Notes } from '../notes.ts';
 import { type FileSource, resolvePath } from '../source.ts';
 import { checkGltf } from './check.ts';
-import { gltfError, type Notes } from './context.ts';
+import { gltfError, type Resources } from './context.ts';
+import { checkShape } from './shape.ts';
+import { COMPRESSIONS, isFallback, unpackGeometry } from './unpack.ts';
 
 const GLB_MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
@@ -19,20 +24,20 @@ const BIN_CHUNK = 0x004e4942;
 const GLB_BUFFER = '@glb.bin';
 
 const EXTENSIONS = [
+  EXTMeshGPUInstancing,
   KHRLightsPunctual,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
   KHRMaterialsUnlit,
+  KHRMaterialsVariants,
   KHRMeshQuantization,
   KHRTextureTransform,
 ];
-const HANDLED: readonly string[] = [...EXTENSIONS.map((e) => e.EXTENSION_NAME), 'KHR_node_visibility'];
+const HANDLED: readonly string[] = [...EXTENSIONS.map((e) => e.EXTENSION_NAME), ...COMPRESSIONS, 'KHR_node_visibility'];
 /** Without these a thing looks a little different, but is where it should be. */
 const LOOKS_ONLY =
   /^(KHR_materials_|KHR_xmp|EXT_structural_metadata|EXT_mesh_features|KHR_texture_basisu|EXT_texture_)/;
 const CHANGES_COLOR = /^(KHR_texture_basisu|EXT_texture_|KHR_materials_pbrSpecularGlossiness)/;
-
-type Resources = Record<string, Uint8Array<ArrayBuffer>>;
 
 /** Loads the file and all that it refers to, checks it and parses it. */
 export async function loadGltf(
@@ -46,6 +51,8 @@ export async function loadGltf(
   const resources = await loadResources(source, entry, json, notes);
   if (binary) resources[GLB_BUFFER] = binary;
   checkExtensions(entry, json, notes);
+  dropUnreadTextures(json, notes);
+  await unpackGeometry(entry, json, resources);
   checkGltf(entry, json, resources);
   const quiet = (): void => {};
   const logger: ILogger = { debug: quiet, info: quiet, warn: quiet, error: quiet };
@@ -88,34 +95,38 @@ function readChunks(entry: string, view: DataView, bytes: Uint8Array, size: numb
 }
 
 function parseJson(entry: string, bytes: Uint8Array): GLTF.IGLTF {
+  let json: unknown;
   try {
-    const json: unknown = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
-    if (typeof json === 'object' && json !== null && 'asset' in json) return json as GLTF.IGLTF;
+    json = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
   } catch (thrown) {
     const message = `the JSON is damaged or cut off (${messageOf(thrown)}); copy or export it again`;
     throw gltfError(entry, 'damaged', '', message, thrown);
   }
-  throw gltfError(entry, 'damaged', '', 'not a glTF: the JSON has no "asset"');
+  const isGltf = typeof json === 'object' && json !== null && Object.hasOwn(json, 'asset');
+  if (!isGltf) throw gltfError(entry, 'damaged', '', 'not a glTF: the JSON has no "asset"');
+  return checkShape(entry, json);
 }
 
 /** Buffers and images by uri. Data URIs are unpacked under a short name of their own, which then stands in `json`. */
 async function loadResources(source: FileSource, entry: string, json: GLTF.IGLTF, notes: Notes): Promise<Resources> {
   const resources: Resources = Object.create(null);
-  for (const [kind, list] of [
-    ['buffer', json.buffers ?? []],
-    ['image', json.images ?? []],
-  ] as const) {
-    for (const [i, item] of list.entries()) {
-      if (item.uri === undefined) continue;
-      const what = `${kind} ${i}`;
-      const bytes = await loadUri(source, entry, what, item.uri);
-      if (!bytes && kind === 'buffer') {
-        throw gltfError(entry, 'missing-file', what, `there is no file ${item.uri}; put it beside the scene`);
-      }
-      if (!bytes) notes.add('warning', 'missing-texture', what, `there is no file ${item.uri}; shown without it`);
-      if (item.uri.startsWith('data:')) item.uri = `${kind} ${i}`;
-      resources[item.uri] = bytes ?? new Uint8Array(0);
-    }
+  const load = async (item: { uri?: string }, what: string): Promise<boolean> => {
+    if (item.uri === undefined) return true;
+    const bytes = await loadUri(source, entry, what, item.uri);
+    if (item.uri.startsWith('data:')) item.uri = what;
+    resources[item.uri] = bytes ?? new Uint8Array(0);
+    return bytes !== undefined;
+  };
+  for (const [i, buffer] of (json.buffers ?? []).entries()) {
+    const { uri } = buffer;
+    if (isFallback(buffer) || (await load(buffer, `buffer ${i}`))) continue;
+    throw gltfError(entry, 'missing-file', `buffer ${i}`, `there is no file ${uri}; put it beside the scene`);
+  }
+  for (const [i, image] of (json.images ?? []).entries()) {
+    const { uri } = image;
+    if (await load(image, `image ${i}`)) continue;
+    const message = `there is no file ${uri}, looked for as ${resolvePath(entry, uri ?? '')}; shown without it`;
+    notes.add('warning', 'missing-texture', `image ${i}`, message);
   }
   return resources;
 }
@@ -153,9 +164,7 @@ function unescaped(uri: string): string {
 function checkExtensions(entry: string, json: GLTF.IGLTF, notes: Notes): void {
   for (const name of json.extensionsRequired ?? []) {
     if (HANDLED.includes(name) || LOOKS_ONLY.test(name)) continue;
-    const message = /draco|meshopt/i.test(name)
-      ? `its geometry is compressed with ${name}, which is not read; export it without compression`
-      : `it needs the extension ${name}, which is not read; export it without`;
+    const message = `it needs the extension ${name}, which is not read; export it without`;
     throw gltfError(entry, 'unsupported-extension', '', message);
   }
   for (const name of json.extensionsUsed ?? []) {
@@ -167,4 +176,29 @@ function checkExtensions(entry: string, json: GLTF.IGLTF, notes: Notes): void {
   json.extensionsRequired = json.extensionsRequired?.filter((name) =>
     EXTENSIONS.some((e) => e.EXTENSION_NAME === name),
   );
+}
+
+/** Textures whose pictures only an extension has that is not read (WebP, KTX2): materials go without them. */
+function dropUnreadTextures(json: GLTF.IGLTF, notes: Notes): void {
+  const isUnread = (info: GLTF.ITextureInfo | undefined): boolean =>
+    info !== undefined && json.textures?.[info.index] !== undefined && json.textures[info.index].source === undefined;
+  for (const [i, material] of (json.materials ?? []).entries()) {
+    const slots: (readonly [Record<string, unknown>, string])[] = [
+      [material as Record<string, unknown>, 'emissiveTexture'],
+      [material as Record<string, unknown>, 'normalTexture'],
+      [material as Record<string, unknown>, 'occlusionTexture'],
+      [(material.pbrMetallicRoughness ?? {}) as Record<string, unknown>, 'baseColorTexture'],
+      [(material.pbrMetallicRoughness ?? {}) as Record<string, unknown>, 'metallicRoughnessTexture'],
+    ];
+    for (const [holder, name] of slots) {
+      if (!isUnread(holder[name] as GLTF.ITextureInfo | undefined)) continue;
+      delete holder[name];
+      notes.add(
+        'warning',
+        'texture',
+        `material ${material.name ?? i}`,
+        `its ${name} has no picture that is read; shown without it`,
+      );
+    }
+  }
 }

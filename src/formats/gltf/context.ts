@@ -1,6 +1,7 @@
 import type { Document, GLTF } from '@gltf-transform/core';
-import type { Diagnostic } from '../../scene/types.ts';
+import type { VariantSet } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
+import type { Notes } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
 
 /** What every part of the reader needs to know of the file it reads. */
@@ -11,26 +12,13 @@ export interface GltfContext {
   readonly json: GLTF.IGLTF;
   readonly document: Document;
   readonly options: ReadOptions;
+  /** Of its materials, with the one to show. */
+  readonly variants: VariantSet | undefined;
   readonly notes: Notes;
 }
 
-/** Diagnostics, each said once. */
-export class Notes {
-  readonly #byKey = new Map<string, Diagnostic>();
-  readonly #entry: string;
-  constructor(entry: string) {
-    this.#entry = entry;
-  }
-
-  add(severity: Diagnostic['severity'], code: string, what: string, message: string): void {
-    const place = what ? `${this.#entry}: ${what}` : this.#entry;
-    this.#byKey.set(`${code} ${place} ${message}`, { severity, code: `gltf.${code}`, place, message });
-  }
-
-  list(): Diagnostic[] {
-    return [...this.#byKey.values()];
-  }
-}
+/** Bytes of buffers and images, by uri. */
+export type Resources = Record<string, Uint8Array<ArrayBuffer>>;
 
 /** Refuses the file: `what` names the thing in it, `message` the value and what to do. */
 export const gltfError = (entry: string, code: string, what: string, message: string, cause?: unknown) =>

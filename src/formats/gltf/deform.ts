@@ -5,7 +5,7 @@ import { normalize } from '../../math/vec3.ts';
 import { floatsOf } from './accessors.ts';
 import { type GltfContext, gltfError } from './context.ts';
 import type { Curve } from './curves.ts';
-import type { NodeTree } from './nodes.ts';
+import type { Frame, NodeTree } from './nodes.ts';
 import type { Geometry } from './primitives.ts';
 
 /** The bending of one mesh at one node: where its vertices are in the world at any time [s]. */
@@ -25,16 +25,21 @@ interface Joint {
   readonly inverseBind: Mat4;
 }
 
-export function makeDeformer(context: GltfContext, tree: NodeTree, node: GltfNode, geometry: Geometry): Deformer {
+/** `frame`: where the mesh is without joints. */
+export function makeDeformer(
+  context: GltfContext,
+  tree: NodeTree,
+  node: GltfNode,
+  frame: Frame,
+  geometry: Geometry,
+): Deformer {
   const joints = geometry.skin ? readJoints(context, tree, node, geometry.skin.joints) : undefined;
   const weightsCurve = geometry.morphs.length > 0 ? tree.weightsCurve(node) : undefined;
   const weightsAt = (t: number): readonly number[] => weightsCurve?.at(t) ?? givenWeights(node);
-  const movers = new Set((joints?.map((j) => j.node) ?? [node]).flatMap((n) => tree.curvesAbove(n)));
+  const movers = new Set(joints ? joints.flatMap((j) => tree.curvesAbove(j.node)) : frame.curves);
   // A skinned mesh follows its joints alone; its own node does not move it (glTF 2.0, 3.7.3.3).
   const matricesAt = (t: number): Mat4[] =>
-    joints?.map((j) => multiply(tree.placementAt(j.node, t).matrix, j.inverseBind)) ?? [
-      tree.placementAt(node, t).matrix,
-    ];
+    joints?.map((j) => multiply(tree.placementAt(j.node, t).matrix, j.inverseBind)) ?? [frame.placementAt(t).matrix];
   return {
     curves: [...movers, ...(weightsCurve ? [weightsCurve] : [])],
     pointsAt: (t, vertices) => points(geometry, matricesAt(t), weightsAt(t), vertices),

@@ -112,8 +112,28 @@ describe('a damaged glTF', () => {
     );
     const huge = [{ componentType: 5126, count: 4e9, type: 'MAT4' }];
     expect(await attemptJson({ asset, accessors: huge })).toContain('accessors: unpack to 238 GiB');
-    const draco = ['KHR_draco_mesh_compression'];
-    expect(await attemptJson({ asset, extensionsRequired: draco })).toContain('export it without compression');
+    expect(await attemptJson({ asset, extensionsRequired: ['ACME_shape'] })).toContain(
+      'it needs the extension ACME_shape, which is not read; export it without',
+    );
+    expect(await attemptJson({ asset, nodes: [{}, { mesh: '0' }] })).toBe(
+      'a.gltf: nodes[1].mesh: is "0", not a whole number from 0; the file is damaged, export it again',
+    );
+    expect(await attemptJson({ asset, nodes: [{ rotation: [0, 0, 1] }] })).toContain(
+      'nodes[0].rotation: is [0,0,1], not 4 numbers',
+    );
+    expect(await attemptJson({ asset, meshes: { a: 1 } })).toContain('meshes: is {"a":1}, not a list');
+    expect(await attemptJson({ asset, meshes: [{}] })).toContain('meshes[0].primitives: is missing, not a list');
+    expect(await attemptJson({ asset, extensions: { KHR_lights_punctual: { lights: [null] } } })).toContain(
+      'extensions.KHR_lights_punctual.lights[0]: is null, not an object',
+    );
+    expect(await attemptJson({ asset, cameras: [{ type: 'perspective' }] })).toContain(
+      'cameras[0].perspective: is missing',
+    );
+    expect(await attemptJson({ asset, images: [{}] })).toContain(
+      'images[0]: is {}, not a picture: it needs uri or bufferView',
+    );
+    const lit = [{ extensions: { KHR_lights_punctual: { light: 2 } } }];
+    expect(await attemptJson({ asset, nodes: lit })).toContain('node 0: refers to light 2, of which there are 0');
     expect(await attemptJson({})).toBe('a.gltf: not a glTF: the JSON has no "asset"');
   });
 });

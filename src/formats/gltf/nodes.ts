@@ -2,6 +2,7 @@ import type { Animation, Node as GltfNode } from '@gltf-transform/core';
 import { decomposeRigid, fromParts, IDENTITY, type Mat4, multiply } from '../../math/mat4.ts';
 import { multiply as after, normalizeQuat, type Quat, toMatrix } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { PathNames } from '../pathNames.ts';
 import { type GltfContext, gltfError } from './context.ts';
 import { type Curve, makeCurve } from './curves.ts';
 
@@ -22,6 +23,15 @@ interface TreeNode {
 export interface Placement {
   readonly matrix: Mat4;
   readonly rotation: Quat;
+}
+
+/** A frame of a node, or one fixed in it: a thing that may move. */
+export interface Frame {
+  /** For messages. */
+  readonly path: string;
+  /** Everything that moves it. */
+  readonly curves: readonly Curve[];
+  placementAt(t: number): Placement;
 }
 
 /** The node tree with one animation on it: where every node is at any time [s]. */
@@ -73,13 +83,22 @@ export class NodeTree {
     return this.#of(node).curves.weights;
   }
 
+  /** The frame of a node; or, with `within`, one that is fixed in it. */
+  frame(node: GltfNode, within?: Placement): Frame {
+    return {
+      path: this.path(node),
+      curves: this.curvesAbove(node),
+      placementAt: (t) => {
+        const own = this.placementAt(node, t);
+        return within ? placedIn(own, within) : own;
+      },
+    };
+  }
+
   placementAt(node: GltfNode, t: number): Placement {
     const chain: TreeNode[] = [];
     for (let n: TreeNode | undefined = this.#of(node); n; n = n.parent) chain.push(n);
-    return chain.reduceRight<Placement>((above, n) => {
-      const own = localAt(n, t);
-      return { matrix: multiply(above.matrix, own.matrix), rotation: after(above.rotation, own.rotation) };
-    }, WORLD);
+    return chain.reduceRight<Placement>((above, n) => placedIn(above, localAt(n, t)), WORLD);
   }
 
   #of(node: GltfNode): TreeNode {
@@ -88,6 +107,11 @@ export class NodeTree {
 }
 
 const WORLD: Placement = { matrix: IDENTITY, rotation: [0, 0, 0, 1] };
+
+const placedIn = (above: Placement, own: Placement): Placement => ({
+  matrix: multiply(above.matrix, own.matrix),
+  rotation: after(above.rotation, own.rotation),
+});
 
 function localAt({ source, matrix, curves }: TreeNode, t: number): Placement {
   const isMoved = curves.translation ?? curves.rotation ?? curves.scale;
@@ -134,17 +158,3 @@ const morphCount = (node: GltfNode | null): number =>
       ?.listPrimitives()
       .map((p) => p.listTargets().length) ?? []),
   );
-
-/** Names that USD takes too, each once under its parent. */
-class PathNames {
-  readonly #used = new Map<string, number>();
-  of(parent: string, name: string): string {
-    const clean = name.replace(/[^\p{L}\p{N}_]/gu, '_').replace(/^(?=\p{N})/u, '_') || '_';
-    const wanted = `${parent}/${clean}`;
-    let path = wanted;
-    for (let i = this.#used.get(wanted) ?? 0; this.#used.has(path); ) path = `${wanted}_${++i}`;
-    this.#used.set(wanted, (this.#used.get(wanted) ?? -1) + 1);
-    if (path !== wanted) this.#used.set(path, 0);
-    return path;
-  }
-}

@@ -1,10 +1,11 @@
-import type { Accessor, Mesh as GltfMesh, Primitive } from '@gltf-transform/core';
+import type { Accessor, Material as GltfMaterial, Mesh as GltfMesh, Primitive } from '@gltf-transform/core';
 import { cross, normalize, sub, type Vec3 } from '../../math/vec3.ts';
 import { mergeMeshes } from '../../scene/meshOps.ts';
 import type { Mesh } from '../../scene/types.ts';
 import { floatsOf } from './accessors.ts';
 import { type GltfContext, gltfError } from './context.ts';
 import { type MaterialLibrary, type UvSource, uvSourceOf } from './materials.ts';
+import { materialOf } from './variants.ts';
 
 /** A mesh of the file as triangles, and what bends it. All in the mesh's own frame [m]. */
 export interface Geometry {
@@ -107,13 +108,22 @@ function readPrimitive(context: GltfContext, what: string, p: Primitive, library
     }
     return pick(accessor, width, isFlat ? corners : undefined);
   };
-  return buildPart(
-    p,
-    take,
-    isFlat ? Uint32Array.from(corners.keys()) : corners,
-    library,
-    uvSourceOf(context, p.getMaterial()),
-  );
+  const material = materialOf(context, p);
+  noteVertexAlpha(context, what, p, material);
+  const indices = isFlat ? Uint32Array.from(corners.keys()) : corners;
+  return buildPart(p, take, indices, {
+    material,
+    place: library.placeOf(material),
+    uvs: uvSourceOf(context, material),
+  });
+}
+
+/** Colours of a mesh have no opacity here. */
+function noteVertexAlpha({ notes }: GltfContext, what: string, p: Primitive, material: GltfMaterial | null): void {
+  const colors = p.getAttribute('COLOR_0');
+  if (colors?.getElementSize() !== 4 || (material?.getAlphaMode() ?? 'OPAQUE') === 'OPAQUE') return;
+  if (floatsOf(colors).every((value, i) => i % 4 !== 3 || value >= 1)) return;
+  notes.add('warning', 'vertex-alpha', what, 'the opacity of its vertex colours is left out');
 }
 
 /** Values of an attribute, `width` per vertex of the finished mesh. */
@@ -123,17 +133,24 @@ type Take = (
   of?: { getAttribute(name: string): Accessor | null },
 ) => Float32Array | undefined;
 
-function buildPart(p: Primitive, take: Take, indices: Uint32Array, library: MaterialLibrary, source: UvSource): Part {
+/** What a primitive wears. */
+interface Surface {
+  readonly material: GltfMaterial | null;
+  /** Among the scene's materials. */
+  readonly place: number;
+  readonly uvs: UvSource;
+}
+
+function buildPart(p: Primitive, take: Take, indices: Uint32Array, { material, place, uvs }: Surface): Part {
   const positions = take('POSITION', 3)!;
   const colors = take('COLOR_0', 3);
-  const material = p.getMaterial();
   const mesh: Mesh = {
     positions,
     normals: unitNormals(take('NORMAL', 3)) ?? flatNormals(positions),
-    uvs: toUvs(take(`TEXCOORD_${source.set}`, 2), source, positions.length / 3),
+    uvs: toUvs(take(`TEXCOORD_${uvs.set}`, 2), uvs, positions.length / 3),
     ...(colors && { colors }),
     indices,
-    groups: [{ start: 0, count: indices.length, material: library.placeOf(material) }],
+    groups: [{ start: 0, count: indices.length, material: place }],
     doubleSided: material?.getDoubleSided() ?? false,
   };
   const morphs = p.listTargets().map((target) => ({

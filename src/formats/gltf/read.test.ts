@@ -95,7 +95,7 @@ describe('glTF meshes', () => {
     expect([first.ior, second.ior]).toEqual([undefined, 2.4]);
     expect(second).toMatchObject({ emissive: [4, 0, 2], opacityThreshold: 0.3 });
     expect(mesh.doubleSided).toBe(true);
-    expect(scene.diagnostics.map((d) => d.code)).toEqual(['gltf.mixed-sides']);
+    expect(scene.diagnostics.map((d) => d.code)).toEqual(['gltf.vertex-alpha', 'gltf.mixed-sides']);
   });
 
   it('an unlit material sends out its colour', async () => {
@@ -190,7 +190,8 @@ describe('glTF extensions', () => {
       extensionsUsed: ['KHR_node_visibility', 'KHR_materials_ior', 'ACME_smell', 'EXT_texture_webp'],
       extensionsRequired: ['KHR_materials_ior', 'EXT_texture_webp'],
       materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
-      textures: [{ extensions: { EXT_texture_webp: { source: 0 } } }],
+      textures: [{ sampler: 0, extensions: { EXT_texture_webp: { source: 0 } } }],
+      samplers: [{ wrapS: 33071 }],
       images: [{ uri: 'data:image/webp;base64,UklGRg==' }],
       nodes: [{ extensions: hidden, children: [1] }, { camera: 0 }, { camera: 0, name: 'Seen' }],
       cameras: [{ type: 'perspective', perspective: { yfov: 1, znear: 1 } }],
@@ -201,6 +202,7 @@ describe('glTF extensions', () => {
     expect(diagnostics.map((d) => [d.severity, d.message])).toEqual([
       ['warning', 'the extension ACME_smell is left out'],
       ['warning', 'the extension EXT_texture_webp is left out; what uses it is shown without its picture or colour'],
+      ['warning', 'its baseColorTexture has no picture that is read; shown without it'],
     ]);
   });
 });

@@ -12,15 +12,18 @@ import {
   type SceneObject,
 } from '../../scene/types.ts';
 import { messageOf } from '../fail.ts';
+import { Notes } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
-import type { FileSource } from '../source.ts';
+import { type FileSource, stemOf } from '../source.ts';
 import { Baker } from './bake.ts';
 import { loadGltf } from './container.ts';
-import { type GltfContext, gltfError, Notes } from './context.ts';
+import { type GltfContext, gltfError } from './context.ts';
 import { makeDeformer, settleMorphs } from './deform.ts';
+import { readInstances } from './instances.ts';
 import { MaterialLibrary } from './materials.ts';
-import { NodeTree } from './nodes.ts';
+import { type Frame, NodeTree, type Placement } from './nodes.ts';
 import { type Geometry, readGeometry } from './primitives.ts';
+import { variantSet } from './variants.ts';
 
 /** Radius that stands for the point lights of glTF, which have none [m]. */
 const POINT_LIGHT_RADIUS = 0.05;
@@ -33,8 +36,10 @@ const MAX_VERTICES = 2 ** 26;
  */
 export async function readGltf(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
   try {
-    const notes = new Notes(entry);
-    const context: GltfContext = { entry, options, notes, ...(await loadGltf(source, entry, notes)) };
+    const notes = new Notes(entry, 'gltf');
+    const file = await loadGltf(source, entry, notes);
+    const variants = variantSet({ entry, json: file.json, options });
+    const context: GltfContext = { entry, options, notes, variants, ...file };
     return buildScene(context);
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
@@ -51,7 +56,7 @@ function buildScene(context: GltfContext): Scene {
   for (const node of shown?.listChildren() ?? root.listNodes().filter((n) => !n.getParentNode())) builder.add(node);
   const times = [...(animation?.listSamplers() ?? [])].flatMap((s) => [...(s.getInput()?.getArray() ?? [])]);
   return makeScene({
-    name: shown?.getName() || context.entry.replace(/^.*\//, '').replace(/\.[^.]*$/, ''),
+    name: shown?.getName() || stemOf(context.entry),
     upAxis: 'Y',
     metersPerUnit: 1,
     startTime: times.reduce((a, b) => Math.min(a, b), times[0] ?? 0),
@@ -60,6 +65,7 @@ function buildScene(context: GltfContext): Scene {
     materials: builder.library.materials,
     lights: builder.lights,
     cameras: builder.cameras,
+    ...(context.variants && { variants: [context.variants] }),
     diagnostics: context.notes.list(),
   });
 }
@@ -92,7 +98,7 @@ class SceneBuilder {
   constructor(context: GltfContext, tree: NodeTree) {
     this.#context = context;
     this.#tree = tree;
-    this.#baker = new Baker(context, tree);
+    this.#baker = new Baker(context);
     this.library = new MaterialLibrary(context);
   }
 
@@ -102,14 +108,6 @@ class SceneBuilder {
     this.#addMesh(node);
     this.#addCamera(node);
     this.#addLight(node);
-    if (this.#raw(node, 'EXT_mesh_gpu_instancing')) {
-      this.#context.notes.add(
-        'warning',
-        'instances',
-        this.#tree.path(node),
-        'its instances are not read; one is shown',
-      );
-    }
     for (const child of node.listChildren()) this.add(child);
   }
 
@@ -133,17 +131,35 @@ class SceneBuilder {
     const shared = this.#geometries.get(mesh);
     if (!shared) return;
     const geometry = this.#tree.weightsCurve(node) ? shared : settleMorphs(node, shared);
+    const instances = this.#instances(node, geometry);
+    if (!instances) this.#addObject(node, geometry, this.#tree.frame(node), this.#pathOf(node, 'Mesh'));
+    for (const [i, within] of (instances ?? []).entries()) {
+      const path = this.#tree.pathBelow(node, `Instance${i}`);
+      this.#addObject(node, geometry, this.#tree.frame(node, within), path);
+    }
+  }
+
+  #instances(node: GltfNode, { skin }: Geometry): Placement[] | undefined {
+    const what = this.#tree.path(node);
+    const instances = readInstances(this.#context, node, what);
+    if (!instances || !skin || !node.getSkin()) return instances;
+    const message = 'its instances all follow the same joints, so that they are in one place; one is shown';
+    this.#context.notes.add('warning', 'instances', what, message);
+    return undefined;
+  }
+
+  #addObject(node: GltfNode, geometry: Geometry, frame: Frame, path: string): void {
     this.#vertices += geometry.mesh.positions.length / 3;
     if (this.#vertices > MAX_VERTICES) {
       const message = `more than ${MAX_VERTICES} vertices with all copies of its meshes; export fewer`;
-      throw gltfError(this.#context.entry, 'too-large', this.#tree.path(node), message);
+      throw gltfError(this.#context.entry, 'too-large', frame.path, message);
     }
-    const deformer = makeDeformer(this.#context, this.#tree, node, geometry);
+    const deformer = makeDeformer(this.#context, this.#tree, node, frame, geometry);
     const bends = geometry.morphs.length > 0 || (geometry.skin && node.getSkin());
     const baked = bends
-      ? this.#baker.bakePoints(node, geometry, deformer)
-      : this.#baker.bakeAffine(node, geometry, deformer);
-    this.objects.push(makeObject({ path: this.#pathOf(node, 'Mesh'), ...baked }));
+      ? this.#baker.bakePoints(frame, geometry, deformer)
+      : this.#baker.bakeAffine(frame, geometry, deformer);
+    this.objects.push(makeObject({ path, ...baked }));
   }
 
   #addCamera(node: GltfNode): void {
@@ -154,7 +170,12 @@ class SceneBuilder {
       this.#context.notes.add('warning', 'camera', path, 'an orthographic camera is not read; it is left out');
       return;
     }
-    this.cameras.push({ path, motion: this.#baker.bakeFrame(node), fovY: camera.getYFov() });
+    const fovY = camera.getYFov();
+    if (!(fovY > 0 && fovY < Math.PI)) {
+      this.#context.notes.add('warning', 'camera', path, `its field of view is ${fovY} rad; it is left out`);
+      return;
+    }
+    this.cameras.push({ path, motion: this.#baker.bakeFrame(this.#tree.frame(node)), fovY });
   }
 
   #addLight(node: GltfNode): void {
@@ -162,13 +183,16 @@ class SceneBuilder {
     if (!light) return;
     const path = this.#pathOf(node, 'Light');
     const color = scale(light.getColor(), light.getIntensity());
+    const range = light.getRange();
+    if (range)
+      this.#context.notes.add('info', 'light', path, `its range of ${range} m is left out: light goes on for ever`);
     if (light.getType() === 'directional') {
       this.lights.push({ kind: 'distant', path, direction: this.#shining(node, path), color });
       return;
     }
     if (light.getType() === 'spot')
       this.#context.notes.add('info', 'light', path, 'a spot light shines all round here');
-    this.lights.push(pointLight(path, this.#baker.bakeFrame(node), color));
+    this.lights.push(pointLight(path, this.#baker.bakeFrame(this.#tree.frame(node)), color));
   }
 
   /** The way a distant light shines, at its start. */

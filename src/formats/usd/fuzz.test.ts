@@ -85,10 +85,17 @@ describe('packages', () => {
       expect(await refusal(packUsdz(new Map([[path, layer]])))).toContain('leads out of the package');
   });
 
-  it('without a layer, and crate layers, say what to do', async () => {
+  it('without a layer say so', async () => {
     expect(await refusal(packUsdz(new Map([['a.png', layer]])))).toContain('holds no USD layer');
-    const crate = new TextEncoder().encode('PXR-USDC and so on');
-    expect(await refusal(packUsdz(new Map([['a.usdc', crate]])))).toContain('usdcat in.usd -o out.usda');
-    await expect(readUsd(memorySource({ 'a.usd': crate }), 'a.usd')).rejects.toThrow('binary (crate)');
+  });
+
+  it('may hold a crate, and name it where it is damaged', async () => {
+    const crate = new Uint8Array(readFileSync(new URL('./crate/fixtures/meshes.usdc', import.meta.url)));
+    const read = async (name: string, bytes: Uint8Array) => readUsd(memorySource({ [name]: bytes }), name);
+    const packed = await read('a.usdz', packUsdz(new Map([['a.usdc', crate]])));
+    expect(packed.objects).toEqual((await read('a.usda', fixture('meshes.usda'))).objects);
+    expect(packed.objects).toEqual((await read('a.usd', crate)).objects);
+    const short = packUsdz(new Map([['a.usdc', crate.subarray(0, 100)]]));
+    expect(await refusal(short)).toMatch(/^a\.usdz\[a\.usdc\] \(.*the file ends at byte 100; it is cut off or damaged/);
   });
 });

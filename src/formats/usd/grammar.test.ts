@@ -144,7 +144,8 @@ describe('nesting is bounded', () => {
     expect(errorIn(`(\ncustomLayerData = { ${deep('dictionary a = {', '}', 1e5)} }\n)`)).toContain('64 deep');
     expect(errorIn(`def "A" {\n ${'variantSet "v" = { "x" {\n'.repeat(1e5)}`)).toContain('256 deep');
     expect(errorIn(`def "A" {\n odd x = ${deep('[', ']', 1e5)}\n}`)).toContain('64 deep');
-    expect(errorIn(`def "A" {\n float x.spline = ${deep('{', '}', 1e5)}\n}`)).toContain('64 deep');
+    const custom = `1: 2; { ${deep('dictionary a = {', '}', 1e5)} }`;
+    expect(errorIn(`def "A" {\n float x.spline = { ${custom} }\n}`)).toContain('64 deep');
   });
 });
 
@@ -154,10 +155,16 @@ describe('statements', () => {
     expect([...properties.keys()]).toEqual(['x', 'y', 'z', 'w']);
   });
 
-  it('keep a spline and a value of unknown type as text', () => {
-    expect(attribute('double x.spline = { 1: 5; post held, 2: 14 ; pre (1, 0.1) }').spline).toBe(
-      ' 1: 5; post held, 2: 14 ; pre (1, 0.1) ',
-    );
+  it('that delete or prepend nothing say nothing, and an empty list says that it is empty', () => {
+    const op = (statement: string) => {
+      const entry = parse(`def "A" (\n${statement} = []\n)\n{\n}`).rootPrims.get('A')!.metadata.get('references');
+      return entry?.type === 'arcs' ? entry.op : undefined;
+    };
+    expect(op('delete references')).toEqual({});
+    expect(op('references')).toEqual({ explicit: [] });
+  });
+
+  it('keep a value of unknown type as text', () => {
     expect(valueIn('odd x = [("]", 2), @a@]')).toEqual({ type: 'unregistered', data: '[("]", 2), @a@]' });
   });
 

@@ -24,7 +24,7 @@ export interface PrimSpec {
   readonly metadata: Map<string, MetadataValue>;
   readonly properties: Map<string, PropertySpec>;
   readonly children: Map<string, PrimSpec>;
-  /** Variant set → variant → what that variant adds. */
+  /** Variant set → variant → what that variant adds. A set without variants is not among them. */
   readonly variantSets: Map<string, Map<string, PrimSpec>>;
   childOrder?: readonly string[];
   propertyOrder?: readonly string[];
@@ -43,8 +43,7 @@ export interface AttributeSpec {
   value?: Value;
   timeSamples?: TimeSamples;
   connections?: ListOp<string>;
-  /** The text between the braces of `.spline = {…}`: kept, not evaluated. */
-  spline?: string;
+  spline?: Spline;
   readonly metadata: Map<string, MetadataValue>;
 }
 
@@ -62,6 +61,48 @@ export interface RelationshipSpec {
 export interface TimeSamples {
   readonly times: Float64Array;
   readonly values: readonly Value[];
+}
+
+/** An animation curve: what holds at its knots, between them, before the first and after the last (OpenUSD, Ts). */
+export interface Spline {
+  readonly curve: 'bezier' | 'hermite';
+  readonly before: Extrapolation;
+  readonly after: Extrapolation;
+  readonly loop?: SplineLoop;
+  /** At rising time codes. */
+  readonly knots: readonly SplineKnot[];
+}
+
+export type Extrapolation =
+  | { readonly kind: 'none' | 'held' | 'linear' | 'repeat' | 'reset' | 'oscillate' }
+  | { readonly kind: 'sloped'; readonly slope: number };
+
+/** The stretch from `start` to `end` is repeated whole: `before` it and `after` it, each time `offset` higher. */
+export interface SplineLoop {
+  readonly start: number;
+  readonly end: number;
+  readonly before: number;
+  readonly after: number;
+  readonly offset: number;
+}
+
+export interface SplineKnot {
+  readonly time: number;
+  readonly value: number;
+  /** What is approached from before the knot, where the curve jumps there. */
+  readonly preValue?: number;
+  /** Up to the next knot. `none` is a gap: the attribute has no value there. */
+  readonly interpolation: 'none' | 'held' | 'linear' | 'curve';
+  readonly pre: Tangent;
+  readonly post: Tangent;
+  readonly customData?: Dictionary;
+}
+
+/** `width` [time codes] is 0 in Hermite curves, which have none; `algorithm` is what width and slope were made by. */
+export interface Tangent {
+  readonly width: number;
+  readonly slope: number;
+  readonly algorithm: 'none' | 'custom' | 'autoEase';
 }
 
 export type NumberArray = Float64Array | Float32Array | Int32Array | Uint32Array | Uint8Array;

@@ -1,11 +1,11 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Material, Texture } from '../../scene/types.ts';
-import type { DecodedImage } from '../images.ts';
+import { type DecodedImage, withAlphaFrom } from '../images.ts';
 import { numberOf, numbersOf, vec3Of } from './attributes.ts';
 import { primAt, report, type StageContext } from './context.ts';
 import type { PrimSpec, Value } from './layer.ts';
 import { type Input, resolveInput, shaderId } from './shading.ts';
-import { meanOf, type TextureLoader, textureOf, withAlphaFrom } from './textures.ts';
+import { meanOf, type TextureLoader, textureOf } from './textures.ts';
 import { type UvSource, uvSourceOf } from './uvs.ts';
 
 /** A material, and what it wants of the meshes that wear it. */

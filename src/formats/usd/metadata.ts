@@ -1,6 +1,7 @@
+import { InputError } from '../../scene/types.ts';
 import type { Arc, Dictionary, ListOp, MetadataValue, Value } from './layer.ts';
 import { absolutePath } from './paths.ts';
-import type { Scanner } from './scanner.ts';
+import { Scanner } from './scanner.ts';
 import { parseDictionary, parseItems, parseTypeName, parseValue, rawValue } from './values.ts';
 
 type Metadata = Map<string, MetadataValue>;
@@ -44,8 +45,9 @@ export function takeQualifier(s: Scanner): keyof ListOp<unknown> {
 
 /** `[a, b]`, `a` or `None`, put into the list op under its qualifier. */
 export function parseListOp<T>(s: Scanner, op: ListOp<T>, qualifier: keyof ListOp<T>, item: () => T): void {
-  if (s.takeWord('None')) op[qualifier] = [];
-  else op[qualifier] = s.peek() === '[' ? parseItems(s, item) : [item()];
+  const items = s.takeWord('None') ? [] : s.peek() === '[' ? parseItems(s, item) : [item()];
+  // Nothing prepended, or deleted, is no opinion; an empty list of its own is one.
+  if (items.length > 0 || qualifier === 'explicit') op[qualifier] = items;
 }
 
 /** The `( … )` after a layer's header, a prim's name or a property, where there is one. `owner`: path of the prim. */
@@ -74,6 +76,30 @@ function parseEntry(s: Scanner, owner: string, into: Metadata): void {
 function plainEntry(s: Scanner, key: string): Value {
   const type = KEY_TYPES.get(key) ?? (s.peek() === '{' ? 'dictionary' : '');
   return parseValue(s, type);
+}
+
+/** What a crate file keeps as text, because no schema knows its key, as it would be read where it was written. */
+export function parseUnregistered(key: string, text: string): Value {
+  const s = new Scanner(new TextEncoder().encode(text), key);
+  try {
+    const value = KEY_TYPES.has(key) ? plainEntry(s, key) : rawValue(s);
+    if (s.atEnd()) return value;
+  } catch (thrown) {
+    if (!(thrown instanceof InputError)) throw thrown;
+  }
+  return { type: 'unregistered', data: text };
+}
+
+/** The same of the items of a list, without its brackets. */
+export function parseUnregisteredItems(text: string): Value[] {
+  const s = new Scanner(new TextEncoder().encode(`[${text}]`), '');
+  try {
+    const items = parseItems(s, () => rawValue(s));
+    if (s.atEnd()) return items;
+  } catch (thrown) {
+    if (!(thrown instanceof InputError)) throw thrown;
+  }
+  return [{ type: 'unregistered', data: text }];
 }
 
 function unregisteredList(s: Scanner, old: MetadataValue | undefined, qualifier: keyof ListOp<Value>): MetadataValue {
@@ -182,5 +208,5 @@ function parseArc(s: Scanner, owner: string): Arc {
       s.endStatement(`'${key}'`);
     }
   }
-  return { asset, path, offset, scale, ...(customData ? { customData } : {}) };
+  return { asset, path, offset, scale, ...(customData?.size ? { customData } : {}) };
 }

@@ -10,9 +10,10 @@ import type {
   Value,
 } from './layer.ts';
 import { parseListOp, parseMetadata, takeQualifier } from './metadata.ts';
-import { absolutePath } from './paths.ts';
+import { absolutePath, isPrimName } from './paths.ts';
 import { Scanner } from './scanner.ts';
-import { parseItems, parseTypeName, parseValue, rawBraces } from './values.ts';
+import { parseSpline } from './splines.ts';
+import { parseItems, parseTypeName, parseValue } from './values.ts';
 
 /** Prims in prims and variants in variants, to this depth. */
 const MAX_DEPTH = 256;
@@ -49,8 +50,7 @@ function parsePrim(s: Scanner, parent: string, siblings: Map<string, PrimSpec>, 
   const name = s.string('the name of a prim in quotes');
   // In a variant the parent's path ends with its selection: /A{set=v}B.
   const path = parent.endsWith('}') ? parent + name : `${parent}/${name}`;
-  if (!/^[\p{L}_\u0080-\uffff][\p{L}\p{N}\p{M}_\u0080-\uffff]*$/u.test(name))
-    s.fail(`'${name}' is not a prim name`, at);
+  if (!isPrimName(name)) s.fail(`'${name}' is not a prim name`, at);
   if (siblings.has(name)) s.fail(`there is already a prim ${path}`, at);
   siblings.set(name, parseBody(s, newPrim(path, name, word, typeName), depth));
 }
@@ -100,9 +100,9 @@ function parseVariantSet(s: Scanner, prim: PrimSpec, depth: number): void {
   s.expect('=', `after the variant set '${set}'`);
   s.expect('{', `before the variants of '${set}'`);
   const variants = prim.variantSets.get(set) ?? new Map<string, PrimSpec>();
-  prim.variantSets.set(set, variants);
   while (!s.take('}')) {
     const name = s.string(`the name of a variant of '${set}' or '}'`);
+    prim.variantSets.set(set, variants);
     variants.set(name, parseBody(s, newPrim(`${prim.path}{${set}=${name}}`, name, 'over', ''), depth));
   }
 }
@@ -190,7 +190,7 @@ function parseOpinion(
       parseListOp(s, attribute.connections, qualifier, () => absolutePath(s.path(), prim.path));
       break;
     case 'spline':
-      attribute.spline = rawBraces(s);
+      attribute.spline = parseSpline(s, attribute.typeName);
       break;
     default:
       s.fail(`'.${part}' is not .timeSamples, .connect or .spline`);

@@ -1,3 +1,12 @@
+const FIRST = '[\\p{L}_\\u0080-\\uffff]';
+const NEXT = '[\\p{L}\\p{N}\\p{M}_\\u0080-\\uffff]';
+const PRIM_NAME = new RegExp(`^${FIRST}${NEXT}*$`, 'u');
+const PROPERTY_NAME = new RegExp(`^${FIRST}${NEXT}*(:${NEXT}+)*$`, 'u');
+
+export const isPrimName = (name: string): boolean => PRIM_NAME.test(name);
+/** Names joined by colons: `primvars:st`. */
+export const isPropertyName = (name: string): boolean => PROPERTY_NAME.test(name);
+
 /** `/A{set=variant}B` → `/A/B`: where the prim is in the stage. */
 export const withoutVariants = (path: string): string =>
   path

@@ -4,10 +4,11 @@ import type { ReadOptions } from '../registry.ts';
 import type { FileSource } from '../source.ts';
 import { AssetFiles } from './compose/assets.ts';
 import { LayerStore } from './compose/layerStore.ts';
+import type { VariantChoice } from './compose/session.ts';
 import { type ComposedStage, composeStage } from './compose/stage.ts';
 import { DiagnosticList, metadataNumber, report, type StageContext } from './context.ts';
 import type { Layer } from './layer.ts';
-import { parseLayer } from './parser.ts';
+import { readLayer } from './readLayer.ts';
 import { hintsOf } from './slowlight.ts';
 import { readStage, type StageContents, upAxisOf } from './stage.ts';
 
@@ -26,10 +27,12 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
   if (!bytes) throw inputError('file.missing', entry, 'no such file');
   const diagnostics = new DiagnosticList();
   const files = new AssetFiles(source, entry);
-  const store = new LayerStore(files, parseAny);
-  const fallbacks = new Map(Object.entries(options.variantFallbacks ?? {}));
+  const store = new LayerStore(files, readLayer);
   const root = await store.root(entry, bytes);
-  const stage = await composeStage(store, root, diagnostics, { variants: options.variants, fallbacks });
+  const stage = await composeStage(store, root, diagnostics, {
+    variants: choicesIn(options.variants),
+    fallbacks: options.variantFallbacks,
+  });
   const context = contextOf(stage.layer, files, diagnostics, options);
   const contents = await readStage(context);
   noteSubdivision(context);
@@ -38,21 +41,23 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
     ...timeRange(context, contents),
     ...contents,
     diagnostics: diagnostics.list,
-    ...variantSetsIn(stage),
+    ...variantsIn(stage),
   };
 }
 
-const variantSetsIn = ({ variantSets }: ComposedStage) => (variantSets.length > 0 ? { variantSets } : {});
+/** `/World/Car{paint}` is how a scene calls the set `paint` of the prim `/World/Car`. */
+function choicesIn(variants: ReadOptions['variants'] = new Map()): VariantChoice[] {
+  return [...variants].map(([key, variant]) => {
+    const [, path, set] = /^(.*)\{(.*)\}$/.exec(key) ?? ['', key, ''];
+    return { path, set, variant };
+  });
+}
 
-const CRATE = 'PXR-USDC';
-
-/** The layer that a file's bytes hold, of whatever kind they are. */
-function parseAny(bytes: Uint8Array, name: string): Layer {
-  if (String.fromCharCode(...bytes.subarray(0, CRATE.length)) === CRATE) {
-    const message = 'is a binary (crate) layer, which is not read yet; convert it to text: usdcat in.usd -o out.usda';
-    throw inputError('usd.crate', name, message);
-  }
-  return parseLayer(bytes, name);
+function variantsIn({ variantSets }: ComposedStage): Pick<Scene, 'variants'> {
+  const variants = variantSets.map(({ path, set, variants: options, selected = '' }) => {
+    return { set: `${path}{${set}}`, options, chosen: options.includes(selected) ? selected : '' };
+  });
+  return variants.length > 0 ? { variants } : {};
 }
 
 function contextOf(layer: Layer, files: AssetFiles, diagnostics: DiagnosticList, options: ReadOptions): StageContext {

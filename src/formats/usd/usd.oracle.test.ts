@@ -1,9 +1,9 @@
-import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
+import { hasUsdCore, python } from '../../../tests/usdCore.ts';
 import { vertexPosition } from '../../scene/motion.ts';
 import { sphere } from '../../scene/primitives.ts';
 import type { Mesh, Scene, SceneObject } from '../../scene/types.ts';
@@ -15,21 +15,7 @@ import { writeUsda, writeUsdz } from './write.ts';
 
 const fixture = (name: string): string => fileURLToPath(new URL(`./fixtures/${name}`, import.meta.url));
 
-const python = (...args: string[]): string =>
-  execFileSync('python3', args, { encoding: 'utf8', maxBuffer: 2 ** 28, stdio: ['ignore', 'pipe', 'ignore'] });
-
-function hasUsdCore(): boolean {
-  try {
-    python('-c', 'import pxr.Usd');
-    return true;
-  } catch {
-    return false;
-  }
-}
-
 const available = hasUsdCore();
-if (!available)
-  console.warn('usd-core is not installed (pip install usd-core): its comparison with fresh values is skipped');
 
 interface StageJson {
   times: number[];

@@ -235,12 +235,3 @@ function skipInside(s: Scanner, depth: number): void {
   if (!',:;='.includes(s.peek())) skipValue(s, depth);
   else s.pos++;
 }
-
-/** The text between braces, as written. */
-export function rawBraces(s: Scanner): string {
-  s.skip();
-  const start = s.pos;
-  if (s.peek() !== '{') s.expected("'{'");
-  skipValue(s, 0);
-  return s.text(start + 1, s.pos - 1);
-}

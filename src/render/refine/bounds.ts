@@ -1,4 +1,5 @@
 import type { Mat4 } from '../../math/mat4.ts';
+import { SIDEWAYS } from './criterion.ts';
 import type { Gauge } from './look.ts';
 
 /**
@@ -18,6 +19,8 @@ export class ShownBall {
   sine = 1;
   /** Most of 1 + tan²θ, at most that of the picture's corner. */
   magnified = 1;
+  /** It may be shown near the plane across the line of sight (criterion.ts). */
+  sideways = true;
   /** The cone it is shown in: unit axis, sine and cosine of half its opening. */
   private ax = 0;
   private ay = 0;
@@ -61,13 +64,15 @@ export class ShownBall {
     return false;
   }
 
-  /** Fills `sine` and `magnified`. */
+  /** Fills `sine`, `magnified` and `sideways`. */
   look(): void {
     const { L, w } = this;
     const [fx, fy, fz] = this.gauge.forward;
     const { corner } = this.gauge;
-    const aside = cosineBeyond(fx * this.ax + fy * this.ay + fz * this.az, this.open, this.cosine);
+    const middle = fx * this.ax + fy * this.ay + fz * this.az;
+    const aside = cosineBeyond(middle, this.open, this.cosine);
     this.magnified = aside > 0 ? Math.min(corner, 1 / (aside * aside)) : corner;
+    this.sideways = aside < SIDEWAYS && cosineBeyond(-middle, this.open, this.cosine) < SIDEWAYS;
     const ahead = w > 0 ? (L[4] * this.ax + L[8] * this.ay + L[12] * this.az) / w : 0;
     const from = -cosineBeyond(-ahead, this.open, this.cosine);
     const to = cosineBeyond(ahead, this.open, this.cosine);

@@ -1,6 +1,6 @@
 import type { SampledPointsMotion } from '../../scene/types.ts';
-import type { BatchArrays } from '../batches.ts';
 import type { Window } from './polyline.ts';
+import type { PlannedBatch } from './showing.ts';
 import type { Lump } from './shown.ts';
 
 /** Most triangles of a cluster. */
@@ -20,7 +20,7 @@ export class Clusters {
   readonly starts: Uint32Array;
   readonly runs: readonly Run[];
 
-  constructor({ indices, ids }: BatchArrays) {
+  constructor({ indices, ids }: PlannedBatch['arrays']) {
     const triangles = indices.length / 3;
     const starts: number[] = [];
     const runs: Run[] = [];
@@ -45,7 +45,7 @@ export class Clusters {
 }
 
 /** Of each cluster, in the coordinates of its batch. */
-export const lumpsOf = (clusters: Clusters, { positions, indices }: BatchArrays): Lump[] =>
+export const lumpsOf = (clusters: Clusters, { positions, indices }: PlannedBatch['arrays']): Lump[] =>
   Array.from({ length: clusters.count }, (_, k) => lumpOf(positions, corners(clusters, indices, k)));
 
 const corners = ({ starts }: Clusters, indices: Uint32Array, k: number): Uint32Array =>

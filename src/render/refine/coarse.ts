@@ -1,4 +1,4 @@
-import { EdgeCriterion } from './criterion.ts';
+import { CUT, EdgeCriterion, WHOLE } from './criterion.ts';
 import { type LeafList, MOST_HALVINGS, MOST_LEVEL } from './leaf.ts';
 import type { Gauge } from './look.ts';
 import { POINT, type Shown } from './shown.ts';
@@ -20,6 +20,7 @@ export class Coarse {
   private points = new Float64Array(64 * POINT);
   private used = 0;
   private triangle = 0;
+  private whole = true;
 
   /** It stops when `out` has more leaves than `most`. */
   constructor(shown: Shown, gauge: Gauge, out: LeafList, most: number) {
@@ -29,13 +30,15 @@ export class Coarse {
     this.most = most;
   }
 
-  /** Adds the leaves of one triangle, given by its place and its vertices. */
-  cut(triangle: number, a: number, b: number, c: number): void {
+  /** Adds the leaves of one triangle, given by its place and its vertices. Tells whether it can as well be drawn as it is. */
+  cut(triangle: number, a: number, b: number, c: number): boolean {
     this.shown.take(a, b, c);
-    if (this.shown.turnedAway()) return;
+    if (this.shown.turnedAway()) return true;
     this.triangle = triangle;
     this.used = 0;
+    this.whole = true;
     this.divide(this.add(0, 0), this.add(1, 0), this.add(0, 1), 0);
+    return this.whole;
   }
 
   /** `settled`: bits of the edges 0–1, 1–2, 2–0 that are known not to be cut. */
@@ -87,7 +90,9 @@ export class Coarse {
   private mustCut(a: number, b: number): boolean {
     const p = this.points;
     const divisible = isWeight(0.5 * (p[a + 6] + p[b + 6])) && isWeight(0.5 * (p[a + 7] + p[b + 7]));
-    return divisible && this.criterion.mustCut(this.shown, p, a, b, MOST_PIECES);
+    const verdict = this.criterion.verdict(this.shown, p, a, b, MOST_PIECES);
+    if (verdict !== WHOLE) this.whole = false;
+    return divisible && verdict === CUT;
   }
 
   private middle(a: number, b: number): number {

@@ -3,10 +3,26 @@ import { POINT, SHORTEST, SHORTEST_KINKED, type Shown } from './shown.ts';
 
 /** Edges along which the distance, or the place that the edge is graded by, changes by more than this share of the least distance are cut. */
 export const GRADE = 0.75;
+/**
+ * The same for edges near the plane through the eye across the line of sight, where no point can be projected: no triangle reaches from there into the
+ * picture, and nothing is left to the GPU's clipping, whose places SwiftShader has wrong by many pixels, or loses.
+ */
+export const GRADE_SIDEWAYS = 0.25;
+/** Cosine of the angle from the line of sight at which that begins. */
+export const SIDEWAYS = 0.15;
 /** Errors of depth count this much less than those across the line of sight. */
-export const DEPTH_WEIGHT = 0.25;
-/** The ends that do not exist are cut off as finely as this share of an edge of the mesh. */
+export const DEPTH_WEIGHT = 0.5;
+/** A quarter of an edge that is shown shorter is never cut, however far its ends are apart along the line of sight [px]. */
+export const SHORTEST_STEP = 0.25;
+/** Ends that do not exist are cut off until what is left of an edge is shown so short [px], */
+const HORIZON_STEP = 0.5;
+/** or such a share of an edge of the mesh: near the horizon images shrink to a point. */
 const HORIZON = 1 / 256;
+
+export type Verdict = typeof WHOLE | typeof LEVEL | typeof CUT;
+export const WHOLE = 0;
+export const LEVEL = 1;
+export const CUT = 2;
 
 /**
  * Into how many equal pieces an edge must be cut, so that straight pieces are off the curve that is seen by the tolerance. It depends on the points
@@ -23,6 +39,8 @@ export class EdgeCriterion {
   private readonly inner = new Float64Array(3 * POINT);
   private readonly distances = new Float64Array(5);
   private readonly magnified = new Float64Array(5);
+  /** Cosines of their angles from the line of sight. */
+  private readonly ahead = new Float64Array(5);
   /** Of the second differences of the last edge [px]. */
   private spread = 0;
 
@@ -36,20 +54,28 @@ export class EdgeCriterion {
     return this.longPieces(shown, points, a, b);
   }
 
-  /** Whether it must be cut before the levels of leaves are found, which are `most` pieces at most and do not help where it has a corner. */
-  mustCut(shown: Shown, points: Float64Array, a: number, b: number, most: number): boolean {
-    if (shown.calm(points, a, b)) return false;
+  /**
+   * What must be done before the levels of leaves are found, which are `most` pieces at most and do not help where an edge has a corner: CUT it;
+   * LEVEL: its level does the rest; WHOLE: it has one piece.
+   */
+  verdict(shown: Shown, points: Float64Array, a: number, b: number, most: number): Verdict {
+    if (shown.calm(points, a, b)) return WHOLE;
     const length = this.length(points, a, b);
-    if (length < (shown.kinked ? SHORTEST_KINKED : SHORTEST)) return false;
+    if (length < (shown.kinked ? SHORTEST_KINKED : SHORTEST)) return WHOLE;
     const pieces = this.longPieces(shown, points, a, b);
-    return (length >= SHORTEST && pieces > most) || (shown.kinked && this.spread > 2 * this.gauge.tolerance);
+    if (shown.kinked && this.spread > this.gauge.tolerance) return CUT;
+    if (length < SHORTEST || pieces <= 1) return WHOLE;
+    return pieces > most ? CUT : LEVEL;
   }
 
   private longPieces(shown: Shown, points: Float64Array, a: number, b: number): number {
     this.spread = 0;
     this.sample(shown, points, a, b);
     const missing = this.missing(points, a, b);
-    if (missing > 0) return missing === 5 || extent(points, a, b) <= HORIZON ? 1 : Number.POSITIVE_INFINITY;
+    if (missing === 5) return 1;
+    const step = this.longestStep(points, a, b);
+    if (missing > 0) return step < HORIZON_STEP || extent(points, a, b) <= HORIZON ? 1 : Number.POSITIVE_INFINITY;
+    if (step < SHORTEST_STEP) return 1;
     if (!this.graded(points, a, b)) return Number.POSITIVE_INFINITY;
     return Math.max(1, Math.sqrt((2 * this.bend(points, a, b)) / this.gauge.tolerance));
   }
@@ -71,6 +97,7 @@ export class EdgeCriterion {
       for (let k = 6; k < POINT; k++)
         inner[at + k] = points[a + k] + (points[b + k] - points[a + k]) * (0.25 * (i + 1));
       shown.point(inner, at);
+      this.measure(inner, at, i + 1);
     }
   }
 
@@ -82,7 +109,7 @@ export class EdgeCriterion {
     return count;
   }
 
-  /** Fills |F| and 1 + tan²θ, at most that of the picture's corner, of one of the five points. */
+  /** Fills |F|, cos θ and 1 + tan²θ, at most that of the picture's corner, of one of the five points. */
   private measure(p: Float64Array, i: number, to: number): void {
     const f = this.gauge.forward;
     const x = p[i];
@@ -91,18 +118,50 @@ export class EdgeCriterion {
     const square = x * x + y * y + z * z;
     const depth = f[0] * x + f[1] * y + f[2] * z;
     const { corner } = this.gauge;
-    this.distances[to] = Math.sqrt(square);
+    const distance = Math.sqrt(square);
+    this.distances[to] = distance;
+    this.ahead[to] = depth / distance;
     this.magnified[to] = depth > 0 && square < corner * depth * depth ? square / (depth * depth) : corner;
   }
 
-  /** Both of where it is shown and of what it is graded by; the ends are measured already. */
+  /** Of the quarters that exist, as they are shown [px]; Infinity where none does. */
+  private longestStep(points: Float64Array, a: number, b: number): number {
+    const { inner, magnified } = this;
+    const s1 = this.turn(points, a, 0, inner, 0, 1);
+    const s2 = this.turn(inner, 0, 1, inner, POINT, 2);
+    const s3 = this.turn(inner, POINT, 2, inner, 2 * POINT, 3);
+    const s4 = this.turn(inner, 2 * POINT, 3, points, b, 4);
+    const turned = Math.max(s1, s2, s3, s4);
+    if (turned < 0) return Number.POSITIVE_INFINITY;
+    let most = 1;
+    for (let k = 0; k < 5; k++) if (magnified[k] > most) most = magnified[k];
+    return turned * this.gauge.look.focal * most;
+  }
+
+  /** Between the directions of two points [rad], less than 0 where one does not exist; `from`, `to`: which of the five they are. */
+  private turn(p: Float64Array, i: number, from: number, q: Float64Array, k: number, to: number): number {
+    const near = this.distances[from];
+    const far = this.distances[to];
+    const x = p[i] / near - q[k] / far;
+    const y = p[i + 1] / near - q[k + 1] / far;
+    const z = p[i + 2] / near - q[k + 2] / far;
+    const square = x * x + y * y + z * z;
+    return square >= 0 ? Math.sqrt(square) : -1;
+  }
+
+  /** Both of where it is shown and of what it is graded by. */
   private graded(points: Float64Array, a: number, b: number): boolean {
     const { inner, distances: r } = this;
-    for (let i = 0; i < 3; i++) this.measure(inner, POINT * i, i + 1);
-    if (distance(points, a, points, b, 0) > GRADE * Math.min(r[0], r[1], r[2], r[3], r[4])) return false;
+    const grade = this.sideways() ? GRADE_SIDEWAYS : GRADE;
+    if (distance(points, a, points, b, 0) > grade * Math.min(r[0], r[1], r[2], r[3], r[4])) return false;
     const ends = Math.min(norm(points, a + 3), norm(points, b + 3));
     const least = Math.min(ends, norm(inner, 3), norm(inner, POINT + 3), norm(inner, 2 * POINT + 3));
     return distance(points, a, points, b, 3) <= GRADE * least;
+  }
+
+  private sideways(): boolean {
+    const { ahead: c } = this;
+    return Math.min(c[0], c[1], c[2], c[3], c[4]) < SIDEWAYS && Math.max(c[0], c[1], c[2], c[3], c[4]) > -SIDEWAYS;
   }
 
   /** The largest second difference [px]; their spread is left in `spread`. */

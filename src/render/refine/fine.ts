@@ -1,7 +1,7 @@
 import { EdgeCriterion } from './criterion.ts';
 import { LEAF_FLOATS, MOST_LEVEL, packLevels } from './leaf.ts';
 import type { Gauge } from './look.ts';
-import { patternOf } from './pattern.ts';
+import { baseOf, patternOf } from './pattern.ts';
 import { POINT, type Shown } from './shown.ts';
 
 /** Finds the levels of leaves' edges, each from the edge alone. */
@@ -32,9 +32,11 @@ export class Fine {
       p[POINT * k + 7] = leaves[at + 2 + 2 * k];
       this.shown.point(p, POINT * k);
     }
-    const [l01, l12, l20] = [this.level(0, POINT), this.level(POINT, 2 * POINT), this.level(2 * POINT, 0)];
+    const l01 = this.level(0, POINT);
+    const l12 = this.level(POINT, 2 * POINT);
+    const l20 = this.level(2 * POINT, 0);
     this.levels = packLevels(l01, l12, l20);
-    this.pattern = patternOf(Math.max(l01, l12, l20), Math.min(l01, l12, l20));
+    this.pattern = patternOf(Math.max(l01, l12, l20), baseOf([l01, l12, l20]));
   }
 
   private level(a: number, b: number): number {

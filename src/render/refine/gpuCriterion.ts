@@ -2,12 +2,11 @@ import { bool, dot, float, If, int, Loop, length, max, min, select, uniform, vec
 import { Vector3 } from 'three/webgpu';
 import { rotate } from '../../math/quat.ts';
 import type { Bool, Float, Int, Vec3 } from '../../shaders/types.ts';
+import { DEPTH_WEIGHT, SHORTEST_STEP } from './criterion.ts';
+import { greater, patternBase } from './gpuLeaf.ts';
 import { MOST_LEVEL } from './leaf.ts';
 import type { Look } from './look.ts';
 import { SHORTEST } from './shown.ts';
-
-/** Errors of depth count this much less than those across the line of sight. */
-const DEPTH_WEIGHT = 0.25;
 
 /** Where a point of an edge is shown, in the observer's frame [m], and whether there is such a point. */
 export interface ShownPoint {
@@ -37,8 +36,7 @@ export function leafLevels(
   show: (weights: Vec3) => ShownPoint,
   gauge: EdgeGauge,
 ): { levels: Int; pattern: Int } {
-  const levels = int(0).toVar();
-  const [most, least] = [int(0).toVar(), int(MOST_LEVEL).toVar()];
+  const levels = [int(0).toVar(), int(0).toVar(), int(0).toVar()] as const;
   Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
     const edge = int(i).toVar();
     const of = (k: number) => {
@@ -46,17 +44,22 @@ export function leafLevels(
       return select(at.equal(int(1)), corners[1], select(at.equal(int(2)), corners[2], corners[0]));
     };
     const level = edgeLevel(of(0).toVar(), of(1).toVar(), show, gauge);
-    levels.addAssign(level.shiftLeft(edge.mul(int(3))));
-    most.assign(select(level.greaterThan(most), level, most));
-    least.assign(select(level.lessThan(least), level, least));
+    levels.forEach((to, k) => {
+      to.assign(select(edge.equal(int(k)), level, to));
+    });
   });
-  // As patternOf.
+  const most = greater(greater(levels[0], levels[1]), levels[2]);
+  // As patternOf and packLevels.
   const pattern = most
     .mul(most.add(int(1)))
     .shiftRight(int(1))
-    .add(least)
+    .add(patternBase(...levels))
     .toVar();
-  return { levels, pattern };
+  const packed = levels[0]
+    .add(levels[1].shiftLeft(int(3)))
+    .add(levels[2].shiftLeft(int(6)))
+    .toVar();
+  return { levels: packed, pattern };
 }
 
 /**
@@ -68,6 +71,7 @@ function edgeLevel(from: Vec3, to: Vec3, show: (weights: Vec3) => ShownPoint, ga
   const [before, middle] = [vec3(0).toVar(), vec3(0).toVar()];
   const [begin, end] = [vec3(0).toVar(), vec3(0).toVar()];
   const [least, largest, bend] = [float(1e30).toVar(), float(0).toVar(), float(0).toVar()];
+  const [turned, direction] = [float(0).toVar(), vec3(0).toVar()];
   const missing = bool(false).toVar();
   Loop({ start: int(0), end: int(5), type: 'int', condition: '<' }, ({ i }) => {
     // Loops inside `show` count with a variable of the same name.
@@ -78,7 +82,13 @@ function edgeLevel(from: Vec3, to: Vec3, show: (weights: Vec3) => ShownPoint, ga
     If(k.equal(int(0)), () => {
       begin.assign(end);
     });
-    least.assign(min(least, length(end)));
+    const distance = length(end).toVar();
+    const n = end.div(max(distance, 1e-30)).toVar();
+    If(k.greaterThan(int(0)), () => {
+      turned.assign(max(turned, length(n.sub(direction))));
+    });
+    direction.assign(n);
+    least.assign(min(least, distance));
     largest.assign(max(largest, magnification(end, gauge)));
     If(k.greaterThan(int(1)), () => {
       bend.assign(max(bend, bendOf(before.add(end).sub(middle.mul(2)).toVar(), middle, gauge)));
@@ -90,7 +100,8 @@ function edgeLevel(from: Vec3, to: Vec3, show: (weights: Vec3) => ShownPoint, ga
     .mul(gauge.focal)
     .mul(largest)
     .greaterThanEqual(least.mul(float(SHORTEST)));
-  const square = select(long.and(missing.not()), bend.mul(2).div(gauge.tolerance), float(0)).toVar();
+  const wide = turned.mul(gauge.focal).mul(largest).greaterThanEqual(SHORTEST_STEP);
+  const square = select(long.and(wide).and(missing.not()), bend.mul(2).div(gauge.tolerance), float(0)).toVar();
   const level = int(0).toVar();
   for (let k = 0; k < MOST_LEVEL; k++) level.addAssign(select(square.greaterThan(4 ** k), int(1), int(0)));
   return level;

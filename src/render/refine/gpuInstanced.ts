@@ -10,9 +10,9 @@ import type { VertexInput } from '../vertexInput.ts';
 import type { Corners } from './gpuCorners.ts';
 import { weightsAt } from './gpuLeaf.ts';
 import { patternGeometry, patternTriangles } from './gpuPatterns.ts';
-import { LEAF_FLOATS, type LeafList } from './leaf.ts';
+import { LEAF_FLOATS } from './leaf.ts';
 import { PATTERNS } from './pattern.ts';
-import type { Levelled } from './plan.ts';
+import type { Leaves, Levelled } from './plan.ts';
 
 const LEAST_ROOM = 64;
 
@@ -67,7 +67,7 @@ class InstanceRoom {
     this.geometry = instanced(this.pattern, this.buffer);
   }
 
-  fill({ leaves, count }: LeafList, firstTriangle: number): InstancedBufferGeometry {
+  fill({ leaves, count }: Leaves, firstTriangle: number): InstancedBufferGeometry {
     if (count > this.buffer.count) {
       this.geometry.dispose();
       this.buffer = leafBuffer(2 ** Math.ceil(Math.log2(count)));

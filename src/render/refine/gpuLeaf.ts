@@ -29,17 +29,24 @@ export function weightsAt({ head, tail, levels }: ShaderLeaf, i: Float, j: Float
   const [w0, w1, w2] = cornerWeights(head, tail);
   // As apexOf.
   const first = l01.lessThanEqual(l12).and(l01.lessThanEqual(l20)).toVar();
-  const second = l12.lessThanEqual(l20).toVar();
+  const next = l12.lessThanEqual(l20).toVar();
   const turned = <T extends 'int' | 'vec3'>(at0: Node<T>, at1: Node<T>, at2: Node<T>) =>
-    select(first, at2, select(second, at0, at1)) as Node<T>;
-  const base = turned(l12, l20, l01).toVar();
+    select(first, at2, select(next, at0, at1)) as Node<T>;
+  const base = patternBase(l01, l12, l20);
   const c1 = i.toVar();
   const c2 = j.toVar();
   If(j.equal(0), () => {
     c1.assign(snapped(i, turned(l01, l12, l20), base));
-  }).ElseIf(i.equal(0), () => {
-    c2.assign(snapped(j, turned(l20, l01, l12), base));
-  });
+  })
+    .ElseIf(i.equal(0), () => {
+      const second = turned(l20, l01, l12).toVar();
+      const round = float(STEPS).sub(snapped(float(STEPS).sub(j), second, base));
+      c2.assign(select(base.equal(greater(greater(l01, l12), l20)), round, snapped(j, second, base)));
+    })
+    .ElseIf(i.add(j).equal(STEPS), () => {
+      c2.assign(snapped(j, turned(l12, l20, l01), base));
+      c1.assign(float(STEPS).sub(c2));
+    });
   const [b, c] = [c1.mul(1 / STEPS).toVar(), c2.mul(1 / STEPS).toVar()];
   return turned(w0, w1, w2)
     .mul(b.add(c).oneMinus())
@@ -48,10 +55,31 @@ export function weightsAt({ head, tail, levels }: ShaderLeaf, i: Float, j: Float
     .toVar();
 }
 
+/** As baseOf (pattern.ts). */
+export function patternBase(l01: Int, l12: Int, l20: Int): Int {
+  const least = lesser(lesser(l01, l12), l20);
+  const most = greater(greater(l01, l12), l20);
+  const middle = l01.add(l12).add(l20).sub(least).sub(most).toVar();
+  const base = least.add(int(1)).add(most).sub(middle).toVar();
+  return select(base.lessThan(most).and(base.lessThanEqual(middle)), base, most).toVar();
+}
+
+// TSL's own are for floats only.
+export const greater = (a: Int, b: Int): Int => select(a.greaterThan(b), a, b).toVar();
+const lesser = (a: Int, b: Int): Int => select(a.lessThan(b), a, b).toVar();
+
 /** As its namesake in pattern.ts. */
 function snapped(k: Float, level: Int, base: Int): Float {
   const shift = int(MOST_LEVEL).sub(level).toVar();
-  const single = k.lessThanEqual(float(int(STEPS).shiftRight(base)));
-  const up = select(single, int(1).shiftLeft(shift).sub(int(1)), int(0));
-  return float(int(k).add(up).shiftRight(shift).shiftLeft(shift));
+  const step = int(1).shiftLeft(shift).toVar();
+  const width = int(STEPS).shiftRight(base).toVar();
+  const single = k.lessThanEqual(float(width)).and(step.lessThanEqual(width));
+  const up = step.sub(int(1));
+  const half = up.shiftRight(int(1));
+  return float(
+    int(k)
+      .add(select(single, up, half))
+      .shiftRight(shift)
+      .shiftLeft(shift),
+  );
 }

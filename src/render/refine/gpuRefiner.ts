@@ -1,6 +1,8 @@
 import type { Batch } from '../batches.ts';
 import type { Gpu } from '../device.ts';
 import type { Drawable } from '../drawable.ts';
+import type { RendererOptions } from '../settings.ts';
+import { canTravel, DistantPlanner } from './distantPlanner.ts';
 import { LeafBuffers } from './gpuBuffers.ts';
 import { Corners } from './gpuCorners.ts';
 import { IndexedClusters } from './gpuIndexed.ts';
@@ -10,13 +12,12 @@ import { ListedPieces } from './gpuListed.ts';
 import { OrderedPieces } from './gpuOrdered.ts';
 import { ALL_PATTERNS, patternGeometry } from './gpuPatterns.ts';
 import type { Look } from './look.ts';
-import { type Plan, planPicture, Refinement } from './plan.ts';
+import { type LevelledPlan, LocalPlanner, type PlannedPart, type Planner } from './planner.ts';
 
 /** A batch: what of it is drawn as it is, and what in pieces, made when it first needs any. */
 interface Part {
   readonly slot: number;
   readonly indexed: Drawable;
-  readonly refinement: Refinement;
   readonly clusters: IndexedClusters;
   pieces?: ListedPieces | InstancedPieces | OrderedPieces;
 }
@@ -25,8 +26,10 @@ interface ListRequest extends LeafRequest {
   readonly pieces: ListedPieces;
 }
 
+export type RefinerOptions = Pick<RendererOptions, 'tolerance' | 'planWorker' | 'onBetterPlan'>;
+
 /** Most leaves of a picture, by who finds their levels. */
-const BUDGET = { webgpu: 2 ** 17, webgl: 2 ** 14 } as const;
+const BUDGET = { webgpu: 2 ** 17, webgl: 2 ** 16 } as const;
 /** Pictures. */
 const COUNT_EVERY = 10;
 /** [px] */
@@ -37,6 +40,7 @@ export class Refiner {
   private readonly gpu: Gpu;
   private readonly tolerance: number;
   private readonly parts: readonly Part[];
+  private readonly planner: Planner;
   private readonly addDrawable: (drawable: Drawable) => void;
   private readonly corners = new Corners();
   private readonly patterns = patternGeometry(ALL_PATTERNS);
@@ -46,13 +50,21 @@ export class Refiner {
   private known = 0;
   private listed = 0;
   private pictures = 0;
+  private reached = 0;
 
   /** `add` is given drawables as they are made; they are its to dispose. */
-  constructor(gpu: Gpu, indexed: readonly Drawable[], add: (drawable: Drawable) => void, tolerance = TOLERANCE) {
+  constructor(gpu: Gpu, indexed: readonly Drawable[], add: (drawable: Drawable) => void, options: RefinerOptions) {
     this.gpu = gpu;
-    this.tolerance = tolerance;
+    this.tolerance = options.tolerance ?? TOLERANCE;
     this.addDrawable = add;
-    this.parts = indexed.map((drawable, slot) => makePart(drawable, slot));
+    this.planner = plannerOf(
+      indexed.map(({ batch }) => ({ batch, levelled: batch.transparent || gpu.backend !== 'webgpu' })),
+      options,
+    );
+    this.parts = indexed.map((drawable, slot) => {
+      const clusters = new IndexedClusters(drawable, this.planner.starts(slot));
+      return { slot, indexed: drawable, clusters };
+    });
     this.buffers = new LeafBuffers(indexed.length, this.patterns.runs);
     this.levels = new GpuLevels(gpu.renderer, this.corners, this.buffers);
   }
@@ -62,6 +74,11 @@ export class Refiner {
     return this.known + this.listed;
   }
 
+  /** How far straight edges may be from the curves that are seen in the last picture [px]: more than asked for where there would be too many. */
+  get toleranceReached(): number {
+    return this.reached;
+  }
+
   /** Shows what is drawn of the batches that may be in the picture, cut for it. */
   show(look: Omit<Look, 'tolerance' | 'budget'>, seen: (batch: Batch) => boolean): void {
     if (this.tolerance === Number.POSITIVE_INFINITY) {
@@ -69,13 +86,13 @@ export class Refiner {
       return;
     }
     const wanted: Look = { ...look, tolerance: this.tolerance, budget: BUDGET[this.gpu.backend] };
-    const refinements = this.parts.map(({ indexed, refinement }) => (seen(indexed.batch) ? refinement : undefined));
-    const plans = planPicture(refinements, wanted);
+    const plans = this.planner.plan({ look: wanted, seen: this.parts.map(({ indexed }) => seen(indexed.batch)) });
     const requests: ListRequest[] = [];
     this.known = 0;
+    this.reached = plans.reduce((most, plan) => Math.max(most, plan?.tolerance ?? 0), this.tolerance);
     this.parts.forEach((part, i) => {
       const plan = plans[i];
-      if (plan) this.showPart(part, plan, wanted, requests);
+      if (plan) this.showPart(part, plan, requests);
       else hidePart(part);
     });
     const runs = this.levels.find(wanted, requests);
@@ -96,6 +113,7 @@ export class Refiner {
   }
 
   dispose(): void {
+    this.planner.dispose();
     this.levels.dispose();
     this.buffers.dispose();
     this.corners.dispose();
@@ -109,8 +127,8 @@ export class Refiner {
       else hidePart(part);
   }
 
-  private showPart(part: Part, plan: Plan, look: Look, requests: ListRequest[]): void {
-    const { clusters, refinement, indexed, slot } = part;
+  private showPart(part: Part, plan: LevelledPlan, requests: ListRequest[]): void {
+    const { clusters, indexed, slot } = part;
     const firstTriangle = plan.count > 0 ? this.corners.firstTriangle(indexed.batch) : undefined;
     if (firstTriangle === undefined) {
       part.pieces?.hide();
@@ -121,7 +139,7 @@ export class Refiner {
     const { pieces } = part;
     if (pieces instanceof ListedPieces)
       requests.push({ slot, family: familyOf(indexed), sources: indexed.vertex, plan, firstTriangle, pieces });
-    else this.known += pieces.show(refinement.levelled(plan, look), firstTriangle);
+    else this.known += pieces.show(plan.levels ?? [], firstTriangle);
     if (pieces instanceof OrderedPieces) clusters.hide();
     else this.known += clusters.show(plan.clusters);
   }
@@ -138,9 +156,9 @@ export class Refiner {
   }
 }
 
-function makePart(indexed: Drawable, slot: number): Part {
-  const refinement = new Refinement(indexed.batch);
-  return { slot, indexed, refinement, clusters: new IndexedClusters(indexed, refinement.starts) };
+function plannerOf(parts: readonly PlannedPart[], { planWorker, onBetterPlan }: RefinerOptions): Planner {
+  if (!planWorker || !canTravel(parts)) return new LocalPlanner(parts);
+  return new DistantPlanner(parts, planWorker(), () => onBetterPlan?.());
 }
 
 function hidePart({ clusters, pieces }: Part): void {

@@ -1,20 +1,20 @@
 import { add, dot, length, type Vec3 } from '../../math/vec3.ts';
 import type { WorldLine } from '../../physics/worldLine.ts';
 import type { HyperbolicMotion } from '../../scene/types.ts';
-import { type Body, lineOfCentre } from '../bodies.ts';
+import { lineOfCentre, type MovingBody } from '../bodies.ts';
 import { meet, type Sight, type Span, spanOf, trailingPoint } from '../sight.ts';
 import type { Mover, Reach } from './moving.ts';
 import type { Lump } from './shown.ts';
 
 /** A body in hyperbolic motion: each point has its own world line; behind its horizon it is not seen. */
 export class Hyperbolic implements Mover {
-  private readonly body: Body;
+  private readonly body: MovingBody;
   private readonly motion: HyperbolicMotion;
   private readonly positions: Float32Array;
   private readonly sight: Sight;
   private corners: readonly [number, number, number] = [0, 0, 0];
 
-  constructor(body: Body, motion: HyperbolicMotion, positions: Float32Array, sight: Sight) {
+  constructor(body: MovingBody, motion: HyperbolicMotion, positions: Float32Array, sight: Sight) {
     this.body = body;
     this.motion = motion;
     this.positions = positions;

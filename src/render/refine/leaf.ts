@@ -32,7 +32,11 @@ export class LeafList {
   }
 
   clear(): void {
-    this.used = 0;
+    this.truncate(0);
+  }
+  /** Forgets all but the first. */
+  truncate(count: number): void {
+    this.used = count;
   }
 
   /** A part of a triangle: a, b, c are the places of its corners in `points` (shown.ts). */

@@ -3,7 +3,7 @@ import { IDENTITY } from '../../math/mat4.ts';
 import { negate, type Vec3 } from '../../math/vec3.ts';
 import { boostMatrix, gamma } from '../../physics/boost.ts';
 import { ShownBall } from './bounds.ts';
-import { GRADE } from './criterion.ts';
+import { GRADE, GRADE_SIDEWAYS } from './criterion.ts';
 import type { Gauge } from './look.ts';
 import { DRAWN, type Fate, type Lump, OUTSIDE, REFINED, SHORTEST, SHORTEST_KINKED, type Shown } from './shown.ts';
 
@@ -68,7 +68,8 @@ export class Moving implements Shown {
     const image = longest * Math.sqrt(2 * L[0] * ball.mostStretched);
     const scale = (gauge.look.focal * ball.magnified) / (ball.leastStretched * ball.near);
     if (image * scale < (this.kinked ? SHORTEST_KINKED : SHORTEST)) return DRAWN;
-    const graded = image < GRADE * ball.leastStretched * ball.near && longest < GRADE * ball.near;
+    const grade = ball.sideways ? GRADE_SIDEWAYS : GRADE;
+    const graded = image < grade * ball.leastStretched * ball.near && longest < GRADE * ball.near;
     return graded && 2 * scale * this.bend(reach, longest, ball.near) < gauge.tolerance ? DRAWN : REFINED;
   }
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { MOST_LEVEL, packLevels } from './leaf.ts';
-import { apexOf, cutLeaf, PATTERNS, patternOf, STEPS, snapped } from './pattern.ts';
+import { apexOf, baseOf, cutLeaf, PATTERNS, patternOf, STEPS, snapped } from './pattern.ts';
 
 type Levels = readonly [number, number, number];
 const all = Array.from({ length: MOST_LEVEL + 1 }, (_, level) => level);
@@ -46,8 +46,18 @@ describe('a leaf that is cut as its edges ask', () => {
     }
   });
 
+  it('where its edges are alike, no piece is longer than a piece of them', () => {
+    for (const level of all)
+      for (const corners of piecesOf([level, level, level]))
+        corners.forEach(([x, y], k) => {
+          const [p, q] = corners[(k + 1) % 3];
+          const most = Math.max(Math.abs(x - p), Math.abs(y - q), Math.abs(x + y - p - q));
+          expect(most).toBeCloseTo(2 ** -level, 12);
+        });
+  });
+
   it('is one strip where it is a sliver, and a lattice where its edges are alike', () => {
-    expect(cutLeaf(packLevels(4, 0, 4)).length / 6).toBe(31);
+    expect(cutLeaf(packLevels(4, 0, 4)).length / 6).toBeLessThan(48);
     expect(cutLeaf(packLevels(4, 4, 4)).length / 6).toBe(256);
     expect(cutLeaf(packLevels(0, 0, 0)).length / 6).toBe(1);
   });
@@ -63,6 +73,16 @@ it('there is a pattern for every pair of the highest and the lowest level, with 
   expect(PATTERNS).toHaveLength(15);
 });
 
+it('a strip is cut finer across than its base asks, so that what lies across it does not add up', () => {
+  expect(baseOf([4, 0, 4])).toBe(1);
+  expect(baseOf([1, 4, 4])).toBe(2);
+  expect(baseOf([4, 3, 0])).toBe(2);
+  for (const levels of combinations) {
+    const base = baseOf(levels);
+    if (base < Math.max(...levels)) expect(base).toBeGreaterThan(Math.min(...levels));
+  }
+});
+
 it('the apex is across from an edge of the lowest level', () => {
   for (const levels of combinations) expect(levels[(apexOf(levels) + 1) % 3]).toBe(Math.min(...levels));
 });
@@ -71,7 +91,9 @@ it('a place on an edge goes to one of the two that the edge has next to it', () 
   for (const level of all)
     for (let k = 0; k <= STEPS; k++) {
       const step = STEPS >> level;
-      expect(snapped(k, level, 0) % step).toBe(0);
-      expect(Math.abs(snapped(k, level, 0) - k)).toBeLessThan(step);
+      for (let base = 0; base <= MOST_LEVEL; base++) {
+        expect(snapped(k, level, base) % step).toBe(0);
+        expect(Math.abs(snapped(k, level, base) - k)).toBeLessThan(step);
+      }
     }
 });

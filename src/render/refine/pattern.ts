@@ -4,12 +4,11 @@ import { MOST_LEVEL } from './leaf.ts';
 export const STEPS = 1 << MOST_LEVEL;
 
 /**
- * How a leaf is divided whose edges have at most n = 2^level pieces and at least 2^base. The edge with the fewest is its base; rows run from the apex
+ * How a leaf is divided whose edges have at most n = 2^level pieces. The edge with the fewest is its base; rows run from the apex
  * across from it down to it, the i-th at the share i/n. A place (i, j) has i + j STEPS-ths of the way from the apex to the base, j of them along the edge
  * that ends at the base's second corner.
  *
- * Where all edges have n pieces, the i-th row has i. Else it has 2^base at the base and half as many as often as it is half as long, so that a
- * sliver is one strip.
+ * In a lattice the i-th row has i pieces. In a strip, for slivers, it has 2^base at the base and half as many as often as it is half as long.
  */
 export interface Pattern {
   readonly level: number;
@@ -18,7 +17,18 @@ export interface Pattern {
   readonly indices: Uint16Array;
 }
 
+/** `base` = level: a lattice. */
 export const patternOf = (level: number, base: number): number => (level * (level + 1)) / 2 + base;
+
+/**
+ * How wide a leaf is cut: what lies across a strip is the sum of a piece of its base and one of a long edge, and is off by more than either: up to (√a + √b)² where they are by a and b. So the base
+ * has twice the pieces that it needs, and again twice where the two long edges do not go together; what is not much narrower than long is a lattice.
+ */
+export function baseOf(levels: readonly [number, number, number]): number {
+  const [least, middle, most] = [...levels].sort((a, b) => a - b);
+  const base = least + 1 + most - middle;
+  return base < most && base <= middle ? base : most;
+}
 
 export const PATTERNS: readonly Pattern[] = Array.from({ length: MOST_LEVEL + 1 }, (_, level) =>
   Array.from({ length: level + 1 }, (_, base) => makePattern(level, base)),
@@ -57,7 +67,7 @@ function zip(above: Row, below: Row, indices: number[]): void {
   let [a, b] = [0, 0];
   while (a < above.pieces || b < below.pieces) {
     const [top, bottom] = [above.first + a, below.first + b];
-    if ((b + 1) * above.pieces <= (a + 1) * below.pieces) {
+    if ((b + 1) * above.pieces < (a + 1) * below.pieces) {
       indices.push(top, bottom, bottom + 1);
       b++;
     } else {
@@ -68,13 +78,14 @@ function zip(above: Row, below: Row, indices: number[]): void {
 }
 
 /**
- * A place at k STEPS-ths from the apex along an edge of some level goes to one of the 2^level + 1 that the edge has, so that leaves on both sides of
- * the edge meet it at the same points: in the part of the pattern that is one piece wide to the next one, else all triangles at the apex would lie
- * in the edge across from it, and where there are vertices between the edges to the one before. Each is taken by some vertex.
+ * A place at k STEPS-ths along an edge of some level goes to the nearest of the 2^level + 1 that the edge has, so that leaves on both sides of
+ * the edge meet it at the same points; in the part of a strip that is one piece wide to the next one, else all triangles at the apex would lie
+ * in the edge across from it. Each is taken by some vertex.
  */
 export function snapped(k: number, level: number, base: number): number {
   const step = STEPS >> level;
-  return Math.floor((k + (k <= STEPS >> base ? step - 1 : 0)) / step) * step;
+  const single = k <= STEPS >> base && step <= STEPS >> base;
+  return Math.floor((k + (single ? step - 1 : (step - 1) >> 1)) / step) * step;
 }
 
 /** Which corner of a leaf is the apex: across from the edge of the lowest level, the first of several. */
@@ -96,17 +107,15 @@ export function cutLeaf(levels: number): Float32Array {
 }
 
 function makeCut(levels: readonly [number, number, number]): Float32Array {
-  const { places, indices } = PATTERNS[patternOf(Math.max(...levels), Math.min(...levels))];
+  const [level, base] = [Math.max(...levels), baseOf(levels)];
+  const { places, indices } = PATTERNS[patternOf(level, base)];
   const apex = apexOf(levels);
+  const turned = [0, 1, 2].map((e) => levels[(apex + e) % 3]);
   const out: number[] = [];
   for (let t = 0; t < indices.length; t += 3) {
     const corners = [0, 1, 2].map((k) => {
       const v = 2 * indices[t + k];
-      const shares = snapPlace(
-        places[v],
-        places[v + 1],
-        [0, 1, 2].map((e) => levels[(apex + e) % 3]),
-      );
+      const shares = snapPlace(places[v], places[v + 1], turned, { level, base });
       return [shares[(4 - apex) % 3], shares[(5 - apex) % 3]];
     });
     const [[ax, ay], [bx, by], [cx, cy]] = corners;
@@ -115,9 +124,22 @@ function makeCut(levels: readonly [number, number, number]): Float32Array {
   return Float32Array.from(out);
 }
 
-/** Weights of the apex and the base's ends; `levels` of the edges from the apex, of the base, and back to the apex. */
-function snapPlace(i: number, j: number, [first, base, second]: readonly number[]): readonly [number, number, number] {
-  const c1 = j === 0 ? snapped(i, first, base) : i;
-  const c2 = i === 0 ? snapped(j, second, base) : j;
+/**
+ * Weights of the apex and the base's ends; levels of the edges from the apex, of the base, and back to the apex. In a lattice, what is halfway goes to
+ * the one before on the way round, so that no piece has all its corners on one edge.
+ */
+function snapPlace(
+  i: number,
+  j: number,
+  [first, across, second]: readonly number[],
+  { level, base }: { readonly level: number; readonly base: number },
+): readonly [number, number, number] {
+  let [c1, c2] = [i, j];
+  if (j === 0) c1 = snapped(i, first, base);
+  else if (i === 0) c2 = base === level ? STEPS - snapped(STEPS - j, second, base) : snapped(j, second, base);
+  else if (i + j === STEPS) {
+    c2 = snapped(j, across, base);
+    c1 = STEPS - c2;
+  }
   return [1 - (c1 + c2) / STEPS, c1 / STEPS, c2 / STEPS];
 }

@@ -1,12 +1,11 @@
-import type { Batch } from '../batches.ts';
-import type { Body } from '../bodies.ts';
+import type { MovingBody } from '../bodies.ts';
 import { Clusters, DeformingLumps, lumpsOf, type Run, together } from './clusters.ts';
 import { Coarse } from './coarse.ts';
 import { Fine } from './fine.ts';
 import { LEAF_FLOATS, LeafList } from './leaf.ts';
 import { type Gauge, gaugeOf, type Look } from './look.ts';
 import { PATTERNS } from './pattern.ts';
-import { showing, windowOf } from './showing.ts';
+import { type PlannedBatch, showing, windowOf } from './showing.ts';
 import { DRAWN, type Lump, OUTSIDE, REFINED, type Shown } from './shown.ts';
 
 /** How one batch is drawn in one picture. */
@@ -23,12 +22,17 @@ export interface Plan {
 }
 
 /** Leaves by their patterns (pattern.ts), the levels of their edges filled in; valid until the next call. */
-export type Levelled = readonly LeafList[];
+export type Levelled = readonly Leaves[];
+/** 8 floats each. */
+export interface Leaves {
+  readonly leaves: Float32Array;
+  readonly count: number;
+}
 
 /** One batch: its clusters, and what they need in a picture. */
 export class Refinement {
-  private readonly batch: Batch;
-  private readonly bodies: ReadonlyMap<number, Body>;
+  private readonly batch: PlannedBatch;
+  private readonly bodies: ReadonlyMap<number, MovingBody>;
   private readonly clusters: Clusters;
   /** Of each cluster, where the mesh does not deform, and of each run. */
   private readonly lumps: readonly Lump[];
@@ -36,9 +40,9 @@ export class Refinement {
   private readonly deforming: DeformingLumps | undefined;
   private readonly fates: Uint8Array;
   private readonly leaves = new LeafList();
-  private readonly levels: Levelled = PATTERNS.map(() => new LeafList());
+  private readonly levels: readonly LeafList[] = PATTERNS.map(() => new LeafList());
 
-  constructor(batch: Batch) {
+  constructor(batch: PlannedBatch) {
     const { arrays, bodies } = batch;
     this.batch = batch;
     this.bodies = new Map(bodies.map((body) => [body.id, body]));
@@ -127,22 +131,15 @@ export class Refinement {
     for (let k = 0; k < fates.length; k++) if (fates[k] === DRAWN) fates[k] = REFINED;
   }
 
+  /** Where no edge of a cluster is cut after all, it is drawn as it is. */
   private cut(cluster: number, coarse: Coarse): void {
     const { indices } = this.batch.arrays;
+    const before = this.leaves.count;
+    let whole = !this.batch.transparent;
     for (let t = this.starts[cluster]; t < this.starts[cluster + 1]; t++)
-      coarse.cut(t, indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]);
+      whole = coarse.cut(t, indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]) && whole;
+    if (!whole) return;
+    this.leaves.truncate(before);
+    this.fates[cluster] = DRAWN;
   }
 }
-
-/** The plans of all batches of a picture that may be seen (undefined: a batch that is not). One tolerance for all, or there were cracks. */
-export function planPicture(refinements: readonly (Refinement | undefined)[], look: Look): (Plan | undefined)[] {
-  for (let tolerance = look.tolerance; ; tolerance *= 2) {
-    const most = tolerance < LARGEST_TOLERANCE ? look.budget : Number.POSITIVE_INFINITY;
-    const plans = refinements.map((r) => r?.plan(look, tolerance, most));
-    const count = plans.reduce((n, plan) => n + (plan?.count ?? 0), 0);
-    if (count <= most) return plans;
-  }
-}
-
-/** Beyond this [px] a budget is not kept. */
-const LARGEST_TOLERANCE = 1000;

@@ -1,5 +1,5 @@
-import type { Batch } from '../batches.ts';
-import { type Body, lineOfCentre } from '../bodies.ts';
+import type { BatchArrays } from '../batches.ts';
+import { lineOfCentre, type MovingBody } from '../bodies.ts';
 import { sampleWindow, spanOf } from '../sight.ts';
 import { Hyperbolic } from './hyperbolic.ts';
 import type { Gauge } from './look.ts';
@@ -8,8 +8,16 @@ import { Deforming, Posed, type Window } from './polyline.ts';
 import type { Shown } from './shown.ts';
 import { Steady, steadyMap } from './steady.ts';
 
+/** As much of a batch (batches.ts) as its plans are made from. */
+export interface PlannedBatch {
+  readonly transparent: boolean;
+  readonly doubleSided: boolean;
+  readonly bodies: readonly MovingBody[];
+  readonly arrays: Pick<BatchArrays, 'positions' | 'indices' | 'ids'>;
+}
+
 /** How a body of a batch is shown in one picture; undefined where nothing of it ever is. */
-export function showing(body: Body, { arrays, doubleSided }: Batch, gauge: Gauge): Shown | undefined {
+export function showing(body: MovingBody, { arrays, doubleSided }: PlannedBatch, gauge: Gauge): Shown | undefined {
   const { motion, authoredIn } = body.object;
   const { sight } = gauge.look;
   const line = lineOfCentre(body, sight.c);
@@ -27,7 +35,7 @@ export function showing(body: Body, { arrays, doubleSided }: Batch, gauge: Gauge
 }
 
 /** The samples that a picture of a sampled body needs. */
-export function windowOf(body: Body, { look }: Gauge): Window | undefined {
+export function windowOf(body: MovingBody, { look }: Gauge): Window | undefined {
   const line = lineOfCentre(body, look.sight.c);
   const span = spanOf(line, body.radius, look.sight);
   if (line.kind !== 'polyline' || !span) return undefined;

@@ -4,7 +4,7 @@ import { boostMatrix, gamma, properVelocity } from '../../physics/boost.ts';
 import { contraction, simultaneitySlice, simultaneousPosition } from '../../physics/simultaneity.ts';
 import { positionAt, type StaticLine, type UniformLine } from '../../physics/worldLine.ts';
 import { ShownBall } from './bounds.ts';
-import { DEPTH_WEIGHT } from './criterion.ts';
+import { DEPTH_WEIGHT, GRADE_SIDEWAYS } from './criterion.ts';
 import type { Gauge } from './look.ts';
 import { DRAWN, type Fate, type Lump, OUTSIDE, REFINED, SHORTEST, type Shown } from './shown.ts';
 
@@ -193,6 +193,7 @@ export class Steady implements Shown {
     const scale = this.gauge.look.focal / (ball.leastStretched * ball.near);
     const image = longest * Math.sqrt(2 * this.gamma * ball.mostStretched);
     if (image * scale * ball.magnified < SHORTEST) return false;
+    if (ball.sideways && image > GRADE_SIDEWAYS * ball.leastStretched * ball.near) return true;
     const across = ball.sine * ball.magnified;
     const seen = w * Math.sqrt(across * across + DEPTH_WEIGHT * DEPTH_WEIGHT);
     return !((seen * longest * longest * scale) / (8 * ball.near) < this.gauge.tolerance);

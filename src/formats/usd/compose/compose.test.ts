@@ -2,12 +2,12 @@ import { existsSync, readFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
-import type { VariantChoice } from '../../registry.ts';
 import type { FileSource } from '../../source.ts';
 import type { Json } from '../fixtures/layerJson.ts';
 import { composedFiles, composedSource } from './fixtures/composedFiles.ts';
 import { checkSum, stageJson, variantSetsJson } from './fixtures/stageJson.ts';
 import { fixtureStages } from './fixtures/stages.ts';
+import type { VariantChoice } from './session.ts';
 
 interface Expected {
   readonly prims: Record<string, Json>;

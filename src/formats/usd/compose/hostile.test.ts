@@ -57,7 +57,7 @@ variantSet "__proto__" = { "x" { int m = 1
 } }
 }`,
     });
-    expect(composed.variantSets.map((s) => s.name)).toEqual(['v', '__proto__']);
+    expect(composed.variantSets.map((s) => s.set)).toEqual(['v', '__proto__']);
     expect([...composed.layer.rootPrims.get('A')!.properties.keys()]).toEqual(['m']);
   });
 });
@@ -148,25 +148,25 @@ variantSet "shape" = { "cube" { def Cube "X" {}
 
   it('comes before what the file selects, and that before fallbacks', async () => {
     expect(await paths({})).toEqual(['/A/X']);
-    expect(await paths({ variants: [{ path: '/A', set: 'shape', variant: 'ball' }] })).toEqual(['/A/Y']);
-    expect(await paths({ variants: [{ path: '/A', set: 'shape', variant: '' }] })).toEqual([]);
-    expect(await paths({ variantFallbacks: { shape: ['none', 'ball'] } })).toEqual(['/A/X', '/B/Y']);
+    expect(await paths({ variants: new Map([['/A{shape}', 'ball']]) })).toEqual(['/A/Y']);
+    expect(await paths({ variants: new Map([['/A{shape}', '']]) })).toEqual([]);
+    expect(await paths({ variantFallbacks: new Map([['shape', ['none', 'ball']]]) })).toEqual(['/A/X', '/B/Y']);
   });
 
   it('is said to be nothing where it is nothing', async () => {
-    const variants = [
-      { path: '/A', set: 'shape', variant: 'cone' },
-      { path: '/None', set: 'x', variant: 'y' },
-    ];
+    const variants = new Map([
+      ['/A{shape}', 'cone'],
+      ['/None{x}', 'y'],
+    ]);
     const scene = await readUsd(source, 'a.usda', { variants });
     const said = scene.diagnostics.filter((d) => d.code === 'usd.variant').map((d) => d.message);
     expect(said).toEqual([
       "the variant 'cone' of 'shape' is chosen, but shape has ball, cube",
       "the variant 'y' of 'x' is chosen, but x is not a variant set of this prim",
     ]);
-    expect(scene.variantSets).toEqual([
-      { path: '/A', name: 'shape', variants: ['ball', 'cube'], selected: 'cone' },
-      { path: '/B', name: 'shape', variants: ['ball', 'cube'] },
+    expect(scene.variants).toEqual([
+      { set: '/A{shape}', options: ['ball', 'cube'], chosen: '' },
+      { set: '/B{shape}', options: ['ball', 'cube'], chosen: '' },
     ]);
   });
 });

@@ -1,6 +1,13 @@
-import type { VariantChoice } from '../../registry.ts';
 import type { Layer, PrimSpec } from '../layer.ts';
 import { isPrimPath } from './paths.ts';
+
+/** A variant that the user chose instead of the file's; an empty one takes the choice away. */
+export interface VariantChoice {
+  /** Of the prim that has the set. */
+  readonly path: string;
+  readonly set: string;
+  readonly variant: string;
+}
 
 /** The choices as a layer of overs, above all others. */
 export function sessionLayer(choices: readonly VariantChoice[]): Layer {

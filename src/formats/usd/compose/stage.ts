@@ -1,5 +1,3 @@
-import type { VariantSet } from '../../../scene/types.ts';
-import type { VariantChoice } from '../../registry.ts';
 import { type DiagnosticList, report } from '../context.ts';
 import type { Layer, PrimSpec } from '../layer.ts';
 import { childNames } from './childNames.ts';
@@ -9,8 +7,8 @@ import { type LayerStack, LayerStacks } from './layerStack.ts';
 import { type LayerStore, type LoadedLayer, loadedLayer } from './layerStore.ts';
 import type { Node } from './node.ts';
 import { type Composer, IndexBuilder } from './primIndex.ts';
-import { sessionLayer } from './session.ts';
-import { variantSetsOf } from './variantSets.ts';
+import { sessionLayer, type VariantChoice } from './session.ts';
+import { type OfferedSet, variantSetsOf } from './variantSets.ts';
 
 /** Prims of one stage, and sites that they are composed from: a small file can ask for any number. */
 const MAX_PRIMS = 250_000;
@@ -22,13 +20,13 @@ export interface ComposeOptions {
   /** Stronger than what the file selects. */
   readonly variants?: readonly VariantChoice[] | undefined;
   /** Where nothing is selected: the variants of a set, the best first. */
-  readonly fallbacks?: ReadonlyMap<string, readonly string[]>;
+  readonly fallbacks?: ReadonlyMap<string, readonly string[]> | undefined;
 }
 
 export interface ComposedStage {
   /** The stage as if one layer said it all: prims without arcs, values as they are resolved, paths of the stage. */
   readonly layer: Layer;
-  readonly variantSets: readonly VariantSet[];
+  readonly variantSets: readonly OfferedSet[];
 }
 
 /** A thing to say about a prim once it is certain that its index stands. */
@@ -56,7 +54,7 @@ class StageComposer {
   private readonly diagnostics: DiagnosticList;
   private readonly composer: Composer;
   private readonly choices: readonly VariantChoice[];
-  private readonly variantSets: VariantSet[] = [];
+  private readonly variantSets: OfferedSet[] = [];
   private noted: Noted[] = [];
   private prims = 0;
 
@@ -132,7 +130,7 @@ class StageComposer {
 
   private noteUnmetChoices(): void {
     for (const { path, set, variant } of this.choices) {
-      const offered = this.variantSets.find((s) => s.path === path && s.name === set);
+      const offered = this.variantSets.find((s) => s.path === path && s.set === set);
       if (offered?.variants.includes(variant) || (offered && variant === '')) continue;
       const why = offered ? `has ${offered.variants.join(', ')}` : 'is not a variant set of this prim';
       this.say('usd.variant', path, `the variant '${variant}' of '${set}' is chosen, but ${set} ${why}`);

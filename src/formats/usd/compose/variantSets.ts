@@ -1,10 +1,18 @@
-import type { VariantSet } from '../../../scene/types.ts';
 import { byStrength, type Node } from './node.ts';
 import { selectionOf } from './paths.ts';
 import { selectionAt, variantSetsAt, variantsAt } from './sites.ts';
 
+/** What a prim lets one choose between. */
+export interface OfferedSet {
+  readonly path: string;
+  readonly set: string;
+  readonly variants: readonly string[];
+  /** As the layers or the user select; it need not be among the variants. */
+  readonly selected?: string;
+}
+
 /** The sets of a prim, those of the strongest site first, with all variants that any site has. */
-export function variantSetsOf(index: Node, path: string): VariantSet[] {
+export function variantSetsOf(index: Node, path: string): OfferedSet[] {
   const nodes = byStrength(index).filter((node) => node.contributes);
   const variants = new Map<string, Set<string>>();
   for (const node of nodes)
@@ -15,7 +23,7 @@ export function variantSetsOf(index: Node, path: string): VariantSet[] {
     }
   return [...variants].map(([name, names]) => {
     const selected = selectedIn(nodes, name);
-    return { path, name, variants: [...names].sort(), ...(selected ? { selected } : {}) };
+    return { path, set: name, variants: [...names].sort(), ...(selected ? { selected } : {}) };
   });
 }
 

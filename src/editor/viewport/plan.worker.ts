@@ -1,0 +1,4 @@
+import { servePlans } from '../../render/refine/planServer.ts';
+
+/** Plans pictures off the main thread. */
+servePlans(self);

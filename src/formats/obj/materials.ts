@@ -1,0 +1,173 @@
+import { makeMaterial } from '../../scene/defaults.ts';
+import type { Material, Texture } from '../../scene/types.ts';
+import { withAlphaFrom } from '../images.ts';
+import { resolvePath } from '../source.ts';
+import { lineError, numberOf, type ObjContext, type Statement } from './context.ts';
+import type { UvPlacement } from './meshes.ts';
+import { PictureLoader, type PictureRef, pictureRef } from './pictures.ts';
+import { statements } from './statements.ts';
+
+/** A material as an .mtl writes it. */
+interface MtlMaterial {
+  readonly file: string;
+  readonly name: string;
+  readonly numbers: ReadonlyMap<string, readonly number[]>;
+  readonly pictures: ReadonlyMap<string, PictureRef>;
+}
+
+/** A material with how its pictures are placed. */
+export interface ReadMaterial {
+  readonly material: Material;
+  readonly uvs?: UvPlacement;
+}
+
+/** Most names of .mtl files that are looked for. */
+const MAX_FILES = 1000;
+/** Most materials of one file. */
+const MAX_MATERIALS = 2 ** 16;
+const COLORS = ['Kd', 'Ks', 'Ke'];
+const SCALARS = ['Ns', 'Ni', 'd', 'Tr', 'Pr', 'Pm'];
+const SHOWN_PICTURES = ['map_Kd', 'map_Ke', 'map_d'];
+/** Said once each where they are met, for they change what is seen. */
+const LEFT_OUT = /^(map_|bump$|norm$|disp$|decal$|refl$|Tf$|Pc$|Pcr$|Ps$|aniso$|anisor$)/i;
+
+/** The materials of .mtl files by name; what is missing is named with where it was looked for. */
+export class MaterialLibrary {
+  readonly #context: ObjContext;
+  readonly #pictures: PictureLoader;
+  readonly #written = new Map<string, MtlMaterial>();
+  readonly #files: string[] = [];
+  #named = 0;
+  constructor(context: ObjContext) {
+    this.#context = context;
+    this.#pictures = new PictureLoader(context);
+  }
+
+  /** `mtllib a.mtl b.mtl`: a name may hold spaces, which the format leaves open. */
+  async load({ line, words, rest }: Statement): Promise<void> {
+    this.#named += words.length;
+    if (this.#named > MAX_FILES) {
+      throw lineError(this.#context.entry, line, 'too-many', `more than ${MAX_FILES} files of materials are named`);
+    }
+    if (await this.#loadFile(rest)) return;
+    const missing: string[] = [];
+    for (const name of words.length > 1 ? words : []) if (!(await this.#loadFile(name))) missing.push(name);
+    const names = words.length > 1 ? missing : [rest];
+    for (const name of names) {
+      const { entry, notes } = this.#context;
+      const message = `the materials ${name} are not there (looked for ${resolvePath(entry, name)}); put them beside it, or open the folder that holds both`;
+      notes.add('warning', 'missing-materials', `line ${line}`, message);
+    }
+  }
+
+  async #loadFile(name: string): Promise<boolean> {
+    const file = resolvePath(this.#context.entry, name);
+    if (this.#files.includes(file)) return true;
+    const bytes = name === '' ? undefined : await this.#context.source.read(file);
+    if (!bytes) return false;
+    this.#files.push(file);
+    for (const material of readMtl(bytes, file, this.#context)) this.#written.set(material.name, material);
+    return true;
+  }
+
+  /** The material of a name; a light grey one, with a warning, where no file has it. */
+  async read(name: string): Promise<ReadMaterial> {
+    const written = this.#written.get(name);
+    if (written) return convert(written, this.#pictures);
+    if (name !== '') {
+      const where = this.#files.length > 0 ? this.#files.join(', ') : 'no materials were found';
+      this.#context.notes.add(
+        'warning',
+        'missing-material',
+        name,
+        `no such material (${where}); it is shown light grey`,
+      );
+    }
+    return { material: makeMaterial({ name: name || 'default' }) };
+  }
+}
+
+/** Materials in the order of the file. Throws an InputError that names the line where a number is none. */
+function readMtl(bytes: Uint8Array, file: string, { notes }: ObjContext): MtlMaterial[] {
+  const out: MtlMaterial[] = [];
+  let numbers = new Map<string, readonly number[]>();
+  let pictures = new Map<string, PictureRef>();
+  for (const statement of statements(bytes, file)) {
+    const { line, keyword, words, rest } = statement;
+    if (keyword === 'newmtl') {
+      if (out.length >= MAX_MATERIALS)
+        throw lineError(file, line, 'too-many', `there are more than ${MAX_MATERIALS} materials`);
+      [numbers, pictures] = [new Map(), new Map()];
+      out.push({ file, name: rest, numbers, pictures });
+    } else if (COLORS.includes(keyword)) {
+      if (words[0] === 'spectral' || words[0] === 'xyz')
+        notes.add('warning', 'color', `${file}: line ${line}`, `${keyword} ${words[0]} is not read`);
+      else numbers.set(keyword, colorOf(file, statement));
+    } else if (SCALARS.includes(keyword)) numbers.set(keyword, [scalarOf(file, statement)]);
+    else if (SHOWN_PICTURES.includes(keyword)) pictures.set(keyword, pictureRef(file, statement));
+    else if (LEFT_OUT.test(keyword)) {
+      notes.add('info', 'ignored', `material ${out.at(-1)?.name ?? ''}`, `${keyword} of it is left out`);
+    }
+  }
+  return out;
+}
+
+/** One number stands for all three. */
+function colorOf(file: string, { line, words }: Statement): readonly number[] {
+  const r = numberOf(file, line, words[0]);
+  return words.length < 3 ? [r, r, r] : [r, numberOf(file, line, words[1]), numberOf(file, line, words[2])];
+}
+
+/** `d -halo 0.5` is read as `d 0.5`. */
+const scalarOf = (file: string, { line, words }: Statement): number =>
+  numberOf(file, line, words.filter((w) => w !== '-halo')[0]);
+
+async function convert({ name, numbers, pictures }: MtlMaterial, loader: PictureLoader): Promise<ReadMaterial> {
+  const [r, g, b] = numbers.get('Kd') ?? (pictures.has('map_Kd') ? [1, 1, 1] : [0.8, 0.8, 0.8]);
+  const emissive = numbers.get('Ke') ?? (pictures.has('map_Ke') ? [1, 1, 1] : [0, 0, 0]);
+  const ior = scalar(numbers, 'Ni');
+  const baseColorTexture = await baseTexture(pictures, loader);
+  const emissiveTexture = await loader.texture(pictures.get('map_Ke'));
+  const uvs = (pictures.get('map_Kd') ?? pictures.get('map_Ke') ?? pictures.get('map_d'))?.uvs;
+  const material = makeMaterial({
+    name,
+    baseColor: [r, g, b],
+    ...(baseColorTexture && { baseColorTexture }),
+    emissive: [emissive[0], emissive[1], emissive[2]],
+    ...(emissiveTexture && { emissiveTexture }),
+    roughness: roughnessOf(numbers),
+    metallic: clamped(scalar(numbers, 'Pm') ?? 0),
+    opacity: clamped(scalar(numbers, 'd') ?? 1 - (scalar(numbers, 'Tr') ?? 0)),
+    // Many programs write 1 or 0 where they mean nothing.
+    ...(ior !== undefined && ior > 1 && { ior }),
+  });
+  return uvs ? { material, uvs } : { material };
+}
+
+const scalar = (numbers: ReadonlyMap<string, readonly number[]>, name: string): number | undefined =>
+  numbers.get(name)?.[0];
+const clamped = (x: number): number => Math.min(1, Math.max(0, x));
+
+/**
+ * Pr as it is. Else from the exponent n = Ns of Blinn and Phong by the width of its lobe, roughness⁴ = 2 / (n + 2)
+ * (Walter et al. 2007, eq. for Blinn–Phong's α_b, with α = roughness²); matt where Ks says that nothing is reflected.
+ */
+function roughnessOf(numbers: ReadonlyMap<string, readonly number[]>): number {
+  const given = scalar(numbers, 'Pr');
+  if (given !== undefined) return clamped(given);
+  if (numbers.get('Ks')?.every((x) => x === 0)) return 1;
+  const exponent = scalar(numbers, 'Ns');
+  return exponent === undefined ? 0.6 : clamped((2 / (Math.max(0, exponent) + 2)) ** 0.25);
+}
+
+/** The colour's picture, with the opacity's in its alpha. */
+async function baseTexture(
+  pictures: ReadonlyMap<string, PictureRef>,
+  loader: PictureLoader,
+): Promise<Texture | undefined> {
+  const [color, opacity] = [pictures.get('map_Kd'), pictures.get('map_d')];
+  const alpha = opacity && (await loader.image(opacity));
+  if (!alpha) return loader.texture(color);
+  const merged = withAlphaFrom(color && (await loader.image(color)), alpha, 0);
+  return loader.textureOf(color ?? opacity, merged);
+}

@@ -1,0 +1,130 @@
+import { makeMesh } from '../../scene/geometry.ts';
+import { cornerNormals } from '../../scene/normals.ts';
+import type { Polygons } from '../../scene/polygons.ts';
+import type { Mesh } from '../../scene/types.ts';
+import { FLAT, type ObjGeometry, type ObjPart } from './geometry.ts';
+
+/** How the uvs of a material are placed: (u, v) · scale + offset (options -s and -o of its picture). */
+export interface UvPlacement {
+  readonly scale: readonly [number, number];
+  readonly offset: readonly [number, number];
+}
+
+/** What a face's material is to its mesh. */
+export interface Worn {
+  /** In `Scene.materials`. */
+  readonly place: number;
+  readonly uvs?: UvPlacement;
+}
+
+/** The triangles of a part; `worn`: by place among the file's materials. */
+export function meshOf(geometry: ObjGeometry, part: ObjPart, worn: readonly Worn[]): Mesh {
+  const corners = part.corners.values();
+  const own = ownPoints(geometry, corners);
+  const faces = { points: own.points, faceCounts: part.counts.values(), faceIndices: own.indices };
+  const uvs = cornerUvs(geometry, part, corners, worn);
+  const polygons: Polygons = {
+    ...faces,
+    normals: { per: 'corner', values: allNormals(geometry, part, corners, faces) },
+    ...(uvs && { uvs: { per: 'corner', values: uvs } }),
+    ...(own.colors && { colors: { per: 'point', values: own.colors } }),
+    faceMaterials: part.materials.values().map((material) => worn[material].place),
+    // The format does not say which side is the outside, and its files do not agree.
+    doubleSided: true,
+  };
+  return makeMesh(polygons).mesh;
+}
+
+/** The points that a part uses, in order of their first use: a file has one list for all its parts. */
+function ownPoints(geometry: ObjGeometry, corners: Int32Array) {
+  const [points, colors] = [geometry.points.values(), geometry.colors.values()];
+  const places = new Map<number, number>();
+  const indices = new Uint32Array(corners.length / 3);
+  for (let c = 0; c < indices.length; c++) {
+    const point = corners[3 * c];
+    const place = places.get(point) ?? places.size;
+    places.set(point, place);
+    indices[c] = place;
+  }
+  const gathered = (value: (at: number) => number): Float32Array => {
+    const out = new Float32Array(3 * places.size);
+    for (const [point, place] of places) for (let k = 0; k < 3; k++) out[3 * place + k] = value(3 * point + k);
+    return out;
+  };
+  const color = (at: number): number => (at < colors.length ? geometry.linear(colors[at]) : 1);
+  return { indices, points: gathered((at) => points[at]), colors: colors.length > 0 ? gathered(color) : undefined };
+}
+
+function cornerUvs(
+  { uvs }: ObjGeometry,
+  part: ObjPart,
+  corners: Int32Array,
+  worn: readonly Worn[],
+): Float32Array | undefined {
+  if (uvs.length === 0) return undefined;
+  const [from, materials] = [uvs.values(), part.materials.values()];
+  const out = new Float32Array((2 * corners.length) / 3);
+  forEachCorner(part, (face, c) => {
+    const uv = corners[3 * c + 1];
+    if (uv < 0) return;
+    const placed = worn[materials[face]].uvs;
+    for (let k = 0; k < 2; k++) {
+      const value = from[2 * uv + k];
+      out[2 * c + k] = placed ? value * placed.scale[k] + placed.offset[k] : value;
+    }
+  });
+  return out;
+}
+
+type Faces = Pick<Polygons, 'points' | 'faceCounts' | 'faceIndices'>;
+
+/** As written; where a corner has none, by its face's smoothing group. */
+function allNormals({ normals }: ObjGeometry, part: ObjPart, corners: Int32Array, faces: Faces): Float32Array {
+  const from = normals.values();
+  const out = new Float32Array(corners.length);
+  let isWhole = true;
+  for (let c = 0; c < corners.length / 3; c++) {
+    const normal = corners[3 * c + 2];
+    if (normal >= 0) out.set(from.subarray(3 * normal, 3 * normal + 3), 3 * c);
+    else isWhole = false;
+  }
+  if (!isWhole) {
+    const computed = smoothNormals(part, faces);
+    for (let c = 0; c < corners.length / 3; c++) {
+      if (corners[3 * c + 2] < 0) out.set(computed.subarray(3 * c, 3 * c + 3), 3 * c);
+    }
+  }
+  return out;
+}
+
+/**
+ * A face is smooth with the faces of its group, wherever they meet; faces of group 0 are flat. To that end a point counts
+ * as one for each group, and as one for each flat corner, and all of them are smooth.
+ */
+function smoothNormals(part: ObjPart, faces: Faces): Float32Array {
+  const smoothing = part.smoothing.values();
+  const groups = new Map<number, number>();
+  const places = new Map<number, number>();
+  const points: number[] = [];
+  const faceIndices = new Uint32Array(faces.faceIndices.length);
+  const add = (point: number): number => {
+    for (let k = 0; k < 3; k++) points.push(faces.points[3 * point + k]);
+    return points.length / 3 - 1;
+  };
+  forEachCorner(part, (face, c) => {
+    const point = faces.faceIndices[c];
+    const group = smoothing[face];
+    const row = groups.get(group) ?? groups.size;
+    groups.set(group, row);
+    const key = (row * faces.points.length) / 3 + point;
+    faceIndices[c] = places.get(key) ?? add(point);
+    if (group !== FLAT) places.set(key, faceIndices[c]);
+  });
+  return cornerNormals({ points, faceCounts: faces.faceCounts, faceIndices }, Math.PI);
+}
+
+function forEachCorner(part: ObjPart, visit: (face: number, corner: number) => void): void {
+  const counts = part.counts.values();
+  let corner = 0;
+  for (let face = 0; face < counts.length; face++) for (let k = 0; k < counts[face]; k++) visit(face, corner++);
+}

@@ -1,0 +1,98 @@
+import { makeMaterial } from '../../scene/defaults.ts';
+import { makeMesh } from '../../scene/geometry.ts';
+import type { PolygonValues } from '../../scene/polygons.ts';
+import { InputError, type Material, type Mesh, type Scene, type Texture } from '../../scene/types.ts';
+import { inputError } from '../fail.ts';
+import { decodeImage } from '../images.ts';
+import { Notes } from '../notes.ts';
+import { plainScene } from '../plainScene.ts';
+import { type FileSource, resolvePath } from '../source.ts';
+import { type PlyContents, readContents } from './contents.ts';
+import { readHeader } from './header.ts';
+import { valueReader } from './rows.ts';
+
+/** Faces without normals that meet at less than this are smooth [rad], as those of USD are. */
+const SMOOTH_ANGLE = Math.PI / 3;
+
+/**
+ * Reads PLY (Stanford triangle format), text or binary of either byte order, as one resting mesh. Throws an InputError that
+ * names file, line or byte, and value where it cannot.
+ */
+export async function readPly(source: FileSource, entry: string): Promise<Scene> {
+  const bytes = await source.read(entry);
+  if (!bytes) throw inputError('file.missing', entry, 'no such file');
+  const notes = new Notes(entry, 'ply');
+  const header = readHeader(bytes, entry);
+  const contents = readContents(header, valueReader(bytes, header, entry), entry);
+  const mesh = meshOf(contents, notes);
+  if (!mesh) return plainScene(entry, [], [], notes);
+  const texture = header.texture === undefined ? undefined : await readTexture(source, entry, header.texture, notes);
+  return plainScene(entry, [{ name: '', mesh }], [materialOf(texture, contents)], notes);
+}
+
+function meshOf(contents: PlyContents, notes: Notes): Mesh | undefined {
+  const { points, normals, colors, faceColors } = contents;
+  if (contents.faceCounts.length === 0) {
+    notes.add('warning', 'points', '', `its ${points.length / 3} points have no faces; points are not shown`);
+    return undefined;
+  }
+  const uvs = uvsOf(contents);
+  const shownColors: PolygonValues | undefined = colors
+    ? { per: 'point', values: colors }
+    : faceColors && { per: 'face', values: faceColors.values() };
+  const { mesh, skippedFaces } = makeMesh({
+    points,
+    faceCounts: contents.faceCounts.values(),
+    faceIndices: contents.faceIndices.values(),
+    ...(normals ? { normals: { per: 'point', values: normals } } : { smoothAngle: SMOOTH_ANGLE }),
+    ...(uvs && { uvs }),
+    ...(shownColors && { colors: shownColors }),
+    // The format does not say which side is the outside, and its files do not agree.
+    doubleSided: true,
+  });
+  if (skippedFaces > 0)
+    notes.add('warning', 'faces', '', `${skippedFaces} faces have fewer than 3 corners; they are left out`);
+  return mesh.indices.length > 0 ? mesh : undefined;
+}
+
+function uvsOf({ uvs, cornerUvs }: PlyContents): PolygonValues | undefined {
+  if (cornerUvs) return { per: 'corner', values: cornerUvs.values() };
+  return uvs && { per: 'point', values: uvs };
+}
+
+/** White where the picture or the colours tell the colour. */
+function materialOf(texture: Texture | undefined, { colors, faceColors }: PlyContents): Material {
+  const isColored = texture ?? colors ?? faceColors;
+  return makeMaterial({
+    name: 'default',
+    ...(isColored && { baseColor: [1, 1, 1] }),
+    ...(texture && { baseColorTexture: texture }),
+  });
+}
+
+async function readTexture(
+  source: FileSource,
+  entry: string,
+  name: string,
+  notes: Notes,
+): Promise<Texture | undefined> {
+  const path = resolvePath(entry, name);
+  const bytes = await source.read(path);
+  if (!bytes) {
+    notes.add(
+      'warning',
+      'missing-texture',
+      '',
+      `the texture ${name} is not there (looked for ${path}); shown without it`,
+    );
+    return undefined;
+  }
+  try {
+    const image = decodeImage(bytes, path);
+    return { name, ...image, colorSpace: 'srgb', filter: 'linear', wrapS: 'repeat', wrapT: 'repeat' };
+  } catch (thrown) {
+    if (!(thrown instanceof InputError)) throw thrown;
+    notes.add('warning', 'texture', '', `${thrown.message}; shown without it`);
+    return undefined;
+  }
+}

@@ -1,0 +1,40 @@
+import { cross, dot, normalize, sub, type Vec3 } from '../../math/vec3.ts';
+import { pointAt } from '../../scene/polygons.ts';
+import type { Mesh } from '../../scene/types.ts';
+
+/** The facets of one solid. */
+export interface Facets {
+  readonly name: string;
+  /** 9 per facet. */
+  readonly points: Float32Array;
+  /** How many have a written normal that points away from the one of their corners. */
+  readonly turned: number;
+}
+
+/** The normal that the order of a facet's corners gives, not of unit length. */
+export function facetNormal(points: ArrayLike<number>, facet: number): Vec3 {
+  const a = pointAt(points, 3 * facet);
+  return cross(sub(pointAt(points, 3 * facet + 1), a), sub(pointAt(points, 3 * facet + 2), a));
+}
+
+/** Whether a written normal points away from the one of the corners. */
+export const isTurned = (written: Vec3, corners: Vec3): boolean => dot(written, corners) < 0;
+
+/** Flat triangles, each with corners of its own. */
+export function facetMesh({ points }: Facets): Mesh {
+  const vertices = points.length / 3;
+  const normals = new Float32Array(points.length);
+  for (let v = 0; v < vertices; v += 3) {
+    const n = normalize(facetNormal(points, v / 3), [0, 0, 1]);
+    for (let k = 0; k < 3; k++) normals.set(n, 3 * (v + k));
+  }
+  return {
+    positions: points,
+    normals,
+    uvs: new Float32Array(2 * vertices),
+    indices: Uint32Array.from({ length: vertices }, (_, v) => v),
+    groups: [{ start: 0, count: vertices, material: 0 }],
+    // Files of scanners and of many programs have facets the wrong way round.
+    doubleSided: true,
+  };
+}

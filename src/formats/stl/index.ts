@@ -1,0 +1,1 @@
+export { readStl } from './read.ts';

@@ -1,0 +1,156 @@
+import { fromHalf } from '../../half.ts';
+import type { NumberArray, Value } from '../layer.ts';
+import { readInt32s, readInt64s } from './integers.ts';
+import type { Rep } from './rep.ts';
+import { type CrateSource, Cursor } from './source.ts';
+import type { ArrayType, CrateScalar } from './types.ts';
+
+/** Shorter arrays are never compressed, whatever their representation says. */
+const LEAST_COMPRESSED = 16;
+
+const BYTES = { bool: 1, uchar: 1, int: 4, uint: 4, half: 2, float: 4, double: 8 } as const;
+
+export const ARRAYS = {
+  bool: Uint8Array,
+  uchar: Uint8Array,
+  int: Int32Array,
+  uint: Uint32Array,
+  half: Float32Array,
+  float: Float32Array,
+  double: Float64Array,
+} as const;
+
+/** What a text in an array costs: a reference. */
+const REFERENCE_BYTES = 8;
+
+/** Finds texts by what stands for them in values. */
+export interface Texts {
+  token(index: number, at?: number): string;
+  string(index: number, at?: number): string;
+}
+
+/** An array that lies in the file: how many items, then the items, as they are or compressed. */
+export function readArray(source: CrateSource, rep: Rep, type: ArrayType, texts: Texts): Value {
+  const cursor = new Cursor(source, rep.offset);
+  const isEmpty = rep.isInlined || rep.offset === 0;
+  const count = isEmpty ? 0 : readLength(cursor);
+  const compressed = rep.isCompressed && count >= LEAST_COMPRESSED;
+  switch (type.kind) {
+    case 'text':
+      return { type: `${type.storage}[]`, data: readTexts(cursor, count, type.storage, texts) };
+    case 'bool':
+      return { type: 'bool[]', data: readNumbers(cursor, 'bool', count).map((x) => (x === 0 ? 0 : 1)) };
+    case 'long': {
+      const pairs = compressed ? readInt64s(cursor, count, 'integers') : readPairs(cursor, count);
+      return type.storage === 'int64'
+        ? { type: 'int64[]', data: new BigInt64Array(pairs.buffer) }
+        : { type: 'uint64[]', data: new BigUint64Array(pairs.buffer) };
+    }
+    case 'number':
+      return {
+        type: `${type.storage}[]`,
+        data: compressed ? readCompressed(cursor, type.scalar, count) : readNumbers(cursor, type.scalar, count),
+      };
+    case 'tuple':
+      return { type: `${type.storage}[]`, data: readNumbers(cursor, type.scalar, count * type.size) };
+  }
+}
+
+/** Before 0.5 the rank stood before the length, before 0.7 the length had 32 bits. */
+function readLength(cursor: Cursor): number {
+  const { source } = cursor;
+  if (source.version < 5) cursor.u32('the rank of an array');
+  const { at } = cursor;
+  const length = source.version < 7 ? cursor.u32('the length of an array') : cursor.i64('the length of an array');
+  return length >= 0 && length < 2 ** 31 ? length : source.fail(`an array has length ${length}`, at);
+}
+
+function readTexts(cursor: Cursor, count: number, storage: string, texts: Texts): string[] {
+  const { source } = cursor;
+  const from = cursor.pass(4 * count, `an array of ${count} texts`);
+  source.spend(REFERENCE_BYTES * count, `an array of ${count} texts`, from);
+  return Array.from({ length: count }, (_, i) => {
+    const at = from + 4 * i;
+    const index = source.view.getUint32(at, true);
+    return storage === 'token' ? texts.token(index, at) : texts.string(index, at);
+  });
+}
+
+/** One number as it lies. */
+export function readNumber(cursor: Cursor, scalar: CrateScalar): number {
+  const { view } = cursor.source;
+  const at = cursor.pass(BYTES[scalar], 'a number');
+  switch (scalar) {
+    case 'half':
+      return fromHalf(view.getUint16(at, true));
+    case 'float':
+      return view.getFloat32(at, true);
+    case 'double':
+      return view.getFloat64(at, true);
+    case 'int':
+      return view.getInt32(at, true);
+    case 'uint':
+      return view.getUint32(at, true);
+    default:
+      return view.getUint8(at);
+  }
+}
+
+/** What is shorter is read number by number, which makes no buffer of its own [bytes]. */
+const LEAST_COPIED = 64;
+
+/** `count` numbers as they lie. Halves become f32. */
+export function readNumbers(cursor: Cursor, scalar: CrateScalar, count: number): NumberArray {
+  const { source } = cursor;
+  const size = BYTES[scalar] * count;
+  const from = cursor.pass(size, `an array of ${count} numbers`);
+  source.spend(scalar === 'half' ? 2 * size : size, `an array of ${count} numbers`, from);
+  const NumbersArray = ARRAYS[scalar];
+  if (size < LEAST_COPIED) {
+    const out = new NumbersArray(count);
+    const each = new Cursor(source, from);
+    for (let i = 0; i < count; i++) out[i] = readNumber(each, scalar);
+    return out;
+  }
+  // A copy: the file need not be kept for it, and it begins where the platform wants numbers to begin.
+  const { buffer } = source.bytes.slice(from, from + size);
+  return scalar === 'half' ? Float32Array.from(new Uint16Array(buffer), fromHalf) : new NumbersArray(buffer);
+}
+
+function readPairs(cursor: Cursor, count: number): Uint32Array<ArrayBuffer> {
+  const from = cursor.pass(8 * count, `an array of ${count} numbers`);
+  cursor.source.spend(8 * count, `an array of ${count} numbers`, from);
+  return new Uint32Array(cursor.source.bytes.slice(from, from + 8 * count).buffer);
+}
+
+const [AS_INTEGERS, BY_TABLE] = ['i', 't'].map((c) => c.charCodeAt(0));
+
+function readCompressed(cursor: Cursor, scalar: CrateScalar, count: number): NumberArray {
+  const { source, at } = cursor;
+  if (scalar === 'int') return readInt32s(cursor, count, 'integers');
+  if (scalar === 'uint') return new Uint32Array(readInt32s(cursor, count, 'integers').buffer);
+  if (scalar === 'uchar' || scalar === 'bool') return source.fail(`an array of ${scalar} says it is compressed`, at);
+  const code = cursor.u8('how numbers are compressed');
+  if (code !== AS_INTEGERS && code !== BY_TABLE) source.fail(`numbers are compressed in an unknown way (${code})`, at);
+  const FloatArray = ARRAYS[scalar];
+  source.spend(FloatArray.BYTES_PER_ELEMENT * count, `an array of ${count} numbers`, at);
+  if (code === AS_INTEGERS) return FloatArray.from(readInt32s(cursor, count, 'whole numbers'));
+  const table = readNumbers(cursor, scalar, cursor.u32('the size of a table of numbers'));
+  return pick(source, table, readInt32s(cursor, count, 'places in a table'), new FloatArray(count), at);
+}
+
+function pick<T extends NumberArray>(
+  source: CrateSource,
+  table: NumberArray,
+  places: Int32Array,
+  out: T,
+  at: number,
+): T {
+  for (let i = 0; i < places.length; i++) {
+    const place = places[i];
+    if (place < 0 || place >= table.length)
+      source.fail(`number ${i} of an array is at place ${place} of a table of ${table.length}`, at);
+    out[i] = table[place];
+  }
+  return out;
+}

@@ -1,0 +1,46 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it, vi } from 'vitest';
+import { random } from '../../../math/random.ts';
+import { InputError } from '../../../scene/types.ts';
+import { outcome } from './fixtures/outcome.ts';
+
+// Thousands of readings take seconds, on a busy machine many.
+vi.setConfig({ testTimeout: 60_000 });
+
+const fixture = (name: string): Uint8Array =>
+  new Uint8Array(readFileSync(new URL(`./fixtures/${name}.usdc`, import.meta.url)));
+
+describe.each(['values', 'arrays', 'arrays-0.4', 'structure', 'splines', 'written'])('%s.usdc, damaged,', (name) => {
+  const whole = fixture(name);
+
+  it('is refused when cut off anywhere', () => {
+    for (let k = 0; k < 20; k++)
+      expect(outcome(whole.subarray(0, Math.floor((whole.length * k) / 20)))).toBeInstanceOf(InputError);
+    expect(outcome(whole.subarray(0, whole.length - 1))).toBeInstanceOf(InputError);
+  });
+
+  it('is read or refused with any byte changed', () => {
+    const next = random(20261121);
+    const damaged = whole.slice();
+    for (let k = 0; k < 2000; k++) {
+      const at = Math.floor(next() * whole.length);
+      damaged[at] = Math.floor(next() * 256);
+      outcome(damaged);
+      damaged[at] = whole[at];
+    }
+  });
+});
+
+describe.each(['splines', 'written'])('%s.usdc', (name) => {
+  it('is read or refused with a huge count anywhere', () => {
+    const whole = fixture(name);
+    const damaged = whole.slice();
+    const view = new DataView(damaged.buffer);
+    for (let at = 16; at + 8 <= whole.length; at++)
+      for (const count of [2n ** 31n - 1n, 2n ** 40n, 2n ** 63n - 1n, -1n]) {
+        view.setBigInt64(at, count, true);
+        outcome(damaged);
+        damaged.set(whole.subarray(at, at + 8), at);
+      }
+  });
+});
