@@ -8,5 +8,10 @@ if (!existsSync(program)) {
   );
   process.exit(1);
 }
+// Who reads only the beginning, as `head` does, has what they wanted.
+process.stdout.on('error', (error) => {
+  if (error.code !== 'EPIPE') throw error;
+  process.exit(0);
+});
 const { main } = await import(program.href);
 process.exitCode = await main(process.argv.slice(2));

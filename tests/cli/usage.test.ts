@@ -1,5 +1,7 @@
+import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { expect, test } from 'vitest';
 import { outputFolder, scene, slowlight } from './program.ts';
 
@@ -14,6 +16,14 @@ test('help and version', async () => {
     version: string;
   };
   expect((await slowlight('--version')).out.trim()).toBe(version);
+});
+
+test('who closes the pipe early is no fault of the program', () => {
+  const program = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
+  const { stderr } = spawnSync('sh', ['-c', `'${process.execPath}' '${program}' render --help | true`], {
+    encoding: 'utf8',
+  });
+  expect(stderr).not.toContain('EPIPE');
 });
 
 const out = (name: string): string => join(folder, name);
