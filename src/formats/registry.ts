@@ -9,6 +9,8 @@ export interface ReadOptions {
   readonly chordTolerance?: number;
   /** Name of a variant set → the option to show. Default: what the file itself chooses. */
   readonly variants?: ReadonlyMap<string, string>;
+  /** USD: variants by the name of a set, the best first, where nothing is chosen. */
+  readonly variantFallbacks?: ReadonlyMap<string, readonly string[]>;
 }
 
 /** A kind of scene file. `read` loads its parser on first use, so that the page stays small. */

@@ -1,14 +1,15 @@
 import type { Diagnostic } from '../../scene/types.ts';
-import type { FileSource } from '../source.ts';
 import { boolAt } from './attributes.ts';
+import type { AssetFiles } from './compose/assets.ts';
 import type { Layer, MetadataValue, PrimSpec } from './layer.ts';
 import { splitProperty } from './paths.ts';
 
 /** One stage while it is read: what its parts need to know, and what they have to say about the file. */
 export interface StageContext {
+  /** The composed stage. */
   readonly layer: Layer;
-  /** Where textures come from, by paths relative to the layer's own. */
-  readonly source: FileSource;
+  /** Where textures come from. */
+  readonly files: AssetFiles;
   /** Metres in one unit of the file. */
   readonly unit: number;
   readonly codesPerSecond: number;

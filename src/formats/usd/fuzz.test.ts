@@ -96,6 +96,6 @@ describe('packages', () => {
     expect(packed.objects).toEqual((await read('a.usda', fixture('meshes.usda'))).objects);
     expect(packed.objects).toEqual((await read('a.usd', crate)).objects);
     const short = packUsdz(new Map([['a.usdc', crate.subarray(0, 100)]]));
-    expect(await refusal(short)).toMatch(/^a\.usdz\/a\.usdc \(.*the file ends at byte 100; it is cut off or damaged/);
+    expect(await refusal(short)).toMatch(/^a\.usdz\[a\.usdc\] \(.*the file ends at byte 100; it is cut off or damaged/);
   });
 });

@@ -111,6 +111,7 @@ export type NumberArray = Float64Array | Float32Array | Int32Array | Uint32Array
  * A value of one storage type. A role is of the property, not of the value: `color3f` is stored as `float3`.
  * Vectors, matrices (row by row, as written) and arrays of them are flat. Quaternions are x y z w, though the text has
  * w first. Halves are held as f32, which holds them exactly. `unregistered` is the text as written.
+ * After composition, `anchor` is the layer that an asset's path is relative to.
  */
 export type Value =
   | { readonly type: 'blocked' }
@@ -118,12 +119,14 @@ export type Value =
   | { readonly type: 'bool'; readonly data: boolean }
   | { readonly type: NumberType; readonly data: number }
   | { readonly type: 'int64' | 'uint64'; readonly data: bigint }
-  | { readonly type: TextType | 'unregistered'; readonly data: string }
+  | { readonly type: Exclude<TextType, 'asset'> | 'unregistered'; readonly data: string }
+  | { readonly type: 'asset'; readonly data: string; readonly anchor?: string }
   | { readonly type: TupleType; readonly data: NumberArray }
   | { readonly type: ArrayOf<NumberType | TupleType | 'bool'>; readonly data: NumberArray }
   | { readonly type: 'int64[]'; readonly data: BigInt64Array }
   | { readonly type: 'uint64[]'; readonly data: BigUint64Array }
-  | { readonly type: ArrayOf<TextType>; readonly data: readonly string[] }
+  | { readonly type: ArrayOf<Exclude<TextType, 'asset'>>; readonly data: readonly string[] }
+  | { readonly type: 'asset[]'; readonly data: readonly string[]; readonly anchor?: string }
   | { readonly type: 'dictionary'; readonly data: Dictionary };
 
 export type Dictionary = ReadonlyMap<string, Value>;

@@ -1,7 +1,7 @@
 import * as mat4 from '../../math/mat4.ts';
 import { normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import type { FrameMotion, Light } from '../../scene/types.ts';
-import { attributeOf, numberAt, sampleTimes, textAt, vec3At } from './attributes.ts';
+import { attributeOf, numberAt, sampleTimes, textOf, valueAt, vec3At } from './attributes.ts';
 import { isTrue, report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
 import type { PrimSpec, PropertySpec } from './layer.ts';
@@ -44,10 +44,11 @@ export async function lightOf(
     const motion = sphereMotion(context, prim, frame, directions);
     return { kind: 'sphere', path, motion, lifetime: lifetimeOf(directions), radius, color };
   }
-  const file = textAt(prim, 'inputs:texture:file', context.startCode);
-  const image = file ? await textures.file(file, path) : undefined;
+  const file = valueAt(attributeOf(prim, 'inputs:texture:file'), context.startCode);
+  const name = textOf(file);
+  const image = name ? await textures.file(file, path) : undefined;
   if (!image) return { kind: 'dome', path, color };
-  return { kind: 'dome', path, color, texture: { ...textureOf(context, prim, image, false), name: file! } };
+  return { kind: 'dome', path, color, texture: { ...textureOf(context, prim, image, false), name: name! } };
 }
 
 function sphereMotion(context: StageContext, prim: PrimSpec, frame: Frame, directions: Directions): FrameMotion {

@@ -1,14 +1,16 @@
 import type { Scene } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
 import type { ReadOptions } from '../registry.ts';
-import { type FileSource, resolvePath } from '../source.ts';
+import type { FileSource } from '../source.ts';
+import { AssetFiles } from './compose/assets.ts';
+import { LayerStore } from './compose/layerStore.ts';
+import type { VariantChoice } from './compose/session.ts';
+import { type ComposedStage, composeStage } from './compose/stage.ts';
 import { DiagnosticList, metadataNumber, report, type StageContext } from './context.ts';
-import { noteUnreadLayers } from './coverage.ts';
 import type { Layer } from './layer.ts';
 import { readLayer } from './readLayer.ts';
 import { hintsOf } from './slowlight.ts';
 import { readStage, type StageContents, upAxisOf } from './stage.ts';
-import { isZip, openPackage } from './usdz.ts';
 
 /** Distance between a resampled path and the true one, as a fraction of the object's size, where none is asked for. */
 const CHORD_TOLERANCE = 1e-4;
@@ -17,46 +19,57 @@ const CHORD_TOLERANCE = 1e-4;
 const POINT_BUDGET = 2 ** 30;
 
 /**
- * Reads a USD layer, text or binary, or a package that holds one, as a scene. What it says and is not read is in the scene's
- * diagnostics. Throws an InputError where the file is not readable at all.
+ * Reads the stage of a USD layer, or of a package, as a scene, with all layers that it is composed from. What it says
+ * and is not read is in the scene's diagnostics. Throws an InputError where the file is not readable at all.
  */
-export async function readUsd(files: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
-  const bytes = await files.read(entry);
+export async function readUsd(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
+  const bytes = await source.read(entry);
   if (!bytes) throw inputError('file.missing', entry, 'no such file');
-  const { layer, source } = openLayer(files, entry, bytes);
-  const context = contextOf(layer, source, options);
-  noteUnreadLayers(context);
+  const diagnostics = new DiagnosticList();
+  const files = new AssetFiles(source, entry);
+  const store = new LayerStore(files, readLayer);
+  const root = await store.root(entry, bytes);
+  const stage = await composeStage(store, root, diagnostics, {
+    variants: choicesIn(options.variants),
+    fallbacks: options.variantFallbacks,
+  });
+  const context = contextOf(stage.layer, files, diagnostics, options);
   const contents = await readStage(context);
   noteSubdivision(context);
   return {
     ...sceneHeader(context, entry),
     ...timeRange(context, contents),
     ...contents,
-    diagnostics: context.diagnostics.list,
+    diagnostics: diagnostics.list,
+    ...variantsIn(stage),
   };
 }
 
-function openLayer(files: FileSource, entry: string, bytes: Uint8Array): { layer: Layer; source: FileSource } {
-  if (!isZip(bytes)) return { layer: readLayer(bytes, entry), source: files };
-  const contents = openPackage(bytes, entry);
-  // Within a package, paths are relative to its root; the layer's name tells both.
-  const prefix = `${entry}/`;
-  const source: FileSource = {
-    read: async (path) => (path.startsWith(prefix) ? contents.files.get(path.slice(prefix.length)) : files.read(path)),
-  };
-  return { layer: readLayer(contents.files.get(contents.layer)!, resolvePath(prefix, contents.layer)), source };
+/** `/World/Car{paint}` is how a scene calls the set `paint` of the prim `/World/Car`. */
+function choicesIn(variants: ReadOptions['variants'] = new Map()): VariantChoice[] {
+  return [...variants].map(([key, variant]) => {
+    const [, path, set] = /^(.*)\{(.*)\}$/.exec(key) ?? ['', key, ''];
+    return { path, set, variant };
+  });
 }
 
-function contextOf(layer: Layer, source: FileSource, options: ReadOptions): StageContext {
+function variantsIn({ variantSets }: ComposedStage): Pick<Scene, 'variants'> {
+  const variants = variantSets.map(({ path, set, variants: options, selected = '' }) => {
+    return { set: `${path}{${set}}`, options, chosen: options.includes(selected) ? selected : '' };
+  });
+  return variants.length > 0 ? { variants } : {};
+}
+
+function contextOf(layer: Layer, files: AssetFiles, diagnostics: DiagnosticList, options: ReadOptions): StageContext {
   const number = (key: string): number | undefined => metadataNumber(layer.metadata, key);
   const context: StageContext = {
     layer,
-    source,
+    files,
     unit: number('metersPerUnit') ?? 0.01,
     codesPerSecond: number('timeCodesPerSecond') ?? number('framesPerSecond') ?? 24,
     startCode: number('startTimeCode') ?? 0,
     chordTolerance: options.chordTolerance ?? CHORD_TOLERANCE,
-    diagnostics: new DiagnosticList(),
+    diagnostics,
     pointBudget: { bytes: POINT_BUDGET },
     subdivided: [],
   };

@@ -1,8 +1,9 @@
 import type { Light, Scene, SceneCamera, SceneObject } from '../../scene/types.ts';
 import { attributeOf, sampleTimes, textAt } from './attributes.ts';
 import { cameraOf } from './cameras.ts';
+import { isActive } from './compose/stage.ts';
 import { metadataText, report, type StageContext } from './context.ts';
-import { hasArcs, noteUnreadArcs, UNREAD_TYPES } from './coverage.ts';
+import { noteUnreadValues, UNREAD_TYPES } from './coverage.ts';
 import { childFrame, type Frame, ROOT_FRAME } from './frame.ts';
 import { implicitShape, isImplicit } from './gprims.ts';
 import type { PrimSpec } from './layer.ts';
@@ -28,8 +29,8 @@ interface Inherited {
   readonly frame: Frame;
   readonly binding: Binding | undefined;
   readonly directions: Directions;
-  /** An ancestor has an arc that is not followed: what 'over' changes down here is in what it refers to. */
-  readonly underArc: boolean;
+  /** Of the nearest prim above that says what it is for. */
+  readonly purpose: string;
 }
 
 export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'cameras'>;
@@ -38,7 +39,7 @@ export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'ca
 export async function readStage(context: StageContext): Promise<StageContents> {
   const reader = new StageReader(context);
   for (const prim of context.layer.rootPrims.values())
-    await reader.visit(prim, { frame: ROOT_FRAME, binding: undefined, directions: {}, underArc: false });
+    await reader.visit(prim, { frame: ROOT_FRAME, binding: undefined, directions: {}, purpose: 'default' });
   return { objects: reader.objects, materials: reader.table.materials, lights: reader.lights, cameras: reader.cameras };
 }
 
@@ -57,30 +58,29 @@ class StageReader {
   }
 
   async visit(prim: PrimSpec, inherited: Inherited): Promise<void> {
-    if (!this.isDrawn(prim, inherited.underArc)) return;
-    noteUnreadArcs(this.context, prim);
+    if (!this.isThere(prim)) return;
     const own = this.inherit(prim, inherited);
-    const unread =
-      UNREAD_TYPES.get(prim.typeName) ?? (isUnreadLight(prim.typeName) ? 'is a light that is not read' : undefined);
-    if (unread) report(this.context, 'warning', 'usd.unsupported-prim', prim.path, `${prim.typeName} ${unread}`);
-    await this.read(prim, own);
+    if (isDrawn(own.purpose)) await this.readHere(prim, own);
     // What is under an instancer is its prototypes, which are nowhere themselves.
     if (prim.typeName === 'PointInstancer') return;
     for (const child of prim.children.values()) await this.visit(child, own);
   }
 
-  private isDrawn(prim: PrimSpec, underArc: boolean): boolean {
-    if (prim.specifier === 'class') return false;
+  private async readHere(prim: PrimSpec, own: Inherited): Promise<void> {
+    noteUnreadValues(this.context, prim);
+    const unread =
+      UNREAD_TYPES.get(prim.typeName) ?? (isUnreadLight(prim.typeName) ? 'is a light that is not read' : undefined);
+    if (unread) report(this.context, 'warning', 'usd.unsupported-prim', prim.path, `${prim.typeName} ${unread}`);
+    await this.read(prim, own);
+  }
+
+  private isThere(prim: PrimSpec): boolean {
+    if (prim.specifier === 'class' || !isActive(prim)) return false;
     if (prim.specifier === 'over') {
-      const why = hasArcs(prim) ? 'what it refers to is not read yet' : 'nothing in this file defines it';
-      const message = `an 'over' changes this prim, and ${why}; it is left out`;
-      if (!underArc) report(this.context, 'warning', 'usd.undefined-prim', prim.path, message);
+      const message = "an 'over' changes this prim, and nothing defines it; it is left out";
+      report(this.context, 'warning', 'usd.undefined-prim', prim.path, message);
       return false;
     }
-    const active = prim.metadata.get('active');
-    if (active?.type === 'bool' && !active.data) return false;
-    const purpose = textAt(prim, 'purpose', undefined);
-    if (purpose === 'proxy' || purpose === 'guide') return false;
     if (sampleTimes(attributeOf(prim, 'visibility')).length > 0)
       report(
         this.context,
@@ -108,7 +108,7 @@ class StageReader {
       frame: childFrame(transform.resetsStack ? ROOT_FRAME : inherited.frame, transform.ops),
       binding: bindingOf(prim, inherited.binding),
       directions,
-      underArc: inherited.underArc || hasArcs(prim),
+      purpose: textAt(prim, 'purpose', undefined) ?? inherited.purpose,
     };
   }
 
@@ -152,6 +152,9 @@ class StageReader {
     return { mesh: still.mesh, motion: directedMotion(this.context, prim.path, still.motion.pose, own.directions) };
   }
 }
+
+/** What stands for something else, or helps those who edit, is not looked at. */
+const isDrawn = (purpose: string): boolean => purpose !== 'proxy' && purpose !== 'guide';
 
 /** The layer's up axis; USD's own fallback is Y. */
 export const upAxisOf = (context: Pick<StageContext, 'layer'>): 'Y' | 'Z' =>

@@ -2,10 +2,9 @@ import type { Texture, TextureWrap } from '../../scene/types.ts';
 import { InputError } from '../../scene/types.ts';
 import { messageOf } from '../fail.ts';
 import { type DecodedImage, decodeImage } from '../images.ts';
-import { resolvePath } from '../source.ts';
 import { textAt, textOf } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
-import type { PrimSpec } from './layer.ts';
+import type { PrimSpec, Value } from './layer.ts';
 import { resolveInput } from './shading.ts';
 
 /** Reads pictures, each once. */
@@ -20,36 +19,40 @@ export class TextureLoader {
   /** The picture of a UsdUVTexture; undefined, with a diagnostic, where there is none. */
   async image(shader: PrimSpec): Promise<DecodedImage | undefined> {
     const input = resolveInput(this.context.layer, shader, 'inputs:file', this.context.startCode);
-    const asset = textOf(input.value);
-    if (!asset) {
+    if (!textOf(input.value)) {
       report(this.context, 'warning', 'usd.missing-texture', shader.path, 'the texture names no file');
       return undefined;
     }
-    return this.file(asset, shader.path);
+    return this.file(input.value, shader.path);
   }
 
-  /** The picture at an asset path as written in the layer. */
-  file(asset: string, user: string): Promise<DecodedImage | undefined> {
-    const path = resolvePath(this.context.layer.name, asset.replaceAll('<UDIM>', '1001'));
+  /** The picture that an asset value leads to. */
+  file(value: Value | undefined, user: string): Promise<DecodedImage | undefined> {
+    const asset = textOf(value) ?? '';
+    const anchor = (value?.type === 'asset' && value.anchor) || this.context.layer.name;
     if (asset.includes('<UDIM>'))
       report(this.context, 'warning', 'usd.udim', user, `${asset} is a set of tiles; only tile 1001 is used`);
-    let image = this.images.get(path);
+    const [path, ...more] = this.context.files.candidates(anchor, asset.replaceAll('<UDIM>', '1001'));
+    const key = [path, ...more].join('\n');
+    let image = this.images.get(key);
     if (!image) {
-      image = this.load(path, user);
-      this.images.set(path, image);
+      image = this.load([path, ...more], anchor, user);
+      this.images.set(key, image);
     }
     return image;
   }
 
-  private async load(path: string, user: string): Promise<DecodedImage | undefined> {
-    const bytes = await this.context.source.read(path);
-    if (!bytes) {
-      const message = `the texture ${path} is not there; put it beside ${this.context.layer.name} or open the folder that holds both`;
+  private async load(paths: readonly string[], anchor: string, user: string): Promise<DecodedImage | undefined> {
+    const { files } = this.context;
+    let path = paths[0];
+    try {
+      for (path of paths) {
+        const bytes = await files.read(path);
+        if (bytes) return decodeImage(bytes, path);
+      }
+      const message = `the texture ${paths[0]} is not there; put it beside ${anchor} or open the folder that holds both`;
       report(this.context, 'warning', 'usd.missing-texture', user, message);
       return undefined;
-    }
-    try {
-      return decodeImage(bytes, path);
     } catch (thrown) {
       const message = thrown instanceof InputError ? thrown.message : messageOf(thrown);
       report(this.context, 'warning', 'usd.unreadable-texture', user, message);

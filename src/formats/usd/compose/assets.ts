@@ -1,0 +1,84 @@
+import { type FileSource, normalizePath, resolvePath } from '../../source.ts';
+import { isZip, openPackage, type UsdzPackage } from '../usdz.ts';
+
+/** A package in a package in a package is opened, no deeper. */
+const MAX_NESTING = 4;
+
+/**
+ * The files that a stage is made of, by identifiers: `a/b.usda`, or `a/c.usdz[d/e.png]` inside a package. Paths are
+ * relative to the folder of the FileSource.
+ */
+export class AssetFiles {
+  private readonly source: FileSource;
+  private readonly packages = new Map<string, UsdzPackage>();
+  /** Folder of the root layer: where paths that do not begin with `./` are looked for last. */
+  private searchFolder = '';
+
+  constructor(source: FileSource, entry: string) {
+    this.source = source;
+    this.searchFolder = entry;
+  }
+
+  /** The file's bytes; undefined where there is none. Throws an InputError where a package around it is damaged. */
+  async read(id: string): Promise<Uint8Array | undefined> {
+    const { outer, inner } = splitId(id);
+    if (inner === undefined) return this.source.read(outer);
+    return (await this.package(outer))?.files.get(inner);
+  }
+
+  /** The layer that an identifier stands for: itself, or the first layer of a package. */
+  async layerIn(id: string, bytes: Uint8Array): Promise<string> {
+    return isZip(bytes) ? `${id}[${this.opened(id, bytes).layer}]` : id;
+  }
+
+  private async package(id: string): Promise<UsdzPackage | undefined> {
+    if (id.split('[').length > MAX_NESTING) return undefined;
+    const bytes = this.packages.has(id) ? NO_BYTES : await this.read(id);
+    return bytes && this.opened(id, bytes);
+  }
+
+  private opened(id: string, bytes: Uint8Array): UsdzPackage {
+    const found = this.packages.get(id) ?? openPackage(bytes, id);
+    this.packages.set(id, found);
+    return found;
+  }
+
+  /**
+   * Where the asset that `anchor` calls `asset` may be, best first: beside the layer that names it; then, for a path
+   * that does not begin with `./` or `../`, in the root of the layer's package or the root layer's folder.
+   */
+  candidates(anchor: string, asset: string): string[] {
+    const [path, ...inner] = withoutArguments(asset).split('[');
+    const inside = inner.map((part) => `[${normalizePath(part.replaceAll(']', ''))}`).join('');
+    const ends = inside === '' ? '' : inside + ']'.repeat(inner.length);
+    const { outer, inner: layer } = splitId(anchor);
+    const searched = !/^\.{0,2}[/\\]/.test(path);
+    const found =
+      layer === undefined
+        ? [resolvePath(outer, path), ...(searched ? [resolvePath(this.searchFolder, path)] : [])]
+        : [resolvePath(layer, path), ...(searched ? [normalizePath(path)] : [])].map((p) => `${outer}[${p}]`);
+    return [...new Set(found)].map((id) => id + ends);
+  }
+
+  /** The first of the candidates that is there, with its bytes. */
+  async find(anchor: string, asset: string): Promise<{ id: string; bytes: Uint8Array } | undefined> {
+    for (const id of this.candidates(anchor, asset)) {
+      const bytes = await this.read(id);
+      if (bytes) return { id, bytes };
+    }
+    return undefined;
+  }
+}
+
+const NO_BYTES = new Uint8Array(0);
+
+/** `a.usd:SDF_FORMAT_ARGS:x=y` → `a.usd`. */
+const withoutArguments = (asset: string): string => asset.split(':SDF_FORMAT_ARGS:')[0];
+
+/** `a[b[c]]` → `a[b]` and `c`; the inner part is missing where there is no package. */
+function splitId(id: string): { outer: string; inner?: string } {
+  const open = id.lastIndexOf('[');
+  if (open < 0 || !id.endsWith(']')) return { outer: id };
+  const depth = id.length - id.trimEnd().length + id.slice(open).split(']').length - 1;
+  return { outer: id.slice(0, open) + ']'.repeat(depth - 1), inner: id.slice(open + 1, id.length - depth) };
+}

@@ -1,0 +1,91 @@
+import type { PrimSpec } from '../layer.ts';
+import { isFault, type LayerStore, type LoadedLayer } from './layerStore.ts';
+import { composeOffsets, isUsable, NO_OFFSET, type TimeOffset } from './offsets.ts';
+import { specAt } from './paths.ts';
+import { type Relocates, relocatesOf } from './relocates.ts';
+
+/** A layer and the layers below it, strongest first: what is edited together and composed as one. */
+export interface LayerStack {
+  readonly root: LoadedLayer;
+  readonly layers: readonly StackLayer[];
+  readonly relocates: Relocates | undefined;
+}
+
+export interface StackLayer {
+  readonly source: LoadedLayer;
+  /** From the layer's own times to those of the stack's root. */
+  readonly time: TimeOffset;
+}
+
+/** What one layer of a stack says about a prim. */
+export interface Opinion {
+  readonly spec: PrimSpec;
+  readonly from: StackLayer;
+}
+
+export type Note = (code: string, path: string, message: string) => void;
+
+/** All opinions of a stack on the prim at a path, strongest first. */
+export const opinionsAt = (stack: LayerStack, path: string): Opinion[] =>
+  stack.layers.flatMap((from) => {
+    const spec = specAt(from.source.root, path);
+    return spec ? [{ spec, from }] : [];
+  });
+
+/** Sublayers in sublayers, to this depth. */
+const MAX_DEPTH = 64;
+
+/** Builds layer stacks from a store; one that waits for layers is built again once they are there. */
+export class LayerStacks {
+  private readonly store: LayerStore;
+  private readonly note: Note;
+  private readonly byRoot = new Map<string, LayerStack>();
+
+  constructor(store: LayerStore, note: Note) {
+    this.store = store;
+    this.note = note;
+  }
+
+  of(root: LoadedLayer, session?: LoadedLayer): LayerStack {
+    const key = session ? `${root.id}\nsession` : root.id;
+    const known = this.byRoot.get(key);
+    if (known) return known;
+    const layers: StackLayer[] = session ? [{ source: session, time: NO_OFFSET }] : [];
+    const complete = this.collect(root, NO_OFFSET, [], layers);
+    const stack: LayerStack = { root, layers, relocates: relocatesOf(layers, complete ? this.note : () => {}) };
+    if (complete) this.byRoot.set(key, stack);
+    return stack;
+  }
+
+  /** Adds a layer and what is below it; false where one of them is still to come. */
+  private collect(source: LoadedLayer, time: TimeOffset, above: readonly LoadedLayer[], into: StackLayer[]): boolean {
+    into.push({ source, time });
+    const subLayers = source.layer.metadata.get('subLayers');
+    if (subLayers?.type !== 'subLayers') return true;
+    let complete = true;
+    for (const { asset, offset, scale } of subLayers.data) {
+      const found = this.store.find(source.id, asset);
+      if (!found) complete = false;
+      else if (isFault(found)) this.note(found.code, '', `the sublayer ${found.message}`);
+      else {
+        const chain = [...above, source];
+        if (chain.includes(found) || chain.length > MAX_DEPTH) {
+          const why = chain.includes(found) ? 'is one of its own sublayers' : `is nested deeper than ${MAX_DEPTH}`;
+          this.note('usd.cycle', '', `the sublayer @${asset}@ of ${source.id} ${why}; it is left out there`);
+          continue;
+        }
+        const own = this.usable({ offset, scale }, asset, source);
+        const scaled = { offset: own.offset, scale: (own.scale * source.codesPerSecond) / found.codesPerSecond };
+        complete = this.collect(found, composeOffsets(time, scaled), chain, into) && complete;
+      }
+    }
+    return complete;
+  }
+
+  private usable(time: TimeOffset, asset: string, source: LoadedLayer): TimeOffset {
+    if (isUsable(time)) return time;
+    const message = `the sublayer @${asset}@ of ${source.id} has the offset ${time.offset} and the scale ${time.scale}, which are no times; they are left out`;
+    this.note('usd.layer-offset', '', message);
+    return NO_OFFSET;
+  }
+}

@@ -1,0 +1,122 @@
+import { InputError } from '../../../scene/types.ts';
+import { messageOf } from '../../fail.ts';
+import { metadataNumber } from '../context.ts';
+import type { Layer, PrimSpec } from '../layer.ts';
+import type { AssetFiles } from './assets.ts';
+import { pseudoRoot } from './paths.ts';
+
+/** A layer in memory. */
+export interface LoadedLayer {
+  /** Its identifier among the stage's files. */
+  readonly id: string;
+  readonly layer: Layer;
+  readonly root: PrimSpec;
+  readonly codesPerSecond: number;
+  /** Made from what the user chose; it adds no prims. */
+  readonly isSession: boolean;
+}
+
+/** Why a layer is not there. */
+export interface LayerFault {
+  readonly code: 'usd.missing-layer' | 'usd.unreadable-layer' | 'usd.too-many-layers';
+  readonly message: string;
+}
+
+/** One scene's layers together. */
+const MAX_LAYERS = 4096;
+
+export type ParseLayer = (bytes: Uint8Array, id: string) => Layer;
+
+/**
+ * The layers of a stage, each read once. `find` does not wait: a layer that was never asked for is `undefined` at
+ * first and there after the next `load`.
+ */
+export class LayerStore {
+  readonly files: AssetFiles;
+  private readonly parse: ParseLayer;
+  private readonly byId = new Map<string, LoadedLayer | LayerFault>();
+  private readonly byReference = new Map<string, LoadedLayer | LayerFault>();
+  private readonly wanted = new Map<string, readonly [anchor: string, asset: string]>();
+
+  constructor(files: AssetFiles, parse: ParseLayer) {
+    this.files = files;
+    this.parse = parse;
+  }
+
+  get isComplete(): boolean {
+    return this.wanted.size === 0;
+  }
+
+  /** The layer that `anchor` calls `asset`. */
+  find(anchor: string, asset: string): LoadedLayer | LayerFault | undefined {
+    const key = `${anchor}\n${asset}`;
+    const found = this.byReference.get(key);
+    if (!found) this.wanted.set(key, [anchor, asset]);
+    return found;
+  }
+
+  /** Reads every layer that was asked for and not there. */
+  async load(): Promise<void> {
+    for (const [key, [anchor, asset]] of [...this.wanted]) {
+      this.byReference.set(key, await this.open(anchor, asset));
+      this.wanted.delete(key);
+    }
+  }
+
+  private async open(anchor: string, asset: string): Promise<LoadedLayer | LayerFault> {
+    if (this.byId.size >= MAX_LAYERS)
+      return {
+        code: 'usd.too-many-layers',
+        message: `@${asset}@ is layer ${MAX_LAYERS + 1} of the scene; so many are read`,
+      };
+    try {
+      const found = await this.files.find(anchor, asset);
+      if (found) return await this.layer(found.id, found.bytes);
+    } catch (thrown) {
+      return unreadable(asset, thrown);
+    }
+    const places = this.files.candidates(anchor, asset).join(' and ');
+    const message = `@${asset}@ is not there (looked for ${places}); open the folder that holds it`;
+    return { code: 'usd.missing-layer', message };
+  }
+
+  private async layer(file: string, bytes: Uint8Array): Promise<LoadedLayer | LayerFault> {
+    const id = await this.files.layerIn(file, bytes);
+    const known = this.byId.get(id);
+    if (known) return known;
+    const inside = id === file ? bytes : (await this.files.read(id))!;
+    const layer = this.parsed(inside, id);
+    this.byId.set(id, layer);
+    return layer;
+  }
+
+  private parsed(bytes: Uint8Array, id: string): LoadedLayer | LayerFault {
+    try {
+      return loadedLayer(this.parse(bytes, id), id);
+    } catch (thrown) {
+      return unreadable(id, thrown);
+    }
+  }
+
+  /** The stage's own layer; throws what is wrong with it. */
+  async root(entry: string, bytes: Uint8Array): Promise<LoadedLayer> {
+    const id = await this.files.layerIn(entry, bytes);
+    const inside = id === entry ? bytes : (await this.files.read(id))!;
+    const root = loadedLayer(this.parse(inside, id), id);
+    this.byId.set(id, root);
+    return root;
+  }
+}
+
+export const isFault = (found: LoadedLayer | LayerFault): found is LayerFault => 'code' in found;
+
+const unreadable = (asset: string, thrown: unknown): LayerFault => ({
+  code: 'usd.unreadable-layer',
+  message: `@${asset}@ cannot be read: ${thrown instanceof InputError ? thrown.message : messageOf(thrown)}`,
+});
+
+export function loadedLayer(layer: Layer, id: string, isSession = false): LoadedLayer {
+  const number = (key: string): number | undefined => metadataNumber(layer.metadata, key);
+  const codesPerSecond = number('timeCodesPerSecond') ?? number('framesPerSecond') ?? 24;
+  return { id, layer, root: pseudoRoot(layer), codesPerSecond, isSession };
+}

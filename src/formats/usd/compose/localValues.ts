@@ -1,0 +1,40 @@
+import type { Dictionary, TimeSamples, Value } from '../layer.ts';
+import type { StackLayer } from './layerStack.ts';
+import type { NamespaceMap } from './namespaceMap.ts';
+import { composeOffsets, isNoOffset, mapTime, type TimeOffset } from './offsets.ts';
+
+/** Where an opinion comes from: the layer, and how paths and times of its stack become those of the stage. */
+export interface Place {
+  readonly from: StackLayer;
+  readonly map: NamespaceMap;
+}
+
+const timeOf = ({ from, map }: Place): TimeOffset => composeOffsets(map.time, from.time);
+
+/** A value as the stage has it: times are the stage's, and an asset knows the layer that its path is relative to. */
+export function localValue(value: Value, place: Place): Value {
+  switch (value.type) {
+    case 'asset':
+    case 'asset[]':
+      return { ...value, anchor: place.from.source.id };
+    case 'timecode':
+      return { ...value, data: mapTime(timeOf(place), value.data) };
+    case 'timecode[]':
+      return { ...value, data: value.data.map((t) => mapTime(timeOf(place), t)) };
+    case 'dictionary':
+      return { ...value, data: localDictionary(value.data, place) };
+    default:
+      return value;
+  }
+}
+
+const localDictionary = (data: Dictionary, place: Place): Dictionary =>
+  new Map([...data].map(([key, value]) => [key, localValue(value, place)]));
+
+export function localSamples({ times, values }: TimeSamples, place: Place): TimeSamples {
+  const time = timeOf(place);
+  const local = /^(asset|timecode)/.test(values[0].type) ? values.map((v) => localValue(v, place)) : values;
+  if (isNoOffset(time)) return { times, values: local };
+  const mapped = times.map((t) => mapTime(time, t));
+  return time.scale > 0 ? { times: mapped, values: local } : { times: mapped.reverse(), values: [...local].reverse() };
+}

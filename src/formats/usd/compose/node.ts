@@ -1,0 +1,256 @@
+import { type LayerStack, type Opinion, opinionsAt } from './layerStack.ts';
+import { composeMaps, IDENTITY, type NamespaceMap } from './namespaceMap.ts';
+import { depthOf, hasPrefix, parentOf } from './paths.ts';
+
+/** The arcs of composition, the strongest first. */
+export const ARCS = ['root', 'inherit', 'variant', 'relocate', 'reference', 'payload', 'specialize'] as const;
+export type ArcKind = (typeof ARCS)[number];
+
+/** How a node comes to be under another. */
+export interface Arc {
+  readonly kind: ArcKind;
+  /** Of a class or relocate that is implied: the node that it is implied by. Absent where the parent has the arc itself. */
+  readonly origin?: Node | undefined;
+  /** From the node's namespace to its parent's. */
+  readonly map: NamespaceMap;
+  /** Place among the arcs of its kind that are written together. */
+  readonly number: number;
+  /** How deep in namespace the prim is that has the arc. */
+  readonly depth: number;
+}
+
+const ROOT_ARC: Arc = { kind: 'root', map: IDENTITY, number: 0, depth: 0 };
+
+/**
+ * A site that has, or may have, opinions on a prim: a path in a layer stack. The nodes of a prim are a tree: its own
+ * site, and under each site those that its arcs lead to, the stronger first.
+ */
+export class Node {
+  readonly stack: LayerStack;
+  readonly path: string;
+  arc: Arc = ROOT_ARC;
+  parent: Node | undefined;
+  readonly children: Node[] = [];
+  /** What the stack's layers say at the path, strongest first. */
+  readonly opinions: readonly Opinion[];
+  /** Kept for its place in the tree only: its opinions do not count. */
+  isInert = false;
+  /** The arc is not on this prim but on one above. */
+  isAncestral = false;
+  /** When it was made; of two nodes in one tree, what is under the other is younger. */
+  serial = 0;
+  private whole: NamespaceMap | undefined;
+
+  constructor(stack: LayerStack, path: string, opinions: readonly Opinion[] = opinionsAt(stack, path)) {
+    this.stack = stack;
+    this.path = path;
+    this.opinions = opinions;
+  }
+
+  get contributes(): boolean {
+    return !this.isInert && this.opinions.length > 0;
+  }
+
+  get root(): Node {
+    let node: Node = this;
+    while (node.parent) node = node.parent;
+    return node;
+  }
+
+  /** Levels of namespace between the prim that has the arc and this one. */
+  get depthBelowArc(): number {
+    return this.parent ? depthOf(this.parent.path) - this.arc.depth : 0;
+  }
+
+  /** Where the arc led. */
+  get pathAtArc(): string {
+    let path = this.path;
+    for (let i = this.depthBelowArc; i > 0; i--) path = parentOf(path);
+    return path;
+  }
+
+  /** The arc is on this very prim. */
+  get isDirect(): boolean {
+    return this.parent !== undefined && !this.isAncestral;
+  }
+
+  get isClass(): boolean {
+    return this.arc.kind === 'inherit' || this.arc.kind === 'specialize';
+  }
+
+  get isImplied(): boolean {
+    return this.isClass && this.arc.origin !== undefined;
+  }
+
+  /** From this node's namespace to that of the tree's root. */
+  get mapToRoot(): NamespaceMap {
+    this.whole ??= this.parent ? composeMaps(this.parent.mapToRoot, this.arc.map) : IDENTITY;
+    return this.whole;
+  }
+
+  isSite(stack: LayerStack, path: string): boolean {
+    return this.stack === stack && this.path === path;
+  }
+
+  /** Puts a tree under this node, in its place by strength. */
+  adopt(child: Node, arc: Arc): void {
+    child.arc = arc;
+    child.parent = this;
+    forgetMaps(child);
+    const place = this.children.findIndex((sibling) => compareSiblings(child, sibling) < 0);
+    this.children.splice(place < 0 ? this.children.length : place, 0, child);
+  }
+
+  /**
+   * The same tree one level down in namespace. Sites that nobody spoke at above this, and no arc starts from, are left out. In an
+   * instance nothing counts but what its own arcs lead to.
+   */
+  toChild(name: string, isInInstance: boolean): Node {
+    const copies = new Map<Node, Node>();
+    const origins = new Set<Node>();
+    for (const { arc } of everyNode(this)) if (arc.origin) origins.add(arc.origin);
+    const copy = (node: Node, isLocal: boolean): Node | undefined => {
+      const child = node.below(name);
+      const local = isLocal && !node.isDirect;
+      if (local) child.isInert = true;
+      for (const old of node.children) {
+        const below = copy(old, local);
+        if (!below) continue;
+        below.parent = child;
+        child.children.push(below);
+      }
+      // Judged by the level above: where a variant ends here, what was selected by it still counts here.
+      const needed =
+        node.opinions.length > 0 ||
+        child.children.length > 0 ||
+        origins.has(node) ||
+        node.stack.relocates ||
+        !node.isAncestral;
+      if (!needed) return undefined;
+      if (origins.has(node)) copies.set(node, child);
+      return child;
+    };
+    const root = copy(this, isInInstance)!;
+    for (const node of everyNode(root)) {
+      // What the site's own layers move away is elsewhere.
+      if (node.parent && node.stack.relocates?.bySource.has(node.path)) silence(node);
+      const { origin } = node.arc;
+      if (origin) node.arc = { ...node.arc, origin: copies.get(origin) };
+    }
+    return root;
+  }
+
+  private below(name: string): Node {
+    const opinions: Opinion[] = [];
+    for (const { spec, from } of this.opinions) {
+      const child = spec.children.get(name);
+      if (child) opinions.push({ spec: child, from });
+    }
+    const child = new Node(this.stack, `${this.path}/${name}`, opinions);
+    child.arc = this.arc;
+    child.isInert = this.isInert;
+    child.isAncestral = this.parent !== undefined;
+    child.serial = this.serial;
+    child.whole = this.whole;
+    return child;
+  }
+
+  static forget(node: Node): void {
+    node.whole = undefined;
+  }
+}
+
+function forgetMaps(tree: Node): void {
+  for (const node of everyNode(tree)) Node.forget(node);
+}
+
+export const speaksAnywhere = (node: Node): boolean => node.opinions.length > 0 || node.children.some(speaksAnywhere);
+
+/** Keeps a tree for its place only. */
+export function silence(tree: Node): void {
+  for (const node of everyNode(tree)) node.isInert = true;
+}
+
+export const hasClasses = (node: Node): boolean => node.children.some((child) => child.isClass);
+
+/** All nodes of a tree, each before those under it. */
+export function everyNode(node: Node, into: Node[] = []): Node[] {
+  into.push(node);
+  for (const child of node.children) everyNode(child, into);
+  return into;
+}
+
+/** Below 0 where `a` is stronger: by kind of arc, depth of what has it, origin, and place among those written. */
+function compareSiblings(a: Node, b: Node): number {
+  if (a.arc.kind !== b.arc.kind) return ARCS.indexOf(a.arc.kind) - ARCS.indexOf(b.arc.kind);
+  if (a.arc.depth !== b.arc.depth) return b.arc.depth - a.arc.depth;
+  const [from, other] = [a.arc.origin ?? a.parent!, b.arc.origin ?? b.parent!];
+  if (from !== other) return firstOf(a, from, other);
+  return a.arc.number - b.arc.number;
+}
+
+/** Below 0 where `a` comes first in the tree that `within` is in. */
+function firstOf(within: Node, a: Node, b: Node): number {
+  for (const node of everyNode(within.root)) {
+    if (node === a) return -1;
+    if (node === b) return 1;
+  }
+  return 0;
+}
+
+/**
+ * The nodes of a tree from the strongest to the weakest: each before those under it, but all that is specialized after
+ * everything else (what a base says is weaker than what anybody says about what specializes it).
+ */
+export function byStrength(root: Node): Node[] {
+  const out: Node[] = [];
+  const bases: Node[] = [];
+  const visit = (node: Node): void => {
+    out.push(node);
+    for (const child of node.children) {
+      if (child.arc.kind === 'specialize') bases.push(child);
+      else visit(child);
+    }
+  };
+  visit(root);
+  while (bases.length > 0) {
+    // Those under a base join the rest, so that each time the strongest of all goes first.
+    let first = 0;
+    for (let i = 1; i < bases.length; i++) if (compareBases(bases[i], bases[first]) < 0) first = i;
+    visit(bases.splice(first, 1)[0]);
+  }
+  return out;
+}
+
+/** Below 0 where the base `a` is stronger than the base `b`; they may be anywhere in one tree. */
+function compareBases(a: Node, b: Node): number {
+  const [originOfA, stepsOfA] = writtenArc(a);
+  const [originOfB, stepsOfB] = writtenArc(b);
+  if (originOfA === originOfB) return stepsOfB - stepsOfA;
+  if (isUnder(originOfA, originOfB)) return 1;
+  if (isUnder(originOfB, originOfA)) return -1;
+  const depths = depthInStage(b) - depthInStage(a);
+  return depths !== 0 ? depths : firstOf(a, originOfA, originOfB);
+}
+
+/** The node of the arc as it is written, and how many times it was implied since. */
+function writtenArc(node: Node): readonly [Node, number] {
+  let at = node;
+  let steps = 0;
+  while (at.isImplied && at.arc.origin) {
+    at = at.arc.origin;
+    steps++;
+  }
+  return [at, steps];
+}
+
+function isUnder(node: Node, above: Node): boolean {
+  for (let at = node.parent; at; at = at.parent) if (at === above) return true;
+  return false;
+}
+
+/** How deep the prim of the stage is where the arc counts first. */
+const depthInStage = (node: Node): number => depthOf(node.root.path) - node.depthBelowArc;
+
+/** Whether two paths are one, or one of them is in the other. */
+export const areRelated = (a: string, b: string): boolean => hasPrefix(a, b) || hasPrefix(b, a);

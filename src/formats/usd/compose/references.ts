@@ -1,0 +1,89 @@
+import { metadataText } from '../context.ts';
+import type { LayerStack } from './layerStack.ts';
+import { isFault, type LoadedLayer } from './layerStore.ts';
+import { arcMap, composeMaps, type NamespaceMap, withPairs, withRoot } from './namespaceMap.ts';
+import type { Node } from './node.ts';
+import { composeOffsets, isUsable, NO_OFFSET, type TimeOffset } from './offsets.ts';
+import { depthOf, isPrimPath, stripVariants } from './paths.ts';
+import type { IndexBuilder } from './primIndex.ts';
+import { arcsAt, type SourcedArc } from './sites.ts';
+
+/** Follows the references or the payloads that a site has. */
+export function addReferences(builder: IndexBuilder, node: Node, kind: 'reference' | 'payload'): void {
+  const arcs = arcsAt(node.opinions, kind === 'reference' ? 'references' : 'payload');
+  arcs.forEach((arc, number) => {
+    const target = targetOf(builder, node, kind, arc);
+    if (!target) return;
+    const { stack, path, time } = target;
+    const map = mapForArc(node, path, time);
+    // What refers to its own layers sees all of them.
+    const whole = arc.asset === '' ? withRoot(map) : map;
+    const written = { kind, map: whole, number, depth: depthOf(node.path) };
+    const added = builder.addArc(node, stack, path, written, { ancestral: depthOf(path) > 1 });
+    if (added)
+      builder.expect(added, `its ${kind} ${named(arc)} leads to ${path}, which ${stack.root.id} does not have`);
+  });
+}
+
+interface Target {
+  readonly stack: LayerStack;
+  readonly path: string;
+  readonly time: TimeOffset;
+}
+
+function targetOf(builder: IndexBuilder, node: Node, kind: string, arc: SourcedArc): Target | undefined {
+  const root = arc.asset === '' ? node.stack.root : layerOf(builder, kind, arc);
+  if (!root) return undefined;
+  const path = arc.path === '' ? defaultPrim(root) : arc.path;
+  if (path === undefined || !isPrimPath(path)) {
+    const why = path === undefined ? `${root.id} has no defaultPrim` : `${path} is not the path of a prim`;
+    builder.note('usd.default-prim', `its ${kind} ${named(arc)} is left out: ${why}`);
+    return undefined;
+  }
+  const stack = arc.asset === '' ? node.stack : builder.composer.stacks.of(root);
+  return { stack, path, time: timeOf(builder, kind, arc, arc.asset === '' ? undefined : root) };
+}
+
+function layerOf(builder: IndexBuilder, kind: string, arc: SourcedArc): LoadedLayer | undefined {
+  const found = builder.composer.store.find(arc.from.source.id, arc.asset);
+  if (!found || !isFault(found)) return found;
+  builder.note(found.code, `its ${kind} ${found.message}`);
+  return undefined;
+}
+
+/**
+ * Times of the target in those of the stack that refers to it; where the two count seconds differently, scaled. Within
+ * one stack the offset of the layer that writes the arc does not count: the target's layers have theirs.
+ */
+function timeOf(builder: IndexBuilder, kind: string, arc: SourcedArc, target: LoadedLayer | undefined): TimeOffset {
+  const { from } = arc;
+  const usable = isUsable(arc);
+  if (!usable)
+    builder.note(
+      'usd.layer-offset',
+      `its ${kind} ${named(arc)} has the offset ${arc.offset} and the scale ${arc.scale}, which are no times; they are left out`,
+    );
+  const written = usable ? { offset: arc.offset, scale: arc.scale } : NO_OFFSET;
+  if (!target) return written;
+  const own = composeOffsets(from.time, written);
+  return { offset: own.offset, scale: (own.scale * from.source.codesPerSecond) / target.codesPerSecond };
+}
+
+/** The name, or since OpenUSD 25 the path, of the prim that stands for a layer. */
+function defaultPrim({ layer }: LoadedLayer): string | undefined {
+  const name = metadataText(layer.metadata, 'defaultPrim');
+  if (!name) return undefined;
+  return name.startsWith('/') ? name : `/${name}`;
+}
+
+const named = ({ asset, path }: SourcedArc): string => `${asset ? `@${asset}@` : ''}${path ? `<${path}>` : ''}`;
+
+/** From the namespace of an arc's target to that of the node which has it, with that node's relocates applied. */
+export function mapForArc(node: Node, source: string, time: TimeOffset = NO_OFFSET): NamespaceMap {
+  const target = stripVariants(node.path);
+  const map = arcMap(source, target, time);
+  const { relocates } = node.stack;
+  if (!relocates) return map;
+  const moves = [...relocates.whole].filter(([from, to]) => to !== '' && from.startsWith(`${target}/`));
+  return composeMaps(withPairs(withRoot(arcMap('', '', NO_OFFSET)), moves), map);
+}

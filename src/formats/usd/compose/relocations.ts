@@ -1,0 +1,39 @@
+import { IDENTITY, mapToTarget } from './namespaceMap.ts';
+import { type Node, silence } from './node.ts';
+import { depthOf } from './paths.ts';
+import type { IndexBuilder } from './primIndex.ts';
+
+/** A prim that a relocate brings here: what arcs say about it where it comes from counts here, and only that. */
+export function addRelocate(builder: IndexBuilder, node: Node): void {
+  const source = node.stack.relocates?.byTarget.get(node.path);
+  if (source === undefined || (node.isInert && node.depthBelowArc === 0)) return;
+  for (const child of node.children) if (child.arc.kind !== 'variant') silence(child);
+  const arc = { kind: 'relocate' as const, map: IDENTITY, number: 0, depth: depthOf(node.path) };
+  const added = builder.addArc(node, node.stack, source, arc, { contributes: false, ancestral: true });
+  if (!added) return;
+  if (added.opinions.length > 0) {
+    const message = `${source} is moved to ${node.path} by a relocate, and opinions on it in ${node.stack.root.id} do not count; write them at ${node.path}`;
+    builder.note('usd.relocates', message);
+  }
+  silenceMoved(added);
+}
+
+/** What other relocates take away from here speaks at another prim. */
+function silenceMoved(tree: Node): void {
+  for (const child of tree.children) {
+    if (child.arc.kind === 'relocate') continue;
+    if (!child.isInert && child.stack.relocates?.bySource.has(child.path)) silence(child);
+    else silenceMoved(child);
+  }
+}
+
+/** A relocate in what is referred to moves the prim also where it is referred from. */
+export function implyRelocate(builder: IndexBuilder, node: Node): void {
+  const above = node.parent?.parent;
+  if (node.isAncestral || !node.parent || !above) return;
+  const source = mapToTarget(node.parent.arc.map, node.path);
+  if (source === undefined) return;
+  if (above.children.some((child) => child.arc.kind === 'relocate' && child.path === source)) return;
+  const arc = { kind: 'relocate' as const, origin: node, map: IDENTITY, number: 0, depth: depthOf(above.path) };
+  builder.addArc(above, above.stack, source, arc, { contributes: false });
+}

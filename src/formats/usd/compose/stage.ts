@@ -1,0 +1,144 @@
+import { type DiagnosticList, report } from '../context.ts';
+import type { Layer, PrimSpec } from '../layer.ts';
+import { childNames } from './childNames.ts';
+import { composedPrim } from './composedPrim.ts';
+import { isInstance } from './instances.ts';
+import { type LayerStack, LayerStacks } from './layerStack.ts';
+import { type LayerStore, type LoadedLayer, loadedLayer } from './layerStore.ts';
+import type { Node } from './node.ts';
+import { type Composer, IndexBuilder } from './primIndex.ts';
+import { sessionLayer, type VariantChoice } from './session.ts';
+import { type OfferedSet, variantSetsOf } from './variantSets.ts';
+
+/** Prims of one stage, and sites that they are composed from: a small file can ask for any number. */
+const MAX_PRIMS = 250_000;
+const MAX_NODES = 1_000_000;
+/** Prims in prims. */
+const MAX_DEPTH = 512;
+
+export interface ComposeOptions {
+  /** Stronger than what the file selects. */
+  readonly variants?: readonly VariantChoice[] | undefined;
+  /** Where nothing is selected: the variants of a set, the best first. */
+  readonly fallbacks?: ReadonlyMap<string, readonly string[]> | undefined;
+}
+
+export interface ComposedStage {
+  /** The stage as if one layer said it all: prims without arcs, values as they are resolved, paths of the stage. */
+  readonly layer: Layer;
+  readonly variantSets: readonly OfferedSet[];
+}
+
+/** A thing to say about a prim once it is certain that its index stands. */
+interface Noted {
+  readonly code: string;
+  readonly path: string;
+  readonly message: string;
+}
+
+/** Composes the stage of a root layer. Layers are read as they are needed, so that variants not chosen cost nothing. */
+export async function composeStage(
+  store: LayerStore,
+  root: LoadedLayer,
+  diagnostics: DiagnosticList,
+  options: ComposeOptions = {},
+): Promise<ComposedStage> {
+  return new StageComposer(store, root, diagnostics, options).compose();
+}
+
+class StageComposer {
+  private readonly store: LayerStore;
+  private readonly root: LoadedLayer;
+  /** Also without choices the stage's own layers are a stack apart from that of a reference to its root layer. */
+  private readonly session: LoadedLayer;
+  private readonly diagnostics: DiagnosticList;
+  private readonly composer: Composer;
+  private readonly choices: readonly VariantChoice[];
+  private readonly variantSets: OfferedSet[] = [];
+  private noted: Noted[] = [];
+  private prims = 0;
+
+  constructor(store: LayerStore, root: LoadedLayer, diagnostics: DiagnosticList, options: ComposeOptions) {
+    this.store = store;
+    this.root = root;
+    this.diagnostics = diagnostics;
+    this.choices = options.variants ?? [];
+    this.session = loadedLayer(sessionLayer(this.choices), '', true);
+    const note = (code: string, path: string, message: string): void => {
+      this.noted.push({ code, path, message });
+    };
+    const budget = { nodes: MAX_NODES };
+    const stacks = new LayerStacks(store, note);
+    this.composer = { store, stacks, fallbacks: options.fallbacks ?? new Map(), budget, note };
+  }
+
+  async compose(): Promise<ComposedStage> {
+    const stack = await this.settled(() => this.composer.stacks.of(this.root, this.session));
+    const index = await this.settled(() => IndexBuilder.stagePrim(this.composer, stack, '', undefined));
+    const { name, metadata } = this.root.layer;
+    const layer: Layer = { name, metadata, rootPrims: new Map() };
+    await this.addChildren(stack, index, '', layer.rootPrims, 0, false);
+    this.noteUnmetChoices();
+    return { layer, variantSets: this.variantSets };
+  }
+
+  /** Runs `build` until it needs no layer that is still to be read; what the last run noted is said. */
+  private async settled<T>(build: () => T): Promise<T> {
+    for (;;) {
+      this.noted = [];
+      const built = build();
+      if (this.store.isComplete) {
+        for (const { code, path, message } of this.noted) this.say(code, path, message);
+        return built;
+      }
+      await this.store.load();
+    }
+  }
+
+  private say(code: string, path: string, message: string): void {
+    report({ layer: this.root.layer, diagnostics: this.diagnostics }, 'warning', code, path, message);
+  }
+
+  private async addChildren(
+    stack: LayerStack,
+    around: Node,
+    path: string,
+    into: Map<string, PrimSpec>,
+    depth: number,
+    isShared: boolean,
+  ): Promise<void> {
+    if (depth >= MAX_DEPTH)
+      return this.say('usd.too-deep', path, `prims nested more than ${MAX_DEPTH} deep are left out`);
+    for (const name of childNames(around)) {
+      if (++this.prims > MAX_PRIMS || this.composer.budget.nodes <= 0) return this.sayFull();
+      const childPath = `${path}/${name}`;
+      const build = (): Node => IndexBuilder.stagePrim(this.composer, stack, childPath, around);
+      let index = build();
+      if (!this.store.isComplete || this.noted.length > 0) index = await this.settled(build);
+      const prim = composedPrim(index, childPath);
+      into.set(name, prim);
+      if (!isShared) this.variantSets.push(...variantSetsOf(index, childPath));
+      if (!isActive(prim)) continue;
+      await this.addChildren(stack, index, childPath, prim.children, depth + 1, isShared || isInstance(index));
+    }
+  }
+
+  private sayFull(): void {
+    const message = `the stage has more than ${MAX_PRIMS} prims, or they more than ${MAX_NODES} sites; the rest is left out`;
+    this.say('usd.too-many-prims', '', message);
+  }
+
+  private noteUnmetChoices(): void {
+    for (const { path, set, variant } of this.choices) {
+      const offered = this.variantSets.find((s) => s.path === path && s.set === set);
+      if (offered?.variants.includes(variant) || (offered && variant === '')) continue;
+      const why = offered ? `has ${offered.variants.join(', ')}` : 'is not a variant set of this prim';
+      this.say('usd.variant', path, `the variant '${variant}' of '${set}' is chosen, but ${set} ${why}`);
+    }
+  }
+}
+
+export function isActive(prim: PrimSpec): boolean {
+  const active = prim.metadata.get('active');
+  return active?.type !== 'bool' || active.data;
+}

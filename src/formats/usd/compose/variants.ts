@@ -1,0 +1,96 @@
+import { opinionsAt } from './layerStack.ts';
+import { IDENTITY, mapToSource, mapToTarget } from './namespaceMap.ts';
+import { byStrength, everyNode, type Node } from './node.ts';
+import { depthOf, isVariantName, selectionOf, stripVariants, variantPath } from './paths.ts';
+import type { IndexBuilder } from './primIndex.ts';
+import { selectionAt, variantSetsAt, variantsAt } from './sites.ts';
+import type { Task } from './tasks.ts';
+
+export function addVariantSets(builder: IndexBuilder, node: Node): void {
+  for (const [number, set] of variantSetsAt(node.opinions).entries())
+    builder.tasks.add({ kind: 'variant', node, set, number });
+}
+
+/** Adds the variant that is selected; else the fallback, once nothing else is left that could select one. */
+export function addVariant(builder: IndexBuilder, task: Task): void {
+  const { node, set = '', number = 0 } = task;
+  const fallback = builder.composer.fallbacks.get(set)?.find((name) => variantsAt(node.opinions, set).includes(name));
+  const selected = task.kind === 'variant' ? selectionFor(builder, node, set) : fallback;
+  if (!selected) {
+    if (task.kind === 'variant' && fallback) builder.tasks.add({ ...task, kind: 'fallbackVariant' });
+    else builder.tasks.postpone(task);
+    return;
+  }
+  if (!isVariantName(selected)) return;
+  const arc = { kind: 'variant' as const, map: IDENTITY, number, depth: depthOf(node.path) };
+  if (builder.addArc(node, node.stack, variantPath(node.path, set, selected), arc)) builder.tasks.retryVariants();
+}
+
+/**
+ * The strongest selection for a set at a node, from all nodes that are there by now; also weaker ones, and those of
+ * the indexes around this one.
+ */
+function selectionFor(builder: IndexBuilder, node: Node, set: string): string | undefined {
+  const levels = levelsFrom(builder, node);
+  for (const { root, path } of levels) {
+    const taken = takenSelection(root, path, builder.ancestorDepth, set);
+    if (taken !== undefined) return taken;
+  }
+  return selectionIn(levels.reverse(), set);
+}
+
+/** An index under construction, and the path in its root's namespace. */
+interface Level {
+  readonly root: Node;
+  readonly path: string;
+  /** The node of this index that the next inner one will be under. */
+  readonly inner?: Node;
+}
+
+/** From this index outwards, as far as the path can be mapped. */
+function levelsFrom(builder: IndexBuilder, node: Node): Level[] {
+  const own = mapToTarget(node.mapToRoot, stripVariants(node.path));
+  if (own === undefined) return [{ root: node, path: stripVariants(node.path) }];
+  const levels: Level[] = [{ root: node.root, path: own }];
+  let path = own;
+  for (let frame = builder.frame; frame; frame = frame.outer.frame) {
+    const inParent = mapToTarget(frame.arc.map, path);
+    const inRoot = inParent === undefined ? undefined : mapToTarget(frame.parent.mapToRoot, inParent);
+    if (inRoot === undefined) break;
+    levels.push({ root: frame.parent.root, path: inRoot, inner: frame.parent });
+    path = inRoot;
+  }
+  return levels;
+}
+
+/** A variant of the set that the same prim has already. */
+function takenSelection(root: Node, path: string, depth: number, set: string): string | undefined {
+  for (const node of everyNode(root)) {
+    if (node.arc.kind !== 'variant' || node.depthBelowArc !== depth) continue;
+    const [name, variant] = selectionOf(node.pathAtArc) ?? [];
+    if (name === set && mapToSource(node.mapToRoot, path) === stripVariants(node.pathAtArc)) return variant;
+  }
+  return undefined;
+}
+
+/** From the outermost index inwards; an inner one comes right after the node that it will be under. */
+function selectionIn([level, ...inner]: readonly Level[], set: string): string | undefined {
+  for (const node of byStrength(level.root)) {
+    const found = selectionOfNode(node, level, set);
+    if (found !== undefined) return found;
+    if (node !== level.inner || inner.length === 0) continue;
+    const within = selectionIn(inner, set);
+    if (within !== undefined) return within;
+  }
+  return undefined;
+}
+
+function selectionOfNode(node: Node, { root, path }: Level, set: string): string | undefined {
+  if (node.isInert) return undefined;
+  const own = node === root ? path : mapToSource(node.mapToRoot, path);
+  if (own === undefined) return undefined;
+  const plain = stripVariants(node.path);
+  if (own === plain) return selectionAt(node.opinions, set);
+  const stored = node.arc.kind === 'variant' && own.startsWith(plain) ? node.path + own.slice(plain.length) : own;
+  return selectionAt(opinionsAt(node.stack, stored), set);
+}
