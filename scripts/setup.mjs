@@ -182,7 +182,7 @@ function build(name) {
 
 // ── Independent judges of our files and figures, for tests ─────────────────────────────────────────────────────────
 
-const judges = ['usd-core==25.11', 'OpenEXR==3.4.4', 'numpy==2.3.5', 'flip-evaluator==1.7'];
+const judges = ['usd-core==26.11', 'OpenEXR==3.4.4', 'numpy==2.3.5', 'flip-evaluator==1.7'];
 
 /** The folder of the Python that has the judges, or undefined with the reason said. Kept in .cache/, never in the system. */
 export function ensureOracle() {
