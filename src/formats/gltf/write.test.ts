@@ -216,6 +216,11 @@ describe('a scene written as glTF', () => {
     }
   });
 
+  it('may be empty', async () => {
+    for (const name of ['a.glb', 'a.gltf'])
+      expect((await readGltf((await written(makeScene({ name: 'nothing' }), name)).source, name)).objects).toEqual([]);
+  });
+
   it('says what is lost', async () => {
     const many = Array.from({ length: 200 }, () => cube.positions);
     const scene = makeScene({

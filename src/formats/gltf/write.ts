@@ -74,6 +74,9 @@ class GltfWriter {
       this.placed(path, 'Camera', motion).setCamera(camera);
     }
     for (const light of scene.lights) this.addLight(light);
+    const root = this.document.getRoot();
+    // A buffer without bytes is not valid.
+    if (root.listAccessors().length === 0) for (const buffer of root.listBuffers()) buffer.dispose();
     return this.document;
   }
 
