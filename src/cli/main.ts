@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { Command, CommanderError } from 'commander';
 import { InputError } from '../scene/types.ts';
 import { compareCommand } from './compare.ts';
+import { convertCommand } from './convert.ts';
 import { CliError, EXIT } from './exit.ts';
 import { inspectCommand } from './inspect.ts';
 import { stoppedWith } from './output.ts';
@@ -34,7 +35,7 @@ function program(): Command {
     .description('Shows what a fast observer sees, and what is really there.')
     .version(version())
     .addHelpText('after', exitCodes);
-  for (const add of [renderCommand, probeCommand, inspectCommand, compareCommand, serveCommand])
+  for (const add of [renderCommand, probeCommand, inspectCommand, compareCommand, convertCommand, serveCommand])
     program.addCommand(add());
   for (const command of [program, ...program.commands]) {
     command

@@ -5,5 +5,7 @@ export { type DecodedImage, decodeImage } from './images.ts';
 export { type OpenOptions, openScene } from './open.ts';
 export { encodePng } from './png.ts';
 export { formatOf, type ReadOptions, type SceneFormat, sceneFormats } from './registry.ts';
+export { saveScene } from './save.ts';
 export { extensionOf, type FileSource, memorySource, normalizePath, resolvePath } from './source.ts';
 export { parseLayer, readLayer, readUsd, writeTextures, writeUsda, writeUsdz } from './usd/index.ts';
+export type { Written } from './written.ts';

@@ -45,8 +45,18 @@ function rotatePlane(k: Symmetric4, vectors: Symmetric4, p: number, q: number): 
   const t = (theta < 0 ? -1 : 1) / (Math.abs(theta) + Math.hypot(theta, 1));
   const c = 1 / Math.hypot(t, 1);
   const s = t * c;
-  for (const row of [...k, ...vectors]) [row[p], row[q]] = [c * row[p] - s * row[q], s * row[p] + c * row[q]];
-  [k[p], k[q]] = [k[p].map((x, i) => c * x - s * k[q][i]), k[p].map((x, i) => s * x + c * k[q][i])];
+  for (const rows of [k, vectors]) {
+    for (const row of rows) {
+      const [x, y] = [row[p], row[q]];
+      row[p] = c * x - s * y;
+      row[q] = s * x + c * y;
+    }
+  }
+  for (let i = 0; i < 4; i++) {
+    const [x, y] = [k[p][i], k[q][i]];
+    k[p][i] = c * x - s * y;
+    k[q][i] = s * x + c * y;
+  }
   k[p][q] = 0;
   k[q][p] = 0;
 }

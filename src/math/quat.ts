@@ -1,5 +1,5 @@
 import type { Mat3 } from './mat3.ts';
-import { normalize, type Vec3 } from './vec3.ts';
+import { cross, dot, normalize, type Vec3 } from './vec3.ts';
 
 /** A quaternion x i + y j + z k + w; unit where it stands for a rotation. */
 export type Quat = readonly [x: number, y: number, z: number, w: number];
@@ -77,4 +77,14 @@ export function toMatrix(q: Quat): Mat3 {
     2 * (y * z + x * w),
     1 - 2 * (x * x + y * y),
   ];
+}
+
+/** The rotation that carries one unit vector to another by the shortest way; of opposite ones, half a turn about Y, or near that X. */
+export function shortestTurn(from: Vec3, to: Vec3): Quat {
+  const cosine = dot(from, to);
+  if (cosine > 1 - 1e-15) return IDENTITY;
+  const helper: Vec3 = Math.abs(from[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0];
+  if (cosine < -1 + 1e-15) return fromAxisAngle(cross(cross(from, helper), from), Math.PI);
+  const axis = cross(from, to);
+  return fromAxisAngle(axis, Math.atan2(Math.hypot(...axis), cosine));
 }

@@ -160,3 +160,26 @@ describe('rigid part and stretch', () => {
     expectClose(parts(-1, 2, 3).stretch, [-1, 0, 0, 0, 2, 0, 0, 0, 3], 1e-15);
   });
 });
+
+describe('the shortest turn', () => {
+  const turned = (from: Vec3, to: Vec3) => {
+    const q = quat.shortestTurn(from, to);
+    expectClose(quat.rotate(q, from), to, 1e-9);
+    return quat.rotationAngle(q);
+  };
+
+  it('carries one direction to another by the angle between them', () =>
+    fc.assert(
+      fc.property(direction, direction, (a, b) => {
+        expectClose([Math.cos(turned(a, b))], [dot(a, b)], 1e-9);
+      }),
+    ));
+
+  it('of opposite directions is half a turn', () =>
+    fc.assert(
+      fc.property(direction, (a) => {
+        expectClose([turned(a, [-a[0], -a[1], -a[2]])], [Math.PI], 1e-9);
+        expectClose([turned([0, 1, 0], [0, -1, 0])], [Math.PI], 1e-9);
+      }),
+    ));
+});

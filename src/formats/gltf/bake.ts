@@ -4,13 +4,14 @@ import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../math/q
 import { add, scale, type Vec3, ZERO } from '../../math/vec3.ts';
 import { boundingBox } from '../../scene/bounds.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
+import { RefinementBudget } from '../../scene/refine.ts';
 import type { Mesh, Motion, Pose, SampledMotion, StaticMotion } from '../../scene/types.ts';
 import { formatBytes } from '../fail.ts';
 import type { GltfContext } from './context.ts';
 import type { Deformer } from './deform.ts';
 import type { Frame, Placement } from './nodes.ts';
 import type { Geometry } from './primitives.ts';
-import { type Knots, knotsOf, sampleTimes } from './sampling.ts';
+import { type Knots, knotsOf } from './sampling.ts';
 
 /** Distance of straight pieces from the true path, as a fraction of half the object's diagonal. */
 const RIGID_TOLERANCE = 1e-4;
@@ -21,6 +22,14 @@ const FRAME_TOLERANCE = 1e-4;
 const RIGIDITY = 1e-5;
 /** Points of a deforming mesh by whose paths its sample times are chosen. */
 const PROBES = 256;
+/** Inside a piece a path is looked at here: in the middle and at two places that no periodic motion has in common. */
+const LOOKS = [0.23, 0.5, 0.71];
+/** A piece between two keys is halved at most this many times. */
+const MAX_HALVINGS = 12;
+/** For the paths of all that moves together [curves, each at one time]: about half a second. */
+const MOTION_BUDGET = 2 ** 17;
+/** Following so many points takes as long as one curve. */
+const POINTS_PER_CURVE = 8;
 /** Most bytes of baked points in a scene. */
 const MAX_BAKED = 2 ** 30;
 
@@ -35,6 +44,7 @@ export class Baker {
   readonly #context: GltfContext;
   readonly #budget: number;
   readonly #stretches = new Map<Mesh, Map<string, Mesh>>();
+  readonly #motionBudget = new RefinementBudget(MOTION_BUDGET);
   #left: number;
   /** `budget`: most bytes of baked points. */
   constructor(context: GltfContext, budget = MAX_BAKED) {
@@ -52,7 +62,8 @@ export class Baker {
     this.#noteJumps(frame, knots);
     const corners = boxCorners(geometry.mesh.positions);
     const shape = cornerPaths(corners, placementAt);
-    const times = sampleTimes(knots, shape, this.#tolerance(RIGID_TOLERANCE) * radiusOf(shape(knots.times[0])));
+    const tolerance = this.#tolerance(RIGID_TOLERANCE) * radiusOf(shape(knots.times[0]));
+    const times = this.#followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
     const poses = rigidPoses(placementAt, first, times);
     if (!poses) return this.bakePoints(frame, geometry, deformer);
     return { mesh: this.#placed(geometry.mesh, first).mesh, motion: rigidMotion(times, poses) };
@@ -76,8 +87,9 @@ export class Baker {
   }
 
   /** Where a camera is and looks, or a light; its scale does not count. */
-  bakeFrame({ curves, placementAt }: Frame): StaticMotion | SampledMotion {
-    const knots = knotsOf(curves);
+  bakeFrame(frame: Frame): StaticMotion | SampledMotion {
+    const { placementAt } = frame;
+    const knots = knotsOf(frame.curves);
     const poseAt = (t: number): Pose => poseOf(placementAt(t));
     if (knots.times.length < 2) return { kind: 'static', pose: poseAt(knots.times[0] ?? 0) };
     const axes = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
@@ -85,7 +97,7 @@ export class Baker {
       const { position, orientation } = poseAt(t);
       return { matrix: fromParts(toMatrix(orientation), position), rotation: orientation };
     };
-    const times = sampleTimes(knots, cornerPaths(axes, rigid), FRAME_TOLERANCE);
+    const times = this.#followed(frame, knots, cornerPaths(axes, rigid), FRAME_TOLERANCE);
     return rigidMotion(times, times.map(poseAt));
   }
 
@@ -112,6 +124,23 @@ export class Baker {
     return this.#context.options.chordTolerance ?? byDefault;
   }
 
+  /** Times at which `shape` is followed along its path, as closely as the scene's budget allows. */
+  #followed(
+    { path, curves }: Pick<Frame, 'path' | 'curves'>,
+    knots: Knots,
+    shape: (t: number) => ArrayLike<number>,
+    tolerance: number,
+  ): number[] {
+    const cost = 1 + curves.length + shape(knots.times[0]).length / 3 / POINTS_PER_CURVE;
+    const how = { tolerance, looks: LOOKS, halvings: MAX_HALVINGS, ramps: knots.jumps };
+    const { times, error, wanted } = this.#motionBudget.refine(knots.times, shape, how, cost);
+    if (error > tolerance) {
+      const message = `moves too wildly between its ${knots.times.length} keys to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
+      this.#context.notes.add('warning', 'resampling', path, message);
+    }
+    return [...times];
+  }
+
   #noteJumps({ path }: Frame, { jumps }: Knots): void {
     if (jumps.size === 0) return;
     const message = `jumps ${jumps.size} times (first at ${[...jumps].sort((a, b) => a - b)[0]} s); each jump is shown as a ramp of at most 1 ms, and may be faster than light`;
@@ -119,7 +148,7 @@ export class Baker {
   }
 
   /** Sample times of a deforming mesh; with a wider tolerance, or every n-th, where memory would not hold them. */
-  #pointTimes({ path }: Frame, { mesh }: Geometry, deformer: Deformer, knots: Knots): number[] {
+  #pointTimes(frame: Frame, { mesh }: Geometry, deformer: Deformer, knots: Knots): number[] {
     if (knots.times.length === 0) return [];
     const vertices = mesh.positions.length / 3;
     const probes = Array.from({ length: Math.min(PROBES, vertices) }, (_, i) =>
@@ -130,15 +159,15 @@ export class Baker {
     const most = Math.max(2, Math.floor(this.#left / Math.max(1, sampleBytes)));
     const wanted = this.#tolerance(DEFORMING_TOLERANCE) * radiusOf(shape(knots.times[0]));
     let tolerance = wanted;
-    let times = sampleTimes(knots, shape, tolerance);
+    let times = this.#followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
     while (times.length > Math.max(most, knots.times.length)) {
       tolerance = tolerance > 0 ? tolerance * 4 : radiusOf(shape(knots.times[0])) * 1e-3 || 1;
-      times = sampleTimes(knots, shape, tolerance);
+      times = this.#followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
     }
     if (times.length > most) times = thinned(times, most);
     if (times.length < knots.times.length || tolerance > wanted) {
       const message = `bends too much to hold in ${formatBytes(this.#budget)}; it is sampled at ${times.length} times only`;
-      this.#context.notes.add('warning', 'coarse', path, message);
+      this.#context.notes.add('warning', 'coarse', frame.path, message);
     }
     this.#left -= times.length * sampleBytes;
     return times;

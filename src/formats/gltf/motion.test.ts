@@ -250,3 +250,23 @@ describe('glTF motion', () => {
     await expect(kit.read({ animation: 'Jump' })).rejects.toThrow('no animation Jump; there are Move, Rest');
   });
 });
+
+it('what moves too wildly between keys shares a bound on samples, and is named', async () => {
+  const kit = new Kit();
+  const wild = Array.from({ length: 20 }, (_, i) => kit.meshNode(`Wild${i}`, kit.triangle()));
+  // A spline whose tangents take it to and fro by 10⁶ m.
+  const keys = Array.from({ length: 60 }, (_, i) => i);
+  for (const node of wild) {
+    kit.scene.addChild(node);
+    const values = keys.flatMap(() => [1e6, 0, 0, 0, 0, 0, -1e6, 1e6, 0]);
+    kit.animate(node, 'translation', keys, values, 'CUBICSPLINE');
+  }
+  const scene = await kit.read();
+  const counts = scene.objects.map(({ motion }) => ('times' in motion ? motion.times.length : 0));
+  // Six looks at two curves' cost for each added sample, of the 2¹⁷ that there are.
+  expect(counts.reduce((sum, n) => sum + n)).toBeLessThan(20 * 60 + 2 ** 17 / 12);
+  const said = scene.diagnostics.filter((d) => d.code === 'gltf.resampling');
+  expect(said).toHaveLength(20);
+  expect(said[0].place).toBe('a.glb: /Wild0');
+  expect(said[0].message).toMatch(/between its 60 keys .*about [\d.e+]+ samples would be needed, \d+ are used, .* m;/);
+});

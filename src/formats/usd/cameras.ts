@@ -18,5 +18,5 @@ export function cameraOf(context: StageContext, prim: PrimSpec, frame: Frame): S
   if (textAt(prim, 'projection', undefined) === 'orthographic')
     report(context, 'warning', 'usd.projection', prim.path, 'an orthographic camera is read as a perspective one');
   const fovY = 2 * Math.atan(lens('verticalAperture') / (2 * lens('focalLength')));
-  return { path: prim.path, motion: frameMotion(context, frame), fovY };
+  return { path: prim.path, motion: frameMotion(context, prim.path, frame), fovY };
 }

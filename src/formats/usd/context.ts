@@ -1,3 +1,4 @@
+import type { RefinementBudget } from '../../scene/refine.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import { boolAt } from './attributes.ts';
 import type { AssetFiles } from './compose/assets.ts';
@@ -20,6 +21,8 @@ export interface StageContext {
   readonly diagnostics: DiagnosticList;
   /** Memory that is left for the points of deforming meshes. */
   readonly pointBudget: { bytes: number };
+  /** Work that is left for the paths between samples. */
+  readonly motionBudget: RefinementBudget;
   /** Paths of the subdivision surfaces that are drawn as their polygons. */
   readonly subdivided: string[];
 }

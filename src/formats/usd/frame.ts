@@ -6,11 +6,13 @@ import { localMatrix, opTimes, unionOfTimes, type XformOp } from './xformOps.ts'
 export interface Frame {
   /** Codes at which the ops have samples; empty where nothing moves. */
   readonly times: Float64Array;
+  /** How many ops and products of matrices `matrixAt` takes. */
+  readonly cost: number;
   /** x_stage = M x_local, in stage units. */
   matrixAt(time: TimeCode): mat4.Mat4;
 }
 
-export const ROOT_FRAME: Frame = { times: new Float64Array(0), matrixAt: () => mat4.IDENTITY };
+export const ROOT_FRAME: Frame = { times: new Float64Array(0), cost: 1, matrixAt: () => mat4.IDENTITY };
 
 export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
   if (ops.length === 0) return parent;
@@ -20,13 +22,14 @@ export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
   const times = unionOfTimes([parent.times, own]);
   if (times.length === 0) {
     const fixedToStage = mat4.multiply(parent.matrixAt(0), local(0));
-    return { times, matrixAt: () => fixedToStage };
+    return { times, cost: 1, matrixAt: () => fixedToStage };
   }
-  return { times, matrixAt: (time) => mat4.multiply(parent.matrixAt(time), local(time)) };
+  const cost = parent.cost + (fixed ? 1 : ops.length);
+  return { times, cost, matrixAt: (time) => mat4.multiply(parent.matrixAt(time), local(time)) };
 }
 
 /** The frame in metres. */
 export function scaledFrame(frame: Frame, unit: number): Frame {
   const scale: mat4.Mat4 = [unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1];
-  return { times: frame.times, matrixAt: (time) => mat4.multiply(scale, frame.matrixAt(time)) };
+  return { ...frame, matrixAt: (time) => mat4.multiply(scale, frame.matrixAt(time)) };
 }

@@ -53,7 +53,7 @@ export async function lightOf(
 
 function sphereMotion(context: StageContext, prim: PrimSpec, frame: Frame, directions: Directions): FrameMotion {
   const poseTime = poseTimeOf(directions);
-  if (poseTime === undefined) return frameMotion(context, frame);
+  if (poseTime === undefined) return frameMotion(context, prim.path, frame);
   const world = scaledFrame(frame, context.unit).matrixAt(poseTime * context.codesPerSecond);
   return directedMotion(context, prim.path, mat4.decomposeRigid(world).pose, directions);
 }

@@ -6,7 +6,7 @@ import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
-import { affordableTimes, boxCorners, bytesOfPoints, refineTimes } from './sampling.ts';
+import { affordableTimes, boxCorners, bytesOfPoints, carried } from './sampling.ts';
 import { unionOfTimes } from './xformOps.ts';
 
 /** A mesh in its prim's own axes and stage units, and how its points change with time in there. */
@@ -36,6 +36,22 @@ interface Still extends Placed {
 const RIGID = 1e-5;
 /** Turns between samples of what has no size are followed to this angle [rad], paths to as many metres. */
 const FRAME_TOLERANCE = 1e-4;
+/** Tips of the axes: they turn by at most the tolerance against the chord. */
+const AXES: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+/** A polar decomposition takes as long as so many ops. */
+const POLAR_COST = 4;
+
+/**
+ * Where a path between samples is compared with its chord: at irregular fractions, so that whole turns between two
+ * samples (which look like rest at the half) are found.
+ */
+const LOOKS = [0.118, 0.283, 0.5, 0.691, 0.877];
+/** One interval is halved at most this often. */
+const MAX_HALVINGS = 14;
 
 /**
  * The motion of a mesh. What does not change with time is static, its scale and shear in the mesh. What moves without
@@ -80,10 +96,22 @@ function stretched(mesh: Mesh, stretch: readonly number[]): Mesh {
 
 function refined(context: StageContext, path: string, world: Frame, corners: readonly Vec3[]): Float64Array {
   const size = Math.max(...corners.map((c) => Math.hypot(...mat4.transformVector(world.matrixAt(world.times[0]), c))));
-  const tolerance = context.chordTolerance * size;
-  const { times, error } = refineTimes(world.times, world.matrixAt, corners, tolerance);
+  return followed(context, path, world, corners, context.chordTolerance * size);
+}
+
+/** Times at which `corners` are followed along the frame's path, as closely as the scene's budget allows. */
+function followed(
+  context: StageContext,
+  path: string,
+  { times: samples, cost, matrixAt }: Frame,
+  corners: readonly Vec3[],
+  tolerance: number,
+): Float64Array {
+  const shape = (time: number): Float64Array => carried(corners, matrixAt(time));
+  const how = { tolerance, looks: LOOKS, halvings: MAX_HALVINGS };
+  const { times, error, wanted } = context.motionBudget.refine(samples, shape, how, cost);
   if (error > tolerance) {
-    const message = `it jumps or turns too fast between samples to be followed: paths are off by up to ${error.toPrecision(2)} m; write more samples`;
+    const message = `it jumps or turns too fast between its ${samples.length} samples to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
     report(context, 'warning', 'usd.resampling', path, message);
   }
   return times;
@@ -108,22 +136,13 @@ export function sampledPoses(
 }
 
 /** How a prim's own axes move: of a camera or a light, which have no size. Their scale does not matter. */
-export function frameMotion(context: StageContext, frame: Frame): StaticMotion | SampledMotion {
+export function frameMotion(context: StageContext, path: string, frame: Frame): StaticMotion | SampledMotion {
   const world = scaledFrame(frame, context.unit);
   const poseAt = (time: number): mat4.RigidPose => mat4.decomposeRigid(world.matrixAt(time)).pose;
   if (world.times.length === 0) return { kind: 'static', pose: poseAt(context.startCode) };
-  const rigidAt = (time: number): mat4.Mat4 => mat4.fromPose(poseAt(time));
-  // Tips of the axes: they turn by at most the tolerance against the chord.
-  const { times } = refineTimes(
-    world.times,
-    rigidAt,
-    [
-      [1, 0, 0],
-      [0, 1, 0],
-      [0, 0, 1],
-    ],
-    FRAME_TOLERANCE,
-  );
+  const matrixAt = (time: number): mat4.Mat4 => mat4.fromPose(poseAt(time));
+  const rigid = { times: world.times, cost: world.cost + POLAR_COST, matrixAt };
+  const times = followed(context, path, rigid, AXES, FRAME_TOLERANCE);
   return sampledPoses(context, times, Array.from(times, poseAt));
 }
 
@@ -131,7 +150,7 @@ function deforming(context: StageContext, path: string, shape: Shape, world: Fra
   const { times } = shape.deformation!;
   if (world.times.length === 0) return sampledPoints(context, path, shape, world, times);
   const corners = boxCorners(shape.mesh.positions);
-  const both = { times: unionOfTimes([times, world.times]), matrixAt: world.matrixAt };
+  const both = { ...world, times: unionOfTimes([times, world.times]) };
   return sampledPoints(context, path, shape, world, refined(context, path, both, corners));
 }
 

@@ -223,3 +223,34 @@ describe.skipIf(!present)('real files', () => {
     expect(scene.diagnostics.filter((d) => d.severity !== 'info')).toEqual([]);
   });
 });
+
+describe('motion that is too fast between samples', () => {
+  const turning = (kind: string, name: string, degrees: number): string => `
+def ${kind} "${name}" {
+  float xformOp:rotateY.timeSamples = { 0: 0, 24: ${degrees} }
+  uniform token[] xformOpOrder = ["xformOp:rotateY"]
+}`;
+  const samplesOf = ({ objects, cameras }: Scene): number[] =>
+    [...objects, ...cameras].map(({ motion }) => ('times' in motion ? motion.times.length : 0));
+
+  it('takes no more samples than a scene may have, however many things there are', async () => {
+    const wild = Array.from({ length: 40 }, (_, i) => turning(i % 2 ? 'Camera' : 'Cube', `A${i}`, 1e7 + i)).join('');
+    const scene = await readText(wild);
+    const counts = samplesOf(scene);
+    // Ten evaluations for each sample, of the 2¹⁸ that there are.
+    expect(counts.reduce((sum, n) => sum + n)).toBeLessThan(2 ** 18 / 10);
+    expect(counts.every((n) => n >= 2)).toBe(true);
+    expect(scene.diagnostics.filter((d) => d.code === 'usd.resampling')).toHaveLength(40);
+    expect(said(scene)[0]).toMatch(
+      /^usd\.resampling a\.usda<\/A0>: .* its 2 samples .*about [\d.e+]+ samples would be needed, \d+ are used, and paths are off by up to [\d.]+ m; write more samples/,
+    );
+  });
+
+  it('leaves enough for what is not wild', async () => {
+    const scene = await readText(turning('Cube', 'Wild', 1e8) + turning('Cube', 'Wheel', 360));
+    // A chord over the angle a leaves a circle of radius r by r(1 − cos a/2); the number of pieces is a power of two.
+    const pieces = 2 ** Math.ceil(Math.log2(Math.PI / Math.acos(1 - 1e-4)));
+    expect(samplesOf(scene)[1]).toBe(pieces + 1);
+    expect(scene.diagnostics.filter((d) => d.code === 'usd.resampling').map((d) => d.place)).toEqual(['a.usda</Wild>']);
+  });
+});

@@ -1,3 +1,4 @@
+import { RefinementBudget } from '../../scene/refine.ts';
 import type { Scene } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
 import type { ReadOptions } from '../registry.ts';
@@ -17,6 +18,9 @@ const CHORD_TOLERANCE = 1e-4;
 
 /** For all deforming meshes of a scene together [bytes]: a small file can ask for any number of samples of a large mesh. */
 const POINT_BUDGET = 2 ** 30;
+
+/** For the paths of all moving things together [ops]: about half a second. */
+const MOTION_BUDGET = 2 ** 18;
 
 /**
  * Reads the stage of a USD layer, or of a package, as a scene, with all layers that it is composed from. What it says
@@ -71,6 +75,7 @@ function contextOf(layer: Layer, files: AssetFiles, diagnostics: DiagnosticList,
     chordTolerance: options.chordTolerance ?? CHORD_TOLERANCE,
     diagnostics,
     pointBudget: { bytes: POINT_BUDGET },
+    motionBudget: new RefinementBudget(MOTION_BUDGET),
     subdivided: [],
   };
   for (const key of ['unit', 'codesPerSecond'] as const) {

@@ -1,5 +1,5 @@
-import { fromAxisAngle, IDENTITY, type Quat } from '../../math/quat.ts';
-import { cross, dot, type Vec3 } from '../../math/vec3.ts';
+import { shortestTurn } from '../../math/quat.ts';
+import type { Vec3 } from '../../math/vec3.ts';
 import type {
   Light,
   Mesh,
@@ -185,7 +185,7 @@ export function cameraContent(camera: SceneCamera, placement: Placement): PrimCo
 export function lightContent(light: Light, placement: Placement, file: string | undefined): PrimContent {
   const color = [`color3f inputs:color = ${floats(light.color)}`, 'float inputs:intensity = 1'];
   if (light.kind === 'distant') {
-    const pose: Pose = { position: [0, 0, 0], orientation: turnTo(light.direction) };
+    const pose: Pose = { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) };
     return { type: 'DistantLight', properties: [...color, ...poseLines(pose, placement)] };
   }
   if (light.kind === 'sphere') {
@@ -197,13 +197,4 @@ export function lightContent(light: Light, placement: Placement, file: string | 
   }
   const texture = file ? [`asset inputs:texture:file = @${file}@`] : [];
   return { type: 'DomeLight', properties: [...color, ...texture] };
-}
-
-/** The rotation that carries −Z to a unit direction by the shortest way. */
-function turnTo(direction: Vec3): Quat {
-  const from: Vec3 = [0, 0, -1];
-  const cosine = dot(from, direction);
-  if (cosine > 1 - 1e-15) return IDENTITY;
-  if (cosine < -1 + 1e-15) return fromAxisAngle([0, 1, 0], Math.PI);
-  return fromAxisAngle(cross(from, direction), Math.atan2(Math.hypot(...cross(from, direction)), cosine));
 }

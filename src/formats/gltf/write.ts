@@ -1,0 +1,141 @@
+import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
+import { KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
+import { shortestTurn } from '../../math/quat.ts';
+import { scale } from '../../math/vec3.ts';
+import type { Light, SampledMotion, Scene, StaticMotion } from '../../scene/types.ts';
+import {
+  Losses,
+  type PlainMotion,
+  plainFrame,
+  plainObjects,
+  posesOf,
+  turnedYUp,
+  type Written,
+  yUp,
+} from '../written.ts';
+import { AnimationWriter } from './writeAnimation.ts';
+import { MeshWriter } from './writeMeshes.ts';
+
+/**
+ * A scene as glTF 2.0, in metres with Y up. Rigid samples become animated translations and rotations, deforming points
+ * morph targets; all numbers are f32. `name`: of the file, with the extension `glb` (one file) or `gltf`.
+ */
+export async function writeGltf(scene: Scene, name: string): Promise<Written> {
+  const losses = new Losses(name);
+  const document = new GltfWriter(scene, losses).write();
+  const io = new WebIO().registerExtensions([KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR]);
+  if (/\.glb$/i.test(name))
+    return { files: new Map([[name, await io.writeBinary(document)]]), diagnostics: losses.list };
+  const basename = name.replace(/\.[^.]*$/, '');
+  const { json, resources } = await io.writeJSON(document, { basename });
+  const text = new TextEncoder().encode(`${JSON.stringify(json, null, 1)}\n`);
+  return { files: new Map([[name, text], ...Object.entries(resources)]), diagnostics: losses.list };
+}
+
+class GltfWriter {
+  private readonly document = new Document();
+  private readonly nodes = new Map<string, GltfNode>();
+  /** Paths at which a node of the same name cannot be what is placed: others are below it, or it is placed already. */
+  private readonly taken: Set<string>;
+  private readonly root = this.document.createScene();
+  private readonly scene: Scene;
+  private readonly losses: Losses;
+  private readonly meshes: MeshWriter;
+  private readonly animations: AnimationWriter;
+
+  constructor(scene: Scene, losses: Losses) {
+    this.scene = scene;
+    this.losses = losses;
+    const { objects, cameras, lights } = scene;
+    this.taken = new Set([...objects, ...cameras, ...lights].flatMap(({ path }) => ancestors(path)));
+    const buffer = this.document.createBuffer();
+    this.root.setName(scene.name);
+    this.document.getRoot().setDefaultScene(this.root);
+    this.meshes = new MeshWriter(this.document, buffer, scene, losses);
+    this.animations = new AnimationWriter(this.document, buffer, scene, losses);
+  }
+
+  write(): Document {
+    const { scene, losses } = this;
+    if (Object.keys(scene.hints).length > 0)
+      losses.add(
+        'info',
+        'convert.hints',
+        '',
+        'what the author suggests for viewing (speed of light, title) is not written',
+      );
+    for (const object of plainObjects(scene, losses)) {
+      const node = this.placed(object.path, 'Mesh', object.motion);
+      const weights = this.meshes.addTo(node, object);
+      if (weights) this.animations.addWeights(node, weights);
+    }
+    for (const { path, motion, fovY } of scene.cameras) {
+      const camera = this.document.createCamera().setType('perspective').setYFov(fovY).setZNear(0.01);
+      this.placed(path, 'Camera', motion).setCamera(camera);
+    }
+    for (const light of scene.lights) this.addLight(light);
+    const root = this.document.getRoot();
+    // A buffer without bytes is not valid.
+    if (root.listAccessors().length === 0) for (const buffer of root.listBuffers()) buffer.dispose();
+    return this.document;
+  }
+
+  private addLight(light: Light): void {
+    if (light.kind === 'dome') {
+      this.losses.add('warning', 'convert.light', light.path, 'glTF has no dome light; it is left out');
+      return;
+    }
+    const isSun = light.kind === 'distant';
+    const motion: StaticMotion | SampledMotion = isSun
+      ? { kind: 'static', pose: { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) } }
+      : plainFrame(light.motion, this.scene, light.path, this.losses);
+    // Of a sphere: I = π r² L.
+    const intensity = isSun || light.radius === 0 ? light.color : scale(light.color, Math.PI * light.radius ** 2);
+    const most = Math.max(...intensity);
+    const color = most > 0 ? scale(intensity, 1 / most) : intensity;
+    const made = this.document.createExtension(KHRLightsPunctual).createLight();
+    made
+      .setType(isSun ? 'directional' : 'point')
+      .setColor([...color])
+      .setIntensity(most);
+    this.placed(light.path, 'Light', motion).setExtension('KHR_lights_punctual', made);
+    if (!isSun && light.radius > 0)
+      this.losses.add(
+        'info',
+        'convert.light',
+        light.path,
+        `its radius of ${light.radius} m is lost: lights of glTF are points`,
+      );
+  }
+
+  /** A node of its own, at its place in the world at each time: the nodes above it only name it. */
+  private placed(path: string, kind: string, motion: PlainMotion): GltfNode {
+    const group = this.group(path);
+    const node = this.taken.has(path) ? this.document.createNode(kind) : group;
+    this.taken.add(path);
+    if (node !== group) group.addChild(node);
+    const [first] = posesOf(motion);
+    node
+      .setTranslation([...yUp(this.scene, first.position)])
+      .setRotation([...turnedYUp(this.scene, first.orientation)]);
+    if (motion.kind === 'sampled') this.animations.addPoses(node, motion);
+    return node;
+  }
+
+  private group(path: string): GltfNode {
+    const known = this.nodes.get(path);
+    if (known) return known;
+    const end = path.lastIndexOf('/');
+    const node = this.document.createNode(path.slice(end + 1));
+    this.nodes.set(path, node);
+    if (end > 0) this.group(path.slice(0, end)).addChild(node);
+    else this.root.addChild(node);
+    return node;
+  }
+}
+
+/** `/A/B/C` → `/A/B`, `/A` */
+function ancestors(path: string): string[] {
+  const end = path.lastIndexOf('/');
+  return end > 0 ? [path.slice(0, end), ...ancestors(path.slice(0, end))] : [];
+}

@@ -1,0 +1,97 @@
+import type { Document, Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
+import { KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
+import { scale, type Vec3 } from '../../math/vec3.ts';
+import type { Material, Scene, Texture } from '../../scene/types.ts';
+import { encodePng } from '../png.ts';
+import type { Losses } from '../written.ts';
+
+const WRAPS = { repeat: 10497, clamp: 33071, mirror: 33648 } as const;
+const FILTERS = { nearest: { mag: 9728, min: 9728 }, linear: { mag: 9729, min: 9987 } } as const;
+
+/** Materials of glTF say too whether they have two sides: one of ours may become two. */
+export class MaterialWriter {
+  private readonly document: Document;
+  private readonly scene: Scene;
+  private readonly losses: Losses;
+  private readonly made = new Map<string, GltfMaterial>();
+  private readonly pictures = new Map<Uint8Array, GltfTexture>();
+
+  constructor(document: Document, scene: Scene, losses: Losses) {
+    this.document = document;
+    this.scene = scene;
+    this.losses = losses;
+  }
+
+  of(index: number, doubleSided: boolean): GltfMaterial {
+    const key = `${index} ${doubleSided}`;
+    const material = this.made.get(key) ?? this.make(this.scene.materials[index]).setDoubleSided(doubleSided);
+    this.made.set(key, material);
+    return material;
+  }
+
+  private make(m: Material): GltfMaterial {
+    const baseColor = this.clamped(m.baseColor, m.name, 'base colour');
+    const made = this.document
+      .createMaterial(m.name)
+      .setBaseColorFactor([...baseColor, m.opacity])
+      .setRoughnessFactor(m.roughness)
+      .setMetallicFactor(m.metallic);
+    const isClear = m.opacity < 1 || (m.baseColorTexture?.data.some((x, i) => i % 4 === 3 && x < 255) ?? false);
+    if (m.opacityThreshold > 0) made.setAlphaMode('MASK').setAlphaCutoff(m.opacityThreshold);
+    else if (isClear) made.setAlphaMode('BLEND');
+    this.addEmission(made, m.emissive);
+    if (m.ior !== undefined)
+      made.setExtension('KHR_materials_ior', this.document.createExtension(KHRMaterialsIOR).createIOR().setIOR(m.ior));
+    if (m.baseColorTexture) {
+      made.setBaseColorTexture(this.picture(m.baseColorTexture));
+      sampled(made.getBaseColorTextureInfo(), m.baseColorTexture);
+    }
+    if (m.emissiveTexture) {
+      made.setEmissiveTexture(this.picture(m.emissiveTexture));
+      sampled(made.getEmissiveTextureInfo(), m.emissiveTexture);
+    }
+    return made;
+  }
+
+  /** Factors of glTF are at most 1; what is brighter has a strength too. */
+  private addEmission(made: GltfMaterial, emissive: Vec3): void {
+    const most = Math.max(...emissive);
+    made.setEmissiveFactor([...(most > 1 ? scale(emissive, 1 / most) : emissive)]);
+    if (most <= 1) return;
+    const strength = this.document.createExtension(KHRMaterialsEmissiveStrength).createEmissiveStrength();
+    made.setExtension('KHR_materials_emissive_strength', strength.setEmissiveStrength(most));
+  }
+
+  private clamped(color: Vec3, name: string, what: string): Vec3 {
+    const [r, g, b] = color.map((x) => Math.min(1, Math.max(0, x)));
+    if (r !== color[0] || g !== color[1] || b !== color[2])
+      this.losses.add(
+        'warning',
+        'convert.color',
+        `material ${name}`,
+        `its ${what} ${color.join(', ')} is cut to 0 … 1`,
+      );
+    return [r, g, b];
+  }
+
+  private picture(texture: Texture): GltfTexture {
+    const known = this.pictures.get(texture.data);
+    if (known) return known;
+    if (texture.colorSpace === 'linear')
+      this.losses.add('warning', 'convert.texture', texture.name, 'its linear colours are taken as sRGB there');
+    const name =
+      texture.name
+        .replace(/^.*[/\\]/, '')
+        .replace(/\.[^.]*$/, '')
+        .replace(/[^\w-]/g, '_') || 'texture';
+    const image = encodePng(texture.width, texture.height, texture.data);
+    const made = this.document.createTexture(name).setMimeType('image/png').setImage(Uint8Array.from(image));
+    this.pictures.set(texture.data, made);
+    return made;
+  }
+}
+
+function sampled(info: TextureInfo | null, { filter, wrapS, wrapT }: Texture): void {
+  info?.setMagFilter(FILTERS[filter].mag).setMinFilter(FILTERS[filter].min);
+  info?.setWrapS(WRAPS[wrapS]).setWrapT(WRAPS[wrapT]);
+}

@@ -1,0 +1,82 @@
+import { type Mesh as ThreeMesh, Vector3 } from 'three';
+import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
+import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
+import { describe, expect, it } from 'vitest';
+import { fromAxisAngle } from '../../math/quat.ts';
+import { distance } from '../../math/vec3.ts';
+import { makeMaterial, makeObject, makeScene } from '../../scene/defaults.ts';
+import { vertexPosition } from '../../scene/motion.ts';
+import { box } from '../../scene/primitives.ts';
+import { decodeImage } from '../images.ts';
+import { writeObj } from './write.ts';
+
+const cube = box([1, 2, 3]);
+const data = Uint8Array.of(10, 20, 30, 255);
+const texture = { name: 'dot', width: 1, height: 1, data, colorSpace: 'srgb', filter: 'linear' } as const;
+const scene = makeScene({
+  name: 'still',
+  upAxis: 'Z',
+  materials: [
+    makeMaterial({ name: '/Materials/Red paint', baseColor: [0.5, 0.25, 0.125] }),
+    makeMaterial({ name: '/Materials/Red paint', baseColorTexture: { ...texture, wrapS: 'repeat', wrapT: 'repeat' } }),
+  ],
+  objects: [
+    makeObject({
+      path: '/World/A',
+      mesh: cube,
+      motion: { kind: 'static', pose: { position: [10, 20, 30], orientation: fromAxisAngle([1, 2, 3], 1) } },
+    }),
+    makeObject({
+      path: '/World/B',
+      mesh: { ...cube, groups: [{ start: 0, count: cube.indices.length, material: 1 }] },
+      motion: {
+        kind: 'sampled',
+        times: Float64Array.of(1, 2),
+        poses: Float64Array.of(0, 0, 5, 0, 0, 0, 1, 9, 9, 9, 0, 0, 0, 1),
+      },
+    }),
+  ],
+  lights: [{ kind: 'dome', path: '/Sky', color: [1, 1, 1] }],
+});
+const text = (bytes: Uint8Array | undefined): string => new TextDecoder().decode(bytes);
+
+describe('a scene written as OBJ', () => {
+  const { files, diagnostics } = writeObj(scene, 'a.obj');
+
+  it('has every corner where it is in the world, with Y up, as three.js reads it', () => {
+    const meshes = new OBJLoader().parse(text(files.get('a.obj'))).children as ThreeMesh[];
+    expect(meshes.map((m) => m.name)).toEqual(['World/A', 'World/B']);
+    for (const [i, object] of scene.objects.entries()) {
+      const { position, normal } = meshes[i].geometry.attributes;
+      expect(position.count).toBe(cube.indices.length);
+      for (const [corner, v] of cube.indices.entries()) {
+        const [x, y, z] = vertexPosition(object, v, 1, 1e9);
+        const p = new Vector3().fromBufferAttribute(position, corner);
+        expect(distance([p.x, p.y, p.z], [x, z, -y])).toBeLessThan(1e-5);
+      }
+      // Of the first triangle: its edges are at right angles to its normal.
+      const [a, b] = [0, 1].map((k) => new Vector3().fromBufferAttribute(position, k));
+      expect(b.sub(a).dot(new Vector3().fromBufferAttribute(normal, 0))).toBeCloseTo(0, 5);
+    }
+  });
+
+  it('has its materials and pictures, each with a name of its own', () => {
+    const library = new MTLLoader().parse(text(files.get('a.mtl')), '');
+    expect(text(files.get('a.obj'))).toContain('mtllib a.mtl\n');
+    expect(text(files.get('a.obj')).match(/usemtl .*/g)).toEqual([
+      'usemtl Materials/Red_paint',
+      'usemtl Materials/Red_paint_1',
+    ]);
+    expect(Object.keys(library.materialsInfo)).toEqual(['Materials/Red_paint', 'Materials/Red_paint_1']);
+    expect(text(files.get('a.mtl'))).toContain('Kd 0.5 0.25 0.125\n');
+    expect(text(files.get('a.mtl'))).toContain('map_Kd a_0.png\n');
+    expect(decodeImage(files.get('a_0.png')!, 'a_0.png').data).toEqual(data);
+  });
+
+  it('says what is lost', () => {
+    expect(diagnostics.map((d) => `${d.code} ${d.place}: ${d.message}`)).toEqual([
+      'convert.motion a.obj: /World/B: OBJ has no motion: it is written where it is at 1 s',
+      'convert.left-out a.obj: /Sky: OBJ has no lights and no cameras; it is left out',
+    ]);
+  });
+});

@@ -1,0 +1,112 @@
+import { rotate } from '../../math/quat.ts';
+import { add, type Vec3 } from '../../math/vec3.ts';
+import type { Material, Mesh, Pose, Scene, Texture } from '../../scene/types.ts';
+import { encodePng } from '../png.ts';
+import { Losses, plainObjects, posesOf, type Written, yUp } from '../written.ts';
+
+/**
+ * A scene as Wavefront OBJ with its MTL and textures, in metres with Y up. OBJ holds shapes alone: what moves is written
+ * where it is at its first sample, and what is lost is said.
+ */
+export function writeObj(scene: Scene, name: string): Written {
+  const losses = new Losses(name);
+  const base = name.replace(/\.[^.]*$/, '');
+  const library = new MaterialLibrary(scene.materials, base);
+  // Counts from 1, through all objects.
+  let first = 1;
+  const lines = ['# Y up, metres', `mtllib ${base}.mtl`];
+  for (const { path, mesh, motion } of plainObjects(scene, losses)) {
+    if (motion.kind !== 'static')
+      losses.add(
+        'warning',
+        'convert.motion',
+        path,
+        `OBJ has no motion: it is written where it is at ${motion.times[0]} s`,
+      );
+    lines.push(`o ${path.replace(/^\//, '').replace(/\s/g, '_')}`);
+    lines.push(...vertexLines(scene, mesh, posesOf(motion)[0]), ...faceLines(mesh, first, library));
+    first += mesh.positions.length / 3;
+  }
+  for (const { path } of [...scene.lights, ...scene.cameras])
+    losses.add('warning', 'convert.left-out', path, 'OBJ has no lights and no cameras; it is left out');
+  const encode = (text: readonly string[]): Uint8Array => new TextEncoder().encode(`${text.join('\n')}\n`);
+  const files = new Map([[name, encode(lines)], [`${base}.mtl`, encode(library.lines())], ...library.pictures()]);
+  return { files, diagnostics: losses.list };
+}
+
+function vertexLines(scene: Scene, { positions, normals, uvs, colors }: Mesh, pose: Pose): string[] {
+  const at = (values: Float32Array, i: number): Vec3 => [values[i], values[i + 1], values[i + 2]];
+  const [v, vt, vn]: string[][] = [[], [], []];
+  for (let i = 0; i < positions.length; i += 3) {
+    const p = yUp(scene, add(pose.position, rotate(pose.orientation, at(positions, i))));
+    v.push(`v ${numbers(p)}${colors ? ` ${numbers(at(colors, i))}` : ''}`);
+    vn.push(`vn ${numbers(yUp(scene, rotate(pose.orientation, at(normals, i))))}`);
+    vt.push(`vt ${numbers([uvs[(2 * i) / 3], uvs[(2 * i) / 3 + 1]])}`);
+  }
+  return [...v, ...vt, ...vn];
+}
+
+function faceLines({ indices, groups }: Mesh, first: number, library: MaterialLibrary): string[] {
+  return groups.flatMap(({ start, count, material }) => {
+    const lines = [`usemtl ${library.name(material)}`];
+    for (let i = start; i < start + count; i += 3) {
+      const corners = [0, 1, 2].map((k) => indices[i + k] + first);
+      lines.push(`f ${corners.map((n) => `${n}/${n}/${n}`).join(' ')}`);
+    }
+    return lines;
+  });
+}
+
+/** Nine digits tell every f32 apart. */
+const numbers = (values: readonly number[]): string => values.map((x) => Number(x.toPrecision(9))).join(' ');
+
+/** Materials with names of their own, and the pictures that they name. */
+class MaterialLibrary {
+  private readonly materials: readonly Material[];
+  private readonly base: string;
+  private readonly names: readonly string[];
+  private readonly files = new Map<Uint8Array, readonly [string, Texture]>();
+
+  constructor(materials: readonly Material[], base: string) {
+    this.materials = materials;
+    this.base = base;
+    const used = new Set<string>();
+    this.names = materials.map(({ name }) => {
+      const wanted = name.replace(/^\//, '').replace(/\s/g, '_') || 'material';
+      let free = wanted;
+      for (let n = 1; used.has(free); n++) free = `${wanted}_${n}`;
+      used.add(free);
+      return free;
+    });
+  }
+
+  name(index: number): string {
+    return this.names[index];
+  }
+
+  lines(): string[] {
+    return this.materials.flatMap((m, i) => [
+      `newmtl ${this.names[i]}`,
+      `Kd ${numbers(m.baseColor)}`,
+      `Ke ${numbers(m.emissive)}`,
+      `d ${numbers([m.opacity])}`,
+      `Pr ${numbers([m.roughness])}`,
+      `Pm ${numbers([m.metallic])}`,
+      ...(m.ior === undefined ? [] : [`Ni ${numbers([m.ior])}`]),
+      ...(m.baseColorTexture ? [`map_Kd ${this.file(m.baseColorTexture)}`] : []),
+      ...(m.emissiveTexture ? [`map_Ke ${this.file(m.emissiveTexture)}`] : []),
+    ]);
+  }
+
+  /** The PNGs by their names, once `lines` has named them. */
+  pictures(): [string, Uint8Array][] {
+    return [...this.files.values()].map(([name, t]) => [name, encodePng(t.width, t.height, t.data)]);
+  }
+
+  private file(texture: Texture): string {
+    const known = this.files.get(texture.data);
+    const name = known?.[0] ?? `${this.base}_${this.files.size}.png`;
+    this.files.set(texture.data, [name, texture]);
+    return name;
+  }
+}

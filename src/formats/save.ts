@@ -1,0 +1,35 @@
+import type { Scene } from '../scene/types.ts';
+import { inputError } from './fail.ts';
+import { extensionOf } from './source.ts';
+import type { Written } from './written.ts';
+
+/** Kinds of scene file that are written, by extension. Each writer is loaded on first use. */
+const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<Written>>> = {
+  usda: async (scene, name) => {
+    const { writeTextures, writeUsda } = await import('./usd/write.ts');
+    const layer = new TextEncoder().encode(writeUsda(scene));
+    return { files: new Map([[name, layer], ...writeTextures(scene)]), diagnostics: [] };
+  },
+  usdz: async (scene, name) => {
+    const { writeUsdz } = await import('./usd/write.ts');
+    return { files: new Map([[name, writeUsdz(scene)]]), diagnostics: [] };
+  },
+  gltf: async (scene, name) => (await import('./gltf/write.ts')).writeGltf(scene, name),
+  glb: async (scene, name) => (await import('./gltf/write.ts')).writeGltf(scene, name),
+  obj: async (scene, name) => (await import('./obj/write.ts')).writeObj(scene, name),
+};
+
+/** Extensions that `saveScene` takes. */
+export const writtenExtensions: readonly string[] = Object.keys(writers);
+
+/** A scene as the kind of file that `name` (no folders) says. Throws an InputError where nothing writes that. */
+export async function saveScene(scene: Scene, name: string): Promise<Written> {
+  const extension = extensionOf(name);
+  if (writtenExtensions.includes(extension)) return writers[extension](scene, name);
+  const known = writtenExtensions.map((e) => `.${e}`).join(', ');
+  throw inputError(
+    'file.unknown-format',
+    name,
+    `.${extension} is not a scene format that can be written; ${known} can`,
+  );
+}

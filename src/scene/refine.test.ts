@@ -1,0 +1,70 @@
+import { describe, expect, it } from 'vitest';
+import { RefinementBudget, refineTimes } from './refine.ts';
+
+const HOW = { tolerance: 1e-3, looks: [0.118, 0.283, 0.5, 0.691, 0.877], halvings: 14, most: Number.POSITIVE_INFINITY };
+const RADIUS = 2;
+const turning =
+  (turns: number) =>
+  (t: number): number[] => [RADIUS * Math.cos(2 * Math.PI * turns * t), RADIUS * Math.sin(2 * Math.PI * turns * t), 0];
+
+describe('times between samples', () => {
+  it('are added until chords of a circle leave it by no more than the tolerance', () => {
+    const { times, error, wanted } = refineTimes([0, 1], turning(1), HOW);
+    expect(error).toBeLessThanOrEqual(1e-3);
+    // A chord over the angle a leaves a circle of radius r by r(1 − cos a/2); the number of pieces is a power of two.
+    const pieces = 2 ** Math.ceil(Math.log2(Math.PI / Math.acos(1 - 1e-3 / RADIUS)));
+    expect(times).toEqual(Float64Array.from({ length: pieces + 1 }, (_, i) => i / pieces));
+    expect(wanted).toBe(pieces + 1);
+  });
+
+  it('are found where whole turns look like rest at both ends and in the middle', () => {
+    for (const turns of [1, 2, 3, 4, 5, 10, 16]) {
+      const { times } = refineTimes([0, 1], turning(turns), { ...HOW, tolerance: 1e-2 });
+      expect(times.length, `${turns}`).toBeGreaterThan(20 * turns);
+    }
+  });
+
+  it('are not added to a straight way, nor on a ramp', () => {
+    const sliding = (t: number): number[] => [t, 2 * t, 0];
+    expect(refineTimes([0, 1, 3], sliding, { ...HOW, tolerance: 1e-9 }).times).toEqual(Float64Array.of(0, 1, 3));
+    expect(refineTimes([0, 1], turning(1), { ...HOW, ramps: new Set([1]) }).times).toEqual(Float64Array.of(0, 1));
+  });
+
+  it('say what is left where a jump cannot be followed', () => {
+    const { times, error } = refineTimes([0, 1], (t) => [t < 0.4 ? 0 : 5, 0, 0], HOW);
+    expect(error).toBeGreaterThan(1);
+    expect(times.length).toBeLessThan(50);
+  });
+
+  it('are not sought where a path is not finite', () => {
+    expect(refineTimes([0, 1], (t) => [t === 0 ? 0 : Number.NaN, 0, 0], HOW).times).toHaveLength(2);
+    expect(refineTimes([0, 1], (t) => [t > 0.2 ? 1e200 : 0, 0, 0], HOW).times).toHaveLength(2);
+  });
+
+  it('end at the most that may be added, spread over all of the motion', () => {
+    const { times, error, wanted } = refineTimes([0, 1], turning(1), { ...HOW, most: 15 });
+    expect(times).toEqual(Float64Array.from({ length: 17 }, (_, i) => i / 16));
+    // Sixteen chords of a circle: r(1 − cos π/16), seen at the middle of each.
+    expect(error).toBeCloseTo(RADIUS * (1 - Math.cos(Math.PI / 16)), 12);
+    // The closed form for the tolerance is π / arccos(1 − tolerance / r) pieces.
+    const needed = Math.PI / Math.acos(1 - 1e-3 / RADIUS);
+    expect(wanted).toBeGreaterThan(needed * 0.9);
+    expect(wanted).toBeLessThan(needed * 1.5);
+  });
+});
+
+describe('a budget', () => {
+  const added = (budget: RefinementBudget, cost: number): number =>
+    budget.refine([0, 1], turning(1000.7), HOW, cost).times.length - 2;
+
+  it('gives each motion half of what is left, by what it costs', () => {
+    // Ten looks at each added time.
+    const budget = new RefinementBudget(16_000);
+    expect([1, 1, 2, 1].map((cost) => added(budget, cost))).toEqual([800, 400, 100, 100]);
+  });
+
+  it('leaves alone what needs little', () => {
+    const free = refineTimes([0, 1], turning(1), HOW).times;
+    expect(new RefinementBudget(1e6).refine([0, 1], turning(1), HOW, 1).times).toEqual(free);
+  });
+});
