@@ -14,6 +14,8 @@ const stages = {
       tool('@biomejs/biome/bin/biome', 'check', '--error-on-warnings', '.'),
       tool('typescript/bin/tsc', '-p', 'tsconfig.json'),
       tool('typescript/bin/tsc', '-p', 'tsconfig.core.json'),
+      tool('typescript/bin/tsc', '-p', 'bench/tsconfig.json', '--noEmit'),
+      tool('typescript/bin/tsc', '-p', 'examples/tsconfig.json', '--noEmit'),
       tool('knip/bin/knip.js'),
     ],
   },
