@@ -188,14 +188,19 @@ const judges = ['usd-core==26.11', 'OpenEXR==3.4.4', 'numpy==2.3.5', 'flip-evalu
 export function ensureOracle() {
   const folder = at('.cache', 'venv', process.platform === 'win32' ? 'Scripts' : 'bin');
   const python = join(folder, 'python3');
+  // Which versions are there: the judges of an earlier state of the project may judge otherwise.
+  const list = at('.cache', 'venv', 'judges.txt');
   const hasJudges = () =>
-    existsSync(python) && ask(python, ['-c', 'import pxr.Usd, OpenEXR, numpy, flip_evaluator']) !== undefined;
+    existsSync(list) &&
+    readFileSync(list, 'utf8') === judges.join('\n') &&
+    ask(python, ['-c', 'import pxr.Usd, OpenEXR, numpy, flip_evaluator']) !== undefined;
   if (hasJudges()) return folder;
   try {
     if (ensurePackages(oraclePackages, 'for the optional tests against other programs').length > 0) return undefined;
     say(`Installing ${judges.join(', ')} into .cache/venv (the judges of our files) …`);
     run('python3', ['-m', 'venv', at('.cache', 'venv')]);
     run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', ...judges]);
+    writeFileSync(list, judges.join('\n'));
     return hasJudges() ? folder : undefined;
   } catch (error) {
     if (!(error instanceof SetupError)) throw error;

@@ -2,7 +2,7 @@ import { execFileSync } from 'node:child_process';
 
 /** Runs Python, quietly, and returns what it prints. */
 export const python = (...args: string[]): string =>
-  execFileSync('python3', args, { encoding: 'utf8', maxBuffer: 2 ** 28, stdio: ['ignore', 'pipe', 'ignore'] });
+  execFileSync('python3', args, { encoding: 'utf8', maxBuffer: 2 ** 29, stdio: ['ignore', 'pipe', 'ignore'] });
 
 /** Whether Pixar's own USD is there to be asked; says so where it is not. */
 export function hasUsdCore(): boolean {

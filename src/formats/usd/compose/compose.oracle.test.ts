@@ -1,9 +1,9 @@
-import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
+import { hasUsdCore, python } from '../../../../tests/usdCore.ts';
 import type { Json } from '../fixtures/layerJson.ts';
 import { composedFiles } from './fixtures/composedFiles.ts';
 import { type Ingredients, randomStage } from './fixtures/randomStage.ts';
@@ -13,20 +13,7 @@ import { fixtureStages } from './fixtures/stages.ts';
 const fixture = (name: string): string => fileURLToPath(new URL(`./fixtures/${name}`, import.meta.url));
 const script = fixture('stageOracle.py');
 
-const python = (...args: string[]): string =>
-  execFileSync('python3', args, { encoding: 'utf8', maxBuffer: 2 ** 29, stdio: ['ignore', 'pipe', 'ignore'] });
-
-function hasUsdCore(): boolean {
-  try {
-    python('-c', 'import pxr.Usd');
-    return true;
-  } catch {
-    return false;
-  }
-}
-
 const available = hasUsdCore();
-if (!available) console.warn('usd-core is not installed (pip install usd-core): composition is not compared with it');
 
 interface StageOracle {
   readonly prims: Record<string, Json>;
