@@ -20,6 +20,14 @@ export default defineConfig({
       { test: { name: 'oracle', include: ['src/**/*.oracle.test.ts'], setupFiles: seeded, testTimeout: 120_000 } },
       {
         test: {
+          name: 'hostile',
+          include: ['tests/hostile/**/*.test.ts'],
+          globalSetup: built,
+          testTimeout: 300_000,
+        },
+      },
+      {
+        test: {
           name: 'gpu',
           include: ['tests/gpu/**/*.test.ts'],
           pool: 'forks',
