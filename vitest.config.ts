@@ -15,6 +15,8 @@ export default defineConfig({
           include: ['src/**/*.test.{ts,tsx}', 'tests/examples/**/*.test.ts'],
           exclude: ['**/*.oracle.test.ts'],
           setupFiles: seeded,
+          // What takes a second takes many where the machine is busy.
+          testTimeout: 30_000,
         },
       },
       { test: { name: 'oracle', include: ['src/**/*.oracle.test.ts'], setupFiles: seeded, testTimeout: 120_000 } },
