@@ -8,7 +8,7 @@ import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
  * that serves this page, and gives its pictures back as base64, which is what a remote call can carry.
  *
  * `await page.goto('…/headless.html')`, then
- * `await page.evaluate((r) => window.slowlight.open(r), { base: 'http://127.0.0.1:1234/scene/', entry: 'street.usda', width: 640, height: 360 })`
+ * `await page.evaluate((r) => window.slowlight.open(r), { base: 'http://127.0.0.1:1234/scene/', entry: 'street.usda', width: 640, height: 360, variants: [] })`
  * once, and `await page.evaluate((r) => window.slowlight.render(r), { view, settings, samples: 1, aovs: ['depth'] })` per picture.
  * Errors reject the call with the reader's or the renderer's own message.
  */
@@ -22,6 +22,9 @@ interface OpenRequest {
   readonly base: string;
   /** File in that folder. */
   readonly entry: string;
+  /** As ReadOptions has them. */
+  readonly animation?: string | number;
+  readonly variants: readonly (readonly [set: string, option: string])[];
   /** Of the pictures [px]. */
   readonly width: number;
   readonly height: number;
@@ -56,10 +59,11 @@ declare global {
 let renderer: SceneRenderer | undefined;
 
 window.slowlight = {
-  async open({ base, entry, width, height }) {
+  async open({ base, entry, width, height, animation, variants }) {
     const scene = await openScene(
       urlSource(base, () => {}),
       entry,
+      { ...(animation !== undefined && { animation }), variants: new Map(variants) },
     );
     renderer?.dispose();
     renderer = await SceneRenderer.create({ canvas: newCanvas(width, height), backend: 'webgl' });

@@ -1,6 +1,14 @@
 import { Command } from 'commander';
 import type { AovName } from '../scene/view.ts';
-import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from './flags.ts';
+import {
+  addObserverFlags,
+  addReadFlags,
+  addSettingFlags,
+  type ObserverFlags,
+  type ReadFlags,
+  SCENE_ARGUMENT,
+  type SettingFlags,
+} from './flags.ts';
 import {
   type FrameRange,
   parseAovs,
@@ -13,7 +21,7 @@ import {
 } from './parse.ts';
 import { addPipelineFlags, type PipelineFlags } from './pipeline.ts';
 
-export interface RenderFlags extends ObserverFlags, SettingFlags, PipelineFlags {
+export interface RenderFlags extends ReadFlags, ObserverFlags, SettingFlags, PipelineFlags {
   readonly output: string;
   readonly size: Size;
   readonly time?: number;
@@ -36,7 +44,7 @@ Examples:
 export function renderCommand(): Command {
   const command = new Command('render')
     .description('Makes pictures of a scene: .png, .exr with data channels, or .mp4.')
-    .argument('<scene>', 'USD (.usda, .usdz), glTF (.gltf, .glb), .obj, .ply or .stl file')
+    .argument('<scene>', SCENE_ARGUMENT)
     .requiredOption('-o, --output <file>', 'file to write; #### in the name of a .png or .exr becomes the frame')
     .addOption(sizeOption('in pixels'))
     .option(
@@ -46,7 +54,7 @@ export function renderCommand(): Command {
     )
     .option('--frames <A:B>', 'frames A to B; frame n is at world time n/fps', parseFrames)
     .option('--fps <n>', "frames per second (default: the scene's time codes per second)", parsePositive);
-  addObserverFlags(command).option(
+  addObserverFlags(addReadFlags(command)).option(
     '--hold',
     'with --frames: stay in place although there is a velocity, instead of coasting with it',
   );

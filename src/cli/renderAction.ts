@@ -7,7 +7,7 @@ import type { AovName, ViewPoint } from '../scene/view.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { usageError } from './exit.ts';
 import { openSceneFile } from './files.ts';
-import { renderSettings, speedOfLight } from './flags.ts';
+import { readOptions, renderSettings, speedOfLight } from './flags.ts';
 import { observerPath } from './observer.ts';
 import { endIfStopped } from './output.ts';
 import { openPainter, type Painter } from './painter.ts';
@@ -35,7 +35,7 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
   const aovs = chooseAovs(flags);
   const progress = new Progress();
   progress.show('reading …');
-  const scene = await openSceneFile(path);
+  const scene = await openSceneFile(path, readOptions(flags));
   const c = speedOfLight(scene, flags.c);
   progress.clear();
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);

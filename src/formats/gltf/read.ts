@@ -65,18 +65,39 @@ function buildScene(context: GltfContext): Scene {
     materials: builder.library.materials,
     lights: builder.lights,
     cameras: builder.cameras,
-    ...(context.variants && { variants: [context.variants] }),
+    ...offered(context, animation),
+    ...(builder.pathError !== undefined && { pathError: builder.pathError }),
     diagnostics: context.notes.list(),
   });
 }
 
-function chooseAnimation({ document, entry, notes, options }: GltfContext): Animation | undefined {
+/** The set of a file's animations, which is chosen from as variants are. */
+const ANIMATION_SET = 'animation';
+
+const animationNames = ({ document }: GltfContext): string[] =>
+  document
+    .getRoot()
+    .listAnimations()
+    .map((a, i) => a.getName() || `animation ${i}`);
+
+/** What the file offers to choose: variants of its materials, and animations where there are several. */
+function offered(context: GltfContext, shown: Animation | undefined): Pick<Scene, 'variants'> {
+  const names = animationNames(context);
+  const place = shown ? context.document.getRoot().listAnimations().indexOf(shown) : 0;
+  const animations = { set: ANIMATION_SET, options: [...new Set(names)], chosen: names[place] ?? '' };
+  const sets = [...(context.variants ? [context.variants] : []), ...(names.length > 1 ? [animations] : [])];
+  return sets.length > 0 ? { variants: sets } : {};
+}
+
+function chooseAnimation(context: GltfContext): Animation | undefined {
+  const { document, entry, notes, options } = context;
   const all = document.getRoot().listAnimations();
-  const names = all.map((a, i) => a.getName() || `animation ${i}`);
-  const place = typeof options.animation === 'string' ? names.indexOf(options.animation) : (options.animation ?? 0);
-  if (options.animation !== undefined && !all[place]) {
+  const names = animationNames(context);
+  const asked = options.animation ?? options.variants?.get(ANIMATION_SET);
+  const place = typeof asked === 'string' ? names.indexOf(asked) : (asked ?? 0);
+  if (asked !== undefined && !all[place]) {
     const known = names.length > 0 ? `there are ${names.join(', ')}` : 'there is none';
-    throw gltfError(entry, 'no-animation', '', `no animation ${options.animation}; ${known}`);
+    throw gltfError(entry, 'no-animation', '', `no animation ${asked}; ${known}`);
   }
   if (all.length > 1) {
     notes.add('info', 'animations', '', `${all.length} animations (${names.join(', ')}); ${names[place]} is shown`);
@@ -100,6 +121,10 @@ class SceneBuilder {
     this.#tree = tree;
     this.#baker = new Baker(context);
     this.library = new MaterialLibrary(context);
+  }
+
+  get pathError(): number | undefined {
+    return this.#baker.pathError;
   }
 
   add(node: GltfNode): void {

@@ -56,9 +56,10 @@ export function report(
   code: string,
   path: string,
   message: string,
+  more: Partial<Diagnostic> = {},
 ): void {
   const { name } = context.layer;
-  context.diagnostics.add({ severity, code, place: path === '' ? name : `${name}<${path}>`, message }, name);
+  context.diagnostics.add({ severity, code, place: path === '' ? name : `${name}<${path}>`, message, ...more }, name);
 }
 
 /** The prim at an absolute path. */

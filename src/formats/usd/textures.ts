@@ -2,6 +2,7 @@ import type { Texture, TextureWrap } from '../../scene/types.ts';
 import { InputError } from '../../scene/types.ts';
 import { messageOf } from '../fail.ts';
 import { type DecodedImage, decodeImage } from '../images.ts';
+import { missingTexture } from '../missing.ts';
 import { textAt, textOf } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import type { PrimSpec, Value } from './layer.ts';
@@ -20,7 +21,7 @@ export class TextureLoader {
   async image(shader: PrimSpec): Promise<DecodedImage | undefined> {
     const input = resolveInput(this.context.layer, shader, 'inputs:file', this.context.startCode);
     if (!textOf(input.value)) {
-      report(this.context, 'warning', 'usd.missing-texture', shader.path, 'the texture names no file');
+      report(this.context, 'warning', 'usd.texture', shader.path, 'the texture names no file');
       return undefined;
     }
     return this.file(input.value, shader.path);
@@ -36,13 +37,13 @@ export class TextureLoader {
     const key = [path, ...more].join('\n');
     let image = this.images.get(key);
     if (!image) {
-      image = this.load([path, ...more], anchor, user);
+      image = this.load([path, ...more], asset, user);
       this.images.set(key, image);
     }
     return image;
   }
 
-  private async load(paths: readonly string[], anchor: string, user: string): Promise<DecodedImage | undefined> {
+  private async load(paths: readonly string[], asset: string, user: string): Promise<DecodedImage | undefined> {
     const { files } = this.context;
     let path = paths[0];
     try {
@@ -50,8 +51,8 @@ export class TextureLoader {
         const bytes = await files.read(path);
         if (bytes) return decodeImage(bytes, path);
       }
-      const message = `the texture ${paths[0]} is not there; put it beside ${anchor} or open the folder that holds both`;
-      report(this.context, 'warning', 'usd.missing-texture', user, message);
+      const { code, message, missing } = missingTexture(asset, paths);
+      report(this.context, 'warning', code, user, message, { missing });
       return undefined;
     } catch (thrown) {
       const message = thrown instanceof InputError ? thrown.message : messageOf(thrown);
