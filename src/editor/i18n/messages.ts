@@ -204,7 +204,7 @@ export const messages = {
   'info.trianglesInScene': ['Triangles', '三角形'],
   'info.moving': ['Moving', '运动物体'],
   'info.fastest': ['Fastest point', '最快的点'],
-  'info.fastestAt': ['{{speed}} at t = {{time}}', '{{speed}}，t = {{time}}'],
+  'info.fastestAt': ['{{speed}} at\u00a0t\u00a0=\u00a0{{time}}', '{{speed}}，t = {{time}}'],
   'info.duration': ['Time range', '时间范围'],
   'info.paths': ['Paths between samples', '采样之间的路径'],
   'info.pathsTo': ['right to {{length}}', '误差不超过 {{length}}'],

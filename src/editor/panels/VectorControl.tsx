@@ -55,7 +55,7 @@ export function VectorControl({ spec, value, onChange }: VectorControlProps): Re
           <Component
             key={name}
             label={`${title} ${name}`}
-            prefix={`${name} `}
+            name={name}
             value={value[i]!}
             onChange={(x) => onChange([i === 0 ? x : value[0], i === 1 ? x : value[1], i === 2 ? x : value[2]])}
           />
@@ -67,13 +67,13 @@ export function VectorControl({ spec, value, onChange }: VectorControlProps): Re
 
 interface ComponentProps {
   readonly label: string;
-  readonly prefix: string;
+  readonly name: string;
   readonly value: number;
   readonly onChange: (value: number) => void;
 }
 
 /** Takes what is typed when it is complete. */
-function Component({ label, prefix, value, onChange }: ComponentProps): ReactNode {
+function Component({ label, name, value, onChange }: ComponentProps): ReactNode {
   const [typed, setTyped] = useState<number | string>();
   const commit = () => {
     const number = typeof typed === 'number' ? typed : Number.parseFloat(typed ?? '');
@@ -84,7 +84,8 @@ function Component({ label, prefix, value, onChange }: ComponentProps): ReactNod
     <NumberInput
       size="xs"
       aria-label={label}
-      prefix={prefix}
+      leftSection={<Text size="xs">{name}</Text>}
+      leftSectionWidth={24}
       hideControls
       decimalScale={6}
       value={typed ?? value}

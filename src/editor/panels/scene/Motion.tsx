@@ -1,6 +1,6 @@
 import { ActionIcon, Group, Paper, Select, Stack, Tooltip } from '@mantine/core';
 import { IconPlaneDeparture, IconTrash } from '@tabler/icons-react';
-import { type ReactNode, useMemo } from 'react';
+import { type ReactNode, useMemo, useState } from 'react';
 import { resolveParams } from '../../../graph/nodeType.ts';
 import type { Picture } from '../../../nodes/define.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
@@ -20,8 +20,10 @@ export function Motion({ picture }: { readonly picture: Picture }): ReactNode {
   const document = useStudioState(({ history }) => history.document);
   const things = useThings(picture.scene);
   const flights = flightsIn(document);
+  const [search, setSearch] = useState('');
   const add = (path: string | null) => {
     if (!path) return;
+    setSearch('');
     const at = Math.round(pilot.observer.t * 1000) / 1000;
     studio.edit(flyCommand(document, path, at), 'edit.fly');
   };
@@ -38,7 +40,10 @@ export function Motion({ picture }: { readonly picture: Picture }): ReactNode {
         placeholder={t('motion.search')}
         nothingFoundMessage={t('motion.nothing')}
         searchable
+        selectFirstOptionOnChange
         limit={50}
+        searchValue={search}
+        onSearchChange={setSearch}
         value={null}
         data={things}
         onChange={add}
@@ -69,9 +74,7 @@ function useThings({ objects }: Scene): readonly Thing[] {
         counts.set(above, (counts.get(above) ?? 0) + 1);
       }
     }
-    const own = new Set(paths.split('\n'));
     return [...counts]
-      .filter(([path, count]) => own.has(path) || count > 1)
       .sort(([a], [b]) => (a < b ? -1 : 1))
       .map(([value, count]) => ({ value, label: count > 1 ? t('motion.group', { path: value, count }) : value }));
   }, [paths, t]);

@@ -61,7 +61,7 @@ function Figures({ picture }: { readonly picture: Picture }): ReactNode {
   const { scene, fastest } = picture;
   const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
   const moving = scene.objects.filter(({ motion }) => motion.kind !== 'static').length;
-  const time = fastest && { speed: formatSpeed(fastest.speed), time: formatSeconds(fastest.time) };
+  const time = fastest && { speed: formatSpeed(fastest.speed), time: unbroken(formatSeconds(fastest.time)) };
   const paths = pathsRow(scene.pathError, t);
   const rows: (readonly [string, ReactNode])[] = [
     [t('info.objects'), formatCount(scene.objects.length)],
@@ -76,7 +76,7 @@ function Figures({ picture }: { readonly picture: Picture }): ReactNode {
       <Table.Tbody>
         {rows.map(([label, value]) => (
           <Table.Tr key={label}>
-            <Table.Th fw={400} c="dimmed">
+            <Table.Th fw={400} c="dimmed" className="sl-nowrap">
               {label}
             </Table.Th>
             <Table.Td ta="right" className="sl-figure">
@@ -88,6 +88,8 @@ function Figures({ picture }: { readonly picture: Picture }): ReactNode {
     </Table>
   );
 }
+
+const unbroken = (text: string): string => text.replaceAll(' ', '\u00a0');
 
 /** Under a nanometre it is the rounding of the arithmetic. */
 function pathsRow(error: number | undefined, t: Translate): string | undefined {
