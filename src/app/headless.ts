@@ -1,6 +1,7 @@
 import { urlSource } from '../editor/loading/sources.ts';
 import { openScene } from '../formats/open.ts';
 import { SceneRenderer } from '../render/renderer.ts';
+import { changeMotion, type MotionChange } from '../scene/change.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 
 /**
@@ -25,6 +26,8 @@ interface OpenRequest {
   /** As ReadOptions has them. */
   readonly animation?: string | number;
   readonly variants: readonly (readonly [set: string, option: string])[];
+  /** How its things are to move, with the speed of light that flights are measured by [m/s]. */
+  readonly motion?: MotionChange & { readonly speedOfLight: number };
   /** Of the pictures [px]. */
   readonly width: number;
   readonly height: number;
@@ -59,12 +62,13 @@ declare global {
 let renderer: SceneRenderer | undefined;
 
 window.slowlight = {
-  async open({ base, entry, width, height, animation, variants }) {
-    const scene = await openScene(
+  async open({ base, entry, width, height, animation, variants, motion }) {
+    const read = await openScene(
       urlSource(base, () => {}),
       entry,
       { ...(animation !== undefined && { animation }), variants: new Map(variants) },
     );
+    const scene = motion ? changeMotion(read, motion, motion.speedOfLight) : read;
     renderer?.dispose();
     renderer = await SceneRenderer.create({ canvas: newCanvas(width, height), backend: 'webgl' });
     renderer.setSize(width, height);

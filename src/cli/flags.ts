@@ -1,12 +1,10 @@
 import type { Command } from 'commander';
 import { Option } from 'commander';
-import type { ReadOptions } from '../formats/registry.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { adaptation } from '../nodes/picture.ts';
 import type { Scene } from '../scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View, type ViewPoint } from '../scene/view.ts';
 import {
-  addVariant,
   parseBeta,
   parseDamping,
   parseFov,
@@ -16,29 +14,6 @@ import {
   parsePositive,
   parseVec3,
 } from './parse.ts';
-
-export const SCENE_ARGUMENT =
-  'USD, glTF, .obj, .ply or .stl file; or a .zip that holds one, set.zip[scene.usda] where it holds several';
-
-/** What of a file is read, where it offers several things. */
-export interface ReadFlags {
-  readonly variant?: ReadonlyMap<string, string>;
-  readonly animation?: string;
-}
-
-export const addReadFlags = (command: Command): Command =>
-  command
-    .option(
-      '--variant <set=option>',
-      "what a file offers to choose, as inspect lists it: '/World/Car{paint}=red'; several times for several sets",
-      addVariant,
-    )
-    .option('--animation <name>', 'glTF: the animation to show, by name or place from 0 (default: the first)');
-
-export const readOptions = ({ variant, animation }: ReadFlags): ReadOptions => ({
-  ...(variant && { variants: variant }),
-  ...(animation !== undefined && { animation: /^\d+$/.test(animation) ? Number(animation) : animation }),
-});
 
 /** Where the observer is, how fast, and where it looks. */
 export interface ObserverFlags {

@@ -3,19 +3,12 @@ import { fastest } from '../scene/fastest.ts';
 import type { Diagnostic, Motion, Scene, SceneObject, VariantSet } from '../scene/types.ts';
 import { validate } from '../scene/validate.ts';
 import { CliError, EXIT } from './exit.ts';
-import { openSceneFile } from './files.ts';
-import {
-  addReadFlags,
-  type ReadFlags,
-  readOptions,
-  SCENE_ARGUMENT,
-  speedOfLight,
-  speedOfLightOption,
-} from './flags.ts';
+import { speedOfLight, speedOfLightOption } from './flags.ts';
+import { addSceneFlags, openChangedScene, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 import { treeLines } from './tree.ts';
 
 export const inspectCommand = (): Command =>
-  addReadFlags(
+  addSceneFlags(
     new Command('inspect')
       .description('Tells what is in a scene file, how fast it moves, and what is wrong with it.')
       .argument('<file>', SCENE_ARGUMENT),
@@ -24,8 +17,8 @@ export const inspectCommand = (): Command =>
     .option('--json', 'print as JSON')
     .action(inspect);
 
-async function inspect(path: string, flags: ReadFlags & { c?: number; json?: boolean }): Promise<void> {
-  const scene = await openSceneFile(path, readOptions(flags));
+async function inspect(path: string, flags: SceneFlags & { c?: number; json?: boolean }): Promise<void> {
+  const scene = await openChangedScene(path, flags);
   const summary = summarize(scene, speedOfLight(scene, flags.c));
   console.log(flags.json ? JSON.stringify(summary, null, 2) : describe(summary));
   const errors = summary.diagnostics.filter(({ severity }) => severity === 'error').length;

@@ -2,7 +2,6 @@ import type { Backend } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import { CliError, EXIT, unavailable } from './exit.ts';
-import { readOptions } from './flags.ts';
 import type { AovData } from './pictures.ts';
 import type { RenderFlags } from './render.ts';
 
@@ -68,7 +67,7 @@ export async function openPainter(
 /** Each is loaded when it is needed: they bring large libraries, and some machines cannot load them. */
 const OPENERS: Record<Backend, (path: string, scene: Scene, flags: RenderFlags) => Promise<Painter>> = {
   webgpu: async (_, scene, { size }) => (await import('./webgpu.ts')).openWebGpuPainter(scene, size),
-  webgl: async (path, _, flags) => (await import('./webgl.ts')).openWebGlPainter(path, flags.size, readOptions(flags)),
+  webgl: async (path, scene, flags) => (await import('./webgl.ts')).openWebGlPainter(path, scene, flags),
 };
 
 const openReference = async (scene: Scene, flags: RenderFlags): Promise<Painter> =>

@@ -1,16 +1,10 @@
 import { Command } from 'commander';
 import type { View } from '../scene/view.ts';
-import {
-  addObserverFlags,
-  addReadFlags,
-  type ObserverFlags,
-  type ReadFlags,
-  SCENE_ARGUMENT,
-  viewOption,
-} from './flags.ts';
+import { addObserverFlags, type ObserverFlags, viewOption } from './flags.ts';
 import { parseNumber, parsePixel, type Size, sizeOption } from './parse.ts';
+import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 
-export interface ProbeFlags extends ObserverFlags, ReadFlags {
+export interface ProbeFlags extends ObserverFlags, SceneFlags {
   readonly prim?: string;
   readonly pixel?: readonly [number, number];
   readonly size: Size;
@@ -40,7 +34,7 @@ export function probeCommand(): Command {
       "world time of the observer's event (default: what the scene suggests, else its start)",
       parseNumber,
     );
-  return addReadFlags(addObserverFlags(command))
+  return addSceneFlags(addObserverFlags(command))
     .addOption(viewOption())
     .option('--json', 'print as JSON')
     .addHelpText('after', examples)

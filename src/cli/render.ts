@@ -1,14 +1,6 @@
 import { Command } from 'commander';
 import type { AovName } from '../scene/view.ts';
-import {
-  addObserverFlags,
-  addReadFlags,
-  addSettingFlags,
-  type ObserverFlags,
-  type ReadFlags,
-  SCENE_ARGUMENT,
-  type SettingFlags,
-} from './flags.ts';
+import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from './flags.ts';
 import {
   type FrameRange,
   parseAovs,
@@ -20,8 +12,9 @@ import {
   sizeOption,
 } from './parse.ts';
 import { addPipelineFlags, type PipelineFlags } from './pipeline.ts';
+import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 
-export interface RenderFlags extends ReadFlags, ObserverFlags, SettingFlags, PipelineFlags {
+export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags {
   readonly output: string;
   readonly size: Size;
   readonly time?: number;
@@ -54,7 +47,7 @@ export function renderCommand(): Command {
     )
     .option('--frames <A:B>', 'frames A to B; frame n is at world time n/fps', parseFrames)
     .option('--fps <n>', "frames per second (default: the scene's time codes per second)", parsePositive);
-  addObserverFlags(addReadFlags(command)).option(
+  addObserverFlags(addSceneFlags(command)).option(
     '--hold',
     'with --frames: stay in place although there is a velocity, instead of coasting with it',
   );

@@ -1,13 +1,16 @@
 import { randomUUID } from 'node:crypto';
 import { relative } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
-import type { ReadOptions } from '../formats/registry.ts';
+import type { MotionChange } from '../scene/change.ts';
+import type { Scene } from '../scene/types.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import { unavailable } from './exit.ts';
 import { findScene } from './files.ts';
+import { speedOfLight } from './flags.ts';
 import { findChromium } from './icd.ts';
 import type { Painter, Picture, PictureRequest } from './painter.ts';
-import type { Size } from './parse.ts';
+import type { RenderFlags } from './render.ts';
+import { motionChange, readOptions } from './scene.ts';
 import { serveApp } from './staticServer.ts';
 
 /** What the page headless.html offers to whoever drives it; src/app/headless.ts is the other end and says what it means. */
@@ -19,6 +22,7 @@ interface HeadlessPage {
     height: number;
     animation?: string | number;
     variants: (readonly [set: string, option: string])[];
+    motion: MotionChange & { speedOfLight: number };
   }): Promise<{ adapterName: string }>;
   render(request: {
     view: ViewPoint;
@@ -31,8 +35,10 @@ interface HeadlessPage {
 type HeadlessWindow = { readonly slowlight: HeadlessPage };
 
 /** Draws with the page's renderer on WebGL2, in a Chromium without a window. */
-export async function openWebGlPainter(path: string, { width, height }: Size, options: ReadOptions): Promise<Painter> {
+export async function openWebGlPainter(path: string, scene: Scene, flags: RenderFlags): Promise<Painter> {
   const { source, folder, entry } = await findScene(path);
+  const { animation, variants = [] } = readOptions(flags);
+  const motion = { ...motionChange(flags), speedOfLight: speedOfLight(scene, flags.c) };
   // A name that nobody else on this machine can guess: whatever the scene refers to can be read below it, as `..` leads.
   const files = `/${randomUUID()}/`;
   const server = await serveApp(0, async (url) =>
@@ -51,10 +57,10 @@ export async function openWebGlPainter(path: string, { width, height }: Size, op
       {
         base: `${server.url}${files}${addressOf(folder)}/`,
         entry,
-        width,
-        height,
-        ...options,
-        variants: [...(options.variants ?? [])],
+        ...flags.size,
+        animation,
+        variants: [...variants],
+        motion,
       },
     );
     const info = { pipeline: 'raster', backend: 'webgl', adapter: adapterName } as const;

@@ -1,5 +1,6 @@
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { decode } from 'fast-png';
 import { zipSync } from 'fflate';
 import { expect, test } from 'vitest';
 import type { VariantSet } from '../../src/scene/types.ts';
@@ -94,4 +95,74 @@ test('animations are listed and chosen by name or place', async () => {
   ])
     expect(await motion(...flags)).toBe('static');
   expect((await slowlight('inspect', at('two.glb'), '--animation', 'run')).code).toBe(3);
+});
+
+const MOVER = `#usda 1.0
+( metersPerUnit = 1
+  startTimeCode = 0
+  endTimeCode = 48
+  customLayerData = { dictionary slowlight = { double speedOfLight = 10 } } )
+def Cube "Box" { double size = 1 }
+def Cube "Mover"
+{
+    double size = 1
+    double3 xformOp:translate.timeSamples = { 0: (0, 0, 0), 48: (6, 0, 0) }
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+}
+`;
+interface Changed extends Inspection {
+  readonly startTime: number;
+  readonly endTime: number;
+  readonly fastest: { readonly path: string; readonly speed: number };
+}
+
+test('an animation is run otherwise, and what it makes too fast is told', async () => {
+  writeFileSync(at('mover.usda'), MOVER);
+  const changed = await slowlightJson<Changed>(
+    'inspect',
+    at('mover.usda'),
+    '--speed-factor',
+    '2',
+    '--start-offset',
+    '3',
+  );
+  expect([changed.startTime, changed.endTime]).toEqual([3, 4]);
+  expect(changed.fastest).toMatchObject({ path: '/Mover', speed: 6 });
+  const tooFast = await slowlight('inspect', at('mover.usda'), '--speed-factor', '4');
+  expect([tooFast.code, tooFast.out]).toEqual([3, expect.stringContaining('1.2 c')]);
+});
+
+test('things are made to fly, at a share of c that can be chosen', async () => {
+  const flying = ['--fly', '/Box=0,0.8,0@1', '--fly', '/Mover=0.5,0,0'];
+  const scene = await slowlightJson<Changed>('inspect', at('mover.usda'), ...flying, '--c', '100');
+  expect(scene.fastest).toMatchObject({ path: '/Box', speed: 80 });
+  expect(scene.objects.map(({ motion }) => motion)).toEqual(['uniform', 'uniform']);
+  interface Probed {
+    readonly vertices: readonly { readonly velocity: readonly number[]; readonly position: readonly number[] }[];
+  }
+  const height = async (shape: string) => {
+    const flags = ['--prim', '/Box', '--view', 'galilean', '--time', '1', '--fly-shape', shape];
+    const { vertices } = await slowlightJson<Probed>('probe', at('mover.usda'), ...flying, ...flags);
+    const ys = vertices.map(({ position }) => position[1]);
+    return Math.max(...ys) - Math.min(...ys);
+  };
+  expect(await height('world')).toBeCloseTo(1, 9);
+  expect(await height('rest')).toBeCloseTo(0.6, 9);
+  expect((await slowlight('inspect', at('mover.usda'), '--fly', '/None=0.5,0,0')).code).toBe(2);
+  expect((await slowlight('inspect', at('mover.usda'), '--fly', '/Box=1,0,0')).code).toBe(2);
+  expect((await slowlight('inspect', at('mover.usda'), '--fly', '/Box')).code).toBe(2);
+});
+
+test('WebGL draws what was chosen and changed, out of a zip', async () => {
+  writeFileSync(at('mover.zip'), zipSync({ 'mover.usda': text(MOVER) }));
+  const flags = ['--size', '96x64', '--fly', '/Box=0,0,-0.9@0', '--backend'];
+  const pixels = async (backend: string) => {
+    const file = at(`${backend}.png`);
+    const { code, err } = await slowlight('render', at('mover.zip'), '-o', file, ...flags, backend);
+    expect(code, err).toBe(0);
+    return decode(readFileSync(file)).data;
+  };
+  const [gl, gpu] = [await pixels('webgl'), await pixels('webgpu')];
+  const difference = gl.reduce((sum, x, i) => sum + Math.abs(x - gpu[i]), 0) / gl.length;
+  expect(difference).toBeLessThan(1);
 });

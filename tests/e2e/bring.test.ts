@@ -149,6 +149,7 @@ describe('bringing a scene', () => {
     await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.02);
     await visit.shot('bring-variants');
     await visit.page.getByRole('button', { name: /^Undo: choose a variant/ }).click();
+    await visit.page.mouse.move(0, 0); // The button's own tip lies over the picture.
     await expect.poll(async () => difference(await visit.pixels(), grey), { timeout: 20_000 }).toBeLessThan(0.5);
     await visit.close();
   });
@@ -235,6 +236,7 @@ describe('motion', () => {
     const search = motion(visit).getByRole('combobox', { name: 'Make something fly' });
     await search.fill('World/Car');
     await search.press('Enter');
+    await visit.page.getByRole('group', { name: 'Flight: /World/Car' }).scrollIntoViewIfNeeded();
     await visit.shot(`bring-${colorScheme}-${viewport.width}`);
     const overflow = await visit.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(overflow).toBeLessThanOrEqual(0);

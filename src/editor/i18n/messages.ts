@@ -261,7 +261,7 @@ export const messages = {
   'notice.error': ['This could not be done', '操作未能完成'],
   'notice.sceneKept': ['The last good scene is still shown.', '仍显示上一个可用的场景。'],
   'notice.warnings': [
-    '{{count}} remarks about this file: see the Scene panel',
+    'Remarks about this file: {{count}}. See the Scene panel',
     '此文件有 {{count}} 条说明，见“场景”面板',
   ],
   'notice.remedy': ['Set {{what}} to {{value}}', '将{{what}}设为 {{value}}'],

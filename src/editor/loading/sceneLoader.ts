@@ -8,7 +8,7 @@ import { splitAddress } from './sources.ts';
 /**
  * The files that the person gave this session, by the name under which a document refers to them: `local:3/set/scene.usda` is
  * a file of the third set; in `local:3.1/…` others were added to it once. The set of a scene on the server holds what was
- * added: `local:4.1@http://…/scene.usda`.
+ * added: `local:4.1@examples/scene.usda`.
  */
 export class LocalFiles {
   readonly #sets = new Map<string, HeldFiles>();
@@ -23,7 +23,7 @@ export class LocalFiles {
 
   /** Adds files to the set of a scene; returns the name to open it by from then on. */
   supply(source: string, files: HeldFiles): string {
-    const { id, rest } = parts(source) ?? { id: String(++this.#count), rest: `@${new URL(source, document.baseURI)}` };
+    const { id, rest } = parts(source) ?? { id: String(++this.#count), rest: `@${source}` };
     const before = this.#sets.get(id) ?? new Map();
     const next = `${id.split('.')[0]}.${this.#sets.size}`;
     this.#sets.set(next, new Map([...before, ...beside(files, rest)]));
@@ -44,7 +44,7 @@ export class LocalFiles {
     const { id = '', rest = '' } = parts(source) ?? {};
     const files = this.#sets.get(id);
     if (!files) return undefined;
-    if (rest.startsWith('@')) return { files: [...files], ...splitAddress(new URL(rest.slice(1))) };
+    if (rest.startsWith('@')) return { files: [...files], ...splitAddress(new URL(rest.slice(1), document.baseURI)) };
     return { files: [...files], entry: rest.slice(1) };
   }
 }
