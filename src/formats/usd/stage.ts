@@ -1,4 +1,5 @@
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../scene/types.ts';
+import { MAX_OBJECTS } from '../limits.ts';
 import { attributeOf, sampleTimes, textAt } from './attributes.ts';
 import { cameraOf } from './cameras.ts';
 import { parentOf } from './compose/paths.ts';
@@ -27,9 +28,6 @@ import {
 import { type Binding, bindingOf, type Surface, surfaceOf } from './surface.ts';
 import { TextureLoader } from './textures.ts';
 import { transformOf } from './xformOps.ts';
-
-/** Most objects of a scene: instances make many of little. */
-const MAX_OBJECTS = 250_000;
 
 /** What a prim hands down to its children. */
 interface Inherited {
