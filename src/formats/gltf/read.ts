@@ -12,6 +12,7 @@ import {
   type SceneObject,
 } from '../../scene/types.ts';
 import { messageOf } from '../fail.ts';
+import { MAX_OBJECTS } from '../limits.ts';
 import { Notes } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
 import { type FileSource, stemOf } from '../source.ts';
@@ -27,7 +28,7 @@ import { variantSet } from './variants.ts';
 
 /** Radius that stands for the point lights of glTF, which have none [m]. */
 const POINT_LIGHT_RADIUS = 0.05;
-/** Most vertices of a scene: glTF may show one mesh many times, a scene has each as an object of its own. */
+/** Most vertices of a scene: of a mesh that is shown many times in one size, once. */
 const MAX_VERTICES = 2 ** 26;
 
 /**
@@ -115,6 +116,7 @@ class SceneBuilder {
   readonly #tree: NodeTree;
   readonly #baker: Baker;
   readonly #geometries = new Map<GltfMesh, Geometry | undefined>();
+  readonly #counted = new Set<Float32Array>();
   #vertices = 0;
   constructor(context: GltfContext, tree: NodeTree) {
     this.#context = context;
@@ -174,17 +176,21 @@ class SceneBuilder {
   }
 
   #addObject(node: GltfNode, geometry: Geometry, frame: Frame, path: string): void {
-    this.#vertices += geometry.mesh.positions.length / 3;
-    if (this.#vertices > MAX_VERTICES) {
-      const message = `more than ${MAX_VERTICES} vertices with all copies of its meshes; export fewer`;
-      throw gltfError(this.#context.entry, 'too-large', frame.path, message);
-    }
+    this.#bound(frame, this.objects.length < MAX_OBJECTS, `${MAX_OBJECTS} objects with all copies of its meshes`);
     const deformer = makeDeformer(this.#context, this.#tree, node, frame, geometry);
     const bends = geometry.morphs.length > 0 || (geometry.skin && node.getSkin());
     const baked = bends
       ? this.#baker.bakePoints(frame, geometry, deformer)
       : this.#baker.bakeAffine(frame, geometry, deformer);
+    const { positions } = baked.mesh;
+    if (!this.#counted.has(positions)) this.#vertices += positions.length / 3;
+    this.#counted.add(positions);
+    this.#bound(frame, this.#vertices <= MAX_VERTICES, `${MAX_VERTICES} vertices with all sizes of its meshes`);
     this.objects.push(makeObject({ path, ...baked }));
+  }
+
+  #bound({ path }: Frame, isKept: boolean, most: string): void {
+    if (!isKept) throw gltfError(this.#context.entry, 'too-large', path, `more than ${most}; export fewer`);
   }
 
   #addCamera(node: GltfNode): void {

@@ -70,6 +70,13 @@ export function primAt(layer: Layer, path: string): PrimSpec | undefined {
   return prim;
 }
 
+/** The prims above a path, from the root down. */
+export function ancestorsOf(layer: Layer, path: string): PrimSpec[] {
+  const names = path.split('/').filter(Boolean);
+  const paths = names.slice(1).map((_, i) => `/${names.slice(0, i + 1).join('/')}`);
+  return paths.flatMap((above) => primAt(layer, above) ?? []);
+}
+
 /** Targets of a relationship, or sources of a connection, once its list op is applied to nothing. */
 export function targetsOf(prim: PrimSpec, name: string): readonly string[] {
   const property = prim.properties.get(name);

@@ -20,12 +20,24 @@ export interface BoundMaterial {
 /** Inputs of UsdPreviewSurface that change the look and are not drawn. */
 const NOT_DRAWN = ['normal', 'displacement', 'clearcoat', 'useSpecularWorkflow'];
 
+/** Names all that a material is made of, so that those of instances are one; undefined where it is not known. */
+function contentBelow({ content, children, properties }: PrimSpec, root: string): string | undefined {
+  const parts = [content];
+  for (const property of properties.values())
+    if (property.kind === 'attribute')
+      for (const path of property.connections?.explicit ?? [])
+        parts.push(path.startsWith(`${root}/`) ? path.slice(root.length) : path);
+  for (const child of children.values()) parts.push(child.name, contentBelow(child, root));
+  return parts.includes(undefined) ? undefined : `(${parts.join(' ')})`;
+}
+
 /** The scene's materials, each read once. */
 export class MaterialTable {
   readonly materials: Material[] = [];
   private readonly context: StageContext;
   private readonly textures: TextureLoader;
   private readonly byKey = new Map<string, Promise<BoundMaterial>>();
+  private readonly byColor = new Map<string, number>();
 
   constructor(context: StageContext, textures: TextureLoader) {
     this.context = context;
@@ -41,8 +53,8 @@ export class MaterialTable {
 
   /** The Material prim at a path; a plain one of the colour `fallback` where it cannot be read. */
   at(path: string, user: string, fallback: Vec3): Promise<BoundMaterial> {
-    return this.once(path, async () => {
-      const prim = primAt(this.context.layer, path);
+    const prim = primAt(this.context.layer, path);
+    return this.once((prim && contentBelow(prim, path)) ?? path, async () => {
       const shader = prim && this.surfaceShader(prim);
       if (shader) return this.preview(path, shader);
       const why = prim ? 'has no UsdPreviewSurface' : 'is not in this file';
@@ -52,6 +64,18 @@ export class MaterialTable {
         readsDisplayColor: false,
       };
     });
+  }
+
+  /** A material of the scene with another base colour. */
+  colored(index: number, color: Vec3): number {
+    const key = `${index} ${color.join(' ')}`;
+    const known = this.byColor.get(key);
+    if (known !== undefined) return known;
+    const material = this.materials[index];
+    const name = `${material.name} ${color.join(' ')}`;
+    const made = this.materials.push({ ...material, name, baseColor: color }) - 1;
+    this.byColor.set(key, made);
+    return made;
   }
 
   private once(key: string, make: () => Promise<BoundMaterial>): Promise<BoundMaterial> {
