@@ -1,12 +1,16 @@
 import type { Scene } from '../scene/types.ts';
 import { extensionOf, type FileSource } from './source.ts';
 
+export type Interpolation = 'linear' | 'cubic';
+
 /** What a user may choose when a scene is read. */
 export interface ReadOptions {
   /** Name or place of the animation to show, where a file has several. Default: the first. */
   readonly animation?: string | number;
   /** Greatest distance between a resampled path and the true one, as a fraction of the object's size. */
   readonly chordTolerance?: number;
+  /** USD: how things move between samples; linear is what USD says. */
+  readonly interpolation?: Interpolation;
   /** Name of a variant set → the option to show. Default: what the file itself chooses. */
   readonly variants?: ReadonlyMap<string, string>;
   /** USD: variants by the name of a set, the best first, where nothing is chosen. */

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { expectClose, uniform } from '../../tests/physicsArbitraries.ts';
 import { random } from './random.ts';
-import { bisect, brent } from './roots.ts';
+import { bisect, brent, risingRoot } from './roots.ts';
 
 describe('root finders', () => {
   const cases: [name: string, f: (x: number) => number, a: number, b: number, root: number][] = [
@@ -16,13 +16,22 @@ describe('root finders', () => {
     ['zero', (x) => x, -1, 3, 0],
     ['at the end', (x) => x - 1, 1, 3, 1],
   ];
-  it.each(cases)('find %s', (_, f, a, b, root) => {
+  it.each(cases)('find %s', (name, f, a, b, root) => {
     expectClose(bisect(f, a, b), root, 4e-16 * Math.max(1, Math.abs(root)));
     expectClose(brent(f, a, b), root, 1e-15 * Math.max(1, Math.abs(root)));
     expectClose(brent(f, b, a), root, 1e-15 * Math.max(1, Math.abs(root)));
+    // A root without a slope is not what it is for.
+    if (name === 'flat') return;
+    const sign = f(a) <= f(b) ? 1 : -1;
+    const slope = (x: number) => (sign * (f(x + 1e-6) - f(x - 1e-6))) / 2e-6;
+    expectClose(
+      risingRoot((x) => [sign * f(x), slope(x)], a, b, Number.NaN),
+      root,
+      1e-15 * Math.max(1, Math.abs(root)),
+    );
   });
   it('find the root of any rising cubic, Brent in far fewer steps', () => {
-    let worst = 0;
+    let [worst, worstNewton] = [0, 0];
     fc.assert(
       fc.property(uniform(-9, 9), uniform(0.01, 9), (root, slope) => {
         let calls = 0;
@@ -33,9 +42,17 @@ describe('root finders', () => {
         expectClose(brent(f, -10, 10.5), root, 1e-14);
         worst = Math.max(worst, calls);
         expectClose(bisect(f, -10, 10.5), root, 1e-14);
+        calls = 0;
+        expectClose(
+          risingRoot((x) => [f(x), slope + 3 * (x - root) ** 2], -10, 10.5, 0),
+          root,
+          1e-14,
+        );
+        worstNewton = Math.max(worstNewton, calls);
       }),
     );
     expect(worst).toBeLessThan(40);
+    expect(worstNewton).toBeLessThan(40);
   });
   it('stop at the tolerance', () => {
     expectClose(

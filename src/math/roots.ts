@@ -43,3 +43,34 @@ function interpolate(a: number, b: number, c: number, fa: number, fb: number, fc
   const [q, r] = [fa / fc, fb / fc];
   return (s * ((c - b) * q * (q - r) - (b - a) * (r - 1))) / -((q - 1) * (r - 1) * (s - 1));
 }
+
+/** Halvings and steps that `risingRoot` takes at most: it ends long before. */
+const MOST_STEPS = 100;
+
+/**
+ * The root of a function that rises between a and b: Newton's steps from `guess`, each kept within the bracket that is known by then, halved
+ * instead where a step leaves it or the last two did not halve it. f gives value and slope. An end beyond which the root lies is the answer.
+ */
+export function risingRoot(
+  f: (x: number) => readonly [value: number, slope: number],
+  a: number,
+  b: number,
+  guess: number,
+): number {
+  let [lo, hi] = [a, b];
+  let x = guess > a && guess < b ? guess : (a + b) / 2;
+  let [last, beforeLast] = [b - a, b - a];
+  for (let i = 0; i < MOST_STEPS; i++) {
+    const [value, slope] = f(x);
+    if (value === 0) return x;
+    if (value < 0) lo = x;
+    else hi = x;
+    const newton = x - value / slope;
+    const good = newton >= lo && newton <= hi && 2 * Math.abs(newton - x) <= beforeLast;
+    const next = good ? newton : lo + (hi - lo) / 2;
+    if (Math.abs(next - x) <= 2 * Number.EPSILON * Math.abs(x) || next === lo || next === hi) return next;
+    [beforeLast, last] = [last, Math.abs(next - x)];
+    x = next;
+  }
+  return x;
+}

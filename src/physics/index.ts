@@ -12,6 +12,15 @@ export {
   velocity,
 } from './boost.ts';
 export {
+  type CubicPiece,
+  controlVelocities,
+  cubicAt,
+  cubicCrossing,
+  cubicEmission,
+  eased,
+  slowBend,
+} from './cubic.ts';
+export {
   apparentSpeedAcross,
   dopplerAtPixel,
   dopplerFactor,
@@ -76,7 +85,9 @@ export {
 export { addVelocities, fourAcceleration, relativeVelocity, wignerRotation } from './velocity.ts';
 export {
   type CircularLine,
+  type CubicLine,
   circleAt,
+  cubicPiece,
   type HyperbolicLine,
   type PolylineLine,
   positionAt,

@@ -9,7 +9,19 @@ import {
   properVelocityUpTo,
   uniform,
 } from '../../tests/physicsArbitraries.ts';
-import { addScaled, cross, distance, dot, length, negate, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
+import {
+  add,
+  addScaled,
+  cross,
+  distance,
+  dot,
+  length,
+  negate,
+  normalize,
+  scale,
+  sub,
+  type Vec3,
+} from '../math/vec3.ts';
 import { apparentPosition } from './apparent.ts';
 import { gamma, velocity } from './boost.ts';
 import {
@@ -21,11 +33,21 @@ import {
   type ObserverEvent,
 } from './lightCone.ts';
 import { contraction } from './simultaneity.ts';
-import { type PolylineLine, positionAt, type UniformLine, velocityAt, type WorldLine } from './worldLine.ts';
+import {
+  type CubicLine,
+  type PolylineLine,
+  positionAt,
+  type UniformLine,
+  velocityAt,
+  type WorldLine,
+} from './worldLine.ts';
 
 const speedOfLight = magnitude(0, 8.5);
 /** Up to ±10⁴ s. */
 const time = fc.tuple(fc.constantFrom(-1, 1), magnitude(-6, 4)).map(([s, t]) => s * t);
+
+/** A velocity up to γ = 10 [c]. */
+const slow = properVelocityUpTo(10).map(velocity);
 
 /** World lines of every kind, written for a speed of light of 1 m/s and then scaled. */
 const shape: fc.Arbitrary<(c: number) => WorldLine> = fc.oneof(
@@ -51,14 +73,35 @@ const shape: fc.Arbitrary<(c: number) => WorldLine> = fc.oneof(
         (c: number): WorldLine =>
           walk(start, legs, t0, c),
     ),
+  fc.tuple(offset, fc.array(fc.tuple(slow, slow, slow, magnitude(-2, 2)), { minLength: 1, maxLength: 9 }), time).map(
+    ([start, legs, t0]) =>
+      (c: number): WorldLine =>
+        curve(start, legs, t0, c),
+  ),
 );
 
-function walk(start: Vec3, legs: readonly (readonly [Vec3, number])[], t0: number, c: number): PolylineLine {
+/** Pieces by their control velocities; the velocity may jump between them. */
+function curve(start: Vec3, legs: readonly (readonly [Vec3, Vec3, Vec3, number])[], t0: number, c: number): CubicLine {
+  const mean = legs.map(([a, b, d, span]) => [scale(add(add(a, b), d), 1 / 3), span] as const);
+  const { times, positions } = walkWith(start, mean, t0, c);
+  const velocities = Float64Array.from(legs.flatMap(([a, , d]) => [...scale(a, c), ...scale(d, c)]));
+  return { kind: 'cubic', times, positions, velocities };
+}
+
+const walk = (start: Vec3, legs: readonly (readonly [Vec3, number])[], t0: number, c: number): PolylineLine =>
+  walkWith(
+    start,
+    legs.map(([u, span]) => [velocity(u), span] as const),
+    t0,
+    c,
+  );
+
+function walkWith(start: Vec3, legs: readonly (readonly [Vec3, number])[], t0: number, c: number): PolylineLine {
   const [times, positions] = [[t0], [start]];
-  for (const [u, span] of legs) {
+  for (const [v, span] of legs) {
     const t = times[times.length - 1];
     times.push(t + span);
-    positions.push(addScaled(positions[positions.length - 1], velocity(u), c * (t + span - t)));
+    positions.push(addScaled(positions[positions.length - 1], v, c * (t + span - t)));
   }
   return { kind: 'polyline', times: Float64Array.from(times), positions: Float64Array.from(positions.flat()) };
 }
@@ -85,7 +128,7 @@ describe('the emission event', () => {
       }),
       { numRuns: 1000 },
     );
-    expect([...kinds].sort()).toEqual(['circular', 'hyperbolic', 'polyline', 'static', 'uniform']);
+    expect([...kinds].sort()).toEqual(['circular', 'cubic', 'hyperbolic', 'polyline', 'static', 'uniform']);
   });
   it('is on the circle too, as sharply as the angle ωt is known', () =>
     fc.assert(

@@ -1,5 +1,6 @@
 import { add, dot, length, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { oneMinusSquare } from './boost.ts';
+import { cubicEmission } from './cubic.ts';
 import {
   circularEmission,
   hyperbolicEmission,
@@ -8,7 +9,17 @@ import {
   type Seen,
   staticEmission,
 } from './emission.ts';
-import { circleAt, type PolylineLine, positionAt, samplePosition, velocityAt, type WorldLine } from './worldLine.ts';
+import {
+  type CubicLine,
+  circleAt,
+  firstAfter,
+  type PolylineLine,
+  positionAt,
+  relativePiece,
+  samplePosition,
+  velocityAt,
+  type WorldLine,
+} from './worldLine.ts';
 
 /** Where and when the observer looks, in the world frame. */
 export interface ObserverEvent {
@@ -52,23 +63,20 @@ export function pastLightCone(w: WorldLine, observer: ObserverEvent, c: number):
       return circularEmission(sub(center, position), w.axis, arm, w.angularVelocity / c);
     }
     case 'polyline':
-      return polylineSeen(w, observer, c);
+    case 'cubic':
+      return sampledSeen(w, observer, c);
   }
 }
 
 /** f(t) = |x(t) − x_o| − c(t_o − t) rises while the speed stays below c, so its sign at the samples finds the piece. */
-function polylineSeen(w: PolylineLine, { t, position }: ObserverEvent, c: number): Seen {
+function sampledSeen(w: PolylineLine | CubicLine, { t, position }: ObserverEvent, c: number): Seen {
   const offset = (i: number) => sub(samplePosition(w, i), position);
   const time = (i: number) => c * (w.times[i] - t);
-  let [lo, hi] = [0, w.times.length];
-  while (lo < hi) {
-    const mid = (lo + hi) >>> 1;
-    if (length(offset(mid)) + time(mid) <= 0) lo = mid + 1;
-    else hi = mid;
-  }
-  if (lo === 0) return staticEmission(offset(0));
-  if (lo === w.times.length) return staticEmission(offset(lo - 1));
-  return polylineEmission(offset(lo - 1), time(lo - 1), offset(lo), time(lo));
+  const after = firstAfter(w.times.length, (i) => length(offset(i)) + time(i) <= 0);
+  if (after === 0) return staticEmission(offset(0));
+  if (after === w.times.length) return staticEmission(offset(after - 1));
+  if (w.kind === 'cubic') return cubicEmission(relativePiece(w, after - 1, position, c), time(after - 1));
+  return polylineEmission(offset(after - 1), time(after - 1), offset(after), time(after));
 }
 
 /**

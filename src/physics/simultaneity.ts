@@ -3,8 +3,18 @@ import { brent } from '../math/roots.ts';
 import { add, addScaled, cross, dot, length, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { mapVectors } from './arrays.ts';
 import { gamma } from './boost.ts';
+import { cubicAt, cubicCrossing } from './cubic.ts';
 import type { ObserverEvent } from './lightCone.ts';
-import { circleAt, type PolylineLine, positionAt, samplePosition, type WorldLine } from './worldLine.ts';
+import {
+  type CubicLine,
+  circleAt,
+  firstAfter,
+  type PolylineLine,
+  positionAt,
+  relativePiece,
+  samplePosition,
+  type WorldLine,
+} from './worldLine.ts';
 
 // What is "now" for the observer: events with Δt′ = 0. c = 1 in the relative forms, as in emission.ts.
 
@@ -86,25 +96,27 @@ export function simultaneitySlice(w: WorldLine, observer: ObserverEvent, u: Vec3
       return circularSlice(sub(center, position), w.axis, arm, w.angularVelocity / c, u);
     }
     case 'polyline':
-      return polylineSlice(w, observer, u, c);
+    case 'cubic':
+      return sampledSlice(w, observer, u, c);
   }
 }
 
 /** c(t − t_o) − β·Δx rises along the world line, so its sign at the samples finds the piece. */
-function polylineSlice(w: PolylineLine, { t, position }: ObserverEvent, u: Vec3, c: number): Slice {
+function sampledSlice(w: PolylineLine | CubicLine, { t, position }: ObserverEvent, u: Vec3, c: number): Slice {
   const g = gamma(u);
   const offset = (i: number) => sub(samplePosition(w, i), position);
   const time = (i: number) => c * (w.times[i] - t);
-  let [lo, hi] = [0, w.times.length];
-  while (lo < hi) {
-    const mid = (lo + hi) >>> 1;
-    if (g * time(mid) - dot(u, offset(mid)) <= 0) lo = mid + 1;
-    else hi = mid;
+  const after = firstAfter(w.times.length, (i) => g * time(i) - dot(u, offset(i)) <= 0);
+  const k = after - 1;
+  if (after === 0) return uniformSlice(offset(0), 0, [0, 0, 0], u);
+  if (after === w.times.length) return uniformSlice(offset(k), 0, [0, 0, 0], u);
+  if (w.kind === 'cubic') {
+    const piece = relativePiece(w, k, position, c);
+    const s = cubicCrossing(piece, time(k), u);
+    return { offset: cubicAt(piece, s).x, ahead: time(k) + s };
   }
-  if (lo === 0) return uniformSlice(offset(0), 0, [0, 0, 0], u);
-  if (lo === w.times.length) return uniformSlice(offset(lo - 1), 0, [0, 0, 0], u);
-  const v = scale(sub(offset(lo), offset(lo - 1)), 1 / (time(lo) - time(lo - 1)));
-  return uniformSlice(offset(lo - 1), time(lo - 1), v, u);
+  const v = scale(sub(offset(after), offset(k)), 1 / (time(after) - time(k)));
+  return uniformSlice(offset(k), time(k), v, u);
 }
 
 /**

@@ -2,7 +2,7 @@ import { rotate } from '../math/quat.ts';
 import { add, addScaled, dot, length, lerp, negate, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
-import { pieceAt, samplePose } from '../scene/motion.ts';
+import { deformedPoints, pieceAt, samplePose } from '../scene/motion.ts';
 import { pointAt } from '../scene/polygons.ts';
 import type { SceneObject } from '../scene/types.ts';
 import type { Start } from './lighting.ts';
@@ -26,7 +26,7 @@ export interface Departure extends Start {
 export function departureAt(scene: TracedScene, hit: Hit): Departure {
   const corners = cornersOf(scene, hit);
   const object = scene.objects[hit.object];
-  const place = placesAt(object, hit.time);
+  const place = placesAt(object, hit.time, scene.c);
   const normal = normalsAt(object, hit.time);
   const [a, b, c] = corners.indices.map(place);
   const [p, q, r] = corners.weights;
@@ -59,7 +59,7 @@ function clearance({ objects, c }: TracedScene, { object, corner, position, time
 }
 
 /** Vertex → place on the world's slice t (or, of what is authored at rest, in its rest frame), from an origin that they share. */
-function placesAt({ mesh, motion }: SceneObject, t: number): (vertex: number) => Vec3 {
+function placesAt({ mesh, motion }: SceneObject, t: number, c: number): (vertex: number) => Vec3 {
   const own = (i: number): Vec3 => pointAt(mesh.positions, i);
   switch (motion.kind) {
     case 'sampled': {
@@ -67,11 +67,8 @@ function placesAt({ mesh, motion }: SceneObject, t: number): (vertex: number) =>
       const [a, b] = [samplePose(motion.poses, before).orientation, samplePose(motion.poses, after).orientation];
       return (i) => lerp(rotate(a, own(i)), rotate(b, own(i)), s);
     }
-    case 'sampled-points': {
-      const { before, after, s } = pieceAt(motion.times, t);
-      const [a, b] = [motion.points[before], motion.points[after]];
-      return (i) => lerp(pointAt(a, i), pointAt(b, i), s);
-    }
+    case 'sampled-points':
+      return deformedPoints(motion, t, c);
     default:
       return (i) => rotate(motion.pose.orientation, own(i));
   }

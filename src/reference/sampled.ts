@@ -21,7 +21,7 @@ const ROUNDINGS = 32;
 export type SampledObject = SceneObject & { readonly motion: SampledMotion | SampledPointsMotion };
 
 /**
- * An object whose vertices run straight between samples. Piece k lies between samples k and k + 1; it rests in piece −1, before its first sample,
+ * An object whose vertices run straight between samples, or along chords of a cubic (`CubicShapes`). Piece k lies between samples k and k + 1; it rests in piece −1, before its first sample,
  * and in the last one, after its last sample.
  */
 export class SampledTracer implements Tracer {
@@ -39,7 +39,7 @@ export class SampledTracer implements Tracer {
     this.doubleSided = object.mesh.doubleSided;
     this.object = object;
     this.c = c;
-    this.samples = new Samples(object, store);
+    this.samples = new Samples(object, store, c);
     this.stretches = new TimeTree(this.samples.outlines());
     this.reach = Math.max(...this.stretches.whole.map(Math.abs));
   }

@@ -1,9 +1,11 @@
 import { toMatrix } from '../math/quat.ts';
 import { add, sub, type Vec3 } from '../math/vec3.ts';
 import { type Box, boundingBox } from '../scene/bounds.ts';
+import { isCubic } from '../scene/cubicPoints.ts';
 import { samplePose } from '../scene/motion.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 import { emptyBox, growBox } from './bvh.ts';
+import { CubicShapes } from './cubicShapes.ts';
 import { growByTriangle, type TriangleTree, treeOfMesh, treeOfTriangles } from './triangleTree.ts';
 
 /** An object at one of its samples. */
@@ -64,16 +66,20 @@ export class Samples {
   private readonly motion: SampledMotion | SampledPointsMotion;
   private readonly shapes: (Shape | undefined)[];
   private readonly store: ShapeStore;
+  private readonly cubic: CubicShapes | undefined;
 
+  /** c [m/s]: how much a cubic bends can depend on it. */
   constructor(
     { mesh, motion }: SceneObject & { readonly motion: SampledMotion | SampledPointsMotion },
     store: ShapeStore,
+    c: number,
   ) {
     this.mesh = mesh;
     this.motion = motion;
     this.store = store;
-    this.times = motion.times;
-    this.shapes = new Array(motion.times.length);
+    this.cubic = motion.kind === 'sampled-points' && isCubic(motion) ? new CubicShapes(motion, c) : undefined;
+    this.times = this.cubic?.times ?? motion.times;
+    this.shapes = new Array(this.times.length);
     this.origin = motion.kind === 'sampled' ? samplePose(motion.poses, 0).position : motion.origin;
     this.shape = motion.kind === 'sampled' ? treeOfMesh(mesh) : treeOfTriangles({ ...mesh, positions: middle(motion) });
   }
@@ -98,7 +104,11 @@ export class Samples {
   }
 
   private outline(k: number, boxes: Float64Array): void {
-    const { motion } = this;
+    const { motion, cubic } = this;
+    if (cubic) {
+      cubic.outline(k, boxes);
+      return;
+    }
     const box = boundingBox(motion.kind === 'sampled' ? this.mesh.positions : motion.points[k]);
     if (!box) emptyBox(boxes, 6 * k);
     else if (motion.kind === 'sampled') this.turnedBox(motion, k, box, boxes);
@@ -123,7 +133,7 @@ export class Samples {
 
   private pointsAt(k: number): Float32Array | Float64Array {
     const { motion } = this;
-    if (motion.kind === 'sampled-points') return motion.points[k];
+    if (motion.kind === 'sampled-points') return this.cubic?.at(k) ?? motion.points[k];
     const { position, orientation } = samplePose(motion.poses, k);
     const r = toMatrix(orientation);
     const [px, py, pz] = sub(position, this.origin);
@@ -162,6 +172,10 @@ export class Samples {
     const a = pointOf(this.at(before).points, i);
     if (before === after) return { place: add(this.origin, a), velocity: [0, 0, 0] };
     const moved = sub(pointOf(this.at(after).points, i), a);
+    if (this.cubic) {
+      const { x, v } = this.cubic.point(i, t);
+      return { place: add(this.origin, x), velocity: v };
+    }
     const span = this.times[after] - this.times[before];
     const share = (t - this.times[before]) / span;
     const along = (j: number) => this.origin[j] + a[j] + moved[j] * share;

@@ -4,6 +4,7 @@ import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
 import { boundingSphere, sphereOfMesh } from '../scene/bounds.ts';
+import { type CubicPointsMotion, innerControls, isCubic } from '../scene/cubicPoints.ts';
 import { placed, samplePose } from '../scene/motion.ts';
 import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 
@@ -65,7 +66,7 @@ function sampledLine({ times, poses }: SampledMotion, point: Vec3): WorldLine {
   return { kind: 'polyline', times, positions };
 }
 
-/** The centre follows the box of each sample, so that a deforming object that travels has a tight sphere. */
+/** The centre follows the box of each sample, so that a deforming object that travels has a tight sphere, also round cubics. */
 function deformingBody(object: SceneObject, motion: SampledPointsMotion, id: number): Body {
   const positions = new Float64Array(motion.times.length * 3);
   let radius = 0;
@@ -74,5 +75,21 @@ function deformingBody(object: SceneObject, motion: SampledPointsMotion, id: num
     positions.set(add(motion.origin, sphere.center), 3 * k);
     radius = Math.max(radius, sphere.radius);
   });
+  if (isCubic(motion))
+    for (let k = 0; k + 1 < motion.times.length; k++) radius = Math.max(radius, bulge(motion, positions, k));
   return { id, object, centre: ZERO, radius, line: { kind: 'polyline', times: motion.times, positions } };
+}
+
+/** How far the inner control points of a piece are from those of the centre's own straight way [m]: what is between is not farther. */
+function bulge(motion: CubicPointsMotion, centres: Float64Array, k: number): number {
+  const { origin } = motion;
+  let square = 0;
+  innerControls(motion, k).forEach((points, j) => {
+    const share = (j + 1) / 3;
+    const at = (axis: number) => centres[3 * k + axis] * (1 - share) + centres[3 * k + 3 + axis] * share - origin[axis];
+    const [x, y, z] = [at(0), at(1), at(2)];
+    for (let i = 0; i < points.length; i += 3)
+      square = Math.max(square, (points[i] - x) ** 2 + (points[i + 1] - y) ** 2 + (points[i + 2] - z) ** 2);
+  });
+  return Math.sqrt(square);
 }

@@ -2,6 +2,7 @@ import { length, normalize, scale, type Vec3 } from '../math/vec3.ts';
 import { oneMinusSquare } from '../physics/boost.ts';
 import { simultaneousPosition } from '../physics/simultaneity.ts';
 import type { PolylineLine, WorldLine } from '../physics/worldLine.ts';
+import { bendOf, isCubic } from '../scene/cubicPoints.ts';
 import { samplePose } from '../scene/motion.ts';
 import { type Body, lineOfCentre } from './bodies.ts';
 import { aberrateCone, type Ball, coneAround, coneMaybeSeen } from './cull.ts';
@@ -43,9 +44,10 @@ export interface FrameTables {
  *   0  (Δx, |Δx|) of the anchor [m], |Δx| < 0 where nothing of the object can be in the picture
  *   1  uniform (v, 1 − v²); hyperbolic (axis, a/c² [1/m]); sampled points (origin relative to the anchor [m], vertices per sample)
  *   2  birth, death and the observer's event, in light-metres after the anchor's time; the object's id
- *   3  uniform (born rigid); hyperbolic (e^φ, born rigid, shift of the anchor [m]); sampled (first texel, count) of the sample table
+ *   3  uniform (born rigid); hyperbolic (e^φ, born rigid, shift of the anchor [m]); sampled (first texel, count) of the sample table, and 1/c of points
  *   4  orientation, where it has one
- * and the sample table, per sample, two texels: (place, time) relative to the anchor and the orientation, or one: (sample, 0, 0, time).
+ * and the sample table, per sample, two texels: (place, time) relative to the anchor and the orientation, or one: (sample, bend of the piece
+ * after it (`bendOf`), 0, time).
  */
 export class Frame {
   private readonly tables: FrameTables;
@@ -141,7 +143,11 @@ export class Frame {
       const held = store.hold(first, count);
       samples.reserve(this.used + count);
       out.set([...relativeTo(motion.origin, sight, anchor), store.vertices], at + 4);
-      for (let k = first; k < first + count; k++) samples.values.set([k - held, 0, 0, after(k)], 4 * this.used++);
+      const bend = isCubic(motion)
+        ? (k: number) => (k + 1 < line.times.length ? bendOf(motion, k, sight.c) : 0)
+        : () => 0;
+      out[at + 14] = 1 / sight.c;
+      for (let k = first; k < first + count; k++) samples.values.set([k - held, bend(k), 0, after(k)], 4 * this.used++);
     } else if (motion.kind === 'sampled') {
       samples.reserve(this.used + 2 * count);
       for (let k = first; k < first + count; k++) {

@@ -12,6 +12,8 @@ const BUDGET = 2 ** 24;
  */
 export class PointStore {
   readonly table = new FloatTable(4096);
+  /** Of cubic motion, by the same places: (velocity [m/s], 0). */
+  readonly velocities: FloatTable | undefined;
   readonly vertices: number;
   private readonly motion: SampledPointsMotion;
   private readonly meshNormals: Float32Array;
@@ -23,7 +25,10 @@ export class PointStore {
     this.motion = motion;
     this.meshNormals = meshNormals;
     this.vertices = meshNormals.length / 3;
-    this.capacity = Math.max(2, Math.min(motion.times.length, Math.floor(BUDGET / Math.max(1, this.vertices))));
+    this.velocities = motion.velocities && new FloatTable(4096);
+    const perVertex = this.velocities ? 2 : 1;
+    const most = Math.floor(BUDGET / (perVertex * Math.max(1, this.vertices)));
+    this.capacity = Math.max(2, Math.min(motion.times.length, most));
   }
 
   /** Makes samples [first, first + count) resident and tells which sample is first in the table. */
@@ -51,10 +56,24 @@ export class PointStore {
       }
     }
     this.table.upload();
+    this.fillVelocities();
+  }
+
+  private fillVelocities(): void {
+    const { velocities, motion } = this;
+    if (!velocities) return;
+    velocities.reserve(this.capacity * this.vertices);
+    for (let k = 0; k < this.capacity; k++) {
+      const from = motion.velocities?.[this.first + k] ?? new Float32Array(3 * this.vertices);
+      for (let i = 0; i < this.vertices; i++)
+        for (let axis = 0; axis < 3; axis++) velocities.values[4 * (k * this.vertices + i) + axis] = from[3 * i + axis];
+    }
+    velocities.upload();
   }
 
   dispose(): void {
     this.table.dispose();
+    this.velocities?.dispose();
   }
 }
 

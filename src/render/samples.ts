@@ -1,7 +1,10 @@
-import { clamp, cross, int, max, vec4 } from 'three/tsl';
+import { clamp, cross, int, max, mix, vec4 } from 'three/tsl';
 import { bisect } from '../shaders/bisect.ts';
+import type { EndVelocities } from '../shaders/cubicPiece.ts';
+import { pieceVelocity } from '../shaders/pieceVelocity.ts';
 import type { Float, Int, SampleTable, Vec3, Vec4 } from '../shaders/types.ts';
 import type { FloatTable } from './floatTable.ts';
+import type { PointStore } from './pointStore.ts';
 import type { PointReader } from './vertexInput.ts';
 
 /** One vertex's samples, as frame.ts and pointStore.ts wrote them. */
@@ -10,6 +13,8 @@ export interface Samples {
   readonly count: Int;
   /** World-frame normal at a sample. */
   readonly normal: (index: Int) => Vec3;
+  /** Where the vertex moves along cubics. */
+  readonly velocities?: EndVelocities;
   /** Time of a sample after the anchor [m of light]. */
   readonly time: (index: Int) => Float;
 }
@@ -29,27 +34,46 @@ export function poseSamples(table: FloatTable, first: Int, count: Int, offset: V
   };
 }
 
-/** A deforming mesh: per sample a texel (sample, 0, 0, time), and its points; `motion` = (origin relative to the anchor, vertices). */
+/** A deforming mesh: per sample a texel (sample, bend, 0, time), and its points; `motion` = (origin relative to the anchor, vertices). */
 export function pointSamples(
   table: FloatTable,
-  points: FloatTable,
+  { table: points, velocities }: Pick<PointStore, 'table' | 'velocities'>,
   vertex: PointReader,
-  first: Int,
-  count: Int,
+  { first, count, perC }: { readonly first: Int; readonly count: Int; readonly perC: Float },
   motion: Vec4,
 ): Samples {
   const stamp = (index: Int): Vec4 => table.texel(first.add(index)).toVar();
   const row = (sample: Float): Int => int(sample).mul(int(motion.w)).toVar();
+  const at: SampleTable = (index) => {
+    const { x: sample, w: time } = stamp(index);
+    return vec4(vertex.place(points, row(sample)).add(motion.xyz), time);
+  };
   return {
     count,
-    at: (index) => {
-      const { x: sample, w: time } = stamp(index);
-      return vec4(vertex.place(points, row(sample)).add(motion.xyz), time);
-    },
+    at,
+    ...(velocities && { velocities: endVelocities(at, velocities, stamp, row, vertex, perC) }),
     normal: (index) => vertex.normal(points, row(stamp(index).x)),
     time: (index) => stamp(index).w,
   };
 }
+
+/** Those of the file, or nearer to the chord's by what the piece loses of its bend. */
+const endVelocities =
+  (
+    at: SampleTable,
+    table: FloatTable,
+    stamp: (index: Int) => Vec4,
+    row: (sample: Float) => Int,
+    vertex: PointReader,
+    perC: Float,
+  ): EndVelocities =>
+  (index) => {
+    const next = index.add(int(1)).toVar();
+    const chord = pieceVelocity(at(index).toVar(), at(next).toVar()).xyz.toVar();
+    const bend = stamp(index).y.toVar();
+    const towards = (i: Int): Vec3 => mix(chord, vertex.place(table, row(stamp(i).x)).mul(perC), bend).toVar();
+    return { begin: towards(index), end: towards(next) };
+  };
 
 /** The piece that the time `s` is in, and how far along it. */
 export function pieceAt(samples: Samples, s: Float): { index: Int; fraction: Float } {

@@ -36,7 +36,7 @@ const sight = fc
 /** The same line a little beside. */
 function shifted(of: WorldLine, by: Vec3): WorldLine {
   if (of.kind === 'circular') return of;
-  if (of.kind !== 'polyline') return { ...of, position: add(of.position, by) };
+  if (of.kind !== 'polyline' && of.kind !== 'cubic') return { ...of, position: add(of.position, by) };
   return { ...of, positions: of.positions.map((x, i) => x + by[i % 3]) };
 }
 

@@ -18,6 +18,9 @@ import {
 } from 'three/tsl';
 import type { Motion } from '../scene/types.ts';
 import { apparentPosition } from '../shaders/apparentPosition.ts';
+import { cubicEmission } from '../shaders/cubicEmission.ts';
+import { cubicPlace } from '../shaders/cubicPlace.ts';
+import { cubicSlice } from '../shaders/cubicSlice.ts';
 import { hyperbolicEmission } from '../shaders/hyperbolicEmission.ts';
 import { hyperbolicPlace } from '../shaders/hyperbolicPlace.ts';
 import { hyperbolicSlice } from '../shaders/hyperbolicSlice.ts';
@@ -27,7 +30,7 @@ import { polylinePlace } from '../shaders/polylinePlace.ts';
 import { polylineSlice } from '../shaders/polylineSlice.ts';
 import { simultaneousPosition } from '../shaders/simultaneousPosition.ts';
 import { staticEmission } from '../shaders/staticEmission.ts';
-import type { Bool, Float, Int, SampleTable, Vec3, Vec4, VertexEvent, WorldLineAt } from '../shaders/types.ts';
+import type { Bool, Float, Vec3, Vec4, VertexEvent, WorldLineAt } from '../shaders/types.ts';
 import { uniformEmission } from '../shaders/uniformEmission.ts';
 import { uniformPlace } from '../shaders/uniformPlace.ts';
 import { uniformSlice } from '../shaders/uniformSlice.ts';
@@ -218,7 +221,7 @@ function hyperbolicVertex(inputs: Inputs, event: Projection['event']): Vertex {
 function sampledVertex(inputs: Inputs, event: Projection['event']): Vertex {
   const { anchor, sources } = inputs;
   const samples = samplesOf(inputs);
-  const found = polyline(anchor, samples.at, samples.count, event, sources.uniforms);
+  const found = sampled(anchor, samples, event, sources.uniforms);
   const [s, velocity] = [found.s.toVar(), found.velocity.toVar()];
   const { index, fraction } = pieceAt(samples, s);
   const normal = mix(samples.normal(index), samples.normal(index.add(int(1))), fraction).toVar();
@@ -228,17 +231,18 @@ function sampledVertex(inputs: Inputs, event: Projection['event']): Vertex {
 function samplesOf({ sources, motion, extra, vertex }: Inputs): Samples {
   const first = int(extra.x).toVar();
   const count = int(extra.y).toVar();
-  if (sources.points) return pointSamples(sources.samples, sources.points.table, vertex.sampled, first, count, motion);
+  const window = { first, count, perC: extra.z };
+  if (sources.points) return pointSamples(sources.samples, sources.points, vertex.sampled, window, motion);
   return poseSamples(sources.samples, first, count, vertex.offset, vertex.normal);
 }
 
-function polyline(
-  anchor: Vec4,
-  at: SampleTable,
-  count: Int,
-  event: Projection['event'],
-  uniforms: Uniforms,
-): VertexEvent {
+function sampled(anchor: Vec4, samples: Samples, event: Projection['event'], uniforms: Uniforms): VertexEvent {
+  const { at, velocities, count } = samples;
+  if (velocities) {
+    if (event === 'newton') return newton(anchor, cubicPlace(at, velocities, count), uniforms);
+    if (event === 'emission') return cubicEmission(anchor, at, velocities, count);
+    return cubicSlice(anchor, at, velocities, count, ...sliceOf(event, uniforms));
+  }
   if (event === 'newton') return newton(anchor, polylinePlace(at, count), uniforms);
   if (event === 'emission') return polylineEmission(anchor, at, count);
   return polylineSlice(anchor, at, count, ...sliceOf(event, uniforms));

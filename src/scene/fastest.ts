@@ -1,8 +1,10 @@
 import { transform } from '../math/mat3.ts';
 import { conjugate, multiply, rotationAngle, toMatrix } from '../math/quat.ts';
 import { add, length, sub, type Vec3 } from '../math/vec3.ts';
+import { eased } from '../physics/cubic.ts';
 import { velocityAt } from '../physics/worldLine.ts';
 import { type Sphere, sphereOfMesh } from './bounds.ts';
+import { bendOf, type CubicPointsMotion, greatestSpeed, isCubic, pieceSpeed, pointPiece } from './cubicPoints.ts';
 import { samplePose, vertexWorldLine } from './motion.ts';
 import { restToWorld } from './resample.ts';
 import type { SampledMotion, SampledPointsMotion, SceneObject } from './types.ts';
@@ -43,7 +45,7 @@ export function fastest(
         ? fastestContracted(object, motion, c, atLeast)
         : fastestRigid(object, motion, atLeast);
     case 'sampled-points':
-      return fastestPoints(motion, atLeast);
+      return isCubic(motion) ? fastestCubic(motion, c, atLeast) : fastestPoints(motion, atLeast);
   }
 }
 
@@ -126,6 +128,21 @@ function fastestPoints({ times, points }: SampledPointsMotion, atLeast: number):
     for (let i = 0; i < a.length; i += 3) {
       const speed = Math.sqrt((b[i] - a[i]) ** 2 + (b[i + 1] - a[i + 1]) ** 2 + (b[i + 2] - a[i + 2]) ** 2) / span;
       if (speed > best.speed) best = { speed, vertex: i / 3, from: times[k], to: times[k + 1] };
+    }
+  }
+  return best.from === REST.from ? REST : best;
+}
+
+/** Of the motion as it is shown: where its bend would be faster than light, with less of it. */
+function fastestCubic(motion: CubicPointsMotion, c: number, atLeast: number): FastestPoint {
+  const { times } = motion;
+  let best: FastestPoint = { ...REST, speed: atLeast };
+  for (let k = 0; k + 1 < times.length; k++) {
+    if (greatestSpeed(motion, k) <= best.speed) continue;
+    const bend = bendOf(motion, k, c);
+    for (let i = 0; 3 * i < motion.points[k].length; i++) {
+      const speed = pieceSpeed(eased(pointPiece(motion, k, i), bend), best.speed);
+      if (speed > best.speed) best = { speed, vertex: i, from: times[k], to: times[k + 1] };
     }
   }
   return best.from === REST.from ? REST : best;

@@ -1,8 +1,10 @@
 import { IDENTITY, type Quat, rotate, slerp } from '../math/quat.ts';
 import { add, dot, lerp, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
+import { cubicAt, eased } from '../physics/cubic.ts';
 import { contraction } from '../physics/simultaneity.ts';
-import { positionAt, samplesUntil, type WorldLine } from '../physics/worldLine.ts';
+import { type CubicLine, positionAt, samplesUntil, type WorldLine } from '../physics/worldLine.ts';
+import { bendOf, type CubicPointsMotion, isCubic, pointPiece } from './cubicPoints.ts';
 import { pointAt } from './polygons.ts';
 import type {
   FrameMotion,
@@ -97,6 +99,7 @@ export function vertexWorldLine(object: SceneObject, i: number, c: number): Worl
     case 'sampled':
       return { kind: 'polyline', times: motion.times, positions: sampledVertex(motion, x, rest ? c : undefined) };
     case 'sampled-points':
+      if (isCubic(motion)) return cubicVertex(motion, i, c);
       return { kind: 'polyline', times: motion.times, positions: deformingVertex(motion, i) };
   }
 }
@@ -138,6 +141,16 @@ function deformingVertex({ points, origin }: SampledPointsMotion, i: number): Fl
   return out;
 }
 
+function cubicVertex(motion: CubicPointsMotion, i: number, c: number): CubicLine {
+  const { times } = motion;
+  const velocities = new Float64Array(6 * (times.length - 1));
+  for (let k = 0; k + 1 < times.length; k++) {
+    const { va, vb } = eased(pointPiece(motion, k, i), bendOf(motion, k, c));
+    velocities.set([...va, ...vb], 6 * k);
+  }
+  return { kind: 'cubic', times, positions: deformingVertex(motion, i), velocities };
+}
+
 /** Vertex i in the world frame at world time t [m]. */
 export const vertexPosition = (object: SceneObject, i: number, t: number, c: number): Vec3 =>
   positionAt(vertexWorldLine(object, i, c), t, c);
@@ -160,9 +173,18 @@ function placer(object: SceneObject, t: number, c: number): (vertex: number) => 
     return (i) => lerp(a(pointAt(mesh.positions, i)), b(pointAt(mesh.positions, i)), s);
   }
   if (motion.kind === 'sampled-points') {
-    const { before, after, s } = pieceAt(motion.times, t);
-    const [a, b] = [motion.points[before], motion.points[after]];
-    return (i) => add(motion.origin, lerp(pointAt(a, i), pointAt(b, i), s));
+    const at = deformedPoints(motion, t, c);
+    return (i) => add(motion.origin, at(i));
   }
   return (i) => vertexPosition(object, i, t, c);
+}
+
+/** Vertex → its place at world time t, from the motion's origin. c [m/s]. */
+export function deformedPoints(motion: SampledPointsMotion, t: number, c: number): (vertex: number) => Vec3 {
+  const { before, after, s } = pieceAt(motion.times, t);
+  const [a, b] = [motion.points[before], motion.points[after]];
+  if (!isCubic(motion) || before === after) return (i) => lerp(pointAt(a, i), pointAt(b, i), s);
+  const bend = bendOf(motion, before, c);
+  const since = t - motion.times[before];
+  return (i) => cubicAt(eased(pointPiece(motion, before, i), bend), since).x;
 }

@@ -135,7 +135,10 @@ export interface SampledMotion {
   /** 7 per sample: position x y z [m], orientation x y z w (unit). */
   readonly poses: Float64Array;
 }
-/** A deforming mesh: every vertex moves in a straight line between its places at rising times; rests outside them. */
+/**
+ * A deforming mesh: every vertex moves between its places at rising times, in a straight line or, where velocities are given, along a cubic;
+ * it rests outside them.
+ */
 export interface SampledPointsMotion {
   readonly kind: 'sampled-points';
   /** [s], strictly rising, at least 2. */
@@ -144,6 +147,11 @@ export interface SampledPointsMotion {
   readonly origin: Vec3;
   /** One array per sample, 3 per vertex, world-oriented, relative to `origin` [m]. */
   readonly points: readonly Float32Array[];
+  /**
+   * Of every vertex at each sample, world-oriented [m/s], 3 per vertex: between samples it moves along the cubic with these (Hermite), or so much of
+   * it as stays slower than light (`bendOf`).
+   */
+  readonly velocities?: readonly Float32Array[];
   /** World-frame normals per sample, where they were given or could be computed; else from the mesh. */
   readonly normals?: readonly Float32Array[];
 }

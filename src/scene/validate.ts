@@ -1,5 +1,6 @@
 import { rotate } from '../math/quat.ts';
 import { dot, length, type Vec3 } from '../math/vec3.ts';
+import { FASTEST, greatestSpeed, isCubic, straightened } from './cubicPoints.ts';
 import { makeObject } from './defaults.ts';
 import { fastest } from './fastest.ts';
 import { pointAt } from './polygons.ts';
@@ -8,6 +9,7 @@ import type {
   HyperbolicMotion,
   Mesh,
   Motion,
+  SampledPointsMotion,
   Scene,
   SceneCamera,
   SceneObject,
@@ -177,8 +179,12 @@ function badMotion(motion: Motion): string | undefined {
         : `the pose at ${seconds(motion.times[Math.floor(at / 7)])} has ${motion.poses[at]} in it`;
     }
     case 'sampled-points': {
-      const k = motion.points.findIndex((points) => points.some((x) => !Number.isFinite(x)));
-      return k < 0 ? undefined : `the points at ${seconds(motion.times[k])} have a number that is not finite`;
+      const broken = (all: readonly Float32Array[]) =>
+        all.findIndex((points) => points.some((x) => !Number.isFinite(x)));
+      const k = Math.max(broken(motion.points), broken(motion.velocities ?? []));
+      return k < 0
+        ? undefined
+        : `the points or velocities at ${seconds(motion.times[k])} have a number that is not finite`;
     }
     default: {
       const given = [...motion.pose.position, ...motion.pose.orientation, ...vectorOf(motion)];
@@ -195,7 +201,21 @@ function validateSpeed(object: SceneObject, c: number): Diagnostic[] {
   const place = `motion of ${object.path}`;
   if (object.motion.kind === 'hyperbolic') return validateHorizon(object, object.motion, c);
   const { speed, from, to } = fastest(object, c, [0, 0], c * (1 - 1e-9));
-  return speed >= c ? [tooFast(place, speed, from, to, c)] : [];
+  if (speed >= c) return [tooFast(place, speed, from, to, c)];
+  return object.motion.kind === 'sampled-points' ? validateBends(object.motion, object.path, c) : [];
+}
+
+/** What of a cubic motion is shown straighter than it is, because it would be faster than light. */
+function validateBends(motion: SampledPointsMotion, path: string, c: number): Diagnostic[] {
+  if (!isCubic(motion)) return [];
+  const pieces = straightened(motion, c);
+  const [first] = pieces;
+  if (!first) return [];
+  const speed = Math.max(...pieces.map(({ k }) => greatestSpeed(motion, k)));
+  const lost = Math.max(...pieces.map((piece) => piece.lost));
+  const from = seconds(motion.times[first.k]);
+  const message = `between samples its cubic path could reach ${inUnitsOfC(speed / c)} c, first at t = ${from}; ${pieces.length} of ${motion.times.length - 1} pieces are shown straighter, by up to ${Math.ceil(100 * lost)} %, and velocities jump there; raise c above ${roundedUp(speed / FASTEST)} m/s or write more samples`;
+  return [problem('warning', 'motion.cubic', path, message)];
 }
 
 /** The house's model of a message: what, how much, when, and the least c that would do. */

@@ -1,5 +1,8 @@
 export { aberrate } from './aberrate.ts';
 export { apparentPosition } from './apparentPosition.ts';
+export { cubicEmission } from './cubicEmission.ts';
+export { cubicPlace } from './cubicPlace.ts';
+export { cubicSlice } from './cubicSlice.ts';
 export { dopplerFactor } from './dopplerFactor.ts';
 export { dopplerTint } from './dopplerTint.ts';
 export { emitterDoppler } from './emitterDoppler.ts';

@@ -48,7 +48,12 @@ export function probePoint(
 
 function blended(motion: Motion, blend: (points: Float32Array) => Float32Array): Motion {
   if (motion.kind !== 'sampled-points') return motion;
-  return { ...motion, points: motion.points.map(blend) } satisfies SampledPointsMotion;
+  const { points, velocities } = motion;
+  return {
+    ...motion,
+    points: points.map(blend),
+    ...(velocities && { velocities: velocities.map(blend) }),
+  } satisfies SampledPointsMotion;
 }
 
 /** Corner k of the triangle that begins at `corner`. */

@@ -18,6 +18,8 @@ export interface StageContext {
   readonly startCode: number;
   /** Greatest distance between a resampled path and the true one, as a fraction of the object's size. */
   readonly chordTolerance: number;
+  /** Along cubics between samples. */
+  readonly cubic: boolean;
   readonly diagnostics: DiagnosticList;
   /** Memory that is left for the points of deforming meshes. */
   readonly pointBudget: { bytes: number };

@@ -14,6 +14,9 @@ export interface Frame {
 
 export const ROOT_FRAME: Frame = { times: new Float64Array(0), cost: 1, matrixAt: () => mat4.IDENTITY };
 
+/** A cubic takes as long as so many ops. */
+const CUBIC_COST = 3;
+
 export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
   if (ops.length === 0) return parent;
   const own = opTimes(ops);
@@ -24,7 +27,8 @@ export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
     const fixedToStage = mat4.multiply(parent.matrixAt(0), local(0));
     return { times, cost: 1, matrixAt: () => fixedToStage };
   }
-  const cost = parent.cost + (fixed ? 1 : ops.length);
+  const each = ops.some((op) => op.cubic) ? CUBIC_COST : 1;
+  const cost = parent.cost + (fixed ? 1 : each * ops.length);
   return { times, cost, matrixAt: (time) => mat4.multiply(parent.matrixAt(time), local(time)) };
 }
 

@@ -146,12 +146,25 @@ function deformationOf(
     report(context, 'warning', 'usd.topology', prim.path, message);
     return undefined;
   }
+  const velocities = context.cubic ? velocitiesOf(context, prim, times, count) : undefined;
   const gather = (name: string) => (time: number) => gatherPoints(numbersAt(prim, name, time)!, pointOfVertex);
   const given = normals?.interpolation === 'point' && !normals.indices && sampleTimes(normals.attribute).length > 0;
   const steady = given && normals.attribute.timeSamples!.values.every((v) => numbersOf(v)?.length === count);
   return {
     times,
     positionsAt: gather('points'),
+    ...(velocities ? { velocitiesAt: gather('velocities') } : {}),
     ...(steady ? { normalsAt: gather(normals.attribute.name) } : {}),
   };
+}
+
+/** Whether the file gives a velocity for each point at each of the points' samples. */
+function velocitiesOf(context: StageContext, prim: PrimSpec, times: Float64Array, count: number): boolean {
+  const samples = attributeOf(prim, 'velocities')?.timeSamples;
+  if (!samples) return false;
+  const given = samples.times.length === times.length && samples.times.every((t, k) => t === times[k]);
+  if (given && samples.values.every((value) => numbersOf(value)?.length === count)) return true;
+  const message = `its velocities are not given for each of ${count / 3} points at each of ${times.length} samples; they are taken from the points`;
+  report(context, 'info', 'usd.velocities', prim.path, message);
+  return false;
 }

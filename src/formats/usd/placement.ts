@@ -1,7 +1,10 @@
+import { hermite } from '../../math/hermite.ts';
 import { cofactors, determinant, type Mat3 } from '../../math/mat3.ts';
 import * as mat4 from '../../math/mat4.ts';
 import { distance, scale, type Vec3 } from '../../math/vec3.ts';
+import { parabolaVelocities, parabolaVelocityAt } from '../../scene/cubicPoints.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
+import { pieceAt } from '../../scene/motion.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion, UniformMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
@@ -19,6 +22,8 @@ export interface Deformation {
   readonly times: Float64Array;
   /** 3 per vertex of the mesh. */
   positionsAt(time: number): Float32Array;
+  /** As the file gives them [units per second]; absent where it does not, or not at all times. */
+  velocitiesAt?(time: number): Float32Array;
   /** Absent where normals have to be computed. */
   normalsAt?(time: number): Float32Array;
 }
@@ -197,14 +202,34 @@ function deforming(context: StageContext, path: string, shape: Shape, world: Fra
   if (world.times.length === 0) return sampledPoints(context, path, shape, world, times);
   const corners = cornersOf(shape.mesh);
   const both = { ...world, times: unionOfTimes([times, world.times]) };
-  return sampledPoints(context, path, shape, world, refined(context, path, both, corners));
+  const moving = context.cubic ? withCubicPoints(shape) : shape;
+  return sampledPoints(context, path, moving, world, refined(context, path, both, corners));
+}
+
+/** The same with points that go along cubics between their samples. */
+function withCubicPoints(shape: Shape): Shape {
+  const { deformation } = shape;
+  if (!deformation) return shape;
+  const { times } = deformation;
+  const positionsAt = (time: number): Float32Array => {
+    const { before, after, s } = pieceAt(times, time);
+    if (before === after || s === 0) return deformation.positionsAt(times[before]);
+    const [from, to] = [before, after].map((k) =>
+      parabolaVelocityAt(times, (j) => deformation.positionsAt(times[j]), k),
+    );
+    const [a, b] = [deformation.positionsAt(times[before]), deformation.positionsAt(times[after])];
+    return a.map((x, i) => hermite(x, from[i], b[i], to[i], times[after] - times[before], s));
+  };
+  return { ...shape, deformation: { ...deformation, positionsAt } };
 }
 
 /** The times that the scene still has memory for. */
 function affordable(context: StageContext, path: string, wanted: Float64Array, vertices: number): Float64Array {
   const { pointBudget } = context;
-  const times = affordableTimes(wanted, vertices, pointBudget.bytes);
-  pointBudget.bytes = Math.max(0, pointBudget.bytes - bytesOfPoints(times.length, vertices));
+  // A place, a normal, and where they are needed a velocity.
+  const perTime = bytesOfPoints(1, vertices, context.cubic ? 3 : 2);
+  const times = affordableTimes(wanted, perTime, pointBudget.bytes);
+  pointBudget.bytes = Math.max(0, pointBudget.bytes - times.length * perTime);
   if (times.length < wanted.length) {
     const message = `its ${vertices} vertices at ${wanted.length} times take more memory than there is for a scene's points; ${times.length} of the times are used`;
     report(context, 'warning', 'usd.sample-budget', path, message);
@@ -224,11 +249,20 @@ function sampledPoints(context: StageContext, path: string, shape: Shape, world:
     const normals = groups ? deformedNormals(positions, mesh.indices, groups) : deformation?.normalsAt?.(time);
     return transformed(positions, normals ?? mesh.normals, relativeTo(origin, world.matrixAt(time)));
   });
+  const seconds = times.map((t) => t / context.codesPerSecond);
+  const points = placed.map((p) => p.positions);
+  const given = context.cubic && world.times.length === 0 ? deformation?.velocitiesAt : undefined;
+  const linear = mat4.linearPart(world.matrixAt(times[0]));
   const motion: SampledPointsMotion = {
     kind: 'sampled-points',
-    times: times.map((t) => t / context.codesPerSecond),
+    times: seconds,
     origin,
-    points: placed.map((p) => p.positions),
+    points,
+    ...(context.cubic && {
+      velocities: given
+        ? Array.from(times, (time) => mapped(given(time), linear, [0, 0, 0]))
+        : parabolaVelocities(seconds, points),
+    }),
     normals: placed.map((p) => p.normals),
   };
   const mirrored = determinant(mat4.linearPart(world.matrixAt(times[0]))) < 0;

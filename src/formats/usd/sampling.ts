@@ -28,12 +28,13 @@ export function boxCorners(points: ArrayLike<number>): Vec3[] {
   });
 }
 
-/** Memory of a deforming mesh: a position and a normal of three f32 for each vertex at each time. */
-export const bytesOfPoints = (times: number, vertices: number): number => times * vertices * 24;
+/** Memory of a deforming mesh: so many vectors of three f32 for each vertex at each time. */
+export const bytesOfPoints = (times: number, vertices: number, vectors: number): number =>
+  times * vertices * 12 * vectors;
 
 /** As many of the times as `bytes` hold, evenly chosen, with the first and the last; at least these two. */
-export function affordableTimes(times: Float64Array, vertices: number, bytes: number): Float64Array {
-  const most = Math.max(2, Math.floor(bytes / bytesOfPoints(1, vertices)));
+export function affordableTimes(times: Float64Array, perTime: number, bytes: number): Float64Array {
+  const most = Math.max(2, Math.floor(bytes / perTime));
   if (times.length <= most) return times;
   return Float64Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]);
 }

@@ -156,7 +156,7 @@ class StageReader {
   }
 
   private inherit(prim: PrimSpec, inherited: Inherited): Inherited {
-    const transform = transformOf(prim);
+    const transform = transformOf(prim, this.context.cubic);
     for (const name of transform.unknown)
       report(
         this.context,

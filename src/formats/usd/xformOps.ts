@@ -1,8 +1,9 @@
 import * as mat4 from '../../math/mat4.ts';
 import { fromAxisAngle, IDENTITY, normalizeQuat, type Quat, toMatrix } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { attributeOf, numbersOf, sampleTimes, type TimeCode, tokensAt, valueAt } from './attributes.ts';
-import type { AttributeSpec, PrimSpec, Value } from './layer.ts';
+import { attributeOf, numberOf, numbersOf, sampleTimes, type TimeCode, tokensAt, valueAt } from './attributes.ts';
+import { cubicNumbers } from './cubicOps.ts';
+import type { AttributeSpec, PrimSpec } from './layer.ts';
 
 /** One step of a prim's `xformOpOrder`. */
 export interface XformOp {
@@ -10,6 +11,8 @@ export interface XformOp {
   readonly kind: string;
   readonly inverted: boolean;
   readonly attribute: AttributeSpec;
+  /** Along cubics between samples; else as USD has it, straight. */
+  readonly cubic: boolean;
 }
 
 export interface LocalTransform {
@@ -25,25 +28,25 @@ const INVERT = '!invert!';
 const PREFIX = 'xformOp:';
 
 /** The ops of a prim in the order written: the first is the outermost. Ops before the last reset do not count. */
-export function transformOf(prim: PrimSpec): LocalTransform {
+export function transformOf(prim: PrimSpec, cubic = false): LocalTransform {
   const order = tokensAt(prim, 'xformOpOrder', undefined) ?? [];
   const reset = order.lastIndexOf(RESET);
   const ops: XformOp[] = [];
   const unknown: string[] = [];
   for (const written of order.slice(reset + 1)) {
-    const op = opOf(prim, written);
+    const op = opOf(prim, written, cubic);
     if (op) ops.push(op);
     else unknown.push(written);
   }
   return { ops, resetsStack: reset >= 0, unknown };
 }
 
-function opOf(prim: PrimSpec, written: string): XformOp | undefined {
+function opOf(prim: PrimSpec, written: string, cubic: boolean): XformOp | undefined {
   const inverted = written.startsWith(INVERT);
   const name = inverted ? written.slice(INVERT.length) : written;
   const attribute = attributeOf(prim, name);
   const kind = name.startsWith(PREFIX) ? name.slice(PREFIX.length).split(':')[0] : '';
-  return attribute && KINDS.test(kind) ? { kind, inverted, attribute } : undefined;
+  return attribute && KINDS.test(kind) ? { kind, inverted, attribute, cubic } : undefined;
 }
 
 const KINDS = /^(translate[XYZ]?|scale[XYZ]?|rotate([XYZ]|XYZ|XZY|YXZ|YZX|ZXY|ZYX)|orient|transform)$/;
@@ -51,7 +54,7 @@ const KINDS = /^(translate[XYZ]?|scale[XYZ]?|rotate([XYZ]|XYZ|XZY|YXZ|YZX|ZXY|ZY
 /** x_parent = M x_local at a time; an op without a value there is the identity. */
 export function localMatrix(ops: readonly XformOp[], time: TimeCode): mat4.Mat4 {
   return ops.reduce<mat4.Mat4>((m, op) => {
-    const step = opMatrix(op, valueAt(op.attribute, time));
+    const step = opMatrix(op, opNumbers(op, time));
     return step ? mat4.multiply(m, step) : m;
   }, mat4.IDENTITY);
 }
@@ -65,8 +68,15 @@ export function unionOfTimes(lists: readonly Float64Array[]): Float64Array {
   return Float64Array.from(new Set(lists.flatMap((times) => [...times]))).sort();
 }
 
-function opMatrix(op: XformOp, value: Value | undefined): mat4.Mat4 | undefined {
-  const numbers = value && 'data' in value && typeof value.data === 'number' ? [value.data] : numbersOf(value);
+function opNumbers({ kind, attribute, cubic }: XformOp, time: TimeCode): ArrayLike<number> | undefined {
+  const curved = cubic ? cubicNumbers(kind, attribute, time) : undefined;
+  if (curved) return curved;
+  const value = valueAt(attribute, time);
+  const single = numberOf(value);
+  return single === undefined ? numbersOf(value) : [single];
+}
+
+function opMatrix(op: XformOp, numbers: ArrayLike<number> | undefined): mat4.Mat4 | undefined {
   if (!numbers) return undefined;
   const m = forwardMatrix(op.kind, numbers);
   return op.inverted && m ? mat4.invert(m) : m;

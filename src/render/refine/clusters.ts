@@ -1,3 +1,4 @@
+import { type CubicPointsMotion, innerControls, isCubic } from '../../scene/cubicPoints.ts';
 import type { SampledPointsMotion } from '../../scene/types.ts';
 import type { Window } from './polyline.ts';
 import type { PlannedBatch } from './showing.ts';
@@ -113,10 +114,14 @@ export function together(lumps: readonly Lump[]): Lump {
   };
 }
 
-/** How the vertices of each cluster move at a sample [m/s]: at most, in the piece that ends there, and how much that changes there. */
+/**
+ * How the vertices of each cluster move at a sample [m/s]: at most, in the piece that ends there, and how much that changes there; and how fast it
+ * changes within that piece at most [m/s²].
+ */
 interface Pace {
   readonly speeds: Float64Array;
   readonly jolts: Float64Array;
+  readonly rates: Float64Array;
 }
 
 /** The clusters of a deforming mesh, measured from the motion's origin; each sample is worked out when it is first needed. */
@@ -125,6 +130,7 @@ export class DeformingLumps {
   private readonly indices: Uint32Array;
   private readonly motion: SampledPointsMotion;
   private readonly places = new Map<number, readonly Lump[]>();
+  private readonly bulges = new Map<number, readonly (readonly Lump[])[]>();
   private readonly paces = new Map<number, Pace>();
   private last: { readonly window: Window; readonly lumps: readonly Lump[] } | undefined;
 
@@ -137,12 +143,16 @@ export class DeformingLumps {
   /** What holds each cluster at all samples of a window, and so between them. */
   over(window: Window): readonly Lump[] {
     if (this.last?.window.first === window.first && this.last.window.count === window.count) return this.last.lumps;
+    const { motion } = this;
     const samples = Array.from({ length: window.count }, (_, i) => window.first + i);
     const places = samples.map((k) => kept(this.places, k, () => this.placesAt(k)));
+    if (isCubic(motion))
+      for (const k of samples.slice(1)) places.push(...kept(this.bulges, k, () => this.bulgesBefore(motion, k)));
     const paces = samples.map((k) => kept(this.paces, k, () => this.paceAt(k)));
     const lumps = places[0].map((_, i) => ({
       ...together(places.map((lumps) => lumps[i])),
       speed: paces.slice(1).reduce((most, { speeds }) => Math.max(most, speeds[i]), 0),
+      rate: paces.slice(1).reduce((most, { rates }) => Math.max(most, rates[i] ?? 0), 0),
       jolts: Float64Array.from(paces, ({ jolts }) => jolts[i]),
     }));
     this.last = { window, lumps };
@@ -150,24 +160,62 @@ export class DeformingLumps {
   }
 
   private placesAt(sample: number): readonly Lump[] {
-    const { clusters, indices, motion } = this;
-    return Array.from({ length: clusters.count }, (_, i) =>
-      lumpOf(motion.points[sample], corners(clusters, indices, i)),
-    );
+    return this.lumpsIn(this.motion.points[sample]);
+  }
+
+  /** Of the inner control points of the piece that ends with a sample. */
+  private bulgesBefore(motion: CubicPointsMotion, sample: number): readonly (readonly Lump[])[] {
+    return innerControls(motion, sample - 1).map((points) => this.lumpsIn(points));
+  }
+
+  private lumpsIn(points: Float32Array): readonly Lump[] {
+    const { clusters, indices } = this;
+    return Array.from({ length: clusters.count }, (_, i) => lumpOf(points, corners(clusters, indices, i)));
   }
 
   private paceAt(sample: number): Pace {
     const { clusters, indices, motion } = this;
-    const [before, after] = [velocities(motion, sample), velocities(motion, sample + 1)];
-    const most = (speed: (at: number) => number) =>
+    const most = (of: (at: number) => number) =>
       Float64Array.from({ length: clusters.count }, (_, i) =>
-        corners(clusters, indices, i).reduce((fastest, v) => Math.max(fastest, speed(3 * v)), 0),
+        corners(clusters, indices, i).reduce((greatest, v) => Math.max(greatest, of(3 * v)), 0),
       );
-    return {
-      speeds: most((i) => Math.hypot(before(i), before(i + 1), before(i + 2))),
-      jolts: most((i) => Math.hypot(after(i) - before(i), after(i + 1) - before(i + 1), after(i + 2) - before(i + 2))),
-    };
+    if (isCubic(motion)) return cubicPace(motion, sample, most);
+    const [before, after] = [velocities(motion, sample), velocities(motion, sample + 1)];
+    const jolts = most((i) =>
+      Math.hypot(after(i) - before(i), after(i + 1) - before(i + 1), after(i + 2) - before(i + 2)),
+    );
+    return { speeds: most((i) => Math.hypot(before(i), before(i + 1), before(i + 2))), jolts, rates: NONE };
   }
+}
+
+const NONE = new Float64Array(0);
+
+type Most = (of: (at: number) => number) => Float64Array;
+
+/** Of cubics with all of their bend: velocities change suddenly only where the motion begins and ends. */
+function cubicPace({ times, points, velocities }: CubicPointsMotion, sample: number, most: Most): Pace {
+  const v = velocities[sample];
+  const end = sample === 0 || sample === times.length - 1;
+  const jolts = most((i) => (end ? Math.hypot(v[i], v[i + 1], v[i + 2]) : 0));
+  if (sample === 0) return { speeds: jolts, jolts, rates: NONE };
+  const [a, b, u] = [points[sample - 1], points[sample], velocities[sample - 1]];
+  const span = times[sample] - times[sample - 1];
+  const inner = (i: number) => (3 * (b[i] - a[i])) / span - u[i] - v[i];
+  const norm = (of: (i: number) => number, i: number) => Math.hypot(of(i), of(i + 1), of(i + 2));
+  const begin = (i: number) => u[i];
+  const finish = (i: number) => v[i];
+  return {
+    jolts,
+    speeds: most((i) => Math.max(norm(begin, i), norm(inner, i), norm(finish, i))),
+    rates: most(
+      (i) =>
+        (2 / span) *
+        Math.max(
+          norm((j) => inner(j) - u[j], i),
+          norm((j) => v[j] - inner(j), i),
+        ),
+    ),
+  };
 }
 
 /** Coordinate by coordinate [m/s], in the piece that ends with a sample; outside the samples it rests. */

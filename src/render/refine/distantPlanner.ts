@@ -78,7 +78,11 @@ export class DistantPlanner implements Planner {
 /** Whether a scene is small enough to be copied to a worker. */
 export const canTravel = (parts: readonly PlannedPart[]): boolean => {
   const motions = parts.flatMap(({ batch }) => batch.bodies.map(({ object }) => object.motion));
-  const points = new Set(motions.flatMap((motion) => (motion.kind === 'sampled-points' ? motion.points : [])));
+  const points = new Set(
+    motions.flatMap((motion) =>
+      motion.kind === 'sampled-points' ? [...motion.points, ...(motion.velocities ?? [])] : [],
+    ),
+  );
   const arrays = parts.flatMap(({ batch: { arrays } }) => [arrays.positions, arrays.indices, arrays.ids]);
   return [...points, ...arrays].reduce((sum, { byteLength }) => sum + byteLength, 0) <= MOST_BYTES;
 };

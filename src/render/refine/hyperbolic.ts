@@ -36,10 +36,10 @@ export class Hyperbolic implements Mover {
   reach({ x, y, z, radius }: Lump): Reach {
     const centre: Vec3 = [x, y, z];
     const span = spanOf(this.lineAt(centre), radius, this.sight);
-    if (!span) return { centre: [0, 0, 0], radius: Number.POSITIVE_INFINITY, speed: 1, shear: 2, jolt: never };
+    if (!span) return { centre: [0, 0, 0], radius: Number.POSITIVE_INFINITY, speed: 1, shear: 2, rate: 0, jolt: never };
     // What trails is driven hardest, where the body is Born rigid.
     const trailing = this.lineAt(add(centre, trailingPoint(this.motion.properAcceleration, radius)));
-    return { ...span.ball, speed: this.fastest(trailing, span), shear: 2, jolt: never };
+    return { ...span.ball, speed: this.fastest(trailing, span), shear: 2, rate: 0, jolt: never };
   }
 
   private lineAt(offset: Vec3): WorldLine {

@@ -25,7 +25,9 @@ export interface Reach {
   readonly speed: number;
   /** The most by which the velocities of an edge's ends can differ at one time. */
   readonly shear: number;
-  /** The most by which a velocity can change within so much time [m of light], all changes added. */
+  /** How fast velocities change between sudden changes, at most [1/m of light]. */
+  readonly rate: number;
+  /** The most by which a velocity can change suddenly within so much time [m of light], all changes added. */
   readonly jolt: (time: number) => number;
 }
 
@@ -75,12 +77,12 @@ export class Moving implements Shown {
 
   /**
    * Bound of the second difference of Δx′(f) over ¼ of an edge. Events of neighbours are apart by the time in which they move too: |Δx′(f)| and |t′(f)|
-   * are at most ℓ/(1 − v) for an edge ℓ long at one time. Where velocities v(f) are constant, Δx″ = 2v′t′ + v t″, and |t″| ≤ |Δx′|²/|Δx| + |Δx″| on the
+   * are at most ℓ/(1 − v) for an edge ℓ long at one time. Where velocities v(f) are constant, Δx″ = 2v′t′ + v t″ (and a t′² where they change by a), and |t″| ≤ |Δx′|²/|Δx| + |Δx″| on the
    * light cone; where one changes by J, Δx′ jumps by at most J|t′|/(1 − v). The boost takes Δx to MΔx + |Δx|m with |M| = γ, |m| = γβ.
    */
-  private bend({ speed, shear, jolt }: Reach, longest: number, near: number): number {
+  private bend({ speed, shear, rate, jolt }: Reach, longest: number, near: number): number {
     const jump = (jolt(longest) * longest) / (1 - speed);
-    const curve = (2 * shear * longest + (speed * longest * longest) / near) / (1 - speed);
+    const curve = (2 * shear * longest + (rate + speed / near) * longest * longest) / (1 - speed);
     const delay = (longest * longest) / near + curve;
     const w = Math.hypot(this.L[1], this.L[2], this.L[3]);
     return this.L[0] * (curve / 16 + jump / 4) + w * (delay / 16 + jump / 4);

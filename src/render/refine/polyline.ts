@@ -29,10 +29,10 @@ abstract class Polyline implements Mover {
   protected x = 0;
   protected y = 0;
   protected z = 0;
-  private readonly gamma: number;
+  protected readonly gamma: number;
   /** The window has the first and the last sample of the motion, outside which it rests. */
-  private readonly begins: boolean;
-  private readonly ends: boolean;
+  protected readonly begins: boolean;
+  protected readonly ends: boolean;
 
   constructor(times: Float64Array, { first, count }: Window, sight: Sight) {
     this.sight = sight;
@@ -61,19 +61,29 @@ abstract class Polyline implements Mover {
       if (this.late(times[mid]) <= 0) lo = mid + 1;
       else hi = mid;
     }
+    if (lo > 0 && lo < times.length) {
+      this.cross(lo - 1, out, at);
+      return;
+    }
     this.sample(Math.max(0, lo - 1));
+    out[at] = this.x;
+    out[at + 1] = this.y;
+    out[at + 2] = this.z;
+  }
+
+  /** The event of the point, which lies between samples k and k + 1. */
+  protected cross(k: number, out: Float64Array, at: number): void {
+    const { times } = this;
+    this.sample(k);
     const ax = this.x;
     const ay = this.y;
     const az = this.z;
-    let s = 0;
-    if (lo > 0 && lo < times.length) {
-      this.sample(lo);
-      const span = times[lo] - times[lo - 1];
-      this.x = (this.x - ax) / span;
-      this.y = (this.y - ay) / span;
-      this.z = (this.z - az) / span;
-      s = Math.min(span, Math.max(0, this.crossing(-times[lo - 1], ax, ay, az)));
-    }
+    this.sample(k + 1);
+    const span = times[k + 1] - times[k];
+    this.x = (this.x - ax) / span;
+    this.y = (this.y - ay) / span;
+    this.z = (this.z - az) / span;
+    const s = Math.min(span, Math.max(0, this.crossing(-times[k], ax, ay, az)));
     out[at] = ax + this.x * s;
     out[at + 1] = ay + this.y * s;
     out[at + 2] = az + this.z * s;
@@ -102,7 +112,7 @@ abstract class Polyline implements Mover {
   }
 
   /** How far behind the surface the event (x, t) is; it rises along every world line. */
-  private late(t: number): number {
+  protected late(t: number): number {
     const { x, y, z } = this;
     const { u, surface } = this.sight;
     if (surface === 'past-light-cone') return Math.sqrt(x * x + y * y + z * z) + t;
@@ -175,7 +185,7 @@ export class Posed extends Polyline {
     const speed = rates.reduce((most, v, k) => Math.max(most, v + radius * this.turning.rates[k]), 0);
     const shear = longest * this.turning.rates.reduce((most, rate) => Math.max(most, rate), 0);
     const sums = jolts.map((jolt, k) => jolt + radius * this.turning.jolts[k]);
-    return { ...ballAround(places, radius), speed, shear, jolt: (time) => mostWithin(sums, this.times, time) };
+    return { ...ballAround(places, radius), speed, shear, rate: 0, jolt: (time) => mostWithin(sums, this.times, time) };
   }
 
   protected aim(w1: number, w2: number): void {
@@ -221,14 +231,20 @@ export class Deforming extends Polyline {
     this.c = 3 * c;
   }
 
-  reach({ x, y, z, radius, speed, jolts }: Lump): Reach {
-    const fastest = speed / this.sight.c;
+  /** Pieces are not what a lump is told of: nothing is known. */
+  protected get straightened(): boolean {
+    return false;
+  }
+
+  reach({ x, y, z, radius, speed, jolts, rate = 0 }: Lump): Reach {
+    const fastest = this.straightened ? 1 : speed / this.sight.c;
     const sums = jolts?.map((jolt) => jolt / this.sight.c) ?? new Float64Array(this.times.length);
     return {
       centre: add(this.origin, [x, y, z]),
       radius,
       speed: fastest,
       shear: 2 * fastest,
+      rate: rate / this.sight.c ** 2,
       jolt: (time) => mostWithin(sums, this.times, time),
     };
   }
@@ -246,6 +262,13 @@ export class Deforming extends Polyline {
     this.x = w0 * p[a] + w1 * p[b] + w2 * p[c] + o[0];
     this.y = w0 * p[a + 1] + w1 * p[b + 1] + w2 * p[c + 1] + o[1];
     this.z = w0 * p[a + 2] + w1 * p[b + 2] + w2 * p[c + 2] + o[2];
+  }
+
+  /** What the point has of vectors of the vertices. */
+  protected blend(of: Float32Array, out: Float64Array): void {
+    const { a, b, c, w1, w2 } = this;
+    const w0 = 1 - w1 - w2;
+    for (let i = 0; i < 3; i++) out[i] = w0 * of[a + i] + w1 * of[b + i] + w2 * of[c + i];
   }
 }
 

@@ -1,6 +1,8 @@
+import { isCubic } from '../../scene/cubicPoints.ts';
 import type { BatchArrays, Worn } from '../batches.ts';
 import { lineOfCentre, type MovingBody } from '../bodies.ts';
 import { sampleWindow, spanOf } from '../sight.ts';
+import { DeformingCubic } from './cubic.ts';
 import { Hyperbolic } from './hyperbolic.ts';
 import type { Gauge } from './look.ts';
 import { Moving } from './moving.ts';
@@ -37,7 +39,10 @@ export function showing(
   if (line.kind !== 'polyline' || !window) return undefined;
   if (motion.kind === 'sampled')
     return new Moving(new Posed(motion, line, window, arrays.positions, sight), true, gauge);
-  return motion.kind === 'sampled-points' ? new Moving(new Deforming(motion, window, sight), true, gauge) : undefined;
+  if (motion.kind !== 'sampled-points') return undefined;
+  if (!isCubic(motion)) return new Moving(new Deforming(motion, window, sight), true, gauge);
+  const cubic = new DeformingCubic(motion, window, sight);
+  return new Moving(cubic, !cubic.smooth, gauge);
 }
 
 /** The samples that a picture of a sampled body needs. */

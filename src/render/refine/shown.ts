@@ -24,6 +24,8 @@ export interface Lump {
   /** Of what deforms: its fastest vertex between samples, and the most by which a vertex's velocity changes at each [m/s]. */
   readonly speed: number;
   readonly jolts?: Float64Array;
+  /** How fast its velocities change between samples, at most [m/s²]. */
+  readonly rate?: number;
 }
 
 /** How the points of one body are shown in one picture, in f64. `take`, `point`, `outside` and `calm` do not allocate. */

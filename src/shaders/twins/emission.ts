@@ -37,7 +37,7 @@ export function expectedAt(line: WorldLine, dx: Vec3, t: number, s: number): rea
 const nowhere = Array<number>(12).fill(0);
 
 const nearestSample = (line: WorldLine, t: number): number =>
-  line.kind === 'polyline' ? Math.min(...Array.from(line.times, (time) => Math.abs(time - t))) : 1;
+  'times' in line ? Math.min(...Array.from(line.times, (time) => Math.abs(time - t))) : 1;
 
 /** Objects from toy to building, small enough against their distance to be looked at from outside; or around the observer. */
 const strata = (speeds: readonly number[]): readonly MoverStratum[] =>
@@ -280,10 +280,13 @@ export const emission: readonly Twin[] = [
   emissionTwin(movers.uniform, ['linearEmission']),
   emissionTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaEvent']),
   emissionTwin(movers.polyline, ['linearEmission', 'bisect', 'pieceVelocity']),
+  emissionTwin(movers.cubic, ['linearEmission', 'bisect', 'pieceVelocity', 'cubicPiece', 'cubicRoot', 'onCubic']),
   longestTable,
   newtonTwin(movers.uniform),
   newtonTwin(movers.polyline),
+  newtonTwin(movers.cubic),
   placeTwin(movers.uniform, []),
   placeTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent']),
   placeTwin(movers.polyline, ['bisect', 'pieceVelocity']),
+  placeTwin(movers.cubic, ['bisect', 'cubicPiece', 'onCubic']),
 ];

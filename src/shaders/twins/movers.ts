@@ -1,6 +1,10 @@
 import { int } from 'three/tsl';
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
-import type { WorldLine } from '../../physics/index.ts';
+import type { PolylineLine, WorldLine } from '../../physics/index.ts';
+import { cubicEmission } from '../cubicEmission.ts';
+import type { EndVelocities } from '../cubicPiece.ts';
+import { cubicPlace } from '../cubicPlace.ts';
+import { cubicSlice } from '../cubicSlice.ts';
 import { hyperbolicEmission } from '../hyperbolicEmission.ts';
 import { hyperbolicPlace } from '../hyperbolicPlace.ts';
 import { hyperbolicSlice } from '../hyperbolicSlice.ts';
@@ -25,7 +29,7 @@ type Texel = (index: number | Int) => Vec4;
 
 /** A kind of motion: how a vertex of it is drawn by lot, told to the CPU and told to the GPU. Its texels follow the anchor's. */
 export interface Mover {
-  readonly kind: 'uniform' | 'hyperbolic' | 'polyline';
+  readonly kind: 'uniform' | 'hyperbolic' | 'polyline' | 'cubic';
   /** With the anchor's. */
   readonly texels: number;
   /** Speeds of its strata [c]. */
@@ -123,4 +127,41 @@ const polyline: Mover = {
   place: (texel) => polylinePlace(samplesOf(texel), int(SAMPLES)),
 };
 
-export const movers = { uniform, hyperbolic, polyline } as const;
+const endVelocities =
+  (texel: Texel): EndVelocities =>
+  (index) => ({
+    begin: texel(index.add(int(1 + SAMPLES))).xyz,
+    end: texel(index.add(int(2 + SAMPLES))).xyz,
+  });
+
+/** anchor · samples · velocities at them; all control velocities are within β, and the chords so long as they ask. */
+const cubic: Mover = {
+  kind: 'cubic',
+  texels: 1 + 2 * SAMPLES,
+  speeds: polyline.speeds,
+  draw: (random, { beta, size }) => {
+    const step = logUniform(random, 0.3, 3) * size;
+    const middle = [-1, 2, 4, 4, 4, 6, 9][Math.floor(random() * 7)];
+    const control = (): Vec3 => scale(unit(random), beta * random());
+    const velocities = Array.from({ length: SAMPLES }, control);
+    let place = addScaled(offsetIn(random, size), unit(random), beta * step * random());
+    const samples: number[] = [];
+    for (let i = 0; i < SAMPLES; i++) {
+      samples.push(...place, (i - middle + 0.5) * step);
+      const sum = add(add(velocities[i], control()), velocities[Math.min(i + 1, SAMPLES - 1)]);
+      place = addScaled(place, sum, step / 3);
+    }
+    return [...samples, ...velocities.flatMap((v) => [...v, 0])];
+  },
+  worldLine: (input, time) => {
+    const { times, positions } = polyline.worldLine(input, time) as PolylineLine;
+    const at = (i: number) => vec3At(input, 1 + SAMPLES + i);
+    const velocities = Array.from({ length: SAMPLES - 1 }, (_, i) => [...at(i), ...at(i + 1)]);
+    return { kind: 'cubic', times, positions, velocities: Float64Array.from(velocities.flat()) };
+  },
+  emission: (texel) => cubicEmission(texel(0), samplesOf(texel), endVelocities(texel), int(SAMPLES)),
+  slice: (texel, u, gamma) => cubicSlice(texel(0), samplesOf(texel), endVelocities(texel), int(SAMPLES), u, gamma),
+  place: (texel) => cubicPlace(samplesOf(texel), endVelocities(texel), int(SAMPLES)),
+};
+
+export const movers = { uniform, hyperbolic, polyline, cubic } as const;

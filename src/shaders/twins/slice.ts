@@ -40,4 +40,5 @@ export const slice: readonly Twin[] = [
   sliceTwin(movers.uniform, ['closing']),
   sliceTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent']),
   sliceTwin(movers.polyline, ['bisect', 'pieceVelocity']),
+  sliceTwin(movers.cubic, ['bisect', 'cubicPiece', 'cubicRoot', 'onCubic']),
 ];

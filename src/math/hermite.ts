@@ -1,0 +1,66 @@
+import { conjugate, fromAxisAngle, multiply, normalizeQuat, type Quat, rotationAngle } from './quat.ts';
+import { normalize, scale, type Vec3 } from './vec3.ts';
+
+// Cubic interpolation between samples that need not be evenly spaced.
+
+/** The slope at a sample is (1 − share) times that of the chord from sample `middle` − 1 to `middle`, and `share` times that of the next. */
+export interface SlopeRule {
+  readonly middle: number;
+  readonly share: number;
+}
+
+/** Of two neighbouring intervals one that is so many times shorter stands for a jump. */
+const UNEVEN = 10;
+
+/**
+ * The slope at sample k is that of the parabola through it and its neighbours (non-uniform Catmull–Rom); at the ends, of the one through the
+ * nearest three. Where there are two samples it is that of their chord; beside a jump, that of the longer one. times: rising, two or more.
+ */
+export function slopeRule(times: ArrayLike<number>, k: number): SlopeRule {
+  const last = times.length - 1;
+  if (last < 2) return { middle: 1, share: 0 };
+  const middle = Math.min(Math.max(k, 1), last - 1);
+  const [before, after] = [times[middle] - times[middle - 1], times[middle + 1] - times[middle]];
+  if (before > UNEVEN * after || after > UNEVEN * before) {
+    const own = k === middle ? Number(after > before) : Number(k > middle);
+    return { middle, share: own };
+  }
+  const share = k < middle ? -before : k > middle ? before + 2 * after : before;
+  return { middle, share: share / (before + after) };
+}
+
+/** The cubic from `a` to `b` with the slopes va and vb at its ends, at the share w of `span`. */
+export function hermite(a: number, va: number, b: number, vb: number, span: number, w: number): number {
+  const chord = (b - a) / span;
+  return a + w * span * (va + w * (3 * chord - 2 * va - vb + w * (va + vb - 2 * chord)));
+}
+
+/** The rotation vector of a unit quaternion, by the shorter way [rad]. */
+export function logarithm(q: Quat): Vec3 {
+  return scale(normalize([q[0], q[1], q[2]]), (q[3] < 0 ? -1 : 1) * rotationAngle(q));
+}
+
+const exponential = (v: Vec3): Quat => fromAxisAngle(v, Math.hypot(...v));
+
+/** An orientation and how fast it turns, about its own axes [rad per unit of time]. */
+export interface Turning {
+  readonly orientation: Quat;
+  readonly rate: Vec3;
+}
+
+/**
+ * From one orientation to another with the rates that they have, at the share w of `span`: the turns between the control orientations of a
+ * Bézier curve one after the other, each by its sum of Bernstein polynomials. Source: Kim, Kim and Shin, SIGGRAPH 1995.
+ */
+export function hermiteTurn(a: Turning, b: Turning, span: number, w: number): Quat {
+  const first = scale(a.rate, span / 3);
+  const last = scale(b.rate, span / 3);
+  const inner = multiply(a.orientation, exponential(first));
+  const between = logarithm(multiply(multiply(conjugate(inner), b.orientation), exponential(scale(last, -1))));
+  const turns = [
+    exponential(scale(first, 1 - (1 - w) ** 3)),
+    exponential(scale(between, w * w * (3 - 2 * w))),
+    exponential(scale(last, w ** 3)),
+  ];
+  return normalizeQuat(turns.reduce(multiply, a.orientation));
+}
