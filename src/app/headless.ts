@@ -1,5 +1,6 @@
 import { urlSource } from '../editor/loading/sources.ts';
 import { openScene } from '../formats/open.ts';
+import type { Interpolation } from '../formats/registry.ts';
 import { SceneRenderer } from '../render/renderer.ts';
 import { changeMotion, type MotionChange } from '../scene/change.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
@@ -25,6 +26,7 @@ interface OpenRequest {
   readonly entry: string;
   /** As ReadOptions has them. */
   readonly animation?: string | number;
+  readonly interpolation?: Interpolation;
   readonly variants: readonly (readonly [set: string, option: string])[];
   /** How its things are to move, with the speed of light that flights are measured by [m/s]. */
   readonly motion?: MotionChange & { readonly speedOfLight: number };
@@ -62,11 +64,15 @@ declare global {
 let renderer: SceneRenderer | undefined;
 
 window.slowlight = {
-  async open({ base, entry, width, height, animation, variants, motion }) {
+  async open({ base, entry, width, height, animation, interpolation, variants, motion }) {
     const read = await openScene(
       urlSource(base, () => {}),
       entry,
-      { ...(animation !== undefined && { animation }), variants: new Map(variants) },
+      {
+        ...(animation !== undefined && { animation }),
+        ...(interpolation && { interpolation }),
+        variants: new Map(variants),
+      },
     );
     const scene = motion ? changeMotion(read, motion, motion.speedOfLight) : read;
     renderer?.dispose();

@@ -50,6 +50,7 @@ function summarize(scene: Scene, c: number) {
       cameras: scene.cameras.length,
     },
     fastest: fastestPoint(scene, c),
+    pathError: scene.pathError,
     variants: scene.variants ?? [],
     objects,
     lights: scene.lights.map(({ kind, path }) => ({ kind, path })),
@@ -69,6 +70,7 @@ function summarizeObject({ path, mesh, motion, lifetime, authoredIn }: SceneObje
     triangles: mesh.indices.length / 3,
     motion: motion.kind,
     samples: sampleCount(motion),
+    ...(motion.kind === 'sampled-points' && { interpolation: motion.velocities ? 'cubic' : 'linear' }),
     authoredIn,
     // JSON has no infinity: a bound that is not there is left out.
     birth: Number.isFinite(lifetime.birth) ? lifetime.birth : undefined,
@@ -103,6 +105,9 @@ function describe(s: Summary): string {
     s.fastest
       ? `  fastest: ${s.fastest.path}, ${s.fastest.speed.toPrecision(6)} m/s = ${s.fastest.fractionOfC.toPrecision(6)} c${period(s.fastest)} (c = ${s.speedOfLight} m/s)`
       : `  nothing moves (c = ${s.speedOfLight} m/s)`,
+    ...(s.pathError === undefined
+      ? []
+      : [`  paths between samples: at most ${s.pathError.toPrecision(2)} m beside what the file means`]),
     ...s.variants.map(variantLine),
     '',
     ...treeLines(entries(s)),
@@ -121,7 +126,10 @@ const diagnosticLine = ({ severity, place, message }: Diagnostic): string => `${
 
 function entries(s: Summary): { path: string; note: string }[] {
   const objects = s.objects.map((o) => {
-    const motion = o.samples > 0 ? `${o.motion}, ${count(o.samples, 'sample')}` : o.motion;
+    const motion =
+      o.samples > 0
+        ? `${o.motion}${o.interpolation === 'cubic' ? ' along cubics' : ''}, ${count(o.samples, 'sample')}`
+        : o.motion;
     const rest = o.authoredIn === 'rest' ? ', authored at rest' : '';
     const life =
       o.birth !== undefined || o.death !== undefined ? `, lives ${o.birth ?? '−∞'} … ${o.death ?? '∞'} s` : '';

@@ -1,5 +1,5 @@
 import { type Command, InvalidArgumentError, Option } from 'commander';
-import type { ReadOptions } from '../formats/registry.ts';
+import type { Interpolation, ReadOptions } from '../formats/registry.ts';
 import { changeMotion, type MotionChange } from '../scene/change.ts';
 import { type Flight, isAt, tooLargeToFly } from '../scene/fly.ts';
 import type { Scene, SceneObject } from '../scene/types.ts';
@@ -12,6 +12,7 @@ import { addVariant, parseBeta, parseNumber, parsePositive } from './parse.ts';
 export interface SceneFlags {
   readonly variant?: ReadonlyMap<string, string>;
   readonly animation?: string;
+  readonly interpolation: Interpolation;
   readonly speedFactor?: number;
   readonly startOffset?: number;
   readonly fly?: readonly FlightFlag[];
@@ -19,6 +20,9 @@ export interface SceneFlags {
   /** Where the command has it [m/s]. */
   readonly c?: number;
 }
+
+const interpolations: readonly Interpolation[] = ['linear', 'cubic'];
+
 type FlightFlag = Omit<Flight, 'authoredIn'>;
 
 export const SCENE_ARGUMENT =
@@ -32,6 +36,11 @@ export const addSceneFlags = (command: Command): Command =>
       addVariant,
     )
     .option('--animation <name>', 'glTF: the animation to show, by name or place from 0 (default: the first)')
+    .addOption(
+      new Option('--interpolation <name>', 'USD: how things go between samples; linear is what USD says')
+        .choices(interpolations)
+        .default('linear'),
+    )
     .option('--speed-factor <k>', 'the animation runs so many times as fast', parsePositive)
     .option('--start-offset <s>', 'the animation begins so much later, or earlier', parseNumber)
     .option(
@@ -55,7 +64,8 @@ function addFlight(text: string, before: readonly FlightFlag[] = []): readonly F
   return [...before, { path, beta: parseBeta(velocity), at: parseNumber(at) }];
 }
 
-export const readOptions = ({ variant, animation }: SceneFlags): ReadOptions => ({
+export const readOptions = ({ variant, animation, interpolation }: SceneFlags): ReadOptions => ({
+  interpolation,
   ...(variant && { variants: variant }),
   ...(animation !== undefined && { animation: /^\d+$/.test(animation) ? Number(animation) : animation }),
 });

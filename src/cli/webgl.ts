@@ -21,6 +21,7 @@ interface HeadlessPage {
     width: number;
     height: number;
     animation?: string | number;
+    interpolation?: 'linear' | 'cubic';
     variants: (readonly [set: string, option: string])[];
     motion: MotionChange & { speedOfLight: number };
   }): Promise<{ adapterName: string }>;

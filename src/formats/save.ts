@@ -1,23 +1,37 @@
-import type { Scene } from '../scene/types.ts';
+import type { Diagnostic, Scene } from '../scene/types.ts';
 import { inputError } from './fail.ts';
 import { extensionOf } from './source.ts';
-import type { Written } from './written.ts';
+import { Losses, type Written } from './written.ts';
 
 /** Kinds of scene file that are written, by extension. Each writer is loaded on first use. */
 const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<Written>>> = {
   usda: async (scene, name) => {
     const { writeTextures, writeUsda } = await import('./usd/write.ts');
     const layer = new TextEncoder().encode(writeUsda(scene));
-    return { files: new Map([[name, layer], ...writeTextures(scene)]), diagnostics: [] };
+    return { files: new Map([[name, layer], ...writeTextures(scene)]), diagnostics: cubicNotes(scene, name) };
   },
   usdz: async (scene, name) => {
     const { writeUsdz } = await import('./usd/write.ts');
-    return { files: new Map([[name, writeUsdz(scene)]]), diagnostics: [] };
+    return { files: new Map([[name, writeUsdz(scene)]]), diagnostics: cubicNotes(scene, name) };
   },
   gltf: async (scene, name) => (await import('./gltf/write.ts')).writeGltf(scene, name),
   glb: async (scene, name) => (await import('./gltf/write.ts')).writeGltf(scene, name),
   obj: async (scene, name) => (await import('./obj/write.ts')).writeObj(scene, name),
 };
+
+/** USD cannot say that points go along cubics; their velocities are written, from which we read them again. */
+function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
+  const losses = new Losses(name);
+  for (const { path, motion } of scene.objects)
+    if (motion.kind === 'sampled-points' && motion.velocities)
+      losses.add(
+        'info',
+        'convert.interpolation',
+        path,
+        'its points go along cubics, which USD does not know: their velocities are written, so that reading with cubic interpolation gives them back; other programs go straight',
+      );
+  return losses.list;
+}
 
 /** Extensions that `saveScene` takes. */
 export const writtenExtensions: readonly string[] = Object.keys(writers);

@@ -13,14 +13,24 @@ export const read = defineNode({
     source: { kind: 'text', title: 'node.read.source', default: '' },
     /** `set=option`, as `Scene.variants` names them: `/World/Car{paint}=red`. */
     variants: { kind: 'list', title: 'node.read.variants', default: [] },
+    interpolation: {
+      kind: 'choice',
+      title: 'node.read.interpolation',
+      help: 'node.read.interpolation.help',
+      default: 'linear',
+      options: [
+        { value: 'linear', title: 'interpolation.linear' },
+        { value: 'cubic', title: 'interpolation.cubic' },
+      ],
+    },
   },
   inputs: {},
   outputs: { scene: { type: 'scene' } },
-  async evaluate(_inputs, { source, variants }, { node, services, signal, progress }) {
+  async evaluate(_inputs, { source, variants, interpolation }, { node, services, signal, progress }) {
     if (!source) throw refusal('read.none', node, 'no file is chosen; open one, or take one of the examples');
     try {
       const chosen = new Map(variants.flatMap((text) => [parseChoice(text)].filter((choice) => choice !== undefined)));
-      return { scene: await services.readScene(source, { variants: chosen, signal, progress }) };
+      return { scene: await services.readScene(source, { variants: chosen, interpolation, signal, progress }) };
     } catch (error) {
       if (!(error instanceof InputError)) throw error;
       const { code, place, message } = error.diagnostic;

@@ -19,7 +19,7 @@ export interface FastestPoint {
 }
 
 /** How a scene is to be read. */
-export interface ReadRequest extends Pick<ReadOptions, 'variants'> {
+export interface ReadRequest extends Pick<ReadOptions, 'variants' | 'interpolation'> {
   readonly signal?: Cancellation;
   readonly progress: Progress;
 }

@@ -28,6 +28,29 @@ export function parabolaVelocityAt(
   return out;
 }
 
+/** Coordinates that `chordGap` looks at, at most. */
+const LOOKED_AT = 2 ** 22;
+
+/**
+ * An estimate of how far cubics through the points are from their chords [m]: in the middle of a piece h|v₁ − v₀|/8; of large motions, evenly
+ * chosen points. 0 of two samples.
+ */
+export function chordGap(times: Float64Array, points: readonly Float32Array[]): number {
+  const count = points[0].length / 3;
+  const step = Math.max(1, Math.ceil((count * 3 * times.length) / LOOKED_AT));
+  const path = points.map((all) =>
+    Float32Array.from({ length: 3 * Math.ceil(count / step) }, (_, i) => all[3 * step * Math.floor(i / 3) + (i % 3)]),
+  );
+  const velocities = parabolaVelocities(times, path);
+  let most = 0;
+  for (let k = 0; k + 1 < times.length; k++) {
+    const [a, b, eighth] = [velocities[k], velocities[k + 1], (times[k + 1] - times[k]) / 8];
+    for (let i = 0; i < a.length; i += 3)
+      most = Math.max(most, eighth * Math.hypot(b[i] - a[i], b[i + 1] - a[i + 1], b[i + 2] - a[i + 2]));
+  }
+  return most;
+}
+
 /** Point i between samples k and k + 1, from the motion's origin, with all of its bend [m, m/s]. */
 export function pointPiece({ times, points, velocities }: CubicPointsMotion, k: number, i: number): CubicPiece {
   const read = (from: Float32Array): readonly [number, number, number] => [

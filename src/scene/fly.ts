@@ -96,13 +96,20 @@ function flyFrame(motion: FrameMotion, { velocity, at, c, place }: Course): Fram
   return { kind: 'uniform', pose: { ...pose, position: addScaled(position, velocity, -at) }, velocity };
 }
 
+/** As a share of the motion's time. */
+const JUMP = 1e-6;
+
 function carriedPoints(motion: SampledPointsMotion, { velocity, at, range }: Course): SampledPointsMotion {
-  const { times, points, normals } = motion;
+  const { times, points, velocities, normals } = motion;
   const last = times.length - 1;
   const lead = Math.max(LEAST_LEAD, LEAD * range);
-  const ends = (i: number): number[] => [i, ...Array.from(times, (_, k) => k), last];
-  const order = ends(0);
-  const longer = Float64Array.of(times[0] - lead, ...times, times[last] + lead);
+  // A cubic has one velocity at a sample: what it jumps by where it begins and ends takes a short piece more.
+  const jump = velocities ? [JUMP * (times[last] - times[0])] : [];
+  const before = [lead, ...jump].map((ahead) => times[0] - ahead);
+  const after = [...jump, lead].map((behind) => times[last] + behind);
+  const order = [...before.map(() => 0), ...times.keys(), ...after.map(() => last)];
+  const longer = Float64Array.of(...before, ...times, ...after);
+  const moves = (i: number): boolean => i >= before.length && i < before.length + times.length;
   const shifted = order.map((k, i) => {
     const shift = scale(velocity, longer[i] - at);
     return points[k].map((x, j) => x + shift[j % 3]);
@@ -111,6 +118,9 @@ function carriedPoints(motion: SampledPointsMotion, { velocity, at, range }: Cou
     ...motion,
     times: longer,
     points: shifted,
+    ...(velocities && {
+      velocities: order.map((k, i) => velocities[k].map((v, j) => (moves(i) ? v : 0) + velocity[j % 3])),
+    }),
     ...(normals && { normals: order.map((k) => normals[k]) }),
   };
 }

@@ -80,7 +80,10 @@ function retimeMotion(motion: Motion, map: TimeMap): Motion {
         t0: mapped(motion.t0, map),
       };
     case 'sampled':
-    case 'sampled-points':
       return { ...motion, times: motion.times.map((t) => mapped(t, map)) };
+    case 'sampled-points': {
+      const velocities = motion.velocities?.map((each) => each.map((v) => v / a));
+      return { ...motion, times: motion.times.map((t) => mapped(t, map)), ...(velocities && { velocities }) };
+    }
   }
 }

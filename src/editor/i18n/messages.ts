@@ -31,6 +31,13 @@ export const messages = {
   'node.read.help': ['Reads a scene file: USD, glTF, OBJ, PLY or STL.', '读取场景文件：USD、glTF、OBJ、PLY 或 STL。'],
   'node.read.source': ['File', '文件'],
   'node.read.variants': ['Variants', '变体'],
+  'node.read.interpolation': ['Between samples', '样本之间'],
+  'node.read.interpolation.help': [
+    'How what a USD file animates goes from sample to sample: straight, as USD says, or along cubics, so that velocities do not jump.',
+    'USD 动画在样本之间的运动方式：直线（USD 的规定），或三次曲线，速度不会突变。',
+  ],
+  'interpolation.linear': ['Straight', '直线'],
+  'interpolation.cubic': ['Cubic', '三次曲线'],
   'node.retime': ['Animation', '动画'],
   'node.retime.help': [
     'When the file’s animation begins, and how fast it runs. What moves too fast for light is refused.',

@@ -23,7 +23,12 @@ addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
 
 async function load(request: LoadRequest): Promise<LoadedScene> {
   const { source, entry } = await sceneIn(sourceOf(request), request.entry);
-  return loadedScene(await openScene(source, entry, { variants: new Map(request.variants) }));
+  return loadedScene(
+    await openScene(source, entry, {
+      variants: new Map(request.variants),
+      ...(request.interpolation && { interpolation: request.interpolation }),
+    }),
+  );
 }
 
 /** What share of a file has come is known; of what is made of it is not. */

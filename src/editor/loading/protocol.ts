@@ -1,3 +1,4 @@
+import type { Interpolation } from '../../formats/registry.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import type { HeldFile } from './held.ts';
@@ -14,6 +15,7 @@ export interface SceneFiles {
 export interface LoadRequest extends SceneFiles {
   /** `set`, `option`. */
   readonly variants: readonly (readonly [string, string])[];
+  readonly interpolation?: Interpolation;
 }
 
 export type Stage = 'fetch' | 'parse';

@@ -71,7 +71,9 @@ export function sceneKey(source: string): string {
 /** Reads the scene of a document's `source`: files of this session, or an address beside the page. */
 export function sceneReader(local: LocalFiles): Services['readScene'] {
   return (source, how) => {
-    const request = { ...(local.get(source) ?? addressed(source)), variants: [...(how.variants ?? [])] };
+    const { variants = [], interpolation } = how;
+    const files = local.get(source) ?? addressed(source);
+    const request = { ...files, variants: [...variants], ...(interpolation && { interpolation }) };
     return readInWorker(request, how);
   };
 }

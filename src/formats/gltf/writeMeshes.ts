@@ -30,6 +30,8 @@ export class MeshWriter {
       const message = `its ${mesh.positions.length / 3} points are sampled at ${deforming.times.length} times, more than the ${MOST_TARGETS} that become morph targets; it is written at rest, as it is at its first`;
       this.losses.add('warning', 'convert.points', path, message);
     }
+    if (isWritten && deforming.velocities)
+      this.losses.add('warning', 'convert.interpolation', path, 'its points go along cubics; there they go straight');
     const made = this.document.createMesh(node.getName());
     for (const group of mesh.groups) made.addPrimitive(this.primitive(mesh, group, deforming, isWritten));
     node.setMesh(made);

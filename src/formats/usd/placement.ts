@@ -2,7 +2,7 @@ import { hermite } from '../../math/hermite.ts';
 import { cofactors, determinant, type Mat3 } from '../../math/mat3.ts';
 import * as mat4 from '../../math/mat4.ts';
 import { distance, scale, type Vec3 } from '../../math/vec3.ts';
-import { parabolaVelocities, parabolaVelocityAt } from '../../scene/cubicPoints.ts';
+import { chordGap, parabolaVelocities, parabolaVelocityAt } from '../../scene/cubicPoints.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
 import { pieceAt } from '../../scene/motion.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
@@ -251,6 +251,7 @@ function sampledPoints(context: StageContext, path: string, shape: Shape, world:
   });
   const seconds = times.map((t) => t / context.codesPerSecond);
   const points = placed.map((p) => p.positions);
+  if (deformation) noteGap(context, path, seconds, points);
   const given = context.cubic && world.times.length === 0 ? deformation?.velocitiesAt : undefined;
   const linear = mat4.linearPart(world.matrixAt(times[0]));
   const motion: SampledPointsMotion = {
@@ -267,6 +268,16 @@ function sampledPoints(context: StageContext, path: string, shape: Shape, world:
   };
   const mirrored = determinant(mat4.linearPart(world.matrixAt(times[0]))) < 0;
   return { mesh: { ...mesh, ...placed[0], indices: mirrored ? turned(mesh.indices) : mesh.indices }, motion };
+}
+
+/** Says how much its samples leave open of how a mesh deforms: by how far cubics through them are from chords. */
+function noteGap(context: StageContext, path: string, times: Float64Array, points: readonly Float32Array[]): void {
+  const gap = chordGap(times, points);
+  const corners = boxCorners(points[0]);
+  if (gap <= context.chordTolerance * distance(corners[0], corners[corners.length - 1])) return;
+  const [shown, other] = context.cubic ? ['cubics', 'straight'] : ['straight', 'along cubics'];
+  const message = `between its ${times.length} samples its points go ${context.cubic ? 'along ' : ''}${shown}; ${other} they would be up to ${gap.toPrecision(2)} m elsewhere`;
+  report(context, 'info', 'usd.between-samples', path, message);
 }
 
 const relativeTo = (origin: Vec3, m: mat4.Mat4): mat4.Mat4 =>

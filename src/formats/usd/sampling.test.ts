@@ -5,9 +5,9 @@ import { affordableTimes, boxCorners, carried } from './sampling.ts';
 
 it('a mesh that would take too much memory keeps its first time, its last, and what fits between', () => {
   const times = Float64Array.from({ length: 101 }, (_, i) => i);
-  expect(affordableTimes(times, 10, 240 * 200)).toBe(times);
-  expect(affordableTimes(times, 10, 240 * 5)).toEqual(Float64Array.of(0, 25, 50, 75, 100));
-  expect(affordableTimes(times, 10, 0)).toEqual(Float64Array.of(0, 100));
+  expect(affordableTimes(times, 240, 240 * 200)).toBe(times);
+  expect(affordableTimes(times, 240, 240 * 5)).toEqual(Float64Array.of(0, 25, 50, 75, 100));
+  expect(affordableTimes(times, 240, 0)).toEqual(Float64Array.of(0, 100));
 });
 
 it('the box around points has eight corners, and one where there is nothing to measure', () => {

@@ -101,6 +101,7 @@ function pointLines(mesh: Mesh, motion: Motion, placement: Placement): Lines {
     ...normalLines,
     ...(moving ? timeSamples('normal3f[] normals', codes, (i) => floatTuples(moving[i], 3)) : []),
     ...timeSamples('point3f[] points', codes, (i) => points(motion.points[i])),
+    ...(motion.velocities ? timeSamples('vector3f[] velocities', codes, (i) => points(motion.velocities![i])) : []),
   ];
 }
 

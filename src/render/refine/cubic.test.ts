@@ -71,7 +71,7 @@ it('a lump holds its triangles at all times, and is as fast and as hard driven a
   const object = makeObject({ path: '/It', mesh, motion });
   const body = makeBody(object, 1);
   const [batch] = makeBatches(makeScene({ name: 'it', objects: [object] }), [body]);
-  const clusters = new Clusters(batch.arrays);
+  const clusters = new Clusters(batch);
   const lumps = new DeformingLumps(clusters, batch.arrays.indices, motion).over({ first: 3, count: 5 });
   const { line } = body;
   let nearest = Number.POSITIVE_INFINITY;
