@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { type Bench, markdown } from './bench.ts';
 import { bundle } from './bundle.ts';
 import { crate } from './crate.ts';
+import { cubic } from './cubic.ts';
 import { emission } from './emission.ts';
 import { frame } from './frame.ts';
 import { gpu, releaseGpu } from './gpu.ts';
@@ -15,7 +16,7 @@ import { reference } from './reference.ts';
 import { refine } from './refine.ts';
 
 /** Every benchmark, in the order of the page. */
-const benches: readonly Bench[] = [frame, refine, emission, memory, load, instances, crate, reference, page, bundle];
+const benches: readonly Bench[] = [frame, cubic, refine, emission, memory, load, instances, crate, reference, page, bundle];
 
 const file = fileURLToPath(new URL('../../../docs/performance.md', import.meta.url));
 const [BEGIN, END] = ['<!-- measured: npm run bench -->', '<!-- end -->'];

@@ -1,11 +1,12 @@
 import type { Quat } from '../src/math/quat.ts';
 import type { Vec3 } from '../src/math/vec3.ts';
 import { lookAtOrientation } from '../src/scene/camera.ts';
+import { parabolaVelocities } from '../src/scene/cubicPoints.ts';
 import { makeObject, makeScene } from '../src/scene/defaults.ts';
 import { sphere } from '../src/scene/primitives.ts';
 import type { Mesh, Motion, Scene } from '../src/scene/types.ts';
 
-export type MotionKind = 'static' | 'rigid' | 'deforming';
+export type MotionKind = 'static' | 'rigid' | 'deforming' | 'cubic';
 
 /** Speed of light of all benchmarks [m/s]; the spheres and ripples go up to half of it. */
 export const C = 10;
@@ -35,12 +36,13 @@ function motionOf(kind: MotionKind, mesh: Mesh, place: Vec3, samples: number): M
   if (kind === 'static') return { kind, pose: { position: place, orientation: [0, 0, 0, 1] } };
   if (kind === 'rigid') return { kind: 'sampled', times, poses: circlingPoses(times, place) };
   const shapes = rippledShapes(mesh, Math.min(samples, 10));
-  return {
-    kind: 'sampled-points',
-    times,
-    origin: place,
-    points: Array.from(times, (_, k) => shapes[k % shapes.length]),
-  };
+  const inTurn = (of: readonly Float32Array[]) => Array.from(times, (_, k) => of[k % of.length]);
+  const points = inTurn(shapes);
+  if (kind === 'deforming') return { kind: 'sampled-points', times, origin: place, points };
+  // Of the second time round, which has neighbours on both sides, where there is one.
+  const turn = shapes.length;
+  const velocities = parabolaVelocities(times.subarray(0, 3 * turn), points.slice(0, 3 * turn)).slice(turn, 2 * turn);
+  return { kind: 'sampled-points', times, origin: place, points, velocities: inTurn(velocities) };
 }
 
 /** Round a circle of 0.8 m at c/2, turning as it goes. */
