@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { expectClose, uniform } from '../../tests/physicsArbitraries.ts';
 import { probePoint, settingsFor, tracedScene, viewFrom } from '../../tests/support/rays.ts';
-import { distance, normalize } from '../math/vec3.ts';
+import { distance, lerp, normalize } from '../math/vec3.ts';
 import { boundingSphere } from '../scene/bounds.ts';
 import { type CubicPointsMotion, parabolaVelocities } from '../scene/cubicPoints.ts';
 import { makeObject } from '../scene/defaults.ts';
@@ -32,17 +32,28 @@ describe('chords of a cubic', () => {
   const shapes = new CubicShapes(motion, C);
   it('are off it by less than a millionth of the size, and end on it', () => {
     const { radius } = boundingSphere(motion.points[12]);
-    let [worst, beside] = [0, 0];
+    let [worst, beside, bulge] = [0, 0, 0];
+    const [from, to] = [new Float64Array(3), new Float64Array(3)];
     for (let j = 0; j + 1 < shapes.times.length; j++) {
-      const [a, b] = [shapes.at(j), shapes.at(j + 1)];
-      const exact = deformedPoints(motion, shapes.times[j], C);
-      const middle = deformedPoints(motion, (shapes.times[j] + shapes.times[j + 1]) / 2, C);
-      for (let i = 0; 3 * i < a.length; i++) {
-        beside = Math.max(beside, distance(pointAt(a, i), exact(i)));
-        const half = pointAt(a, i).map((x, k) => (x + b[3 * i + k]) / 2);
-        worst = Math.max(worst, distance(pointAt(half, 0), middle(i)));
+      const chords = shapes.chordsIn(j);
+      const time = (chord: number) => shapes.times[j] + (chord / chords) * (shapes.times[j + 1] - shapes.times[j]);
+      const [begin, finish] = [shapes.at(j), shapes.at(j + 1)];
+      for (let chord = 0; chord < chords; chord++) {
+        const exact = deformedPoints(motion, time(chord), C);
+        const middle = deformedPoints(motion, (time(chord) + time(chord + 1)) / 2, C);
+        for (let i = 0; 3 * i < mesh.positions.length; i++) {
+          shapes.chordEnd(i, j, chord, from, 0);
+          shapes.chordEnd(i, j, chord + 1, to, 0);
+          beside = Math.max(beside, distance(pointAt(from, 0), exact(i)));
+          if (chord === 0) expect(distance(pointAt(begin, i), pointAt(from, 0))).toBeLessThan(1e-14);
+          if (chord === chords - 1) expect(distance(pointAt(finish, i), pointAt(to, 0))).toBeLessThan(1e-14);
+          worst = Math.max(worst, distance(lerp(pointAt(from, 0), pointAt(to, 0), 0.5), middle(i)));
+          const whole = lerp(pointAt(begin, i), pointAt(finish, i), chord / chords);
+          bulge = Math.max(bulge, distance(whole, exact(i)) - shapes.bulgeIn(j));
+        }
       }
     }
+    expect(bulge).toBeLessThan(1e-9);
     expect(beside).toBeLessThan(1e-12);
     expect(worst).toBeLessThan(1.001e-6 * radius);
     expect(worst).toBeGreaterThan(1e-7 * radius);

@@ -9,61 +9,98 @@ import { emptyBox } from './bvh.ts';
 const CHORD = 1e-6;
 /** Chords of one piece at most. */
 const MOST_CHORDS = 1024;
+/** A block has so many chords: trees of boxes are made for its ends only. */
+const BLOCK = 12;
 
 /**
  * Cubic motion as chords that a ray can be met with: so many in each piece that no point is off its path by more than a millionth of the object's
- * size. A shape is made when it is asked for; places and velocities of single points are those of the cubic itself.
+ * size. Some chords together are a block: whole shapes are made for the ends of blocks, when they are asked for, and of what a ray comes near in
+ * a block single triangles at the ends of chords. Places and velocities of single points are those of the cubic itself.
  */
 export class CubicShapes {
-  /** Ends of the chords [s]. */
+  /** Ends of the blocks [s]. */
   readonly times: Float64Array;
   private readonly motion: CubicPointsMotion;
-  private readonly c: number;
-  /** Of each end, the piece of the motion that begins there or holds it. */
+  /** How much of its bend each piece keeps (`bendOf`). */
+  private readonly bends: Float64Array;
+  /** Of each block, and after them of the last sample, the piece of the motion, and the place in it as a share. */
   private readonly pieces: Int32Array;
+  private readonly shares: Float64Array;
+  private readonly chords: Int32Array;
+  private readonly bulges: Float64Array;
 
   constructor(motion: CubicPointsMotion, c: number) {
     this.motion = motion;
-    this.c = c;
     const { times, points } = motion;
+    this.bends = Float64Array.from({ length: times.length - 1 }, (_, k) => bendOf(motion, k, c));
     const tolerance = CHORD * boundingSphere(points[points.length >> 1]).radius;
-    const [ends, pieces]: [number[], number[]] = [[], []];
-    for (let k = 0; k + 1 < times.length; k++) {
-      const chords = chordsOf(motion, k, bendOf(motion, k, c), tolerance);
-      for (let j = 0; j < chords; j++) {
-        ends.push(times[k] + (j / chords) * (times[k + 1] - times[k]));
-        pieces.push(k);
-      }
+    const blocks: { piece: number; share: number; chords: number; bulge: number }[] = [];
+    for (let piece = 0; piece + 1 < times.length; piece++) {
+      const off = bulgeOf(motion, piece, this.bends[piece]);
+      const wanted = Math.min(MOST_CHORDS, Math.max(1, Math.ceil(Math.sqrt(off / tolerance))));
+      const count = Math.ceil(wanted / BLOCK);
+      const chords = Math.ceil(wanted / count);
+      for (let j = 0; j < count; j++) blocks.push({ piece, share: j / count, chords, bulge: off / count ** 2 });
     }
-    this.times = Float64Array.from([...ends, times[times.length - 1]]);
-    this.pieces = Int32Array.from([...pieces, times.length - 1]);
+    this.pieces = Int32Array.from([...blocks.map(({ piece }) => piece), times.length - 1]);
+    this.shares = Float64Array.from([...blocks.map(({ share }) => share), 0]);
+    this.chords = Int32Array.from(blocks, (block) => block.chords);
+    this.bulges = Float64Array.from(blocks, (block) => block.bulge);
+    this.times = Float64Array.from(this.shares, (share, j) => this.timeAt(this.pieces[j], share));
   }
 
-  /** All points at end j of the chords, from the motion's origin. */
+  private timeAt(piece: number, share: number): number {
+    const { times } = this.motion;
+    return share === 0 ? times[piece] : times[piece] + share * (times[piece + 1] - times[piece]);
+  }
+
+  /** How many chords block j has. */
+  chordsIn(j: number): number {
+    return this.chords[j];
+  }
+
+  /** How far points of block j are at most from where the chord of the whole block has them [m]. */
+  bulgeIn(j: number): number {
+    return this.bulges[j];
+  }
+
+  /** All points at the beginning of block j, from the motion's origin. */
   at(j: number): Float32Array | Float64Array {
-    const { times, points, velocities } = this.motion;
-    const k = this.pieces[j];
-    const since = this.times[j] - times[k];
-    if (since === 0) return points[k];
-    const span = times[k + 1] - times[k];
-    const w = since / span;
-    const bend = bendOf(this.motion, k, this.c);
-    const [a, b, va, vb] = [points[k], points[k + 1], velocities[k], velocities[k + 1]];
-    // As hermite() of the chord and what differs from it.
-    const [atBegin, atEnd] = [bend * since * (1 - w) ** 2, bend * since * w * (w - 1)];
-    return Float64Array.from(a, (x, i) => {
-      const moved = b[i] - x;
-      const chord = moved / span;
-      return x + w * moved + atBegin * (va[i] - chord) + atEnd * (vb[i] - chord);
-    });
+    const piece = this.pieces[j];
+    if (this.shares[j] === 0) return this.motion.points[piece];
+    const out = new Float64Array(this.motion.points[piece].length);
+    for (let i = 0; i < out.length; i += 3) this.place(i / 3, piece, this.shares[j], out, i);
+    return out;
   }
 
-  /** A box that holds all points near end j: in the pieces that it belongs to, by their control points. */
+  /** Point i after so many chords of block j, from the motion's origin, to `out[to …]`. */
+  chordEnd(i: number, j: number, chord: number, out: Float64Array, to: number): void {
+    const next = j + 1 < this.chords.length && this.pieces[j + 1] === this.pieces[j] ? this.shares[j + 1] : 1;
+    const share = this.shares[j] + (chord / this.chords[j]) * (next - this.shares[j]);
+    this.place(i, this.pieces[j], chord === this.chords[j] ? next : share, out, to);
+  }
+
+  /** As hermite(): the chord, and what differs from it. At an end the sample itself. */
+  private place(i: number, piece: number, w: number, out: Float64Array, to: number): void {
+    const { times, points, velocities } = this.motion;
+    const [a, b, va, vb] = [points[piece], points[piece + 1], velocities[piece], velocities[piece + 1]];
+    const span = times[piece + 1] - times[piece];
+    const since = this.bends[piece] * span * w * (1 - w);
+    for (let axis = 0; axis < 3; axis++) {
+      const at = 3 * i + axis;
+      const moved = b[at] - a[at];
+      const chord = moved / span;
+      const straight = w === 1 ? b[at] : a[at] + w * moved;
+      out[to + axis] = straight + since * ((1 - w) * (va[at] - chord) - w * (vb[at] - chord));
+    }
+  }
+
+  /** A box that holds all points near the beginning of block j: in the pieces that it belongs to, by their control points. */
   outline(j: number, boxes: Float64Array): void {
     emptyBox(boxes, 6 * j);
     const k = this.pieces[j];
     if (k < this.motion.times.length - 1) this.grow(k, boxes, 6 * j);
-    if (k > 0 && this.times[j] === this.motion.times[k]) this.grow(k - 1, boxes, 6 * j);
+    if (k > 0 && this.shares[j] === 0) this.grow(k - 1, boxes, 6 * j);
   }
 
   private grow(k: number, boxes: Float64Array, at: number): void {
@@ -81,20 +118,18 @@ export class CubicShapes {
 
   /** Point i at world time t between the samples, from the motion's origin, and its velocity [m/s]. */
   point(i: number, t: number): { readonly x: Vec3; readonly v: Vec3 } {
-    const { motion, c } = this;
+    const { motion } = this;
     const last = motion.times.length - 2;
     const k = Math.min(last, Math.max(0, samplesUntil(motion.times, t) - 1));
-    return cubicAt(eased(pointPiece(motion, k, i), bendOf(motion, k, c)), t - motion.times[k]);
+    return cubicAt(eased(pointPiece(motion, k, i), this.bends[k]), t - motion.times[k]);
   }
 }
 
-/** The second derivative runs straight from 2(w₁ − w₀)/h to 2(w₂ − w₁)/h; a chord over s is off by s²/8 of its greatest. */
-function chordsOf(
-  { times, points, velocities }: CubicPointsMotion,
-  k: number,
-  bend: number,
-  tolerance: number,
-): number {
+/**
+ * How far the chord of a whole piece is off at most [m]: the second derivative runs straight from 2(w₁ − w₀)/h to 2(w₂ − w₁)/h, and a chord over s is
+ * off by s²/8 of its greatest.
+ */
+function bulgeOf({ times, points, velocities }: CubicPointsMotion, k: number, bend: number): number {
   const span = times[k + 1] - times[k];
   const [a, b, va, vb] = [points[k], points[k + 1], velocities[k], velocities[k + 1]];
   let square = 0;
@@ -107,6 +142,5 @@ function chordsOf(
     }
     square = Math.max(square, first, second);
   }
-  const off = (span * bend * Math.sqrt(square)) / 4;
-  return Math.min(MOST_CHORDS, Math.max(1, Math.ceil(Math.sqrt(off / tolerance))));
+  return (span * bend * Math.sqrt(square)) / 4;
 }

@@ -3,6 +3,7 @@ import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { samplesUntil } from '../physics/worldLine.ts';
 import type { SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
+import type { CubicShapes } from './cubicShapes.ts';
 import { MovingWalk } from './movingWalk.ts';
 import { Samples, type ShapeStore } from './samples.ts';
 import { type Bounds, type Crossing, hitOf, type Search, spanBetween, type Tracer } from './search.ts';
@@ -12,6 +13,9 @@ import type { Hit, SpacetimeRay } from './types.ts';
 
 const walk = new MovingWalk();
 const triangle = new SpacetimeTriangle();
+/** The corners of a triangle at the ends of a chord, from the motion's origin. */
+const chordBegin = new Float64Array(9);
+const chordFinish = new Float64Array(9);
 /** The ray that is under way, from the origin of the object that it is tried on: o x y z, d x y z. */
 const line = new Float64Array(6);
 
@@ -111,8 +115,10 @@ export class SampledTracer implements Tracer {
     const share = before === after ? 0 : (ray.t - from) / span + near * rate;
     const o = sub(addScaled(ray.x, ray.dx, near), origin);
     walk.line(o[0], o[1], o[2], ray.dx[0], ray.dx[1], ray.dx[2], share, rate);
-    walk.start(shape.tree, before.boxes, after.boxes, far - near, this.noise(o));
-    this.visit(before.points, after.points, o, ray.dx, share, rate, near, k, search);
+    const cubic = before === after ? undefined : this.samples.cubic;
+    walk.start(shape.tree, before.boxes, after.boxes, far - near, this.noise(o) + (cubic?.bulgeIn(k) ?? 0));
+    if (cubic) this.visitCubic(cubic, o, ray.dx, share, rate, near, k, search);
+    else this.visit(before.points, after.points, o, ray.dx, share, rate, near, k, search);
   }
 
   private visit(
@@ -147,6 +153,59 @@ export class SampledTracer implements Tracer {
           if (search.offer(this, s, first[i], triangle.v[j], triangle.w[j], triangle.front[j], piece)) break;
         }
       }
+    }
+  }
+
+  /** As `visit`, chord by chord of those that the ray passes while it is in the leaf. */
+  private visitCubic(
+    cubic: CubicShapes,
+    o: Vec3,
+    d: Vec3,
+    share: number,
+    rate: number,
+    begin: number,
+    piece: number,
+    search: Search,
+  ): void {
+    const { tree, first } = this.samples.shape;
+    const { indices } = this.object.mesh;
+    const chords = cubic.chordsIn(piece);
+    const chordAt = (s: number) => Math.min(chords - 1, Math.max(0, Math.floor((share + rate * s) * chords)));
+    const noise = this.noise(o);
+    for (let leaf = walk.next(search.end - begin); leaf >= 0; leaf = walk.next(search.end - begin)) {
+      const { near, far } = walk;
+      const [early, late] = rate < 0 ? [chordAt(far), chordAt(near)] : [chordAt(near), chordAt(far)];
+      const from = tree.link[leaf];
+      for (let i = from; i < from + tree.count[leaf]; i++)
+        for (let chord = early; chord <= late; chord++) {
+          for (let corner = 0; corner < 3; corner++) {
+            cubic.chordEnd(indices[first[i] + corner], piece, chord, chordBegin, 3 * corner);
+            cubic.chordEnd(indices[first[i] + corner], piece, chord + 1, chordFinish, 3 * corner);
+          }
+          // Where the ray is in the chord, from where on and how long.
+          const along = share * chords - chord;
+          const per = rate * chords;
+          const ends = per === 0 ? [near, far] : [-along / per, (1 - along) / per].sort((a, b) => a - b);
+          const [enters, leaves] = [Math.max(near, ends[0]), Math.min(far, ends[1])];
+          if (enters > leaves) continue;
+          this.meetChord(o, d, along, per, enters);
+          const n = triangle.meet(leaves - enters, noise);
+          for (let j = 0; j < n; j++) {
+            const s = begin + enters + triangle.sigma[j];
+            if (search.offer(this, s, first[i], triangle.v[j], triangle.w[j], triangle.front[j], piece)) break;
+          }
+        }
+    }
+  }
+
+  /** The triangle's corners as the ray has them, from s = `enters` on. */
+  private meetChord(o: Vec3, d: Vec3, share: number, rate: number, enters: number): void {
+    const { a, b } = triangle;
+    for (let k = 0; k < 9; k++) {
+      const axis = k % 3;
+      const moved = chordFinish[k] - chordBegin[k];
+      a[k] = chordBegin[k] - o[axis] + (moved * (share + rate * enters) - d[axis] * enters);
+      b[k] = moved * rate - d[axis];
     }
   }
 

@@ -66,7 +66,8 @@ export class Samples {
   private readonly motion: SampledMotion | SampledPointsMotion;
   private readonly shapes: (Shape | undefined)[];
   private readonly store: ShapeStore;
-  private readonly cubic: CubicShapes | undefined;
+  /** Where points go along cubics: its blocks are the pieces. */
+  readonly cubic: CubicShapes | undefined;
 
   /** c [m/s]: how much a cubic bends can depend on it. */
   constructor(
