@@ -37,6 +37,50 @@ test('a point faster than light is an error that names prim, speed and what to d
   expect((await slowlight('inspect', scene('too-fast.usda'), '--c', '20')).code).toBe(0);
 });
 
+test('what samples leave open is told, and cubics are taken where they are asked for', async () => {
+  const file = join(folder, 'cloth.usda');
+  const points = [0, 6, 12, 18]
+    .map((code) => `${code}: [(0, 0, ${(code / 12) ** 2}), (1, 0, 0), (0, 1, 0)]`)
+    .join(', ');
+  writeFileSync(
+    file,
+    `#usda 1.0
+(
+  metersPerUnit = 1
+)
+def Mesh "Cloth" {
+  int[] faceVertexCounts = [3]
+  int[] faceVertexIndices = [0, 1, 2]
+  point3f[] points.timeSamples = { ${points} }
+}
+def Cube "Wheel" {
+  float xformOp:rotateZ.timeSamples = { 0: 0, 12: 120 }
+  uniform token[] xformOpOrder = ["xformOp:rotateZ"]
+}
+`,
+  );
+  const linear = await slowlight('inspect', file);
+  expect(linear.out).toMatch(/Cloth {2}\(1 triangle, sampled-points, 4 samples\)/);
+  expect(linear.out).toMatch(
+    /<\/Cloth>: between its 4 samples its points go straight; along cubics .* up to 0\.\d+ m elsewhere/,
+  );
+  expect(linear.out).toMatch(/paths between samples: at most \S+ m beside/);
+  const cubic = await slowlight('inspect', file, '--interpolation', 'cubic', '--c', '20');
+  expect(cubic.code).toBe(0);
+  expect(cubic.out).toContain('sampled-points along cubics');
+  expect((await slowlight('inspect', file, '--interpolation', 'quintic')).code).toBe(2);
+  const at = async (name: string) =>
+    (
+      await slowlightJson<{ vertices: { velocity: number[] }[] }>(
+        ...['probe', file, '--interpolation', name, '--prim', '/Cloth', '--time', '0.3', '--view', 'galilean'],
+        ...['--c', '20', '--position', '0,0,5'],
+      )
+    ).vertices[0]!.velocity[2]! * 20;
+  // x = (2t)² at 0.3 s: 8t, and the chord from 0.25 to 0.5 s.
+  expect(await at('cubic')).toBeCloseTo(2.4, 5);
+  expect(await at('linear')).toBeCloseTo(3, 5);
+});
+
 test('what cannot be read is refused by name', async () => {
   const empty = join(folder, 'empty.usda');
   writeFileSync(empty, '');
