@@ -16,7 +16,19 @@ import { reference } from './reference.ts';
 import { refine } from './refine.ts';
 
 /** Every benchmark, in the order of the page. */
-const benches: readonly Bench[] = [frame, cubic, refine, emission, memory, load, instances, crate, reference, page, bundle];
+const benches: readonly Bench[] = [
+  frame,
+  cubic,
+  refine,
+  emission,
+  memory,
+  load,
+  instances,
+  crate,
+  reference,
+  page,
+  bundle,
+];
 
 const file = fileURLToPath(new URL('../../../docs/performance.md', import.meta.url));
 const [BEGIN, END] = ['<!-- measured: npm run bench -->', '<!-- end -->'];

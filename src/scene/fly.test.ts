@@ -81,6 +81,18 @@ describe('fly', () => {
     expect(fastest(flown, C).speed).toBeGreaterThan(8.2);
   });
 
+  it('what deforms along cubics does so while it flies', () => {
+    const outwards = (by: number) => mesh.positions.map((x) => by * x);
+    const soft = { ...scene.objects[4], motion: { ...deforming, velocities: [outwards(0.1), outwards(0.6)] } };
+    const flown = fly({ ...scene, objects: [soft] }, flight('/soft'), C).objects[0];
+    for (const t of [-3, -1e-3, 0, 0.5, 1, 1.7, 2, 2.001, 10])
+      for (let i = 0; i < count; i++) {
+        const was = vertexPosition(soft, i, t, C);
+        const moved = sub(vertexPosition(flown, i, t, C), add(was, scale([8, 0, 0], t - 1)));
+        expect(length(moved)).toBeLessThan(1e-4);
+      }
+  });
+
   it('at no speed at all it stops where it is at the time', () => {
     const flown = fly(scene, flight('/moving', { beta: [0, 0, 0] }), C);
     expect(flown.objects[3].motion).toEqual({ kind: 'static', pose: { position: [2, 0, 0], orientation: IDENTITY } });
