@@ -151,8 +151,8 @@ function turning(path: string, mesh: Mesh, phase: number): SceneObject {
 
 /** A cloth of few large triangles in a running wave, faster than 0.5 c in places. */
 const cloth = clothOf('cloth', waving(80));
-/** The same from half the samples, with cubics between them: no velocity jumps. */
-const cubicCloth = clothOf('cloth along cubics', cubically(waving(40)));
+/** The same from so few samples that chords would be pixels away, with cubics between them: no velocity jumps. */
+const cubicCloth = clothOf('cloth along cubics', cubically(waving(22)));
 
 function clothOf(name: string, object: SceneObject): ExtraScene {
   return {
