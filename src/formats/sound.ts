@@ -65,10 +65,19 @@ function isMotionSound({ path, motion }: { path: string; motion: Motion }, say: 
   return false;
 }
 
+/** What was found of arrays that many objects may share. */
+const FINITE = new WeakMap<Float32Array, boolean>();
+
+function knownFinite(numbers: Float32Array): boolean {
+  const known = FINITE.get(numbers) ?? allFinite(numbers);
+  FINITE.set(numbers, known);
+  return known;
+}
+
 /** A 1 for each vertex that is nowhere, at rest or at a sample; undefined where all are somewhere. */
 function lostVertices({ mesh, motion }: SceneObject): Uint8Array | undefined {
   const shapes = motion.kind === 'sampled-points' ? [mesh.positions, ...motion.points] : [mesh.positions];
-  const broken = shapes.filter((shape) => !allFinite(shape));
+  const broken = shapes.filter((shape) => !knownFinite(shape));
   if (broken.length === 0) return undefined;
   const lost = new Uint8Array(mesh.positions.length / 3);
   for (const shape of broken)

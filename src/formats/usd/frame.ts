@@ -8,6 +8,8 @@ export interface Frame {
   readonly times: Float64Array;
   /** How many ops and products of matrices `matrixAt` takes. */
   readonly cost: number;
+  /** It does not turn, and goes straight from each of its times to the next. */
+  readonly isStraight?: boolean;
   /** x_stage = M x_local, in stage units. */
   matrixAt(time: TimeCode): mat4.Mat4;
 }
@@ -33,7 +35,10 @@ export function nestedFrame(outer: Frame, inner: Frame): Frame {
   const times = unionOfTimes([outer.times, inner.times]);
   if (times.length > 0) {
     const cost = outer.cost + inner.cost;
-    return { times, cost, matrixAt: (time) => mat4.multiply(outer.matrixAt(time), inner.matrixAt(time)) };
+    const isStraight = [outer, inner].every((frame) => frame.times.length === 0 || frame.isStraight === true);
+    const alone = outer.times.length === 0 || inner.times.length === 0;
+    const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.multiply(outer.matrixAt(time), inner.matrixAt(time));
+    return { times, cost, isStraight: isStraight && alone, matrixAt };
   }
   const fixed = mat4.multiply(outer.matrixAt(0), inner.matrixAt(0));
   return { times, cost: 1, matrixAt: () => fixed };

@@ -66,6 +66,7 @@ export function placeShape(context: StageContext, path: string, shape: Shape, fr
   const world = scaledFrame(frame, context.unit);
   if (shape.deformation) return deforming(context, path, shape, world);
   if (world.times.length === 0) return fixed(shape.mesh, world.matrixAt(context.startCode));
+  if (world.isStraight) return straight(context, shape.mesh, world);
   const times = refined(context, path, world, cornersOf(shape.mesh));
   const parts = Array.from(times, (t) => mat4.decomposeRigid(world.matrixAt(t)));
   const { stretch } = parts[0];
@@ -80,6 +81,15 @@ export function placeShape(context: StageContext, path: string, shape: Shape, fr
       parts.map((p) => p.pose),
     ),
   };
+}
+
+function straight(context: StageContext, mesh: Mesh, { times, matrixAt }: Frame): Placed {
+  const { pose, stretch } = mat4.decomposeRigid(matrixAt(times[0]));
+  const poses = Array.from(times, (time): mat4.RigidPose => {
+    const m = matrixAt(time);
+    return { ...pose, position: [m[3], m[7], m[11]] };
+  });
+  return { mesh: stretched(mesh, stretch), motion: sampledPoses(context, times, poses) };
 }
 
 /** The same without motion, at one time. */
