@@ -74,10 +74,13 @@ function tangentRows(topology: Topology, scheme: Scheme, around: Around) {
   const slotOfCorner = new Uint32Array(topology.corners.length);
   const pointOfSlot: number[] = [];
   const mostSlots = topology.corners.length + 1;
-  const [along, across] = [new SparseBuilder(mostSlots, 2), new SparseBuilder(mostSlots, 2)];
+  const [along, across] = [new SparseBuilder(mostSlots, 3), new SparseBuilder(mostSlots, 3)];
   for (let p = 0; p < topology.points; p++) {
     const isFixed = topology.pointSharpness[p] >= LOOKS_SHARP || creases.counts[p] > 2 || isLinear(scheme);
-    for (const fan of fansOf(topology, around(p), isBreak)) {
+    const corners = around(p);
+    // Nearly all points are like this, and there are millions.
+    const isSmooth = !isFixed && creases.counts[p] === 0 && corners.length > 0;
+    for (const fan of isSmooth ? [wholeFan(topology, corners)] : fansOf(topology, corners, isBreak)) {
       for (const c of fan.corners) slotOfCorner[c] = pointOfSlot.length;
       pointOfSlot.push(p);
       addTangents(along, across, topology, scheme, p, fan, isFixed);
@@ -97,6 +100,13 @@ function tangentRows(topology: Topology, scheme: Scheme, around: Around) {
 interface Fan {
   readonly corners: number[];
   readonly isClosed: boolean;
+}
+
+/** All corners around a point without sharp edges. */
+function wholeFan(topology: Topology, corners: Uint32Array): Fan {
+  const fan: number[] = [];
+  for (let c = corners[0]; fan.length < corners.length; c = topology.twins[previousCorner(topology, c)]) fan.push(c);
+  return { corners: fan, isClosed: true };
 }
 
 function fansOf(topology: Topology, corners: Uint32Array, isBreak: (edge: number) => boolean): Fan[] {
@@ -158,17 +168,42 @@ type Opposite = ((i: number) => number) | undefined;
 
 /** Of a wave that goes once around: a Fourier sum over the edges and, of quads, over the points across the faces. */
 function addSmoothTangents(along: SparseBuilder, across: SparseBuilder, edges: number[], opposite: Opposite): void {
-  const n = edges.length;
-  const turn = (2 * Math.PI) / n;
-  const ofEdge = opposite ? 1 + Math.cos(turn) + Math.cos(turn / 2) * Math.sqrt(2 * (9 + Math.cos(turn))) : 1;
-  edges.forEach((edge, i) => {
-    along.add(edge, ofEdge * Math.cos(i * turn));
-    across.add(edge, ofEdge * Math.sin(i * turn));
-    if (!opposite) return;
-    along.add(opposite(i), Math.cos(i * turn) + Math.cos((i + 1) * turn));
-    across.add(opposite(i), Math.sin(i * turn) + Math.sin((i + 1) * turn));
-  });
+  const { edge, cosines, sines, face } = waveOf(edges.length);
+  const ofEdge = opposite ? edge : 1;
+  for (let i = 0; i < edges.length; i++) {
+    along.add(edges[i], ofEdge * cosines[i]);
+    across.add(edges[i], ofEdge * sines[i]);
+    if (!opposite) continue;
+    const point = opposite(i);
+    along.add(point, face.cosines[i]);
+    across.add(point, face.sines[i]);
+  }
 }
+
+interface Wave {
+  /** Weight of an edge between quads. */
+  readonly edge: number;
+  readonly cosines: readonly number[];
+  readonly sines: readonly number[];
+  /** Between neighbouring edges: the sums of theirs. */
+  readonly face: { readonly cosines: readonly number[]; readonly sines: readonly number[] };
+}
+const waves = new Map<number, Wave>();
+
+function waveOf(n: number): Wave {
+  const known = waves.get(n);
+  if (known) return known;
+  const turn = (2 * Math.PI) / n;
+  const cosines = Array.from({ length: n + 1 }, (_, i) => Math.cos(i * turn));
+  const sines = Array.from({ length: n + 1 }, (_, i) => Math.sin(i * turn));
+  const sums = (values: readonly number[]): number[] => values.slice(0, n).map((x, i) => x + values[i + 1]);
+  const edge = 1 + Math.cos(turn) + Math.cos(turn / 2) * Math.sqrt(2 * (9 + Math.cos(turn)));
+  const wave = { edge, cosines, sines, face: { cosines: sums(cosines), sines: sums(sines) } };
+  if (n <= MOST_KEPT) waves.set(n, wave);
+  return wave;
+}
+/** Waves of so many edges are kept. */
+const MOST_KEPT = 32;
 
 /** Of a point that stays, the edges themselves: of one face exactly, of two the sum of both faces' normals. */
 function addCornerTangents(along: SparseBuilder, across: SparseBuilder, p: number, edges: number[]): void {
