@@ -200,7 +200,7 @@ function inverseTransposes(matrices: Float64Array): Float64Array {
 function madeUnit(normals: Float64Array): Float32Array {
   const out = new Float32Array(normals.length);
   for (let i = 0; i < normals.length; i += 3) {
-    const l = Math.hypot(normals[i], normals[i + 1], normals[i + 2]);
+    const l = Math.sqrt(normals[i] ** 2 + normals[i + 1] ** 2 + normals[i + 2] ** 2);
     if (!(l > 0)) out[i + 2] = 1;
     else for (let k = i; k < i + 3; k++) out[k] = normals[k] / l;
   }
