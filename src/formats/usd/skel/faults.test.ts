@@ -92,6 +92,33 @@ describe('an elbow that turns by 90° between two samples', () => {
   });
 });
 
+describe('a skeleton in a prototype of instances', () => {
+  it('stands where each instance stands', async () => {
+    const scene = await read(`def PointInstancer "Crowd" {
+  rel prototypes = </Crowd/Rig>
+  int[] protoIndices = [0, 0]
+  point3f[] positions = [(10, 0, 0), (0, 20, 0)]
+  ${arm().replaceAll('</Rig', '</Crowd/Rig')}
+}`);
+    expect(said(scene)).toEqual([]);
+    const tips = scene.objects.map((object) => vertexPosition(object, 4, 1, 3e8).map((x) => Math.round(x * 1e3) / 1e3));
+    expect(tips).toEqual([
+      [11, 1, 0],
+      [1, 21, 0],
+    ]);
+  });
+
+  it('bends meshes with the same contents each by its own skeleton', async () => {
+    const other = arm()
+      .replaceAll('"Rig"', '"Other"')
+      .replaceAll('</Rig', '</Other')
+      .replace(`0, 0, ${HALF})]`, `0, 0, -${HALF})]`);
+    const { objects } = await read(`${arm()}\n${other}`);
+    const tips = objects.map((object) => Math.round(vertexPosition(object, 4, 1, 3e8)[1] * 1e3) / 1e3);
+    expect(tips).toEqual([1, -1]);
+  });
+});
+
 describe('without an animation', () => {
   it('a skeleton rests, and its mesh with it', async () => {
     const rest = `[${ONE}, ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (1, 3, 0, 1))]`;
