@@ -25,6 +25,7 @@ interface OpenRequest {
   readonly entry: string;
   /** As ReadOptions has them. */
   readonly animation?: string | number;
+  readonly subdivision?: number;
   readonly variants: readonly (readonly [set: string, option: string])[];
   /** How its things are to move, with the speed of light that flights are measured by [m/s]. */
   readonly motion?: MotionChange & { readonly speedOfLight: number };
@@ -62,11 +63,15 @@ declare global {
 let renderer: SceneRenderer | undefined;
 
 window.slowlight = {
-  async open({ base, entry, width, height, animation, variants, motion }) {
+  async open({ base, entry, width, height, animation, subdivision, variants, motion }) {
     const read = await openScene(
       urlSource(base, () => {}),
       entry,
-      { ...(animation !== undefined && { animation }), variants: new Map(variants) },
+      {
+        ...(animation !== undefined && { animation }),
+        ...(subdivision !== undefined && { subdivision }),
+        variants: new Map(variants),
+      },
     );
     const scene = motion ? changeMotion(read, motion, motion.speedOfLight) : read;
     renderer?.dispose();

@@ -51,3 +51,17 @@ test('what cannot be read is refused by name', async () => {
     expect(err).not.toContain('    at ');
   }
 });
+
+test('a subdivision surface has the levels that are asked for', async () => {
+  const path = join(folder, 'sheet.usda');
+  writeFileSync(
+    path,
+    '#usda 1.0\ndef Mesh "Sheet" { int[] faceVertexCounts = [4]; int[] faceVertexIndices = [0, 1, 2, 3]; point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)] }\n',
+  );
+  const triangles = async (...flags: string[]): Promise<number | undefined> =>
+    (await slowlightJson<Inspection>('inspect', path, ...flags)).counts.triangles;
+  expect(await triangles()).toBe(2 * 16);
+  expect(await triangles('--subdivision', '0')).toBe(2);
+  expect(await triangles('--subdivision', '3')).toBe(2 * 64);
+  expect((await slowlight('inspect', path, '--subdivision', '9')).code).toBe(2);
+});

@@ -1,6 +1,8 @@
 import * as mat4 from '../../math/mat4.ts';
 import type { TimeCode } from './attributes.ts';
-import { localMatrix, opTimes, unionOfTimes, type XformOp } from './xformOps.ts';
+import { primAt } from './context.ts';
+import type { Layer } from './layer.ts';
+import { localMatrix, opTimes, transformOf, unionOfTimes, type XformOp } from './xformOps.ts';
 
 /** Where a prim's own axes are: its transform and those above it, at every time. */
 export interface Frame {
@@ -42,6 +44,15 @@ export function nestedFrame(outer: Frame, inner: Frame): Frame {
   }
   const fixed = mat4.multiply(outer.matrixAt(0), inner.matrixAt(0));
   return { times, cost: 1, matrixAt: () => fixed };
+}
+
+/** Of the prim at a path. */
+export function frameOf(layer: Layer, path: string): Frame {
+  if (path === '') return ROOT_FRAME;
+  const prim = primAt(layer, path);
+  const transform = prim && transformOf(prim);
+  const parent = transform?.resetsStack ? ROOT_FRAME : frameOf(layer, path.slice(0, path.lastIndexOf('/')));
+  return transform ? childFrame(parent, transform.ops) : parent;
 }
 
 /** The frame in metres. */

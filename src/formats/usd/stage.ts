@@ -1,12 +1,13 @@
+import { IDENTITY, invert } from '../../math/mat4.ts';
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../scene/types.ts';
 import { MAX_OBJECTS } from '../limits.ts';
-import { attributeOf, sampleTimes, textAt } from './attributes.ts';
+import { attributeOf, sampleTimes, type TimeCode, textAt } from './attributes.ts';
 import { cameraOf } from './cameras.ts';
 import { parentOf } from './compose/paths.ts';
 import { isActive } from './compose/stage.ts';
 import { ancestorsOf, metadataText, report, type StageContext } from './context.ts';
 import { noteUnreadValues, UNREAD_TYPES } from './coverage.ts';
-import { childFrame, type Frame, nestedFrame, ROOT_FRAME } from './frame.ts';
+import { childFrame, type Frame, frameOf, nestedFrame, ROOT_FRAME } from './frame.ts';
 import { implicitShape, isImplicit } from './gprims.ts';
 import { addPrototypes, Instancers, type Setting } from './instancer/instancers.ts';
 import type { PrimSpec } from './layer.ts';
@@ -16,6 +17,7 @@ import { meshShape } from './meshes.ts';
 import type { Part, Site, Subtree } from './parts.ts';
 import { placeDrifting, placeShape, placeStill, type Shape } from './placement.ts';
 import { remade, SharedShapes } from './sharedShapes.ts';
+import { Skeletons } from './skel/binding.ts';
 import {
   authoredInOf,
   checkDirections,
@@ -69,10 +71,12 @@ class StageReader {
   private readonly shapes = new SharedShapes();
   /** Paths of what instancers show: what only holds it need not be defined. */
   private readonly prototypes: ReadonlySet<string>;
+  private readonly skeletons: Skeletons;
 
   constructor(context: StageContext) {
     this.context = context;
     this.textures = new TextureLoader(context);
+    this.skeletons = new Skeletons(context);
     this.table = new MaterialTable(context, this.textures);
     this.prototypes = addPrototypes(context.layer.rootPrims, new Set());
     const instancers = new Instancers(context, {
@@ -188,8 +192,19 @@ class StageReader {
 
   private async readPart(prim: PrimSpec, { binding, frame, directions, found }: Inherited): Promise<void> {
     const surface = await surfaceOf(this.context, this.table, prim, binding);
-    const shape = this.shapes.of(prim, surface, () => this.shapeOf(prim, surface));
-    if (shape) found.part({ path: prim.path, shape, frame, directions, colorable: surface.colorable });
+    const make = (): Shape | undefined => this.shapeOf(prim, surface);
+    // What is bent has its form from more than its own opinions.
+    const shape = this.skeletons.isBound(prim) ? make() : this.shapes.of(prim, surface, make);
+    if (!shape) return;
+    const place = shape.frame && !found.isScene ? this.inPrototype(prim, frame, shape.frame) : (shape.frame ?? frame);
+    found.part({ path: prim.path, shape, frame: place, directions, colorable: surface.colorable });
+  }
+
+  /** A frame of the stage, from that of a prim in it, where the prim stands in a prototype. */
+  private inPrototype(prim: PrimSpec, frame: Frame, target: Frame): Frame {
+    const own = frameOf(this.context.layer, prim.path);
+    const back = { ...own, matrixAt: (time: TimeCode) => invert(own.matrixAt(time)) ?? IDENTITY };
+    return nestedFrame(frame, nestedFrame(back, target));
   }
 
   private draw({ path, shape, frame, directions }: Part): void {
@@ -221,7 +236,7 @@ class StageReader {
 
   private shapeOf(prim: PrimSpec, surface: Surface): Shape | undefined {
     if (prim.typeName !== 'Mesh') return implicitShape(this.context, prim, surface);
-    const shape = meshShape(this.context, prim, surface);
+    const shape = meshShape(this.context, this.skeletons, prim, surface);
     if (shape && shape.mesh.indices.length > 0) return shape;
     if (shape) report(this.context, 'warning', 'usd.empty-mesh', prim.path, 'the mesh has no faces; it is left out');
     return undefined;
