@@ -239,7 +239,9 @@ function validateLamp(lamp: Lamp, c: number): Diagnostic[] {
   if (sizes.length > 0)
     return [problem('error', 'light.size', lamp.path, `${sizes.join(', ')}; give it a size of 0 m or more`)];
   if (!lamp.color.every(Number.isFinite))
-    return [problem('error', 'light.color', lamp.path, `its colour is ${lamp.color.join(', ')}`)];
+    return [
+      problem('error', 'light.color', lamp.path, `its colour is ${lamp.color.join(', ')}; give it three numbers`),
+    ];
   return validateFrame(lamp, c);
 }
 

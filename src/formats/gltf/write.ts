@@ -101,8 +101,8 @@ class GltfWriter {
       .setIntensity(most);
     if (spread) made.setInnerConeAngle(spread.inner).setOuterConeAngle(spread.outer);
     this.placed(light.path, 'Light', motion).setExtension('KHR_lights_punctual', made);
-    if (isSun || (light.kind === 'sphere' && light.radius === 0 && !light.shaping)) return;
-    const what = light.kind === 'sphere' ? `radius of ${light.radius} m` : `shape, a ${light.kind},`;
+    if (isSun || (light.kind === 'sphere' && light.radius === 0)) return;
+    const what = light.kind !== 'sphere' ? `shape, a ${light.kind},` : `radius of ${light.radius} m`;
     const message = `its ${what} is lost: lights of glTF are points${spread ? ' with a cone' : ''}`;
     this.losses.add('info', 'convert.light', light.path, message);
   }

@@ -4,6 +4,7 @@ import { type DecodedImage, withAlphaFrom } from '../images.ts';
 import { numberOf, numbersOf, vec3Of } from './attributes.ts';
 import { primAt, report, type StageContext } from './context.ts';
 import type { PrimSpec, Value } from './layer.ts';
+import type { GlowMode } from './meshLights.ts';
 import { type Input, resolveInput, shaderId } from './shading.ts';
 import { meanOf, type TextureLoader, textureOf } from './textures.ts';
 import { type UvSource, uvSourceOf } from './uvs.ts';
@@ -25,6 +26,7 @@ export class MaterialTable {
   readonly materials: Material[] = [];
   private readonly context: StageContext;
   private readonly textures: TextureLoader;
+  private readonly glows = new Map<string, number>();
   private readonly byKey = new Map<string, Promise<BoundMaterial>>();
 
   constructor(context: StageContext, textures: TextureLoader) {
@@ -52,6 +54,23 @@ export class MaterialTable {
         readsDisplayColor: false,
       };
     });
+  }
+
+  /** The place of the material at `index` as it is on a light of a radiance. Its own glow tints the light, where that is asked for and it has any. */
+  glowing(index: number, radiance: Vec3, mode: GlowMode): number {
+    const key = `${index} ${mode} ${radiance.join(' ')}`;
+    const known = this.glows.get(key);
+    if (known !== undefined) return known;
+    const { emissiveTexture, ...material } = this.materials[index];
+    const name = `${material.name}_light`;
+    const [r, g, b] = material.emissive;
+    const tinted = mode === 'materialGlowTintsLight' && r + g + b > 0;
+    const dark = mode === 'noMaterialResponse' ? { baseColor: BLACK, metallic: 0 } : {};
+    const emissive: Vec3 = tinted ? [r * radiance[0], g * radiance[1], b * radiance[2]] : radiance;
+    const textured = tinted && emissiveTexture ? { emissiveTexture } : {};
+    const place = this.materials.push({ ...material, ...dark, ...textured, name, emissive }) - 1;
+    this.glows.set(key, place);
+    return place;
   }
 
   private once(key: string, make: () => Promise<BoundMaterial>): Promise<BoundMaterial> {
@@ -192,6 +211,8 @@ const DEFAULTS: Omit<Material, 'name'> = {
   opacity: 1,
   opacityThreshold: 0,
 };
+
+const BLACK: Vec3 = [0, 0, 0];
 
 interface Colored {
   readonly color: Vec3;

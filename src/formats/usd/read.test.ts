@@ -111,7 +111,7 @@ class "_class" {}
 def PointInstancer "Trees" { def Cube "Prototype" {} }
 def SkelRoot "Man" { def Cube "Bone" {} }
 def BasisCurves "Hair" {}
-def RectLight "Window" {}
+def PortalLight "Window" {}
 `);
     expect(scene.diagnostics.map((d) => d.place)).toEqual(
       ['Trees', 'Man', 'Hair', 'Window'].map((n) => `a.usda</${n}>`),

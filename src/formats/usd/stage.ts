@@ -10,6 +10,7 @@ import type { PrimSpec } from './layer.ts';
 import { isLight, isUnreadLight, lightOf } from './lights.ts';
 import { MaterialTable } from './materials.ts';
 import { meshShape } from './meshes.ts';
+import { geometryLights, glowing } from './meshLights.ts';
 import { placeShape, placeStill, type Shape } from './placement.ts';
 import {
   authoredInOf,
@@ -50,11 +51,13 @@ class StageReader {
   readonly table: MaterialTable;
   private readonly context: StageContext;
   private readonly textures: TextureLoader;
+  private readonly geometryLights: ReadonlyMap<string, PrimSpec>;
 
   constructor(context: StageContext) {
     this.context = context;
     this.textures = new TextureLoader(context);
     this.table = new MaterialTable(context, this.textures);
+    this.geometryLights = geometryLights(context.layer.rootPrims.values());
   }
 
   async visit(prim: PrimSpec, inherited: Inherited): Promise<void> {
@@ -126,7 +129,7 @@ class StageReader {
     const { mesh, motion } = this.placed(prim, shape, own);
     this.objects.push({
       path: prim.path,
-      mesh,
+      mesh: glowing(this.context, this.table, prim, mesh, this.geometryLights),
       motion,
       lifetime: lifetimeOf(own.directions),
       authoredIn: authoredInOf(own.directions),

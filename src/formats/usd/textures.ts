@@ -1,5 +1,7 @@
+import { scale, type Vec3 } from '../../math/vec3.ts';
 import type { Texture, TextureWrap } from '../../scene/types.ts';
 import { InputError } from '../../scene/types.ts';
+import { decodeSrgb } from '../../spectrum/srgb.ts';
 import { messageOf } from '../fail.ts';
 import { type DecodedImage, decodeImage } from '../images.ts';
 import { textAt, textOf } from './attributes.ts';
@@ -98,4 +100,12 @@ export function meanOf(image: DecodedImage, channel: number): number {
   let sum = 0;
   for (let i = channel; i < image.data.length; i += 4) sum += image.data[i];
   return sum / (255 * image.width * image.height);
+}
+
+/** Mean colour in linear light. */
+export function meanColor({ width, height, data, colorSpace }: Texture): Vec3 {
+  const sum: [number, number, number] = [0, 0, 0];
+  for (let i = 0; i < data.length; i += 4)
+    for (let k = 0; k < 3; k++) sum[k] += colorSpace === 'srgb' ? decodeSrgb(data[i + k] / 255) : data[i + k] / 255;
+  return scale(sum, 1 / (width * height));
 }
