@@ -176,7 +176,8 @@ export interface Texture {
   readonly wrapS: TextureWrap;
   readonly wrapT: TextureWrap;
 }
-export type TextureWrap = 'repeat' | 'clamp' | 'mirror';
+/** Outside the picture; `black` is transparent too. */
+export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';
 
 export type Light = DistantLight | Lamp | DomeLight;
 
