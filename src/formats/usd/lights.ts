@@ -6,7 +6,7 @@ import { report, type StageContext } from './context.ts';
 import type { Frame } from './frame.ts';
 import { isLamp, lampOf } from './lamps.ts';
 import type { PrimSpec, PropertySpec } from './layer.ts';
-import { brightnessOf, lightFlag, lightNumber } from './lightInputs.ts';
+import { brightnessOf } from './lightInputs.ts';
 import { type Directions, poseTimeOf } from './slowlight.ts';
 import { type TextureLoader, textureOf } from './textures.ts';
 
@@ -30,7 +30,7 @@ export async function lightOf(
   const { path } = prim;
   if (prim.typeName === 'DistantLight') {
     const direction = normalize(mat4.transformVector(frame.matrixAt(context.startCode), [0, 0, -1]), [0, 0, -1]);
-    return { kind: 'distant', path, direction, color: brightnessOf(context, prim, distantIntensity(context, prim)) };
+    return { kind: 'distant', path, direction, color: brightnessOf(context, prim, DISTANT_INTENSITY) };
   }
   const color = brightnessOf(context, prim);
   const file = valueAt(attributeOf(prim, 'inputs:texture:file'), context.startCode);
@@ -41,14 +41,10 @@ export async function lightOf(
 }
 
 /**
- * Where no intensity is written. UsdLux gives a distant light 50000 over its disc, whose angle is 0.53°, or as irradiance where it is
- * normalized. What is written is taken for the irradiance.
+ * Where no intensity is written. UsdLux gives a distant light 50000 over its disc of 0.53°, which is an irradiance of
+ * 50000 π sin²(0.265°). What is written is taken for the irradiance, whatever the angle.
  */
-function distantIntensity(context: StageContext, prim: PrimSpec): number {
-  const angle = lightNumber(context, prim, 'angle') ?? 0.53;
-  if (lightFlag(context, prim, 'normalize') || angle <= 0) return 50000;
-  return 50000 * Math.PI * Math.sin(((angle / 2) * Math.PI) / 180) ** 2;
-}
+const DISTANT_INTENSITY = 50000 * Math.PI * Math.sin((0.265 * Math.PI) / 180) ** 2;
 
 function noteWhatIsHeld(context: StageContext, prim: PrimSpec, frame: Frame, directions: Directions): void {
   const moved = frame.times.length > 0 || poseTimeOf(directions) !== undefined;
