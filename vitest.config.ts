@@ -15,9 +15,19 @@ export default defineConfig({
           include: ['src/**/*.test.{ts,tsx}', 'tests/examples/**/*.test.ts'],
           exclude: ['**/*.oracle.test.ts'],
           setupFiles: seeded,
+          // What takes a second takes many where the machine is busy.
+          testTimeout: 30_000,
         },
       },
       { test: { name: 'oracle', include: ['src/**/*.oracle.test.ts'], setupFiles: seeded, testTimeout: 120_000 } },
+      {
+        test: {
+          name: 'hostile',
+          include: ['tests/hostile/**/*.test.ts'],
+          globalSetup: built,
+          testTimeout: 300_000,
+        },
+      },
       {
         test: {
           name: 'gpu',

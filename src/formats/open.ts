@@ -1,6 +1,7 @@
 import { InputError, type Scene } from '../scene/types.ts';
 import { formatBytes, inputError, messageOf } from './fail.ts';
 import { formatOf, type ReadOptions, sceneFormats } from './registry.ts';
+import { soundScene } from './sound.ts';
 import { extensionOf, type FileSource, normalizePath } from './source.ts';
 
 export interface OpenOptions extends ReadOptions {
@@ -24,7 +25,7 @@ export async function openScene(files: FileSource, entry: string, options: OpenO
   if (!bytes) throw await missingFile(files, path);
   if (bytes.length === 0) throw inputError('file.empty', path, 'the file is empty (0 bytes); export or copy it again');
   try {
-    return await format.read(source, path, options);
+    return soundScene(await format.read(source, path, options));
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
     const message = `cannot be read as ${format.name}: ${messageOf(thrown)}; the file may be damaged, export it again`;

@@ -17,7 +17,9 @@ export function knotsOf(curves: readonly Curve[]): Knots {
   const times: number[] = [];
   for (const [i, t] of keys.entries()) {
     const ramp = i > 0 ? Math.min(JUMP_RAMP, (t - keys[i - 1]) / 2) : JUMP_RAMP;
-    if (jumps.has(t)) times.push(t - ramp);
+    // Of a time that is too large for a ramp before it nothing is made.
+    const before = t - ramp;
+    if (jumps.has(t) && before < t && !(before <= keys[i - 1])) times.push(before);
     times.push(t);
   }
   return { times, jumps };

@@ -1,0 +1,152 @@
+import { makeMaterial } from '../scene/defaults.ts';
+import { deformedNormals, smoothingGroups } from '../scene/normals.ts';
+import type { Diagnostic, Light, Material, Mesh, Motion, Scene, SceneCamera, SceneObject } from '../scene/types.ts';
+
+/**
+ * A scene in which every number is one: files hold NaN and infinities, and finite numbers overflow on their way to metres
+ * in f32. What has none is left out, or replaced where nothing of the shape depends on it, and said.
+ */
+export function soundScene(scene: Scene): Scene {
+  const found: Diagnostic[] = [];
+  const say = (path: string, message: string): void => {
+    found.push({ severity: 'warning', code: 'file.not-finite', place: `${scene.name}<${path}>`, message });
+  };
+  const sound: Scene = {
+    ...scene,
+    ...soundTimes(scene, say),
+    objects: soundObjects(scene.objects, say),
+    materials: scene.materials.map((material) => soundMaterial(material, say)),
+    lights: scene.lights.filter((light) => isSound(light, say)),
+    cameras: scene.cameras.filter((camera) => isSound(camera, say)),
+  };
+  return found.length > 0 ? { ...sound, diagnostics: [...scene.diagnostics, ...found] } : scene;
+}
+
+type Say = (path: string, message: string) => void;
+
+const NOT = 'not a finite number (NaN, or too large)';
+
+function soundTimes({ startTime, endTime }: Scene, say: Say): Pick<Scene, 'startTime' | 'endTime'> {
+  if (Number.isFinite(startTime) && Number.isFinite(endTime)) return { startTime, endTime };
+  say('/', `the animation lasts from ${startTime} to ${endTime} s, which is ${NOT}; it is shown from 0 s`);
+  return { startTime: 0, endTime: Number.isFinite(endTime) ? Math.max(0, endTime) : 0 };
+}
+
+function soundObjects(objects: readonly SceneObject[], say: Say): SceneObject[] {
+  const known = new Map<Mesh, Mesh>();
+  return objects.flatMap((object) => {
+    if (!isMotionSound(object, say)) return [];
+    const lost = lostVertices(object);
+    const mesh = lost ? without(object, lost, say) : object.mesh;
+    const sound = known.get(mesh) ?? withSoundLooks(mesh, object.path, say);
+    known.set(mesh, sound);
+    const motion = withSoundNormals(lost ? stillWhere(lost, object.motion) : object.motion, sound);
+    return [sound === object.mesh && motion === object.motion ? object : { ...object, mesh: sound, motion }];
+  });
+}
+
+/** Whether all numbers are finite: a product with 0 is 0 for these alone, and a sum keeps what is not. */
+function allFinite(numbers: ArrayLike<number>): boolean {
+  let sum = 0;
+  for (let i = 0; i < numbers.length; i++) sum += numbers[i] * 0;
+  return sum === 0;
+}
+
+function isMotionSound({ path, motion }: { path: string; motion: Motion }, say: Say): boolean {
+  const lists = [
+    'pose' in motion ? [...motion.pose.position, ...motion.pose.orientation] : motion.times,
+    motion.kind === 'sampled' ? motion.poses : [],
+    motion.kind === 'sampled-points' ? motion.origin : [],
+    motion.kind === 'uniform' ? motion.velocity : [],
+    motion.kind === 'hyperbolic' ? [...motion.properAcceleration, motion.t0] : [],
+  ];
+  if (lists.every(allFinite)) return true;
+  say(path, `where it is, or how it moves, is ${NOT}; it is left out`);
+  return false;
+}
+
+/** A 1 for each vertex that is nowhere, at rest or at a sample; undefined where all are somewhere. */
+function lostVertices({ mesh, motion }: SceneObject): Uint8Array | undefined {
+  const shapes = motion.kind === 'sampled-points' ? [mesh.positions, ...motion.points] : [mesh.positions];
+  const broken = shapes.filter((shape) => !allFinite(shape));
+  if (broken.length === 0) return undefined;
+  const lost = new Uint8Array(mesh.positions.length / 3);
+  for (const shape of broken)
+    for (let i = 0; i < shape.length; i++) if (!Number.isFinite(shape[i])) lost[Math.floor(i / 3)] = 1;
+  return lost;
+}
+
+/** The mesh without the triangles that have a lost corner. */
+function without({ path, mesh }: SceneObject, lost: Uint8Array, say: Say): Mesh {
+  const indices: number[] = [];
+  const groups = mesh.groups.map(({ start, count, material }) => {
+    const first = indices.length;
+    for (let i = start; i < start + count; i += 3) {
+      const corners = mesh.indices.subarray(i, i + 3);
+      if (!corners.some((vertex) => lost[vertex] === 1)) indices.push(...corners);
+    }
+    return { start: first, count: indices.length - first, material };
+  });
+  const count = lost.reduce((sum, one) => sum + one, 0);
+  const triangles = (mesh.indices.length - indices.length) / 3;
+  say(path, `the place of ${count} of ${lost.length} points is ${NOT}; their ${triangles} triangles are left out`);
+  return { ...mesh, positions: zeroed(mesh.positions, lost), indices: Uint32Array.from(indices), groups };
+}
+
+function stillWhere(lost: Uint8Array, motion: Motion): Motion {
+  if (motion.kind !== 'sampled-points') return motion;
+  return { ...motion, points: motion.points.map((points) => zeroed(points, lost)) };
+}
+
+const zeroed = (points: Float32Array, lost: Uint8Array): Float32Array =>
+  points.map((x, i) => (lost[Math.floor(i / 3)] === 1 ? 0 : x));
+
+/** Normals of samples that are not all numbers are computed from the points. */
+function withSoundNormals(motion: Motion, mesh: Mesh): Motion {
+  if (motion.kind !== 'sampled-points' || !motion.normals || motion.normals.every(allFinite)) return motion;
+  const groups = smoothingGroups(mesh);
+  const computed = (k: number): Float32Array => finite(deformedNormals(motion.points[k], mesh.indices, groups));
+  return { ...motion, normals: motion.normals.map((normals, k) => (allFinite(normals) ? normals : computed(k))) };
+}
+
+/** With normals and uvs that are numbers. */
+function withSoundLooks(mesh: Mesh, path: string, say: Say): Mesh {
+  const { positions, normals, uvs, colors, indices } = mesh;
+  const bad = [normals, uvs, colors ?? []].map((numbers) => !allFinite(numbers));
+  if (!bad.includes(true)) return mesh;
+  const names = ['normals', 'texture coordinates', 'colours'].filter((_, i) => bad[i]).join(', ');
+  say(path, `some of its ${names} are ${NOT}; they are computed anew, or 0`);
+  const computed = bad[0] && deformedNormals(positions, indices, smoothingGroups(mesh));
+  return {
+    ...mesh,
+    ...(computed ? { normals: normals.map((_, i) => unitOr(normals, computed, i)) } : {}),
+    uvs: finite(uvs),
+    ...(colors ? { colors: finite(colors) } : {}),
+  };
+}
+
+/** Component i of the vertex's own normal, where all of that is finite. */
+function unitOr(own: Float32Array, computed: Float32Array, i: number): number {
+  const first = i - (i % 3);
+  if (allFinite(own.subarray(first, first + 3))) return own[i];
+  return Number.isFinite(computed[i]) ? computed[i] : i % 3 === 2 ? 1 : 0;
+}
+
+const finite = (numbers: Float32Array): Float32Array =>
+  allFinite(numbers) ? numbers : numbers.map((x) => (Number.isFinite(x) ? x : 0));
+
+function soundMaterial(material: Material, say: Say): Material {
+  const { name, baseColor, emissive, roughness, metallic, opacity, opacityThreshold, ior } = material;
+  const numbers = [...baseColor, ...emissive, roughness, metallic, opacity, opacityThreshold, ior ?? 1];
+  if (allFinite(numbers)) return material;
+  say(name, `a number of the material is ${NOT}; it is shown in grey`);
+  return makeMaterial({ name });
+}
+
+function isSound(thing: Light | SceneCamera, say: Say): boolean {
+  if ('motion' in thing && !isMotionSound(thing, say)) return false;
+  const numbers = Object.entries(thing).flatMap(([key, value]) => (key === 'lifetime' ? [] : value));
+  if (allFinite(numbers.filter((value) => typeof value === 'number'))) return true;
+  say(thing.path, `a number of it is ${NOT}; it is left out`);
+  return false;
+}

@@ -1,0 +1,54 @@
+// Reads files in a thread of its own with the built library, so that a reader that hangs can be ended and told.
+import { parentPort, workerData } from 'node:worker_threads';
+
+const { decodeImage, memorySource, openScene, readExr } = await import(workerData.library);
+
+let files = {};
+let entry = '';
+parentPort.on('message', async (message) => {
+  if (message.files) {
+    ({ files, entry } = message);
+    return;
+  }
+  const began = performance.now();
+  const outcome = await read(message.bytes);
+  parentPort.postMessage({ ...outcome, milliseconds: performance.now() - began });
+});
+parentPort.postMessage({ ready: true });
+
+async function read(bytes) {
+  try {
+    if (entry.endsWith('.exr')) readExr(bytes, entry);
+    else if (/\.(png|jpg)$/.test(entry)) decodeImage(bytes, entry);
+    else return ofScene(await openScene(memorySource({ ...files, [entry]: bytes }), entry));
+    return {};
+  } catch (error) {
+    const typed = error.name === 'InputError' && error.diagnostic.place !== '' && error.diagnostic.message !== '';
+    if (!typed) return { fault: `threw ${error.stack ?? error}` };
+    return { refusal: error.message, said: error.diagnostic.code };
+  }
+}
+
+function ofScene(scene) {
+  const polluted = 'polluted' in {} ? 'every object is polluted' : undefined;
+  return { fault: polluted ?? faultOf(scene), said: scene.diagnostics.map(({ code }) => code).join(' ') };
+}
+
+/** What no scene may have, however its file looked; undefined where it is sound. */
+function faultOf(scene) {
+  for (const { path, mesh, motion } of scene.objects) {
+    const vertices = mesh.positions.length / 3;
+    if (mesh.indices.some((index) => index >= vertices)) return `${path} has a triangle without a corner`;
+    if (!mesh.positions.every(Number.isFinite)) return `${path} has a point nowhere`;
+    if (!mesh.normals.every(Number.isFinite)) return `${path} has no normal somewhere`;
+    if (!mesh.uvs.every(Number.isFinite)) return `${path} has a uv nowhere`;
+    if (mesh.groups.some(({ material }) => !(material < scene.materials.length))) return `${path} has no material`;
+    const numbers = [motion.pose?.position, motion.pose?.orientation, motion.velocity, motion.poses, motion.times];
+    if (numbers.some((list) => list && !list.every(Number.isFinite))) return `${path} moves nowhere`;
+    if (motion.times?.some((time, i) => i > 0 && !(time > motion.times[i - 1]))) return `${path} has no order in time`;
+    if (Array.isArray(motion.points) && motion.points.some((points) => !points.every(Number.isFinite)))
+      return `${path} has points that move nowhere`;
+  }
+  if (!Number.isFinite(scene.startTime) || !Number.isFinite(scene.endTime)) return 'it begins or ends at no time';
+  return undefined;
+}
