@@ -2,14 +2,19 @@ import { existsSync, readFileSync } from 'node:fs';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { openSceneFile } from '../src/cli/files.ts';
 import { readCrate } from '../src/formats/usd/crate/read.ts';
-import { timed } from './bench.ts';
+import { properVelocity } from '../src/physics/boost.ts';
+import { interleaved, timed } from './bench.ts';
 import { openRenderer, releaseGpu } from './gpu.ts';
 import { ballScene } from './scenes.ts';
+
+const AT_REST = { u: properVelocity([0, 0, 0]) };
+const AT_SPEED = { u: properVelocity([0, 0, -0.9]) };
 
 /** What a benchmark measures in a process of its own, so that memory is its alone. Prints one line of JSON. */
 const [task, argument] = process.argv.slice(2);
 if (task === 'load') await load(argument);
 else if (task === 'crate') await crate(argument);
+else if (task === 'instances') await instances(argument);
 else if (task === 'memory') await memory(Number(argument));
 else throw new Error(`no task ${task}`);
 
@@ -23,6 +28,26 @@ async function crate(path: string): Promise<void> {
   const read = (): Promise<number> => timed(() => void readCrate(bytes, path));
   const [first, again] = [await read(), await read()];
   console.log(JSON.stringify({ first: first / 1000, again: again / 1000 }));
+}
+
+/** Reads a file and draws it: at rest, and at 0.9 c. */
+async function instances(path: string): Promise<void> {
+  const { renderer, frame } = await openRenderer(640, 360);
+  const before = await resident();
+  const began = performance.now();
+  const scene = await openSceneFile(path);
+  const load = performance.now() - began;
+  const loaded = (await resident()) - before;
+  const upload = await timed(async () => {
+    await renderer.setScene(scene);
+    await frame({}, AT_REST);
+  });
+  const [still, fast] = await interleaved([() => frame({}, AT_REST), () => frame({}, AT_SPEED)], 5);
+  const bytes = (await resident()) - before;
+  const { triangles } = renderer.info;
+  console.log(JSON.stringify({ load, loaded, upload, resident: bytes, still, fast, triangles }));
+  renderer.dispose();
+  await releaseGpu();
 }
 
 /** Of this program alone: the operating system's own count (`maxRSS`) begins with what the parent had when it forked. */

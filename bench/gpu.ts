@@ -1,6 +1,6 @@
 import { type HeadlessDevice, openDevice } from '../src/cli/device.ts';
 import { pumpFrame } from '../src/cli/node-shim.ts';
-import { DEFAULT_SETTINGS, type RenderSettings } from '../src/scene/view.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../src/scene/view.ts';
 import { C, VIEW } from './scenes.ts';
 
 export const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: C };
@@ -19,9 +19,9 @@ export async function openRenderer(width: number, height: number) {
   const { SceneRenderer } = await import('../src/render/renderer.ts');
   const renderer = await SceneRenderer.create({ device, backend: 'webgpu' });
   renderer.setSize(width, height);
-  const frame = async (change: Partial<RenderSettings> = {}): Promise<void> => {
+  const frame = async (change: Partial<RenderSettings> = {}, view: Partial<ViewPoint> = {}): Promise<void> => {
     pumpFrame();
-    renderer.render(VIEW, { ...SETTINGS, ...change });
+    renderer.render({ ...VIEW, ...view }, { ...SETTINGS, ...change });
     await renderer.readPixels();
   };
   return { renderer, frame };

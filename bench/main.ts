@@ -7,6 +7,7 @@ import { crate } from './crate.ts';
 import { emission } from './emission.ts';
 import { frame } from './frame.ts';
 import { gpu, releaseGpu } from './gpu.ts';
+import { instances } from './instances.ts';
 import { load } from './load.ts';
 import { memory } from './memory.ts';
 import { page } from './page.ts';
@@ -14,7 +15,7 @@ import { reference } from './reference.ts';
 import { refine } from './refine.ts';
 
 /** Every benchmark, in the order of the page. */
-const benches: readonly Bench[] = [frame, refine, emission, memory, load, crate, reference, page, bundle];
+const benches: readonly Bench[] = [frame, refine, emission, memory, load, instances, crate, reference, page, bundle];
 
 const file = fileURLToPath(new URL('../../../docs/performance.md', import.meta.url));
 const [BEGIN, END] = ['<!-- measured: npm run bench -->', '<!-- end -->'];

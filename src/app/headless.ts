@@ -1,6 +1,7 @@
 import { urlSource } from '../editor/loading/sources.ts';
 import { openScene } from '../formats/open.ts';
 import { SceneRenderer } from '../render/renderer.ts';
+import { changeMotion, type MotionChange } from '../scene/change.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 
 /**
@@ -8,7 +9,7 @@ import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
  * that serves this page, and gives its pictures back as base64, which is what a remote call can carry.
  *
  * `await page.goto('…/headless.html')`, then
- * `await page.evaluate((r) => window.slowlight.open(r), { base: 'http://127.0.0.1:1234/scene/', entry: 'street.usda', width: 640, height: 360 })`
+ * `await page.evaluate((r) => window.slowlight.open(r), { base: 'http://127.0.0.1:1234/scene/', entry: 'street.usda', width: 640, height: 360, variants: [] })`
  * once, and `await page.evaluate((r) => window.slowlight.render(r), { view, settings, samples: 1, aovs: ['depth'] })` per picture.
  * Errors reject the call with the reader's or the renderer's own message.
  */
@@ -22,6 +23,11 @@ interface OpenRequest {
   readonly base: string;
   /** File in that folder. */
   readonly entry: string;
+  /** As ReadOptions has them. */
+  readonly animation?: string | number;
+  readonly variants: readonly (readonly [set: string, option: string])[];
+  /** How its things are to move, with the speed of light that flights are measured by [m/s]. */
+  readonly motion?: MotionChange & { readonly speedOfLight: number };
   /** Of the pictures [px]. */
   readonly width: number;
   readonly height: number;
@@ -56,11 +62,13 @@ declare global {
 let renderer: SceneRenderer | undefined;
 
 window.slowlight = {
-  async open({ base, entry, width, height }) {
-    const scene = await openScene(
+  async open({ base, entry, width, height, animation, variants, motion }) {
+    const read = await openScene(
       urlSource(base, () => {}),
       entry,
+      { ...(animation !== undefined && { animation }), variants: new Map(variants) },
     );
+    const scene = motion ? changeMotion(read, motion, motion.speedOfLight) : read;
     renderer?.dispose();
     renderer = await SceneRenderer.create({ canvas: newCanvas(width, height), backend: 'webgl' });
     renderer.setSize(width, height);

@@ -9,29 +9,31 @@ import type { Written } from '../formats/written.ts';
 import type { Scene } from '../scene/types.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { inputProblem, unavailable, usageError } from './exit.ts';
-import { openSceneFile } from './files.ts';
 import { checkWritable, writeWhole } from './output.ts';
+import { addSceneFlags, openChangedScene, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 
 /** Written by Pixar's own USD, from the text layer. */
 const BINARY = 'usdc';
 const EXTENSIONS = [...writtenExtensions, BINARY];
 
 export const convertCommand = (): Command =>
-  new Command('convert')
-    .description('Writes a scene as another kind of file, and tells what that cannot hold.')
-    .argument('<in>', 'scene file')
-    .argument('<out>', `file to write: ${EXTENSIONS.map((e) => `.${e}`).join(', ')}`)
+  addSceneFlags(
+    new Command('convert')
+      .description('Writes a scene as another kind of file, and tells what that cannot hold.')
+      .argument('<in>', SCENE_ARGUMENT)
+      .argument('<out>', `file to write: ${EXTENSIONS.map((e) => `.${e}`).join(', ')}`),
+  )
     .option('--json', 'print what was written, and what was lost, as JSON')
     .action(convert);
 
-async function convert(from: string, to: string, flags: { json?: boolean }): Promise<void> {
+async function convert(from: string, to: string, flags: SceneFlags & { json?: boolean }): Promise<void> {
   const extension = extensionOf(to);
   if (!EXTENSIONS.includes(extension))
     throw usageError(`${to}: a scene is written as ${EXTENSIONS.map((e) => `.${e}`).join(', ')}, not as .${extension}`);
   checkWritable(to);
   if (resolve(from) === resolve(to)) throw usageError(`${to} would be written over itself; name another file`);
   if (extension === BINARY) checkPython();
-  const scene = await openSceneFile(from);
+  const scene = await openChangedScene(from, flags);
   const written = extension === BINARY ? await binaryUsd(scene, basename(to)) : await saveScene(scene, basename(to));
   const diagnostics = [...scene.diagnostics, ...written.diagnostics];
   reportDiagnostics(diagnostics);

@@ -1,11 +1,16 @@
-import { readdir, readFile } from 'node:fs/promises';
+import { open, readdir, readFile } from 'node:fs/promises';
 import { basename, dirname, isAbsolute, join, resolve } from 'node:path';
+import { entryOf } from '../formats/entry.ts';
+import { inputError } from '../formats/fail.ts';
 import { openScene } from '../formats/open.ts';
+import type { ReadOptions } from '../formats/registry.ts';
 import type { FileSource } from '../formats/source.ts';
-import type { Scene } from '../scene/types.ts';
+import type { PartedFile } from '../formats/zip/directory.ts';
+import { splitArchive, zipSource } from '../formats/zip/source.ts';
+import { InputError, type Scene } from '../scene/types.ts';
 
 /** The files of a folder on disk; `..` and absolute paths lead where they say, since the person who runs this may read them. */
-export function folderSource(folder: string): FileSource {
+function folderSource(folder: string): FileSource {
   return {
     read: async (path) => {
       try {
@@ -20,7 +25,56 @@ export function folderSource(folder: string): FileSource {
   };
 }
 
-export function openSceneFile(path: string): Promise<Scene> {
-  const file = resolve(path);
-  return openScene(folderSource(dirname(file)), basename(file));
+/** Where a scene is: its file, among those that it may refer to. */
+export interface SceneFile {
+  readonly source: FileSource;
+  /** Absolute; paths of `source` are relative to it. */
+  readonly folder: string;
+  readonly entry: string;
+}
+
+/** `scene.usda`; `set.zip`, whose best scene is taken; `set.zip[scene.usda]`. */
+export async function findScene(path: string): Promise<SceneFile> {
+  const zip = splitArchive(path);
+  const file = resolve(zip?.archive ?? path);
+  const [folder, name] = [dirname(file), basename(file)];
+  const source = folderSource(folder);
+  if (!zip) return { source, folder, entry: name };
+  const inside = await zipSource(await partedFile(file), name, source);
+  const paths = await inside.list();
+  const entry = zip.inner === undefined ? entryOf(paths) : `${name}/${zip.inner}`;
+  if (entry === undefined) throw inputError('zip.no-scene', name, `none of its ${paths.length} files is a scene`);
+  return { source: inside, folder, entry };
+}
+
+export async function openSceneFile(path: string, options: ReadOptions = {}): Promise<Scene> {
+  const { source, entry } = await findScene(path);
+  return openScene(source, entry, options);
+}
+
+/** A file on disk, opened for each part: archives are read in few of them. */
+async function partedFile(path: string): Promise<PartedFile> {
+  try {
+    const stat = await withFile(path, (file) => file.stat());
+    if (!stat.isFile()) throw inputError('file.missing', path, 'is a folder; name the scene in it');
+    const read = (from: number, to: number) =>
+      withFile(path, async (file) => {
+        const { buffer, bytesRead } = await file.read(new Uint8Array(to - from), 0, to - from, from);
+        return buffer.subarray(0, bytesRead);
+      });
+    return { size: stat.size, read };
+  } catch (error) {
+    if (error instanceof InputError) throw error;
+    const { code, message } = error as NodeJS.ErrnoException;
+    throw inputError('file.missing', path, code === 'ENOENT' ? 'no such file' : `cannot be read (${message})`, error);
+  }
+}
+
+async function withFile<T>(path: string, use: (file: Awaited<ReturnType<typeof open>>) => Promise<T>): Promise<T> {
+  const file = await open(path);
+  try {
+    return await use(file);
+  } finally {
+    await file.close();
+  }
 }

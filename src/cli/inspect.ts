@@ -1,22 +1,24 @@
 import { Command } from 'commander';
 import { fastest } from '../scene/fastest.ts';
-import type { Diagnostic, Motion, Scene, SceneObject } from '../scene/types.ts';
+import type { Diagnostic, Motion, Scene, SceneObject, VariantSet } from '../scene/types.ts';
 import { validate } from '../scene/validate.ts';
 import { CliError, EXIT } from './exit.ts';
-import { openSceneFile } from './files.ts';
 import { speedOfLight, speedOfLightOption } from './flags.ts';
+import { addSceneFlags, openChangedScene, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 import { treeLines } from './tree.ts';
 
 export const inspectCommand = (): Command =>
-  new Command('inspect')
-    .description('Tells what is in a scene file, how fast it moves, and what is wrong with it.')
-    .argument('<file>', 'USD or glTF file')
+  addSceneFlags(
+    new Command('inspect')
+      .description('Tells what is in a scene file, how fast it moves, and what is wrong with it.')
+      .argument('<file>', SCENE_ARGUMENT),
+  )
     .addOption(speedOfLightOption())
     .option('--json', 'print as JSON')
     .action(inspect);
 
-async function inspect(path: string, flags: { c?: number; json?: boolean }): Promise<void> {
-  const scene = await openSceneFile(path);
+async function inspect(path: string, flags: SceneFlags & { c?: number; json?: boolean }): Promise<void> {
+  const scene = await openChangedScene(path, flags);
   const summary = summarize(scene, speedOfLight(scene, flags.c));
   console.log(flags.json ? JSON.stringify(summary, null, 2) : describe(summary));
   const errors = summary.diagnostics.filter(({ severity }) => severity === 'error').length;
@@ -48,6 +50,7 @@ function summarize(scene: Scene, c: number) {
       cameras: scene.cameras.length,
     },
     fastest: fastestPoint(scene, c),
+    variants: scene.variants ?? [],
     objects,
     lights: scene.lights.map(({ kind, path }) => ({ kind, path })),
     cameras: scene.cameras.map(({ path, motion, fovY }) => ({
@@ -100,12 +103,16 @@ function describe(s: Summary): string {
     s.fastest
       ? `  fastest: ${s.fastest.path}, ${s.fastest.speed.toPrecision(6)} m/s = ${s.fastest.fractionOfC.toPrecision(6)} c${period(s.fastest)} (c = ${s.speedOfLight} m/s)`
       : `  nothing moves (c = ${s.speedOfLight} m/s)`,
+    ...s.variants.map(variantLine),
     '',
     ...treeLines(entries(s)),
     ...(s.diagnostics.length > 0 ? ['', ...s.diagnostics.map(diagnosticLine)] : []),
   ];
   return parts.join('\n');
 }
+
+const variantLine = ({ set, options, chosen }: VariantSet): string =>
+  `  ${set}: ${options.map((option) => (option === chosen ? `[${option}]` : option)).join(', ')}`;
 
 const period = ({ from, to }: { from?: number; to?: number }): string =>
   from === undefined ? '' : from === to ? ` at ${from} s` : ` from ${from} to ${to} s`;

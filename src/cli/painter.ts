@@ -2,7 +2,6 @@ import type { Backend } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import { CliError, EXIT, unavailable } from './exit.ts';
-import type { Size } from './parse.ts';
 import type { AovData } from './pictures.ts';
 import type { RenderFlags } from './render.ts';
 
@@ -52,7 +51,7 @@ export async function openPainter(
   const missing: string[] = [];
   for (const each of backend === 'auto' ? (['webgpu', 'webgl'] as const) : [backend]) {
     try {
-      return await OPENERS[each](path, scene, flags.size);
+      return await OPENERS[each](path, scene, flags);
     } catch (error) {
       if (!(error instanceof CliError && error.exitCode === EXIT.unavailable)) throw error;
       missing.push(`${each}: ${error.message}`);
@@ -66,9 +65,9 @@ export async function openPainter(
 }
 
 /** Each is loaded when it is needed: they bring large libraries, and some machines cannot load them. */
-const OPENERS: Record<Backend, (path: string, scene: Scene, size: Size) => Promise<Painter>> = {
-  webgpu: async (_, scene, size) => (await import('./webgpu.ts')).openWebGpuPainter(scene, size),
-  webgl: async (path, _, size) => (await import('./webgl.ts')).openWebGlPainter(path, size),
+const OPENERS: Record<Backend, (path: string, scene: Scene, flags: RenderFlags) => Promise<Painter>> = {
+  webgpu: async (_, scene, { size }) => (await import('./webgpu.ts')).openWebGpuPainter(scene, size),
+  webgl: async (path, scene, flags) => (await import('./webgl.ts')).openWebGlPainter(path, scene, flags),
 };
 
 const openReference = async (scene: Scene, flags: RenderFlags): Promise<Painter> =>

@@ -1,4 +1,5 @@
 import { InvalidArgumentError, Option } from 'commander';
+import { parseChoice } from '../formats/choices.ts';
 import { length, type Vec3 } from '../math/vec3.ts';
 import { AOVS, type AovName } from '../scene/view.ts';
 
@@ -50,6 +51,13 @@ export function parseBeta(text: string): Vec3 {
     );
   }
   return beta;
+}
+
+/** Adds `SET=OPTION` to those before it; only the set may not hold a `=`. */
+export function addVariant(text: string, before: ReadonlyMap<string, string> = new Map()): ReadonlyMap<string, string> {
+  const choice = parseChoice(text);
+  if (!choice) throw new InvalidArgumentError('Expected SET=OPTION, as inspect lists them: /World/Car{paint}=red.');
+  return new Map([...before, choice]);
 }
 
 export interface Size {

@@ -2,8 +2,9 @@ import { Command } from 'commander';
 import type { View } from '../scene/view.ts';
 import { addObserverFlags, type ObserverFlags, viewOption } from './flags.ts';
 import { parseNumber, parsePixel, type Size, sizeOption } from './parse.ts';
+import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 
-export interface ProbeFlags extends ObserverFlags {
+export interface ProbeFlags extends ObserverFlags, SceneFlags {
   readonly prim?: string;
   readonly pixel?: readonly [number, number];
   readonly size: Size;
@@ -20,7 +21,7 @@ Examples:
 export function probeCommand(): Command {
   const command = new Command('probe')
     .description('Tells in double precision what the observer sees of an object, vertex by vertex, or at a pixel.')
-    .argument('<scene>', 'USD or glTF file')
+    .argument('<scene>', SCENE_ARGUMENT)
     .option('--prim <path>', 'every vertex of this object: emission time, apparent position, Doppler factor', String)
     .option(
       '--pixel <x,y>',
@@ -33,7 +34,7 @@ export function probeCommand(): Command {
       "world time of the observer's event (default: what the scene suggests, else its start)",
       parseNumber,
     );
-  return addObserverFlags(command)
+  return addSceneFlags(addObserverFlags(command))
     .addOption(viewOption())
     .option('--json', 'print as JSON')
     .addHelpText('after', examples)

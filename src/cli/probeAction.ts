@@ -6,15 +6,15 @@ import { validate } from '../scene/validate.ts';
 import type { ViewPoint } from '../scene/view.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { usageError } from './exit.ts';
-import { openSceneFile } from './files.ts';
 import { speedOfLight } from './flags.ts';
 import { observerPath } from './observer.ts';
 import { seenAtPixel } from './pixel.ts';
 import type { ProbeFlags } from './probe.ts';
+import { openChangedScene } from './scene.ts';
 
 export async function probe(path: string, flags: ProbeFlags): Promise<void> {
   if ((flags.prim === undefined) === (flags.pixel === undefined)) throw usageError('give either --prim or --pixel');
-  const scene = await openSceneFile(path);
+  const scene = await openChangedScene(path, flags);
   const c = speedOfLight(scene, flags.c);
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   const t = flags.time ?? scene.hints.openAt ?? scene.startTime;

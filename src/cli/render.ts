@@ -12,8 +12,9 @@ import {
   sizeOption,
 } from './parse.ts';
 import { addPipelineFlags, type PipelineFlags } from './pipeline.ts';
+import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 
-export interface RenderFlags extends ObserverFlags, SettingFlags, PipelineFlags {
+export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags {
   readonly output: string;
   readonly size: Size;
   readonly time?: number;
@@ -36,7 +37,7 @@ Examples:
 export function renderCommand(): Command {
   const command = new Command('render')
     .description('Makes pictures of a scene: .png, .exr with data channels, or .mp4.')
-    .argument('<scene>', 'USD (.usda, .usdz), glTF (.gltf, .glb), .obj, .ply or .stl file')
+    .argument('<scene>', SCENE_ARGUMENT)
     .requiredOption('-o, --output <file>', 'file to write; #### in the name of a .png or .exr becomes the frame')
     .addOption(sizeOption('in pixels'))
     .option(
@@ -46,7 +47,7 @@ export function renderCommand(): Command {
     )
     .option('--frames <A:B>', 'frames A to B; frame n is at world time n/fps', parseFrames)
     .option('--fps <n>', "frames per second (default: the scene's time codes per second)", parsePositive);
-  addObserverFlags(command).option(
+  addObserverFlags(addSceneFlags(command)).option(
     '--hold',
     'with --frames: stay in place although there is a velocity, instead of coasting with it',
   );

@@ -6,7 +6,6 @@ import { validate } from '../scene/validate.ts';
 import type { AovName, ViewPoint } from '../scene/view.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { usageError } from './exit.ts';
-import { openSceneFile } from './files.ts';
 import { renderSettings, speedOfLight } from './flags.ts';
 import { observerPath } from './observer.ts';
 import { endIfStopped } from './output.ts';
@@ -14,6 +13,7 @@ import { openPainter, type Painter } from './painter.ts';
 import { checkPipeline } from './pipeline.ts';
 import { Progress } from './progress.ts';
 import type { RenderFlags } from './render.ts';
+import { openChangedScene } from './scene.ts';
 import { openSink, type Sink } from './sinks.ts';
 
 /** A frame's number, where there are several, and its world time [s]. */
@@ -35,7 +35,7 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
   const aovs = chooseAovs(flags);
   const progress = new Progress();
   progress.show('reading …');
-  const scene = await openSceneFile(path);
+  const scene = await openChangedScene(path, flags);
   const c = speedOfLight(scene, flags.c);
   progress.clear();
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);

@@ -1,17 +1,29 @@
 import { randomUUID } from 'node:crypto';
-import { basename, dirname, resolve } from 'node:path';
+import { relative } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
+import type { MotionChange } from '../scene/change.ts';
+import type { Scene } from '../scene/types.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import { unavailable } from './exit.ts';
-import { folderSource } from './files.ts';
+import { findScene } from './files.ts';
+import { speedOfLight } from './flags.ts';
 import { findChromium } from './icd.ts';
 import type { Painter, Picture, PictureRequest } from './painter.ts';
-import type { Size } from './parse.ts';
+import type { RenderFlags } from './render.ts';
+import { motionChange, readOptions } from './scene.ts';
 import { serveApp } from './staticServer.ts';
 
 /** What the page headless.html offers to whoever drives it; src/app/headless.ts is the other end and says what it means. */
 interface HeadlessPage {
-  open(request: { base: string; entry: string; width: number; height: number }): Promise<{ adapterName: string }>;
+  open(request: {
+    base: string;
+    entry: string;
+    width: number;
+    height: number;
+    animation?: string | number;
+    variants: (readonly [set: string, option: string])[];
+    motion: MotionChange & { speedOfLight: number };
+  }): Promise<{ adapterName: string }>;
   render(request: {
     view: ViewPoint;
     settings: RenderSettings;
@@ -23,13 +35,14 @@ interface HeadlessPage {
 type HeadlessWindow = { readonly slowlight: HeadlessPage };
 
 /** Draws with the page's renderer on WebGL2, in a Chromium without a window. */
-export async function openWebGlPainter(path: string, { width, height }: Size): Promise<Painter> {
-  const folder = dirname(resolve(path));
+export async function openWebGlPainter(path: string, scene: Scene, flags: RenderFlags): Promise<Painter> {
+  const { source, folder, entry } = await findScene(path);
+  const { animation, variants = [] } = readOptions(flags);
+  const motion = { ...motionChange(flags), speedOfLight: speedOfLight(scene, flags.c) };
   // A name that nobody else on this machine can guess: whatever the scene refers to can be read below it, as `..` leads.
   const files = `/${randomUUID()}/`;
-  const source = folderSource(folder);
   const server = await serveApp(0, async (url) =>
-    url.startsWith(files) ? source.read(absolutePath(url.slice(files.length))) : undefined,
+    url.startsWith(files) ? source.read(relative(folder, absolutePath(url.slice(files.length)))) : undefined,
   );
   let browser: Browser | undefined;
   const close = async (): Promise<void> => {
@@ -41,7 +54,14 @@ export async function openWebGlPainter(path: string, { width, height }: Size): P
     const page = await openPage(browser, `${server.url}/headless.html`);
     const { adapterName } = await page.evaluate(
       (request) => (window as unknown as HeadlessWindow).slowlight.open(request),
-      { base: `${server.url}${files}${addressOf(folder)}/`, entry: basename(path), width, height },
+      {
+        base: `${server.url}${files}${addressOf(folder)}/`,
+        entry,
+        ...flags.size,
+        animation,
+        variants: [...variants],
+        motion,
+      },
     );
     const info = { pipeline: 'raster', backend: 'webgl', adapter: adapterName } as const;
     return { info, usualSamples: 1, paint: (request) => paint(page, request), close };

@@ -27,6 +27,13 @@ export function formatSeconds(t: number): string {
 /** [m/s] */
 export const formatSpeed = (v: number): string => `${formatNumber(v)} m/s`;
 
+/** [m] → `0.12 mm`; two digits of what is short. */
+export function formatLength(x: number): string {
+  if (x >= 1) return `${formatNumber(x)} m`;
+  const [unit, size] = x >= 1e-3 ? ['mm', 1e-3] : x >= 1e-6 ? ['µm', 1e-6] : (['nm', 1e-9] as const);
+  return `${formatNumber(x / size, 2)} ${unit}`;
+}
+
 const minus = (text: string): string => text.replace('-', '−');
 
 /** 299792458 → `299 792 458`; four digits stay together. */

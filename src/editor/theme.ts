@@ -1,4 +1,4 @@
-import { Button, createTheme, type MantineColorsTuple, Modal } from '@mantine/core';
+import { Button, createTheme, type MantineColorsTuple, Modal, Select } from '@mantine/core';
 
 /** The blue of light that comes towards you. */
 const azure: MantineColorsTuple = [
@@ -43,6 +43,7 @@ export const theme = createTheme({
   focusRing: 'auto',
   respectReducedMotion: true,
   components: {
+    Select: Select.extend({ classNames: { option: 'sl-option' } }),
     Button: Button.extend({ defaultProps: { fw: 500 } }),
     Modal: Modal.extend({ styles: { title: { fontSize: 'var(--mantine-font-size-lg)', fontWeight: 600 } } }),
   },

@@ -1,3 +1,4 @@
+export { entryOf, scenesIn } from './entry.ts';
 export { type ExrChannel, type ExrImage, writeExr } from './exr.ts';
 export { readExr } from './exrRead.ts';
 export { readGltf } from './gltf/index.ts';
@@ -9,3 +10,5 @@ export { saveScene } from './save.ts';
 export { extensionOf, type FileSource, memorySource, normalizePath, resolvePath } from './source.ts';
 export { parseLayer, readLayer, readUsd, writeTextures, writeUsda, writeUsdz } from './usd/index.ts';
 export type { Written } from './written.ts';
+export type { PartedFile } from './zip/directory.ts';
+export { bytesFile, zipSource } from './zip/source.ts';

@@ -15,8 +15,17 @@ export class Notes {
     this.#format = format;
   }
 
-  /** `what` names the thing in the file; empty: the file itself. */
-  add(severity: Diagnostic['severity'], code: string, what: string, message: string): void {
+  /**
+   * `what` names the thing in the file; empty: the file itself. A code with a dot is one that all formats share. `more`: what
+   * programs need of it besides.
+   */
+  add(
+    severity: Diagnostic['severity'],
+    code: string,
+    what: string,
+    message: string,
+    more: Partial<Diagnostic> = {},
+  ): void {
     const key = `${code} ${what} ${message}`;
     const count = (this.#counts.get(code) ?? 0) + 1;
     if (this.#byKey.has(key) || count > MAX_PER_CODE + 1) return;
@@ -24,9 +33,10 @@ export class Notes {
     const isMore = count > MAX_PER_CODE;
     this.#byKey.set(key, {
       severity,
-      code: `${this.#format}.${code}`,
+      code: code.includes('.') ? code : `${this.#format}.${code}`,
       place: what && !isMore ? `${this.#entry}: ${what}` : this.#entry,
       message: isMore ? `there are more of these; the first ${MAX_PER_CODE} are listed` : message,
+      ...(isMore ? {} : more),
     });
   }
 

@@ -76,7 +76,8 @@ function removeNode(draft: Draft<GraphDocument>, id: string): void {
 function setParam(draft: Draft<GraphDocument>, command: Extract<Command, { kind: 'set-param' }>): void {
   const { params } = nodeOf(draft, command.node);
   if (command.value === undefined) delete params[command.param];
-  else params[command.param] = Array.isArray(command.value) ? [...command.value] : command.value;
+  else if (typeof command.value === 'object') params[command.param] = [...command.value] as string[] | number[];
+  else params[command.param] = command.value;
 }
 
 function nodeOf(draft: Draft<GraphDocument>, id: string) {

@@ -6,7 +6,13 @@ import { CURRENT_VERSION, migrate } from './migrations.ts';
  * the observer in flight) is not in it. It is plain JSON; keys are sorted when written, so that files compare well.
  */
 const identifier = z.string().regex(/^[A-Za-z][A-Za-z0-9_-]{0,63}$/);
-const paramValueSchema = z.union([z.number(), z.boolean(), z.string(), z.array(z.number())]);
+const paramValueSchema = z.union([
+  z.number(),
+  z.boolean(),
+  z.string(),
+  z.array(z.number()).readonly(),
+  z.array(z.string()).readonly(),
+]);
 
 const nodeSchema = z.strictObject({
   type: z.string().min(1),

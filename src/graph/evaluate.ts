@@ -4,6 +4,7 @@ import {
   NodeRefusal,
   type NodeType,
   type Problem,
+  type Progress,
   type Registry,
   resolveParams,
   type Work,
@@ -33,7 +34,7 @@ export class CancelledError extends Error {
 interface Run<Services> {
   readonly document: GraphDocument;
   readonly work: Omit<Work<Services>, 'progress'>;
-  readonly progress: (node: string, part: number, what?: string) => void;
+  readonly progress: (node: string, ...report: Parameters<Progress>) => void;
   readonly settled: Map<string, Promise<Keyed>>;
 }
 
@@ -65,7 +66,7 @@ export class Evaluator<Services> {
     document: GraphDocument,
     target: string,
     services: Services,
-    options: { signal?: Cancellation; progress?: (node: string, part: number, what?: string) => void } = {},
+    options: { signal?: Cancellation; progress?: Run<Services>['progress'] } = {},
   ): Promise<Evaluation> {
     const run: Run<Services> = {
       document,
@@ -132,7 +133,7 @@ export class Evaluator<Services> {
     key: number,
   ): Promise<NodeResult> {
     if (run.work.signal?.aborted) throw new CancelledError();
-    const progress = (part: number, what?: string) => run.progress(id, part, what);
+    const progress: Progress = (part, what) => run.progress(id, part, what);
     try {
       const outputs = await type.evaluate(inputs, resolveParams(type, node.params), {
         ...run.work,

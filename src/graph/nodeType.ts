@@ -30,6 +30,8 @@ export interface NumberParam extends ParamBase {
   /** As written beside the number: `m/s`, `c`, `EV`, `°`. */
   readonly unit?: string;
   readonly integer?: boolean;
+  /** False: it has no range that a slider could go through, and is only typed. */
+  readonly slider?: boolean;
   /** While the parameter is not set, what the scene suggests under this name comes before the default. */
   readonly suggestion?: string;
 }
@@ -48,7 +50,17 @@ export interface TextParam extends ParamBase {
   /** Where its values come from: `cameras` of the scene. Without, a special control of the program sets it (the opened file). */
   readonly choices?: 'cameras';
 }
-export type ParamSpec = NumberParam | BooleanParam | ChoiceParam | TextParam;
+/** Three numbers: a direction, a place. */
+export interface VectorParam extends ParamBase {
+  readonly kind: 'vector';
+  readonly default: readonly [number, number, number];
+}
+/** Texts of which there may be any number; a special control of the program sets them. */
+export interface ListParam extends ParamBase {
+  readonly kind: 'list';
+  readonly default: readonly string[];
+}
+export type ParamSpec = NumberParam | BooleanParam | ChoiceParam | TextParam | VectorParam | ListParam;
 
 /** The value that a node's code gets for a parameter. */
 export type ParamOf<Spec> =
@@ -60,7 +72,11 @@ export type ParamOf<Spec> =
         ? number
         : Spec extends BooleanParam
           ? boolean
-          : string;
+          : Spec extends VectorParam
+            ? readonly [number, number, number]
+            : Spec extends ListParam
+              ? readonly string[]
+              : string;
 
 /** What an `AbortSignal` is, as far as the engine needs it. */
 export interface Cancellation {
@@ -68,11 +84,13 @@ export interface Cancellation {
   addEventListener(type: 'abort', listener: () => void): void;
 }
 
+/** Reports a part done, 0 … 1, or undefined where it cannot be known, and what is being done. */
+export type Progress = (part: number | undefined, what?: string) => void;
+
 export interface Work<Services> {
   readonly services: Services;
   readonly signal?: Cancellation;
-  /** Reports a part done, 0 … 1, and what is being done. */
-  readonly progress: (part: number, what?: string) => void;
+  readonly progress: Progress;
 }
 
 /** Cause and remedy of a refusal, as it is shown on the node. */
@@ -134,9 +152,15 @@ export function refuseValue(spec: ParamSpec, value: ParamValue): string | undefi
     return spec.options.some((option) => option.value === value)
       ? undefined
       : `${String(value)} is none of the choices`;
+  if (spec.kind === 'vector') return isVector(value) ? undefined : `${String(value)} is not three numbers`;
+  if (spec.kind === 'list') return isList(value) ? undefined : `${String(value)} is no list of texts`;
   const wanted = spec.kind === 'boolean' ? 'boolean' : 'string';
   return typeof value === wanted ? undefined : `${String(value)} is not a ${wanted}`;
 }
+
+const isVector = (value: ParamValue): boolean =>
+  Array.isArray(value) && value.length === 3 && value.every((x) => Number.isFinite(x));
+const isList = (value: ParamValue): boolean => Array.isArray(value) && value.every((text) => typeof text === 'string');
 
 function refuseNumber(spec: NumberParam, value: ParamValue): string | undefined {
   if (typeof value !== 'number' || !Number.isFinite(value)) return `${String(value)} is not a number`;

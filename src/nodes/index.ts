@@ -1,5 +1,5 @@
 export type { CameraView, GBuffer, Picture, Relativity } from './define.ts';
 export { nodeLibrary } from './library.ts';
 export { pictureOf, renderSettings } from './picture.ts';
-export { newProject, openCommand } from './project.ts';
-export type { FastestPoint, LoadedScene, Services } from './services.ts';
+export { flightsIn, flyCommand, landCommand, newProject, openCommand, supplyCommand } from './project.ts';
+export type { FastestPoint, LoadedScene, ReadRequest, Services } from './services.ts';

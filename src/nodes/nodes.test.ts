@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { applyCommand, type Command } from '../graph/commands.ts';
-import { parseDocument, serializeDocument } from '../graph/document.ts';
+import { type ParamValue, parseDocument, serializeDocument } from '../graph/document.ts';
 import { Evaluator } from '../graph/evaluate.ts';
 import { refuseValue, resolveParams } from '../graph/nodeType.ts';
 import { validateDocument } from '../graph/validate.ts';
@@ -11,7 +11,7 @@ import { DEFAULT_SETTINGS, type ViewPoint } from '../scene/view.ts';
 import { nodeLibrary } from './library.ts';
 import { stopsOfMotion } from './metering.ts';
 import { pictureOf, renderSettings } from './picture.ts';
-import { newProject, openCommand } from './project.ts';
+import { flightsIn, flyCommand, landCommand, newProject, openCommand } from './project.ts';
 import type { LoadedScene, Services } from './services.ts';
 
 const scene: Scene = {
@@ -32,7 +32,7 @@ const scene: Scene = {
 };
 const atRest: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 };
 const serving = (loaded: LoadedScene): Services => ({ readScene: async () => loaded });
-const set = (node: string, param: string, value: string | number | boolean): Command => ({
+const set = (node: string, param: string, value: ParamValue): Command => ({
   kind: 'set-param',
   node,
   param,
@@ -54,8 +54,9 @@ describe('the library', () => {
     }
   });
 
-  it('every node is exercised by the project that the page opens with', () => {
-    const used = new Set(Object.values(newProject().nodes).map((node) => node.type));
+  it('every node is exercised by the project that the page opens with, and by a flight', () => {
+    const { document } = applyCommand(newProject(), flyCommand(newProject(), '/a', 0));
+    const used = new Set(Object.values(document.nodes).map((node) => node.type));
     expect([...used].sort()).toEqual(Object.keys(nodeLibrary).sort());
   });
 
@@ -80,6 +81,99 @@ describe('the exposure', () => {
     const narrow = { ...fast, fovY: 1e-6 };
     expect(stopsOfMotion(narrow, 1, true)).toBeCloseTo((4 * Math.asinh(2)) / Math.LN2, 6);
     expect(stopsOfMotion(narrow, 1, false)).toBeCloseTo((4 * Math.asinh(2)) / Math.LN2, 6);
+  });
+});
+
+describe('motion', () => {
+  const mesh = box([1, 1, 1]);
+  const sampled = {
+    kind: 'sampled',
+    times: Float64Array.of(0, 1),
+    poses: Float64Array.of(0, 0, 0, 0, 0, 0, 1, 20, 0, 0, 0, 0, 0, 1),
+  } as const;
+  const car = makeObject({ path: '/Car', mesh, motion: sampled });
+  const house = makeObject({ path: '/House', mesh });
+  const points = [mesh.positions, mesh.positions.map((x) => x + 28)];
+  const cloth = makeObject({
+    path: '/Cloth',
+    mesh,
+    motion: { kind: 'sampled-points', times: Float64Array.of(0, 1), origin: [0, 0, 0], points },
+  });
+  const loaded: LoadedScene = {
+    scene: { ...scene, objects: [car, house, cloth] },
+    fastest: { path: '/Cloth', time: 0.2, speed: 28 },
+  };
+  const flying = (path: string, ...more: Command[]) =>
+    evaluate(loaded, flyCommand(newProject('a.usda'), path, 0), ...more);
+
+  it('an animation that is run faster than light is refused, with a remedy that works', async () => {
+    const fast = await evaluate(loaded, set('retime', 'speed', 2), set('console', 'speedOfLight', 40));
+    const result = fast.evaluation.results.get('console');
+    expect(result).toMatchObject({
+      problem: { code: 'motion.superluminal', message: expect.stringMatching(/1\.40 c at t = 0\.10/) },
+    });
+    const later = await evaluate(loaded, set('retime', 'speed', 2), set('retime', 'offset', 3));
+    expect(later.picture).toMatchObject({ speedOfLight: 70.1, fastest: { speed: 56, time: 3.1 } });
+    expect(later.picture?.scene.endTime).toBe(3.5);
+  });
+
+  it('a flight has its share of c, whatever c is', async () => {
+    for (const c of [40, 100]) {
+      const { picture } = await flying('/House', set('console', 'speedOfLight', c));
+      const house = picture?.scene.objects[1];
+      expect(house).toMatchObject({ authoredIn: 'rest', motion: { kind: 'uniform', velocity: [0.8 * c, 0, 0] } });
+      expect(picture?.fastest).toMatchObject({ path: '/House', speed: 0.8 * c });
+    }
+  });
+
+  it('of what flies the own motion no longer counts', async () => {
+    const first = { ...loaded, fastest: { path: '/Car', time: 0, speed: 50 } };
+    const stop = [flyCommand(newProject('a.usda'), '/Car', 0), set('fly1', 'speed', 0)];
+    const { picture } = await evaluate(first, ...stop, set('console', 'speedOfLight', 60));
+    expect(picture?.fastest).toMatchObject({ path: '/Cloth', speed: expect.closeTo(28 * Math.sqrt(3), 3) });
+  });
+
+  it('what deforms too fast for its flight is refused', async () => {
+    const { evaluation } = await flying('/Cloth', set('console', 'speedOfLight', 60));
+    expect(evaluation.results.get('fly1')).toMatchObject({ problem: { code: 'motion.superluminal', place: '/Cloth' } });
+  });
+
+  it('a thing that is not there and a direction to nowhere are refused', async () => {
+    expect((await flying('/Gone')).evaluation.results.get('fly1')).toMatchObject({ problem: { code: 'fly.missing' } });
+    const nowhere = await flying('/House', set('fly1', 'direction', [0, 0, 0]));
+    expect(nowhere.evaluation.results.get('fly1')).toMatchObject({ problem: { code: 'fly.direction' } });
+  });
+
+  it('flights follow one another, and each can be ended', () => {
+    const empty = newProject('a.usda');
+    const one = applyCommand(empty, flyCommand(empty, '/a', 0)).document;
+    const two = applyCommand(one, flyCommand(one, '/b', 2)).document;
+    expect(flightsIn(two)).toEqual(['fly1', 'fly2']);
+    expect(validateDocument(two, nodeLibrary)).toEqual([]);
+    expect(parseDocument(serializeDocument(two))).toEqual(two);
+    const left = applyCommand(two, landCommand(two, 'fly1')).document;
+    expect(flightsIn(left)).toEqual(['fly2']);
+    expect(validateDocument(left, nodeLibrary)).toEqual([]);
+    expect(applyCommand(left, landCommand(left, 'fly2')).document).toEqual(empty);
+    expect(flightsIn(applyCommand(two, openCommand(two, 'b.usda')).document)).toEqual([]);
+  });
+
+  it('variants are asked of the reader, and are part of the document', async () => {
+    let asked: ReadonlyMap<string, string> | undefined;
+    const services: Services = {
+      readScene: async (_, { variants }) => {
+        asked = variants;
+        return { scene };
+      },
+    };
+    const choose: Command = { kind: 'set-param', node: 'read', param: 'variants', value: ['/Car{paint}=red', 'a=b=c'] };
+    const { document } = applyCommand(newProject('a.usda'), choose);
+    expect(parseDocument(serializeDocument(document))).toEqual(document);
+    await new Evaluator(nodeLibrary).evaluate(document, 'output', services);
+    expect([...(asked ?? [])]).toEqual([
+      ['/Car{paint}', 'red'],
+      ['a', 'b=c'],
+    ]);
   });
 });
 
@@ -151,7 +245,7 @@ describe('the project', () => {
 
   it('opening another file gives way to its own suggestions', () => {
     const before = applyCommand(newProject('a.usda'), set('console', 'speedOfLight', 5)).document;
-    const { document } = applyCommand(before, openCommand('b.usda'));
+    const { document } = applyCommand(before, openCommand(before, 'b.usda'));
     expect(
       resolveParams(nodeLibrary['relativity-console']!, document.nodes.console!.params).speedOfLight,
     ).toBeUndefined();

@@ -1,3 +1,4 @@
+import { parseChoice } from '../formats/choices.ts';
 import { NodeRefusal } from '../graph/nodeType.ts';
 import { InputError } from '../scene/types.ts';
 import { defineNode } from './define.ts';
@@ -10,13 +11,16 @@ export const read = defineNode({
   category: 'geometry',
   params: {
     source: { kind: 'text', title: 'node.read.source', default: '' },
+    /** `set=option`, as `Scene.variants` names them: `/World/Car{paint}=red`. */
+    variants: { kind: 'list', title: 'node.read.variants', default: [] },
   },
   inputs: {},
   outputs: { scene: { type: 'scene' } },
-  async evaluate(_inputs, { source }, { node, services, signal, progress }) {
+  async evaluate(_inputs, { source, variants }, { node, services, signal, progress }) {
     if (!source) throw refusal('read.none', node, 'no file is chosen; open one, or take one of the examples');
     try {
-      return { scene: await services.readScene(source, { signal, progress }) };
+      const chosen = new Map(variants.flatMap((text) => [parseChoice(text)].filter((choice) => choice !== undefined)));
+      return { scene: await services.readScene(source, { variants: chosen, signal, progress }) };
     } catch (error) {
       if (!(error instanceof InputError)) throw error;
       const { code, place, message } = error.diagnostic;

@@ -1,4 +1,5 @@
-import type { Cancellation } from '../graph/nodeType.ts';
+import type { ReadOptions } from '../formats/registry.ts';
+import type { Cancellation, Progress } from '../graph/nodeType.ts';
 import type { Scene } from '../scene/types.ts';
 
 /** A scene as read, with what the checks need that is dear to compute: done where the file is read, off the main thread. */
@@ -17,11 +18,14 @@ export interface FastestPoint {
   readonly speed: number;
 }
 
+/** How a scene is to be read. */
+export interface ReadRequest extends Pick<ReadOptions, 'variants'> {
+  readonly signal?: Cancellation;
+  readonly progress: Progress;
+}
+
 /** What the nodes need from where they run: a page reads in a worker, a command line reads directly. */
 export interface Services {
   /** Throws an `InputError` where the file cannot be read. */
-  readScene(
-    source: string,
-    options: { readonly signal?: Cancellation; readonly progress: (part: number, what?: string) => void },
-  ): Promise<LoadedScene>;
+  readScene(source: string, how: ReadRequest): Promise<LoadedScene>;
 }

@@ -4,7 +4,7 @@ import { type Box, boundingBox } from '../scene/bounds.ts';
 import { samplePose } from '../scene/motion.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 import { emptyBox, growBox } from './bvh.ts';
-import { growByTriangle, type TriangleTree, treeOfTriangles } from './triangleTree.ts';
+import { growByTriangle, type TriangleTree, treeOfMesh, treeOfTriangles } from './triangleTree.ts';
 
 /** An object at one of its samples. */
 export interface Shape {
@@ -75,7 +75,7 @@ export class Samples {
     this.times = motion.times;
     this.shapes = new Array(motion.times.length);
     this.origin = motion.kind === 'sampled' ? samplePose(motion.poses, 0).position : motion.origin;
-    this.shape = treeOfTriangles(motion.kind === 'sampled' ? mesh : { ...mesh, positions: middle(motion) });
+    this.shape = motion.kind === 'sampled' ? treeOfMesh(mesh) : treeOfTriangles({ ...mesh, positions: middle(motion) });
   }
 
   at(k: number): Shape {

@@ -7,7 +7,7 @@ import { SampledTracer } from './sampled.ts';
 import { ShapeStore } from './samples.ts';
 import { Search, type Tracer } from './search.ts';
 import { TopLevel } from './topLevel.ts';
-import { type TriangleTree, treeOfTriangles } from './triangleTree.ts';
+import { type TriangleTree, treeOfMesh } from './triangleTree.ts';
 import type { Hit, RayFilter, SpacetimeRay } from './types.ts';
 
 /** A scene that rays can be sent through. */
@@ -38,7 +38,7 @@ export function groundwork(scene: Scene, c: number): Groundwork {
   const trees = new Map<Mesh, TriangleTree>();
   for (const { mesh, motion } of objects)
     if (motion.kind !== 'sampled' && motion.kind !== 'sampled-points' && !trees.has(mesh))
-      trees.set(mesh, treeOfTriangles(mesh));
+      trees.set(mesh, treeOfMesh(mesh));
   return { scene, c, objects, trees };
 }
 

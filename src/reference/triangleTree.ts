@@ -12,6 +12,18 @@ export interface TriangleTree {
   readonly first: Uint32Array;
 }
 
+/** By their positions; a mesh may be worn in other materials. */
+const TREES = new WeakMap<Float32Array, { readonly indices: Uint32Array; readonly tree: TriangleTree }>();
+
+/** `treeOfTriangles`, made once for all objects that share a mesh. */
+export function treeOfMesh(mesh: Mesh): TriangleTree {
+  const known = TREES.get(mesh.positions);
+  if (known?.indices === mesh.indices) return known.tree;
+  const tree = treeOfTriangles(mesh);
+  TREES.set(mesh.positions, { indices: mesh.indices, tree });
+  return tree;
+}
+
 export function treeOfTriangles({ positions, indices }: Mesh): TriangleTree {
   const whole = finiteTriangles(positions, indices);
   const boxes = new Float64Array(6 * whole.length);

@@ -53,3 +53,22 @@ it('what deforms, what is large and what is see-through is drawn alone', () => {
   expect(batches.map((b) => b.bodies.map(({ id }) => id))).toEqual([[1], [2], [3, 4], [5], [6]]);
   expect(batches.map((b) => b.transparent)).toEqual([true, true, false, false, false]);
 });
+
+it('a mesh that many wear is held once, with the object and the material of each', () => {
+  const mesh = sphere(1);
+  const meshes = [0, 1].map((material) => ({ ...mesh, groups: mesh.groups.map((g) => ({ ...g, material })) }));
+  const orientation = fromAxisAngle([0, 0, 1], 1);
+  const objects = Array.from({ length: 40 }, (_, i) =>
+    makeObject({
+      path: `/${i}`,
+      mesh: meshes[i % 2],
+      motion: { kind: 'static', pose: { position: [i, 0, 0], orientation } },
+    }),
+  );
+  const [batch, ...others] = batchesOf(objects, [makeMaterial({ name: 'matt' }), makeMaterial({ name: 'red' })]);
+  expect(others).toEqual([]);
+  expect(batch.arrays.indices).toHaveLength(mesh.indices.length);
+  expect(batch.arrays.positions).toEqual(mesh.positions);
+  expect(batch.bodies.map(({ id }) => id)).toEqual(objects.map((_, i) => i + 1));
+  expect(batch.worn).toEqual({ first: 0, materials: objects.map((_, i) => i % 2) });
+});

@@ -7,6 +7,18 @@ import type { Body } from './bodies.ts';
 /** Objects with more triangles than this are drawn alone, so that culling them saves their work. */
 const ALONE = 20_000;
 
+/** A mesh that so many objects wear is not copied for each of them, if it has so many triangles: GPUs are slow with instances of less. */
+const WEARERS = 8;
+const WORTHWHILE = 100;
+
+/** Bodies that wear one mesh. */
+export interface Worn {
+  /** Place of the first of them in the table of instances. */
+  readonly first: number;
+  /** The material of each. */
+  readonly materials: readonly number[];
+}
+
 /** What is drawn in one call: parts of objects that move in the same way and look through the same textures. */
 export interface Batch {
   readonly kind: Motion['kind'];
@@ -15,17 +27,19 @@ export interface Batch {
   readonly baseColorTexture?: Texture;
   readonly emissiveTexture?: Texture;
   readonly bodies: readonly Body[];
+  /** Set where the arrays are a mesh in its own axes, and each body wears it; else they hold a copy for each. */
+  readonly worn?: Worn;
   readonly arrays: BatchArrays;
 }
 
 export interface BatchArrays {
-  /** Relative to the body's centre, turned to the world's axes where the motion has one orientation [m]. */
+  /** Relative to the body's centre, turned to the world's axes where the motion has one orientation and the mesh is not worn by many [m]. */
   readonly positions: Float32Array;
   readonly normals: Float32Array;
   /** v down, as images have their rows. */
   readonly uvs: Float32Array;
   readonly colors?: Float32Array;
-  /** Object id − 1 and material, per vertex. */
+  /** Object id − 1 and material, per vertex; without meaning where many wear the mesh. */
   readonly ids: Float32Array;
   readonly indices: Uint32Array;
 }
@@ -46,26 +60,66 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
     return textures.get(t) ?? -1;
   };
   const runs = new Map<string, Part[]>();
+  const wardrobe = new Wardrobe(bodies);
   for (const body of bodies) {
     const { mesh, motion } = body.object;
     const deforming = motion.kind === 'sampled-points';
     const alone = deforming || mesh.indices.length > 3 * ALONE;
+    const worn = wardrobe.nameOf(body);
     for (const { material, start, count } of mesh.groups) {
       const { baseColorTexture, emissiveTexture } = scene.materials[material];
       const shape = `${motion.kind} ${mesh.doubleSided} ${mesh.colors !== undefined} ${alone || transparent[material] ? body.id : 0}`;
       const look = `${transparent[material]} ${number(baseColorTexture)} ${number(emissiveTexture)} ${deforming ? material : 0}`;
-      const key = `${shape} ${look}`;
+      const isWorn = worn !== undefined && !transparent[material];
+      const key = isWorn ? `worn ${worn} ${start} ${count} ${motion.kind} ${look}` : `${shape} ${look}`;
       const run = runs.get(key) ?? [];
       runs.set(key, run);
       if (count > 0) run.push({ body, material, start, count });
     }
   }
-  return [...runs.values()]
-    .filter((run) => run.length > 0)
-    .map((run) => makeBatch(scene, run, transparent[run[0].material]));
+  let instances = 0;
+  return [...runs].flatMap(([key, run]) => {
+    if (run.length === 0) return [];
+    const batch = makeBatch(scene, run, transparent[run[0].material], key.startsWith('worn') ? instances : undefined);
+    instances += batch.worn?.materials.length ?? 0;
+    return [batch];
+  });
 }
 
-function makeBatch(scene: Scene, parts: readonly Part[], transparent: boolean): Batch {
+/** Tells which objects wear a mesh that many wear: the same arrays, for materials may be each one's own. */
+class Wardrobe {
+  private readonly names = new Map<object, number>();
+  private readonly wearers = new Map<string, number>();
+
+  constructor(bodies: readonly Body[]) {
+    for (const body of bodies) {
+      const key = this.keyOf(body);
+      this.wearers.set(key, (this.wearers.get(key) ?? 0) + 1);
+    }
+  }
+
+  nameOf(body: Body): string | undefined {
+    const { mesh, motion } = body.object;
+    if (motion.kind === 'sampled-points' || motion.kind === 'hyperbolic') return undefined;
+    if (mesh.indices.length < 3 * WORTHWHILE) return undefined;
+    const key = this.keyOf(body);
+    return (this.wearers.get(key) ?? 0) >= WEARERS ? key : undefined;
+  }
+
+  private keyOf({ object: { mesh, motion } }: Body): string {
+    const arrays = [mesh.positions, mesh.normals, mesh.uvs, mesh.indices, mesh.colors ?? mesh.positions];
+    return `${motion.kind} ${mesh.doubleSided} ${arrays.map((array) => this.number(array)).join(' ')}`;
+  }
+
+  private number(array: object): number {
+    const known = this.names.get(array) ?? this.names.size;
+    this.names.set(array, known);
+    return known;
+  }
+}
+
+/** `firstInstance`: where all parts are one mesh that is worn. */
+function makeBatch(scene: Scene, parts: readonly Part[], transparent: boolean, firstInstance?: number): Batch {
   const { object } = parts[0].body;
   const { baseColorTexture, emissiveTexture } = scene.materials[parts[0].material];
   return {
@@ -75,7 +129,11 @@ function makeBatch(scene: Scene, parts: readonly Part[], transparent: boolean): 
     ...(baseColorTexture && { baseColorTexture }),
     ...(emissiveTexture && { emissiveTexture }),
     bodies: [...new Set(parts.map((p) => p.body))],
-    arrays: object.motion.kind === 'sampled-points' ? wholeMesh(parts) : mergeParts(parts),
+    ...(firstInstance !== undefined && { worn: { first: firstInstance, materials: parts.map((p) => p.material) } }),
+    arrays:
+      object.motion.kind === 'sampled-points'
+        ? wholeMesh(parts)
+        : mergeParts(firstInstance === undefined ? parts : parts.slice(0, 1), firstInstance === undefined),
   };
 }
 
@@ -103,7 +161,8 @@ function wholeMesh(parts: readonly Part[]): BatchArrays {
   };
 }
 
-function mergeParts(parts: readonly Part[]): BatchArrays {
+/** `turned`: to the world's axes, where a part has one orientation. */
+function mergeParts(parts: readonly Part[], turned: boolean): BatchArrays {
   const used = parts.map(usedVertices);
   const vertices = used.reduce((n, u) => n + u.vertices.length, 0);
   const colored = parts[0].body.object.mesh.colors !== undefined;
@@ -118,7 +177,7 @@ function mergeParts(parts: readonly Part[]): BatchArrays {
   let vertex = 0;
   let index = 0;
   parts.forEach((part, k) => {
-    copyVertices(part, used[k].vertices, out, vertex);
+    copyVertices(part, used[k].vertices, out, vertex, turned);
     for (const i of used[k].indices) out.indices[index++] = vertex + i;
     vertex += used[k].vertices.length;
   });
@@ -142,10 +201,16 @@ function usedVertices({ body, start, count }: Part): { vertices: Uint32Array; in
   return { vertices: vertices.subarray(0, n), indices };
 }
 
-function copyVertices({ body, material }: Part, from: Uint32Array, out: BatchArrays, first: number): void {
+function copyVertices(
+  { body, material }: Part,
+  from: Uint32Array,
+  out: BatchArrays,
+  first: number,
+  turned: boolean,
+): void {
   const { mesh, motion } = body.object;
-  const fixed = motion.kind === 'static' || motion.kind === 'uniform' || motion.kind === 'hyperbolic';
-  const turn = (v: Vec3): Vec3 => (fixed ? rotate(motion.pose.orientation, v) : v);
+  const pose = turned && 'pose' in motion ? motion.pose : undefined;
+  const turn = (v: Vec3): Vec3 => (pose ? rotate(pose.orientation, v) : v);
   const read = (a: Float32Array, v: number): Vec3 => [a[3 * v], a[3 * v + 1], a[3 * v + 2]];
   from.forEach((v, k) => {
     const to = first + k;

@@ -3,7 +3,7 @@ import { add, dot, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
-import { boundingSphere } from '../scene/bounds.ts';
+import { boundingSphere, sphereOfMesh } from '../scene/bounds.ts';
 import { placed, samplePose } from '../scene/motion.ts';
 import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 
@@ -47,7 +47,7 @@ export function lineOfCentre(body: MovingBody, c: number, shift: Vec3 = ZERO): W
 export function makeBody(object: SceneObject, id: number): Body {
   const { motion } = object;
   if (motion.kind === 'sampled-points') return deformingBody(object, motion, id);
-  const { center: centre, radius } = boundingSphere(object.mesh.positions);
+  const { center: centre, radius } = sphereOfMesh(object.mesh);
   return { id, object, centre, radius, line: lineOfPoint(motion, centre) };
 }
 

@@ -28,4 +28,11 @@ export function disposeDrawable({ mesh, materials }: Drawable): void {
   for (const material of materials.values()) material.dispose();
 }
 
+/** How the corners of its triangles are read. */
+export const cornersOf = ({ vertex: { kind, instances }, surface: { colored } }: Drawable) => ({
+  kind,
+  instances,
+  colored,
+});
+
 export const sideOf = (batch: Batch) => (batch.doubleSided ? DoubleSide : FrontSide);

@@ -20,7 +20,7 @@ import {
 } from './sight.ts';
 
 /** Texels per object in the object table. */
-export const OBJECT_TEXELS = 4;
+export const OBJECT_TEXELS = 5;
 /** Longest table that a vertex searches. */
 const MOST_SAMPLES = 4096;
 
@@ -44,6 +44,7 @@ export interface FrameTables {
  *   1  uniform (v, 1 − v²); hyperbolic (axis, a/c² [1/m]); sampled points (origin relative to the anchor [m], vertices per sample)
  *   2  birth, death and the observer's event, in light-metres after the anchor's time; the object's id
  *   3  uniform (born rigid); hyperbolic (e^φ, born rigid, shift of the anchor [m]); sampled (first texel, count) of the sample table
+ *   4  orientation, where it has one
  * and the sample table, per sample, two texels: (place, time) relative to the anchor and the orientation, or one: (sample, 0, 0, time).
  */
 export class Frame {
@@ -89,6 +90,7 @@ export class Frame {
     const { birth, death } = body.object.lifetime;
     const after = (t: number) => clampFinite(sight.c * (t - sight.t) - anchor.ahead);
     out.set([after(birth), after(death), -anchor.ahead, body.id], at + 8);
+    if ('pose' in body.object.motion) out.set(body.object.motion.pose.orientation, at + 16);
     this.placeMotion(body, line, backToNow ? { ...span, to: Math.max(span.to, 0) } : span, anchor, sight, at);
     return true;
   }

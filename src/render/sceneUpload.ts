@@ -38,6 +38,8 @@ export class SceneUpload {
   private readonly objects = new FloatTable(256);
   private readonly samples = new FloatTable(1024);
   private readonly materials = new FloatTable(256);
+  /** Of meshes that many wear (vertexInput.ts). */
+  private readonly instances = new FloatTable(256);
   private readonly points = new Map<number, PointStore>();
   private readonly textures = new Map<Texture, DataTexture>();
 
@@ -54,6 +56,7 @@ export class SceneUpload {
         this.points.set(id, new PointStore(object.motion, object.mesh.normals));
     this.fillMaterials();
     const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
+    this.fillInstances(batches);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
     this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), options);
   }
@@ -63,7 +66,7 @@ export class SceneUpload {
     this.refiner.dispose();
     for (const store of this.points.values()) store.dispose();
     for (const image of this.textures.values()) image.dispose();
-    for (const table of [this.objects, this.samples, this.materials]) table.dispose();
+    for (const table of [this.objects, this.samples, this.materials, this.instances]) table.dispose();
     this.environment.dispose();
   }
 
@@ -77,6 +80,17 @@ export class SceneUpload {
     this.materials.upload();
   }
 
+  private fillInstances(batches: readonly Batch[]): void {
+    for (const { bodies, worn } of batches) {
+      if (!worn) continue;
+      this.instances.reserve(worn.first + bodies.length);
+      bodies.forEach(({ id }, i) => {
+        this.instances.values.set([id - 1, worn.materials[i], 0, 0], 4 * (worn.first + i));
+      });
+    }
+    this.instances.upload();
+  }
+
   private add(drawable: Drawable): void {
     this.drawables.push(drawable);
     (drawable.batch.transparent ? this.transparent : this.opaque).add(drawable.mesh);
@@ -87,6 +101,7 @@ export class SceneUpload {
     const colored = batch.arrays.colors !== undefined;
     const baseColor = this.texture(batch.baseColorTexture);
     const emissive = this.texture(batch.emissiveTexture);
+    const instances = batch.worn ? this.instances : undefined;
     return makeDrawable(makeGeometry(batch.arrays), {
       batch,
       vertex: {
@@ -95,7 +110,8 @@ export class SceneUpload {
         samples: this.samples,
         uniforms,
         ...(points && { points }),
-        vertex: () => indexedVertex(colored),
+        ...(instances && { instances }),
+        vertex: () => indexedVertex(colored, instances),
       },
       surface: {
         materials: this.materials,

@@ -25,9 +25,14 @@ export interface PointReader {
   normal(points: FloatTable, first: Int): Vec3;
 }
 
-/** The vertex that the index buffer names. */
-export function indexedVertex(colored: boolean): VertexInput {
-  const ids = attribute<'vec2'>('ids', 'vec2');
+/** Per instance of a mesh that many wear, in a table: (object id − 1, material, 0, 0). */
+export const instanceRecord = (instances: FloatTable, instance: Float): Vec4 => instances.texel(int(instance)).toVar();
+
+/** The vertex that the index buffer names; `instances`: where many wear the mesh. */
+export function indexedVertex(colored: boolean, instances?: FloatTable): VertexInput {
+  const ids = instances
+    ? instanceRecord(instances, attribute<'float'>('instance', 'float')).xy
+    : attribute<'vec2'>('ids', 'vec2');
   const texel = (points: FloatTable, first: Int): Vec4 => points.texel(first.add(int(vertexIndex))).toVar();
   return {
     offset: attribute<'vec3'>('position', 'vec3'),

@@ -3,6 +3,7 @@ import {
   cameraProjectionMatrix,
   cameraViewMatrix,
   clamp,
+  cross,
   Fn,
   float,
   If,
@@ -49,6 +50,8 @@ export interface MotionSources {
   readonly objects: FloatTable;
   readonly samples: FloatTable;
   readonly points?: PointStore;
+  /** Set where many wear one mesh, which then is in its own axes. */
+  readonly instances?: FloatTable;
   readonly uniforms: Uniforms;
 }
 
@@ -100,7 +103,10 @@ export function vertexStage(sources: VertexSources, projection: Projection): Vec
     // All vertices of what cannot be seen fall on one point outside the picture.
     const clip = vec4(2, 2, 2, 1).toVar();
     If(anchor.w.greaterThanEqual(0), () => {
-      const vertex = solve({ sources, anchor, motion: texel(1), extra: texel(3), vertex: input }, projection);
+      const vertex = solve(
+        { sources, anchor, motion: texel(1), extra: texel(3), vertex: turnedVertex(sources, input, texel) },
+        projection,
+      );
       const when = texel(2);
       const dx = vertex.dx.toVar();
       const s = vertex.s.toVar();
@@ -126,8 +132,32 @@ export function shownPoint(
 ): { shown: Vec3; exists: Bool } {
   const texel = objectTexel(sources, vertex.object);
   const anchor = texel(0);
-  const { dx, exists } = solve({ sources, anchor, motion: texel(1), extra: texel(3), vertex }, projection);
+  const own = turnedVertex(sources, vertex, texel);
+  const { dx, exists } = solve({ sources, anchor, motion: texel(1), extra: texel(3), vertex: own }, projection);
   return { shown: place(dx, projection.place, sources.uniforms), exists };
+}
+
+/** A vertex of a mesh that many wear, turned as its body is; samples are turned one by one. */
+function turnedVertex(
+  { kind, instances }: MotionSources,
+  vertex: VertexInput,
+  texel: (k: number) => Vec4,
+): VertexInput {
+  if (!instances || (kind !== 'static' && kind !== 'uniform')) return vertex;
+  const orientation = texel(4);
+  return {
+    ...vertex,
+    offset: rotated(orientation, vertex.offset),
+    get normal() {
+      return rotated(orientation, vertex.normal);
+    },
+  };
+}
+
+/** By a unit quaternion. */
+function rotated(q: Vec4, v: Vec3): Vec3 {
+  const t = cross(q.xyz, v).mul(2).toVar();
+  return v.add(t.mul(q.w)).add(cross(q.xyz, t)).toVar();
 }
 
 function place(dx: Vec3, how: Projection['place'], { u, gamma }: Uniforms): Vec3 {

@@ -1,9 +1,10 @@
 import { add, distance, scale, type Vec3 } from '../math/vec3.ts';
 import { emissionTime, type ObserverEvent } from '../physics/lightCone.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
+import { Extremes } from './extremes.ts';
 import { vertexPositions } from './motion.ts';
 import { pointAt } from './polygons.ts';
-import type { Scene, SceneObject } from './types.ts';
+import type { Mesh, Scene, SceneObject } from './types.ts';
 
 export interface Box {
   readonly min: Vec3;
@@ -40,6 +41,20 @@ export function boundingSphere(points: ArrayLike<number>): Sphere {
   return { center, radius };
 }
 
+/** By their positions: objects that share a mesh, or wear it in other materials, share these. */
+const SPHERES = new WeakMap<Float32Array, Sphere>();
+const EXTREMES = new WeakMap<Float32Array, Extremes>();
+
+/** The origin, and the tips of the axes. */
+const AXES = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+
+/** `boundingSphere` of a mesh, found once. */
+export function sphereOfMesh({ positions }: Pick<Mesh, 'positions'>): Sphere {
+  const sphere = SPHERES.get(positions) ?? boundingSphere(positions);
+  SPHERES.set(positions, sphere);
+  return sphere;
+}
+
 /** Half the diagonal of the box of spheres [m]; 1 m of none. */
 export function halfDiagonal(spheres: readonly Sphere[]): number {
   const box = boundingBox(
@@ -60,8 +75,21 @@ export function sceneBounds(scene: Scene, t: number, c: number): Box | undefined
 }
 
 /** The box of an object at world time t [s]. */
-export const objectBounds = (object: SceneObject, t: number, c: number): Box | undefined =>
-  boundingBox(vertexPositions(object, t, c));
+export function objectBounds(object: SceneObject, t: number, c: number): Box | undefined {
+  const { positions } = object.mesh;
+  const { kind } = object.motion;
+  const isAffine = kind === 'static' || kind === 'uniform' || kind === 'sampled';
+  if (!isAffine || positions.length === 0 || !Number.isFinite(sphereOfMesh(object.mesh).radius))
+    return boundingBox(vertexPositions(object, t, c));
+  // The object's axes are taken to the world as its points are.
+  const placed = vertexPositions({ ...object, mesh: { ...object.mesh, positions: AXES } }, t, c);
+  const [o, x, y, z] = [0, 1, 2, 3].map((i) => pointAt(placed, i));
+  const extremes = EXTREMES.get(positions) ?? new Extremes(positions);
+  EXTREMES.set(positions, extremes);
+  const reach = (k: number, sign: number): number =>
+    o[k] + sign * extremes.reach([sign * (x[k] - o[k]), sign * (y[k] - o[k]), sign * (z[k] - o[k])]);
+  return { min: [reach(0, -1), reach(1, -1), reach(2, -1)], max: [reach(0, 1), reach(1, 1), reach(2, 1)] };
+}
 
 /**
  * World times [s] between which lies the emission of every point that stays within `radius` [m] of `center`, in the world

@@ -2,7 +2,7 @@ import { transform } from '../math/mat3.ts';
 import { conjugate, multiply, rotationAngle, toMatrix } from '../math/quat.ts';
 import { add, length, sub, type Vec3 } from '../math/vec3.ts';
 import { velocityAt } from '../physics/worldLine.ts';
-import { boundingSphere, type Sphere } from './bounds.ts';
+import { type Sphere, sphereOfMesh } from './bounds.ts';
 import { samplePose, vertexWorldLine } from './motion.ts';
 import { restToWorld } from './resample.ts';
 import type { SampledMotion, SampledPointsMotion, SceneObject } from './types.ts';
@@ -66,8 +66,9 @@ function fastestContracted(object: SceneObject, motion: SampledMotion, c: number
   return fastest(restToWorld(object, c), c, [0, 0], atLeast);
 }
 
-function fastestRigid({ mesh: { positions } }: SceneObject, motion: SampledMotion, atLeast: number): FastestPoint {
-  const sphere = boundingSphere(positions);
+function fastestRigid({ mesh }: SceneObject, motion: SampledMotion, atLeast: number): FastestPoint {
+  const { positions } = mesh;
+  const sphere = sphereOfMesh(mesh);
   let best: FastestPoint = { ...REST, speed: atLeast };
   for (let k = 0; k + 1 < motion.times.length; k++) {
     const piece = rigidPiece(motion, k);

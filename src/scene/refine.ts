@@ -118,6 +118,8 @@ function chordError(a: ArrayLike<number>, b: ArrayLike<number>, seen: ArrayLike<
  */
 export class RefinementBudget {
   #left: number;
+  /** Greatest distance from a chord that was left so far [m]; undefined before the first motion. */
+  error: number | undefined;
   constructor(evaluations: number) {
     this.#left = evaluations;
   }
@@ -132,6 +134,7 @@ export class RefinementBudget {
     // An added time makes two pieces, each to be looked at.
     const each = 2 * how.looks.length * cost;
     const refined = refineTimes(samples, shape, { ...how, most: Math.floor(this.#left / 2 / each) });
+    this.error = Math.max(this.error ?? 0, refined.error);
     this.#left -= (refined.times.length - samples.length) * each;
     return refined;
   }

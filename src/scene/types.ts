@@ -23,6 +23,8 @@ export interface Scene {
   readonly hints: SceneHints;
   /** What the file offers to choose between; absent where it offers nothing. */
   readonly variants?: readonly VariantSet[];
+  /** Greatest distance between a path as the file means it and as it is drawn, straight between samples [m]; absent where none was resampled. */
+  readonly pathError?: number;
   readonly diagnostics: readonly Diagnostic[];
 }
 
@@ -262,6 +264,15 @@ export interface Diagnostic {
   /** File, or file and prim path. */
   readonly place: string;
   readonly message: string;
+  /** The file that was asked for, where one is not there: who has it can supply it. */
+  readonly missing?: MissingFile;
+}
+
+export interface MissingFile {
+  /** As the file writes it. */
+  readonly name: string;
+  /** Paths, in the order of the search. */
+  readonly lookedFor: readonly string[];
 }
 
 /** A clear refusal of an input: names file, place and value and says what to do. The only error type readers throw. */

@@ -10,9 +10,15 @@ import type { Diagnostic, HyperbolicMotion, Lamp, Mesh, Motion, Scene, SceneCame
  * an object with one must be left out or mended.
  */
 export function validate(scene: Scene, c: number): Diagnostic[] {
+  const meshes = new Map<Mesh, MeshFindings>();
+  const findingsOf = (mesh: Mesh): MeshFindings => {
+    const known = meshes.get(mesh) ?? { faults: meshFaults(mesh, scene), notFinite: notFiniteIn(mesh) };
+    meshes.set(mesh, known);
+    return known;
+  };
   return [
     ...duplicatePaths(scene),
-    ...scene.objects.flatMap((object) => validateObject(object, scene, c)),
+    ...scene.objects.flatMap((object) => validateObject(object, findingsOf(object.mesh), c)),
     ...scene.cameras.flatMap((camera) => validateFrame(camera, c)),
     ...scene.lights.flatMap((light) => ('motion' in light ? validateLamp(light, c) : [])),
   ];
@@ -33,67 +39,61 @@ function duplicatePaths({ objects }: Scene): Diagnostic[] {
 }
 
 /** Each later check takes what the earlier ones found in order, so the first that finds an error ends the list. */
-function validateObject(object: SceneObject, scene: Scene, c: number): Diagnostic[] {
-  const { path, mesh, motion } = object;
+function validateObject(object: SceneObject, mesh: MeshFindings, c: number): Diagnostic[] {
+  const { path, motion } = object;
   const found = [
-    ...validateMesh(mesh, scene, path),
+    ...mesh.faults.map(({ severity, code, message }) => problem(severity, code, path, message)),
     ...validateTimes(motion, path),
     ...validateLifetime(object),
     ...validateAuthoring(object),
   ];
   if (hasError(found)) return found;
-  found.push(...finiteness(object));
+  found.push(...finiteness(object, mesh));
   return hasError(found) ? found : [...found, ...validateSpeed(object, c)];
 }
 
 const hasError = (found: readonly Diagnostic[]): boolean => found.some(({ severity }) => severity === 'error');
 
-function validateMesh(mesh: Mesh, scene: Scene, path: string): Diagnostic[] {
+/** What is wrong with a mesh, whatever wears it: looked for once. */
+interface MeshFindings {
+  readonly faults: readonly Fault[];
+  /** The first vertex that is nowhere. */
+  readonly notFinite: number | undefined;
+}
+type Fault = Pick<Diagnostic, 'severity' | 'code' | 'message'>;
+
+const error = (code: string, message: string): Fault => ({ severity: 'error', code, message });
+
+function meshFaults(mesh: Mesh, scene: Scene): Fault[] {
   const vertices = mesh.positions.length / 3;
   if (mesh.indices.length === 0 || vertices === 0)
-    return [problem('warning', 'mesh.empty', path, 'has no triangle; nothing of it is drawn')];
+    return [{ severity: 'warning', code: 'mesh.empty', message: 'has no triangle; nothing of it is drawn' }];
   const beyond = mesh.indices.find((v) => v >= vertices);
-  if (beyond !== undefined) {
-    return [problem('error', 'mesh.index', path, `a triangle names vertex ${beyond}, but there are only ${vertices}`)];
-  }
+  if (beyond !== undefined)
+    return [error('mesh.index', `a triangle names vertex ${beyond}, but there are only ${vertices}`)];
   if (mesh.normals.length !== mesh.positions.length || mesh.uvs.length !== 2 * vertices) {
-    return [
-      problem(
-        'error',
-        'mesh.length',
-        path,
-        `${vertices} vertices need as many normals and uvs, not ${mesh.normals.length / 3} and ${mesh.uvs.length / 2}`,
-      ),
-    ];
+    const message = `${vertices} vertices need as many normals and uvs, not ${mesh.normals.length / 3} and ${mesh.uvs.length / 2}`;
+    return [error('mesh.length', message)];
   }
   const foreign = mesh.groups.find(({ material }) => material >= scene.materials.length);
   if (foreign)
-    return [
-      problem(
-        'error',
-        'mesh.material',
-        path,
-        `uses material ${foreign.material}, but there are only ${scene.materials.length}`,
-      ),
-    ];
-  return degenerateTriangles(mesh, path);
+    return [error('mesh.material', `uses material ${foreign.material}, but there are only ${scene.materials.length}`)];
+  return degenerateTriangles(mesh);
+}
+
+function notFiniteIn({ positions }: Mesh): number | undefined {
+  const at = positions.findIndex((x) => !Number.isFinite(x));
+  return at < 0 ? undefined : Math.floor(at / 3);
 }
 
 /** Two corners in one place, or three in line, to f32: area under a millionth of the square of the longest side. */
-function degenerateTriangles({ positions, indices }: Mesh, path: string): Diagnostic[] {
+function degenerateTriangles({ positions, indices }: Mesh): Fault[] {
   let count = 0;
   for (let i = 0; i < indices.length; i += 3)
     if (isDegenerate(positions, indices[i], indices[i + 1], indices[i + 2])) count++;
   if (count === 0) return [];
-  const share = `${count} of ${indices.length / 3} triangles`;
-  return [
-    problem(
-      'warning',
-      'mesh.degenerate',
-      path,
-      `${share} have no area; merge double points, or leave it: they are not drawn`,
-    ),
-  ];
+  const message = `${count} of ${indices.length / 3} triangles have no area; merge double points, or leave it: they are not drawn`;
+  return [{ severity: 'warning', code: 'mesh.degenerate', message }];
 }
 
 function isDegenerate(p: Float32Array, a: number, b: number, c: number): boolean {
@@ -150,17 +150,11 @@ function validateAuthoring({ authoredIn, motion, path }: SceneObject): Diagnosti
   return [problem('info', 'motion.rest-points', path, message)];
 }
 
-function finiteness({ path, mesh, motion }: SceneObject): Diagnostic[] {
-  const at = mesh.positions.findIndex((x) => !Number.isFinite(x));
-  if (at >= 0)
-    return [
-      problem(
-        'error',
-        'mesh.not-finite',
-        path,
-        `vertex ${Math.floor(at / 3)} is at ${pointAt(mesh.positions, Math.floor(at / 3)).join(', ')}`,
-      ),
-    ];
+function finiteness({ path, mesh, motion }: SceneObject, { notFinite }: MeshFindings): Diagnostic[] {
+  if (notFinite !== undefined) {
+    const message = `vertex ${notFinite} is at ${pointAt(mesh.positions, notFinite).join(', ')}`;
+    return [problem('error', 'mesh.not-finite', path, message)];
+  }
   const bad = badMotion(motion);
   return bad === undefined ? [] : [problem('error', 'motion.not-finite', path, bad)];
 }

@@ -6,7 +6,8 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Example } from '../../src/editor/loading/examples.ts';
 import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
 import { Kit } from '../support/gltfKit.ts';
-import { colours, difference, type Guarded, Program } from './program.ts';
+import { colours, difference, Program } from './program.ts';
+import { drop, pinkShare } from './support.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -16,18 +17,6 @@ afterAll(() => program.stop());
 
 const path = (name: string) => fileURLToPath(new URL(`scenes/${name}`, import.meta.url));
 const SMALL = '?backend=webgl&scene=examples/sphere.usda';
-
-/** Drops files on the page as a file manager does. */
-async function drop(visit: Guarded, given: readonly { name: string; content: Buffer }[]): Promise<void> {
-  const files = given.map(({ name, content }) => ({ name, text: content.toString('base64') }));
-  await visit.page.evaluate((dropped) => {
-    const transfer = new DataTransfer();
-    for (const { name, text } of dropped) {
-      transfer.items.add(new File([Uint8Array.from(atob(text), (character) => character.charCodeAt(0))], name));
-    }
-    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
-  }, files);
-}
 
 describe('scenes', () => {
   it('every scene of the gallery opens, shows something, and says what to look for', async () => {
@@ -148,12 +137,3 @@ describe('scenes', () => {
     await visit.close();
   });
 });
-
-/** Of the checkers' magenta. */
-const pinkShare = (pixels: Uint8Array): number => {
-  let pink = 0;
-  for (let i = 0; i + 2 < pixels.length; i += 3) {
-    if (pixels[i]! > 1.4 * pixels[i + 1]! && pixels[i + 2]! > 1.2 * pixels[i + 1]!) pink++;
-  }
-  return (3 * pink) / pixels.length;
-};

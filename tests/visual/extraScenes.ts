@@ -172,4 +172,55 @@ function waving(path: string, mesh: Mesh): SceneObject {
   return makeObject({ path, mesh, motion: { kind: 'sampled-points', times, origin: [0, 0, -5], points } });
 }
 
-export const EXTRA_SCENES: readonly ExtraScene[] = [cube, behind, near, far, horizon, wheel, cloth];
+/**
+ * Many that wear one mesh, drawn as instances: at rest, at 0.9 c as authored in the world and in their rest frames, and turning as they go; near
+ * enough that of some only a part is cut. Each has its own orientation, and one of two materials.
+ */
+const crowd: ExtraScene = {
+  scene: makeScene({
+    name: 'crowd',
+    objects: [
+      ...wearers('Resting', 18, (place, orientation) => ({ kind: 'static', pose: { position: place, orientation } })),
+      ...wearers('World', 12, flying),
+      ...wearers('Rest', 12, flying).map((object): SceneObject => ({ ...object, authoredIn: 'rest' })),
+      ...wearers('Turning', 12, tumbling),
+      at('/Floor', plane(80, 80, 'Y'), [0, -3.5, 0]),
+    ],
+    materials: [
+      makeMaterial({ name: 'checker', baseColor: [1, 1, 1], baseColorTexture: CHECKER }),
+      makeMaterial({ name: 'red checker', baseColor: [1, 0.3, 0.2], baseColorTexture: CHECKER }),
+    ],
+    hints: { speedOfLight: C },
+  }),
+  t: 0.1,
+  eye: [0, 0.2, 0],
+  subject: [0, 0, -6],
+  extent: 6,
+  towards: [0.6, 0, -0.8],
+};
+
+function wearers(group: string, count: number, motionOf: (place: Vec3, turn: Quat) => Motion): SceneObject[] {
+  const worn = cylinder(0.45, 1.4, { axis: 'Y', segments: 48 });
+  const meshes = [0, 1].map((material) => ({ ...worn, groups: worn.groups.map((g) => ({ ...g, material })) }));
+  const row = ['Resting', 'World', 'Rest', 'Turning'].indexOf(group);
+  return Array.from({ length: count }, (_, i) => {
+    const place: Vec3 = [1.7 * ((i % 6) - 2.5) + 0.3 * row, 1.3 * row - 2, -2.2 - 2.1 * Math.floor(i / 6) - 0.5 * row];
+    const turn = fromAxisAngle(normalize([1, i % 3, (i % 5) - 2]), 0.7 * i);
+    return makeObject({ path: `/${group}${i}`, mesh: meshes[i % 2], motion: motionOf(place, turn) });
+  });
+}
+
+function flying(place: Vec3, orientation: Quat): Motion {
+  return { kind: 'uniform', pose: { position: place, orientation }, velocity: [9, 0, 0] };
+}
+
+function tumbling(place: Vec3, first: Quat): Motion {
+  const times = Float64Array.from({ length: 60 }, (_, k) => -2 + k / 15);
+  const poses = Array.from(times, (t) => {
+    const turn = multiply(fromAxisAngle([0, 0, 1], 3 * t), first);
+    return [place[0] + 2 * Math.sin(2 * t), place[1], place[2] - 2 * t, ...turn];
+  });
+  return { kind: 'sampled', times, poses: Float64Array.from(poses.flat()) };
+}
+
+export const EXTRA_SCENES: readonly ExtraScene[] = [cube, behind, near, far, horizon, wheel, cloth, crowd];

@@ -1,14 +1,17 @@
+import { entryOf } from '../../formats/entry.ts';
+import { inputError } from '../../formats/fail.ts';
 import { openScene } from '../../formats/open.ts';
 import type { FileSource } from '../../formats/source.ts';
+import { bytesFile, splitArchive, zipSource } from '../../formats/zip/source.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import { InputError } from '../../scene/types.ts';
-import type { LoaderReply, SceneFiles, Stage } from './protocol.ts';
+import type { LoaderReply, LoadRequest } from './protocol.ts';
 import { localSource, urlSource } from './sources.ts';
 import { loadedScene } from './survey.ts';
 import { transferables } from './transfer.ts';
 
 /** Reads one scene off the main thread; its arrays are handed over, not copied. */
-addEventListener('message', async ({ data }: MessageEvent<SceneFiles>) => {
+addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
   try {
     const loaded = await load(data);
     reply({ kind: 'done', loaded }, transferables(loaded));
@@ -18,16 +21,30 @@ addEventListener('message', async ({ data }: MessageEvent<SceneFiles>) => {
   }
 });
 
-async function load(request: SceneFiles): Promise<LoadedScene> {
-  const progress = (stage: Stage, part: number) => reply({ kind: 'progress', stage, part });
-  const source = sourceOf(request, (received, total) =>
-    progress(received < total ? 'fetch' : 'parse', received / total),
-  );
-  return loadedScene(await openScene(source, request.entry));
+async function load(request: LoadRequest): Promise<LoadedScene> {
+  const { source, entry } = await sceneIn(sourceOf(request), request.entry);
+  return loadedScene(await openScene(source, entry, { variants: new Map(request.variants) }));
 }
 
-function sourceOf(request: SceneFiles, report: (received: number, total: number) => void): FileSource {
-  return request.kind === 'url' ? urlSource(request.base, report) : localSource(new Map(request.files));
+/** What share of a file has come is known; of what is made of it is not. */
+const report = (received: number, total: number): void =>
+  received < total
+    ? reply({ kind: 'progress', stage: 'fetch', part: received / total })
+    : reply({ kind: 'progress', stage: 'parse', part: undefined });
+
+function sourceOf({ files, base }: LoadRequest): FileSource {
+  return localSource(new Map(files), report, base === undefined ? undefined : urlSource(base, report));
+}
+
+/** The scene itself, or the best one in an archive. */
+async function sceneIn(source: FileSource, path: string): Promise<{ source: FileSource; entry: string }> {
+  const zip = splitArchive(path);
+  const bytes = zip && (await source.read(zip.archive));
+  if (!zip || !bytes) return { source, entry: path };
+  const inside = await zipSource(bytesFile(bytes), zip.archive, source);
+  const entry = zip.inner === undefined ? entryOf(await inside.list()) : `${zip.archive}/${zip.inner}`;
+  if (entry === undefined) throw inputError('zip.no-scene', zip.archive, 'none of its files is a scene');
+  return { source: inside, entry };
 }
 
 const reply = (message: LoaderReply, transfer: ArrayBuffer[] = []): void => postMessage(message, { transfer });

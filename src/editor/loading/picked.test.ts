@@ -1,19 +1,5 @@
-import { expect, it, vi } from 'vitest';
-import { droppedFiles, entryOf, pickedFiles } from './picked.ts';
-
-vi.mock('../../formats/registry.ts', () => {
-  const sceneFormats = ['usda', 'glb', 'obj'].map((id) => ({ id }));
-  return { sceneFormats, formatOf: (path: string) => sceneFormats.find(({ id }) => path.endsWith(`.${id}`)) };
-});
-
-it('takes the least deep scene, or the only file', () => {
-  expect(entryOf(['a/parts/wheel.usda', 'a/car.usda', 'a/bus.usda', 'a/readme.txt'])).toBe('a/bus.usda');
-  expect(entryOf(['a/body.obj', 'a/car.usda'])).toBe('a/car.usda');
-  expect(entryOf(['a/body.obj', 'a/b/car.usda'])).toBe('a/body.obj');
-  expect(entryOf(['odd.xyz'])).toBe('odd.xyz');
-  expect(entryOf(['a.txt', 'b.png'])).toBeUndefined();
-  expect(entryOf([])).toBeUndefined();
-});
+import { expect, it } from 'vitest';
+import { droppedFiles, pickedFiles } from './picked.ts';
 
 it('keeps the folders of a chosen folder', () => {
   const file = new File(['x'], 'a.usda');

@@ -1,5 +1,3 @@
-import { formatOf, sceneFormats } from '../../formats/registry.ts';
-
 /** Files by their paths within what was chosen. */
 export type PickedFiles = ReadonlyMap<string, File>;
 
@@ -37,16 +35,3 @@ const isFile = (entry: FileSystemEntry): entry is FileSystemFileEntry => entry.i
 const isDirectory = (entry: FileSystemEntry): entry is FileSystemDirectoryEntry => entry.isDirectory;
 const portion = (reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> =>
   new Promise((resolve, reject) => reader.readEntries(resolve, reject));
-
-/**
- * Which of the files is the scene: one of a kind that can be read, the least deep, then of the kind that comes first in the
- * registry (a scene rather than a mesh that it may use), then the first by name. A single file is taken whatever it is, so
- * that its reader can say what is wrong.
- */
-export function entryOf(paths: readonly string[]): string | undefined {
-  if (paths.length === 1) return paths[0];
-  const depth = (path: string) => path.split('/').length;
-  const kind = (path: string) => sceneFormats.indexOf(formatOf(path)!);
-  const scenes = paths.filter(formatOf);
-  return scenes.sort((a, b) => depth(a) - depth(b) || kind(a) - kind(b) || (a < b ? -1 : 1))[0];
-}

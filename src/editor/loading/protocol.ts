@@ -1,21 +1,26 @@
 import type { LoadedScene } from '../../nodes/services.ts';
 import type { Diagnostic } from '../../scene/types.ts';
+import type { HeldFile } from './held.ts';
 
 /** Where the worker finds a scene's files. */
-export type SceneFiles =
-  /** On the page's own server; `base` ends with '/'. */
-  | { readonly kind: 'url'; readonly base: string; readonly entry: string }
-  /** Chosen or dropped by the person. */
-  | {
-      readonly kind: 'local';
-      readonly files: readonly (readonly [path: string, file: File])[];
-      readonly entry: string;
-    };
+export interface SceneFiles {
+  /** Chosen or dropped by the person: looked at first. */
+  readonly files: readonly (readonly [path: string, file: HeldFile])[];
+  /** Folder on the page's own server, ending with '/'; absent where the person gave all files. */
+  readonly base?: string;
+  readonly entry: string;
+}
+
+export interface LoadRequest extends SceneFiles {
+  /** `set`, `option`. */
+  readonly variants: readonly (readonly [string, string])[];
+}
 
 export type Stage = 'fetch' | 'parse';
 
 export type LoaderReply =
-  | { readonly kind: 'progress'; readonly part: number; readonly stage: Stage }
+  /** `part` 0 … 1; undefined where it cannot be known. */
+  | { readonly kind: 'progress'; readonly part: number | undefined; readonly stage: Stage }
   | { readonly kind: 'done'; readonly loaded: LoadedScene }
   /** `diagnostic` where the reader refused the file; else something unforeseen. */
   | { readonly kind: 'failed'; readonly message: string; readonly diagnostic?: Diagnostic };

@@ -10,7 +10,7 @@ describe('files that a person chose', () => {
     ['a/same.png', new Blob(['1'])],
     ['b/same.png', new Blob(['2'])],
   ]);
-  const source = localSource(files);
+  const source = localSource(files, () => {});
 
   it('are found by path, and by name where a folder was flattened', async () => {
     expect(await text(source.read('./set/scene.usda'))).toBe('scene');

@@ -1,4 +1,6 @@
+import { nearestPath } from '../../formats/find.ts';
 import { type FileSource, normalizePath } from '../../formats/source.ts';
+import { type HeldFile, readHeld } from './held.ts';
 
 type Report = (received: number, total: number) => void;
 
@@ -50,21 +52,19 @@ async function* streamOf(response: Response): AsyncGenerator<Uint8Array> {
 }
 
 /**
- * Files that a person chose, by their paths. A reference that does not lead to a chosen file finds the one that ends with it
- * (`../textures/a.png` in a flat selection → `a.png`), where that is only one.
+ * Files that a person chose, by their paths, before those of `others`. A reference that leads to none finds the one that it
+ * most likely means.
  */
-export function localSource(files: ReadonlyMap<string, Blob>): FileSource {
+export function localSource(files: ReadonlyMap<string, HeldFile>, report: Report, others?: FileSource): FileSource {
+  const byPath = new Map([...files].map(([path, file]) => [normalizePath(path), file]));
   return {
     read: async (path) => {
-      const file = files.get(normalizePath(path)) ?? bySuffix(files, normalizePath(path));
-      return file && new Uint8Array(await file.arrayBuffer());
+      const wanted = normalizePath(path);
+      const exact = byPath.get(wanted);
+      const other = exact ? undefined : await others?.read(path);
+      const file = exact ?? (other ? undefined : byPath.get(nearestPath(byPath.keys(), wanted) ?? ''));
+      return file ? readHeld(file, report) : other;
     },
-    list: async () => [...files.keys()],
+    list: async () => [...byPath.keys()],
   };
-}
-
-function bySuffix(files: ReadonlyMap<string, Blob>, path: string): Blob | undefined {
-  const name = path.slice(path.lastIndexOf('/') + 1);
-  const same = [...files.keys()].filter((key) => key === name || key.endsWith(`/${name}`));
-  return same.length === 1 ? files.get(same[0]!) : undefined;
 }

@@ -8,3 +8,13 @@ it('finds every buffer once, however deep', () => {
   value.loop = value;
   expect(transferables(value)).toEqual([shared.buffer, other.buffer]);
 });
+
+it('what objects share is sent once and shared on the other side', () => {
+  const mesh = { positions: new Float32Array(6), indices: new Uint32Array(3) };
+  const scene = { objects: Array.from({ length: 1000 }, (_, i) => ({ path: `/${i}`, mesh })) };
+  const buffers = transferables(scene);
+  expect(buffers).toHaveLength(2);
+  const { objects } = structuredClone(scene, { transfer: buffers });
+  expect(new Set(objects.map((object) => object.mesh)).size).toBe(1);
+  expect(objects[999].mesh.positions).toHaveLength(6);
+});

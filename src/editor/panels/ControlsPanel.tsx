@@ -81,8 +81,9 @@ function sectionsOf(document: GraphDocument): Section[] {
     .sort((a, b) => place(a.type) - place(b.type));
 }
 
+/** What is in the scene and how it moves is the Scene panel's. */
 const isShown = (type: NodeType): boolean =>
-  Object.values(type.params).some((spec) => spec.kind !== 'text' || spec.choices);
+  type.category !== 'geometry' && Object.values(type.params).some((spec) => spec.kind !== 'text' || spec.choices);
 
 /** What holds while the person has set nothing: the picture tells what the scene suggested. */
 function suggestion(spec: ParamSpec, picture: Picture | undefined): ParamValue {

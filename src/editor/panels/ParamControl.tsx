@@ -13,9 +13,10 @@ import {
 import { IconRestore } from '@tabler/icons-react';
 import { type ReactNode, useId, useState } from 'react';
 import type { ParamValue } from '../../graph/document.ts';
-import type { ChoiceParam, NumberParam, ParamSpec, TextParam } from '../../graph/nodeType.ts';
+import type { ChoiceParam, NumberParam, ParamSpec, TextParam, VectorParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { positionOf, valueAt } from './scales.ts';
+import { VectorControl } from './VectorControl.tsx';
 
 export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
   readonly spec: Spec;
@@ -42,8 +43,17 @@ export function ParamControl(props: ParamProps): ReactNode {
       return <ChoiceControl {...props} spec={spec} />;
     case 'text':
       return spec.choices ? <TextChoiceControl {...props} spec={spec} /> : null;
+    case 'vector':
+      return (
+        <VectorControl spec={spec} value={vectorOf(spec, props.value)} onChange={(value) => props.onChange(value)} />
+      );
+    case 'list':
+      return null;
   }
 }
+
+const vectorOf = (spec: VectorParam, value: ParamValue): VectorParam['default'] =>
+  Array.isArray(value) ? [Number(value[0]), Number(value[1]), Number(value[2])] : spec.default;
 
 function Label({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
   const { any } = useTexts();
@@ -93,18 +103,20 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
           <NumberField {...{ spec, number, onChange }} label={any(spec.title)} precision={precision} />
         </Group>
       </Group>
-      <Slider
-        size="xs"
-        min={0}
-        max={1}
-        step={spec.integer ? 1 / (spec.max - spec.min) : 0.002}
-        label={null}
-        value={positionOf(spec, number)}
-        onChange={(position) => onChange(valueAt(spec, position), `slider ${id}`)}
-        onChangeEnd={onGestureEnd}
-        thumbLabel={any(spec.title)}
-        thumbValueText={`${number} ${spec.unit ?? ''}`.trim()}
-      />
+      {spec.slider !== false && (
+        <Slider
+          size="xs"
+          min={0}
+          max={1}
+          step={spec.integer ? 1 / (spec.max - spec.min) : 0.002}
+          label={null}
+          value={positionOf(spec, number)}
+          onChange={(position) => onChange(valueAt(spec, position), `slider ${id}`)}
+          onChangeEnd={onGestureEnd}
+          thumbLabel={any(spec.title)}
+          thumbValueText={`${number} ${spec.unit ?? ''}`.trim()}
+        />
+      )}
     </Stack>
   );
 }

@@ -5,7 +5,7 @@ import { createPortal } from 'react-dom';
 import { useTexts } from '../i18n/i18n.ts';
 import type { MessageKey } from '../i18n/messages.ts';
 import { ControlsPanel } from '../panels/ControlsPanel.tsx';
-import { ScenePanel } from '../panels/ScenePanel.tsx';
+import { ScenePanel } from '../panels/scene/ScenePanel.tsx';
 import { useStudioState } from '../state/context.tsx';
 import { Viewport } from '../viewport/Viewport.tsx';
 

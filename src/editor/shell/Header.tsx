@@ -46,6 +46,7 @@ export function Header(): ReactNode {
         size="compact-sm"
         variant="default"
         leftSection={<IconLayoutGrid size={15} />}
+        aria-label={t('header.scenes')}
         onClick={() => studio.change({ dialog: 'gallery' })}
       >
         {t('header.scenes')}
@@ -107,6 +108,7 @@ function OpenMenu(): ReactNode {
             size="compact-sm"
             variant="default"
             leftSection={<IconFolderOpen size={15} />}
+            aria-label={t('header.open')}
             rightSection={<IconChevronDown size={13} />}
           >
             {t('header.open')}

@@ -1,19 +1,41 @@
 import { useCallback } from 'react';
+import { entryOf } from '../../formats/entry.ts';
+import { supplyCommand } from '../../nodes/project.ts';
+import { InputError } from '../../scene/types.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { entryOf, type PickedFiles } from '../loading/picked.ts';
+import { type HeldFiles, withArchives } from '../loading/held.ts';
+import type { PickedFiles } from '../loading/picked.ts';
+import { completes, missingPaths } from '../loading/purpose.ts';
 import { useServices } from '../services.tsx';
 import { useStudio } from '../state/context.tsx';
+import { sourceOf } from '../state/studio.ts';
 
-/** Opens the scene among files that a person chose or dropped. */
+/**
+ * Takes files that a person chose or dropped: those that the open scene lacks are added to it, and so are files among which
+ * there is no scene; else the best scene among them is opened.
+ */
 export function useOpenFiles(): (files: PickedFiles) => void {
   const studio = useStudio();
   const { localFiles } = useServices();
   const { t } = useTexts();
   return useCallback(
-    (files: PickedFiles) => {
-      const entry = entryOf([...files.keys()]);
-      if (entry) studio.open(localFiles.add(files, entry));
-      else if (files.size > 0) studio.notify({ kind: 'error', text: t('notice.noScene') });
+    (picked: PickedFiles) => {
+      const take = (files: HeldFiles): void => {
+        const { picture, history, openSource } = studio.store.getState();
+        const source = sourceOf(history.document);
+        const paths = [...files.keys()];
+        const missing = missingPaths(picture?.scene.diagnostics ?? []);
+        const entry = entryOf(paths);
+        if (completes(paths, missing, source !== '' && source !== openSource))
+          studio.edit(supplyCommand(localFiles.supply(source, files)), 'edit.supply');
+        else if (entry) studio.open(localFiles.add(files, entry));
+        else if (files.size > 0) studio.notify({ kind: 'error', text: t('notice.noScene') });
+      };
+      void withArchives(picked).then(take, (error: unknown) => {
+        const place = error instanceof InputError ? error.diagnostic.place : undefined;
+        const text = error instanceof InputError ? error.diagnostic.message : String(error);
+        studio.notify({ kind: 'error', text, ...(place !== undefined && { place }) });
+      });
     },
     [studio, localFiles, t],
   );

@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Command } from '../../graph/commands.ts';
-import type { GraphDocument, ParamValue } from '../../graph/document.ts';
+import type { GraphDocument, GraphNode, ParamValue } from '../../graph/document.ts';
 import { CancelledError, type Evaluation, Evaluator } from '../../graph/evaluate.ts';
 import { endGesture, execute, type History, newHistory, redo, undo } from '../../graph/history.ts';
 import type { Problem } from '../../graph/nodeType.ts';
@@ -14,8 +14,8 @@ import type { Lock } from '../flight/flight.ts';
 
 export interface Loading {
   readonly source: string;
-  /** 0 … 1 */
-  readonly part: number;
+  /** 0 … 1; undefined where it cannot be known. */
+  readonly part: number | undefined;
   readonly stage: 'fetch' | 'parse';
 }
 
@@ -38,6 +38,8 @@ export interface StudioState {
   readonly picture?: Picture;
   /** The file that `picture` was made of. */
   readonly openSource: string;
+  /** How it was read: the parameters of the node that did. */
+  readonly openRead?: GraphNode['params'];
   readonly loading?: Loading;
   readonly notices: readonly Notice[];
   readonly graphics: Graphics;
@@ -101,19 +103,31 @@ export function createStudio({ services, source, playing }: StudioOptions): Stud
     endGesture: () => go(endGesture),
     undo: () => go(undo),
     redo: () => go(redo),
-    open: (file) => edit(openCommand(file), 'edit.open'),
+    open: (file) => edit(openCommand(store.getState().history.document, file), 'edit.open'),
     cancelLoading: () => {
       evaluation.cancel();
-      const { history, openSource } = store.getState();
-      if (!openSource || sourceOf(history.document) === openSource) return;
-      if (history.past.at(-1)?.label === 'edit.open') go(undo);
-      else edit({ kind: 'set-param', node: 'read', param: 'source', value: openSource }, 'edit.open');
+      const { history, openRead } = store.getState();
+      if (!openRead || isSame(readOf(history.document), openRead)) return;
+      if (isSame(readOf(undo(history).document), openRead)) go(undo);
+      else edit(readAgain(history.document, openRead), 'edit.open');
     },
     notify: (notice) => addNotice(store, { ...notice, ofDocument: false }),
     dismiss: (id) => store.setState(({ notices }) => ({ notices: notices.filter((notice) => notice.id !== id) })),
     change: (change) => store.setState(change),
   };
 }
+
+const readOf = (document: GraphDocument): GraphNode['params'] => document.nodes.read?.params ?? {};
+const isSame = (a: GraphNode['params'], b: GraphNode['params']): boolean => JSON.stringify(a) === JSON.stringify(b);
+
+/** Sets the reading node to what it was. */
+const readAgain = (document: GraphDocument, before: GraphNode['params']): Command => ({
+  kind: 'batch',
+  commands: [...new Set([...Object.keys(readOf(document)), ...Object.keys(before)])].map((param) => {
+    const value = before[param];
+    return { kind: 'set-param', node: 'read', param, ...(value === undefined ? {} : { value }) };
+  }),
+});
 
 export const sourceOf = (document: GraphDocument): string => String(document.nodes.read?.params.source ?? '');
 
@@ -127,16 +141,17 @@ function evaluating(store: StoreApi<StudioState>, services: Services) {
   const update = async (): Promise<void> => {
     const { document } = store.getState().history;
     const source = sourceOf(document);
-    if (source !== reading) abort.abort();
+    const request = JSON.stringify(readOf(document));
+    if (request !== reading) abort.abort();
     if (abort.signal.aborted) abort = new AbortController();
-    reading = source;
+    reading = request;
     const turn = ++latest;
-    const progress = (_node: string, part: number, stage?: string) => {
+    const progress = (_node: string, part: number | undefined, stage?: string) => {
       if (turn === latest) store.setState({ loading: { source, part, stage: stage === 'fetch' ? 'fetch' : 'parse' } });
     };
     try {
       const result = await evaluator.evaluate(document, 'output', services, { signal: abort.signal, progress });
-      if (turn === latest) settle(store, source, result);
+      if (turn === latest) settle(store, document, result);
     } catch (error) {
       if (!(error instanceof CancelledError)) throw error;
       if (turn === latest) store.setState({ loading: undefined });
@@ -145,7 +160,7 @@ function evaluating(store: StoreApi<StudioState>, services: Services) {
   return { update: () => void update(), cancel: () => abort.abort() };
 }
 
-function settle(store: StoreApi<StudioState>, source: string, evaluation: Evaluation): void {
+function settle(store: StoreApi<StudioState>, document: GraphDocument, evaluation: Evaluation): void {
   const picture = pictureOf(evaluation);
   const problems = [...evaluation.results.values()].flatMap((result) =>
     result.status === 'failed' ? [result.problem] : [],
@@ -153,7 +168,7 @@ function settle(store: StoreApi<StudioState>, source: string, evaluation: Evalua
   store.setState(({ notices }) => ({
     loading: undefined,
     notices: notices.filter((notice) => !notice.ofDocument),
-    ...(picture ? { picture, openSource: source } : {}),
+    ...(picture ? { picture, openSource: sourceOf(document), openRead: readOf(document) } : {}),
   }));
   for (const { message, place, remedy } of problems) {
     addNotice(store, { kind: 'error', text: message, place, remedy, ofDocument: true });

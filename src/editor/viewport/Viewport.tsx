@@ -83,17 +83,21 @@ function Busy(): ReactNode {
   const loading = useStudioState((state) => state.loading);
   const graphics = useStudioState((state) => state.graphics);
   if (loading) {
-    const percent = Math.round(loading.part * 100);
-    const step = t(`loading.${loading.stage}`);
+    const { part, stage } = loading;
+    const step = t(`loading.${stage}`);
     return (
       <Stack className="sl-busy" gap={8} role="status">
         <Text size="sm" fw={600}>
           {t('viewport.loading', { name: sceneName(loading.source) })}
         </Text>
-        <Progress value={percent} size="sm" animated={loading.stage === 'parse'} aria-label={step} />
+        {part === undefined ? (
+          <div className="sl-working" role="progressbar" aria-label={step} />
+        ) : (
+          <Progress value={Math.round(100 * part)} size="sm" aria-label={step} transitionDuration={0} />
+        )}
         <Group justify="space-between">
           <Text size="xs" c="dimmed">
-            {step}
+            {part === undefined ? step : `${step}, ${Math.round(100 * part)} %`}
           </Text>
           <Button size="compact-xs" variant="default" onClick={studio.cancelLoading}>
             {t('viewport.cancel')}

@@ -4,6 +4,7 @@ import type { Picture } from '../../nodes/define.ts';
 import type { ObserverState } from '../../physics/observer.ts';
 import type { ViewPoint } from '../../scene/view.ts';
 import { LOCKS, look, stepFlight, wrapTime } from '../flight/flight.ts';
+import { sceneKey } from '../loading/sceneLoader.ts';
 import type { Studio } from '../state/studio.ts';
 import { cameraOf, ridingObserver, startingObserver, upOf, viewPointOf } from '../state/viewpoint.ts';
 import { Inputs } from './inputs.ts';
@@ -13,7 +14,8 @@ export class Pilot {
   readonly inputs = new Inputs();
   readonly #studio: Studio;
   #picture: Picture | undefined;
-  #source = '';
+  /** By its key. */
+  #scene = '';
   #observer: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
 
   constructor(studio: Studio) {
@@ -34,8 +36,8 @@ export class Pilot {
   show(picture: Picture, source: string): void {
     const before = this.#picture?.camera;
     this.#picture = picture;
-    if (source !== this.#source) {
-      this.#source = source;
+    if (sceneKey(source) !== this.#scene) {
+      this.#scene = sceneKey(source);
       this.restart();
     } else if (before !== picture.camera) {
       const { position, orientation } = ridingObserver(cameraOf(picture), this.#observer, picture.speedOfLight);

@@ -53,6 +53,11 @@ export class Baker {
     this.#left = budget;
   }
 
+  /** Greatest distance of a baked path from the file's own [m]; undefined where nothing was baked. */
+  get pathError(): number | undefined {
+    return this.#motionBudget.error;
+  }
+
   /** A mesh that only its node moves: rigid where that is a rotation and a translation, else deforming. */
   bakeAffine(frame: Frame, geometry: Geometry, deformer: Deformer): Baked {
     const { placementAt } = frame;

@@ -10,6 +10,7 @@ import {
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
 import { formatBytes, messageOf } from '../fail.ts';
+import { missingTexture } from '../missing.ts';
 import type { Notes } from '../notes.ts';
 import { type FileSource, resolvePath } from '../source.ts';
 import { checkGltf } from './check.ts';
@@ -125,10 +126,22 @@ async function loadResources(source: FileSource, entry: string, json: GLTF.IGLTF
   for (const [i, image] of (json.images ?? []).entries()) {
     const { uri } = image;
     if (await load(image, `image ${i}`)) continue;
-    const message = `there is no file ${uri}, looked for as ${resolvePath(entry, uri ?? '')}; shown without it`;
-    notes.add('warning', 'missing-texture', `image ${i}`, message);
+    const { code, message, missing } = missingTexture(uri ?? '', [resolvePath(entry, unescaped(uri ?? ''))]);
+    notes.add('warning', code, usersOf(json, i), message, { missing });
   }
   return resources;
+}
+
+/** `image 3, material Wood`: an image with the materials that show it. */
+function usersOf(json: GLTF.IGLTF, image: number): string {
+  const shows = (texture: GLTF.ITextureInfo | undefined) =>
+    texture !== undefined && json.textures?.[texture.index]?.source === image;
+  const users = (json.materials ?? []).flatMap((material, i) => {
+    const { baseColorTexture, metallicRoughnessTexture } = material.pbrMetallicRoughness ?? {};
+    const all = [baseColorTexture, metallicRoughnessTexture, material.emissiveTexture, material.normalTexture];
+    return all.some(shows) || shows(material.occlusionTexture) ? [`material ${material.name ?? i}`] : [];
+  });
+  return [`image ${image}`, ...users.slice(0, 3), ...(users.length > 3 ? ['…'] : [])].join(', ');
 }
 
 async function loadUri(

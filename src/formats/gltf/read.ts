@@ -13,6 +13,7 @@ import {
   type SphereLight,
 } from '../../scene/types.ts';
 import { messageOf } from '../fail.ts';
+import { MAX_OBJECTS } from '../limits.ts';
 import { Notes } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
 import { type FileSource, stemOf } from '../source.ts';
@@ -28,7 +29,7 @@ import { variantSet } from './variants.ts';
 
 /** Radius that stands for the point lights of glTF, which have none [m]. */
 const POINT_LIGHT_RADIUS = 0.05;
-/** Most vertices of a scene: glTF may show one mesh many times, a scene has each as an object of its own. */
+/** Most vertices of a scene: of a mesh that is shown many times in one size, once. */
 const MAX_VERTICES = 2 ** 26;
 
 /**
@@ -66,18 +67,39 @@ function buildScene(context: GltfContext): Scene {
     materials: builder.library.materials,
     lights: builder.lights,
     cameras: builder.cameras,
-    ...(context.variants && { variants: [context.variants] }),
+    ...offered(context, animation),
+    ...(builder.pathError !== undefined && { pathError: builder.pathError }),
     diagnostics: context.notes.list(),
   });
 }
 
-function chooseAnimation({ document, entry, notes, options }: GltfContext): Animation | undefined {
+/** The set of a file's animations, which is chosen from as variants are. */
+const ANIMATION_SET = 'animation';
+
+const animationNames = ({ document }: GltfContext): string[] =>
+  document
+    .getRoot()
+    .listAnimations()
+    .map((a, i) => a.getName() || `animation ${i}`);
+
+/** What the file offers to choose: variants of its materials, and animations where there are several. */
+function offered(context: GltfContext, shown: Animation | undefined): Pick<Scene, 'variants'> {
+  const names = animationNames(context);
+  const place = shown ? context.document.getRoot().listAnimations().indexOf(shown) : 0;
+  const animations = { set: ANIMATION_SET, options: [...new Set(names)], chosen: names[place] ?? '' };
+  const sets = [...(context.variants ? [context.variants] : []), ...(names.length > 1 ? [animations] : [])];
+  return sets.length > 0 ? { variants: sets } : {};
+}
+
+function chooseAnimation(context: GltfContext): Animation | undefined {
+  const { document, entry, notes, options } = context;
   const all = document.getRoot().listAnimations();
-  const names = all.map((a, i) => a.getName() || `animation ${i}`);
-  const place = typeof options.animation === 'string' ? names.indexOf(options.animation) : (options.animation ?? 0);
-  if (options.animation !== undefined && !all[place]) {
+  const names = animationNames(context);
+  const asked = options.animation ?? options.variants?.get(ANIMATION_SET);
+  const place = typeof asked === 'string' ? names.indexOf(asked) : (asked ?? 0);
+  if (asked !== undefined && !all[place]) {
     const known = names.length > 0 ? `there are ${names.join(', ')}` : 'there is none';
-    throw gltfError(entry, 'no-animation', '', `no animation ${options.animation}; ${known}`);
+    throw gltfError(entry, 'no-animation', '', `no animation ${asked}; ${known}`);
   }
   if (all.length > 1) {
     notes.add('info', 'animations', '', `${all.length} animations (${names.join(', ')}); ${names[place]} is shown`);
@@ -95,12 +117,17 @@ class SceneBuilder {
   readonly #tree: NodeTree;
   readonly #baker: Baker;
   readonly #geometries = new Map<GltfMesh, Geometry | undefined>();
+  readonly #counted = new Set<Float32Array>();
   #vertices = 0;
   constructor(context: GltfContext, tree: NodeTree) {
     this.#context = context;
     this.#tree = tree;
     this.#baker = new Baker(context);
     this.library = new MaterialLibrary(context);
+  }
+
+  get pathError(): number | undefined {
+    return this.#baker.pathError;
   }
 
   add(node: GltfNode): void {
@@ -150,17 +177,21 @@ class SceneBuilder {
   }
 
   #addObject(node: GltfNode, geometry: Geometry, frame: Frame, path: string): void {
-    this.#vertices += geometry.mesh.positions.length / 3;
-    if (this.#vertices > MAX_VERTICES) {
-      const message = `more than ${MAX_VERTICES} vertices with all copies of its meshes; export fewer`;
-      throw gltfError(this.#context.entry, 'too-large', frame.path, message);
-    }
+    this.#bound(frame, this.objects.length < MAX_OBJECTS, `${MAX_OBJECTS} objects with all copies of its meshes`);
     const deformer = makeDeformer(this.#context, this.#tree, node, frame, geometry);
     const bends = geometry.morphs.length > 0 || (geometry.skin && node.getSkin());
     const baked = bends
       ? this.#baker.bakePoints(frame, geometry, deformer)
       : this.#baker.bakeAffine(frame, geometry, deformer);
+    const { positions } = baked.mesh;
+    if (!this.#counted.has(positions)) this.#vertices += positions.length / 3;
+    this.#counted.add(positions);
+    this.#bound(frame, this.#vertices <= MAX_VERTICES, `${MAX_VERTICES} vertices with all sizes of its meshes`);
     this.objects.push(makeObject({ path, ...baked }));
+  }
+
+  #bound({ path }: Frame, isKept: boolean, most: string): void {
+    if (!isKept) throw gltfError(this.#context.entry, 'too-large', path, `more than ${most}; export fewer`);
   }
 
   #addCamera(node: GltfNode): void {

@@ -56,7 +56,8 @@ export class MaterialLibrary {
     for (const name of names) {
       const { entry, notes } = this.#context;
       const message = `the materials ${name} are not there (looked for ${resolvePath(entry, name)}); put them beside it, or open the folder that holds both`;
-      notes.add('warning', 'missing-materials', `line ${line}`, message);
+      const missing = { name, lookedFor: [resolvePath(entry, name)] };
+      notes.add('warning', 'file.missing-materials', `line ${line}`, message, { missing });
     }
   }
 
@@ -104,7 +105,8 @@ function readMtl(bytes: Uint8Array, file: string, { notes }: ObjContext): MtlMat
         notes.add('warning', 'color', `${file}: line ${line}`, `${keyword} ${words[0]} is not read`);
       else numbers.set(keyword, colorOf(file, statement));
     } else if (SCALARS.includes(keyword)) numbers.set(keyword, [scalarOf(file, statement)]);
-    else if (SHOWN_PICTURES.includes(keyword)) pictures.set(keyword, pictureRef(file, statement));
+    else if (SHOWN_PICTURES.includes(keyword))
+      pictures.set(keyword, pictureRef(file, out.at(-1)?.name ?? '', statement));
     else if (LEFT_OUT.test(keyword)) {
       notes.add('info', 'ignored', `material ${out.at(-1)?.name ?? ''}`, `${keyword} of it is left out`);
     }

@@ -1,5 +1,6 @@
 import { InputError, type Texture } from '../../scene/types.ts';
 import { type DecodedImage, decodeImage } from '../images.ts';
+import { missingTexture } from '../missing.ts';
 import { resolvePath } from '../source.ts';
 import type { ObjContext, Statement } from './context.ts';
 import { numberOf } from './context.ts';
@@ -10,6 +11,7 @@ export interface PictureRef {
   /** The .mtl that names it. */
   readonly file: string;
   readonly line: number;
+  readonly material: string;
   readonly name: string;
   readonly clamp: boolean;
   readonly uvs?: UvPlacement;
@@ -33,7 +35,7 @@ const OPTIONS: ReadonlyMap<string, number> = new Map([
 ]);
 
 /** `map_Kd -s 2 2 1 -clamp on bark brown.png` */
-export function pictureRef(file: string, { line, words }: Statement): PictureRef {
+export function pictureRef(file: string, material: string, { line, words }: Statement): PictureRef {
   const options = new Map<string, readonly string[]>();
   let at = 0;
   while (at < words.length && OPTIONS.has(words[at])) {
@@ -44,7 +46,7 @@ export function pictureRef(file: string, { line, words }: Statement): PictureRef
     options.set(option, words.slice(first, at));
   }
   const name = words.slice(at).join(' ');
-  const ref = { file, line, name, clamp: options.get('-clamp')?.[0] === 'on' };
+  const ref = { file, line, material, name, clamp: options.get('-clamp')?.[0] === 'on' };
   const uvs = placementOf(file, line, options);
   return uvs ? { ...ref, uvs } : ref;
 }
@@ -91,7 +93,7 @@ export class PictureLoader {
     return { name, ...image, colorSpace: 'srgb', filter: 'linear', wrapS: wrap, wrapT: wrap };
   }
 
-  async #load({ file, line, name }: PictureRef): Promise<DecodedImage | undefined> {
+  async #load({ file, line, material, name }: PictureRef): Promise<DecodedImage | undefined> {
     const what = `${file}: line ${line}`;
     // Files that went from one machine to another often name pictures by where they were there.
     const places = [...new Set([resolvePath(file, name), resolvePath(file, name.replace(/^.*[\\/]/, ''))])];
@@ -106,8 +108,8 @@ export class PictureLoader {
         return undefined;
       }
     }
-    const message = `the texture ${name} is not there (looked for ${places.join(' and ')}); shown without it`;
-    this.#context.notes.add('warning', 'missing-texture', what, message);
+    const { code, message, missing } = missingTexture(name, places);
+    this.#context.notes.add('warning', code, `${what}, material ${material}`, message, { missing });
     return undefined;
   }
 }

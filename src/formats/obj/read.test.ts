@@ -192,8 +192,8 @@ Ke 3 2 1
     expect(materials.map((m) => m.name)).toEqual(['A', 'B']);
     expect(diagnostics.filter((d) => d.severity === 'warning').map((d) => `${d.place}: ${d.message}`)).toEqual([
       'set/a.obj: line 1: the materials no.mtl are not there (looked for set/no.mtl); put them beside it, or open the folder that holds both',
-      'set/a.obj: set/b.mtl: line 4: the texture 7 is not there (looked for set/7); shown without it',
-      'set/a.obj: set/b.mtl: line 2: the texture D:\\x\\no.png is not there (looked for set/D:/x/no.png and set/no.png); shown without it',
+      'set/a.obj: set/b.mtl: line 4, material A: the texture 7 is not there (looked for set/7); shown without it',
+      'set/a.obj: set/b.mtl: line 2, material A: the texture D:\\x\\no.png is not there (looked for set/D:/x/no.png, set/no.png); shown without it',
       'set/a.obj: set/b.mtl: line 3: set/bad.png: the picture is neither PNG nor JPEG; convert it to PNG or JPEG; shown without it',
       'set/a.obj: B: no such material (set/b.mtl); it is shown light grey',
     ]);

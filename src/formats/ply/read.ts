@@ -4,6 +4,7 @@ import type { PolygonValues } from '../../scene/polygons.ts';
 import { InputError, type Material, type Mesh, type Scene, type Texture } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
 import { decodeImage } from '../images.ts';
+import { missingTexture } from '../missing.ts';
 import { Notes } from '../notes.ts';
 import { plainScene } from '../plainScene.ts';
 import { type FileSource, resolvePath } from '../source.ts';
@@ -79,12 +80,8 @@ async function readTexture(
   const path = resolvePath(entry, name);
   const bytes = await source.read(path);
   if (!bytes) {
-    notes.add(
-      'warning',
-      'missing-texture',
-      '',
-      `the texture ${name} is not there (looked for ${path}); shown without it`,
-    );
+    const { code, message, missing } = missingTexture(name, [path]);
+    notes.add('warning', code, '', message, { missing });
     return undefined;
   }
   try {

@@ -56,9 +56,10 @@ export function report(
   code: string,
   path: string,
   message: string,
+  more: Partial<Diagnostic> = {},
 ): void {
   const { name } = context.layer;
-  context.diagnostics.add({ severity, code, place: path === '' ? name : `${name}<${path}>`, message }, name);
+  context.diagnostics.add({ severity, code, place: path === '' ? name : `${name}<${path}>`, message, ...more }, name);
 }
 
 /** The prim at an absolute path. */
@@ -67,6 +68,13 @@ export function primAt(layer: Layer, path: string): PrimSpec | undefined {
   let prim = layer.rootPrims.get(names[0] ?? '');
   for (const name of names.slice(1)) prim = prim?.children.get(name);
   return prim;
+}
+
+/** The prims above a path, from the root down. */
+export function ancestorsOf(layer: Layer, path: string): PrimSpec[] {
+  const names = path.split('/').filter(Boolean);
+  const paths = names.slice(1).map((_, i) => `/${names.slice(0, i + 1).join('/')}`);
+  return paths.flatMap((above) => primAt(layer, above) ?? []);
 }
 
 /** Targets of a relationship, or sources of a connection, once its list op is applied to nothing. */

@@ -28,6 +28,17 @@ export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
   return { times, cost, matrixAt: (time) => mat4.multiply(parent.matrixAt(time), local(time)) };
 }
 
+/** Where the axes of `inner`, which is within `outer`, are. */
+export function nestedFrame(outer: Frame, inner: Frame): Frame {
+  const times = unionOfTimes([outer.times, inner.times]);
+  if (times.length > 0) {
+    const cost = outer.cost + inner.cost;
+    return { times, cost, matrixAt: (time) => mat4.multiply(outer.matrixAt(time), inner.matrixAt(time)) };
+  }
+  const fixed = mat4.multiply(outer.matrixAt(0), inner.matrixAt(0));
+  return { times, cost: 1, matrixAt: () => fixed };
+}
+
 /** The frame in metres. */
 export function scaledFrame(frame: Frame, unit: number): Frame {
   const scale: mat4.Mat4 = [unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1];

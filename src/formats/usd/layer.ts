@@ -26,6 +26,8 @@ export interface PrimSpec {
   readonly children: Map<string, PrimSpec>;
   /** Variant set → variant → what that variant adds. A set without variants is not among them. */
   readonly variantSets: Map<string, Map<string, PrimSpec>>;
+  /** Of a composed prim: prims that have the same are alike but for where they are (compose/content.ts). */
+  readonly content?: string;
   childOrder?: readonly string[];
   propertyOrder?: readonly string[];
 }

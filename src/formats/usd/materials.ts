@@ -38,6 +38,17 @@ const NOT_DRAWN = ['normal', 'displacement', 'clearcoat', 'occlusion'];
 /** UsdPreviewSurface itself, and as a node of MaterialX; both have the same inputs. */
 const PREVIEW = new Set(['UsdPreviewSurface', 'ND_UsdPreviewSurface_surfaceshader']);
 
+/** Names all that a material is made of, so that those of instances are one; undefined where it is not known. */
+function contentBelow({ content, children, properties }: PrimSpec, root: string): string | undefined {
+  const parts = [content];
+  for (const property of properties.values())
+    if (property.kind === 'attribute')
+      for (const path of property.connections?.explicit ?? [])
+        parts.push(path.startsWith(`${root}/`) ? path.slice(root.length) : path);
+  for (const child of children.values()) parts.push(child.name, contentBelow(child, root));
+  return parts.includes(undefined) ? undefined : `(${parts.join(' ')})`;
+}
+
 /** The scene's materials, each read once. */
 export class MaterialTable {
   readonly materials: Material[] = [];
@@ -46,6 +57,7 @@ export class MaterialTable {
   private readonly inputs: TextureInputs;
   private readonly glows = new Map<string, number>();
   private readonly byKey = new Map<string, Promise<BoundMaterial>>();
+  private readonly byColor = new Map<string, number>();
 
   constructor(context: StageContext, textures: TextureLoader) {
     this.context = context;
@@ -62,8 +74,8 @@ export class MaterialTable {
 
   /** The Material prim at a path; a plain one of the colour `fallback` where it cannot be read. */
   at(path: string, user: string, fallback: DisplayColor): Promise<BoundMaterial> {
-    return this.once(path, async () => {
-      const prim = primAt(this.context.layer, path);
+    const prim = primAt(this.context.layer, path);
+    return this.once((prim && contentBelow(prim, path)) ?? path, async () => {
       const shaders = prim ? surfaceShaders(this.context, prim) : [];
       const shader = shaders.find((candidate) => PREVIEW.has(shaderId(candidate)));
       if (shader) return this.preview(path, shader);
@@ -89,6 +101,18 @@ export class MaterialTable {
     const place = this.materials.push({ ...material, ...dark, ...textured, name, emissive }) - 1;
     this.glows.set(key, place);
     return place;
+  }
+
+  /** A material of the scene with another base colour. */
+  colored(index: number, color: Vec3): number {
+    const key = `${index} ${color.join(' ')}`;
+    const known = this.byColor.get(key);
+    if (known !== undefined) return known;
+    const material = this.materials[index];
+    const name = `${material.name} ${color.join(' ')}`;
+    const made = this.materials.push({ ...material, name, baseColor: color }) - 1;
+    this.byColor.set(key, made);
+    return made;
   }
 
   private once(key: string, make: () => Promise<BoundMaterial>): Promise<BoundMaterial> {

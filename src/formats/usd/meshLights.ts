@@ -20,30 +20,32 @@ export function geometryLights(prims: Iterable<PrimSpec>, found = new Map<string
   return found;
 }
 
-/** The prim that says how a mesh shines: itself, with UsdLuxMeshLightAPI, or a GeometryLight; undefined where it does not. */
-function lightOn(prim: PrimSpec, ofGeometry: ReadonlyMap<string, PrimSpec>): PrimSpec | undefined {
-  const schemas = prim.metadata.get('apiSchemas');
-  const names =
-    schemas?.type === 'texts'
-      ? [...(schemas.op.explicit ?? []), ...(schemas.op.prepended ?? []), ...(schemas.op.appended ?? [])]
-      : [];
-  return names.includes('MeshLightAPI') ? prim : ofGeometry.get(prim.path);
+/** A mesh that is a light: its prim, and the one that says how it shines. */
+export interface MeshLight {
+  readonly mesh: PrimSpec;
+  readonly light: PrimSpec;
 }
 
-/** The mesh [m] with materials that shine where its prim is a light. */
+/** What says how a mesh shines: itself, with UsdLuxMeshLightAPI, or a GeometryLight; undefined where nothing does. */
+export function lightOn(mesh: PrimSpec, ofGeometry: ReadonlyMap<string, PrimSpec>): MeshLight | undefined {
+  const schemas = mesh.metadata.get('apiSchemas');
+  const op = schemas?.type === 'texts' ? schemas.op : {};
+  const names = [...(op.explicit ?? []), ...(op.prepended ?? []), ...(op.appended ?? [])];
+  const light = names.includes('MeshLightAPI') ? mesh : ofGeometry.get(mesh.path);
+  return light && { mesh, light };
+}
+
+/** The mesh [m] of a light, with materials that shine. */
 export function glowing(
   context: StageContext,
   table: MaterialTable,
-  prim: PrimSpec,
+  { mesh: prim, light }: MeshLight,
   mesh: Mesh,
-  ofGeometry: ReadonlyMap<string, PrimSpec>,
 ): Mesh {
-  const light = lightOn(prim, ofGeometry);
-  if (!light) return mesh;
   const written = textAt(light, 'light:materialSyncMode', undefined);
   const mode = MODES.find((m) => m === written) ?? (light === prim ? 'materialGlowTintsLight' : 'noMaterialResponse');
   const area = lightFlag(context, light, 'normalize') ? areaOf(mesh) / context.unit ** 2 : 1;
-  const radiance = area > 0 ? scale(brightnessOf(context, light), 1 / area) : scale(brightnessOf(context, light), 0);
+  const radiance = scale(brightnessOf(context, light), area > 0 ? 1 / area : 0);
   const message = 'it is seen to shine; what it lights, the reference renderer alone shows';
   report(context, 'info', 'usd.mesh-light', prim.path, message);
   const groups = mesh.groups.map((group) => ({ ...group, material: table.glowing(group.material, radiance, mode) }));

@@ -1,9 +1,9 @@
 import { cofactors, determinant, type Mat3 } from '../../math/mat3.ts';
 import * as mat4 from '../../math/mat4.ts';
-import { distance, type Vec3 } from '../../math/vec3.ts';
+import { distance, scale, type Vec3 } from '../../math/vec3.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
-import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion } from '../../scene/types.ts';
+import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion, UniformMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
 import { affordableTimes, boxCorners, bytesOfPoints, carried } from './sampling.ts';
@@ -26,6 +26,11 @@ export interface Deformation {
 export interface Placed {
   readonly mesh: Mesh;
   readonly motion: StaticMotion | SampledMotion | SampledPointsMotion;
+}
+
+interface Drifting {
+  readonly mesh: Mesh;
+  readonly motion: Placed['motion'] | UniformMotion;
 }
 
 interface Still extends Placed {
@@ -61,7 +66,7 @@ export function placeShape(context: StageContext, path: string, shape: Shape, fr
   const world = scaledFrame(frame, context.unit);
   if (shape.deformation) return deforming(context, path, shape, world);
   if (world.times.length === 0) return fixed(shape.mesh, world.matrixAt(context.startCode));
-  const times = refined(context, path, world, boxCorners(shape.mesh.positions));
+  const times = refined(context, path, world, cornersOf(shape.mesh));
   const parts = Array.from(times, (t) => mat4.decomposeRigid(world.matrixAt(t)));
   const { stretch } = parts[0];
   const size = Math.max(...stretch.map(Math.abs));
@@ -84,14 +89,55 @@ export function placeStill(context: StageContext, shape: Shape, frame: Frame, ti
   return fixed(mesh, scaledFrame(frame, context.unit).matrixAt(time));
 }
 
+/** A shape in a frame that besides is carried along for ever by a velocity of the stage [units/s]; `frame`: where it is at time 0. */
+export function placeDrifting(
+  context: StageContext,
+  path: string,
+  shape: Shape,
+  frame: Frame,
+  velocity: Vec3,
+): Drifting {
+  if (frame.times.length === 0 && !shape.deformation) {
+    const { mesh, motion } = placeStill(context, shape, frame, 0);
+    return { mesh, motion: { kind: 'uniform', pose: motion.pose, velocity: scale(velocity, context.unit) } };
+  }
+  const carried = (time: number): mat4.Mat4 => {
+    const [x, y, z] = scale(velocity, time / context.codesPerSecond);
+    return mat4.multiply(mat4.fromParts([1, 0, 0, 0, 1, 0, 0, 0, 1], [x, y, z]), frame.matrixAt(time));
+  };
+  const times = unionOfTimes([frame.times, shape.deformation?.times ?? new Float64Array(0)]);
+  return placeShape(context, path, shape, { times, cost: frame.cost + 1, matrixAt: (time) => carried(time ?? 0) });
+}
+
 function fixed(mesh: Mesh, matrix: mat4.Mat4): Still {
   const { pose, stretch } = mat4.decomposeRigid(matrix);
   return { mesh: stretched(mesh, stretch), motion: { kind: 'static', pose } };
 }
 
+/** The stretched forms of each mesh: instances of one size share theirs. */
+const STRETCHED = new WeakMap<Mesh, Map<string, Mesh>>();
+/** Parts of the greatest in which stretches are told apart: products of f64 matrices differ by less. */
+const ALIKE = 1e-9;
+
 function stretched(mesh: Mesh, stretch: readonly number[]): Mesh {
   const identity = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
-  return identity ? mesh : transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0]));
+  if (identity) return mesh;
+  const size = Math.max(...stretch.map(Math.abs));
+  const key = [size.toPrecision(9), ...stretch.map((x) => Math.round(x / (ALIKE * size)))].join(' ');
+  const known = STRETCHED.get(mesh) ?? new Map<string, Mesh>();
+  STRETCHED.set(mesh, known);
+  const made = known.get(key) ?? transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0]));
+  known.set(key, made);
+  return made;
+}
+
+/** Of each mesh in its prim's axes. */
+const CORNERS = new WeakMap<Mesh, readonly Vec3[]>();
+
+function cornersOf(mesh: Mesh): readonly Vec3[] {
+  const corners = CORNERS.get(mesh) ?? boxCorners(mesh.positions);
+  CORNERS.set(mesh, corners);
+  return corners;
 }
 
 function refined(context: StageContext, path: string, world: Frame, corners: readonly Vec3[]): Float64Array {
@@ -149,7 +195,7 @@ export function frameMotion(context: StageContext, path: string, frame: Frame): 
 function deforming(context: StageContext, path: string, shape: Shape, world: Frame): Placed {
   const { times } = shape.deformation!;
   if (world.times.length === 0) return sampledPoints(context, path, shape, world, times);
-  const corners = boxCorners(shape.mesh.positions);
+  const corners = cornersOf(shape.mesh);
   const both = { ...world, times: unionOfTimes([times, world.times]) };
   return sampledPoints(context, path, shape, world, refined(context, path, both, corners));
 }

@@ -1,5 +1,5 @@
 import { RefinementBudget } from '../../scene/refine.ts';
-import type { Scene } from '../../scene/types.ts';
+import type { Diagnostic, MissingFile, Scene } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
 import type { ReadOptions } from '../registry.ts';
 import type { FileSource } from '../source.ts';
@@ -40,13 +40,22 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
   const context = contextOf(stage.layer, files, diagnostics, options);
   const contents = await readStage(context);
   noteSubdivision(context);
+  const { error } = context.motionBudget;
   return {
     ...sceneHeader(context, entry),
     ...timeRange(context, contents),
     ...contents,
-    diagnostics: diagnostics.list,
+    diagnostics: diagnostics.list.map((one) => naming(one, store.missing)),
     ...variantsIn(stage),
+    ...(error !== undefined && { pathError: error }),
   };
+}
+
+/** What is said of a layer that is not there, with the file that was asked for. */
+function naming(diagnostic: Diagnostic, layers: ReadonlyMap<string, MissingFile>): Diagnostic {
+  if (diagnostic.code !== 'usd.missing-layer') return diagnostic;
+  const missing = layers.get(diagnostic.message.slice(diagnostic.message.indexOf('@')));
+  return missing ? { ...diagnostic, missing } : diagnostic;
 }
 
 /** `/World/Car{paint}` is how a scene calls the set `paint` of the prim `/World/Car`. */

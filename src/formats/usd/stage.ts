@@ -1,17 +1,22 @@
-import type { Light, Scene, SceneCamera, SceneObject } from '../../scene/types.ts';
+import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../scene/types.ts';
+import { MAX_OBJECTS } from '../limits.ts';
 import { attributeOf, sampleTimes, textAt } from './attributes.ts';
 import { cameraOf } from './cameras.ts';
+import { parentOf } from './compose/paths.ts';
 import { isActive } from './compose/stage.ts';
-import { metadataText, report, type StageContext } from './context.ts';
+import { ancestorsOf, metadataText, report, type StageContext } from './context.ts';
 import { noteUnreadValues, UNREAD_TYPES } from './coverage.ts';
-import { childFrame, type Frame, ROOT_FRAME } from './frame.ts';
+import { childFrame, type Frame, nestedFrame, ROOT_FRAME } from './frame.ts';
 import { implicitShape, isImplicit } from './gprims.ts';
+import { addPrototypes, Instancers, type Setting } from './instancer/instancers.ts';
 import type { PrimSpec } from './layer.ts';
 import { isLight, isUnreadLight, lightOf } from './lights.ts';
 import { MaterialTable } from './materials.ts';
 import { meshShape } from './meshes.ts';
-import { geometryLights, glowing } from './meshLights.ts';
-import { placeShape, placeStill, type Shape } from './placement.ts';
+import { geometryLights, glowing, lightOn, type MeshLight } from './meshLights.ts';
+import type { Part, Site, Subtree } from './parts.ts';
+import { placeDrifting, placeShape, placeStill, type Shape } from './placement.ts';
+import { remade, SharedShapes } from './sharedShapes.ts';
 import {
   authoredInOf,
   checkDirections,
@@ -32,15 +37,25 @@ interface Inherited {
   readonly directions: Directions;
   /** Of the nearest prim above that says what it is for. */
   readonly purpose: string;
+  /** Where what is found goes: into the scene, or into a prototype of instances. */
+  readonly found: Found;
 }
+
+interface Found {
+  /** Of the scene itself, whose lights and cameras count. */
+  readonly isScene: boolean;
+  part(part: Part): void;
+  instancer(site: Site): Promise<void>;
+}
+
+const AT_ROOT = { frame: ROOT_FRAME, binding: undefined, directions: {}, purpose: 'default' };
 
 export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'cameras'>;
 
 /** Turns the defined, active, visible prims of a stage into what is observed. */
 export async function readStage(context: StageContext): Promise<StageContents> {
   const reader = new StageReader(context);
-  for (const prim of context.layer.rootPrims.values())
-    await reader.visit(prim, { frame: ROOT_FRAME, binding: undefined, directions: {}, purpose: 'default' });
+  for (const prim of context.layer.rootPrims.values()) await reader.visit(prim, { ...AT_ROOT, found: reader.scene });
   return { objects: reader.objects, materials: reader.table.materials, lights: reader.lights, cameras: reader.cameras };
 }
 
@@ -50,23 +65,67 @@ class StageReader {
   readonly cameras: SceneCamera[] = [];
   readonly table: MaterialTable;
   private readonly context: StageContext;
+  readonly scene: Found;
   private readonly textures: TextureLoader;
   private readonly geometryLights: ReadonlyMap<string, PrimSpec>;
+  private readonly shapes = new SharedShapes();
+  /** Paths of what instancers show: what only holds it need not be defined. */
+  private readonly prototypes: ReadonlySet<string>;
 
   constructor(context: StageContext) {
     this.context = context;
     this.textures = new TextureLoader(context);
     this.table = new MaterialTable(context, this.textures);
     this.geometryLights = geometryLights(context.layer.rootPrims.values());
+    this.prototypes = addPrototypes(context.layer.rootPrims, new Set());
+    const instancers = new Instancers(context, {
+      subtree: (prim) => this.subtree(prim),
+      draw: (part, path, setting) => this.drawInstance(part, path, setting),
+      room: () => MAX_OBJECTS - this.objects.length,
+    });
+    this.scene = {
+      isScene: true,
+      part: (part) => this.draw(part),
+      instancer: (site) => instancers.expand(site),
+    };
   }
 
   async visit(prim: PrimSpec, inherited: Inherited): Promise<void> {
     if (!this.isThere(prim)) return;
-    const own = this.inherit(prim, inherited);
-    if (isDrawn(own.purpose)) await this.readHere(prim, own);
+    await this.read(prim, this.inherit(prim, inherited));
+  }
+
+  /** A prim that is there, and all below it. */
+  private async read(prim: PrimSpec, own: Inherited): Promise<void> {
+    const drawn = isDrawn(own.purpose);
+    if (drawn) await this.readHere(prim, own);
     // What is under an instancer is its prototypes, which are nowhere themselves.
-    if (prim.typeName === 'PointInstancer') return;
+    if (prim.typeName === 'PointInstancer') {
+      if (drawn) await own.found.instancer({ prim, frame: own.frame, directions: own.directions });
+      return;
+    }
     for (const child of prim.children.values()) await this.visit(child, own);
+  }
+
+  /** A prototype, whether it is defined or not; materials are bound to it where it stands. */
+  private async subtree(prim: PrimSpec): Promise<Subtree> {
+    const parts: Part[] = [];
+    const instancers: Site[] = [];
+    const found: Found = {
+      isScene: false,
+      part: (part) => parts.push(part),
+      instancer: async (site) => {
+        instancers.push(site);
+      },
+    };
+    const parentPath = parentOf(prim.path);
+    const binding = ancestorsOf(this.context.layer, prim.path).reduce<Binding | undefined>(
+      (above, ancestor) => bindingOf(ancestor, above),
+      undefined,
+    );
+    if (isActive(prim) && this.isVisible(prim))
+      await this.read(prim, this.inherit(prim, { ...AT_ROOT, binding, found }));
+    return { parentPath, parts, instancers };
   }
 
   private async readHere(prim: PrimSpec, own: Inherited): Promise<void> {
@@ -74,16 +133,20 @@ class StageReader {
     const unread =
       UNREAD_TYPES.get(prim.typeName) ?? (isUnreadLight(prim.typeName) ? 'is a light that is not read' : undefined);
     if (unread) report(this.context, 'warning', 'usd.unsupported-prim', prim.path, `${prim.typeName} ${unread}`);
-    await this.read(prim, own);
+    await this.readThing(prim, own);
   }
 
   private isThere(prim: PrimSpec): boolean {
     if (prim.specifier === 'class' || !isActive(prim)) return false;
     if (prim.specifier === 'over') {
       const message = "an 'over' changes this prim, and nothing defines it; it is left out";
-      report(this.context, 'warning', 'usd.undefined-prim', prim.path, message);
+      if (!this.prototypes.has(prim.path)) report(this.context, 'warning', 'usd.undefined-prim', prim.path, message);
       return false;
     }
+    return this.isVisible(prim);
+  }
+
+  private isVisible(prim: PrimSpec): boolean {
     if (sampleTimes(attributeOf(prim, 'visibility')).length > 0)
       report(
         this.context,
@@ -112,28 +175,58 @@ class StageReader {
       binding: bindingOf(prim, inherited.binding),
       directions,
       purpose: textAt(prim, 'purpose', undefined) ?? inherited.purpose,
+      found: inherited.found,
     };
   }
 
-  private async read(prim: PrimSpec, own: Inherited): Promise<void> {
-    if (prim.typeName === 'Camera') this.cameras.push(cameraOf(this.context, prim, own.frame));
-    else if (isLight(prim.typeName))
-      this.lights.push(await lightOf(this.context, this.textures, prim, own.frame, own.directions));
-    else if (prim.typeName === 'Mesh' || isImplicit(prim.typeName)) await this.readObject(prim, own);
+  private async readThing(prim: PrimSpec, own: Inherited): Promise<void> {
+    const lights = isLight(prim.typeName);
+    if ((lights || prim.typeName === 'Camera') && !own.found.isScene) {
+      const message = `a ${prim.typeName} in a prototype of instances is not read; it is left out`;
+      report(this.context, 'warning', 'usd.instancer', prim.path, message);
+    } else if (prim.typeName === 'Camera') this.cameras.push(cameraOf(this.context, prim, own.frame));
+    else if (lights) this.lights.push(await lightOf(this.context, this.textures, prim, own.frame, own.directions));
+    else if (prim.typeName === 'Mesh' || isImplicit(prim.typeName)) await this.readPart(prim, own);
   }
 
-  private async readObject(prim: PrimSpec, own: Inherited): Promise<void> {
-    const surface = await surfaceOf(this.context, this.table, prim, own.binding);
-    const shape = this.shapeOf(prim, surface);
+  private async readPart(prim: PrimSpec, { binding, frame, directions, found }: Inherited): Promise<void> {
+    const surface = await surfaceOf(this.context, this.table, prim, binding);
+    const shape = this.shapes.of(prim, surface, () => this.shapeOf(prim, surface));
     if (!shape) return;
-    const { mesh, motion } = this.placed(prim, shape, own);
-    this.objects.push({
-      path: prim.path,
-      mesh: glowing(this.context, this.table, prim, mesh, this.geometryLights),
-      motion,
-      lifetime: lifetimeOf(own.directions),
-      authoredIn: authoredInOf(own.directions),
-    });
+    const light = lightOn(prim, this.geometryLights);
+    found.part({ path: prim.path, shape, frame, directions, colorable: surface.colorable, ...(light && { light }) });
+  }
+
+  private draw({ path, shape, frame, directions, light }: Part): void {
+    const placed = this.placed(path, shape, frame, directions);
+    this.add(path, directions, this.lit(placed, light), lifetimeOf(directions));
+  }
+
+  private drawInstance(part: Part, path: string, setting: Setting): void {
+    if (this.objects.length >= MAX_OBJECTS) return;
+    const frame = nestedFrame(setting.frame, part.frame);
+    const placed = setting.drift
+      ? placeDrifting(this.context, path, part.shape, frame, setting.drift)
+      : this.placed(path, part.shape, frame, setting.directions);
+    const { color } = setting;
+    const mesh =
+      color && part.colorable !== undefined
+        ? remade(placed.mesh, part.colorable, this.table.colored(part.colorable, color))
+        : placed.mesh;
+    const own = lifetimeOf(setting.directions);
+    const lifetime = {
+      birth: Math.max(own.birth, setting.lifetime.birth),
+      death: Math.min(own.death, setting.lifetime.death),
+    };
+    this.add(path, setting.directions, this.lit({ ...placed, mesh }, part.light), lifetime);
+  }
+
+  private lit(made: Made, light: MeshLight | undefined): Made {
+    return light ? { ...made, mesh: glowing(this.context, this.table, light, made.mesh) } : made;
+  }
+
+  private add(path: string, directions: Directions, { mesh, motion }: Made, lifetime: Lifetime): void {
+    this.objects.push({ path, mesh, motion, lifetime, authoredIn: authoredInOf(directions) });
   }
 
   private shapeOf(prim: PrimSpec, surface: Surface): Shape | undefined {
@@ -144,17 +237,19 @@ class StageReader {
     return undefined;
   }
 
-  private placed(prim: PrimSpec, shape: Shape, own: Inherited): Pick<SceneObject, 'mesh' | 'motion'> {
-    const poseTime = poseTimeOf(own.directions);
-    if (poseTime === undefined) return placeShape(this.context, prim.path, shape, own.frame);
-    if (own.frame.times.length > 0 || shape.deformation) {
+  private placed(path: string, shape: Shape, frame: Frame, directions: Directions): Made {
+    const poseTime = poseTimeOf(directions);
+    if (poseTime === undefined) return placeShape(this.context, path, shape, frame);
+    if (frame.times.length > 0 || shape.deformation) {
       const message = `slowlight:motion and time samples both move it; it keeps its pose of t = ${poseTime} s and moves as slowlight:motion says`;
-      report(this.context, 'warning', 'usd.slowlight', prim.path, message);
+      report(this.context, 'warning', 'usd.slowlight', path, message);
     }
-    const still = placeStill(this.context, shape, own.frame, poseTime * this.context.codesPerSecond);
-    return { mesh: still.mesh, motion: directedMotion(this.context, prim.path, still.motion.pose, own.directions) };
+    const still = placeStill(this.context, shape, frame, poseTime * this.context.codesPerSecond);
+    return { mesh: still.mesh, motion: directedMotion(this.context, path, still.motion.pose, directions) };
   }
 }
+
+type Made = Pick<SceneObject, 'mesh' | 'motion'>;
 
 /** What stands for something else, or helps those who edit, is not looked at. */
 const isDrawn = (purpose: string): boolean => purpose !== 'proxy' && purpose !== 'guide';

@@ -11,6 +11,10 @@ import { mappedByFace, transformUvs } from './uvs.ts';
 export interface Surface {
   /** Of the faces that no subset holds. */
   readonly base: BoundMaterial;
+  /** All materials of it. */
+  readonly materials: readonly number[];
+  /** The material, by its place, that shows the displayColor of what holds the prim: it has none of its own. */
+  readonly colorable: number | undefined;
   faceMaterials(faces: number): Uint32Array;
   uvs(prim: PrimSpec, topology: Topology): PolygonValues | undefined;
   colors(prim: PrimSpec, topology: Topology): PolygonValues | undefined;
@@ -49,8 +53,11 @@ export async function surfaceOf(
     : withDisplayColor(await table.plain(display.color, display.opacity), display);
   const subsets = await subsetsOf(context, table, prim, binding, display);
   const used = [base, ...subsets.map((s) => s.material)];
+  const isOpen = attributeOf(prim, DISPLAY_COLOR) === undefined && (!binding || base.colors?.name === 'displayColor');
   return {
     base,
+    materials: used.map(({ index }) => index),
+    colorable: isOpen ? base.index : undefined,
     faceMaterials: (faces) => faceMaterials(base, subsets, faces),
     uvs: (mesh, topology) => uvsOf(context, mesh, topology, used, faceMaterials(base, subsets, topology.faces)),
     colors: (mesh, topology) => colorsOf(context, mesh, topology, used, faceMaterials(base, subsets, topology.faces)),

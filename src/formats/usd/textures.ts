@@ -4,6 +4,7 @@ import { InputError } from '../../scene/types.ts';
 import { decodeSrgb } from '../../spectrum/srgb.ts';
 import { messageOf } from '../fail.ts';
 import { type DecodedImage, decodeImage, looksLikeColor } from '../images.ts';
+import { missingTexture } from '../missing.ts';
 import { textAt, textOf } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import type { PrimSpec, Value } from './layer.ts';
@@ -30,7 +31,7 @@ export class TextureLoader {
   async image(shader: PrimSpec): Promise<Picture | undefined> {
     const input = resolveInput(this.context.layer, shader, 'inputs:file', this.context.startCode);
     if (!textOf(input.value)) {
-      report(this.context, 'warning', 'usd.missing-texture', shader.path, 'the texture names no file');
+      report(this.context, 'warning', 'usd.texture', shader.path, 'the texture names no file');
       return undefined;
     }
     return this.file(input.value, shader.path);
@@ -44,13 +45,18 @@ export class TextureLoader {
     const key = [path, ...more].join('\n');
     let image = this.images.get(key);
     if (!image) {
-      image = this.load(asset, anchor, user);
+      image = this.load([path, ...more], asset, anchor, user);
       this.images.set(key, image);
     }
     return image;
   }
 
-  private async load(asset: string, anchor: string, user: string): Promise<Picture | undefined> {
+  private async load(
+    paths: readonly string[],
+    asset: string,
+    anchor: string,
+    user: string,
+  ): Promise<Picture | undefined> {
     const { files } = this.context;
     try {
       if (asset.includes('<UDIM>')) {
@@ -60,8 +66,8 @@ export class TextureLoader {
         const found = await files.find(anchor, asset);
         if (found) return { ...decodeImage(found.bytes, found.id), color: looksLikeColor(found.bytes) };
       }
-      const message = `the texture ${files.candidates(anchor, asset)[0]} is not there; put it beside ${anchor} or open the folder that holds both`;
-      report(this.context, 'warning', 'usd.missing-texture', user, message);
+      const { code, message, missing } = missingTexture(asset, paths);
+      report(this.context, 'warning', code, user, message, { missing });
       return undefined;
     } catch (thrown) {
       const message = thrown instanceof InputError ? thrown.message : messageOf(thrown);

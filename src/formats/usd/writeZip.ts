@@ -1,3 +1,5 @@
+import { crc32 } from '../crc32.ts';
+
 /** Files in a usdz begin at multiples of this [bytes] (usdz specification), so that they can be mapped into memory. */
 const ALIGNMENT = 64;
 /** 1 January 1980, the earliest date a zip can hold: the same scene gives the same bytes. */
@@ -80,17 +82,4 @@ function writeEnd(view: DataView, at: number, count: number, size: number, offse
   view.setUint16(at + 10, count, true);
   view.setUint32(at + 12, size, true);
   view.setUint32(at + 16, offset, true);
-}
-
-const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, n) => {
-  let c = n;
-  for (let k = 0; k < 8; k++) c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
-  return c;
-});
-
-/** CRC-32 of ISO 3309, as zip and PNG have it. */
-export function crc32(data: Uint8Array): number {
-  let c = 0xffffffff;
-  for (let i = 0; i < data.length; i++) c = CRC_TABLE[(c ^ data[i]) & 255] ^ (c >>> 8);
-  return (c ^ 0xffffffff) >>> 0;
 }

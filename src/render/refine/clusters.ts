@@ -10,24 +10,43 @@ const CLUSTER = 128;
 export interface Run {
   /** Object id − 1. */
   readonly body: number;
+  /** Of a mesh that many wear, the body's place among them. */
+  readonly wearer: number;
+  /** Cluster of the arrays that is the first; those of a mesh that many wear are every body's. */
+  readonly from: number;
   readonly first: number;
   readonly end: number;
 }
 
-/** A batch's triangles in runs of neighbours in the index buffer, each of one body. */
+/** A batch's triangles in runs of neighbours in the index buffer, each of one body; of a mesh that many wear, each body has all of them. */
 export class Clusters {
   /** First triangle of each cluster, and after the last one the number of triangles. */
   readonly starts: Uint32Array;
   readonly runs: readonly Run[];
 
-  constructor({ indices, ids }: PlannedBatch['arrays']) {
+  constructor({ arrays, bodies, worn }: Pick<PlannedBatch, 'arrays' | 'bodies' | 'worn'>) {
+    if (worn) {
+      const triangles = arrays.indices.length / 3;
+      const each = Math.ceil(triangles / CLUSTER);
+      this.starts = Uint32Array.from({ length: each + 1 }, (_, k) => Math.min(triangles, CLUSTER * k));
+      this.runs = bodies.map(({ id }, i) => ({
+        body: id - 1,
+        wearer: i,
+        from: 0,
+        first: i * each,
+        end: (i + 1) * each,
+      }));
+      return;
+    }
+    const { indices, ids } = arrays;
     const triangles = indices.length / 3;
     const starts: number[] = [];
     const runs: Run[] = [];
     let body = -1;
     for (let t = 0; t < triangles; t++) {
       const owner = ids[2 * indices[3 * t]];
-      if (owner !== body) runs.push({ body: owner, first: starts.length, end: starts.length });
+      if (owner !== body)
+        runs.push({ body: owner, wearer: 0, from: starts.length, first: starts.length, end: starts.length });
       if (owner !== body || t - starts[starts.length - 1] >= CLUSTER) {
         starts.push(t);
         const run = runs[runs.length - 1];
@@ -39,8 +58,14 @@ export class Clusters {
     this.runs = runs;
   }
 
+  /** In the arrays. */
   get count(): number {
     return this.starts.length - 1;
+  }
+
+  /** Of all bodies: what has a fate of its own. */
+  get fates(): number {
+    return this.runs.reduce((most, { end }) => Math.max(most, end), 0);
   }
 }
 

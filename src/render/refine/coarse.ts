@@ -17,17 +17,19 @@ export class Coarse {
   private readonly criterion: EdgeCriterion;
   private readonly out: LeafList;
   private readonly most: number;
+  private readonly wearer: number;
   private points = new Float64Array(64 * POINT);
   private used = 0;
   private triangle = 0;
   private whole = true;
 
-  /** It stops when `out` has more leaves than `most`. */
-  constructor(shown: Shown, gauge: Gauge, out: LeafList, most: number) {
+  /** It stops when `out` has more leaves than `most`; `wearer`: of all of them (leaf.ts). */
+  constructor(shown: Shown, gauge: Gauge, out: LeafList, most: number, wearer = 0) {
     this.shown = shown;
     this.criterion = new EdgeCriterion(gauge);
     this.out = out;
     this.most = most;
+    this.wearer = wearer;
   }
 
   /** Adds the leaves of one triangle, given by its place and its vertices. Tells whether it can as well be drawn as it is. */
@@ -55,7 +57,7 @@ export class Coarse {
     else if (bc) this.intoTwo(a, b, c);
     else if (ca) this.intoTwo(b, c, a);
     else if (ab) this.intoTwo(c, a, b);
-    else if (!this.shown.outside(this.points, a, b, c)) this.out.add(this.triangle, this.points, a, b, c);
+    else if (!this.shown.outside(this.points, a, b, c)) this.out.add(this.triangle, this.points, a, b, c, this.wearer);
     this.used = before;
   }
 

@@ -85,11 +85,17 @@ export const canTravel = (parts: readonly PlannedPart[]): boolean => {
 
 /** What is shared stays so: two batches of one body have its samples once. */
 function withoutMeshes(parts: readonly PlannedPart[]): readonly PlannedPart[] {
-  return parts.map(({ levelled, batch: { transparent, doubleSided, bodies, arrays } }) => {
+  return parts.map(({ levelled, batch: { transparent, doubleSided, worn, bodies, arrays } }) => {
     const { positions, indices, ids } = arrays;
     return {
       levelled,
-      batch: { transparent, doubleSided, bodies: bodies.map(bare), arrays: { positions, indices, ids } },
+      batch: {
+        transparent,
+        doubleSided,
+        ...(worn && { worn }),
+        bodies: bodies.map(bare),
+        arrays: { positions, indices, ids },
+      },
     };
   });
 }

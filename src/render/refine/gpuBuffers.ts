@@ -1,9 +1,9 @@
-import { atomicAdd, int, storage, uint } from 'three/tsl';
+import { atomicAdd, int, storage, uint, vec4 } from 'three/tsl';
 import { IndirectStorageBufferAttribute, type Node, StorageBufferAttribute } from 'three/webgpu';
 import type { Int } from '../../shaders/types.ts';
 import type { ShaderLeaf } from './gpuLeaf.ts';
 import { type IndexRun, patternTriangles } from './gpuPatterns.ts';
-import { LEAF_FLOATS } from './leaf.ts';
+import { LEAF_FLOATS, LEVELS_AT, WEARER_AT } from './leaf.ts';
 import { PATTERNS } from './pattern.ts';
 
 const LISTS = PATTERNS.length;
@@ -26,7 +26,7 @@ const place = (run: LeafRun<Uint>, pattern: Int): Uint =>
   run.first.mul(uint(LISTS)).add(run.count.mul(uint(pattern))) as Uint;
 
 /**
- * The leaves of a picture on the GPU, of all batches one after another, and for each batch (`slot`) and pattern a list of its leaves, with an indirect draw whose instances are the list's entries. The last of a leaf's floats is its batch's slot.
+ * The leaves of a picture on the GPU, of all batches one after another, and for each batch (`slot`) and pattern a list of its leaves, with an indirect draw whose instances are the list's entries. In place of its levels a leaf has its batch's slot.
  */
 export class LeafBuffers {
   /** Of batch after batch, a draw per pattern. */
@@ -34,7 +34,7 @@ export class LeafBuffers {
   private readonly runs: StorageBufferAttribute;
   private leaves = leafBuffer(LEAST_ROOM);
   private list = listBuffer(LEAST_ROOM);
-  private readonly leavesRead = storage(this.leaves, 'vec4', 0).toReadOnly();
+  private readonly leavesRead = storage(this.leaves, 'float', 0).toReadOnly();
   private readonly listRead = storage(this.list, 'uint', 0).toReadOnly();
   private readonly listWritten = storage(this.list, 'uint', 0);
   private readonly runsRead;
@@ -65,14 +65,21 @@ export class LeafBuffers {
     this.draws.needsUpdate = true;
   }
 
-  /** Writes a batch's leaves from the `first`-th on; `firstTriangle` is added to their triangles. */
-  write(slot: number, { first, count }: LeafRun, leaves: Float32Array, firstTriangle: number): void {
+  /** Writes a batch's leaves from the `first`-th on; what its triangles and instances begin with is added to theirs. */
+  write(
+    slot: number,
+    { first, count }: LeafRun,
+    leaves: Float32Array,
+    firstTriangle: number,
+    firstInstance: number,
+  ): void {
     const out = this.leaves.array;
     const at = LEAF_FLOATS * first;
     out.set(leaves.subarray(0, LEAF_FLOATS * count), at);
     for (let i = at; i < at + LEAF_FLOATS * count; i += LEAF_FLOATS) {
       out[i] += firstTriangle;
-      out[i + LEAF_FLOATS - 1] = slot;
+      out[i + LEVELS_AT] = slot;
+      out[i + WEARER_AT] += firstInstance;
     }
     this.leaves.addUpdateRange(at, LEAF_FLOATS * count);
     this.leaves.needsUpdate = true;
@@ -80,14 +87,16 @@ export class LeafBuffers {
     this.runs.needsUpdate = true;
   }
 
-  /** In a kernel: the leaf's eight floats. */
-  leaf(index: Uint): Pick<ShaderLeaf, 'head' | 'tail'> {
-    const head = this.leavesRead.element(index.mul(uint(2))).toVar();
-    const tail = this.leavesRead.element(index.mul(uint(2)).add(uint(1))).toVar();
-    return { head, tail };
+  /** In a kernel: the leaf's floats. */
+  leaf(index: Uint): Omit<ShaderLeaf, 'levels'> {
+    const at = index.mul(uint(LEAF_FLOATS)).toVar();
+    const float = (k: number) => this.leavesRead.element(at.add(uint(k)));
+    const head = vec4(float(0), float(1), float(2), float(3)).toVar();
+    const tail = vec4(float(4), float(5), float(6), float(7)).toVar();
+    return { head, tail, instance: float(8).toVar() };
   }
 
-  /** In a kernel: adds a leaf to its list. `slot`: the last of its floats. */
+  /** In a kernel: adds a leaf to its list. `slot`: where its levels would be. */
   enlist(index: Uint, slot: Int, levels: Int, pattern: Int): void {
     const run = this.runsRead.element(slot).toVar();
     const draw = slot.mul(int(LISTS)).add(pattern).mul(int(DRAW));
@@ -126,5 +135,5 @@ export class LeafBuffers {
   }
 }
 
-const leafBuffer = (room: number) => new StorageBufferAttribute(new Float32Array(LEAF_FLOATS * room), 4);
+const leafBuffer = (room: number) => new StorageBufferAttribute(new Float32Array(LEAF_FLOATS * room), 1);
 const listBuffer = (room: number) => new StorageBufferAttribute(new Uint32Array(LISTS * room), 1);

@@ -3,12 +3,19 @@ import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { Batch, BatchArrays } from '../batches.ts';
 import { FloatTable } from '../floatTable.ts';
 import { unpackNormal } from '../pointStore.ts';
-import type { PointReader, VertexInput } from '../vertexInput.ts';
+import { instanceRecord, type PointReader, type VertexInput } from '../vertexInput.ts';
 
 /** f32 counts no further. */
 const MOST_TEXELS = 2 ** 24;
 /** Per triangle: (where its corners' texels begin, in the order of their places), (object id − 1, material, that order, 0). */
 const TRIANGLE_TEXELS = 2;
+
+/** How the triangles of a batch are read; `instances`: where many wear them. */
+export interface CornerSources {
+  readonly kind: Batch['kind'];
+  readonly colored: boolean;
+  readonly instances?: FloatTable | undefined;
+}
 
 /**
  * The corners of triangles that are drawn in pieces, for shaders that know a triangle and weights. Per corner two texels, or three:
@@ -36,10 +43,10 @@ export class Corners {
   }
 
   /**
-   * The point of a triangle with these weights of its corners. It is summed in the order of the corners' places, with one product each and
+   * The point of a triangle with these weights of its corners, of an instance where there are any. It is summed in the order of the corners' places, with one product each and
    * zeros for corners that have no part in it: so triangles that share an edge, with whatever vertices, get the same bits.
    */
-  point(triangle: Int, weights: Vec3, kind: Batch['kind'], colored: boolean): VertexInput {
+  point(triangle: Int, weights: Vec3, { kind, colored, instances }: CornerSources, instance: Float): VertexInput {
     const at = triangle.mul(int(TRIANGLE_TEXELS)).toVar();
     const head = this.triangles.texel(at).toVar();
     const tail = this.triangles.texel(at.add(int(1))).toVar();
@@ -50,6 +57,7 @@ export class Corners {
     const texel = (k: number, part: number): Vec4 => this.vertices.texel(begins[k].add(int(part)));
     const firsts = begins.map((_, k) => texel(k, 0).toVar());
     const deforming = kind === 'sampled-points';
+    const ids = instances ? instanceRecord(instances, instance) : tail;
     return {
       offset: deforming ? vec3(0) : blend((k) => firsts[k].xyz).toVar(),
       get normal() {
@@ -61,8 +69,8 @@ export class Corners {
       get color() {
         return colored ? blend((k) => texel(k, 2).xyz) : undefined;
       },
-      object: tail.x,
-      material: tail.y,
+      object: ids.x,
+      material: ids.y,
       sampled: blendedPoints(blend, (k) => int(firsts[k].x)),
     };
   }

@@ -5,12 +5,12 @@ import {
   InstancedInterleavedBuffer,
   InterleavedBufferAttribute,
 } from 'three/webgpu';
-import { type Drawable, makeDrawable } from '../drawable.ts';
+import { cornersOf, type Drawable, makeDrawable } from '../drawable.ts';
 import type { VertexInput } from '../vertexInput.ts';
 import type { Corners } from './gpuCorners.ts';
 import { weightsAt } from './gpuLeaf.ts';
 import { patternGeometry, patternTriangles } from './gpuPatterns.ts';
-import { LEAF_FLOATS } from './leaf.ts';
+import { LEAF_FLOATS, WEARER_AT } from './leaf.ts';
 import { PATTERNS } from './pattern.ts';
 import type { Leaves, Levelled } from './plan.ts';
 
@@ -27,7 +27,7 @@ export class InstancedPieces {
       const head = attribute<'vec4'>('head', 'vec4');
       const tail = attribute<'vec4'>('tail', 'vec4');
       const weights = weightsAt({ head, tail, levels: int(tail.w).toVar() }, place.x, place.y);
-      return corners.point(int(head.x), weights, indexed.batch.kind, indexed.surface.colored);
+      return corners.point(int(head.x), weights, cornersOf(indexed), attribute<'float'>('instance', 'float'));
     };
     const sources = { ...indexed, vertex: { ...indexed.vertex, vertex } };
     this.rooms = PATTERNS.map((_, pattern) => new InstanceRoom(pattern));
@@ -37,14 +37,14 @@ export class InstancedPieces {
     this.hide();
   }
 
-  /** `firstTriangle` is added to the leaves' triangles. Tells how many triangles that makes. */
-  show(levels: Levelled, firstTriangle: number): number {
+  /** What the batch's triangles and instances begin with is added to the leaves'. Tells how many triangles that makes. */
+  show(levels: Levelled, firstTriangle: number, firstInstance: number): number {
     let triangles = 0;
     this.drawables.forEach(({ mesh }, pattern) => {
       const leaves = levels[pattern];
       mesh.visible = leaves.count > 0;
       if (leaves.count === 0) return;
-      mesh.geometry = this.rooms[pattern].fill(leaves, firstTriangle);
+      mesh.geometry = this.rooms[pattern].fill(leaves, firstTriangle, firstInstance);
       triangles += leaves.count * patternTriangles(pattern);
     });
     return triangles;
@@ -67,7 +67,7 @@ class InstanceRoom {
     this.geometry = instanced(this.pattern, this.buffer);
   }
 
-  fill({ leaves, count }: Leaves, firstTriangle: number): InstancedBufferGeometry {
+  fill({ leaves, count }: Leaves, firstTriangle: number, firstInstance: number): InstancedBufferGeometry {
     if (count > this.buffer.count) {
       this.geometry.dispose();
       this.buffer = leafBuffer(2 ** Math.ceil(Math.log2(count)));
@@ -75,7 +75,10 @@ class InstanceRoom {
     }
     const { array } = this.buffer;
     array.set(leaves);
-    for (let i = 0; i < leaves.length; i += LEAF_FLOATS) array[i] += firstTriangle;
+    for (let i = 0; i < leaves.length; i += LEAF_FLOATS) {
+      array[i] += firstTriangle;
+      array[i + WEARER_AT] += firstInstance;
+    }
     this.buffer.clearUpdateRanges();
     this.buffer.addUpdateRange(0, leaves.length);
     this.buffer.needsUpdate = true;
@@ -92,5 +95,6 @@ function instanced(pattern: BufferGeometry, buffer: InstancedInterleavedBuffer):
   geometry.setIndex(pattern.index);
   geometry.setAttribute('head', new InterleavedBufferAttribute(buffer, 4, 0));
   geometry.setAttribute('tail', new InterleavedBufferAttribute(buffer, 4, 4));
+  geometry.setAttribute('instance', new InterleavedBufferAttribute(buffer, 1, WEARER_AT));
   return geometry;
 }

@@ -4,10 +4,11 @@ import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
 import { MOST_LEVEL } from './leaf.ts';
 import { STEPS } from './pattern.ts';
 
-/** A leaf as shaders have it: its eight floats, and its edges' levels as packLevels made them. */
+/** A leaf as shaders have it: its first eight floats, the place of its instance among all, and its edges' levels as packLevels made them. */
 export interface ShaderLeaf {
   readonly head: Vec4;
   readonly tail: Vec4;
+  readonly instance: Float;
   readonly levels: Int;
 }
 
@@ -24,7 +25,7 @@ const whole = (second: Vec4['x'], third: Vec4['x']): Vec3 => vec3(second.oneMinu
  * Weights of the triangle's corners at the place (i, j) of a leaf's pattern (pattern.ts). A place on an edge that has fewer pieces than the
  * pattern goes to one of the edge's own. Exact on edges: weights are multiples of 2^−20 and places of 2^−4.
  */
-export function weightsAt({ head, tail, levels }: ShaderLeaf, i: Float, j: Float): Vec3 {
+export function weightsAt({ head, tail, levels }: Omit<ShaderLeaf, 'instance'>, i: Float, j: Float): Vec3 {
   const [l01, l12, l20] = [0, 3, 6].map((shift) => levels.shiftRight(int(shift)).bitAnd(int(7)).toVar());
   const [w0, w1, w2] = cornerWeights(head, tail);
   // As apexOf.

@@ -17,8 +17,9 @@ export interface LeafRequest {
   readonly family: string;
   readonly sources: MotionSources;
   readonly plan: Plan;
-  /** What is added to the triangles of its leaves. */
+  /** What is added to the triangles and the instances of its leaves. */
   readonly firstTriangle: number;
+  readonly firstInstance: number;
 }
 
 /** A kernel for the leaves of a family, as they lie together. */
@@ -58,7 +59,7 @@ export class GpuLevels {
       kernel.first.value = this.used;
       for (const request of members) {
         const run = { first: this.used, count: request.plan.count };
-        this.buffers.write(request.slot, run, request.plan.leaves, request.firstTriangle);
+        this.buffers.write(request.slot, run, request.plan.leaves, request.firstTriangle, request.firstInstance);
         runs.set(request, run);
         this.used += run.count;
       }
@@ -88,10 +89,10 @@ export class GpuLevels {
     const first = uniform(0, 'uint');
     const node = Fn(() => {
       const index = instanceIndex.add(first).toVar();
-      const { head, tail } = buffers.leaf(index);
+      const { head, tail, instance } = buffers.leaf(index);
       const triangle = int(head.x).toVar();
       const show = (weights: Vec3) =>
-        shownPoint(sources, projection, corners.point(triangle, weights, sources.kind, false));
+        shownPoint(sources, projection, corners.point(triangle, weights, { ...sources, colored: false }, instance));
       const { levels, pattern } = leafLevels(cornerWeights(head, tail), show, gauge);
       buffers.enlist(index, int(tail.w).toVar(), levels, pattern);
     })().compute(1);

@@ -1,6 +1,6 @@
 import { attribute, instanceIndex, int, uniform } from 'three/tsl';
 import { type BufferAttribute, BufferGeometry } from 'three/webgpu';
-import { type Drawable, makeDrawable } from '../drawable.ts';
+import { cornersOf, type Drawable, makeDrawable } from '../drawable.ts';
 import type { VertexInput } from '../vertexInput.ts';
 import type { LeafBuffers, LeafRun } from './gpuBuffers.ts';
 import type { Corners } from './gpuCorners.ts';
@@ -23,7 +23,7 @@ export class ListedPieces {
       const place = attribute<'vec3'>('position', 'vec3');
       const leaf = buffers.listed({ first, count }, int(place.z), instanceIndex);
       const weights = weightsAt(leaf, place.x, place.y);
-      return corners.point(int(leaf.head.x), weights, indexed.batch.kind, indexed.surface.colored);
+      return corners.point(int(leaf.head.x), weights, cornersOf(indexed), leaf.instance);
     };
     this.drawables = [makeDrawable(geometry, { ...indexed, vertex: { ...indexed.vertex, vertex } })];
   }

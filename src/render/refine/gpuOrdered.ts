@@ -1,6 +1,6 @@
-import { attribute, int, vec3 } from 'three/tsl';
+import { attribute, float, int, vec3 } from 'three/tsl';
 import { BufferAttribute, BufferGeometry } from 'three/webgpu';
-import { type Drawable, makeDrawable } from '../drawable.ts';
+import { cornersOf, type Drawable, makeDrawable } from '../drawable.ts';
 import type { VertexInput } from '../vertexInput.ts';
 import type { Corners } from './gpuCorners.ts';
 import { LEAF_FLOATS } from './leaf.ts';
@@ -24,7 +24,7 @@ export class OrderedPieces {
     const vertex = (): VertexInput => {
       const { x: triangle, y: second, z: third } = attribute<'vec3'>('position', 'vec3');
       const weights = vec3(second.oneMinus().sub(third), second, third).toVar();
-      return corners.point(int(triangle), weights, indexed.batch.kind, indexed.surface.colored);
+      return corners.point(int(triangle), weights, cornersOf(indexed), float(0));
     };
     const sources = { ...indexed, vertex: { ...indexed.vertex, vertex } };
     this.drawables = [makeDrawable(geometryOf(this.places), sources)];

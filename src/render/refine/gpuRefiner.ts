@@ -11,6 +11,7 @@ import { GpuLevels, type LeafRequest } from './gpuLevels.ts';
 import { ListedPieces } from './gpuListed.ts';
 import { OrderedPieces } from './gpuOrdered.ts';
 import { ALL_PATTERNS, patternGeometry } from './gpuPatterns.ts';
+import { WornClusters } from './gpuWorn.ts';
 import type { Look } from './look.ts';
 import { type LevelledPlan, LocalPlanner, type PlannedPart, type Planner } from './planner.ts';
 
@@ -18,7 +19,7 @@ import { type LevelledPlan, LocalPlanner, type PlannedPart, type Planner } from 
 interface Part {
   readonly slot: number;
   readonly indexed: Drawable;
-  readonly clusters: IndexedClusters;
+  readonly clusters: IndexedClusters | WornClusters;
   pieces?: ListedPieces | InstancedPieces | OrderedPieces;
 }
 
@@ -62,7 +63,10 @@ export class Refiner {
       options,
     );
     this.parts = indexed.map((drawable, slot) => {
-      const clusters = new IndexedClusters(drawable, this.planner.starts(slot));
+      const starts = this.planner.starts(slot);
+      const clusters = drawable.batch.worn
+        ? new WornClusters(drawable, drawable.batch.worn, starts, add)
+        : new IndexedClusters(drawable, starts);
       return { slot, indexed: drawable, clusters };
     });
     this.buffers = new LeafBuffers(indexed.length, this.patterns.runs);
@@ -129,6 +133,7 @@ export class Refiner {
 
   private showPart(part: Part, plan: LevelledPlan, requests: ListRequest[]): void {
     const { clusters, indexed, slot } = part;
+    const firstInstance = indexed.batch.worn?.first ?? 0;
     const firstTriangle = plan.count > 0 ? this.corners.firstTriangle(indexed.batch) : undefined;
     if (firstTriangle === undefined) {
       part.pieces?.hide();
@@ -138,8 +143,16 @@ export class Refiner {
     part.pieces ??= this.makePieces(part);
     const { pieces } = part;
     if (pieces instanceof ListedPieces)
-      requests.push({ slot, family: familyOf(indexed), sources: indexed.vertex, plan, firstTriangle, pieces });
-    else this.known += pieces.show(plan.levels ?? [], firstTriangle);
+      requests.push({
+        slot,
+        family: familyOf(indexed),
+        sources: indexed.vertex,
+        plan,
+        firstTriangle,
+        firstInstance,
+        pieces,
+      });
+    else this.known += pieces.show(plan.levels ?? [], firstTriangle, firstInstance);
     if (pieces instanceof OrderedPieces) clusters.hide();
     else this.known += clusters.show(plan.clusters);
   }
@@ -167,5 +180,5 @@ function hidePart({ clusters, pieces }: Part): void {
 }
 
 /** Of the batches whose levels one kernel finds: it reads the samples of a deforming body from a table of its own. */
-const familyOf = ({ batch: { kind, bodies } }: Drawable): string =>
-  kind === 'sampled-points' ? `${kind} ${bodies[0].id}` : kind;
+const familyOf = ({ batch: { kind, bodies, worn } }: Drawable): string =>
+  kind === 'sampled-points' ? `${kind} ${bodies[0].id}` : worn ? `${kind} worn` : kind;

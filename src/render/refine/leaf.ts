@@ -1,11 +1,14 @@
 /**
- * A leaf: a triangle of the mesh, or a part of one, as eight floats.
+ * A leaf: a triangle of the mesh, or a part of one, as nine floats.
  *   0      triangle, by its place in the batch's indices / 3
  *   1 … 6  w0.1, w0.2, w1.1, w1.2, w2.1, w2.2: weights of the triangle's second and third corner at the leaf's corners 0, 1, 2
  *          (the first has what is left of 1), multiples of 2^−MOST_HALVINGS and so exact in f32, as all their sums are
  *   7      levels of the edges 0–1, 1–2 and 2–0 (`packLevels`); 0 where they are not known yet
+ *   8      where many wear the mesh, whose it is: its place among the bodies of the batch
  */
-export const LEAF_FLOATS = 8;
+export const LEAF_FLOATS = 9;
+export const LEVELS_AT = 7;
+export const WEARER_AT = 8;
 /** An edge of level L has 2^L pieces. */
 export const MOST_LEVEL = 4;
 /** How often an edge of the mesh can be halved before its leaves' levels. */
@@ -40,7 +43,7 @@ export class LeafList {
   }
 
   /** A part of a triangle: a, b, c are the places of its corners in `points` (shown.ts). */
-  add(triangle: number, points: Float64Array, a: number, b: number, c: number): void {
+  add(triangle: number, points: Float64Array, a: number, b: number, c: number, wearer = 0): void {
     const at = this.next();
     const out = this.floats;
     out[at] = triangle;
@@ -50,14 +53,15 @@ export class LeafList {
     out[at + 4] = points[b + 7];
     out[at + 5] = points[c + 6];
     out[at + 6] = points[c + 7];
-    out[at + 7] = 0;
+    out[at + LEVELS_AT] = 0;
+    out[at + WEARER_AT] = wearer;
   }
 
   /** A leaf of another list, with its levels. */
   copy(from: Float32Array, leaf: number, levels: number): void {
     const at = this.next();
-    for (let k = 0; k < LEAF_FLOATS - 1; k++) this.floats[at + k] = from[LEAF_FLOATS * leaf + k];
-    this.floats[at + LEAF_FLOATS - 1] = levels;
+    for (let k = 0; k < LEAF_FLOATS; k++) this.floats[at + k] = from[LEAF_FLOATS * leaf + k];
+    this.floats[at + LEVELS_AT] = levels;
   }
 
   private next(): number {

@@ -1,4 +1,4 @@
-import type { BatchArrays } from '../batches.ts';
+import type { BatchArrays, Worn } from '../batches.ts';
 import { lineOfCentre, type MovingBody } from '../bodies.ts';
 import { sampleWindow, spanOf } from '../sight.ts';
 import { Hyperbolic } from './hyperbolic.ts';
@@ -6,24 +6,30 @@ import type { Gauge } from './look.ts';
 import { Moving } from './moving.ts';
 import { Deforming, Posed, type Window } from './polyline.ts';
 import type { Shown } from './shown.ts';
-import { Steady, steadyMap } from './steady.ts';
+import { Steady, steadyMap, turnedMap } from './steady.ts';
 
 /** As much of a batch (batches.ts) as its plans are made from. */
 export interface PlannedBatch {
   readonly transparent: boolean;
   readonly doubleSided: boolean;
   readonly bodies: readonly MovingBody[];
+  readonly worn?: Worn;
   readonly arrays: Pick<BatchArrays, 'positions' | 'indices' | 'ids'>;
 }
 
 /** How a body of a batch is shown in one picture; undefined where nothing of it ever is. */
-export function showing(body: MovingBody, { arrays, doubleSided }: PlannedBatch, gauge: Gauge): Shown | undefined {
+export function showing(
+  body: MovingBody,
+  { arrays, doubleSided, worn }: PlannedBatch,
+  gauge: Gauge,
+): Shown | undefined {
   const { motion, authoredIn } = body.object;
   const { sight } = gauge.look;
   const line = lineOfCentre(body, sight.c);
   if (line.kind === 'static' || line.kind === 'uniform') {
     const map = steadyMap(line, authoredIn === 'rest', Math.max(body.radius, 1e-6), gauge);
-    return new Steady(map, arrays.positions, doubleSided, gauge);
+    const own = worn && 'pose' in motion ? turnedMap(map, motion.pose.orientation) : map;
+    return new Steady(own, arrays.positions, doubleSided, gauge);
   }
   if (motion.kind === 'hyperbolic')
     return new Moving(new Hyperbolic(body, motion, arrays.positions, sight), false, gauge);

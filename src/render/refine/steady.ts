@@ -1,4 +1,6 @@
+import { multiply as times } from '../../math/mat3.ts';
 import { IDENTITY, type Mat4, multiply } from '../../math/mat4.ts';
+import { type Quat, toMatrix } from '../../math/quat.ts';
 import { add, addScaled, dot, length, negate, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { boostMatrix, gamma, properVelocity } from '../../physics/boost.ts';
 import { contraction, simultaneitySlice, simultaneousPosition } from '../../physics/simultaneity.ts';
@@ -25,6 +27,8 @@ export interface SteadyMap {
   readonly A: readonly number[];
   readonly x0: Vec3;
   readonly L: Mat4;
+  /** How much A can lengthen. */
+  readonly growth: number;
 }
 
 type SteadyLine = StaticLine | UniformLine;
@@ -37,17 +41,27 @@ export function steadyMap(line: SteadyLine, rigid: boolean, size: number, { look
   const now = sub(positionAt(line, sight.t, sight.c), sight.position);
   if (sight.surface === 'past-light-cone') {
     const A = rigid ? columns((p) => p) : columns((p) => stretched(p, v));
-    return { A, x0: stretched(now, v), L: multiply(toObserver, boostMatrix(v)) };
+    return { A, x0: stretched(now, v), L: multiply(toObserver, boostMatrix(v)), growth: norm(A) };
   }
   const offset = (p: Vec3): Vec3 => (rigid ? contraction(p, v) : p);
-  if (sight.surface === 'now') return { A: columns(offset), x0: now, L: toObserver };
+  if (sight.surface === 'now') {
+    const A = columns(offset);
+    return { A, x0: now, L: toObserver, growth: norm(A) };
+  }
   const place = (p: Vec3): Vec3 => {
     const moved = { ...line, position: add(line.position, offset(p)) };
     return simultaneousPosition(simultaneitySlice(moved, sight, sight.u, sight.c).offset, sight.u);
   };
   const x0 = place(ZERO);
-  return { A: columns((p) => scale(sub(place(scale(p, size)), x0), 1 / size)), x0, L: IDENTITY };
+  const A = columns((p) => scale(sub(place(scale(p, size)), x0), 1 / size));
+  return { A, x0, L: IDENTITY, growth: norm(A) };
 }
+
+/** The same of points in axes that are turned. */
+export const turnedMap = (map: SteadyMap, orientation: Quat): SteadyMap => ({
+  ...map,
+  A: times(map.A, toMatrix(orientation)),
+});
 
 /** From the world's slice to the rest frame: the inverse of the contraction. */
 const stretched = (x: Vec3, u: Vec3): Vec3 => addScaled(x, u, dot(u, x) / (gamma(u) + 1));
@@ -71,13 +85,12 @@ export class Steady implements Shown {
   private readonly u: Vec3;
   private readonly w: number;
   private readonly ball: ShownBall;
-  /** How much A can lengthen. */
   private readonly growth: number;
   /** X of the chosen triangle's corners. */
   private readonly corners = new Float64Array(9);
 
   constructor(map: SteadyMap, positions: Float32Array, doubleSided: boolean, gauge: Gauge) {
-    const { L, A } = map;
+    const { L } = map;
     this.map = map;
     this.gauge = gauge;
     this.positions = positions;
@@ -86,7 +99,7 @@ export class Steady implements Shown {
     this.u = [L[1], L[2], L[3]];
     this.w = length(this.u);
     this.ball = new ShownBall(L, gauge);
-    this.growth = norm(A);
+    this.growth = map.growth;
     const row = (i: number): Vec3 => [L[4 + i], L[8 + i], L[12 + i]];
     this.sides = gauge.sides.map((s) => ({ a: [dot(s, row(1)), dot(s, row(2)), dot(s, row(3))], b: dot(s, row(0)) }));
   }

@@ -1,5 +1,6 @@
 import type { AttributeSpec, ListOp, PrimSpec, PropertySpec, RelationshipSpec, Specifier } from '../layer.ts';
 import { composeMetadata } from './composedMetadata.ts';
+import { contentOf } from './content.ts';
 import type { Opinion } from './layerStack.ts';
 import { composeList } from './listOps.ts';
 import { localSamples, localValue, type Place } from './localValues.ts';
@@ -26,11 +27,13 @@ const said = (node: Node, { spec, from }: Opinion): Said => ({ spec, node, from,
 /** What becomes of the opinions on a prim: one spec without arcs, as if one layer said it all. Children are to be added. */
 export function composedPrim(index: Node, path: string): PrimSpec {
   const opinions = opinionsOf(index);
+  const typeName = opinions.find(({ spec }) => spec.typeName !== '')?.spec.typeName ?? '';
   return {
     path,
     name: nameOf(path),
     specifier: specifierOf(opinions),
-    typeName: opinions.find(({ spec }) => spec.typeName !== '')?.spec.typeName ?? '',
+    typeName,
+    content: contentOf(typeName, opinions),
     metadata: composeMetadata(opinions.map((o) => ({ metadata: o.spec.metadata, place: o }))),
     properties: composedProperties(opinions),
     children: new Map(),

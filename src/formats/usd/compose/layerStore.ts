@@ -1,4 +1,4 @@
-import { InputError } from '../../../scene/types.ts';
+import { InputError, type MissingFile } from '../../../scene/types.ts';
 import { messageOf } from '../../fail.ts';
 import { metadataNumber } from '../context.ts';
 import type { Layer, PrimSpec } from '../layer.ts';
@@ -33,6 +33,8 @@ export type ParseLayer = (bytes: Uint8Array, id: string) => Layer;
  */
 export class LayerStore {
   readonly files: AssetFiles;
+  /** Layers that are not there, by what is said of them. */
+  readonly missing = new Map<string, MissingFile>();
   private readonly parse: ParseLayer;
   private readonly byId = new Map<string, LoadedLayer | LayerFault>();
   private readonly byReference = new Map<string, LoadedLayer | LayerFault>();
@@ -75,8 +77,9 @@ export class LayerStore {
     } catch (thrown) {
       return unreadable(asset, thrown);
     }
-    const places = this.files.candidates(anchor, asset).join(' and ');
-    const message = `@${asset}@ is not there (looked for ${places}); open the folder that holds it`;
+    const lookedFor = this.files.candidates(anchor, asset);
+    const message = `@${asset}@ is not there (looked for ${lookedFor.join(' and ')}); open the folder that holds it`;
+    this.missing.set(message, { name: asset, lookedFor });
     return { code: 'usd.missing-layer', message };
   }
 

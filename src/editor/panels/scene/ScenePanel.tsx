@@ -1,14 +1,19 @@
 import { Badge, ScrollArea, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
-import type { Picture } from '../../nodes/define.ts';
-import type { Diagnostic, Scene } from '../../scene/types.ts';
-import { formatCount, formatSeconds, formatSpeed } from '../format.ts';
-import { useTexts } from '../i18n/i18n.ts';
-import { useSceneWords } from '../i18n/useSceneWords.ts';
-import { sceneName } from '../loading/sceneLoader.ts';
-import { useStudioState } from '../state/context.tsx';
+import type { Picture } from '../../../nodes/define.ts';
+import type { Diagnostic, Scene } from '../../../scene/types.ts';
+import { formatCount, formatLength, formatSeconds, formatSpeed } from '../../format.ts';
+import { type Translate, useTexts } from '../../i18n/i18n.ts';
+import { useSceneWords } from '../../i18n/useSceneWords.ts';
+import { sceneName } from '../../loading/sceneLoader.ts';
+import { useStudioState } from '../../state/context.tsx';
+import { MissingFiles } from './MissingFiles.tsx';
+import { Motion } from './Motion.tsx';
+import { OtherScenes } from './OtherScenes.tsx';
+import { Section } from './Section.tsx';
+import { Variants } from './Variants.tsx';
 
-/** What is in the scene that is open, and what its reader had to say. */
+/** What is in the scene that is open, what can be chosen and changed in it, and what its reader had to say. */
 export function ScenePanel(): ReactNode {
   const { t } = useTexts();
   const picture = useStudioState((state) => state.picture);
@@ -18,8 +23,12 @@ export function ScenePanel(): ReactNode {
       {picture ? (
         <Stack gap="lg" p="md">
           <About scene={picture.scene} source={source} />
+          <OtherScenes source={source} />
+          <MissingFiles notes={picture.scene.diagnostics} />
+          <Variants sets={picture.scene.variants ?? []} />
           <Figures picture={picture} />
-          <Notes notes={picture.scene.diagnostics} />
+          <Motion picture={picture} />
+          <Notes notes={picture.scene.diagnostics.filter(({ missing }) => !missing)} />
         </Stack>
       ) : (
         <Text p="md" size="sm" c="dimmed">
@@ -52,20 +61,22 @@ function Figures({ picture }: { readonly picture: Picture }): ReactNode {
   const { scene, fastest } = picture;
   const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
   const moving = scene.objects.filter(({ motion }) => motion.kind !== 'static').length;
-  const time = fastest && { speed: formatSpeed(fastest.speed), time: formatSeconds(fastest.time) };
-  const rows: [string, ReactNode][] = [
+  const time = fastest && { speed: formatSpeed(fastest.speed), time: unbroken(formatSeconds(fastest.time)) };
+  const paths = pathsRow(scene.pathError, t);
+  const rows: (readonly [string, ReactNode])[] = [
     [t('info.objects'), formatCount(scene.objects.length)],
     [t('info.moving'), formatCount(moving)],
     [t('info.trianglesInScene'), formatCount(triangles)],
     [t('info.duration'), `${formatSeconds(scene.startTime)} … ${formatSeconds(scene.endTime)}`],
-    ...(time ? [[t('info.fastest'), t('info.fastestAt', time)] satisfies [string, ReactNode]] : []),
+    ...(time ? [[t('info.fastest'), t('info.fastestAt', time)] as const] : []),
+    ...(paths ? [[t('info.paths'), paths] as const] : []),
   ];
   return (
     <Table verticalSpacing={4} horizontalSpacing={0} fz="sm" withRowBorders={false}>
       <Table.Tbody>
         {rows.map(([label, value]) => (
           <Table.Tr key={label}>
-            <Table.Th fw={400} c="dimmed">
+            <Table.Th fw={400} c="dimmed" className="sl-nowrap">
               {label}
             </Table.Th>
             <Table.Td ta="right" className="sl-figure">
@@ -78,16 +89,21 @@ function Figures({ picture }: { readonly picture: Picture }): ReactNode {
   );
 }
 
+const unbroken = (text: string): string => text.replaceAll(' ', '\u00a0');
+
+/** Under a nanometre it is the rounding of the arithmetic. */
+function pathsRow(error: number | undefined, t: Translate): string | undefined {
+  if (error === undefined || !Number.isFinite(error)) return undefined;
+  return error < 1e-9 ? t('info.pathsExact') : t('info.pathsTo', { length: formatLength(error) });
+}
+
 const COLORS = { error: 'red', warning: 'yellow', info: 'gray' } as const;
 
 function Notes({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode {
   const { t } = useTexts();
   if (notes.length === 0) return null;
   return (
-    <Stack gap="sm">
-      <Text component="h2" size="xs" fw={600} c="dimmed" className="sl-section-title">
-        {t('info.notes')}
-      </Text>
+    <Section title={t('info.notes')}>
       {notes.map((note) => (
         <Stack gap={2} key={`${note.code} ${note.place} ${note.message}`}>
           <Badge size="xs" variant="light" color={COLORS[note.severity]}>
@@ -99,6 +115,6 @@ function Notes({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode 
           <Text size="xs">{note.message}</Text>
         </Stack>
       ))}
-    </Stack>
+    </Section>
   );
 }

@@ -1,0 +1,86 @@
+import { type Command, InvalidArgumentError, Option } from 'commander';
+import type { ReadOptions } from '../formats/registry.ts';
+import { changeMotion, type MotionChange } from '../scene/change.ts';
+import { type Flight, isAt, tooLargeToFly } from '../scene/fly.ts';
+import type { Scene, SceneObject } from '../scene/types.ts';
+import { inputProblem, usageError } from './exit.ts';
+import { openSceneFile } from './files.ts';
+import { speedOfLight } from './flags.ts';
+import { addVariant, parseBeta, parseNumber, parsePositive } from './parse.ts';
+
+/** What of a file is opened, and how its things are to move. */
+export interface SceneFlags {
+  readonly variant?: ReadonlyMap<string, string>;
+  readonly animation?: string;
+  readonly speedFactor?: number;
+  readonly startOffset?: number;
+  readonly fly?: readonly FlightFlag[];
+  readonly flyShape?: SceneObject['authoredIn'];
+  /** Where the command has it [m/s]. */
+  readonly c?: number;
+}
+type FlightFlag = Omit<Flight, 'authoredIn'>;
+
+export const SCENE_ARGUMENT =
+  'USD, glTF, .obj, .ply or .stl file; or a .zip that holds one, set.zip[scene.usda] where it holds several';
+
+export const addSceneFlags = (command: Command): Command =>
+  command
+    .option(
+      '--variant <set=option>',
+      "what a file offers to choose, as inspect lists it: '/World/Car{paint}=red'; several times for several sets",
+      addVariant,
+    )
+    .option('--animation <name>', 'glTF: the animation to show, by name or place from 0 (default: the first)')
+    .option('--speed-factor <k>', 'the animation runs so many times as fast', parsePositive)
+    .option('--start-offset <s>', 'the animation begins so much later, or earlier', parseNumber)
+    .option(
+      '--fly <prim=x,y,z@t>',
+      "a thing and all below it fly at this velocity in units of c, and are where they would be at t [s] (default 0): '/World/Car=0.8,0,0@2'",
+      addFlight,
+    )
+    .addOption(
+      new Option(
+        '--fly-shape <name>',
+        'what the file holds of them: the shape at rest, or as the world has it in flight',
+      )
+        .choices(['rest', 'world'])
+        .default('rest'),
+    );
+
+function addFlight(text: string, before: readonly FlightFlag[] = []): readonly FlightFlag[] {
+  const [, path, velocity, at = '0'] = /^([^=]+)=([^@]+)(?:@(.+))?$/.exec(text) ?? [];
+  if (path === undefined || velocity === undefined)
+    throw new InvalidArgumentError('Expected PRIM=X,Y,Z or PRIM=X,Y,Z@T, like /World/Car=0.8,0,0@2.');
+  return [...before, { path, beta: parseBeta(velocity), at: parseNumber(at) }];
+}
+
+export const readOptions = ({ variant, animation }: SceneFlags): ReadOptions => ({
+  ...(variant && { variants: variant }),
+  ...(animation !== undefined && { animation: /^\d+$/.test(animation) ? Number(animation) : animation }),
+});
+
+export const motionChange = ({
+  speedFactor = 1,
+  startOffset = 0,
+  fly = [],
+  flyShape = 'rest',
+}: SceneFlags): MotionChange => ({
+  timing: { speed: speedFactor, offset: startOffset },
+  flights: fly.map((flight) => ({ ...flight, authoredIn: flyShape })),
+});
+
+/** The scene of a file, as the flags would have it. */
+export async function openChangedScene(path: string, flags: SceneFlags): Promise<Scene> {
+  const scene = await openSceneFile(path, readOptions(flags));
+  for (const flight of flags.fly ?? []) checkFlight(scene, flight.path);
+  return changeMotion(scene, motionChange(flags), speedOfLight(scene, flags.c));
+}
+
+function checkFlight(scene: Scene, path: string): void {
+  const near = scene.objects.map((object) => object.path).slice(0, 8);
+  if (!scene.objects.some((object) => isAt(object.path, path)))
+    throw usageError(`--fly ${path}: the scene has no such thing; it has ${near.join(', ') || 'none'}`);
+  const [large] = tooLargeToFly(scene, path);
+  if (large !== undefined) throw inputProblem(`${large}: it deforms, and has too many samples to be carried along`);
+}

@@ -1,0 +1,84 @@
+import { zipSync } from 'fflate';
+import { describe, expect, it } from 'vitest';
+import { readHeld, withArchives } from './held.ts';
+import { completes, missingPaths } from './purpose.ts';
+import { LocalFiles, sceneKey } from './sceneLoader.ts';
+
+const blob = (words: string) => new Blob([words]);
+const text = async (bytes: Promise<Uint8Array>) => new TextDecoder().decode(await bytes);
+
+describe('the files of a session', () => {
+  it('are sets, of which any scene can be opened', () => {
+    const local = new LocalFiles();
+    const source = local.add(
+      new Map([
+        ['a/x.usda', blob('x')],
+        ['a/y.usda', blob('y')],
+      ]),
+      'a/x.usda',
+    );
+    expect(source).toBe('local:1/a/x.usda');
+    expect(local.get(local.sibling(source, 'a/y.usda'))?.entry).toBe('a/y.usda');
+    expect(local.paths(source)).toEqual(['a/x.usda', 'a/y.usda']);
+    expect(local.get('local:7/a.usda')).toBeUndefined();
+    expect(local.get('examples/street.usda')).toBeUndefined();
+  });
+
+  it('take others, and the scene is still the same; the set before them stays for undo', () => {
+    const local = new LocalFiles();
+    const first = local.add(new Map([['a/x.usda', blob('x')]]), 'a/x.usda');
+    const second = local.supply(
+      first,
+      new Map([
+        ['wood.png', blob('w')],
+        ['tex/ice.png', blob('i')],
+      ]),
+    );
+    const third = local.supply(second, new Map([['last.png', blob('l')]]));
+    expect(local.paths(third)).toEqual(['a/x.usda', 'a/wood.png', 'tex/ice.png', 'a/last.png']);
+    expect(local.paths(first)).toEqual(['a/x.usda']);
+    expect(new Set([first, second, third].map(sceneKey))).toEqual(new Set(['local:1/a/x.usda']));
+    expect(new Set([first, second, third]).size).toBe(3);
+    const branch = local.supply(first, new Map());
+    expect(branch).not.toBe(second);
+    expect(local.paths(second)).toHaveLength(3);
+  });
+
+  it('unpack archives where they are read, with the share of a file that has come', async () => {
+    const zip = new Blob([zipSync({ 's/a.txt': new TextEncoder().encode('packed') })]);
+    const files = await withArchives(
+      new Map([
+        ['set.zip', zip],
+        ['b.txt', blob('plain')],
+      ]),
+    );
+    expect([...files.keys()]).toEqual(['set.zip/s/a.txt', 'b.txt']);
+    const heard: number[] = [];
+    const report = (received: number, total: number) => heard.push(received / total);
+    expect(await text(readHeld(files.get('set.zip/s/a.txt')!, report))).toBe('packed');
+    expect(await text(readHeld(files.get('b.txt')!, report))).toBe('plain');
+    expect(heard.at(-1)).toBe(1);
+    await expect(withArchives(new Map([['bad.zip', blob('no')]]))).rejects.toThrow(/bad\.zip: the archive/);
+  });
+});
+
+describe('what files that are dropped are for', () => {
+  const missing = missingPaths([
+    {
+      severity: 'warning',
+      code: 'x',
+      place: '',
+      message: '',
+      missing: { name: '../Tex/Wood%20a.PNG', lookedFor: ['tex/wood a.png'] },
+    },
+    { severity: 'info', code: 'y', place: '', message: '' },
+  ]);
+  it.each([
+    [['wood a.png'], false, true],
+    [['else/WOOD A.png', 'other.usda'], false, true],
+    [['stone.png'], false, false],
+    [['scene.usda'], false, false],
+    [['data.bin'], true, true],
+    [['scene.usda'], true, false],
+  ])('%j, refused: %s → %s', (paths, isRefused, result) => expect(completes(paths, missing, isRefused)).toBe(result));
+});

@@ -1,0 +1,53 @@
+import { Button, Stack, Text } from '@mantine/core';
+import { IconFilePlus } from '@tabler/icons-react';
+import { type ReactNode, useRef } from 'react';
+import type { Diagnostic } from '../../../scene/types.ts';
+import { useTexts } from '../../i18n/i18n.ts';
+import { pickedFiles } from '../../loading/picked.ts';
+import { useOpenFiles } from '../../shell/useOpenFiles.ts';
+import { Section } from './Section.tsx';
+
+/** Files that the scene asked for and did not find: for what, where they were looked for, and a way to give them. */
+export function MissingFiles({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode {
+  const { t } = useTexts();
+  const open = useOpenFiles();
+  const input = useRef<HTMLInputElement>(null);
+  const missing = notes.flatMap(({ place, missing: file }) => (file ? [{ place, ...file }] : []));
+  if (missing.length === 0) return null;
+  const onPicked = (picker: HTMLInputElement) => {
+    open(pickedFiles(picker.files ?? []));
+    picker.value = '';
+  };
+  return (
+    <Section title={t('scene.missing')}>
+      <Stack gap="sm" component="ul" className="sl-list">
+        {missing.map(({ name, place, lookedFor }) => (
+          <Stack gap={2} component="li" key={`${name} ${place}`} data-missing={name}>
+            <Text size="sm" fw={600} className="sl-place">
+              {name}
+            </Text>
+            <Text size="xs" className="sl-place">
+              {t('scene.missingFor', { place })}
+            </Text>
+            <Text size="xs" c="dimmed" className="sl-place">
+              {t('scene.lookedFor', { paths: lookedFor.join(', ') })}
+            </Text>
+          </Stack>
+        ))}
+      </Stack>
+      <Button
+        size="xs"
+        variant="light"
+        className="sl-remedy"
+        leftSection={<IconFilePlus size={15} />}
+        onClick={() => input.current?.click()}
+      >
+        {t('scene.supply')}
+      </Button>
+      <Text size="xs" c="dimmed">
+        {t('scene.supplyHint')}
+      </Text>
+      <input ref={input} type="file" multiple hidden onChange={(event) => onPicked(event.currentTarget)} />
+    </Section>
+  );
+}

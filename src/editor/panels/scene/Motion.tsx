@@ -1,0 +1,133 @@
+import { ActionIcon, Group, Paper, Select, Stack, Tooltip } from '@mantine/core';
+import { IconPlaneDeparture, IconTrash } from '@tabler/icons-react';
+import { type ReactNode, useMemo, useState } from 'react';
+import { resolveParams } from '../../../graph/nodeType.ts';
+import type { Picture } from '../../../nodes/define.ts';
+import { nodeLibrary } from '../../../nodes/library.ts';
+import { flightsIn, flyCommand, landCommand } from '../../../nodes/project.ts';
+import type { Scene } from '../../../scene/types.ts';
+import { useTexts } from '../../i18n/i18n.ts';
+import { useServices } from '../../services.tsx';
+import { useStudio, useStudioState } from '../../state/context.tsx';
+import { ParamControl } from '../ParamControl.tsx';
+import { Section } from './Section.tsx';
+
+/** When and how fast the file's animation runs, and what is made to fly besides. */
+export function Motion({ picture }: { readonly picture: Picture }): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const { pilot } = useServices();
+  const document = useStudioState(({ history }) => history.document);
+  const things = useThings(picture.scene);
+  const flights = flightsIn(document);
+  const [search, setSearch] = useState('');
+  const add = (path: string | null) => {
+    if (!path) return;
+    setSearch('');
+    const at = Math.round(pilot.observer.t * 1000) / 1000;
+    studio.edit(flyCommand(document, path, at), 'edit.fly');
+  };
+  return (
+    <Section title={t('motion.title')}>
+      {moves(picture.scene) && <NodeParams node="retime" />}
+      {flights.map((node) => (
+        <Flight key={node} node={node} things={things} />
+      ))}
+      <Select
+        size="xs"
+        label={t('motion.fly')}
+        leftSection={<IconPlaneDeparture size={15} />}
+        placeholder={t('motion.search')}
+        nothingFoundMessage={t('motion.nothing')}
+        searchable
+        selectFirstOptionOnChange
+        limit={50}
+        searchValue={search}
+        onSearchChange={setSearch}
+        value={null}
+        data={things}
+        onChange={add}
+      />
+    </Section>
+  );
+}
+
+const moves = ({ objects, cameras, lights }: Scene): boolean =>
+  [...objects, ...cameras].some(({ motion }) => motion.kind !== 'static') ||
+  lights.some((light) => light.kind === 'sphere' && light.motion.kind !== 'static') ||
+  objects.some(({ lifetime }) => Number.isFinite(lifetime.birth) || Number.isFinite(lifetime.death));
+
+interface Thing {
+  readonly value: string;
+  readonly label: string;
+}
+
+/** Objects, and the groups that hold several, by their paths. */
+function useThings({ objects }: Scene): readonly Thing[] {
+  const { t } = useTexts();
+  const paths = useMemo(() => objects.map(({ path }) => path).join('\n'), [objects]);
+  return useMemo(() => {
+    const counts = new Map<string, number>();
+    for (const path of paths.split('\n')) {
+      for (let at = path.length; at > 0; at = path.lastIndexOf('/', at - 1)) {
+        const above = path.slice(0, at);
+        counts.set(above, (counts.get(above) ?? 0) + 1);
+      }
+    }
+    return [...counts]
+      .sort(([a], [b]) => (a < b ? -1 : 1))
+      .map(([value, count]) => ({ value, label: count > 1 ? t('motion.group', { path: value, count }) : value }));
+  }, [paths, t]);
+}
+
+function Flight({ node, things }: { readonly node: string; readonly things: readonly Thing[] }): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const object = useStudioState(({ history }) => String(history.document.nodes[node]?.params.object ?? ''));
+  const land = () => studio.edit(landCommand(studio.store.getState().history.document, node), 'edit.land');
+  return (
+    <Paper withBorder p="xs" component="fieldset" aria-label={`${t('node.fly')}: ${object}`} className="sl-flight">
+      <Stack gap={10}>
+        <Group gap={6} wrap="nowrap" align="end">
+          <Select
+            size="xs"
+            flex={1}
+            label={t('param.flyObject')}
+            nothingFoundMessage={t('motion.nothing')}
+            searchable
+            allowDeselect={false}
+            limit={50}
+            value={object}
+            data={things.some(({ value }) => value === object) ? things : [{ value: object, label: object }, ...things]}
+            onChange={(path) => path && studio.set(node, 'object', path, 'edit.fly')}
+          />
+          <Tooltip label={t('motion.land')} openDelay={400}>
+            <ActionIcon variant="subtle" color="gray" size={30} aria-label={t('motion.land')} onClick={land}>
+              <IconTrash size={16} />
+            </ActionIcon>
+          </Tooltip>
+        </Group>
+        <NodeParams node={node} />
+      </Stack>
+    </Paper>
+  );
+}
+
+/** The parameters of one node that need no control of their own. */
+function NodeParams({ node: id }: { readonly node: string }): ReactNode {
+  const studio = useStudio();
+  const node = useStudioState(({ history }) => history.document.nodes[id]);
+  const type = node && nodeLibrary[node.type];
+  if (!type) return null;
+  const resolved = resolveParams(type, node.params);
+  return Object.entries(type.params).map(([name, spec]) => (
+    <ParamControl
+      key={name}
+      spec={spec}
+      set={node.params[name]}
+      value={resolved[name] ?? spec.default}
+      onChange={(value, gesture) => studio.set(id, name, value, spec.title, gesture)}
+      onGestureEnd={studio.endGesture}
+    />
+  ));
+}

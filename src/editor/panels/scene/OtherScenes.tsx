@@ -1,0 +1,28 @@
+import { Select } from '@mantine/core';
+import type { ReactNode } from 'react';
+import { scenesIn } from '../../../formats/entry.ts';
+import { useTexts } from '../../i18n/i18n.ts';
+import { useServices } from '../../services.tsx';
+import { useStudio } from '../../state/context.tsx';
+
+/** The scenes among the files that were given, where there are several. */
+export function OtherScenes({ source }: { readonly source: string }): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const { localFiles } = useServices();
+  const given = localFiles.get(source);
+  const scenes = given && given.base === undefined ? scenesIn(localFiles.paths(source)) : [];
+  if (!given || scenes.length < 2) return null;
+  return (
+    <Select
+      size="xs"
+      label={t('scene.others')}
+      searchable={scenes.length > 8}
+      allowDeselect={false}
+      limit={100}
+      value={given.entry}
+      data={scenes.includes(given.entry) ? scenes : [given.entry, ...scenes]}
+      onChange={(entry) => entry && entry !== given.entry && studio.open(localFiles.sibling(source, entry))}
+    />
+  );
+}

@@ -1,0 +1,60 @@
+import { Select } from '@mantine/core';
+import type { ReactNode } from 'react';
+import { formatChoice } from '../../../formats/choices.ts';
+import type { VariantSet } from '../../../scene/types.ts';
+import { useTexts } from '../../i18n/i18n.ts';
+import { useStudio, useStudioState } from '../../state/context.tsx';
+import { Section } from './Section.tsx';
+
+/** What the file offers to choose. The scene is read again with the choice, and the observer stays where he is. */
+export function Variants({ sets }: { readonly sets: readonly VariantSet[] }): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const set = useStudioState(({ history }) => history.document.nodes.read?.params.variants);
+  const chosen: readonly string[] = Array.isArray(set) ? set.map(String) : [];
+  if (sets.length === 0) return null;
+  const choose = (name: string, option: string | null) => {
+    const others = chosen.filter((text) => !text.startsWith(formatChoice(name, '')));
+    const next = option ? [...others, formatChoice(name, option)] : others;
+    studio.set('read', 'variants', next.length > 0 ? next : undefined, 'edit.variant');
+  };
+  return (
+    <Section title={t('scene.variants')}>
+      {sets.map((one) => (
+        <VariantSelect
+          key={one.set}
+          set={one}
+          chosen={chosen.find((text) => text.startsWith(formatChoice(one.set, '')))?.slice(one.set.length + 1)}
+          onChoose={(option) => choose(one.set, option)}
+        />
+      ))}
+    </Section>
+  );
+}
+
+interface VariantSelectProps {
+  readonly set: VariantSet;
+  /** By the person; undefined: the file's own choice holds, and choosing can be taken back. */
+  readonly chosen: string | undefined;
+  readonly onChoose: (option: string | null) => void;
+}
+
+function VariantSelect({ set: { set, options, chosen: shown }, chosen, onChoose }: VariantSelectProps): ReactNode {
+  const { t } = useTexts();
+  const [, path, name] = /^(.*)\{(.*)\}$/.exec(set) ?? ['', '', set];
+  return (
+    <Select
+      size="xs"
+      label={name}
+      description={path}
+      searchable={options.length > 12}
+      allowDeselect={false}
+      clearable={chosen !== undefined}
+      clearButtonProps={{ 'aria-label': t('panel.reset') }}
+      placeholder={t('scene.none')}
+      value={chosen ?? (shown || null)}
+      data={[...options]}
+      onChange={onChoose}
+    />
+  );
+}

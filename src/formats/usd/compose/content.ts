@@ -1,0 +1,30 @@
+import type { PrimSpec } from '../layer.ts';
+import type { Place } from './localValues.ts';
+import type { Node } from './node.ts';
+import { composeOffsets } from './offsets.ts';
+
+const NUMBERS = new WeakMap<object, number>();
+let last = 0;
+
+/** Tells objects apart. */
+function numberOf(thing: object): number {
+  const known = NUMBERS.get(thing) ?? ++last;
+  NUMBERS.set(thing, known);
+  return known;
+}
+
+/** What says where a prim is and what it wears, not what it is. */
+const PLACING = /^(xformOp|visibility$|purpose$|material:binding|slowlight:)/;
+
+/**
+ * Names what a prim is made of: two prims with one name hold the same values, wherever they are. Opinions that only
+ * place a prim do not count, so that instances of a mesh have one name.
+ */
+export function contentOf(typeName: string, opinions: readonly (Place & { spec: PrimSpec; node: Node })[]): string {
+  const parts = opinions.flatMap(({ spec, node, from, map }) => {
+    if ([...spec.properties.keys()].every((name) => PLACING.test(name))) return [];
+    const { offset, scale } = composeOffsets(map.time, from.time);
+    return [`${numberOf(spec)}/${numberOf(node.stack)}@${offset}*${scale}`];
+  });
+  return [typeName, ...parts].join(' ');
+}

@@ -1,0 +1,69 @@
+import type * as mat4 from '../../../math/mat4.ts';
+import type { Frame } from '../frame.ts';
+import type { Instance, Population, Step } from './population.ts';
+import { matrixOf, mended, type Placing } from './transforms.ts';
+
+/** A step of a placing's way costs about as much as so many ops. */
+const COST = 4;
+
+/** Times at which instances are followed beyond their samples, where velocities carry them on. */
+export interface Range {
+  readonly start: number;
+  readonly end: number;
+}
+
+/**
+ * The way of one instance in its instancer. Between two samples it is where its velocities carry it, brought evenly to
+ * where the next sample has it: places that jump at a sample would outrun light.
+ */
+export function instanceFrame(population: Population, instance: Instance, range: Range): Frame {
+  const times = timesOf(population, instance, range);
+  const matrixAt = (time: number): mat4.Mat4 => matrixOf(placingAt(population, instance, time));
+  if (times.length < 2) {
+    const fixed = matrixAt(times[0] ?? range.start);
+    return { times: NO_TIMES, cost: 1, matrixAt: () => fixed };
+  }
+  return { times, cost: COST, matrixAt: (time) => matrixAt(time ?? range.start) };
+}
+
+const NO_TIMES = new Float64Array(0);
+
+function timesOf({ times, transforms }: Population, { birth, death, steps }: Instance, { start, end }: Range) {
+  const [{ count }] = steps;
+  const [first, last] = [times[0] ?? start, times[times.length - 1] ?? start];
+  const carriedFrom = transforms.isCarried(count, first) ? Math.min(start, first) : first;
+  const carriedTo = transforms.isCarried(steps[steps.length - 1].count, last) ? Math.max(end, last) : last;
+  if (carriedFrom === first && carriedTo === last && birth === -Infinity && death === Infinity) return times;
+  const all = new Set([carriedFrom, ...times, carriedTo, birth, death].filter(Number.isFinite));
+  return Float64Array.from(all)
+    .sort()
+    .filter((t) => t >= birth && t <= death);
+}
+
+function placingAt({ transforms, times }: Population, { steps, death }: Instance, time: number): Placing {
+  const k = lastBefore(times, time, death);
+  const base = k < 0 ? time : times[k];
+  const { index, count } = stepAt(steps, base);
+  const carried = transforms.isCarried(count, base);
+  const at = (t: number): Placing => transforms.at(index, count, t, base);
+  // What is left of it at its death is in arrays that may be of others.
+  if (time >= death && !carried && transforms.misfits(count, time).length > 0) return at(base);
+  const next = times[k + 1];
+  if (k < 0 || next === undefined || next >= death || time === base) return at(time);
+  const then = stepAt(steps, next);
+  if (then.index === index && !carried) return at(time);
+  return mended(at(time), at(next), transforms.at(then.index, then.count, next), (time - base) / (next - base));
+}
+
+/** The last of the times that is not after `time`, and before the death. */
+function lastBefore(times: Float64Array, time: number, death: number): number {
+  let k = -1;
+  while (k + 1 < times.length && times[k + 1] <= time && times[k + 1] < death) k++;
+  return k;
+}
+
+function stepAt(steps: readonly Step[], time: number): Step {
+  let k = 0;
+  while (k + 1 < steps.length && steps[k + 1].from <= time) k++;
+  return steps[k];
+}

@@ -1,0 +1,51 @@
+import { Inflate } from 'fflate';
+import { crc32 } from '../crc32.ts';
+import { inputError, messageOf } from '../fail.ts';
+import type { PartedFile, ZipEntry } from './directory.ts';
+
+const LOCAL = 0x04034b50;
+const LOCAL_SIZE = 30;
+/** What is inflated at a time [bytes]: of a file that holds more than it says not much more is made than this, 1032-fold. */
+const PORTION = 2 ** 14;
+
+/** The bytes of one file of an archive. Throws an InputError where they are not what the directory says. */
+export async function unpack(archive: PartedFile, entry: ZipEntry, name: string): Promise<Uint8Array> {
+  const { path, method, packed, size, crc, offset } = entry;
+  const fail = (message: string, cause?: unknown): never => {
+    throw inputError('zip.damaged', name, `${path} in it ${message}; copy or pack it again`, cause);
+  };
+  const start = offset + LOCAL_SIZE;
+  if (start > archive.size) fail('is cut off');
+  const header = await archive.read(offset, start);
+  const view = new DataView(header.buffer, header.byteOffset, header.byteLength);
+  if (view.getUint32(0, true) !== LOCAL) fail(`is not where the directory says (byte ${offset})`);
+  const from = start + view.getUint16(26, true) + view.getUint16(28, true);
+  if (from + packed > archive.size) fail('is cut off');
+  const bytes = await archive.read(from, from + packed);
+  if (method !== 0 && method !== 8) {
+    const message = `${path} in it is packed by method ${method}, which is not read; pack it as a plain zip (deflate)`;
+    throw inputError('zip.method', name, message);
+  }
+  const out = method === 0 ? bytes : inflated(bytes, size, fail);
+  if (out.length !== size) fail(`has ${out.length} bytes, not the ${size} that the directory says`);
+  if (crc32(out) !== crc) fail('is damaged: its check sum is another');
+  return out;
+}
+
+function inflated(bytes: Uint8Array, size: number, fail: (message: string, cause?: unknown) => never): Uint8Array {
+  const out = new Uint8Array(size);
+  let made = 0;
+  const inflate = new Inflate((part) => {
+    if (made + part.length > size) fail(`holds more than the ${size} bytes that the directory says`);
+    out.set(part, made);
+    made += part.length;
+  });
+  try {
+    for (let at = 0; at < bytes.length || at === 0; at += PORTION)
+      inflate.push(bytes.subarray(at, at + PORTION), at + PORTION >= bytes.length);
+  } catch (thrown) {
+    if (thrown instanceof Error && 'diagnostic' in thrown) throw thrown;
+    fail(`cannot be unpacked (${messageOf(thrown)})`, thrown);
+  }
+  return out.subarray(0, made);
+}

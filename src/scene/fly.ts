@@ -1,0 +1,116 @@
+import { add, addScaled, length, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
+import { properVelocity } from '../physics/boost.ts';
+import { contraction } from '../physics/simultaneity.ts';
+import { boundingBox } from './bounds.ts';
+import { poseAt } from './motion.ts';
+import type { FrameMotion, SampledPointsMotion, Scene, SceneObject, SphereLight } from './types.ts';
+
+/** A flight along a straight line at constant speed. */
+export interface Flight {
+  /** Prim path: of an object, or of what holds several. */
+  readonly path: string;
+  /** In units of c, world frame, |β| < 1. */
+  readonly beta: Vec3;
+  /** World time at which it passes the place where it would be without the flight [s]. */
+  readonly at: number;
+  /** What the mesh is: the shape in the world as it flies by, or the shape at rest, which the flight contracts. */
+  readonly authoredIn: SceneObject['authoredIn'];
+}
+
+/** Most numbers of a deforming mesh's samples that are carried along: each is copied. */
+const MAX_NUMBERS = 2 ** 25;
+/** How long a deforming thing flies on before its first and after its last sample [s], in lengths of the animation. */
+const LEAD = 20;
+const LEAST_LEAD = 60;
+
+/** Whether a thing is the one of a path, or below it. */
+export const isAt = (path: string, wanted: string): boolean => path === wanted || path.startsWith(`${wanted}/`);
+
+/** Objects whose samples are too many to be carried along. */
+export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
+  scene.objects
+    .filter(({ motion, mesh, ...object }) => {
+      const isDeforming = motion.kind === 'sampled-points' && isAt(object.path, path);
+      return isDeforming && motion.times.length * mesh.positions.length > MAX_NUMBERS;
+    })
+    .map((object) => object.path);
+
+/**
+ * The scene with a thing and all below it, lamps too, flying: x(t) = x(at) + βc (t − at).
+ *
+ * Rigid things keep the pose that they have at that time, and what moved them before is gone. Things that deform go on
+ * deforming: every sample is shifted by βc (t − at), so that their own motion adds to it as velocities of the world frame do;
+ * before their first and after their last sample they keep their shape and fly on for a while. They are always the world's.
+ *
+ * `rest`: all the parts together are the shape at rest: their places are contracted towards the middle of what flies. c [m/s].
+ */
+export function fly(scene: Scene, flight: Flight, c: number): Scene {
+  const flying = scene.objects.filter(({ path }) => isAt(path, flight.path));
+  const lamps = scene.lights.filter(
+    (light): light is SphereLight => light.kind === 'sphere' && isAt(light.path, flight.path),
+  );
+  const origins = [...flying, ...lamps].flatMap(({ motion }) => poseAt(motion, flight.at, c).position);
+  const box = boundingBox(origins);
+  const u = properVelocity(flight.beta);
+  const middle = box ? scale(add(box.min, box.max), 0.5) : ZERO;
+  const place = (x: Vec3): Vec3 => (flight.authoredIn === 'rest' ? add(middle, contraction(sub(x, middle), u)) : x);
+  const course: Course = {
+    velocity: scale(flight.beta, c),
+    at: flight.at,
+    c,
+    place,
+    range: scene.endTime - scene.startTime,
+  };
+  return {
+    ...scene,
+    objects: scene.objects.map((object) => (flying.includes(object) ? flyObject(object, flight, course) : object)),
+    lights: scene.lights.map((light) =>
+      light.kind === 'sphere' && lamps.includes(light) ? { ...light, motion: flyFrame(light.motion, course) } : light,
+    ),
+  };
+}
+
+interface Course {
+  /** [m/s] */
+  readonly velocity: Vec3;
+  /** [s] */
+  readonly at: number;
+  readonly c: number;
+  /** Where what is at a place at rest is in flight, at the time `at`. */
+  readonly place: (x: Vec3) => Vec3;
+  /** Of the scene's time [s]. */
+  readonly range: number;
+}
+
+function flyObject(object: SceneObject, { authoredIn }: Flight, course: Course): SceneObject {
+  const { motion } = object;
+  if (motion.kind === 'sampled-points')
+    return { ...object, motion: carriedPoints(motion, course), authoredIn: 'world' };
+  return { ...object, motion: flyFrame(motion, course), authoredIn };
+}
+
+function flyFrame(motion: FrameMotion, { velocity, at, c, place }: Course): FrameMotion {
+  const pose = poseAt(motion, at, c);
+  const position = place(pose.position);
+  if (length(velocity) === 0) return { kind: 'static', pose: { ...pose, position } };
+  return { kind: 'uniform', pose: { ...pose, position: addScaled(position, velocity, -at) }, velocity };
+}
+
+function carriedPoints(motion: SampledPointsMotion, { velocity, at, range }: Course): SampledPointsMotion {
+  const { times, points, normals } = motion;
+  const last = times.length - 1;
+  const lead = Math.max(LEAST_LEAD, LEAD * range);
+  const ends = (i: number): number[] => [i, ...Array.from(times, (_, k) => k), last];
+  const order = ends(0);
+  const longer = Float64Array.of(times[0] - lead, ...times, times[last] + lead);
+  const shifted = order.map((k, i) => {
+    const shift = scale(velocity, longer[i] - at);
+    return points[k].map((x, j) => x + shift[j % 3]);
+  });
+  return {
+    ...motion,
+    times: longer,
+    points: shifted,
+    ...(normals && { normals: order.map((k) => normals[k]) }),
+  };
+}

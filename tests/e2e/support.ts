@@ -1,0 +1,22 @@
+import type { Guarded } from './program.ts';
+
+/** Drops files on the page as a file manager does. */
+export async function drop(visit: Guarded, given: readonly { name: string; content: Buffer }[]): Promise<void> {
+  const files = given.map(({ name, content }) => ({ name, text: content.toString('base64') }));
+  await visit.page.evaluate((dropped) => {
+    const transfer = new DataTransfer();
+    for (const { name, text } of dropped) {
+      transfer.items.add(new File([Uint8Array.from(atob(text), (character) => character.charCodeAt(0))], name));
+    }
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  }, files);
+}
+
+/** Of the checkers' magenta. */
+export const pinkShare = (pixels: Uint8Array): number => {
+  let pink = 0;
+  for (let i = 0; i + 2 < pixels.length; i += 3) {
+    if (pixels[i]! > 1.4 * pixels[i + 1]! && pixels[i + 2]! > 1.2 * pixels[i + 1]!) pink++;
+  }
+  return (3 * pink) / pixels.length;
+};
