@@ -1,6 +1,16 @@
 import { makeMaterial } from '../scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../scene/normals.ts';
-import type { Diagnostic, Light, Material, Mesh, Motion, Scene, SceneCamera, SceneObject } from '../scene/types.ts';
+import type {
+  Diagnostic,
+  Lamp,
+  Light,
+  Material,
+  Mesh,
+  Motion,
+  Scene,
+  SceneCamera,
+  SceneObject,
+} from '../scene/types.ts';
 
 /**
  * A scene in which every number is one: files hold NaN and infinities, and finite numbers overflow on their way to metres
@@ -154,7 +164,8 @@ function soundMaterial(material: Material, say: Say): Material {
 
 function isSound(thing: Light | SceneCamera, say: Say): boolean {
   if ('motion' in thing && !isMotionSound(thing, say)) return false;
-  const numbers = Object.entries(thing).flatMap(([key, value]) => (key === 'lifetime' ? [] : value));
+  const { lifetime: _, shaping, ...rest }: Partial<Lamp> = thing as Partial<Lamp>;
+  const numbers = [...Object.values(rest), ...Object.values(shaping ?? {})].flat();
   if (allFinite(numbers.filter((value) => typeof value === 'number'))) return true;
   say(thing.path, `a number of it is ${NOT}; it is left out`);
   return false;

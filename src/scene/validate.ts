@@ -3,16 +3,7 @@ import { dot, length, type Vec3 } from '../math/vec3.ts';
 import { makeObject } from './defaults.ts';
 import { fastest } from './fastest.ts';
 import { pointAt } from './polygons.ts';
-import type {
-  Diagnostic,
-  HyperbolicMotion,
-  Mesh,
-  Motion,
-  Scene,
-  SceneCamera,
-  SceneObject,
-  SphereLight,
-} from './types.ts';
+import type { Diagnostic, HyperbolicMotion, Lamp, Mesh, Motion, Scene, SceneCamera, SceneObject } from './types.ts';
 
 /**
  * What is wrong with a scene at the speed of light c [m/s], object by object. Errors are things that no picture can be made of;
@@ -29,7 +20,7 @@ export function validate(scene: Scene, c: number): Diagnostic[] {
     ...duplicatePaths(scene),
     ...scene.objects.flatMap((object) => validateObject(object, findingsOf(object.mesh), c)),
     ...scene.cameras.flatMap((camera) => validateFrame(camera, c)),
-    ...scene.lights.flatMap((light) => (light.kind === 'sphere' ? validateFrame(light, c) : [])),
+    ...scene.lights.flatMap((light) => ('motion' in light ? validateLamp(light, c) : [])),
   ];
 }
 
@@ -235,8 +226,23 @@ function validateHorizon({ path, mesh, authoredIn }: SceneObject, motion: Hyperb
   return [problem('error', 'motion.horizon', `motion of ${path}`, message)];
 }
 
+function validateLamp(lamp: Lamp, c: number): Diagnostic[] {
+  const sizes = Object.entries(lamp).flatMap(([name, value]) =>
+    SIZES.has(name) && !(value >= 0 && Number.isFinite(value)) ? [`its ${name} is ${value} m`] : [],
+  );
+  if (sizes.length > 0)
+    return [problem('error', 'light.size', lamp.path, `${sizes.join(', ')}; give it a size of 0 m or more`)];
+  if (!lamp.color.every(Number.isFinite))
+    return [
+      problem('error', 'light.color', lamp.path, `its colour is ${lamp.color.join(', ')}; give it three numbers`),
+    ];
+  return validateFrame(lamp, c);
+}
+
+const SIZES = new Set(['radius', 'width', 'height', 'length']);
+
 /** The frame of a camera or a light is a point: its own speed is what counts. */
-function validateFrame({ path, motion }: SceneCamera | SphereLight, c: number): Diagnostic[] {
+function validateFrame({ path, motion }: SceneCamera | Lamp, c: number): Diagnostic[] {
   const found = validateTimes(motion, path);
   if (hasError(found)) return found;
   const bad = badMotion(motion);

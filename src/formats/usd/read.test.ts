@@ -110,7 +110,7 @@ class "_class" {}
     const scene = await readText(`
 def SkelRoot "Man" { def Cube "Bone" {} }
 def BasisCurves "Hair" {}
-def RectLight "Window" {}
+def PortalLight "Window" {}
 `);
     expect(scene.diagnostics.map((d) => d.place)).toEqual(['Hair', 'Window'].map((n) => `a.usda</${n}>`));
     expect(scene.objects.map((o) => o.path)).toEqual(['/Man/Bone']);

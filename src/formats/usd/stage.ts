@@ -14,6 +14,7 @@ import type { PrimSpec } from './layer.ts';
 import { isLight, isUnreadLight, lightOf } from './lights.ts';
 import { MaterialTable } from './materials.ts';
 import { meshShape } from './meshes.ts';
+import { geometryLights, glowing, lightOn, type MeshLight } from './meshLights.ts';
 import type { Part, Site, Subtree } from './parts.ts';
 import { placeDrifting, placeShape, placeStill, type Shape } from './placement.ts';
 import { remade, SharedShapes } from './sharedShapes.ts';
@@ -68,6 +69,7 @@ class StageReader {
   private readonly context: StageContext;
   readonly scene: Found;
   private readonly textures: TextureLoader;
+  private readonly geometryLights: ReadonlyMap<string, PrimSpec>;
   private readonly shapes = new SharedShapes();
   /** Paths of what instancers show: what only holds it need not be defined. */
   private readonly prototypes: ReadonlySet<string>;
@@ -78,6 +80,7 @@ class StageReader {
     this.textures = new TextureLoader(context);
     this.skeletons = new Skeletons(context);
     this.table = new MaterialTable(context, this.textures);
+    this.geometryLights = geometryLights(context.layer.rootPrims.values());
     this.prototypes = addPrototypes(context.layer.rootPrims, new Set());
     const instancers = new Instancers(context, {
       subtree: (prim) => this.subtree(prim),
@@ -197,7 +200,9 @@ class StageReader {
     const shape = this.skeletons.isBound(prim) ? make() : this.shapes.of(prim, surface, make);
     if (!shape) return;
     const place = shape.frame && !found.isScene ? this.inPrototype(prim, frame, shape.frame) : (shape.frame ?? frame);
-    found.part({ path: prim.path, shape, frame: place, directions, colorable: surface.colorable });
+    const light = lightOn(prim, this.geometryLights);
+    const part = { path: prim.path, shape, frame: place, directions, colorable: surface.colorable };
+    found.part({ ...part, ...(light && { light }) });
   }
 
   /** A frame of the stage, from that of a prim in it, where the prim stands in a prototype. */
@@ -207,8 +212,9 @@ class StageReader {
     return nestedFrame(frame, nestedFrame(back, target));
   }
 
-  private draw({ path, shape, frame, directions }: Part): void {
-    this.add(path, directions, this.placed(path, shape, frame, directions), lifetimeOf(directions));
+  private draw({ path, shape, frame, directions, light }: Part): void {
+    const placed = this.placed(path, shape, frame, directions);
+    this.add(path, directions, this.lit(placed, light), lifetimeOf(directions));
   }
 
   private drawInstance(part: Part, path: string, setting: Setting): void {
@@ -227,7 +233,11 @@ class StageReader {
       birth: Math.max(own.birth, setting.lifetime.birth),
       death: Math.min(own.death, setting.lifetime.death),
     };
-    this.add(path, setting.directions, { ...placed, mesh }, lifetime);
+    this.add(path, setting.directions, this.lit({ ...placed, mesh }, part.light), lifetime);
+  }
+
+  private lit(made: Made, light: MeshLight | undefined): Made {
+    return light ? { ...made, mesh: glowing(this.context, this.table, light, made.mesh) } : made;
   }
 
   private add(path: string, directions: Directions, { mesh, motion }: Made, lifetime: Lifetime): void {
