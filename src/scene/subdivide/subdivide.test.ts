@@ -130,10 +130,8 @@ describe('a regular grid', () => {
       expect(z).toBeCloseTo(splineHeight(hills, x, y), 6);
       const [dx, dy] = [splineHeight(hills, x, y, slope), splineHeight(hills, x, y, spline, slope)];
       const length = Math.hypot(dx, dy, 1);
-      const isCorner = (x === 0 || x === N - 1) && (y === 0 || y === N - 1);
-      // The tangents of the single face at a corner are its edges: also right, since the corner is kept.
       const expected = [-dx / length, -dy / length, 1 / length];
-      for (let k = 0; k < 3; k++) expect(at(normals, s)[k], `${x} ${y} ${isCorner}`).toBeCloseTo(expected[k], 5);
+      for (let k = 0; k < 3; k++) expect(at(normals, s)[k], `${x} ${y}`).toBeCloseTo(expected[k], 5);
     }
   });
 
@@ -165,8 +163,6 @@ describe('limit masks', () => {
     ];
     const surface = surfaceOf(cube, 3, { creaseSharpness: sharpBetween(loop, 10) });
     const { positions } = surface.at(cube.points.flat());
-    const slot = surface.slotOfCorner.indexOf(surface.slotOfCorner[0]);
-    expect(slot).toBe(0);
     const places = Array.from({ length: surface.slots }, (_, s) => at(positions, s));
     const onTop = places.filter((p) => Math.abs(p[2] - 1) < 1e-6 && Math.max(Math.abs(p[0]), Math.abs(p[1])) > 0.6);
     const ring = [4, 5, 7, 6].map((p) => cube.points[p]);
