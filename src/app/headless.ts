@@ -27,6 +27,7 @@ interface OpenRequest {
   /** As ReadOptions has them. */
   readonly animation?: string | number;
   readonly interpolation?: Interpolation;
+  readonly subdivision?: number;
   readonly variants: readonly (readonly [set: string, option: string])[];
   /** How its things are to move, with the speed of light that flights are measured by [m/s]. */
   readonly motion?: MotionChange & { readonly speedOfLight: number };
@@ -64,13 +65,14 @@ declare global {
 let renderer: SceneRenderer | undefined;
 
 window.slowlight = {
-  async open({ base, entry, width, height, animation, interpolation, variants, motion }) {
+  async open({ base, entry, width, height, animation, interpolation, subdivision, variants, motion }) {
     const read = await openScene(
       urlSource(base, () => {}),
       entry,
       {
         ...(animation !== undefined && { animation }),
         ...(interpolation && { interpolation }),
+        ...(subdivision !== undefined && { subdivision }),
         variants: new Map(variants),
       },
     );

@@ -50,7 +50,7 @@ function summarize(scene: Scene, c: number) {
       cameras: scene.cameras.length,
     },
     fastest: fastestPoint(scene, c),
-    pathError: scene.pathError,
+    pathError: Number.isFinite(scene.pathError) ? scene.pathError : undefined,
     variants: scene.variants ?? [],
     objects,
     lights: scene.lights.map(({ kind, path }) => ({ kind, path })),
@@ -105,9 +105,7 @@ function describe(s: Summary): string {
     s.fastest
       ? `  fastest: ${s.fastest.path}, ${s.fastest.speed.toPrecision(6)} m/s = ${s.fastest.fractionOfC.toPrecision(6)} c${period(s.fastest)} (c = ${s.speedOfLight} m/s)`
       : `  nothing moves (c = ${s.speedOfLight} m/s)`,
-    ...(s.pathError === undefined
-      ? []
-      : [`  paths between samples: at most ${s.pathError.toPrecision(2)} m beside what the file means`]),
+    ...(s.pathError === undefined ? [] : [`  paths between samples are ${exactness(s.pathError)}`]),
     ...s.variants.map(variantLine),
     '',
     ...treeLines(entries(s)),
@@ -116,6 +114,8 @@ function describe(s: Summary): string {
   return parts.join('\n');
 }
 
+/** Under a nanometre it is the rounding of the arithmetic. */
+const exactness = (error: number): string => (error < 1e-9 ? 'exact' : `right to ${error.toPrecision(2)} m`);
 const variantLine = ({ set, options, chosen }: VariantSet): string =>
   `  ${set}: ${options.map((option) => (option === chosen ? `[${option}]` : option)).join(', ')}`;
 

@@ -27,6 +27,7 @@ export const parseDamping = numberWhere((x) => x > 0 && x <= 1, 'a number above 
 export const parseFov = numberWhere((x) => x > 0 && x < 180, 'degrees between 0 and 180');
 export const parseIterations = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 64, 'a whole number, 1 to 64');
 export const parseSamples = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 16, 'a whole number, 1 to 16');
+export const parseLevels = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 8, 'a whole number, 0 to 8');
 export const parseThreads = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 1024, 'a whole number, 1 to 1024');
 export const parseSeed = numberWhere(
   (x) => Number.isInteger(x) && x >= 0 && x < 2 ** 32,

@@ -6,13 +6,14 @@ import type { Scene, SceneObject } from '../scene/types.ts';
 import { inputProblem, usageError } from './exit.ts';
 import { openSceneFile } from './files.ts';
 import { speedOfLight } from './flags.ts';
-import { addVariant, parseBeta, parseNumber, parsePositive } from './parse.ts';
+import { addVariant, parseBeta, parseLevels, parseNumber, parsePositive } from './parse.ts';
 
 /** What of a file is opened, and how its things are to move. */
 export interface SceneFlags {
   readonly variant?: ReadonlyMap<string, string>;
   readonly animation?: string;
   readonly interpolation: Interpolation;
+  readonly subdivision?: number;
   readonly speedFactor?: number;
   readonly startOffset?: number;
   readonly fly?: readonly FlightFlag[];
@@ -41,6 +42,11 @@ export const addSceneFlags = (command: Command): Command =>
         .choices(interpolations)
         .default('linear'),
     )
+    .option(
+      '--subdivision <n>',
+      'USD: levels to which subdivision surfaces are refined; 0 draws their polygons (default: 2, fewer where it would be too many faces)',
+      parseLevels,
+    )
     .option('--speed-factor <k>', 'the animation runs so many times as fast', parsePositive)
     .option('--start-offset <s>', 'the animation begins so much later, or earlier', parseNumber)
     .option(
@@ -64,9 +70,10 @@ function addFlight(text: string, before: readonly FlightFlag[] = []): readonly F
   return [...before, { path, beta: parseBeta(velocity), at: parseNumber(at) }];
 }
 
-export const readOptions = ({ variant, animation, interpolation }: SceneFlags): ReadOptions => ({
+export const readOptions = ({ variant, animation, interpolation, subdivision }: SceneFlags): ReadOptions => ({
   interpolation,
   ...(variant && { variants: variant }),
+  ...(subdivision !== undefined && { subdivision }),
   ...(animation !== undefined && { animation: /^\d+$/.test(animation) ? Number(animation) : animation }),
 });
 

@@ -22,6 +22,7 @@ interface HeadlessPage {
     height: number;
     animation?: string | number;
     interpolation?: 'linear' | 'cubic';
+    subdivision?: number;
     variants: (readonly [set: string, option: string])[];
     motion: MotionChange & { speedOfLight: number };
   }): Promise<{ adapterName: string }>;
@@ -38,7 +39,7 @@ type HeadlessWindow = { readonly slowlight: HeadlessPage };
 /** Draws with the page's renderer on WebGL2, in a Chromium without a window. */
 export async function openWebGlPainter(path: string, scene: Scene, flags: RenderFlags): Promise<Painter> {
   const { source, folder, entry } = await findScene(path);
-  const { animation, variants = [] } = readOptions(flags);
+  const { animation, subdivision, variants = [] } = readOptions(flags);
   const motion = { ...motionChange(flags), speedOfLight: speedOfLight(scene, flags.c) };
   // A name that nobody else on this machine can guess: whatever the scene refers to can be read below it, as `..` leads.
   const files = `/${randomUUID()}/`;
@@ -60,6 +61,7 @@ export async function openWebGlPainter(path: string, scene: Scene, flags: Render
         entry,
         ...flags.size,
         animation,
+        subdivision,
         variants: [...variants],
         motion,
       },

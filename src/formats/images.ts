@@ -63,6 +63,13 @@ function decodeJpeg(bytes: Uint8Array, name: string): DecodedImage {
 
 /** Size from the frame header (SOF marker, ITU T.81 B.2.2), before anything is allocated for it. */
 function jpegSize(bytes: Uint8Array): { width: number; height: number } {
+  const at = jpegFrame(bytes);
+  if (at < 0) throw new Error('no frame header');
+  return { height: (bytes[at + 5] << 8) | bytes[at + 6], width: (bytes[at + 7] << 8) | bytes[at + 8] };
+}
+
+/** Where the frame header's marker is; −1: nowhere. */
+function jpegFrame(bytes: Uint8Array): number {
   const u16 = (at: number): number => (bytes[at] << 8) | bytes[at + 1];
   let at = 2;
   while (at + 9 < bytes.length) {
@@ -72,10 +79,10 @@ function jpegSize(bytes: Uint8Array): { width: number; height: number } {
     }
     const marker = bytes[at + 1];
     const isFrame = marker >= 0xc0 && marker <= 0xcf && marker !== 0xc4 && marker !== 0xc8 && marker !== 0xcc;
-    if (isFrame) return { height: u16(at + 5), width: u16(at + 7) };
+    if (isFrame) return at;
     at += 2 + Math.max(2, u16(at + 2));
   }
-  throw new Error('no frame header');
+  return -1;
 }
 
 function decodePng(bytes: Uint8Array, name: string): DecodedImage {
@@ -83,6 +90,17 @@ function decodePng(bytes: Uint8Array, name: string): DecodedImage {
   const [width, height] = [view.getUint32(16), view.getUint32(20)];
   checkSize(width, height, name);
   return { width, height, data: decodePngPixels(bytes) };
+}
+
+/**
+ * Whether a picture without a word about it holds colours as screens show them: UsdPreviewSurface takes 8 bits and three or four channels
+ * for that, and all else for plain numbers.
+ */
+export function looksLikeColor(bytes: Uint8Array): boolean {
+  if (kindOf(bytes) === 'PNG') return bytes[25] === 3 || (bytes[24] === 8 && (bytes[25] & 2) !== 0);
+  if (kindOf(bytes) !== 'JPEG') return false;
+  const at = jpegFrame(bytes);
+  return at < 0 || bytes[at + 9] >= 3;
 }
 
 /** The picture (white where there is none) with its alpha from one channel of another, read at the nearest pixel. */

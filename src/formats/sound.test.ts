@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { makeMaterial, makeObject, makeScene, restingAt } from '../scene/defaults.ts';
+import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../scene/defaults.ts';
 import { box, grid } from '../scene/primitives.ts';
 import type { Mesh, SampledPointsMotion, Scene } from '../scene/types.ts';
 import { soundScene } from './sound.ts';
@@ -59,16 +59,27 @@ describe('a scene as read', () => {
 
   it('loses what is nowhere, and light and materials that are no numbers', () => {
     const nowhere = { ...restingAt([0, 0, 0]), kind: 'uniform', velocity: [NaN32, 0, 0] } as const;
+    const lamp = {
+      kind: 'disk',
+      motion: restingAt([0, 0, 0]),
+      lifetime: FOREVER,
+      radius: 1,
+      color: [1, 1, 1],
+    } as const;
     const sound = soundScene({
       ...sceneOf({ path: '/A', mesh, motion: nowhere }, { path: '/B', mesh }),
       materials: [makeMaterial({ name: 'odd', roughness: NaN32 })],
-      lights: [{ kind: 'dome', path: '/Sky', color: [1, Number.POSITIVE_INFINITY, 1] }],
+      lights: [
+        { kind: 'dome', path: '/Sky', color: [1, Number.POSITIVE_INFINITY, 1] },
+        { ...lamp, path: '/Wide', radius: NaN32 },
+        { ...lamp, path: '/Bent', shaping: { inner: 0, outer: NaN32, focus: 0 } },
+      ],
       endTime: Number.POSITIVE_INFINITY,
     });
     expect(sound.objects.map(({ path }) => path)).toEqual(['/B']);
     expect(sound.lights).toEqual([]);
     expect(sound.materials[0].roughness).toBe(0.6);
     expect(sound.endTime).toBe(0);
-    expect(sound.diagnostics).toHaveLength(4);
+    expect(sound.diagnostics).toHaveLength(6);
   });
 });

@@ -1,6 +1,16 @@
 import { makeMaterial } from '../scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../scene/normals.ts';
-import type { Diagnostic, Light, Material, Mesh, Motion, Scene, SceneCamera, SceneObject } from '../scene/types.ts';
+import type {
+  Diagnostic,
+  Lamp,
+  Light,
+  Material,
+  Mesh,
+  Motion,
+  Scene,
+  SceneCamera,
+  SceneObject,
+} from '../scene/types.ts';
 
 /**
  * A scene in which every number is one: files hold NaN and infinities, and finite numbers overflow on their way to metres
@@ -65,10 +75,19 @@ function isMotionSound({ path, motion }: { path: string; motion: Motion }, say: 
   return false;
 }
 
+/** What was found of arrays that many objects may share. */
+const FINITE = new WeakMap<Float32Array, boolean>();
+
+function knownFinite(numbers: Float32Array): boolean {
+  const known = FINITE.get(numbers) ?? allFinite(numbers);
+  FINITE.set(numbers, known);
+  return known;
+}
+
 /** A 1 for each vertex that is nowhere, at rest or at a sample; undefined where all are somewhere. */
 function lostVertices({ mesh, motion }: SceneObject): Uint8Array | undefined {
   const shapes = motion.kind === 'sampled-points' ? [mesh.positions, ...motion.points] : [mesh.positions];
-  const broken = shapes.filter((shape) => !allFinite(shape));
+  const broken = shapes.filter((shape) => !knownFinite(shape));
   if (broken.length === 0) return undefined;
   const lost = new Uint8Array(mesh.positions.length / 3);
   for (const shape of broken)
@@ -145,7 +164,8 @@ function soundMaterial(material: Material, say: Say): Material {
 
 function isSound(thing: Light | SceneCamera, say: Say): boolean {
   if ('motion' in thing && !isMotionSound(thing, say)) return false;
-  const numbers = Object.entries(thing).flatMap(([key, value]) => (key === 'lifetime' ? [] : value));
+  const { lifetime: _, shaping, ...rest }: Partial<Lamp> = thing as Partial<Lamp>;
+  const numbers = [...Object.values(rest), ...Object.values(shaping ?? {})].flat();
   if (allFinite(numbers.filter((value) => typeof value === 'number'))) return true;
   say(thing.path, `a number of it is ${NOT}; it is left out`);
   return false;

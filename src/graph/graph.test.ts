@@ -199,6 +199,13 @@ describe('validation', () => {
     expect(refuseValue(number, Number.NaN)).toMatch(/not a number/);
     expect(refuseValue({ ...number, integer: true } as typeof number, 0.5)).toMatch(/whole/);
     expect(refuseValue({ kind: 'boolean', title: '', default: true }, 'yes')).toMatch(/not a boolean/);
+    const vector = { kind: 'vector', title: '', default: [0, 0, 1] } as const;
+    expect(refuseValue(vector, [1, 2, 3])).toBeUndefined();
+    for (const wrong of [[1, 2], [1, 2, Number.NaN], ['1', '2', '3'], 1])
+      expect(refuseValue(vector, wrong)).toMatch(/three/);
+    const list = { kind: 'list', title: '', default: [] } as const;
+    expect(refuseValue(list, ['a', 'b'])).toBeUndefined();
+    for (const wrong of ['a', [1], true]) expect(refuseValue(list, wrong)).toMatch(/no list/);
     const choice = { kind: 'choice', title: '', default: 'a', options: [{ value: 'a', title: '' }] } as const;
     expect(refuseValue(choice, 'b')).toMatch(/none of the choices/);
   });

@@ -3,7 +3,7 @@ import { gamma, inverseBoost, properVelocity } from '../physics/boost.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
 import { directLights } from '../scene/daylight.ts';
 import { originLine } from '../scene/motion.ts';
-import type { DistantLight, SphereLight } from '../scene/types.ts';
+import type { DistantLight, Lamp } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import type { Random } from './directions.ts';
 import { type RestFrame, restFrame } from './restFrame.ts';
@@ -23,9 +23,9 @@ export interface LightOptions {
 
 export const DEFAULT_LIGHT: LightOptions = { bounces: 2, mirrors: true, glass: false };
 
-/** A sphere light and the world line of its centre. */
-export interface Lamp {
-  readonly light: SphereLight;
+/** A lamp and the world line of its centre. */
+export interface MovingLamp {
+  readonly light: Lamp;
   readonly line: WorldLine;
 }
 
@@ -37,7 +37,7 @@ export interface Lighting {
   readonly random: Random;
   readonly sky: Sky;
   readonly suns: readonly DistantLight[];
-  readonly lamps: readonly Lamp[];
+  readonly lamps: readonly MovingLamp[];
   /** Which events light each other. */
   readonly when: When;
 }
@@ -54,7 +54,7 @@ function lightsOf(traced: TracedScene): Pick<Lighting, 'sky' | 'suns' | 'lamps'>
   const lights = directLights(traced.scene);
   const suns = lights.filter((light) => light.kind === 'distant');
   const lamps = lights
-    .filter((light) => light.kind === 'sphere')
+    .filter((light) => light.kind !== 'distant')
     .map((light) => ({ light, line: originLine(light.motion) }));
   const made = { sky: skyOf(traced.scene), suns, lamps };
   known.set(traced, made);

@@ -1,12 +1,14 @@
-import { add, dot, length, negate, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import type { Quat } from '../math/quat.ts';
+import { add, length, negate, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
 import { apparentPosition, inverseApparentPosition } from '../physics/apparent.ts';
 import { pastLightCone } from '../physics/lightCone.ts';
 import { simultaneitySlice } from '../physics/simultaneity.ts';
 import { velocityAt } from '../physics/worldLine.ts';
-import type { DistantLight, SphereLight } from '../scene/types.ts';
+import { poseAt } from '../scene/motion.ts';
+import type { DistantLight } from '../scene/types.ts';
 import type { Departure } from './departure.ts';
-import { coneDirection } from './directions.ts';
-import { frameOf, type Lamp, type Lighting, rayBack } from './lighting.ts';
+import { sampleLamp } from './lampSamples.ts';
+import { frameOf, type Lighting, type MovingLamp, rayBack } from './lighting.ts';
 import { transmitted } from './passage.ts';
 import { type Look, reflectance } from './reflectance.ts';
 import { dopplerBetween, type RestFrame } from './restFrame.ts';
@@ -57,16 +59,17 @@ function sunlight({ settings }: Lighting, { direction, color }: DistantLight, fr
 }
 
 /**
- * A lamp where it was when it sent out what arrives. In its own frame it is a sphere at rest at a distance d′, seen within the solid angle
- * Ω′ = 2π(1 − √(1 − (radius/d′)²)); so E = D² L Ω′ = D⁴ L Ω, and of a point E = D² I/d′² = D⁴ I/r² where surface and world are one.
- * Its speed is taken as constant while its light crosses its radius. undefined: none of its light is here yet, or any more.
+ * A lamp where it was when it sent out what arrives. In its own frame it rests at a distance d′ and is seen within a solid angle Ω′ (of a
+ * sphere 2π(1 − √(1 − (radius/d′)²))); so E = D² L Ω′ = D⁴ L Ω, and of a point E = D² I/d′² = D⁴ I/r² where surface and world are one.
+ * Its velocity and its axes are taken as constant while its light crosses it. undefined: none of its light is here yet, or any more.
  */
-function lamplight(lighting: Lighting, lamp: Lamp, at: Departure, frame: RestFrame): Arriving | undefined {
+function lamplight(lighting: Lighting, lamp: MovingLamp, at: Departure, frame: RestFrame): Arriving | undefined {
   const { light } = lamp;
   const seen = lampSeen(lighting, lamp, at);
   if (!seen) return undefined;
   const centre = apparentPosition(seen.offset, seen.frame.u);
-  const sample = light.radius === 0 ? pointSample(centre) : sphereSample(centre, light, lighting.random);
+  const sample = sampleLamp(light, centre, seen.orientation, lighting.random);
+  if (!sample) return undefined;
   const dx = inverseApparentPosition(sample.toward, seen.frame.u);
   const time = at.t + rayBack(lighting, at, dx).dt / lighting.scene.c;
   if (time < light.lifetime.birth || time > light.lifetime.death) return undefined;
@@ -74,12 +77,15 @@ function lamplight(lighting: Lighting, lamp: Lamp, at: Departure, frame: RestFra
   return { dx, end: 1 - 1e-9, irradiance: scale(met(light.color, D, lighting.settings), sample.weight) };
 }
 
-/** The lamp's centre: from the surface to it [m, world], and its frame then. */
-function lampSeen(
-  lighting: Lighting,
-  { line }: Lamp,
-  { t, x }: Departure,
-): { readonly offset: Vec3; readonly frame: RestFrame } | undefined {
+interface SeenLamp {
+  /** From the surface to its centre [m, world]. */
+  readonly offset: Vec3;
+  /** Its frame then, and how its own axes stand there. */
+  readonly frame: RestFrame;
+  readonly orientation: Quat;
+}
+
+function lampSeen(lighting: Lighting, { line, light }: MovingLamp, { t, x }: Departure): SeenLamp | undefined {
   const { when, scene } = lighting;
   const observer = { t, position: x };
   const event = (): { offset: Vec3; time: number } | undefined => {
@@ -93,29 +99,6 @@ function lampSeen(
   const found = event();
   if (!found) return undefined;
   const velocity = scale(velocityAt(line, found.time, scene.c), 1 / scene.c);
-  return { offset: found.offset, frame: frameOf(lighting, velocity) };
-}
-
-interface LampSample {
-  /** From the surface to a point of the lamp, in the lamp's frame [m]. */
-  readonly toward: Vec3;
-  /** What its colour is multiplied with: 1/d′² or Ω′. */
-  readonly weight: number;
-}
-
-const pointSample = (centre: Vec3): LampSample => ({
-  toward: centre,
-  weight: 1 / Math.max(dot(centre, centre), 1e-12),
-});
-
-/** A direction of the cone in which the sphere is seen; all directions from its inside. */
-function sphereSample(centre: Vec3, { radius }: SphereLight, random: () => number): LampSample {
-  const d = length(centre);
-  const sin2 = Math.min((radius / d) ** 2, 1);
-  const open = d > radius ? sin2 / (1 + Math.sqrt(1 - sin2)) : 2;
-  const direction = coneDirection(normalize(centre, [0, 0, 1]), open, random);
-  const along = dot(direction, centre);
-  const chord = Math.sqrt(Math.max(0, radius * radius - (d * d - along * along)));
-  const reach = d > radius ? along - chord : along + chord;
-  return { toward: scale(direction, reach), weight: 2 * Math.PI * open };
+  const { orientation } = poseAt(light.motion, found.time, scene.c);
+  return { offset: found.offset, frame: frameOf(lighting, velocity), orientation };
 }

@@ -24,6 +24,14 @@ describe('a texture', () => {
     expect(at.map((u) => red(pair({ wrapS: 'clamp' }), u))).toEqual([0, 0, 0, 1, 1, 1]);
   });
 
+  it('may end in black, which is nothing, over a texel as any two texels do', () => {
+    const bright = { data: Uint8Array.of(255, 0, 0, 255, 255, 0, 0, 255), wrapS: 'black' } as const;
+    expect(sampleTexture(pair(bright), 1.01, 0.5)).toEqual([0, 0, 0, 0]);
+    expect([-0.25, 0, 0.125, 0.25, 1].map((u) => red(pair({ ...bright, filter: 'linear' }), u))).toEqual([
+      0, 0.5, 0.75, 1, 0.5,
+    ]);
+  });
+
   it('is decoded before it is blended', () => {
     const srgb = pair({ filter: 'linear', colorSpace: 'srgb' });
     expect(red(srgb, 0.25)).toBe(0);

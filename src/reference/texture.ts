@@ -27,17 +27,21 @@ const blend = (a: Rgba, b: Rgba, s: number): Rgba => [
 
 function texel({ width, height, data, colorSpace, wrapS, wrapT }: Texture, x: number, y: number): Rgba {
   const k = 4 * (wrapped(y, height, wrapT) * width + wrapped(x, width, wrapS));
+  if (k < 0) return NOTHING;
   const decoded = colorSpace === 'srgb' ? DECODED : PLAIN;
   return [decoded[data[k]], decoded[data[k + 1]], decoded[data[k + 2]], PLAIN[data[k + 3]]];
 }
 
+/** The row or column that is read; −∞ where none is. */
 function wrapped(i: number, size: number, wrap: TextureWrap): number {
+  if (wrap === 'black') return i >= 0 && i < size ? i : Number.NEGATIVE_INFINITY;
   if (wrap === 'clamp') return Math.min(Math.max(i, 0), size - 1);
   const period = wrap === 'mirror' ? 2 * size : size;
   const inside = i - period * Math.floor(i / period);
   return inside < size ? inside : period - 1 - inside;
 }
 
+const NOTHING: Rgba = [0, 0, 0, 0];
 const PLAIN = Float64Array.from({ length: 256 }, (_, byte) => byte / 255);
 /** Encoded sRGB → linear light. Source: IEC 61966-2-1. */
 const DECODED = PLAIN.map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));

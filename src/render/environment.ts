@@ -1,19 +1,27 @@
 import { acos, atan, clamp, dot, int, Loop, texture, uniform, vec2, vec3 } from 'three/tsl';
 import { Color, type DataTexture, Vector3 } from 'three/webgpu';
-import { normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { rotate } from '../math/quat.ts';
+import { normalize, scale, type Vec3 } from '../math/vec3.ts';
 import { axesOf, DAY, type DirectLight, directLights, domeOf } from '../scene/daylight.ts';
-import { originLine } from '../scene/motion.ts';
-import type { DomeLight, Scene, SphereLight, Texture } from '../scene/types.ts';
+import { shownArea } from '../scene/lamps.ts';
+import type { AreaLight, DistantLight, DomeLight, Scene, Texture } from '../scene/types.ts';
 import type * as gpu from '../shaders/types.ts';
+import { AreaLights } from './areaLights.ts';
 import { FloatTable } from './floatTable.ts';
-import { meet, type Sight } from './sight.ts';
+import { lampSeen } from './lampSeen.ts';
+import { type ShapingTexels, shapingValues } from './shaping.ts';
+import type { Sight } from './sight.ts';
 import { uploadTexture } from './textures.ts';
 
 /** Direct light on the GPU: the direction to it (w = 0) or its place relative to the observer [m] (w = 1), and its colour. */
 export interface LightTexels {
   readonly place: gpu.Vec4;
   readonly color: gpu.Vec3;
+  /** Absent where no lamp of the scene is shaped. */
+  readonly shaping?: ShapingTexels;
 }
+
+type Direct = Exclude<DirectLight, AreaLight>;
 
 /** So many lights are written out one by one: a software GPU goes through the body of a loop once more than it need. */
 const WRITTEN_OUT = 4;
@@ -29,16 +37,24 @@ export class Environment {
   };
   /** Radiance of the dome's picture in a world direction. */
   readonly image: ((n: gpu.Vec3) => gpu.Vec3) | undefined;
+  /** Lamps with a size; absent where there are none. */
+  readonly areas: AreaLights | undefined;
   /** Distant ones first. */
-  private readonly lights: readonly DirectLight[];
+  private readonly lights: readonly Direct[];
+  /** Texels per light: twice as many where any is shaped. */
+  private readonly stride: 2 | 4;
   private readonly table = new FloatTable(256);
   private readonly domeTexture: DataTexture | undefined;
 
   constructor(scene: Scene) {
     const dome = domeOf(scene);
     const direct = directLights(scene);
-    this.lights = [...direct.filter(isDistant), ...direct.filter((light) => !isDistant(light))];
-    this.table.reserve(2 * this.lights.length);
+    const spheres = direct.filter((light) => light.kind === 'sphere');
+    this.lights = [...direct.filter(isDistant), ...spheres];
+    this.stride = spheres.some(({ shaping }) => shaping) ? 4 : 2;
+    this.table.reserve(this.stride * this.lights.length);
+    const areas = direct.filter(isArea);
+    if (areas.length > 0) this.areas = new AreaLights(areas);
     if (dome) this.setDome(dome);
     else this.setDay();
     if (dome?.texture) {
@@ -48,8 +64,13 @@ export class Environment {
   }
 
   private light(index: gpu.Int): LightTexels {
-    const at = index.mul(int(2));
-    return { place: this.table.texel(at).toVar(), color: this.table.texel(at.add(int(1))).xyz.toVar() };
+    const at = index.mul(int(this.stride));
+    const texel = (k: number): gpu.Vec4 => this.table.texel(at.add(int(k))).toVar();
+    const [place, color] = [texel(0), texel(1)];
+    if (this.stride === 2) return { place, color: color.xyz };
+    const [front, angles] = [texel(2), texel(3)];
+    const shaping = { front: front.xyz, inner: front.w, outer: angles.x, focus: color.w };
+    return { place, color: color.xyz, shaping };
   }
 
   /** Adds up what `of` gives for each light, or for the distant ones. */
@@ -68,15 +89,15 @@ export class Environment {
   /** Places are uploaded relative to the observer's event. */
   update(sight: Sight): void {
     this.lights.forEach((light, i) => {
-      const distant = light.kind === 'distant';
-      const [place, color] = distant ? [normalize(scale(light.direction, -1)), light.color] : lampSeen(light, sight);
-      this.table.values.set([...place, distant ? 0 : 1, ...color, 0], 8 * i);
+      this.table.values.set(texelsOf(light, sight).slice(0, 4 * this.stride), 4 * this.stride * i);
     });
     this.table.upload();
+    this.areas?.update(sight);
   }
 
   dispose(): void {
     this.table.dispose();
+    this.areas?.dispose();
     this.domeTexture?.dispose();
   }
 
@@ -100,23 +121,17 @@ export class Environment {
   }
 }
 
-const isDistant = ({ kind }: DirectLight): boolean => kind === 'distant';
+const isDistant = (light: DirectLight): light is DistantLight => light.kind === 'distant';
+const isArea = (light: DirectLight): light is AreaLight => light.kind !== 'distant' && light.kind !== 'sphere';
 const WHITE: Vec3 = [1, 1, 1];
 
-/**
- * Where the observer sees the lamp, and its intensity: that is taken for where it shines from on all surfaces, as if its light took no time to them
- * and had no shift of its own (docs/model.md). A sphere's radiance L is the intensity πr²L; a point's colour is its intensity.
- */
-function lampSeen(
-  { motion, lifetime, radius, color }: SphereLight,
-  sight: Sight,
-): readonly [place: Vec3, intensity: Vec3] {
-  const event = meet(originLine(motion), sight);
-  if (!event) return [ZERO, ZERO];
-  const time = sight.t + event.ahead / sight.c;
-  const shines = lifetime.birth <= time && time <= lifetime.death;
-  const area = radius === 0 ? 1 : Math.PI * radius * radius;
-  return [event.offset, shines ? scale(color, area) : ZERO];
+/** A sphere's radiance L is the intensity πr²L; a point's colour is its intensity. */
+function texelsOf(light: Direct, sight: Sight): readonly number[] {
+  if (light.kind === 'distant') return [...normalize(scale(light.direction, -1)), 0, ...light.color, 0];
+  const { position, orientation, color } = lampSeen(light, sight);
+  const [inner, outer, focus] = shapingValues(light);
+  const front = rotate(orientation, [0, 0, -1]);
+  return [...position, 1, ...scale(color, shownArea(light)), focus, ...front, inner, outer];
 }
 
 /** A latitude–longitude picture: its top row at the zenith, its middle column towards −Z (upAxis Y) or +Y (upAxis Z). */

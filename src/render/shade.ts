@@ -1,10 +1,10 @@
-import { clamp, dot, exp2, Fn, If, inverseSqrt, max, min, mix, normalize, reflect, vec3 } from 'three/tsl';
-import { aberrate } from '../shaders/aberrate.ts';
-import { observerDoppler } from '../shaders/observerDoppler.ts';
+import { clamp, dot, exp2, Fn, float, max, min, mix, normalize, reflect, vec3 } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
-import { unaberrate } from '../shaders/unaberrate.ts';
+import { areaLight } from './areaShade.ts';
 import type { Environment, LightTexels } from './environment.ts';
-import { met, seen } from './radiance.ts';
+import { seen } from './radiance.ts';
+import { AT_REST, type Rest, restFrame } from './restFrame.ts';
+import { shaped } from './shaping.ts';
 import { skyLight, skyRadiance } from './sky.ts';
 import type { Surface } from './surface.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -17,37 +17,6 @@ export type ShadedSurface = Pick<Surface, 'color' | 'emissive' | 'roughness' | '
   readonly velocity: Vec4 | undefined;
 };
 
-/** The surface's rest frame: directions of the world as they are there, and back, and light from a world direction as it meets it. */
-interface Rest {
-  into: (n: Vec3) => Vec3;
-  out: (n: Vec3) => Vec3;
-  radiance: (rgb: Vec3, n: Vec3) => Vec3;
-  irradiance: (rgb: Vec3, n: Vec3) => Vec3;
-}
-
-const AT_REST: Rest = { into: (n) => n, out: (n) => n, radiance: (rgb) => rgb, irradiance: (rgb) => rgb };
-
-/** Most surfaces rest: then nothing is computed. */
-function restFrame(velocity: Vec4, uniforms: Uniforms): Rest {
-  const gamma = inverseSqrt(clamp(velocity.w, 1e-12, 1)).toVar();
-  const u = velocity.xyz.mul(gamma).mul(uniforms.boostLight).toVar();
-  const moving = dot(u, u).greaterThan(0).toVar();
-  const where = (rest: Vec3, moved: () => Vec3): Vec3 => {
-    const value = rest.toVar();
-    If(moving, () => {
-      value.assign(moved());
-    });
-    return value;
-  };
-  const doppler = (n: Vec3): Float => where(vec3(1), () => vec3(observerDoppler(n, u, gamma))).x;
-  return {
-    into: (n) => where(n, () => aberrate(n, u, gamma)),
-    out: (n) => where(n, () => unaberrate(n, u, gamma)),
-    radiance: (rgb, n) => seen(rgb, doppler(n), uniforms),
-    irradiance: (rgb, n) => met(rgb, doppler(n), uniforms),
-  };
-}
-
 /**
  * Radiance that reaches the observer. Everything meets in the rest frame of the emission event: the normal is given there, the directions
  * to light and eye are aberrated into it, and the light arrives with E′ = D_in² E (physics.md, "Shading").
@@ -59,7 +28,12 @@ export const shade = (surface: ShadedSurface, environment: Environment, uniforms
     const N = surface.normal.toVar();
     const V = rest.into(normalize(surface.dx)).negate().toVar();
     const look = lookOf(surface, max(dot(N, V), 1e-3).toVar());
-    const direct = environment.sum('all', (light) => directLight(look, N, V, surface.dx, rest, light));
+    const { dx } = surface;
+    const direct = environment.sum('all', (light) => directLight(look, N, V, dx, rest, light)).toVar();
+    if (environment.areas) {
+      const mirrored = (L: Vec3, breadth: Float, length: Float) => mirroredLight(look, N, V, L, breadth, length);
+      direct.addAssign(environment.areas.sum((lamp) => areaLight({ ...look, N, V, dx, rest, mirrored }, lamp)));
+    }
     const reflected = skyReflection(look, N, V, rest, environment, uniforms);
     return seen(direct.add(reflected).add(surface.emissive), surface.D, uniforms);
   })();
@@ -86,10 +60,19 @@ function directLight(look: Look, N: Vec3, V: Vec3, dx: Vec3, rest: Rest, light: 
   const away = mix(place.xyz, place.xyz.sub(dx), place.w).toVar();
   const fall = mix(1, dot(away, away).max(1e-6).reciprocal(), place.w);
   const s = normalize(away).toVar();
-  const E = rest.irradiance(color, s).mul(fall);
+  const open = light.shaping ? shaped(light.shaping, s.negate()) : float(1);
+  const E = rest.irradiance(color, s).mul(fall).mul(open);
   const L = rest.into(s);
   const NL = clamp(dot(N, L), 0, 1).toVar();
   return E.mul(NL).mul(look.diffuse.mul(1 / Math.PI).add(ggx(look, N, V, L, NL)));
+}
+
+/** What is mirrored of light from a lamp with a size, which widens a = roughness² both ways: what the peak gains in breadth it loses in height. */
+function mirroredLight(look: Look, N: Vec3, V: Vec3, L: Vec3, breadth: Float, length: Float): Vec3 {
+  const NL = clamp(dot(N, L), 0, 1).toVar();
+  const a = look.roughness.mul(look.roughness).toVar();
+  const height = a.mul(a).div(a.add(breadth).mul(a.add(length)));
+  return ggx(look, N, V, L, NL).mul(height.mul(NL));
 }
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */

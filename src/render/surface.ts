@@ -1,23 +1,10 @@
-import {
-  Discard,
-  Fn,
-  faceDirection,
-  int,
-  length,
-  mix,
-  mrt,
-  normalize,
-  property,
-  round,
-  select,
-  texture,
-  vec4,
-} from 'three/tsl';
+import { Discard, Fn, faceDirection, int, length, mix, mrt, normalize, property, round, select, vec4 } from 'three/tsl';
 import type { DataTexture, MRTNode } from 'three/webgpu';
 import { dopplerFactor } from '../shaders/dopplerFactor.ts';
 import { ontoLightCone } from '../shaders/ontoLightCone.ts';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import type { FloatTable } from './floatTable.ts';
+import { sampled } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 import { vColor, vEvent, vLife, vMotion, vNormal, vShown, vUv } from './vertexStage.ts';
 
@@ -61,10 +48,10 @@ export function readSurface(sources: SurfaceSources): Surface {
   const emission = sources.materials.texel(material.add(int(1))).toVar();
   const finish = sources.materials.texel(material.add(int(2))).toVar();
   const color = base.toVar();
-  if (sources.baseColor) color.mulAssign(texture(sources.baseColor, vUv));
+  if (sources.baseColor) color.mulAssign(sampled(sources.baseColor, vUv));
   if (sources.colored) color.mulAssign(vec4(vColor, 1));
   const emissive = emission.xyz.toVar();
-  if (sources.emissive) emissive.mulAssign(texture(sources.emissive, vUv).rgb);
+  if (sources.emissive) emissive.mulAssign(sampled(sources.emissive, vUv).rgb);
 
   const { u, gamma, boostLight, onLightCone } = sources.uniforms;
   const velocity = vMotion.toVar();

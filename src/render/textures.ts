@@ -1,3 +1,4 @@
+import { clamp, texture } from 'three/tsl';
 import {
   ClampToEdgeWrapping,
   DataTexture,
@@ -6,14 +7,23 @@ import {
   MirroredRepeatWrapping,
   NearestFilter,
   NoColorSpace,
+  type Node,
   RepeatWrapping,
   RGBAFormat,
   SRGBColorSpace,
   UnsignedByteType,
 } from 'three/webgpu';
 import type { Texture, TextureWrap } from '../scene/types.ts';
+import type { Vec4 } from '../shaders/types.ts';
 
-const WRAPS = { repeat: RepeatWrapping, clamp: ClampToEdgeWrapping, mirror: MirroredRepeatWrapping } as const;
+type Vec2 = Node<'vec2'>;
+
+const WRAPS = {
+  repeat: RepeatWrapping,
+  clamp: ClampToEdgeWrapping,
+  mirror: MirroredRepeatWrapping,
+  black: ClampToEdgeWrapping,
+} as const;
 const wrap = (w: TextureWrap) => WRAPS[w];
 
 /** An image on the GPU. Its rows run from the top, so it is read at 1 − v. */
@@ -28,6 +38,18 @@ export function uploadTexture(image: Texture): DataTexture {
   made.minFilter = LinearMipmapLinearFilter;
   made.generateMipmaps = true;
   made.anisotropy = image.filter === 'nearest' ? 1 : 8;
+  made.userData.ends = [image.wrapS === 'black' && image.width, image.wrapT === 'black' && image.height];
   made.needsUpdate = true;
   return made;
+}
+
+/** A texture that was uploaded, at `uv`: where it ends in black it fades over a texel, as what is blended between texels does. */
+export function sampled(map: DataTexture, uv: Vec2): Vec4 {
+  const ends: readonly (number | false)[] = map.userData.ends;
+  const inside = ends.flatMap((size, k) => {
+    if (size === false) return [];
+    const at = k === 0 ? uv.x : uv.y;
+    return [clamp(at.mul(size).add(0.5), 0, 1).mul(clamp(at.oneMinus().mul(size).add(0.5), 0, 1))];
+  });
+  return inside.reduce<Vec4>((color, share) => color.mul(share), texture(map, uv));
 }

@@ -1,5 +1,5 @@
 import { normalize, type Vec3 } from '../math/vec3.ts';
-import type { DistantLight, DomeLight, Light, Scene, SphereLight } from './types.ts';
+import type { DistantLight, DomeLight, Lamp, Light, Scene } from './types.ts';
 
 // What shines on a scene, and what it is seen against: its own lights, or a clear day's.
 
@@ -27,7 +27,7 @@ export const SUN_DISC = {
   ],
 } as const;
 
-export type DirectLight = DistantLight | SphereLight;
+export type DirectLight = DistantLight | Lamp;
 
 /** Lights that come from somewhere; the day's sun where the scene brings no light at all. */
 export const directLights = ({ lights, upAxis }: Pick<Scene, 'lights' | 'upAxis'>): readonly DirectLight[] =>

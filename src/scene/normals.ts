@@ -1,5 +1,5 @@
 import { cross, dot, length, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
-import { forEachFace, type Polygons, pointAt } from './polygons.ts';
+import { cornersAround, forEachFace, type Polygons, pointAt } from './polygons.ts';
 import { newellNormal } from './triangulate.ts';
 import type { Mesh } from './types.ts';
 
@@ -73,17 +73,6 @@ function smoothed(
 
 const dotAt = (v: ArrayLike<number>, i: number, j: number): number =>
   v[3 * i] * v[3 * j] + v[3 * i + 1] * v[3 * j + 1] + v[3 * i + 2] * v[3 * j + 2];
-
-/** Point → its corners, from one pass of counting. */
-function cornersAround(pointOfCorner: ArrayLike<number>, points: number): (point: number) => Uint32Array {
-  const start = new Uint32Array(points + 1);
-  for (let c = 0; c < pointOfCorner.length; c++) start[pointOfCorner[c] + 1]++;
-  for (let p = 0; p < points; p++) start[p + 1] += start[p];
-  const fill = start.slice();
-  const corners = new Uint32Array(pointOfCorner.length);
-  for (let c = 0; c < pointOfCorner.length; c++) corners[fill[pointOfCorner[c]]++] = c;
-  return (point) => corners.subarray(start[point], start[point + 1]);
-}
 
 /**
  * The smoothing groups of a mesh: vertices that share place and normal (a seam of uv or colour lies between them) get

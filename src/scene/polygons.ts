@@ -28,6 +28,8 @@ export interface PolygonValues {
   readonly values: ArrayLike<number>;
   /** Place in `values` for each point, corner or face; absent: in order. */
   readonly indices?: ArrayLike<number>;
+  /** Of points: on a subdivision surface they are blended linearly, not as its points are. */
+  readonly linear?: boolean;
 }
 
 /** Calls back with each face's number, first corner and corner count. */
@@ -48,3 +50,14 @@ export const pointAt = (points: ArrayLike<number>, i: number): Vec3 => [
   points[3 * i + 1],
   points[3 * i + 2],
 ];
+
+/** Point → its corners, from one pass of counting. */
+export function cornersAround(pointOfCorner: ArrayLike<number>, points: number): (point: number) => Uint32Array {
+  const start = new Uint32Array(points + 1);
+  for (let c = 0; c < pointOfCorner.length; c++) start[pointOfCorner[c] + 1]++;
+  for (let p = 0; p < points; p++) start[p + 1] += start[p];
+  const fill = start.slice();
+  const corners = new Uint32Array(pointOfCorner.length);
+  for (let c = 0; c < pointOfCorner.length; c++) corners[fill[pointOfCorner[c]]++] = c;
+  return (point) => corners.subarray(start[point], start[point + 1]);
+}

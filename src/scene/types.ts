@@ -186,9 +186,14 @@ export interface Texture {
   readonly wrapS: TextureWrap;
   readonly wrapT: TextureWrap;
 }
-export type TextureWrap = 'repeat' | 'clamp' | 'mirror';
+/** Outside the picture; `black` is transparent too. */
+export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';
 
-export type Light = DistantLight | SphereLight | DomeLight;
+export type Light = DistantLight | Lamp | DomeLight;
+
+/** What shines from somewhere, and may move. */
+export type Lamp = SphereLight | AreaLight;
+export type AreaLight = RectLight | DiskLight | CylinderLight;
 
 export interface DistantLight {
   readonly kind: 'distant';
@@ -198,17 +203,50 @@ export interface DistantLight {
   /** Linear sRGB times intensity and exposure: irradiance on a facing surface. */
   readonly color: Vec3;
 }
-export interface SphereLight {
-  readonly kind: 'sphere';
+interface Shining {
   readonly path: string;
-  /** Of its centre; it shines alike to all sides of its own frame, so its orientation does not matter. */
+  /** Of its middle; its axes are the axes of its frame. */
   readonly motion: FrameMotion;
   /** World times between which it shines [s]. */
   readonly lifetime: Lifetime;
+  /** Linear sRGB in its own frame: the radiance L of its surface, the same in all directions of its front. */
+  readonly color: Vec3;
+  /** Absent where it shines alike to all sides. */
+  readonly shaping?: LightShaping;
+}
+export interface SphereLight extends Shining {
+  readonly kind: 'sphere';
+  /** In its own frame [m]. E = πL(radius/distance)²; of a point (radius 0) `color` is the intensity I, E = I/distance². */
+  readonly radius: number;
+}
+/** A face in the XY plane of its frame, dark behind: it shines towards −Z. */
+export interface RectLight extends Shining {
+  readonly kind: 'rect';
+  /** Along X and Y of its own frame [m]. */
+  readonly width: number;
+  readonly height: number;
+}
+/** The same, round. */
+export interface DiskLight extends Shining {
+  readonly kind: 'disk';
   /** In its own frame [m]. */
   readonly radius: number;
-  /** Linear sRGB in its own frame: the radiance L of its surface, so that E = πL(radius/distance)²; of a point (radius 0) the intensity I, E = I/distance². */
-  readonly color: Vec3;
+}
+/** The side of a tube along X of its frame; its caps are dark. */
+export interface CylinderLight extends Shining {
+  readonly kind: 'cylinder';
+  /** In its own frame [m]. Of a line (radius 0) `color` is 2·radius·L: the intensity of a metre of it, seen from the side. */
+  readonly radius: number;
+  readonly length: number;
+}
+/**
+ * What of its light goes out at an angle θ from −Z of its frame, 0 … 1: cos(θ)^focus, and all of it within `inner`, none
+ * beyond `outer` [rad], between them 1 − smoothstep.
+ */
+export interface LightShaping {
+  readonly inner: number;
+  readonly outer: number;
+  readonly focus: number;
 }
 export interface DomeLight {
   readonly kind: 'dome';

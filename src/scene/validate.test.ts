@@ -107,6 +107,21 @@ describe('validate', () => {
     ]);
   });
 
+  it('a lamp needs sizes and a colour that are numbers', () => {
+    const lamp = { path: '/Lamp', motion: restingAt([0, 0, 0]), lifetime: FOREVER, color: [1, 1, 1] } as const;
+    const lights = [
+      { ...lamp, kind: 'rect', width: 1, height: Number.NaN },
+      { ...lamp, kind: 'cylinder', radius: -1, length: Number.POSITIVE_INFINITY },
+      { ...lamp, kind: 'disk', radius: 1, color: [1, Number.NaN, 1] },
+      { ...lamp, kind: 'sphere', radius: 0 },
+    ] as const;
+    expect(validate({ ...scene(), lights }, 10).map((d) => `${d.code}: ${d.message}`)).toEqual([
+      'light.size: its height is NaN m; give it a size of 0 m or more',
+      'light.size: its radius is -1 m, its length is Infinity m; give it a size of 0 m or more',
+      'light.color: its colour is 1, NaN, 1; give it three numbers',
+    ]);
+  });
+
   it('a Born-rigid body may not reach its horizon', () => {
     const motion: Motion = {
       kind: 'hyperbolic',

@@ -7,13 +7,13 @@ import { pointAt } from './polygons.ts';
 import type {
   Diagnostic,
   HyperbolicMotion,
+  Lamp,
   Mesh,
   Motion,
   SampledPointsMotion,
   Scene,
   SceneCamera,
   SceneObject,
-  SphereLight,
 } from './types.ts';
 
 /**
@@ -31,7 +31,7 @@ export function validate(scene: Scene, c: number): Diagnostic[] {
     ...duplicatePaths(scene),
     ...scene.objects.flatMap((object) => validateObject(object, findingsOf(object.mesh), c)),
     ...scene.cameras.flatMap((camera) => validateFrame(camera, c)),
-    ...scene.lights.flatMap((light) => (light.kind === 'sphere' ? validateFrame(light, c) : [])),
+    ...scene.lights.flatMap((light) => ('motion' in light ? validateLamp(light, c) : [])),
   ];
 }
 
@@ -255,8 +255,23 @@ function validateHorizon({ path, mesh, authoredIn }: SceneObject, motion: Hyperb
   return [problem('error', 'motion.horizon', `motion of ${path}`, message)];
 }
 
+function validateLamp(lamp: Lamp, c: number): Diagnostic[] {
+  const sizes = Object.entries(lamp).flatMap(([name, value]) =>
+    SIZES.has(name) && !(value >= 0 && Number.isFinite(value)) ? [`its ${name} is ${value} m`] : [],
+  );
+  if (sizes.length > 0)
+    return [problem('error', 'light.size', lamp.path, `${sizes.join(', ')}; give it a size of 0 m or more`)];
+  if (!lamp.color.every(Number.isFinite))
+    return [
+      problem('error', 'light.color', lamp.path, `its colour is ${lamp.color.join(', ')}; give it three numbers`),
+    ];
+  return validateFrame(lamp, c);
+}
+
+const SIZES = new Set(['radius', 'width', 'height', 'length']);
+
 /** The frame of a camera or a light is a point: its own speed is what counts. */
-function validateFrame({ path, motion }: SceneCamera | SphereLight, c: number): Diagnostic[] {
+function validateFrame({ path, motion }: SceneCamera | Lamp, c: number): Diagnostic[] {
   const found = validateTimes(motion, path);
   if (hasError(found)) return found;
   const bad = badMotion(motion);

@@ -30,6 +30,11 @@ export async function seeds(): Promise<Seed[]> {
   const [json, binary] = await gltfSeparate();
   return [
     seed('everything.usda', kept('everything.usda'), true, USD),
+    seed('looks.usda', kept('looks.usda'), true, {
+      ...PICTURE,
+      'wood.1001.png': PICTURE['wood.png'],
+      'wood.1012.png': PICTURE['wood.png'],
+    }),
     seed('everything.usdc', kept('everything.usdc'), false, USD),
     seed('grammar.usda', kept('../../../src/formats/usd/fixtures/grammar.usda'), true),
     seed('everything.usdz', kept('everything.usdz'), false),

@@ -6,7 +6,7 @@ import { radiance } from '../../src/reference/path.ts';
 import { pixelSequence } from '../../src/reference/sequence.ts';
 import { type TracedScene, traceable } from '../../src/reference/trace.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
-import type { DomeLight, Light, Material, Mesh, SceneObject, SphereLight } from '../../src/scene/types.ts';
+import type { AreaLight, DomeLight, Light, Material, Mesh, SceneObject, SphereLight } from '../../src/scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
 
 /** Light walks at 1 m/s, and colours do not turn: what is left of a shift by D is D⁴. */
@@ -50,6 +50,22 @@ export const lamp = (position: Vec3, given: Partial<SphereLight> = {}): SphereLi
   color: [1, 1, 1],
   ...given,
 });
+
+/** At rest, of radiance 1; it shines towards −Z. */
+export const area = <Kind extends AreaLight['kind']>(
+  kind: Kind,
+  position: Vec3,
+  given: Omit<Extract<AreaLight, { kind: Kind }>, 'kind' | 'path' | 'motion' | 'lifetime' | 'color'> &
+    Partial<AreaLight>,
+): AreaLight =>
+  ({
+    kind,
+    path: `/${kind}`,
+    motion: restingAt(position),
+    lifetime: FOREVER,
+    color: [1, 1, 1],
+    ...given,
+  }) as AreaLight;
 
 export const twoSided = (mesh: Mesh): Mesh => ({ ...mesh, doubleSided: true });
 

@@ -75,10 +75,13 @@ describe('what files that are dropped are for', () => {
   ]);
   it.each([
     [['wood a.png'], false, true],
-    [['else/WOOD A.png', 'other.usda'], false, true],
+    [['else/WOOD A.png', 'other.usda'], false, false],
+    [['else/WOOD A.png', 'else/Open.usda'], false, true],
     [['stone.png'], false, false],
     [['scene.usda'], false, false],
     [['data.bin'], true, true],
     [['scene.usda'], true, false],
-  ])('%j, refused: %s → %s', (paths, isRefused, result) => expect(completes(paths, missing, isRefused)).toBe(result));
+  ])('%j, refused: %s → %s', (paths, isRefused, result) =>
+    expect(completes(paths, { name: 'open.usda', missing, isRefused })).toBe(result),
+  );
 });

@@ -6,6 +6,7 @@ import { useTexts } from '../i18n/i18n.ts';
 import { type HeldFiles, withArchives } from '../loading/held.ts';
 import type { PickedFiles } from '../loading/picked.ts';
 import { completes, missingPaths } from '../loading/purpose.ts';
+import { sceneName } from '../loading/sceneLoader.ts';
 import { useServices } from '../services.tsx';
 import { useStudio } from '../state/context.tsx';
 import { sourceOf } from '../state/studio.ts';
@@ -26,7 +27,8 @@ export function useOpenFiles(): (files: PickedFiles) => void {
         const paths = [...files.keys()];
         const missing = missingPaths(picture?.scene.diagnostics ?? []);
         const entry = entryOf(paths);
-        if (completes(paths, missing, source !== '' && source !== openSource))
+        const isRefused = source !== '' && source !== openSource;
+        if (completes(paths, { name: sceneName(source), missing, isRefused }))
           studio.edit(supplyCommand(localFiles.supply(source, files)), 'edit.supply');
         else if (entry) studio.open(localFiles.add(files, entry));
         else if (files.size > 0) studio.notify({ kind: 'error', text: t('notice.noScene') });

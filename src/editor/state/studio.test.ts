@@ -50,6 +50,33 @@ it('reading can be cancelled: the scene before it stays, and the document is its
   expect(sourceOf(state().history.document)).toBe('a.usda');
 });
 
+it('reading again with another variant can be cancelled: the choice is taken back', async () => {
+  let stopped = 0;
+  const slowRed: Services = {
+    readScene: (source, { variants, signal }) =>
+      variants?.get('paint') !== 'red'
+        ? Promise.resolve({ scene: makeScene({ name: source }) })
+        : new Promise((_resolve, reject) => {
+            signal?.addEventListener('abort', () => {
+              stopped++;
+              reject(new Error('stopped'));
+            });
+          }),
+  };
+  const studio = createStudio({ services: slowRed, source: 'a.usda', playing: false });
+  const variants = () => studio.store.getState().history.document.nodes.read?.params.variants;
+  await settled();
+  studio.set('read', 'variants', ['paint=blue'], 'edit.variant');
+  await settled();
+  studio.set('read', 'variants', ['paint=red'], 'edit.variant');
+  studio.set('toneMap', 'exposure', 1, 'exposure');
+  await settled();
+  studio.cancelLoading();
+  await settled();
+  expect([stopped, variants()]).toEqual([1, ['paint=blue']]);
+  expect(studio.store.getState()).toMatchObject({ loading: undefined, openSource: 'a.usda' });
+});
+
 it('an edit while a scene is read does not begin the reading anew; another file ends it', async () => {
   const { studio, state } = await open('a.usda', 'slow.usda');
   studio.set('toneMap', 'exposure', 1, 'exposure');

@@ -2,6 +2,7 @@ import type { Node as GltfNode } from '@gltf-transform/core';
 import { cofactors, determinant, transform } from '../../math/mat3.ts';
 import { linearPart, type Mat4, multiply } from '../../math/mat4.ts';
 import { normalize } from '../../math/vec3.ts';
+import { blendInto } from '../influences.ts';
 import { floatsOf } from './accessors.ts';
 import { type GltfContext, gltfError } from './context.ts';
 import type { Curve } from './curves.ts';
@@ -94,9 +95,10 @@ function points(
 ): Float64Array {
   const count = vertices?.length ?? mesh.positions.length / 3;
   const out = new Float64Array(count * 3);
+  const at = matrixOfVertex(matrices, skin);
   for (let i = 0; i < count; i++) {
     const v = vertices ? vertices[i] : i;
-    const m = skin ? blend(matrices, skin, v) : matrices[0];
+    const m = at(v);
     const p = [mesh.positions[v * 3], mesh.positions[v * 3 + 1], mesh.positions[v * 3 + 2]];
     addMorphs(p, morphs, 'positions', weights, v);
     for (let k = 0; k < 3; k++)
@@ -113,13 +115,25 @@ function normals(
 ): Float32Array {
   const out = new Float32Array(mesh.normals.length);
   const shared = skin ? undefined : normalMatrix(matrices[0]);
+  const at = matrixOfVertex(matrices, skin);
   for (let v = 0; v < out.length / 3; v++) {
-    const m = skin ? normalMatrix(blend(matrices, skin, v)) : shared!;
+    const m = shared ?? normalMatrix(at(v));
     const n = [mesh.normals[v * 3], mesh.normals[v * 3 + 1], mesh.normals[v * 3 + 2]];
     addMorphs(n, morphs, 'normals', weights, v);
     out.set(normalize(transform(m, [n[0], n[1], n[2]]), [0, 0, 1]), v * 3);
   }
   return out;
+}
+
+/** What carries a vertex: the node, or the blend of its joints, which is good until the next is asked for. */
+function matrixOfVertex(matrices: readonly Mat4[], skin: Geometry['skin']): (vertex: number) => Mat4 {
+  if (!skin) return () => matrices[0];
+  const flat = Float64Array.from(matrices.flatMap((m) => m.slice(0, 12)));
+  const out = new Array<number>(16).fill(0);
+  return (vertex) => {
+    blendInto(out, flat, 12, skin, vertex);
+    return out;
+  };
 }
 
 function normalMatrix(m: Mat4): readonly number[] {
@@ -140,19 +154,4 @@ function addMorphs(
     const values = morphs[m][of];
     for (let k = 0; k < 3; k++) target[k] += weight * values[v * 3 + k];
   }
-}
-
-/** Linear blend skinning: the mean of the joints' matrices by the vertex's weights. */
-function blend(
-  matrices: readonly Mat4[],
-  { perVertex, joints, weights }: NonNullable<Geometry['skin']>,
-  v: number,
-): Mat4 {
-  const out = new Array<number>(16).fill(0);
-  for (let i = v * perVertex; i < (v + 1) * perVertex; i++) {
-    if (weights[i] === 0) continue;
-    const m = matrices[joints[i]];
-    for (let k = 0; k < 12; k++) out[k] += weights[i] * m[k];
-  }
-  return out;
 }

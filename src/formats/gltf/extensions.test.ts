@@ -174,11 +174,11 @@ describe('what a scene cannot carry is said', () => {
     const flat = kit.doc.createCamera('Flat').setType('orthographic');
     const wide = kit.doc.createCamera('Wide').setType('perspective').setYFov(4);
     kit.scene.addChild(kit.doc.createNode('Flat').setCamera(flat)).addChild(kit.doc.createNode('Wide').setCamera(wide));
-    const { cameras, diagnostics } = await kit.read();
+    const { cameras, lights, diagnostics } = await kit.read();
     expect(cameras).toEqual([]);
+    expect(lights).toMatchObject([{ kind: 'sphere', shaping: { inner: 0, outer: Math.PI / 4, focus: 0 } }]);
     expect(diagnostics.map((d) => `${d.place}: ${d.message}`)).toEqual([
       'a.glb: /Spot: its range of 12 m is left out: light goes on for ever',
-      'a.glb: /Spot: a spot light shines all round here',
       'a.glb: /Flat: an orthographic camera is not read; it is left out',
       'a.glb: /Wide: its field of view is 4 rad; it is left out',
     ]);

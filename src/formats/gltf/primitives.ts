@@ -18,9 +18,9 @@ export interface MorphTarget {
   readonly positions: Float32Array;
   readonly normals: Float32Array;
 }
-/** `perVertex` joints and their weights (sum 1) for each vertex. */
+/** `perPoint` joints and their weights (sum 1) for each vertex. */
 export interface SkinWeights {
-  readonly perVertex: number;
+  readonly perPoint: number;
   readonly joints: Uint16Array;
   readonly weights: Float32Array;
 }
@@ -54,21 +54,21 @@ function joinParts(parts: readonly Part[]): Geometry {
 }
 
 function joinSkins(parts: readonly Part[]): SkinWeights {
-  const perVertex = Math.max(...parts.map((p) => p.skin?.perVertex ?? 0));
+  const perPoint = Math.max(...parts.map((p) => p.skin?.perPoint ?? 0));
   const vertices = parts.reduce((sum, p) => sum + p.mesh.positions.length / 3, 0);
-  const joints = new Uint16Array(vertices * perVertex);
-  const weights = new Float32Array(vertices * perVertex);
+  const joints = new Uint16Array(vertices * perPoint);
+  const weights = new Float32Array(vertices * perPoint);
   let vertex = 0;
   for (const { mesh, skin } of parts) {
     const count = mesh.positions.length / 3;
     for (let v = 0; skin && v < count; v++) {
-      const [from, to] = [v * skin.perVertex, (vertex + v) * perVertex];
-      joints.set(skin.joints.subarray(from, from + skin.perVertex), to);
-      weights.set(skin.weights.subarray(from, from + skin.perVertex), to);
+      const [from, to] = [v * skin.perPoint, (vertex + v) * perPoint];
+      joints.set(skin.joints.subarray(from, from + skin.perPoint), to);
+      weights.set(skin.weights.subarray(from, from + skin.perPoint), to);
     }
     vertex += count;
   }
-  return { perVertex, joints, weights };
+  return { perPoint, joints, weights };
 }
 
 function joined(parts: readonly Float32Array[]): Float32Array {
@@ -231,20 +231,20 @@ function takeSkin(take: Take, vertices: number): SkinWeights | undefined {
     sets.push([joints, weights]);
   }
   if (sets.length === 0) return undefined;
-  const perVertex = sets.length * 4;
+  const perPoint = sets.length * 4;
   const out = {
-    perVertex,
-    joints: new Uint16Array(vertices * perVertex),
-    weights: new Float32Array(vertices * perVertex),
+    perPoint,
+    joints: new Uint16Array(vertices * perPoint),
+    weights: new Float32Array(vertices * perPoint),
   };
   for (let v = 0; v < vertices; v++) {
     const all = sets.flatMap(([, weights]) => [...weights.subarray(v * 4, v * 4 + 4)]);
     const sum = all.reduce((a, b) => a + b, 0);
-    out.weights.set(sum > 0 ? all.map((w) => w / sum) : all, v * perVertex);
+    out.weights.set(sum > 0 ? all.map((w) => w / sum) : all, v * perPoint);
     for (const [i, [joints, weights]] of sets.entries()) {
       // A joint without weight may be any number; 0 always exists.
       const followed = joints.subarray(v * 4, v * 4 + 4).map((joint, k) => (weights[v * 4 + k] === 0 ? 0 : joint));
-      out.joints.set(followed, v * perVertex + i * 4);
+      out.joints.set(followed, v * perPoint + i * 4);
     }
   }
   return out;

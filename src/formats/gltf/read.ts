@@ -10,6 +10,7 @@ import {
   type Scene,
   type SceneCamera,
   type SceneObject,
+  type SphereLight,
 } from '../../scene/types.ts';
 import { messageOf } from '../fail.ts';
 import { MAX_OBJECTS } from '../limits.ts';
@@ -221,9 +222,9 @@ class SceneBuilder {
       this.lights.push({ kind: 'distant', path, direction: this.#shining(node, path), color });
       return;
     }
-    if (light.getType() === 'spot')
-      this.#context.notes.add('info', 'light', path, 'a spot light shines all round here');
-    this.lights.push(pointLight(path, this.#baker.bakeFrame(this.#tree.frame(node)), color));
+    const lamp = pointLight(path, this.#baker.bakeFrame(this.#tree.frame(node)), color);
+    const shaping = { inner: light.getInnerConeAngle(), outer: light.getOuterConeAngle(), focus: 0 };
+    this.lights.push(light.getType() === 'spot' ? { ...lamp, shaping } : lamp);
   }
 
   /** The way a distant light shines, at its start. */
@@ -236,7 +237,7 @@ class SceneBuilder {
 }
 
 /** A small sphere of radiance L has the luminous intensity I = π r² L of the point [cd]. */
-function pointLight(path: string, motion: FrameMotion, intensity: Vec3): Light {
+function pointLight(path: string, motion: FrameMotion, intensity: Vec3): SphereLight {
   const radius = POINT_LIGHT_RADIUS;
   return {
     kind: 'sphere',

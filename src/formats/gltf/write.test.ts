@@ -4,7 +4,8 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { describe, expect, it } from 'vitest';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { distance, type Vec3 } from '../../math/vec3.ts';
-import { makeMaterial, makeObject, makeScene } from '../../scene/defaults.ts';
+import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../scene/defaults.ts';
+import { shownArea } from '../../scene/lamps.ts';
 import { vertexPosition } from '../../scene/motion.ts';
 import { box } from '../../scene/primitives.ts';
 import type { Motion, Scene, SceneObject } from '../../scene/types.ts';
@@ -214,6 +215,25 @@ describe('a scene written as glTF', () => {
       const [light] = back.lights;
       if (light.kind === 'distant') expect(distance(light.direction, [0, -1, 0])).toBeLessThan(1e-6);
     }
+  });
+
+  it('lamps with a size become points that shine as brightly from afar', async () => {
+    const lamp = { motion: restingAt([1, 2, 3]), lifetime: FOREVER, color: [2, 2, 2] } as const;
+    const shaping = { inner: 0.2, outer: 0.6, focus: 0 };
+    const lights = [
+      { ...lamp, kind: 'rect', path: '/Rect', width: 3, height: 2 },
+      { ...lamp, kind: 'cylinder', path: '/Tube', radius: 0.5, length: 3 },
+      { ...lamp, kind: 'sphere', path: '/Spot', radius: 0, shaping },
+    ] as const;
+    const { source, diagnostics } = await written(makeScene({ name: 'lamps', lights }), 'a.glb');
+    expect(diagnostics.map((d) => d.message)).toEqual([
+      'its shape, a rect, is lost: lights of glTF are points with a cone',
+      'its shape, a cylinder, is lost: lights of glTF are points',
+    ]);
+    const back = (await readGltf(source, 'a.glb')).lights;
+    const strength = back.map((light) => (light.kind === 'sphere' ? light.color[0] * shownArea(light) : 0));
+    expect(strength).toEqual([12, 6, 2].map((x) => expect.closeTo(x, 6)));
+    expect(back).toMatchObject([{ shaping: { inner: 0 } }, {}, { shaping: { inner: 0.2, outer: 0.6 } }]);
   });
 
   it('may be empty', async () => {

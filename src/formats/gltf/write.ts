@@ -2,7 +2,8 @@ import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
 import { KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
 import { shortestTurn } from '../../math/quat.ts';
 import { scale } from '../../math/vec3.ts';
-import type { Light, SampledMotion, Scene, StaticMotion } from '../../scene/types.ts';
+import { shownArea } from '../../scene/lamps.ts';
+import type { Lamp, Light, SampledMotion, Scene, StaticMotion } from '../../scene/types.ts';
 import {
   Losses,
   type PlainMotion,
@@ -89,23 +90,21 @@ class GltfWriter {
     const motion: StaticMotion | SampledMotion = isSun
       ? { kind: 'static', pose: { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) } }
       : plainFrame(light.motion, this.scene, light.path, this.losses);
-    // Of a sphere: I = π r² L.
-    const intensity = isSun || light.radius === 0 ? light.color : scale(light.color, Math.PI * light.radius ** 2);
+    const intensity = isSun ? light.color : scale(light.color, shownArea(light));
     const most = Math.max(...intensity);
     const color = most > 0 ? scale(intensity, 1 / most) : intensity;
     const made = this.document.createExtension(KHRLightsPunctual).createLight();
+    const spread = isSun ? undefined : spreadOf(light);
     made
-      .setType(isSun ? 'directional' : 'point')
+      .setType(isSun ? 'directional' : spread ? 'spot' : 'point')
       .setColor([...color])
       .setIntensity(most);
+    if (spread) made.setInnerConeAngle(spread.inner).setOuterConeAngle(spread.outer);
     this.placed(light.path, 'Light', motion).setExtension('KHR_lights_punctual', made);
-    if (!isSun && light.radius > 0)
-      this.losses.add(
-        'info',
-        'convert.light',
-        light.path,
-        `its radius of ${light.radius} m is lost: lights of glTF are points`,
-      );
+    if (isSun || (light.kind === 'sphere' && light.radius === 0)) return;
+    const what = light.kind !== 'sphere' ? `shape, a ${light.kind},` : `radius of ${light.radius} m`;
+    const message = `its ${what} is lost: lights of glTF are points${spread ? ' with a cone' : ''}`;
+    this.losses.add('info', 'convert.light', light.path, message);
   }
 
   /** A node of its own, at its place in the world at each time: the nodes above it only name it. */
@@ -138,4 +137,12 @@ class GltfWriter {
 function ancestors(path: string): string[] {
   const end = path.lastIndexOf('/');
   return end > 0 ? [path.slice(0, end), ...ancestors(path.slice(0, end))] : [];
+}
+
+/** The cone of a spot light [rad]: of what is shaped, and of faces, which are dark behind. glTF wants 0 ≤ inner < outer ≤ π/2. */
+function spreadOf(lamp: Lamp): { inner: number; outer: number } | undefined {
+  const face = lamp.kind === 'rect' || lamp.kind === 'disk';
+  if (!lamp.shaping) return face ? { inner: 0, outer: Math.PI / 2 } : undefined;
+  const outer = Math.min(Math.max(lamp.shaping.outer, 1e-3), Math.PI / 2);
+  return { inner: Math.min(Math.max(face && outer > 1.5 ? 0 : lamp.shaping.inner, 0), outer - 1e-4), outer };
 }

@@ -5,7 +5,7 @@ import type { Material, Scene, Texture } from '../../scene/types.ts';
 import { encodePng } from '../png.ts';
 import type { Losses } from '../written.ts';
 
-const WRAPS = { repeat: 10497, clamp: 33071, mirror: 33648 } as const;
+const WRAPS = { repeat: 10497, clamp: 33071, mirror: 33648, black: 33071 } as const;
 const FILTERS = { nearest: { mag: 9728, min: 9728 }, linear: { mag: 9729, min: 9987 } } as const;
 
 /** Materials of glTF say too whether they have two sides: one of ours may become two. */

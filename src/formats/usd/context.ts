@@ -20,12 +20,16 @@ export interface StageContext {
   readonly chordTolerance: number;
   /** Along cubics between samples. */
   readonly cubic: boolean;
+  /** The same of what bends, which has every vertex at every sample. */
+  readonly bendTolerance: number;
   readonly diagnostics: DiagnosticList;
   /** Memory that is left for the points of deforming meshes. */
   readonly pointBudget: { bytes: number };
   /** Work that is left for the paths between samples. */
   readonly motionBudget: RefinementBudget;
-  /** Paths of the subdivision surfaces that are drawn as their polygons. */
+  /** Levels that are wanted, and of each mesh those that there are faces for, once they are known. */
+  readonly subdivision: { readonly wanted: number; levels?: ReadonlyMap<string, number> };
+  /** Paths of the subdivision surfaces that are drawn as their polygons because no levels are wanted. */
   readonly subdivided: string[];
 }
 

@@ -3,7 +3,6 @@ import type { PrimSpec } from './layer.ts';
 
 /** Prim types that hold something to see and are not read yet, and what becomes of them. */
 export const UNREAD_TYPES: ReadonlyMap<string, string> = new Map([
-  ['SkelRoot', 'is not read yet; its meshes stay in their bind pose (bake the skin to points)'],
   ['BasisCurves', 'is not read; it is left out'],
   ['NurbsCurves', 'is not read; it is left out'],
   ['HermiteCurves', 'is not read; it is left out'],

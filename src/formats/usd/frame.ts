@@ -1,6 +1,8 @@
 import * as mat4 from '../../math/mat4.ts';
 import type { TimeCode } from './attributes.ts';
-import { localMatrix, opTimes, unionOfTimes, type XformOp } from './xformOps.ts';
+import { primAt } from './context.ts';
+import type { Layer } from './layer.ts';
+import { localMatrix, opTimes, transformOf, unionOfTimes, type XformOp } from './xformOps.ts';
 
 /** Where a prim's own axes are: its transform and those above it, at every time. */
 export interface Frame {
@@ -8,6 +10,8 @@ export interface Frame {
   readonly times: Float64Array;
   /** How many ops and products of matrices `matrixAt` takes. */
   readonly cost: number;
+  /** It does not turn, and goes straight from each of its times to the next. */
+  readonly isStraight?: boolean;
   /** x_stage = M x_local, in stage units. */
   matrixAt(time: TimeCode): mat4.Mat4;
 }
@@ -37,10 +41,22 @@ export function nestedFrame(outer: Frame, inner: Frame): Frame {
   const times = unionOfTimes([outer.times, inner.times]);
   if (times.length > 0) {
     const cost = outer.cost + inner.cost;
-    return { times, cost, matrixAt: (time) => mat4.multiply(outer.matrixAt(time), inner.matrixAt(time)) };
+    const isStraight = [outer, inner].every((frame) => frame.times.length === 0 || frame.isStraight === true);
+    const alone = outer.times.length === 0 || inner.times.length === 0;
+    const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.multiply(outer.matrixAt(time), inner.matrixAt(time));
+    return { times, cost, isStraight: isStraight && alone, matrixAt };
   }
   const fixed = mat4.multiply(outer.matrixAt(0), inner.matrixAt(0));
   return { times, cost: 1, matrixAt: () => fixed };
+}
+
+/** Of the prim at a path. */
+export function frameOf(layer: Layer, path: string): Frame {
+  if (path === '') return ROOT_FRAME;
+  const prim = primAt(layer, path);
+  const transform = prim && transformOf(prim);
+  const parent = transform?.resetsStack ? ROOT_FRAME : frameOf(layer, path.slice(0, path.lastIndexOf('/')));
+  return transform ? childFrame(parent, transform.ops) : parent;
 }
 
 /** The frame in metres. */

@@ -1,10 +1,14 @@
 import { gatherPoints, makeMesh } from '../../scene/geometry.ts';
-import type { PolygonValues } from '../../scene/polygons.ts';
+import type { Polygons, PolygonValues } from '../../scene/polygons.ts';
+import type { Mesh } from '../../scene/types.ts';
 import { attributeOf, numbersAt, numbersOf, sampleTimes, textAt } from './attributes.ts';
 import { isTrue, report, type StageContext } from './context.ts';
 import type { NumberArray, PrimSpec } from './layer.ts';
-import type { Deformation, Shape } from './placement.ts';
+import { bentMesh, type DeformedPoints, type Shape } from './placement.ts';
 import { type Primvar, primvarOf, type Topology, valuesOnMesh } from './primvars.ts';
+import type { Skeletons } from './skel/binding.ts';
+import { type Skin, skinOf } from './skel/skin.ts';
+import { levelsOf, subdivided } from './subdivision.ts';
 import type { Surface } from './surface.ts';
 
 interface Faces {
@@ -19,34 +23,131 @@ interface Kept {
   readonly points: number[];
   readonly faces: number[];
   readonly corners: number[];
+  /** Of these faces: they are not drawn. */
+  readonly holes: Set<number>;
 }
 
 /** Faces that meet at less than this angle are shaded smooth where a subdivision surface is drawn as its polygons. */
 const SMOOTH_ANGLE = Math.PI / 3;
 
-/** A Mesh prim as triangles; undefined, with a diagnostic, where it has none. */
-export function meshShape(context: StageContext, prim: PrimSpec, surface: Surface): Shape | undefined {
+/** Of the points of a bent mesh so many are followed between samples. */
+const FOLLOWED = 64;
+/** Following so many points takes as long as one transform. */
+const POINTS_PER_TRANSFORM = 8;
+
+/** A Mesh prim as triangles, bent by its skeleton; undefined, with a diagnostic, where it has none. */
+export function meshShape(
+  context: StageContext,
+  skeletons: Skeletons,
+  prim: PrimSpec,
+  surface: Surface,
+): Shape | undefined {
   const faces = facesOf(context, prim);
   if (!faces) return undefined;
   const topology = { points: faces.points.length / 3, corners: faces.indices.length, faces: faces.counts.length };
-  const kept = keptFaces(context, prim, faces);
-  const normals = normalsOf(context, prim, topology);
+  const levels = levelsOf(context, prim);
+  const kept = keptFaces(context, prim, faces, levels > 0);
   const uvs = surface.uvs(prim, topology);
   const colors = surface.colors(prim, topology);
   const materials = surface.faceMaterials(topology.faces);
-  const { mesh, pointOfVertex } = makeMesh({
+  const polygons: Polygons = {
     points: faces.points,
     faceCounts: kept?.counts ?? faces.counts,
     faceIndices: kept?.points ?? faces.indices,
-    ...(normals ? { normals: onKept(normals.values, kept) } : { smoothAngle: smoothAngleOf(context, prim) }),
     ...(uvs ? { uvs: onKept(uvs, kept) } : {}),
     ...(colors ? { colors: onKept(colors, kept) } : {}),
     faceMaterials: kept ? kept.faces.map((f) => materials[f]) : materials,
     leftHanded: textAt(prim, 'orientation', context.startCode) === 'leftHanded',
     doubleSided: isTrue(context, prim, 'doubleSided'),
+  };
+  const moved = pointTimes(context, prim);
+  const skin = skinOf(context, skeletons, prim, { count: topology.points, times: moved });
+  if (levels > 0) return bent(context, prim, moved, subdividedMesh(context, prim, polygons, levels, kept), skin);
+  return bent(context, prim, moved, plainMesh(context, prim, polygons, topology, kept, skin), skin);
+}
+
+/** A mesh, and its vertices for points of the prim at another time. */
+interface Drawn {
+  readonly mesh: Mesh;
+  bent(points: ArrayLike<number>, time: number): DeformedPoints;
+}
+
+function plainMesh(
+  context: StageContext,
+  prim: PrimSpec,
+  polygons: Polygons,
+  topology: Topology,
+  kept: Kept | undefined,
+  skin: Skin | undefined,
+): Drawn {
+  const given = normalsOf(context, prim, topology);
+  const smoothAngle = textAt(prim, 'subdivisionScheme', undefined) === 'none' ? 0 : SMOOTH_ANGLE;
+  const { mesh, pointOfVertex } = makeMesh({
+    ...polygons,
+    ...(given ? { normals: onKept(given.values, kept) } : { smoothAngle }),
   });
-  const deformation = deformationOf(context, prim, pointOfVertex, normals?.primvar);
-  return { mesh, ...(deformation ? { deformation } : {}) };
+  const sampled = given && areSampled(given.primvar, topology.points) ? given.primvar.attribute.name : undefined;
+  const normalsAt = (time: number): Float32Array | undefined => {
+    if (skin) return given && skin.normalsAt(time, mesh.normals, pointOfVertex);
+    return sampled === undefined ? undefined : gatherPoints(numbersAt(prim, sampled, time)!, pointOfVertex);
+  };
+  return {
+    mesh,
+    bent: (points, time) => {
+      const normals = normalsAt(time);
+      return { positions: gatherPoints(points, pointOfVertex), ...(normals ? { normals } : {}) };
+    },
+  };
+}
+
+/** Normals of the points themselves, as many at every time. */
+function areSampled({ interpolation, indices, attribute }: Primvar, points: number): boolean {
+  if (interpolation !== 'point' || indices || sampleTimes(attribute).length === 0) return false;
+  return attribute.timeSamples!.values.every((value) => numbersOf(value)?.length === 3 * points);
+}
+
+function subdividedMesh(
+  context: StageContext,
+  prim: PrimSpec,
+  cage: Polygons,
+  levels: number,
+  kept: Kept | undefined,
+): Drawn {
+  const { polygons, surface } = subdivided(context, prim, cage, levels, (face) => kept?.holes.has(face) ?? false);
+  const { mesh, pointOfVertex } = makeMesh(polygons);
+  return {
+    mesh,
+    bent: (points) => {
+      const { positions, normals } = surface.at(points);
+      if (cage.leftHanded) for (let i = 0; i < normals.length; i++) normals[i] = -normals[i];
+      return { positions: gatherPoints(positions, pointOfVertex), normals: gatherPoints(normals, pointOfVertex) };
+    },
+  };
+}
+
+/** The mesh with what bends it: its skin, else samples of its points. */
+function bent(context: StageContext, prim: PrimSpec, times: Float64Array, drawn: Drawn, skin: Skin | undefined): Shape {
+  const { mesh } = drawn;
+  if (!skin) {
+    if (times.length === 0) return { mesh };
+    const at = (time: number): DeformedPoints => drawn.bent(numbersAt(prim, 'points', time)!, time);
+    const count = numbersAt(prim, 'points', context.startCode)!.length;
+    if (!context.cubic || !velocitiesOf(context, prim, times, count)) return { mesh, deformation: { times, at } };
+    // What places are made of, velocities are made of too.
+    const velocitiesAt = (time: number) => drawn.bent(numbersAt(prim, 'velocities', time)!, time).positions;
+    return { mesh, deformation: { times, at, velocitiesAt } };
+  }
+  const frame = skin.frame ? { frame: skin.frame } : {};
+  if (skin.isRigid) return { mesh, ...frame };
+  const at = (time: number): DeformedPoints => drawn.bent(skin.pointsAt(time), time);
+  if (skin.times.length === 0) return { mesh: bentMesh(mesh, at(context.startCode)), ...frame };
+  const points = numbersAt(prim, 'points', context.startCode)!.length / 3;
+  const some = Uint32Array.from({ length: Math.min(FOLLOWED, points) }, (_, i) =>
+    Math.floor((i * points) / Math.min(FOLLOWED, points)),
+  );
+  const cost = skin.cost + some.length / POINTS_PER_TRANSFORM;
+  const follow = { cost, pointsAt: (time: number) => skin.pointsAt(time, some) };
+  return { mesh: bentMesh(mesh, at(context.startCode)), deformation: { times: skin.times, at, follow }, ...frame };
 }
 
 function facesOf(context: StageContext, prim: PrimSpec): Faces | undefined {
@@ -64,8 +165,16 @@ function facesOf(context: StageContext, prim: PrimSpec): Faces | undefined {
   return { points, counts, indices };
 }
 
-/** Undefined where every face can be drawn. Holes, and faces that cannot be, are left out; the latter with a warning. */
-function keptFaces(context: StageContext, prim: PrimSpec, { points, counts, indices }: Faces): Kept | undefined {
+/**
+ * Undefined where every face can be drawn. Faces that cannot be are left out with a warning, and so are holes, unless they
+ * are to shape a surface around them.
+ */
+function keptFaces(
+  context: StageContext,
+  prim: PrimSpec,
+  { points, counts, indices }: Faces,
+  keepsHoles: boolean,
+): Kept | undefined {
   const holes = new Set(numbersAt(prim, 'holeIndices', undefined));
   const starts = new Int32Array(counts.length);
   let [first, bad, left] = [0, 0, 0];
@@ -73,8 +182,9 @@ function keptFaces(context: StageContext, prim: PrimSpec, { points, counts, indi
     const count = Math.max(0, counts[face]);
     const fits = count >= 3 && first + count <= indices.length && pointsExist(indices, first, count, points.length / 3);
     if (!fits) bad++;
-    if (!fits || holes.has(face)) left++;
-    starts[face] = fits && !holes.has(face) ? first : -1;
+    const isKept = fits && (keepsHoles || !holes.has(face));
+    if (!isKept || (keepsHoles && (holes.has(face) || repeats(indices, first, count)))) left++;
+    starts[face] = isKept ? first : -1;
     first += count;
   }
   if (bad > 0) {
@@ -82,11 +192,19 @@ function keptFaces(context: StageContext, prim: PrimSpec, { points, counts, indi
     report(context, 'warning', 'usd.faces', prim.path, message);
   }
   if (left === 0) return undefined;
-  const kept: Kept = { counts: [], points: [], faces: [], corners: [] };
+  const kept: Kept = { counts: [], points: [], faces: [], corners: [], holes: new Set() };
   starts.forEach((start, face) => {
-    if (start >= 0) keepFace(kept, indices, face, start, counts[face]);
+    if (start < 0) return;
+    const isAdded = keepFace(kept, indices, face, start, counts[face], keepsHoles);
+    if (isAdded && holes.has(face)) kept.holes.add(kept.faces.length - 1);
   });
   return kept;
+}
+
+/** Whether a corner has the point of the one before it: an edge of no length, which no surface can be made of. */
+function repeats(indices: NumberArray, first: number, count: number): boolean {
+  for (let c = 0; c < count; c++) if (indices[first + c] === indices[first + ((c + 1) % count)]) return true;
+  return false;
 }
 
 function pointsExist(indices: NumberArray, first: number, count: number, points: number): boolean {
@@ -94,13 +212,28 @@ function pointsExist(indices: NumberArray, first: number, count: number, points:
   return true;
 }
 
-function keepFace(kept: Kept, indices: NumberArray, face: number, first: number, count: number): void {
-  kept.faces.push(face);
-  kept.counts.push(count);
+/** `once`: corners that repeat the point before them are left out, and so is a face of which fewer than three are left. */
+function keepFace(
+  kept: Kept,
+  indices: NumberArray,
+  face: number,
+  first: number,
+  count: number,
+  once: boolean,
+): boolean {
+  const corners: number[] = [];
   for (let c = first; c < first + count; c++) {
+    const next = c + 1 < first + count ? c + 1 : first;
+    if (!once || indices[c] !== indices[next]) corners.push(c);
+  }
+  if (corners.length < 3) return false;
+  kept.faces.push(face);
+  kept.counts.push(corners.length);
+  for (const c of corners) {
     kept.corners.push(c);
     kept.points.push(indices[c]);
   }
+  return true;
 }
 
 function onKept(values: PolygonValues, kept: Kept | undefined): PolygonValues {
@@ -124,38 +257,16 @@ function normalsOf(context: StageContext, prim: PrimSpec, topology: Topology): N
   return undefined;
 }
 
-function smoothAngleOf(context: StageContext, prim: PrimSpec): number {
-  const scheme = textAt(prim, 'subdivisionScheme', undefined) ?? 'catmullClark';
-  if (scheme === 'none') return 0;
-  context.subdivided.push(prim.path);
-  return SMOOTH_ANGLE;
-}
-
-function deformationOf(
-  context: StageContext,
-  prim: PrimSpec,
-  pointOfVertex: Uint32Array,
-  normals: Primvar | undefined,
-): Deformation | undefined {
+/** Codes at which the points have samples; none, with a diagnostic, where their number changes. */
+function pointTimes(context: StageContext, prim: PrimSpec): Float64Array {
   const points = attributeOf(prim, 'points');
   const times = sampleTimes(points);
-  if (times.length === 0) return undefined;
   const count = numbersAt(prim, 'points', context.startCode)!.length;
-  if (points!.timeSamples!.values.some((value) => numbersOf(value)?.length !== count)) {
-    const message = 'the number of points changes with time; the shape is held at the start';
-    report(context, 'warning', 'usd.topology', prim.path, message);
-    return undefined;
-  }
-  const velocities = context.cubic ? velocitiesOf(context, prim, times, count) : undefined;
-  const gather = (name: string) => (time: number) => gatherPoints(numbersAt(prim, name, time)!, pointOfVertex);
-  const given = normals?.interpolation === 'point' && !normals.indices && sampleTimes(normals.attribute).length > 0;
-  const steady = given && normals.attribute.timeSamples!.values.every((v) => numbersOf(v)?.length === count);
-  return {
-    times,
-    positionsAt: gather('points'),
-    ...(velocities ? { velocitiesAt: gather('velocities') } : {}),
-    ...(steady ? { normalsAt: gather(normals.attribute.name) } : {}),
-  };
+  if (times.length === 0 || points!.timeSamples!.values.every((value) => numbersOf(value)?.length === count))
+    return times;
+  const message = 'the number of points changes with time; the shape is held at the start';
+  report(context, 'warning', 'usd.topology', prim.path, message);
+  return new Float64Array(0);
 }
 
 /** Whether the file gives a velocity for each point at each of the points' samples. */

@@ -6,12 +6,13 @@ import { parseDictionary, parseItems, parseTypeName, parseValue, rawValue } from
 
 type Metadata = Map<string, MetadataValue>;
 
-/** Key → type of its value, for those that OpenUSD registers (sdf/schema.cpp and the plugInfo of usd, usdGeom, usdShade …). */
+/** Key → type of its value, for those that OpenUSD registers (sdf/schema.cpp and the plugInfo of usd, usdGeom, usdShade, usdSkel …). */
 const KEY_TYPES: ReadonlyMap<string, string> = new Map(
   Object.entries({
     bool: 'active autoPlay hasOwnedSubLayers hidden instanceable',
     int: 'elementSize framePrecision unauthoredValuesIndex',
     int64: 'arraySizeConstraint',
+    float: 'weight',
     double: 'startTimeCode endTimeCode timeCodesPerSecond framesPerSecond metersPerUnit kilogramsPerUnit',
     token:
       'bindMaterialAs colorManagementSystem colorSpace connectability defaultPrim interpolation kind outputName playbackMode renderType upAxis',

@@ -1,5 +1,6 @@
 import type { Frame } from './frame.ts';
 import type { PrimSpec } from './layer.ts';
+import type { MeshLight } from './meshLights.ts';
 import type { Shape } from './placement.ts';
 import type { Directions } from './slowlight.ts';
 
@@ -11,6 +12,8 @@ export interface Part {
   readonly directions: Directions;
   /** The material, by its place in the scene's, that an instance's own displayColor changes. */
   readonly colorable: number | undefined;
+  /** Absent where it does not shine. */
+  readonly light?: MeshLight;
 }
 
 /** An instancer, and where it is. */

@@ -9,7 +9,7 @@ import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion, UniformMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
-import { affordableTimes, boxCorners, bytesOfPoints, carried } from './sampling.ts';
+import { affordableTimes, boxCorners, bytesOfPoints, carried, carriedNumbers } from './sampling.ts';
 import { unionOfTimes } from './xformOps.ts';
 
 /** A mesh in its prim's own axes and stage units, and how its points change with time in there. */
@@ -17,15 +17,22 @@ export interface Shape {
   /** At the stage's start. */
   readonly mesh: Mesh;
   readonly deformation?: Deformation;
+  /** Where it is, if not where its prim is: a skeleton carries it. */
+  readonly frame?: Frame;
 }
 export interface Deformation {
   readonly times: Float64Array;
-  /** 3 per vertex of the mesh. */
-  positionsAt(time: number): Float32Array;
-  /** As the file gives them [units per second]; absent where it does not, or not at all times. */
+  at(time: number): DeformedPoints;
+  /** As the file gives them [units per second], 3 per vertex; absent where it does not, or not at all times. */
   velocitiesAt?(time: number): Float32Array;
+  /** Where its points do not move along chords between the times: some of them, 3 numbers each, that stand for all. */
+  readonly follow?: { readonly cost: number; pointsAt(time: number): ArrayLike<number> };
+}
+export interface DeformedPoints {
+  /** 3 per vertex of the mesh. */
+  readonly positions: Float32Array;
   /** Absent where normals have to be computed. */
-  normalsAt?(time: number): Float32Array;
+  readonly normals?: Float32Array;
 }
 
 export interface Placed {
@@ -71,6 +78,7 @@ export function placeShape(context: StageContext, path: string, shape: Shape, fr
   const world = scaledFrame(frame, context.unit);
   if (shape.deformation) return deforming(context, path, shape, world);
   if (world.times.length === 0) return fixed(shape.mesh, world.matrixAt(context.startCode));
+  if (world.isStraight) return straight(context, shape.mesh, world);
   const times = refined(context, path, world, cornersOf(shape.mesh));
   const parts = Array.from(times, (t) => mat4.decomposeRigid(world.matrixAt(t)));
   const { stretch } = parts[0];
@@ -87,10 +95,19 @@ export function placeShape(context: StageContext, path: string, shape: Shape, fr
   };
 }
 
+function straight(context: StageContext, mesh: Mesh, { times, matrixAt }: Frame): Placed {
+  const { pose, stretch } = mat4.decomposeRigid(matrixAt(times[0]));
+  const poses = Array.from(times, (time): mat4.RigidPose => {
+    const m = matrixAt(time);
+    return { ...pose, position: [m[3], m[7], m[11]] };
+  });
+  return { mesh: stretched(mesh, stretch), motion: sampledPoses(context, times, poses) };
+}
+
 /** The same without motion, at one time. */
 export function placeStill(context: StageContext, shape: Shape, frame: Frame, time: number): Still {
-  const positions = shape.deformation?.positionsAt(time);
-  const mesh = positions ? withPositions(shape.mesh, positions) : shape.mesh;
+  const bent = shape.deformation?.at(time);
+  const mesh = bent ? bentMesh(shape.mesh, bent) : shape.mesh;
   return fixed(mesh, scaledFrame(frame, context.unit).matrixAt(time));
 }
 
@@ -158,7 +175,27 @@ function followed(
   corners: readonly Vec3[],
   tolerance: number,
 ): Float64Array {
-  const shape = (time: number): Float64Array => carried(corners, matrixAt(time));
+  return followedShape(
+    context,
+    path,
+    { times: samples, cost, shape: (time) => carried(corners, matrixAt(time)) },
+    tolerance,
+  );
+}
+
+interface ShapePath {
+  readonly times: Float64Array;
+  readonly cost: number;
+  /** 3 numbers for each point that is followed. */
+  shape(time: number): Float64Array;
+}
+
+function followedShape(
+  context: StageContext,
+  path: string,
+  { times: samples, cost, shape }: ShapePath,
+  tolerance: number,
+): Float64Array {
   const how = { tolerance, looks: LOOKS, halvings: MAX_HALVINGS };
   const { times, error, wanted } = context.motionBudget.refine(samples, shape, how, cost);
   if (error > tolerance) {
@@ -198,7 +235,8 @@ export function frameMotion(context: StageContext, path: string, frame: Frame): 
 }
 
 function deforming(context: StageContext, path: string, shape: Shape, world: Frame): Placed {
-  const { times } = shape.deformation!;
+  const { times, follow } = shape.deformation!;
+  if (follow) return sampledPoints(context, path, shape, world, bentTimes(context, path, shape, world));
   if (world.times.length === 0) return sampledPoints(context, path, shape, world, times);
   const corners = cornersOf(shape.mesh);
   const both = { ...world, times: unionOfTimes([times, world.times]) };
@@ -211,23 +249,45 @@ function withCubicPoints(shape: Shape): Shape {
   const { deformation } = shape;
   if (!deformation) return shape;
   const { times } = deformation;
-  const positionsAt = (time: number): Float32Array => {
+  const at = (time: number): DeformedPoints => {
     const { before, after, s } = pieceAt(times, time);
-    if (before === after || s === 0) return deformation.positionsAt(times[before]);
-    const [from, to] = [before, after].map((k) =>
-      parabolaVelocityAt(times, (j) => deformation.positionsAt(times[j]), k),
-    );
-    const [a, b] = [deformation.positionsAt(times[before]), deformation.positionsAt(times[after])];
-    return a.map((x, i) => hermite(x, from[i], b[i], to[i], times[after] - times[before], s));
+    if (before === after || s === 0) return deformation.at(times[before]);
+    const sample = (k: number): Float32Array => deformation.at(times[k]).positions;
+    const [from, to] = [before, after].map((k) => parabolaVelocityAt(times, sample, k));
+    const [a, b] = [sample(before), sample(after)];
+    const positions = a.map((x, i) => hermite(x, from[i], b[i], to[i], times[after] - times[before], s));
+    return { ...deformation.at(time), positions };
   };
-  return { ...shape, deformation: { ...deformation, positionsAt } };
+  return { ...shape, deformation: { ...deformation, at } };
 }
+
+/** Times at which what bends on curved ways is followed; with a wider tolerance where its points would not be held. */
+function bentTimes(context: StageContext, path: string, { deformation, mesh }: Shape, world: Frame): Float64Array {
+  const { times, follow } = deformation!;
+  const samples = unionOfTimes([times, world.times]);
+  const shape = (time: number): Float64Array => carriedNumbers(follow!.pointsAt(time), world.matrixAt(time));
+  const size = diagonal(shape(samples[0]));
+  const most = Math.floor(context.pointBudget.bytes / bytesOfPoints(1, mesh.positions.length / 3, vectorsOf(context)));
+  const way: ShapePath = { times: samples, cost: world.cost + follow!.cost, shape };
+  for (let tolerance = context.bendTolerance * size; ; tolerance *= 4) {
+    const found = followedShape(context, path, way, tolerance);
+    const isEnough = found.length <= Math.max(most, samples.length) || !(tolerance < size) || tolerance === 0;
+    if (isEnough) return found;
+  }
+}
+
+function diagonal(points: ArrayLike<number>): number {
+  const corners = boxCorners(points);
+  return distance(corners[0], corners[corners.length - 1]);
+}
+
+/** Of each vertex at each time: a place, a normal, and along cubics a velocity. */
+const vectorsOf = ({ cubic }: StageContext): number => (cubic ? 3 : 2);
 
 /** The times that the scene still has memory for. */
 function affordable(context: StageContext, path: string, wanted: Float64Array, vertices: number): Float64Array {
   const { pointBudget } = context;
-  // A place, a normal, and where they are needed a velocity.
-  const perTime = bytesOfPoints(1, vertices, context.cubic ? 3 : 2);
+  const perTime = bytesOfPoints(1, vertices, vectorsOf(context));
   const times = affordableTimes(wanted, perTime, pointBudget.bytes);
   pointBudget.bytes = Math.max(0, pointBudget.bytes - times.length * perTime);
   if (times.length < wanted.length) {
@@ -241,17 +301,16 @@ function affordable(context: StageContext, path: string, wanted: Float64Array, v
 function sampledPoints(context: StageContext, path: string, shape: Shape, world: Frame, wanted: Float64Array): Placed {
   const times = affordable(context, path, wanted, shape.mesh.positions.length / 3);
   const { mesh, deformation } = shape;
-  const positionsAt = (time: number): Float32Array => deformation?.positionsAt(time) ?? mesh.positions;
-  const groups = deformation && !deformation.normalsAt ? smoothingGroups(mesh) : undefined;
-  const origin = originOf(positionsAt, times, world);
-  const placed = Array.from(times, (time) => {
-    const positions = positionsAt(time);
-    const normals = groups ? deformedNormals(positions, mesh.indices, groups) : deformation?.normalsAt?.(time);
-    return transformed(positions, normals ?? mesh.normals, relativeTo(origin, world.matrixAt(time)));
+  const shapes = Array.from(times, (time): DeformedPoints => deformation?.at(time) ?? mesh);
+  const groups = shapes.some(({ normals }) => !normals) ? smoothingGroups(mesh) : undefined;
+  const origin = originOf(shapes, times, world);
+  const placed = shapes.map(({ positions, normals }, i) => {
+    const own = normals ?? deformedNormals(positions, mesh.indices, groups!);
+    return transformed(positions, own, relativeTo(origin, world.matrixAt(times[i])));
   });
   const seconds = times.map((t) => t / context.codesPerSecond);
   const points = placed.map((p) => p.positions);
-  if (deformation) noteGap(context, path, seconds, points);
+  if (deformation && !deformation.follow) noteGap(context, path, seconds, points);
   const given = context.cubic && world.times.length === 0 ? deformation?.velocitiesAt : undefined;
   const linear = mat4.linearPart(world.matrixAt(times[0]));
   const motion: SampledPointsMotion = {
@@ -312,7 +371,7 @@ function mapped(from: Float32Array, l: Mat3, t: Vec3): Float32Array {
 
 function madeUnit(normals: Float32Array): Float32Array {
   for (let i = 0; i < normals.length; i += 3) {
-    const l = Math.hypot(normals[i], normals[i + 1], normals[i + 2]);
+    const l = Math.sqrt(normals[i] ** 2 + normals[i + 1] ** 2 + normals[i + 2] ** 2);
     if (l > 0) for (let k = i; k < i + 3; k++) normals[k] /= l;
   }
   return normals;
@@ -324,15 +383,16 @@ function turned(indices: Uint32Array): Uint32Array {
   return out;
 }
 
-function withPositions(mesh: Mesh, positions: Float32Array): Mesh {
-  return { ...mesh, positions, normals: deformedNormals(positions, mesh.indices, smoothingGroups(mesh)) };
+/** The mesh as it is bent at some time. */
+export function bentMesh(mesh: Mesh, { positions, normals }: DeformedPoints): Mesh {
+  return { ...mesh, positions, normals: normals ?? deformedNormals(positions, mesh.indices, smoothingGroups(mesh)) };
 }
 
 /** The prim's own origin where it is near (so that its points stay as written), else the middle of all points. */
-function originOf(positionsAt: (time: number) => Float32Array, times: Float64Array, world: Frame): Vec3 {
-  const corners = Array.from(times).flatMap((time) => {
-    const m = world.matrixAt(time);
-    return boxCorners(positionsAt(time)).flatMap((c) => mat4.transformPoint(m, c));
+function originOf(shapes: readonly DeformedPoints[], times: Float64Array, world: Frame): Vec3 {
+  const corners = shapes.flatMap(({ positions }, i) => {
+    const m = world.matrixAt(times[i]);
+    return boxCorners(positions).flatMap((c) => mat4.transformPoint(m, c));
   });
   const box = boxCorners(corners);
   const [low, high] = [box[0], box[box.length - 1]];

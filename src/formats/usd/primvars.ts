@@ -20,6 +20,8 @@ const PER: ReadonlyMap<string, PolygonValues['per']> = new Map([
 
 export interface Primvar {
   readonly interpolation: PolygonValues['per'];
+  /** `varying`: linear between points also where the points are not. */
+  readonly isLinear: boolean;
   readonly values: NumberArray;
   readonly indices?: NumberArray;
   readonly attribute: AttributeSpec;
@@ -30,9 +32,11 @@ export function primvarOf(prim: PrimSpec, name: string, time: TimeCode, fallback
   const attribute = attributeOf(prim, name);
   const values = numbersOf(valueAt(attribute, time));
   if (!attribute || !values) return undefined;
-  const interpolation = PER.get(metadataText(attribute.metadata, 'interpolation') ?? fallback) ?? 'constant';
+  const written = metadataText(attribute.metadata, 'interpolation') ?? fallback;
+  const interpolation = PER.get(written) ?? 'constant';
+  const isLinear = written === 'varying';
   const indices = numbersOf(valueAt(attributeOf(prim, `${name}:indices`), time));
-  return { interpolation, values, attribute, ...(indices ? { indices } : {}) };
+  return { interpolation, isLinear, values, attribute, ...(indices ? { indices } : {}) };
 }
 
 /** The primvar as values on a mesh; undefined, with a warning, where its counts do not fit. */
@@ -49,7 +53,9 @@ export function valuesOnMesh(
   const held = values.length / size;
   const given = indices ? indices.length : held;
   const outside = indices?.some((i) => !(i >= 0 && i < held)) ?? false;
-  if (given >= needed && !outside) return { per, values, ...(indices ? { indices } : {}) };
+  if (given >= needed && !outside) {
+    return { per, values, ...(indices ? { indices } : {}), ...(primvar.isLinear ? { linear: true } : {}) };
+  }
   const what = outside ? `has an index outside its ${held} values` : `has ${given} values where ${needed} are needed`;
   report(context, 'warning', 'usd.primvar', prim.path, `${name} ${what}; it is left out`);
   return undefined;

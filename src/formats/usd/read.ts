@@ -12,12 +12,16 @@ import type { Layer } from './layer.ts';
 import { readLayer } from './readLayer.ts';
 import { hintsOf } from './slowlight.ts';
 import { readStage, type StageContents, upAxisOf } from './stage.ts';
+import { DEFAULT_LEVELS } from './subdivision.ts';
 
 /** Distance between a resampled path and the true one, as a fraction of the object's size, where none is asked for. */
 const CHORD_TOLERANCE = 1e-4;
+const BEND_TOLERANCE = 1e-3;
 
 /** For all deforming meshes of a scene together [bytes]: a small file can ask for any number of samples of a large mesh. */
 const POINT_BUDGET = 2 ** 30;
+
+const MOST_LEVELS = 8;
 
 /** For the paths of all moving things together [ops]: about half a second. */
 const MOTION_BUDGET = 2 ** 18;
@@ -83,9 +87,11 @@ function contextOf(layer: Layer, files: AssetFiles, diagnostics: DiagnosticList,
     startCode: number('startTimeCode') ?? 0,
     cubic: options.interpolation === 'cubic',
     chordTolerance: options.chordTolerance ?? CHORD_TOLERANCE,
+    bendTolerance: options.chordTolerance ?? BEND_TOLERANCE,
     diagnostics,
     pointBudget: { bytes: POINT_BUDGET },
     motionBudget: new RefinementBudget(MOTION_BUDGET),
+    subdivision: { wanted: levelsWanted(options.subdivision) },
     subdivided: [],
   };
   for (const key of ['unit', 'codesPerSecond'] as const) {
@@ -98,6 +104,9 @@ function contextOf(layer: Layer, files: AssetFiles, diagnostics: DiagnosticList,
     report(context, 'info', 'usd.units', '', 'metersPerUnit is not written; one unit is taken as 1 cm, as USD says');
   return context;
 }
+
+/** Whole, and not so many that a single face would be more than a scene has. */
+const levelsWanted = (levels = DEFAULT_LEVELS): number => Math.max(0, Math.min(MOST_LEVELS, Math.floor(levels) || 0));
 
 function sceneHeader(context: StageContext, entry: string) {
   return {

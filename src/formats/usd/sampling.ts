@@ -2,13 +2,14 @@ import type { Mat4 } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 
 /** Where points are, carried by a matrix: 3 numbers each. */
-export function carried(points: readonly Vec3[], m: Mat4): Float64Array {
-  const out = new Float64Array(points.length * 3);
-  for (let i = 0; i < points.length; i++) {
-    const p = points[i];
+export const carried = (points: readonly Vec3[], m: Mat4): Float64Array => carriedNumbers(points.flat(), m);
+
+/** The same of 3 numbers for each point. */
+export function carriedNumbers(points: ArrayLike<number>, m: Mat4): Float64Array {
+  const out = new Float64Array(points.length);
+  for (let i = 0; i < points.length; i += 3)
     for (let k = 0; k < 3; k++)
-      out[3 * i + k] = m[4 * k] * p[0] + m[4 * k + 1] * p[1] + m[4 * k + 2] * p[2] + m[4 * k + 3];
-  }
+      out[i + k] = m[4 * k] * points[i] + m[4 * k + 1] * points[i + 1] + m[4 * k + 2] * points[i + 2] + m[4 * k + 3];
   return out;
 }
 

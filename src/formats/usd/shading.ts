@@ -1,4 +1,4 @@
-import { attributeOf, type TimeCode, textOf, valueAt } from './attributes.ts';
+import { attributeOf, sampleTimes, type TimeCode, textOf, valueAt } from './attributes.ts';
 import { propertyAt, targetsOf } from './context.ts';
 import type { Layer, PrimSpec, Value } from './layer.ts';
 
@@ -31,5 +31,9 @@ function valueInput(prim: PrimSpec, name: string, time: TimeCode): Input {
   const value = valueAt(attributeOf(prim, name), time);
   return value ? { value } : {};
 }
+
+/** Whether a shader's inputs change with time. */
+export const isAnimated = (shader: PrimSpec): boolean =>
+  [...shader.properties.values()].some((p) => p.kind === 'attribute' && sampleTimes(p).length > 0);
 
 export const shaderId = (shader: PrimSpec): string => textOf(valueAt(attributeOf(shader, 'info:id'), undefined)) ?? '';

@@ -1,21 +1,24 @@
+import { IDENTITY, invert } from '../../math/mat4.ts';
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../scene/types.ts';
 import { MAX_OBJECTS } from '../limits.ts';
-import { attributeOf, sampleTimes, textAt } from './attributes.ts';
+import { attributeOf, sampleTimes, type TimeCode, textAt } from './attributes.ts';
 import { cameraOf } from './cameras.ts';
 import { parentOf } from './compose/paths.ts';
 import { isActive } from './compose/stage.ts';
 import { ancestorsOf, metadataText, report, type StageContext } from './context.ts';
 import { noteUnreadValues, UNREAD_TYPES } from './coverage.ts';
-import { childFrame, type Frame, nestedFrame, ROOT_FRAME } from './frame.ts';
+import { childFrame, type Frame, frameOf, nestedFrame, ROOT_FRAME } from './frame.ts';
 import { implicitShape, isImplicit } from './gprims.ts';
 import { addPrototypes, Instancers, type Setting } from './instancer/instancers.ts';
 import type { PrimSpec } from './layer.ts';
 import { isLight, isUnreadLight, lightOf } from './lights.ts';
 import { MaterialTable } from './materials.ts';
 import { meshShape } from './meshes.ts';
+import { geometryLights, glowing, lightOn, type MeshLight } from './meshLights.ts';
 import type { Part, Site, Subtree } from './parts.ts';
 import { placeDrifting, placeShape, placeStill, type Shape } from './placement.ts';
 import { remade, SharedShapes } from './sharedShapes.ts';
+import { Skeletons } from './skel/binding.ts';
 import {
   authoredInOf,
   checkDirections,
@@ -66,14 +69,18 @@ class StageReader {
   private readonly context: StageContext;
   readonly scene: Found;
   private readonly textures: TextureLoader;
+  private readonly geometryLights: ReadonlyMap<string, PrimSpec>;
   private readonly shapes = new SharedShapes();
   /** Paths of what instancers show: what only holds it need not be defined. */
   private readonly prototypes: ReadonlySet<string>;
+  private readonly skeletons: Skeletons;
 
   constructor(context: StageContext) {
     this.context = context;
     this.textures = new TextureLoader(context);
+    this.skeletons = new Skeletons(context);
     this.table = new MaterialTable(context, this.textures);
+    this.geometryLights = geometryLights(context.layer.rootPrims.values());
     this.prototypes = addPrototypes(context.layer.rootPrims, new Set());
     const instancers = new Instancers(context, {
       subtree: (prim) => this.subtree(prim),
@@ -188,12 +195,26 @@ class StageReader {
 
   private async readPart(prim: PrimSpec, { binding, frame, directions, found }: Inherited): Promise<void> {
     const surface = await surfaceOf(this.context, this.table, prim, binding);
-    const shape = this.shapes.of(prim, surface, () => this.shapeOf(prim, surface));
-    if (shape) found.part({ path: prim.path, shape, frame, directions, colorable: surface.colorable });
+    const make = (): Shape | undefined => this.shapeOf(prim, surface);
+    // What is bent has its form from more than its own opinions.
+    const shape = this.skeletons.isBound(prim) ? make() : this.shapes.of(prim, surface, make);
+    if (!shape) return;
+    const place = shape.frame && !found.isScene ? this.inPrototype(prim, frame, shape.frame) : (shape.frame ?? frame);
+    const light = lightOn(prim, this.geometryLights);
+    const part = { path: prim.path, shape, frame: place, directions, colorable: surface.colorable };
+    found.part({ ...part, ...(light && { light }) });
   }
 
-  private draw({ path, shape, frame, directions }: Part): void {
-    this.add(path, directions, this.placed(path, shape, frame, directions), lifetimeOf(directions));
+  /** A frame of the stage, from that of a prim in it, where the prim stands in a prototype. */
+  private inPrototype(prim: PrimSpec, frame: Frame, target: Frame): Frame {
+    const own = frameOf(this.context.layer, prim.path);
+    const back = { ...own, matrixAt: (time: TimeCode) => invert(own.matrixAt(time)) ?? IDENTITY };
+    return nestedFrame(frame, nestedFrame(back, target));
+  }
+
+  private draw({ path, shape, frame, directions, light }: Part): void {
+    const placed = this.placed(path, shape, frame, directions);
+    this.add(path, directions, this.lit(placed, light), lifetimeOf(directions));
   }
 
   private drawInstance(part: Part, path: string, setting: Setting): void {
@@ -212,7 +233,11 @@ class StageReader {
       birth: Math.max(own.birth, setting.lifetime.birth),
       death: Math.min(own.death, setting.lifetime.death),
     };
-    this.add(path, setting.directions, { ...placed, mesh }, lifetime);
+    this.add(path, setting.directions, this.lit({ ...placed, mesh }, part.light), lifetime);
+  }
+
+  private lit(made: Made, light: MeshLight | undefined): Made {
+    return light ? { ...made, mesh: glowing(this.context, this.table, light, made.mesh) } : made;
   }
 
   private add(path: string, directions: Directions, { mesh, motion }: Made, lifetime: Lifetime): void {
@@ -221,7 +246,7 @@ class StageReader {
 
   private shapeOf(prim: PrimSpec, surface: Surface): Shape | undefined {
     if (prim.typeName !== 'Mesh') return implicitShape(this.context, prim, surface);
-    const shape = meshShape(this.context, prim, surface);
+    const shape = meshShape(this.context, this.skeletons, prim, surface);
     if (shape && shape.mesh.indices.length > 0) return shape;
     if (shape) report(this.context, 'warning', 'usd.empty-mesh', prim.path, 'the mesh has no faces; it is left out');
     return undefined;

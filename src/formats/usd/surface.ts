@@ -3,9 +3,9 @@ import type { PolygonValues } from '../../scene/polygons.ts';
 import { attributeOf, numbersAt, textAt } from './attributes.ts';
 import { metadataText, report, type StageContext, targetsOf } from './context.ts';
 import type { PrimSpec } from './layer.ts';
-import type { BoundMaterial, MaterialTable } from './materials.ts';
+import { type BoundMaterial, type DisplayColor, type MaterialTable, withDisplayColor } from './materials.ts';
 import { primvarOf, type Topology, valuesOnMesh } from './primvars.ts';
-import { transformUvs } from './uvs.ts';
+import { mappedByFace, transformUvs } from './uvs.ts';
 
 /** The materials of one prim's faces, and the primvars that they read. */
 export interface Surface {
@@ -49,29 +49,55 @@ export async function surfaceOf(
 ): Promise<Surface> {
   const display = displayColor(context, prim);
   const base = binding
-    ? await table.at(binding.path, prim.path, display.color)
-    : await table.plain(display.color, display.opacity);
-  const subsets = await subsetsOf(context, table, prim, binding, display.color);
+    ? await table.at(binding.path, prim.path, display)
+    : withDisplayColor(await table.plain(display.color, display.opacity), display);
+  const subsets = await subsetsOf(context, table, prim, binding, display);
   const used = [base, ...subsets.map((s) => s.material)];
-  const colored = used.some((m) => m.readsDisplayColor) || (!binding && display.varies);
-  const isOpen = attributeOf(prim, DISPLAY_COLOR) === undefined && (!binding || base.readsDisplayColor);
+  const isOpen = attributeOf(prim, DISPLAY_COLOR) === undefined && (!binding || base.colors?.name === 'displayColor');
   return {
     base,
     materials: used.map(({ index }) => index),
     colorable: isOpen ? base.index : undefined,
     faceMaterials: (faces) => faceMaterials(base, subsets, faces),
     uvs: (mesh, topology) => uvsOf(context, mesh, topology, used, faceMaterials(base, subsets, topology.faces)),
-    colors: (mesh, topology) => {
-      const primvar = colored ? primvarOf(mesh, DISPLAY_COLOR, context.startCode) : undefined;
-      return primvar && valuesOnMesh(context, mesh, DISPLAY_COLOR, primvar, 3, topology);
-    },
+    colors: (mesh, topology) => colorsOf(context, mesh, topology, used, faceMaterials(base, subsets, topology.faces)),
   };
 }
+
+/** The colours that the materials read, white on faces whose material reads none. */
+function colorsOf(
+  context: StageContext,
+  prim: PrimSpec,
+  topology: Topology,
+  used: readonly BoundMaterial[],
+  materials: Uint32Array,
+): PolygonValues | undefined {
+  const reading = used.filter((m) => m.colors);
+  const [first] = reading;
+  if (!first?.colors) return undefined;
+  const { name, fallback } = first.colors;
+  const other = reading.find(({ colors }) => colors?.name !== name);
+  if (other) {
+    const message = `its materials read colours ${name} and ${other.colors?.name}; the first is used for both`;
+    report(context, 'warning', 'usd.primvar', prim.path, message);
+  }
+  const path = `primvars:${name}`;
+  const primvar = primvarOf(prim, path, context.startCode);
+  const found = primvar && valuesOnMesh(context, prim, path, primvar, 3, topology);
+  const values: PolygonValues = found ?? { per: 'constant', values: Float32Array.from(fallback) };
+  const read = new Set(reading.map(({ index }) => index));
+  const counts = numbersAt(prim, 'faceVertexCounts', context.startCode);
+  const points = numbersAt(prim, 'faceVertexIndices', context.startCode);
+  if (used.every(({ index }) => read.has(index)) || !counts || !points) return values;
+  return mappedByFace(values, 3, points, counts, (face, color) => (read.has(materials[face]) ? color : WHITE));
+}
+
+const WHITE: Vec3 = [1, 1, 1];
 
 const DISPLAY_COLOR = 'primvars:displayColor';
 
 /** One colour for all; white where they vary and come by vertex. */
-function displayColor(context: StageContext, prim: PrimSpec): { color: Vec3; opacity: number; varies: boolean } {
+function displayColor(context: StageContext, prim: PrimSpec): DisplayColor {
   const colors = numbersAt(prim, DISPLAY_COLOR, context.startCode);
   const opacity = numbersAt(prim, 'primvars:displayOpacity', context.startCode)?.[0] ?? 1;
   const varies = (colors?.length ?? 0) > 3;
@@ -89,7 +115,7 @@ async function subsetsOf(
   table: MaterialTable,
   prim: PrimSpec,
   binding: Binding | undefined,
-  color: Vec3,
+  display: DisplayColor,
 ): Promise<Subset[]> {
   const subsets: Subset[] = [];
   for (const child of prim.children.values()) {
@@ -101,7 +127,7 @@ async function subsetsOf(
       continue;
     }
     const faces = numbersAt(child, 'indices', context.startCode) ?? [];
-    subsets.push({ material: await table.at(own.path, child.path, color), faces });
+    subsets.push({ material: await table.at(own.path, child.path, display), faces });
   }
   return subsets;
 }

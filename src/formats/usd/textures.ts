@@ -1,24 +1,34 @@
+import { scale, type Vec3 } from '../../math/vec3.ts';
 import type { Texture, TextureWrap } from '../../scene/types.ts';
 import { InputError } from '../../scene/types.ts';
+import { decodeSrgb } from '../../spectrum/srgb.ts';
 import { messageOf } from '../fail.ts';
-import { type DecodedImage, decodeImage } from '../images.ts';
+import { type DecodedImage, decodeImage, looksLikeColor } from '../images.ts';
 import { missingTexture } from '../missing.ts';
 import { textAt, textOf } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import type { PrimSpec, Value } from './layer.ts';
 import { resolveInput } from './shading.ts';
+import { atlasOf, readTiles } from './udim.ts';
+
+/** A picture, or the tiles of a set as one. */
+export interface Picture extends DecodedImage {
+  /** It looks like colours, not like plain numbers. */
+  readonly color: boolean;
+  readonly tiles?: readonly [columns: number, rows: number];
+}
 
 /** Reads pictures, each once. */
 export class TextureLoader {
   private readonly context: StageContext;
-  private readonly images = new Map<string, Promise<DecodedImage | undefined>>();
+  private readonly images = new Map<string, Promise<Picture | undefined>>();
 
   constructor(context: StageContext) {
     this.context = context;
   }
 
   /** The picture of a UsdUVTexture; undefined, with a diagnostic, where there is none. */
-  async image(shader: PrimSpec): Promise<DecodedImage | undefined> {
+  async image(shader: PrimSpec): Promise<Picture | undefined> {
     const input = resolveInput(this.context.layer, shader, 'inputs:file', this.context.startCode);
     if (!textOf(input.value)) {
       report(this.context, 'warning', 'usd.texture', shader.path, 'the texture names no file');
@@ -28,28 +38,33 @@ export class TextureLoader {
   }
 
   /** The picture that an asset value leads to. */
-  file(value: Value | undefined, user: string): Promise<DecodedImage | undefined> {
+  file(value: Value | undefined, user: string): Promise<Picture | undefined> {
     const asset = textOf(value) ?? '';
     const anchor = (value?.type === 'asset' && value.anchor) || this.context.layer.name;
-    if (asset.includes('<UDIM>'))
-      report(this.context, 'warning', 'usd.udim', user, `${asset} is a set of tiles; only tile 1001 is used`);
-    const [path, ...more] = this.context.files.candidates(anchor, asset.replaceAll('<UDIM>', '1001'));
+    const [path, ...more] = this.context.files.candidates(anchor, asset);
     const key = [path, ...more].join('\n');
     let image = this.images.get(key);
     if (!image) {
-      image = this.load([path, ...more], asset, user);
+      image = this.load([path, ...more], asset, anchor, user);
       this.images.set(key, image);
     }
     return image;
   }
 
-  private async load(paths: readonly string[], asset: string, user: string): Promise<DecodedImage | undefined> {
+  private async load(
+    paths: readonly string[],
+    asset: string,
+    anchor: string,
+    user: string,
+  ): Promise<Picture | undefined> {
     const { files } = this.context;
-    let path = paths[0];
     try {
-      for (path of paths) {
-        const bytes = await files.read(path);
-        if (bytes) return decodeImage(bytes, path);
+      if (asset.includes('<UDIM>')) {
+        const tiles = await readTiles((tile) => files.find(anchor, asset.replaceAll('<UDIM>', tile)));
+        if (tiles.length > 0) return { ...atlasOf(tiles), color: looksLikeColor(tiles[0].bytes) };
+      } else {
+        const found = await files.find(anchor, asset);
+        if (found) return { ...decodeImage(found.bytes, found.id), color: looksLikeColor(found.bytes) };
       }
       const { code, message, missing } = missingTexture(asset, paths);
       report(this.context, 'warning', code, user, message, { missing });
@@ -63,7 +78,7 @@ export class TextureLoader {
 }
 
 /** How a UsdUVTexture reads its picture. `alpha: false`: opacity does not come from it, so that it is opaque. */
-export function textureOf(context: StageContext, shader: PrimSpec, image: DecodedImage, alpha: boolean): Texture {
+export function textureOf(context: StageContext, shader: PrimSpec, image: Picture, alpha: boolean): Texture {
   const text = (name: string): string | undefined =>
     textOf(resolveInput(context.layer, shader, `inputs:${name}`, context.startCode).value);
   return {
@@ -71,17 +86,23 @@ export function textureOf(context: StageContext, shader: PrimSpec, image: Decode
     width: image.width,
     height: image.height,
     data: alpha ? image.data : opaque(image.data),
-    colorSpace: text('sourceColorSpace') === 'raw' ? 'linear' : 'srgb',
+    colorSpace: colorSpaceOf(context, shader, image),
     filter: textAt(shader, 'slowlight:filter', undefined) === 'nearest' ? 'nearest' : 'linear',
-    wrapS: wrapOf(text('wrapS')),
-    wrapT: wrapOf(text('wrapT')),
+    wrapS: image.tiles ? 'clamp' : wrapOf(text('wrapS')),
+    wrapT: image.tiles ? 'clamp' : wrapOf(text('wrapT')),
   };
 }
 
-/** `black` outside the picture is clamped; `useMetadata` repeats, as pictures without metadata do in most viewers. */
+/** `auto` looks at the picture. */
+export function colorSpaceOf(context: StageContext, shader: PrimSpec, picture: Picture): Texture['colorSpace'] {
+  const written = textOf(resolveInput(context.layer, shader, 'inputs:sourceColorSpace', context.startCode).value);
+  if (written === 'raw' || written === 'sRGB') return written === 'raw' ? 'linear' : 'srgb';
+  return picture.color ? 'srgb' : 'linear';
+}
+
+/** `useMetadata` repeats, as pictures without metadata do in most viewers. */
 function wrapOf(mode: string | undefined): TextureWrap {
-  if (mode === 'clamp' || mode === 'black') return 'clamp';
-  return mode === 'mirror' ? 'mirror' : 'repeat';
+  return mode === 'clamp' || mode === 'black' || mode === 'mirror' ? mode : 'repeat';
 }
 
 /** The picture without transparency; itself where it has none, so that materials share it. */
@@ -94,9 +115,10 @@ function opaque(rgba: Uint8Array): Uint8Array {
   return out;
 }
 
-/** Mean of one channel, 0 … 1. */
-export function meanOf(image: DecodedImage, channel: number): number {
-  let sum = 0;
-  for (let i = channel; i < image.data.length; i += 4) sum += image.data[i];
-  return sum / (255 * image.width * image.height);
+/** Mean colour in linear light. */
+export function meanColor({ width, height, data, colorSpace }: Texture): Vec3 {
+  const sum: [number, number, number] = [0, 0, 0];
+  for (let i = 0; i < data.length; i += 4)
+    for (let k = 0; k < 3; k++) sum[k] += colorSpace === 'srgb' ? decodeSrgb(data[i + k] / 255) : data[i + k] / 255;
+  return scale(sum, 1 / (width * height));
 }

@@ -3,7 +3,7 @@ import { numberOf, numbersOf, textOf } from './attributes.ts';
 import type { StageContext } from './context.ts';
 import { report } from './context.ts';
 import type { PrimSpec } from './layer.ts';
-import { resolveInput, shaderId } from './shading.ts';
+import { isAnimated, resolveInput, shaderId } from './shading.ts';
 
 /** Which primvar a texture is looked up by, and what is done to it before. */
 export interface UvSource {
@@ -17,7 +17,20 @@ export interface UvTransform {
   /** [degrees] */
   readonly rotation: number;
   readonly translation: readonly [number, number];
+  /** Of a set of tiles, whose picture is so many tiles wide and high; u and v are divided by these at last. */
+  readonly tiles?: readonly [number, number];
 }
+
+const IDENTITY: UvTransform = { scale: [1, 1], rotation: 0, translation: [0, 0] };
+
+/** Where a picture of tiles is looked up. */
+export const inTiles = (uv: UvSource, tiles: readonly [number, number]): UvSource => ({
+  ...uv,
+  transform: { ...(uv.transform ?? IDENTITY), tiles },
+});
+
+export const isSameUv = (a: UvSource, b: UvSource): boolean =>
+  a.name === b.name && JSON.stringify(a.transform) === JSON.stringify(b.transform);
 
 /** Follows `inputs:st` of a UsdUVTexture to its UsdPrimvarReader_float2. */
 export function uvSourceOf(context: StageContext, texture: PrimSpec): UvSource | undefined {
@@ -27,6 +40,8 @@ export function uvSourceOf(context: StageContext, texture: PrimSpec): UvSource |
   const id = shaderId(shader);
   if (id === 'UsdTransform2d') {
     const reader = resolveInput(layer, shader, 'inputs:in', startCode).shader;
+    if (isAnimated(shader))
+      report(context, 'warning', 'usd.animated-material', shader.path, 'it changes with time; it is held at the start');
     const name = reader ? readerVariable(context, reader) : undefined;
     return name === undefined ? undefined : { name, transform: uvTransformOf(context, shader) };
   }
@@ -58,16 +73,31 @@ export function transformUvs(
   counts: ArrayLike<number>,
   transformOfFace: (face: number) => UvTransform | undefined,
 ): PolygonValues {
-  const out = new Float32Array(points.length * 2);
+  return mappedByFace(values, 2, points, counts, (face, [u, v]) => apply(transformOfFace(face), u, v));
+}
+
+/** What `map` makes of each corner's value, of `size` numbers. */
+export function mappedByFace(
+  values: PolygonValues,
+  size: number,
+  points: ArrayLike<number>,
+  counts: ArrayLike<number>,
+  map: (face: number, value: readonly number[]) => readonly number[],
+): PolygonValues {
+  const out = new Float32Array(points.length * size);
   let corner = 0;
-  for (let face = 0; face < counts.length; face++) {
-    const transform = transformOfFace(face);
+  for (let face = 0; face < counts.length; face++)
     for (let k = 0; k < counts[face] && corner < points.length; k++, corner++) {
       const place = { point: points[corner], corner, face, constant: 0 }[values.per];
       const i = values.indices ? values.indices[place] : place;
-      out.set(apply(transform, values.values[2 * i], values.values[2 * i + 1]), 2 * corner);
+      out.set(
+        map(
+          face,
+          Array.from({ length: size }, (_, n) => values.values[size * i + n]),
+        ),
+        size * corner,
+      );
     }
-  }
   return { per: 'corner', values: out };
 }
 
@@ -76,5 +106,6 @@ function apply(transform: UvTransform | undefined, u: number, v: number): [numbe
   const { scale, rotation, translation } = transform;
   const [c, s] = [Math.cos((rotation * Math.PI) / 180), Math.sin((rotation * Math.PI) / 180)];
   const [x, y] = [u * scale[0], v * scale[1]];
-  return [c * x - s * y + translation[0], s * x + c * y + translation[1]];
+  const [columns, rows] = transform.tiles ?? [1, 1];
+  return [(c * x - s * y + translation[0]) / columns, (s * x + c * y + translation[1]) / rows];
 }

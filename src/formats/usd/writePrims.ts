@@ -1,7 +1,9 @@
 import { shortestTurn } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type {
+  Lamp,
   Light,
+  LightShaping,
   Mesh,
   Motion,
   Pose,
@@ -189,13 +191,49 @@ export function lightContent(light: Light, placement: Placement, file: string | 
     const pose: Pose = { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) };
     return { type: 'DistantLight', properties: [...color, ...poseLines(pose, placement)] };
   }
-  if (light.kind === 'sphere') {
-    const radius = `float inputs:radius = ${float(light.radius / placement.metersPerUnit)}`;
+  if (light.kind !== 'dome') {
+    const sizes = sizesOf(light).map(
+      ([name, size]) => `float inputs:${name} = ${float(size / placement.metersPerUnit)}`,
+    );
+    const shaping = light.shaping ? shapingLines(light.shaping) : [];
     return {
-      type: 'SphereLight',
-      properties: [...color, radius, ...directionLines(light, placement), ...motionLines(light.motion, placement)],
+      type: LAMP_TYPES[light.kind],
+      ...(light.shaping && { metadata: ['prepend apiSchemas = ["ShapingAPI"]'] }),
+      properties: [
+        ...color,
+        ...sizes,
+        ...shaping,
+        ...directionLines(light, placement),
+        ...motionLines(light.motion, placement),
+      ],
     };
   }
   const texture = file ? [`asset inputs:texture:file = @${file}@`] : [];
   return { type: 'DomeLight', properties: [...color, ...texture] };
+}
+
+const LAMP_TYPES = { sphere: 'SphereLight', rect: 'RectLight', disk: 'DiskLight', cylinder: 'CylinderLight' } as const;
+
+function sizesOf(lamp: Lamp): readonly (readonly [name: string, size: number])[] {
+  if (lamp.kind === 'rect')
+    return [
+      ['height', lamp.height],
+      ['width', lamp.width],
+    ];
+  if (lamp.kind === 'cylinder')
+    return [
+      ['length', lamp.length],
+      ['radius', lamp.radius],
+    ];
+  return [['radius', lamp.radius]];
+}
+
+/** In degrees from the axis; a cone of 180° is all directions. */
+function shapingLines({ inner, outer, focus }: LightShaping): Lines {
+  const open = outer > Math.PI;
+  return [
+    `float inputs:shaping:cone:angle = ${float(open ? 180 : (outer * 180) / Math.PI)}`,
+    `float inputs:shaping:cone:softness = ${float(open ? 0 : 1 - inner / outer)}`,
+    `float inputs:shaping:focus = ${float(focus)}`,
+  ];
 }

@@ -40,7 +40,6 @@ export function Motion({ picture }: { readonly picture: Picture }): ReactNode {
         placeholder={t('motion.search')}
         nothingFoundMessage={t('motion.nothing')}
         searchable
-        selectFirstOptionOnChange
         limit={50}
         searchValue={search}
         onSearchChange={setSearch}

@@ -23,7 +23,8 @@ export function instanceFrame(population: Population, instance: Instance, range:
     const fixed = matrixAt(times[0] ?? range.start);
     return { times: NO_TIMES, cost: 1, matrixAt: () => fixed };
   }
-  return { times, cost: COST, matrixAt: (time) => matrixAt(time ?? range.start) };
+  const { isStraight } = population.transforms;
+  return { times, cost: COST, isStraight, matrixAt: (time) => matrixAt(time ?? range.start) };
 }
 
 const NO_TIMES = new Float64Array(0);
@@ -57,13 +58,24 @@ function placingAt({ transforms, times }: Population, { steps, death }: Instance
 
 /** The last of the times that is not after `time`, and before the death. */
 function lastBefore(times: Float64Array, time: number, death: number): number {
-  let k = -1;
-  while (k + 1 < times.length && times[k + 1] <= time && times[k + 1] < death) k++;
-  return k;
+  return lastWhere(times.length, (k) => times[k] <= time && times[k] < death);
 }
 
-function stepAt(steps: readonly Step[], time: number): Step {
-  let k = 0;
-  while (k + 1 < steps.length && steps[k + 1].from <= time) k++;
-  return steps[k];
+const stepAt = (steps: readonly Step[], time: number): Step =>
+  steps[
+    Math.max(
+      0,
+      lastWhere(steps.length, (k) => steps[k].from <= time),
+    )
+  ];
+
+/** The last of some numbers from 0 of which something holds, that holds of all before it; −1 of none. */
+function lastWhere(count: number, holds: (k: number) => boolean): number {
+  let [low, high] = [-1, count];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (holds(middle)) low = middle;
+    else high = middle;
+  }
+  return low;
 }

@@ -62,6 +62,13 @@ export class InstanceTransforms {
     });
   }
 
+  /** Nothing turns or grows, and between samples all goes straight. */
+  get isStraight(): boolean {
+    const { orientations, scales, angularVelocities, accelerations } = this;
+    const turns = orientations.times.length > 1 || scales.times.length > 1;
+    return !turns && angularVelocities.times.length === 0 && accelerations.times.length === 0;
+  }
+
   /** Whether places are carried on from samples by velocities at a time, of `count` instances. */
   isCarried(count: number, time: number): boolean {
     return this.moves(count, time) || this.turns(count, time);

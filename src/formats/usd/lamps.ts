@@ -1,0 +1,124 @@
+import * as mat4 from '../../math/mat4.ts';
+import { addScaled, cross, dot, length, negate, normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import type { FrameMotion, Lamp } from '../../scene/types.ts';
+import { attributeOf, textOf, valueAt } from './attributes.ts';
+import { isTrue, report, type StageContext } from './context.ts';
+import { type Frame, scaledFrame } from './frame.ts';
+import type { PrimSpec } from './layer.ts';
+import { brightnessOf, lightFlag, lightNumber, shapingOf } from './lightInputs.ts';
+import { frameMotion } from './placement.ts';
+import { type Directions, directedMotion, lifetimeOf, poseTimeOf } from './slowlight.ts';
+import { meanColor, type TextureLoader, textureOf } from './textures.ts';
+
+const LAMPS = new Set(['SphereLight', 'RectLight', 'DiskLight', 'CylinderLight']);
+
+export const isLamp = (typeName: string): boolean => LAMPS.has(typeName);
+
+/** A light that is somewhere, with the brightness and the size that it has at the stage's start. */
+export async function lampOf(
+  context: StageContext,
+  textures: TextureLoader,
+  prim: PrimSpec,
+  frame: Frame,
+  directions: Directions,
+): Promise<Lamp> {
+  const { shape, gain } = withGain(context, prim, shapeOf(context, prim, frame));
+  const shaping = shapingOf(context, prim, shape.kind === 'rect' || shape.kind === 'disk');
+  const tint = prim.typeName === 'RectLight' ? await meanOfTexture(context, textures, prim) : undefined;
+  const color = scale(brightnessOf(context, prim), gain);
+  return {
+    ...shape,
+    path: prim.path,
+    motion: lampMotion(context, prim, frame, directions),
+    lifetime: lifetimeOf(directions),
+    color: tint ? [color[0] * tint[0], color[1] * tint[1], color[2] * tint[2]] : color,
+    ...(shaping && { shaping }),
+  };
+}
+
+type Part<L> = L extends Lamp ? Omit<L, 'path' | 'motion' | 'lifetime' | 'color' | 'shaping'> : never;
+type LampShape = Part<Lamp>;
+
+/** Kind and sizes [m], stretched as the prim's transform at the start says; a stretch that a shape cannot have by its mean. */
+function shapeOf(context: StageContext, prim: PrimSpec, frame: Frame): LampShape {
+  const m = scaledFrame(frame, context.unit).matrixAt(context.startCode);
+  const [sx, sy, sz] = AXES.map((axis) => length(mat4.transformVector(m, axis)));
+  const size = (name: string, fallback: number): number => Math.max(lightNumber(context, prim, name) ?? fallback, 0);
+  switch (prim.typeName) {
+    case 'RectLight':
+      return { kind: 'rect', width: size('width', 1) * sx, height: size('height', 1) * sy };
+    case 'DiskLight':
+      return { kind: 'disk', radius: size('radius', 0.5) * Math.sqrt(sx * sy) };
+    case 'CylinderLight':
+      return { kind: 'cylinder', radius: size('radius', 0.5) * Math.sqrt(sy * sz), length: size('length', 1) * sx };
+    default:
+      return { kind: 'sphere', radius: size('radius', 0.5) * Math.cbrt(sx * sy * sz) };
+  }
+}
+
+const AXES: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+/**
+ * What brightness is multiplied with to be the colour of the shape: a normalized light divides it by its surface in stage units. A sphere or tube that
+ * may be taken for a point or a line is; it stays as strong from afar.
+ */
+function withGain(context: StageContext, prim: PrimSpec, shape: LampShape): { shape: LampShape; gain: number } {
+  const { unit } = context;
+  const normalized = lightFlag(context, prim, 'normalize');
+  const over = (area: number): number => (normalized ? (area > 0 ? unit ** 2 / area : 0) : 1);
+  switch (shape.kind) {
+    case 'rect':
+      return { shape, gain: over(shape.width * shape.height) };
+    case 'disk':
+      return { shape, gain: over(Math.PI * shape.radius ** 2) };
+    case 'sphere': {
+      const { radius } = shape;
+      if (radius > 0 && !isTrue(context, prim, 'treatAsPoint')) return { shape, gain: over(4 * Math.PI * radius ** 2) };
+      const gain = normalized ? unit ** 2 / 4 : radius > 0 ? Math.PI * radius ** 2 : 1;
+      return { shape: { ...shape, radius: 0 }, gain };
+    }
+    case 'cylinder': {
+      const { radius, length } = shape;
+      if (radius > 0 && !isTrue(context, prim, 'treatAsLine'))
+        return { shape, gain: over(2 * Math.PI * radius * length) };
+      const gain = normalized ? over(Math.PI * length) : radius > 0 ? 2 * radius : 1;
+      return { shape: { ...shape, radius: 0 }, gain };
+    }
+  }
+}
+
+async function meanOfTexture(
+  context: StageContext,
+  textures: TextureLoader,
+  prim: PrimSpec,
+): Promise<Vec3 | undefined> {
+  const file = ['inputs:texture:file', 'texture:file']
+    .map((n) => valueAt(attributeOf(prim, n), context.startCode))
+    .find(textOf);
+  const image = file && (await textures.file(file, prim.path));
+  if (!image) return undefined;
+  report(context, 'info', 'usd.light-input', prim.path, 'its texture shines with its mean colour');
+  return meanColor(textureOf(context, prim, image, false));
+}
+
+function lampMotion(context: StageContext, prim: PrimSpec, frame: Frame, directions: Directions): FrameMotion {
+  const upright: Frame = { ...frame, matrixAt: (time) => facing(frame.matrixAt(time)) };
+  const poseTime = poseTimeOf(directions);
+  if (poseTime === undefined) return frameMotion(context, prim.path, upright);
+  const world = scaledFrame(upright, context.unit).matrixAt(poseTime * context.codesPerSecond);
+  return directedMotion(context, prim.path, mat4.decomposeRigid(world).pose, directions);
+}
+
+/** The transform without stretch and mirroring: X along the lamp's own, Z across its face on the side that its own is. */
+function facing(m: mat4.Mat4): mat4.Mat4 {
+  const [x, y, z] = AXES.map((axis) => mat4.transformVector(m, axis));
+  const X = normalize(x, [1, 0, 0]);
+  const across = normalize(cross(X, y), normalize(addScaled(z, X, -dot(z, X)), [0, 0, 1]));
+  const Z = dot(across, z) < 0 ? negate(across) : across;
+  const Y = cross(Z, X);
+  return mat4.fromParts([X[0], Y[0], Z[0], X[1], Y[1], Z[1], X[2], Y[2], Z[2]], [m[3], m[7], m[11]]);
+}

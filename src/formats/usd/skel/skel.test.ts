@@ -1,0 +1,14 @@
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { describe, it } from 'vitest';
+import { type BakedStage, expectBaked } from './fixtures/expectBaked.ts';
+
+const expected: BakedStage[] = JSON.parse(
+  readFileSync(fileURLToPath(new URL('./fixtures/expected.json', import.meta.url)), 'utf8'),
+);
+
+describe('random skeletons', () => {
+  it.each(expected)('have their points and normals where usd-core bakes them (seed $seed)', async (stage) => {
+    await expectBaked(stage);
+  });
+});

@@ -1,0 +1,164 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import type { Texture } from '../../scene/types.ts';
+import { type DecodedImage, withAlphaFrom } from '../images.ts';
+import { numberOf, numbersOf, vec3Of } from './attributes.ts';
+import { report, type StageContext } from './context.ts';
+import type { PrimSpec, Value } from './layer.ts';
+import { type Input, isAnimated, resolveInput, shaderId } from './shading.ts';
+import { adjustedAlpha, adjustedColor, adjustedMean, type TexelReading } from './texturePixels.ts';
+import { colorSpaceOf, type Picture, type TextureLoader, textureOf } from './textures.ts';
+import { inTiles, type UvSource, uvSourceOf } from './uvs.ts';
+
+/** A primvar with colours, and what is taken where a mesh has none. */
+export interface ColorPrimvar {
+  readonly name: string;
+  readonly fallback: Vec3;
+}
+
+export interface Colored {
+  readonly color: Vec3;
+  readonly texture?: Texture;
+  readonly uv?: UvSource | undefined;
+  readonly primvar?: ColorPrimvar;
+}
+
+/** Where opacity comes from, to be put into the alpha of another picture. */
+export interface AlphaSource {
+  readonly shader: PrimSpec;
+  readonly image: DecodedImage;
+  readonly picture: Picture;
+  readonly channel: number;
+}
+
+export interface Opacity {
+  readonly value: number;
+  readonly alphaOf?: AlphaSource;
+  readonly uv?: UvSource | undefined;
+}
+
+/** What drives the inputs of a shader: values, textures, primvars. */
+export class TextureInputs {
+  private readonly context: StageContext;
+  private readonly textures: TextureLoader;
+
+  constructor(context: StageContext, textures: TextureLoader) {
+    this.context = context;
+    this.textures = textures;
+  }
+
+  async color(input: Input, fallback: Vec3, alphaOf?: AlphaSource): Promise<Colored> {
+    const { shader } = input;
+    const id = shader && shaderId(shader);
+    if (id === 'UsdUVTexture') return this.texturedColor(shader!, input.output, fallback, alphaOf);
+    const primvar = shader && this.colorPrimvar(shader, id!);
+    if (primvar) return { color: [1, 1, 1], primvar };
+    if (shader) this.unsupported(shader);
+    const color = vec3Of(input.value) ?? fallback;
+    return alphaOf ? this.alphaOnly(color, alphaOf) : { color };
+  }
+
+  private colorPrimvar(reader: PrimSpec, id: string): ColorPrimvar | undefined {
+    if (!/^UsdPrimvarReader_(float3|vector|point|normal|float4)/.test(id)) return undefined;
+    const value = (name: string): Value | undefined =>
+      resolveInput(this.context.layer, reader, `inputs:${name}`, this.context.startCode).value;
+    const name = value('varname');
+    const fallback = vec3Of(value('fallback')) ?? [1, 1, 1];
+    return { name: name && 'data' in name && typeof name.data === 'string' ? name.data : 'displayColor', fallback };
+  }
+
+  private async texturedColor(
+    shader: PrimSpec,
+    output: string | undefined,
+    fallback: Vec3,
+    alphaOf: AlphaSource | undefined,
+  ): Promise<Colored> {
+    const picture = await this.textures.image(shader);
+    if (!picture) return { color: vec3Of(this.value(shader, 'fallback')) ?? fallback };
+    const single = 'rgba'.indexOf(output ?? 'rgb');
+    const channels = output?.length === 1 && single >= 0 ? ([single, single, single] as const) : ([0, 1, 2] as const);
+    const { image, gain } = adjustedColor(picture, this.reading(shader, picture, channels));
+    const ownAlpha = alphaOf?.shader === shader && alphaOf.channel === 3 && alphaOf.image === alphaOf.picture;
+    const merged = alphaOf && !ownAlpha ? withAlphaFrom(image, alphaOf.image, alphaOf.channel) : image;
+    const texture = textureOf(this.context, shader, { ...picture, ...merged }, alphaOf !== undefined);
+    return { color: gain, texture, uv: this.uvOf(shader, picture) };
+  }
+
+  /** A plain colour cut out by a texture: white pixels that carry the alpha. */
+  private alphaOnly(color: Vec3, { shader, picture, image, channel }: AlphaSource): Colored {
+    const white = withAlphaFrom(undefined, image, channel);
+    const texture = textureOf(this.context, shader, { ...picture, ...white }, true);
+    return { color, texture, uv: this.uvOf(shader, picture) };
+  }
+
+  async opacity(input: Input): Promise<Opacity> {
+    const found = await this.picture(input);
+    if (found === undefined || typeof found === 'number') return { value: found ?? 1 };
+    const { shader, picture, channel } = found;
+    const adjusted = adjustedAlpha(picture, channel, this.reading(shader, picture));
+    const alphaOf = { shader, picture, image: adjusted.image, channel: adjusted.channel };
+    return { value: adjusted.gain, alphaOf, uv: this.uvOf(shader, picture) };
+  }
+
+  /** A number; of a texture its mean. */
+  async scalar(input: Input, fallback: number): Promise<number> {
+    const found = await this.picture(input);
+    if (found === undefined || typeof found === 'number') return found ?? fallback;
+    const { shader, picture, channel } = found;
+    return Math.min(1, adjustedMean(picture, channel, this.reading(shader, picture)));
+  }
+
+  /** The picture that drives a number, or the number; undefined where nothing does. */
+  private async picture(
+    input: Input,
+  ): Promise<{ shader: PrimSpec; picture: Picture; channel: number } | number | undefined> {
+    const { shader } = input;
+    if (!shader) return numberOf(input.value);
+    const id = shaderId(shader);
+    if (id === 'UsdUVTexture') {
+      const channel = Math.max(0, 'rgba'.indexOf(input.output ?? 'r'));
+      const picture = await this.textures.image(shader);
+      return picture ? { shader, picture, channel } : numbersOf(this.value(shader, 'fallback'))?.[channel];
+    }
+    if (!id.startsWith('UsdPrimvarReader_float')) this.unsupported(shader);
+    else {
+      const message = 'a primvar drives a number of this material; its fallback is drawn';
+      report(this.context, 'info', 'usd.material-input', shader.path, message);
+    }
+    return numberOf(this.value(shader, 'fallback'));
+  }
+
+  private uvOf(shader: PrimSpec, { tiles }: Picture): UvSource | undefined {
+    const uv = uvSourceOf(this.context, shader);
+    return tiles ? inTiles(uv ?? { name: 'st' }, tiles) : uv;
+  }
+
+  private reading(shader: PrimSpec, picture: Picture, channels: TexelReading['channels'] = [0, 1, 2]): TexelReading {
+    if (isAnimated(shader))
+      report(
+        this.context,
+        'warning',
+        'usd.animated-material',
+        shader.path,
+        'it changes with time; it is held at the start',
+      );
+    const four = (name: string, otherwise: number): number[] => {
+      const written = numbersOf(this.value(shader, name));
+      return [0, 1, 2, 3].map((k) => (Number.isFinite(written?.[k]) ? written![k] : otherwise));
+    };
+    return {
+      scale: four('scale', 1),
+      bias: four('bias', 0),
+      channels,
+      colorSpace: colorSpaceOf(this.context, shader, picture),
+    };
+  }
+
+  private value(shader: PrimSpec, name: string): Value | undefined {
+    return resolveInput(this.context.layer, shader, `inputs:${name}`, this.context.startCode).value;
+  }
+
+  private unsupported(shader: PrimSpec): void {
+    const message = `a shader '${shaderId(shader)}' is not read; the input that it drives keeps its own value`;
+    report(this.context, 'warning', 'usd.shader', shader.path, message);
+  }
+}

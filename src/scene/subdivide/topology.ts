@@ -1,0 +1,147 @@
+import { cornersAround } from '../polygons.ts';
+
+/** From here on an edge or a point is sharp at every level (as USD and its kin count). */
+export const INFINITELY_SHARP = 10;
+
+/**
+ * How faces hang together. A corner is a place of a face; from it an edge runs to the face's next corner.
+ * Edges of one face only, of more than two, or of two that do not run against each other are sharp for ever.
+ */
+export interface Topology {
+  readonly points: number;
+  /** First corner of each face, and the number of corners. */
+  readonly faceStarts: Uint32Array;
+  readonly faceOfCorner: Uint32Array;
+  /** The point of each corner. */
+  readonly corners: Uint32Array;
+  /** The edge from each corner. */
+  readonly cornerEdges: Uint32Array;
+  /** The corner from which the face on the other side runs along the same edge, back; −1: none. */
+  readonly twins: Int32Array;
+  /** Two per edge. */
+  readonly edgePoints: Uint32Array;
+  /** 0 is smooth. */
+  readonly edgeSharpness: Float64Array;
+  readonly pointSharpness: Float64Array;
+}
+
+/** Faces as runs of corners, each with at least three, whose neighbours differ; and what is sharp in them. */
+export interface Cage {
+  readonly points: number;
+  readonly faceCounts: ArrayLike<number>;
+  readonly faceIndices: ArrayLike<number>;
+  /** Sharpness of an edge, by its two points in any order; absent: all are smooth. */
+  readonly creaseSharpness?: (a: number, b: number) => number;
+  /** By point. */
+  readonly pointSharpness?: Float64Array;
+  /** A point with one face only keeps its place. */
+  readonly sharpCorners: boolean;
+}
+
+export const nextCorner = ({ faceStarts, faceOfCorner }: Topology, corner: number): number =>
+  corner + 1 < faceStarts[faceOfCorner[corner] + 1] ? corner + 1 : faceStarts[faceOfCorner[corner]];
+
+export const previousCorner = ({ faceStarts, faceOfCorner }: Topology, corner: number): number => {
+  const face = faceOfCorner[corner];
+  return corner > faceStarts[face] ? corner - 1 : faceStarts[face + 1] - 1;
+};
+
+export function makeTopology(cage: Cage): Topology {
+  const faceStarts = new Uint32Array(cage.faceCounts.length + 1);
+  for (let f = 0; f < cage.faceCounts.length; f++) faceStarts[f + 1] = faceStarts[f] + cage.faceCounts[f];
+  const corners = Uint32Array.from(cage.faceIndices);
+  const faceOfCorner = new Uint32Array(corners.length);
+  for (let f = 0; f < cage.faceCounts.length; f++) faceOfCorner.fill(f, faceStarts[f], faceStarts[f + 1]);
+  const faces = { points: cage.points, faceStarts, faceOfCorner, corners };
+  const edges = joinEdges(faces);
+  const pointSharpness = Float64Array.from({ length: cage.points }, (_, p) => sharpnessOf(cage.pointSharpness?.[p]));
+  const edgeSharpness = Float64Array.from(edges.broken, (isBroken, e) => {
+    if (isBroken) return INFINITELY_SHARP;
+    return sharpnessOf(cage.creaseSharpness?.(edges.edgePoints[2 * e], edges.edgePoints[2 * e + 1]));
+  });
+  const topology: Topology = { ...faces, ...edges, edgeSharpness, pointSharpness };
+  sharpenPoints(topology, cage.sharpCorners, pointSharpness);
+  return topology;
+}
+
+const sharpnessOf = (written = 0): number => (written > 0 ? Math.min(written, INFINITELY_SHARP) : 0);
+
+type Faces = Pick<Topology, 'points' | 'faceStarts' | 'faceOfCorner' | 'corners'>;
+
+function joinEdges(faces: Faces) {
+  const { corners } = faces;
+  const table = new EdgeTable(corners.length);
+  const cornerEdges = new Uint32Array(corners.length);
+  const twins = new Int32Array(corners.length).fill(-1);
+  const first = new Int32Array(corners.length).fill(-1);
+  const uses = new Uint32Array(corners.length);
+  for (let c = 0; c < corners.length; c++) {
+    const edge = table.edge(corners[c], corners[nextCorner(faces as Topology, c)]);
+    cornerEdges[c] = edge;
+    if (uses[edge]++ === 0) first[edge] = c;
+    else if (uses[edge] === 2 && corners[first[edge]] !== corners[c]) {
+      twins[c] = first[edge];
+      twins[first[edge]] = c;
+    }
+  }
+  for (let c = 0; c < corners.length; c++) if (uses[cornerEdges[c]] > 2) twins[c] = -1;
+  const broken = new Uint8Array(table.size);
+  for (let c = 0; c < corners.length; c++) if (twins[c] < 0) broken[cornerEdges[c]] = 1;
+  return { cornerEdges, twins, edgePoints: table.points(), broken };
+}
+
+/** Pairs of points in the order in which they are first met; open addressing, for there are millions. */
+class EdgeTable {
+  size = 0;
+  private readonly pairs: Uint32Array;
+  private readonly slots: Int32Array;
+
+  constructor(most: number) {
+    this.pairs = new Uint32Array(2 * most);
+    this.slots = new Int32Array(2 ** Math.ceil(Math.log2(2 * most + 2))).fill(-1);
+  }
+
+  edge(p: number, q: number): number {
+    const [a, b] = p < q ? [p, q] : [q, p];
+    const mask = this.slots.length - 1;
+    for (let slot = hash(a, b) & mask; ; slot = (slot + 1) & mask) {
+      const edge = this.slots[slot];
+      if (edge >= 0 && this.pairs[2 * edge] === a && this.pairs[2 * edge + 1] === b) return edge;
+      if (edge >= 0) continue;
+      this.slots[slot] = this.size;
+      this.pairs.set([a, b], 2 * this.size);
+      return this.size++;
+    }
+  }
+
+  points(): Uint32Array {
+    return this.pairs.slice(0, 2 * this.size);
+  }
+}
+
+function hash(a: number, b: number): number {
+  let h = Math.imul(a, 0x9e3779b1) ^ Math.imul(b, 0x85ebca6b);
+  h = Math.imul(h ^ (h >>> 15), 0xc2b2ae35);
+  return h ^ (h >>> 13);
+}
+
+/** Points that keep their place whatever is written: without faces, with one where that is wished, and where fans of faces only touch. */
+function sharpenPoints(topology: Topology, sharpCorners: boolean, sharpness: Float64Array): void {
+  const around = cornersAround(topology.corners, topology.points);
+  for (let p = 0; p < topology.points; p++) {
+    const corners = around(p);
+    const isAlone = corners.length === 0 || (corners.length === 1 && sharpCorners);
+    if (isAlone || touchesOnly(topology, corners)) sharpness[p] = INFINITELY_SHARP;
+  }
+}
+
+/** Whether the corners of a point are several closed fans. Open ones are told by their edges. */
+function touchesOnly(topology: Topology, corners: ArrayLike<number>): boolean {
+  let walked = 0;
+  let corner = corners[0];
+  do {
+    walked++;
+    corner = topology.twins[previousCorner(topology, corner)];
+  } while (corner >= 0 && corner !== corners[0] && walked <= corners.length);
+  return corner === corners[0] && walked < corners.length;
+}

@@ -1,0 +1,28 @@
+import { expect, test } from 'vitest';
+import { blackbodyColor } from './planckian.ts';
+
+/** UsdLux.BlackbodyTemperatureAsRgb of usd-core 26.11. */
+const USD: readonly (readonly [T: number, r: number, g: number, b: number])[] = [
+  [1900, 2.6256, 0.6169, 0.008],
+  [2500, 2.068, 0.7694, 0.1395],
+  [3000, 1.771, 0.8443, 0.272],
+  [6500, 1.0433, 0.9836, 1.0346],
+  [10000, 0.8718, 0.9947, 1.43],
+];
+
+test.each(USD)('a blackbody of %d K has the colour that USD gives it, to half a percent', (T, ...rgb) => {
+  blackbodyColor(T).forEach((value, k) => {
+    expect(Math.abs(value - rgb[k]) / Math.max(...rgb)).toBeLessThan(0.0055);
+  });
+});
+
+test('it is red, then white, then blue, always as bright, and no hotter than 10,000 K', () => {
+  for (const T of [0, 1000, 2000, 6504, 1e5]) {
+    const [r, g, b] = blackbodyColor(T);
+    expect(0.2126 * r + 0.7152 * g + 0.0722 * b).toBeCloseTo(1, 12);
+    expect(Math.min(r, g, b)).toBeGreaterThanOrEqual(0);
+  }
+  expect(blackbodyColor(1e5)).toEqual(blackbodyColor(1e4));
+  expect(blackbodyColor(500)).toEqual(blackbodyColor(1000));
+  blackbodyColor(6504).forEach((x) => void expect(Math.abs(x - 1)).toBeLessThan(0.05));
+});

@@ -1,0 +1,127 @@
+import '../../src/cli/node-shim.ts';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { pumpFrame } from '../../src/cli/node-shim.ts';
+import { fromAxisAngle, IDENTITY } from '../../src/math/quat.ts';
+import { ZERO } from '../../src/math/vec3.ts';
+import { properVelocity } from '../../src/physics/boost.ts';
+import { cameraRay } from '../../src/reference/camera.ts';
+import { radiance } from '../../src/reference/path.ts';
+import { pixelSequence } from '../../src/reference/sequence.ts';
+import { FOREVER, makeScene, restingAt } from '../../src/scene/defaults.ts';
+import { plane } from '../../src/scene/primitives.ts';
+import type { AreaLight, Lamp, Material, Motion } from '../../src/scene/types.ts';
+import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
+import { area, DIRECT, GREY, lambert, lamp, lit } from '../support/lightKit.ts';
+import { type HeadlessPictures, openPictures } from './pictures.ts';
+
+const SIZE = 40;
+let headless: HeadlessPictures;
+beforeAll(async () => {
+  headless = await openPictures(SIZE, SIZE);
+});
+afterAll(() => headless?.close());
+
+/** From 3 m above the floor, straight down; a resting scene in the view of one moment is lit at once. */
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, fovY: 1.4 };
+const SETTINGS: RenderSettings = { ...GREY, grid: false };
+
+/** The rasterizer knows no refractive index: all that is no metal mirrors as glass does. */
+const MATT = { ...lambert(0.8), ior: 1.5, roughness: 1 };
+
+interface Case {
+  readonly material?: Material;
+  readonly motion?: Motion;
+  readonly view?: ViewPoint;
+  readonly samples?: number;
+}
+
+/** How far the rasterizer's light on a floor is from the reference's, pixel by pixel over the brightest pixel: the mean and the greatest. */
+async function difference(light: Lamp, { material = MATT, motion, view = VIEW, samples = 256 }: Case = {}) {
+  const scene = lit([{ mesh: plane(60, 60), material, ...(motion && { motion }) }], [light]);
+  await headless.renderer.setScene(makeScene({ ...scene.scene }));
+  pumpFrame();
+  headless.renderer.render(view, SETTINGS, 1);
+  const drawn = await headless.renderer.readAov('beauty');
+  const far: number[] = [];
+  let brightest = 0;
+  for (let y = 2; y < SIZE; y += 4)
+    for (let x = 2; x < SIZE; x += 4) {
+      const ray = cameraRay(view, SETTINGS, x + 0.5, y + 0.5, SIZE, SIZE);
+      const numbers = pixelSequence(1, x, y);
+      let sum = 0;
+      for (let i = 0; i < samples; i++) sum += radiance(scene, ray, view, SETTINGS, DIRECT, numbers(i))[1];
+      const expected = sum / samples;
+      brightest = Math.max(brightest, expected);
+      far.push(Math.abs(drawn[3 * (y * SIZE + x) + 1] - expected));
+    }
+  expect(brightest).toBeGreaterThan(0);
+  return {
+    mean: far.reduce((a, b) => a + b) / far.length / brightest,
+    most: Math.max(...far) / brightest,
+  };
+}
+
+const tilted = (x: number, z: number, angle: number): Pick<AreaLight, 'motion'> => ({
+  motion: { kind: 'static', pose: { position: [x, 0.3, z], orientation: fromAxisAngle([0.3, 1, 0], angle) } },
+});
+
+const LAMPS: readonly (readonly [string, Lamp])[] = [
+  ['a rectangle', area('rect', [0, 0, 0], { width: 1.6, height: 0.7, ...tilted(0.4, 1.2, 0.5) })],
+  [
+    'a rectangle that stands on the floor',
+    area('rect', [0, 0, 0], { width: 1.5, height: 1, ...tilted(1, 0.4, Math.PI / 2) }),
+  ],
+  ['a rectangle near by', area('rect', [0.3, 0, 0.25], { width: 1, height: 1 })],
+  ['a disk', area('disk', [0, 0, 0], { radius: 0.6, ...tilted(-0.5, 1, -0.4) })],
+  ['a tube', area('cylinder', [0, 0, 0], { radius: 0.2, length: 2, ...tilted(0, 0.9, 0.3) })],
+  ['a tube on its end', area('cylinder', [0, 0, 0], { radius: 0.3, length: 1, ...tilted(0.5, 0.7, Math.PI / 2) })],
+  ['a line', area('cylinder', [0, 0, 0], { radius: 0, length: 2, ...tilted(0, 0.9, 0.1) })],
+];
+
+describe('the rasterizer lights as the reference does', () => {
+  it.each(LAMPS)('what is matt, with %s', async (_, light) => {
+    const { mean, most } = await difference(light);
+    expect(mean).toBeLessThan(0.004);
+    // The arcs at a tube's ends are polygons.
+    expect(most).toBeLessThan(light.kind === 'cylinder' ? 0.04 : 0.015);
+  });
+
+  it('with a cone from a point and from a small disk', async () => {
+    const shaping = { inner: 0.3, outer: 0.8, focus: 2 };
+    const turned = { motion: tilted(0.5, 2, 0.3).motion, shaping };
+    for (const light of [lamp([0, 0, 0], turned), area('disk', [0, 0, 0], { radius: 0.05, ...turned })]) {
+      const { mean, most } = await difference(light);
+      expect(mean).toBeLessThan(0.003);
+      expect(most).toBeLessThan(0.02);
+    }
+  });
+
+  it.each(LAMPS)('what is glossy, roughly, with %s', async (_, light) => {
+    const { mean, most } = await difference(light, { material: { ...MATT, roughness: 0.4 } });
+    expect(mean).toBeLessThan(0.02);
+    expect(most).toBeLessThan(0.15);
+  });
+
+  it('what flies past, seen by one who flies', async () => {
+    const light = area('rect', [0, 0, 1], { width: 0.3, height: 0.3 });
+    const pose = { position: [2.1, 0, 0], orientation: IDENTITY } as const;
+    const motion = { kind: 'uniform', pose, velocity: [0.7, 0, 0] } as const;
+    const view = { ...VIEW, u: properVelocity([0, 0.3, -0.2]) };
+    const { mean, most } = await difference(light, { motion, view });
+    expect(mean).toBeLessThan(0.01);
+    expect(most).toBeLessThan(0.05);
+  });
+
+  it('a lamp is dark before its birth', async () => {
+    const light = {
+      ...area('disk', [0, 0, 1], { radius: 0.5 }),
+      lifetime: { ...FOREVER, birth: 1 },
+      motion: restingAt([0, 0, 1]),
+    };
+    const scene = lit([{ mesh: plane(60, 60), material: lambert(0.8) }], [light]);
+    await headless.renderer.setScene(scene.scene);
+    pumpFrame();
+    headless.renderer.render(VIEW, SETTINGS, 1);
+    expect(Math.max(...(await headless.renderer.readAov('beauty')))).toBe(0);
+  });
+});
