@@ -49,6 +49,7 @@ test('what samples leave open is told, and cubics are taken where they are asked
   metersPerUnit = 1
 )
 def Mesh "Cloth" {
+  uniform token subdivisionScheme = "none"
   int[] faceVertexCounts = [3]
   int[] faceVertexIndices = [0, 1, 2]
   point3f[] points.timeSamples = { ${points} }

@@ -30,6 +30,7 @@ export function Motion({ picture }: { readonly picture: Picture }): ReactNode {
   return (
     <Section title={t('motion.title')}>
       {moves(picture.scene) && <NodeParams node="retime" />}
+      {sampled(picture.scene) && <NodeParams node="read" only="interpolation" />}
       {flights.map((node) => (
         <Flight key={node} node={node} things={things} />
       ))}
@@ -55,6 +56,9 @@ const moves = ({ objects, cameras, lights }: Scene): boolean =>
   [...objects, ...cameras].some(({ motion }) => motion.kind !== 'static') ||
   lights.some((light) => light.kind === 'sphere' && light.motion.kind !== 'static') ||
   objects.some(({ lifetime }) => Number.isFinite(lifetime.birth) || Number.isFinite(lifetime.death));
+
+const sampled = ({ objects, cameras }: Scene): boolean =>
+  [...objects, ...cameras].some(({ motion }) => 'times' in motion);
 
 interface Thing {
   readonly value: string;
@@ -113,13 +117,15 @@ function Flight({ node, things }: { readonly node: string; readonly things: read
 }
 
 /** The parameters of one node that need no control of their own. */
-function NodeParams({ node: id }: { readonly node: string }): ReactNode {
+/** The controls of a node's parameters, or of one of them. */
+function NodeParams({ node: id, only }: { readonly node: string; readonly only?: string }): ReactNode {
   const studio = useStudio();
   const node = useStudioState(({ history }) => history.document.nodes[id]);
   const type = node && nodeLibrary[node.type];
   if (!type) return null;
   const resolved = resolveParams(type, node.params);
-  return Object.entries(type.params).map(([name, spec]) => (
+  const shown = Object.entries(type.params).filter(([name]) => only === undefined || name === only);
+  return shown.map(([name, spec]) => (
     <ParamControl
       key={name}
       spec={spec}
