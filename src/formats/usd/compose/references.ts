@@ -84,6 +84,11 @@ export function mapForArc(node: Node, source: string, time: TimeOffset = NO_OFFS
   const map = arcMap(source, target, time);
   const { relocates } = node.stack;
   if (!relocates) return map;
+  const key = [source, target, time.offset, time.scale].join('\n');
+  const known = relocates.mapsOfArcs.get(key);
+  if (known) return known;
   const moves = [...relocates.whole].filter(([from, to]) => to !== '' && from.startsWith(`${target}/`));
-  return composeMaps(withPairs(withRoot(arcMap('', '', NO_OFFSET)), moves), map);
+  const moved = composeMaps(withPairs(withRoot(arcMap('', '', NO_OFFSET)), moves), map);
+  relocates.mapsOfArcs.set(key, moved);
+  return moved;
 }
