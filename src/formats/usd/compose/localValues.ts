@@ -9,7 +9,7 @@ export interface Place {
   readonly map: NamespaceMap;
 }
 
-const timeOf = ({ from, map }: Place): TimeOffset => composeOffsets(map.time, from.time);
+export const timeOf = ({ from, map }: Place): TimeOffset => composeOffsets(map.time, from.time);
 
 /** A value as the stage has it: times are the stage's, and an asset knows the layer that its path is relative to. */
 export function localValue(value: Value, place: Place): Value {

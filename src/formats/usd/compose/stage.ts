@@ -1,6 +1,9 @@
 import { type DiagnosticList, report } from '../context.ts';
 import { type Layer, NOTHING, type PrimSpec } from '../layer.ts';
 import { childNames } from './childNames.ts';
+import { applyClips } from './clips/apply.ts';
+import { type ClipSet, clipSetOf } from './clips/clipSet.ts';
+import { clipSetDefinitions } from './clips/definitions.ts';
 import { composedPrim } from './composedPrim.ts';
 import { isInstance } from './instances.ts';
 import { type LayerStack, LayerStacks } from './layerStack.ts';
@@ -13,6 +16,8 @@ import { STEPS, Work } from './work.ts';
 
 /** Prims of one stage: a small file can ask for any number. */
 const MAX_PRIMS = 250_000;
+/** Samples that all value clips of a stage make. */
+const MAX_CLIP_SAMPLES = 2 ** 22;
 /** Prims in prims. */
 const MAX_DEPTH = 512;
 
@@ -58,6 +63,7 @@ class StageComposer {
   private noted: Noted[] = [];
   private prims = 0;
   private isFull = false;
+  private readonly clipBudget = { samples: MAX_CLIP_SAMPLES };
 
   constructor(store: LayerStore, root: LoadedLayer, diagnostics: DiagnosticList, options: ComposeOptions) {
     this.store = store;
@@ -76,7 +82,7 @@ class StageComposer {
     const stack = await this.settled(() => this.composer.stacks.of(this.root, this.session));
     const index = await this.settled(() => IndexBuilder.stagePrim(this.composer, stack, '', undefined));
     const { name, metadata } = this.root.layer;
-    const rootPrims = await this.children(stack, index, '', 0, false);
+    const rootPrims = await this.children(stack, index, '', 0, false, []);
     this.noteUnmetChoices();
     return { layer: { name, metadata, rootPrims }, variantSets: this.variantSets };
   }
@@ -104,6 +110,7 @@ class StageComposer {
     path: string,
     depth: number,
     isShared: boolean,
+    clipsAround: readonly ClipSet[],
   ): Promise<ReadonlyMap<string, PrimSpec>> {
     const names = childNames(around);
     if (names.length === 0) return NOTHING;
@@ -126,11 +133,28 @@ class StageComposer {
       const prim = composedPrim(index, childPath, work);
       children.set(name, prim);
       if (work.isTooMuch) this.sayFull(childPath);
+      const clips = await this.clipSets(index, childPath, clipsAround);
+      if (clips.length > 0) this.applyClips(prim, index, clips);
       if (!isShared) this.variantSets.push(...variantSetsOf(index, childPath));
       if (!isActive(prim)) continue;
-      prim.children = await this.children(stack, index, childPath, depth + 1, isShared || isInstance(index));
+      prim.children = await this.children(stack, index, childPath, depth + 1, isShared || isInstance(index), clips);
     }
     return children;
+  }
+
+  /** The clip sets of a prim and of those around it, the strongest first. */
+  private async clipSets(index: Node, path: string, around: readonly ClipSet[]): Promise<readonly ClipSet[]> {
+    const definitions = clipSetDefinitions(index);
+    if (definitions.length === 0) return around;
+    const say = (code: string, message: string): void => this.composer.note(code, path, message);
+    const own = await this.settled(() => definitions.flatMap((d) => clipSetOf(d, this.store, say) ?? []));
+    return [...own, ...around];
+  }
+
+  private applyClips(prim: PrimSpec, index: Node, clips: readonly ClipSet[]): void {
+    if (this.clipBudget.samples < 0 || applyClips(prim, index, clips, this.clipBudget)) return;
+    const message = `the clips of the stage make more than ${MAX_CLIP_SAMPLES} samples; from here on they are left out`;
+    this.say('usd.clips', prim.path, message);
   }
 
   /** Said once: where the first prim is left out. */
