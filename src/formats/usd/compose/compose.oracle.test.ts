@@ -42,6 +42,10 @@ describe.skipIf(!available)('usd-core', () => {
     if (process.env.REFRESH) writeFileSync(committed, `${JSON.stringify(byStage, null, 1)}\n`);
     expect(byStage).toEqual(JSON.parse(readFileSync(committed, 'utf8')));
   });
+
+  it('still makes of expressions what is committed', () => {
+    expect(JSON.parse(python(fixture('expressionsOracle.py')))).toEqual([]);
+  });
 });
 
 const data = fileURLToPath(new URL('../../../../../shared/data/usd', import.meta.url));

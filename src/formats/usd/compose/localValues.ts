@@ -1,4 +1,5 @@
 import type { Dictionary, TimeSamples, Value } from '../layer.ts';
+import { expandedOrWritten } from './expressions.ts';
 import type { StackLayer } from './layerStack.ts';
 import type { NamespaceMap } from './namespaceMap.ts';
 import { composeOffsets, isNoOffset, mapTime, type TimeOffset } from './offsets.ts';
@@ -15,8 +16,17 @@ export const timeOf = ({ from, map }: Place): TimeOffset => composeOffsets(map.t
 export function localValue(value: Value, place: Place): Value {
   switch (value.type) {
     case 'asset':
+      return {
+        type: 'asset',
+        data: expandedOrWritten(value.data, place.from.variables),
+        anchor: place.from.source.id,
+      };
     case 'asset[]':
-      return { ...value, anchor: place.from.source.id };
+      return {
+        type: 'asset[]',
+        data: value.data.map((asset) => expandedOrWritten(asset, place.from.variables)),
+        anchor: place.from.source.id,
+      };
     case 'timecode':
       return { ...value, data: mapTime(timeOf(place), value.data) };
     case 'timecode[]':
