@@ -1,5 +1,5 @@
 import * as mat4 from '../../math/mat4.ts';
-import type { TimeCode } from './attributes.ts';
+import { lowerSample, type TimeCode } from './attributes.ts';
 import { primAt } from './context.ts';
 import type { Layer } from './layer.ts';
 import { localMatrix, opTimes, transformOf, unionOfTimes, type XformOp } from './xformOps.ts';
@@ -18,7 +18,8 @@ export interface Frame {
 
 export const ROOT_FRAME: Frame = { times: new Float64Array(0), cost: 1, matrixAt: () => mat4.IDENTITY };
 
-export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
+/** `isShared`: several things will ask for its matrices, mostly at the same times. */
+export function childFrame(parent: Frame, ops: readonly XformOp[], isShared = false): Frame {
   if (ops.length === 0) return parent;
   const own = opTimes(ops);
   const fixed = own.length === 0 ? localMatrix(ops, 0) : undefined;
@@ -29,7 +30,24 @@ export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
     return { times, cost: 1, matrixAt: () => fixedToStage };
   }
   const cost = parent.cost + (fixed ? 1 : ops.length);
-  return { times, cost, matrixAt: (time) => mat4.multiply(parent.matrixAt(time), local(time)) };
+  const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.multiply(parent.matrixAt(time), local(time));
+  return { times, cost, matrixAt: isShared ? remembered(times, matrixAt) : matrixAt };
+}
+
+/** Frames of more samples than this remember none: 10 MB. */
+const MOST_REMEMBERED = 2 ** 16;
+
+/** At the times of the samples each matrix is made once. */
+function remembered(times: Float64Array, matrixAt: Frame['matrixAt']): Frame['matrixAt'] {
+  if (times.length > MOST_REMEMBERED) return matrixAt;
+  const known: (mat4.Mat4 | undefined)[] = [];
+  return (time) => {
+    if (time === undefined) return matrixAt(time);
+    const i = lowerSample(times, time);
+    if (times[i] !== time) return matrixAt(time);
+    known[i] ??= matrixAt(time);
+    return known[i];
+  };
 }
 
 /** Where the axes of `inner`, which is within `outer`, are. */
