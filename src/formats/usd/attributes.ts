@@ -34,7 +34,7 @@ const unblocked = (value: Value | undefined): Value | undefined =>
   value?.type === 'blocked' || value?.type === 'animationBlock' ? undefined : value;
 
 /** The last sample at or before `time`; 0 before all. */
-function lowerSample(times: Float64Array, time: number): number {
+export function lowerSample(times: Float64Array, time: number): number {
   let low = 0;
   let high = times.length;
   while (high - low > 1) {

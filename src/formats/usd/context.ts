@@ -4,6 +4,7 @@ import { boolAt } from './attributes.ts';
 import type { AssetFiles } from './compose/assets.ts';
 import type { Layer, MetadataValue, PrimSpec } from './layer.ts';
 import { splitProperty } from './paths.ts';
+import type { SampleBudget } from './sampleBudget.ts';
 
 /** One stage while it is read: what its parts need to know, and what they have to say about the file. */
 export interface StageContext {
@@ -25,6 +26,8 @@ export interface StageContext {
   readonly diagnostics: DiagnosticList;
   /** Memory that is left for the points of deforming meshes. */
   readonly pointBudget: { bytes: number };
+  /** Times that are left at which things can be placed. */
+  readonly sampleBudget: SampleBudget;
   /** Work that is left for the paths between samples. */
   readonly motionBudget: RefinementBudget;
   /** Levels that are wanted, and of each mesh those that there are faces for, once they are known. */

@@ -24,7 +24,6 @@ export function noteUnreadValues(context: StageContext, prim: PrimSpec): void {
       prim.path,
       `${what} not read yet (write the values as time samples)`,
     );
-  if (prim.metadata.has('clips')) say('value clips are');
   for (const property of prim.properties.values())
     if (property.kind === 'attribute' && property.spline !== undefined) say(`the spline of ${property.name} is`);
 }

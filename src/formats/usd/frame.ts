@@ -1,5 +1,5 @@
 import * as mat4 from '../../math/mat4.ts';
-import type { TimeCode } from './attributes.ts';
+import { lowerSample, type TimeCode } from './attributes.ts';
 import { primAt } from './context.ts';
 import type { Layer } from './layer.ts';
 import { localMatrix, opTimes, transformOf, unionOfTimes, type XformOp } from './xformOps.ts';
@@ -21,7 +21,8 @@ export const ROOT_FRAME: Frame = { times: new Float64Array(0), cost: 1, matrixAt
 /** A cubic takes as long as so many ops. */
 const CUBIC_COST = 3;
 
-export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
+/** `isShared`: several things will ask for its matrices, mostly at the same times. */
+export function childFrame(parent: Frame, ops: readonly XformOp[], isShared = false): Frame {
   if (ops.length === 0) return parent;
   const own = opTimes(ops);
   const fixed = own.length === 0 ? localMatrix(ops, 0) : undefined;
@@ -33,7 +34,24 @@ export function childFrame(parent: Frame, ops: readonly XformOp[]): Frame {
   }
   const each = ops.some((op) => op.cubic) ? CUBIC_COST : 1;
   const cost = parent.cost + (fixed ? 1 : each * ops.length);
-  return { times, cost, matrixAt: (time) => mat4.multiply(parent.matrixAt(time), local(time)) };
+  const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.multiply(parent.matrixAt(time), local(time));
+  return { times, cost, matrixAt: isShared ? remembered(times, matrixAt) : matrixAt };
+}
+
+/** Frames of more samples than this remember none: 10 MB. */
+const MOST_REMEMBERED = 2 ** 16;
+
+/** At the times of the samples each matrix is made once. */
+function remembered(times: Float64Array, matrixAt: Frame['matrixAt']): Frame['matrixAt'] {
+  if (times.length > MOST_REMEMBERED) return matrixAt;
+  const known: (mat4.Mat4 | undefined)[] = [];
+  return (time) => {
+    if (time === undefined) return matrixAt(time);
+    const i = lowerSample(times, time);
+    if (times[i] !== time) return matrixAt(time);
+    known[i] ??= matrixAt(time);
+    return known[i];
+  };
 }
 
 /** Where the axes of `inner`, which is within `outer`, are. */

@@ -6,10 +6,19 @@ export interface Layer {
   /** The file, for messages. */
   readonly name: string;
   /** Layer metadata by key; `subLayers` and `customLayerData` are among them. */
-  readonly metadata: Map<string, MetadataValue>;
-  readonly rootPrims: Map<string, PrimSpec>;
+  readonly metadata: ReadonlyMap<string, MetadataValue>;
+  readonly rootPrims: ReadonlyMap<string, PrimSpec>;
   /** `reorder rootPrims`. */
   rootOrder?: readonly string[];
+}
+
+/** Of most things a prim has none: they share one map, since a scene of a million prims would have four million of its own. */
+export const NOTHING: ReadonlyMap<string, never> = new Map<string, never>();
+
+/** `map` with an entry more: itself, or a new one where it is NOTHING. */
+export function withEntry<T>(map: ReadonlyMap<string, T>, key: string, value: T): ReadonlyMap<string, T> {
+  const own = map === NOTHING ? new Map<string, T>() : (map as Map<string, T>);
+  return own.set(key, value);
 }
 
 export type Specifier = 'def' | 'over' | 'class';
@@ -21,13 +30,13 @@ export interface PrimSpec {
   readonly specifier: Specifier;
   /** Empty where none is written. */
   readonly typeName: string;
-  readonly metadata: Map<string, MetadataValue>;
-  readonly properties: Map<string, PropertySpec>;
-  readonly children: Map<string, PrimSpec>;
+  metadata: ReadonlyMap<string, MetadataValue>;
+  properties: ReadonlyMap<string, PropertySpec>;
+  children: ReadonlyMap<string, PrimSpec>;
   /** Variant set → variant → what that variant adds. A set without variants is not among them. */
-  readonly variantSets: Map<string, Map<string, PrimSpec>>;
+  variantSets: ReadonlyMap<string, ReadonlyMap<string, PrimSpec>>;
   /** Of a composed prim: prims that have the same are alike but for where they are (compose/content.ts). */
-  readonly content?: string;
+  content?: string;
   childOrder?: readonly string[];
   propertyOrder?: readonly string[];
 }
@@ -46,7 +55,7 @@ export interface AttributeSpec {
   timeSamples?: TimeSamples;
   connections?: ListOp<string>;
   spline?: Spline;
-  readonly metadata: Map<string, MetadataValue>;
+  metadata: ReadonlyMap<string, MetadataValue>;
 }
 
 export interface RelationshipSpec {
@@ -56,7 +65,7 @@ export interface RelationshipSpec {
   /** `rel` is uniform unless `varying` is written. */
   uniform: boolean;
   targets?: ListOp<string>;
-  readonly metadata: Map<string, MetadataValue>;
+  metadata: ReadonlyMap<string, MetadataValue>;
 }
 
 /** Samples at rising time codes; a `blocked` sample is kept apart from none. */

@@ -1,10 +1,10 @@
 import { InputError } from '../../scene/types.ts';
-import type { Arc, Dictionary, ListOp, MetadataValue, Value } from './layer.ts';
+import { type Arc, type Dictionary, type ListOp, type MetadataValue, NOTHING, type Value, withEntry } from './layer.ts';
 import { absolutePath } from './paths.ts';
 import { Scanner } from './scanner.ts';
 import { parseDictionary, parseItems, parseTypeName, parseValue, rawValue } from './values.ts';
 
-type Metadata = Map<string, MetadataValue>;
+type Metadata = ReadonlyMap<string, MetadataValue>;
 
 /** Key → type of its value, for those that OpenUSD registers (sdf/schema.cpp and the plugInfo of usd, usdGeom, usdShade, usdSkel …). */
 const KEY_TYPES: ReadonlyMap<string, string> = new Map(
@@ -51,27 +51,33 @@ export function parseListOp<T>(s: Scanner, op: ListOp<T>, qualifier: keyof ListO
   if (items.length > 0 || qualifier === 'explicit') op[qualifier] = items;
 }
 
-/** The `( … )` after a layer's header, a prim's name or a property, where there is one. `owner`: path of the prim. */
-export function parseMetadata(s: Scanner, owner: string, into: Metadata): void {
-  if (!s.take('(')) return;
+/**
+ * The `( … )` after a layer's header, a prim's name or a property, where there is one, with what was said `before`.
+ * `owner`: path of the prim.
+ */
+export function parseMetadata(s: Scanner, owner: string, before: Metadata = NOTHING): Metadata {
+  let said = before;
+  if (!s.take('(')) return said;
   while (!s.take(')')) {
     if (s.atEnd()) s.expected("')' after metadata");
     const c = s.peek();
-    if (c === '"' || c === "'") into.set('comment', { type: 'string', data: s.string('a comment') });
-    else parseEntry(s, owner, into);
+    if (c === '"' || c === "'")
+      said = withEntry<MetadataValue>(said, 'comment', { type: 'string', data: s.string('a comment') });
+    else said = withEntry(said, ...parseEntry(s, owner, said));
     s.endStatement('metadata');
   }
+  return said;
 }
 
-function parseEntry(s: Scanner, owner: string, into: Metadata): void {
+function parseEntry(s: Scanner, owner: string, said: Metadata): [key: string, value: MetadataValue] {
   const qualifier = takeQualifier(s);
   const written = s.joinedName(':', "a metadata key or ')'");
   const key = written === 'doc' ? 'documentation' : written;
   s.expect('=', `after the metadata key '${written}'`);
   const special = SPECIAL.get(key);
-  if (special) into.set(key, special(s, into.get(key), qualifier, owner));
-  else if (qualifier !== 'explicit') into.set(key, unregisteredList(s, into.get(key), qualifier));
-  else into.set(key, plainEntry(s, key));
+  if (special) return [key, special(s, said.get(key), qualifier, owner)];
+  if (qualifier !== 'explicit') return [key, unregisteredList(s, said.get(key), qualifier)];
+  return [key, plainEntry(s, key)];
 }
 
 function plainEntry(s: Scanner, key: string): Value {

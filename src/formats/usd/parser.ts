@@ -1,13 +1,15 @@
 import { inputError } from '../fail.ts';
-import type {
-  AttributeSpec,
-  Layer,
-  ListOp,
-  PrimSpec,
-  RelationshipSpec,
-  Specifier,
-  TimeSamples,
-  Value,
+import {
+  type AttributeSpec,
+  type Layer,
+  type ListOp,
+  NOTHING,
+  type PrimSpec,
+  type RelationshipSpec,
+  type Specifier,
+  type TimeSamples,
+  type Value,
+  withEntry,
 } from './layer.ts';
 import { parseListOp, parseMetadata, takeQualifier } from './metadata.ts';
 import { absolutePath, isPrimName } from './paths.ts';
@@ -25,21 +27,27 @@ export function parseLayer(bytes: Uint8Array, file: string): Layer {
   if (!header) return s.fail("the file does not begin with '#usda 1.0', so it is not USD text");
   if (header[1] !== '1')
     throw inputError('usd.version', file, `is USD text of version ${header[1]}.${header[2]}; only 1.x is read`);
-  const layer: Layer = { name: file, metadata: new Map(), rootPrims: new Map() };
-  parseMetadata(s, '/', layer.metadata);
+  const rootPrims = new Map<string, PrimSpec>();
+  const layer: Layer = { name: file, metadata: parseMetadata(s, '/'), rootPrims };
   while (!s.atEnd()) {
     if (s.takeWord('reorder')) {
       if (!s.takeWord('rootPrims')) s.expected("'rootPrims'");
       s.expect('=', "after 'reorder rootPrims'");
       layer.rootOrder = parseNames(s);
-    } else parsePrim(s, '', layer.rootPrims, 0);
+    } else rootPrims.set(...parsePrim(s, '', rootPrims, 0));
   }
   return layer;
 }
 
 const parseNames = (s: Scanner): string[] => parseItems(s, () => s.string('a name in quotes'));
 
-function parsePrim(s: Scanner, parent: string, siblings: Map<string, PrimSpec>, depth: number): void {
+/** A prim and the name that its parent has it by. */
+function parsePrim(
+  s: Scanner,
+  parent: string,
+  siblings: ReadonlyMap<string, PrimSpec>,
+  depth: number,
+): [name: string, prim: PrimSpec] {
   if (depth > MAX_DEPTH) s.fail(`prims are nested more than ${MAX_DEPTH} deep`);
   const word = s.peekName();
   if (word !== 'def' && word !== 'over' && word !== 'class') s.expected("'def', 'over' or 'class'");
@@ -52,17 +60,17 @@ function parsePrim(s: Scanner, parent: string, siblings: Map<string, PrimSpec>, 
   const path = parent.endsWith('}') ? parent + name : `${parent}/${name}`;
   if (!isPrimName(name)) s.fail(`'${name}' is not a prim name`, at);
   if (siblings.has(name)) s.fail(`there is already a prim ${path}`, at);
-  siblings.set(name, parseBody(s, newPrim(path, name, word, typeName), depth));
+  return [name, parseBody(s, newPrim(path, name, word, typeName), depth)];
 }
 
 function newPrim(path: string, name: string, specifier: Specifier, typeName: string): PrimSpec {
-  const empty = { metadata: new Map(), properties: new Map(), children: new Map(), variantSets: new Map() };
+  const empty = { metadata: NOTHING, properties: NOTHING, children: NOTHING, variantSets: NOTHING };
   return { path, name, specifier, typeName, ...empty };
 }
 
 /** `( metadata ) { contents }` */
 function parseBody(s: Scanner, prim: PrimSpec, depth: number): PrimSpec {
-  parseMetadata(s, prim.path, prim.metadata);
+  prim.metadata = parseMetadata(s, prim.path);
   s.expect('{', `before the contents of ${prim.path}`);
   while (!s.take('}')) {
     if (s.atEnd()) s.expected(`'}' after the contents of ${prim.path}`);
@@ -73,7 +81,8 @@ function parseBody(s: Scanner, prim: PrimSpec, depth: number): PrimSpec {
 
 function parseContent(s: Scanner, prim: PrimSpec, depth: number): void {
   const word = s.peekName();
-  if (word === 'def' || word === 'over' || word === 'class') parsePrim(s, prim.path, prim.children, depth + 1);
+  if (word === 'def' || word === 'over' || word === 'class')
+    prim.children = withEntry(prim.children, ...parsePrim(s, prim.path, prim.children, depth + 1));
   else if (word === 'variantSet') parseVariantSet(s, prim, depth + 1);
   else if (word === 'reorder' && parseReorder(s, prim)) s.endStatement("'reorder'");
   else parseProperty(s, prim);
@@ -99,11 +108,12 @@ function parseVariantSet(s: Scanner, prim: PrimSpec, depth: number): void {
   const set = s.string('the name of a variant set');
   s.expect('=', `after the variant set '${set}'`);
   s.expect('{', `before the variants of '${set}'`);
-  const variants = prim.variantSets.get(set) ?? new Map<string, PrimSpec>();
+  let variants = prim.variantSets.get(set) ?? NOTHING;
   while (!s.take('}')) {
     const name = s.string(`the name of a variant of '${set}' or '}'`);
-    prim.variantSets.set(set, variants);
-    variants.set(name, parseBody(s, newPrim(`${prim.path}{${set}=${name}}`, name, 'over', ''), depth));
+    const variant = parseBody(s, newPrim(`${prim.path}{${set}=${name}}`, name, 'over', ''), depth);
+    variants = withEntry(variants, name, variant);
+    prim.variantSets = withEntry(prim.variantSets, set, variants);
   }
 }
 
@@ -128,13 +138,13 @@ function parseRelationship(
   const name = s.joinedName(':', 'the name of a relationship');
   const old = prim.properties.get(name);
   if (old && old.kind !== 'relationship') s.fail(`'${name}' is already an attribute of ${prim.path}`);
-  const rel: RelationshipSpec = old ?? { kind: 'relationship', name, custom, uniform, metadata: new Map() };
-  prim.properties.set(name, rel);
+  const rel: RelationshipSpec = old ?? { kind: 'relationship', name, custom, uniform, metadata: NOTHING };
+  prim.properties = withEntry(prim.properties, name, rel);
   if (s.take('=')) {
     rel.targets ??= {};
     parseListOp(s, rel.targets, qualifier, () => absolutePath(s.path(), prim.path));
   }
-  parseMetadata(s, prim.path, rel.metadata);
+  rel.metadata = parseMetadata(s, prim.path, rel.metadata);
   s.endStatement(`the relationship '${name}'`);
 }
 
@@ -147,12 +157,12 @@ function parseAttribute(
 ): void {
   const typeName = parseTypeName(s);
   const name = s.joinedName(':', `the name of a ${typeName} attribute`);
-  const attribute = declare(s, prim, { kind: 'attribute', name, typeName, custom, uniform, metadata: new Map() });
+  const attribute = declare(s, prim, { kind: 'attribute', name, typeName, custom, uniform, metadata: NOTHING });
   const part = s.take('.') ? s.name('timeSamples, connect or spline') : '';
   if (qualifier !== 'explicit' && part !== 'connect') s.expected(`'.connect' after a list qualifier`);
   if (s.take('=')) parseOpinion(s, prim, attribute, part, qualifier);
   else if (part !== '') s.expected(`'=' after '${name}.${part}'`);
-  parseMetadata(s, prim.path, attribute.metadata);
+  attribute.metadata = parseMetadata(s, prim.path, attribute.metadata);
   s.endStatement(`the attribute '${name}'`);
 }
 
@@ -160,7 +170,7 @@ function parseAttribute(
 function declare(s: Scanner, prim: PrimSpec, fresh: AttributeSpec): AttributeSpec {
   const old = prim.properties.get(fresh.name);
   if (old === undefined) {
-    prim.properties.set(fresh.name, fresh);
+    prim.properties = withEntry(prim.properties, fresh.name, fresh);
     return fresh;
   }
   if (old.kind !== 'attribute') s.fail(`'${fresh.name}' is already a relationship of ${prim.path}`);

@@ -9,7 +9,7 @@ import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion, UniformMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
-import { affordableTimes, boxCorners, bytesOfPoints, carried, carriedNumbers } from './sampling.ts';
+import { affordableTimes, boxCorners, bytesOfPoints, carried, carriedNumbers, evenly } from './sampling.ts';
 import { unionOfTimes } from './xformOps.ts';
 
 /** A mesh in its prim's own axes and stage units, and how its points change with time in there. */
@@ -67,6 +67,8 @@ const POLAR_COST = 4;
  * samples (which look like rest at the half) are found.
  */
 const LOOKS = [0.118, 0.283, 0.5, 0.691, 0.877];
+/** Where there are more samples than can be looked at so closely. */
+const MIDDLE = [0.5];
 /** One interval is halved at most this often. */
 const MAX_HALVINGS = 14;
 
@@ -171,16 +173,22 @@ function refined(context: StageContext, path: string, world: Frame, corners: rea
 function followed(
   context: StageContext,
   path: string,
-  { times: samples, cost, matrixAt }: Frame,
+  { times, cost, matrixAt }: Frame,
   corners: readonly Vec3[],
   tolerance: number,
 ): Float64Array {
-  return followedShape(
-    context,
-    path,
-    { times: samples, cost, shape: (time) => carried(corners, matrixAt(time)) },
-    tolerance,
-  );
+  const shape = (time: number): Float64Array => carried(corners, matrixAt(time));
+  return followedShape(context, path, { times: affordedSamples(context, path, times), cost, shape }, tolerance);
+}
+
+/** The samples that the scene still has time for. */
+function affordedSamples(context: StageContext, path: string, written: Float64Array): Float64Array {
+  const samples = evenly(written, context.sampleBudget.take(written.length));
+  if (samples.length < written.length) {
+    const message = `it is moved by ${written.length} samples, and all things of the scene together by more than there is room for; ${samples.length} of its samples are used (write out fewer, or move fewer things apart)`;
+    report(context, 'warning', 'usd.sample-budget', path, message);
+  }
+  return samples;
 }
 
 interface ShapePath {
@@ -196,7 +204,8 @@ function followedShape(
   { times: samples, cost, shape }: ShapePath,
   tolerance: number,
 ): Float64Array {
-  const how = { tolerance, looks: LOOKS, halvings: MAX_HALVINGS };
+  const looks = context.sampleBudget.looksClosely(samples.length) ? LOOKS : MIDDLE;
+  const how = { tolerance, looks, halvings: MAX_HALVINGS };
   const { times, error, wanted } = context.motionBudget.refine(samples, shape, how, cost);
   if (error > tolerance) {
     const message = `it jumps or turns too fast between its ${samples.length} samples to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
@@ -264,7 +273,7 @@ function withCubicPoints(shape: Shape): Shape {
 /** Times at which what bends on curved ways is followed; with a wider tolerance where its points would not be held. */
 function bentTimes(context: StageContext, path: string, { deformation, mesh }: Shape, world: Frame): Float64Array {
   const { times, follow } = deformation!;
-  const samples = unionOfTimes([times, world.times]);
+  const samples = affordedSamples(context, path, unionOfTimes([times, world.times]));
   const shape = (time: number): Float64Array => carriedNumbers(follow!.pointsAt(time), world.matrixAt(time));
   const size = diagonal(shape(samples[0]));
   const most = Math.floor(context.pointBudget.bytes / bytesOfPoints(1, mesh.positions.length / 3, vectorsOf(context)));

@@ -10,6 +10,7 @@ import { type ComposedStage, composeStage } from './compose/stage.ts';
 import { DiagnosticList, metadataNumber, report, type StageContext } from './context.ts';
 import type { Layer } from './layer.ts';
 import { readLayer } from './readLayer.ts';
+import { SampleBudget } from './sampleBudget.ts';
 import { hintsOf } from './slowlight.ts';
 import { readStage, type StageContents, upAxisOf } from './stage.ts';
 import { DEFAULT_LEVELS } from './subdivision.ts';
@@ -90,6 +91,7 @@ function contextOf(layer: Layer, files: AssetFiles, diagnostics: DiagnosticList,
     bendTolerance: options.chordTolerance ?? BEND_TOLERANCE,
     diagnostics,
     pointBudget: { bytes: POINT_BUDGET },
+    sampleBudget: new SampleBudget(layer),
     motionBudget: new RefinementBudget(MOTION_BUDGET),
     subdivision: { wanted: levelsWanted(options.subdivision) },
     subdivided: [],

@@ -35,7 +35,11 @@ export const bytesOfPoints = (times: number, vertices: number, vectors: number):
 
 /** As many of the times as `bytes` hold, evenly chosen, with the first and the last; at least these two. */
 export function affordableTimes(times: Float64Array, perTime: number, bytes: number): Float64Array {
-  const most = Math.max(2, Math.floor(bytes / perTime));
+  return evenly(times, Math.max(2, Math.floor(bytes / perTime)));
+}
+
+/** At most so many of the times, evenly chosen, with the first and the last. */
+export function evenly(times: Float64Array, most: number): Float64Array {
   if (times.length <= most) return times;
   return Float64Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]);
 }

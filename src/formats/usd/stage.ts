@@ -175,7 +175,7 @@ class StageReader {
     const directions = directionsOf(prim, inherited.directions);
     if (directions !== inherited.directions) checkDirections(this.context, prim.path, directions);
     return {
-      frame: childFrame(transform.resetsStack ? ROOT_FRAME : inherited.frame, transform.ops),
+      frame: childFrame(transform.resetsStack ? ROOT_FRAME : inherited.frame, transform.ops, prim.children.size > 1),
       binding: bindingOf(prim, inherited.binding),
       directions,
       purpose: textAt(prim, 'purpose', undefined) ?? inherited.purpose,

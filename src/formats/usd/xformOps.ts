@@ -64,8 +64,22 @@ export function opTimes(ops: readonly XformOp[]): Float64Array {
   return unionOfTimes(ops.map((op) => sampleTimes(op.attribute)));
 }
 
-export function unionOfTimes(lists: readonly Float64Array[]): Float64Array {
-  return Float64Array.from(new Set(lists.flatMap((times) => [...times]))).sort();
+/** Of lists of rising times all, each once. */
+export const unionOfTimes = (lists: readonly Float64Array[]): Float64Array => lists.reduce(merged, NO_TIMES);
+
+const NO_TIMES = new Float64Array(0);
+
+function merged(a: Float64Array, b: Float64Array): Float64Array {
+  if (a.length === 0 || b.length === 0) return a.length === 0 ? b : a;
+  const out = new Float64Array(a.length + b.length);
+  let count = 0;
+  for (let i = 0, j = 0; i < a.length || j < b.length; count++) {
+    const isFirst = j >= b.length || a[i] <= b[j];
+    out[count] = isFirst ? a[i] : b[j];
+    if (!isFirst || a[i] === b[j]) j++;
+    if (isFirst) i++;
+  }
+  return out.slice(0, count);
 }
 
 function opNumbers({ kind, attribute, cubic }: XformOp, time: TimeCode): ArrayLike<number> | undefined {

@@ -8,43 +8,50 @@ import { nameOf, parentOf } from './paths.ts';
  * an instance is only what its own arcs bring.
  */
 export function childNames(index: Node): string[] {
-  let names: string[] = [];
+  let names = new Set<string>();
   const gone = new Set<string>();
   const visit = (node: Node, isLocal: boolean): void => {
     const local = isLocal && !node.isDirect;
-    for (const child of [...node.children].reverse()) visit(child, local);
+    for (let i = node.children.length - 1; i >= 0; i--) visit(node.children[i], local);
     names = moved(node, names, gone);
     if (!node.isInert && !local) names = withLocal(node, names);
   };
   visit(index, isInstance(index));
-  return names.filter((name) => !gone.has(name));
+  for (const name of gone) names.delete(name);
+  return [...names];
 }
 
-function withLocal(node: Node, names: readonly string[]): string[] {
-  let all = [...names];
-  for (const { spec, from } of [...node.opinions].reverse()) {
-    const known = new Set(all);
-    if (!from.source.isSession) for (const name of spec.children.keys()) if (!known.has(name)) all.push(name);
-    if (spec.childOrder) all = inOrder(all, spec.childOrder, (name) => name);
+function withLocal(node: Node, names: Set<string>): Set<string> {
+  let all = names;
+  for (let i = node.opinions.length - 1; i >= 0; i--) {
+    const { spec, from } = node.opinions[i];
+    if (!from.source.isSession) for (const name of spec.children.keys()) all.add(name);
+    if (spec.childOrder) all = new Set(inOrder([...all], spec.childOrder, (name) => name));
   }
   return all;
 }
 
 /** Relocates of the node's layers: some names go, others come, and those that stay in the prim change in place. */
-function moved(node: Node, names: readonly string[], gone: Set<string>): string[] {
-  const { relocates } = node.stack;
-  if (!relocates) return [...names];
-  let out = [...names];
+function moved(node: Node, names: Set<string>, gone: Set<string>): Set<string> {
+  const moves = node.stack.relocates?.byParent.get(node.path);
+  if (!moves) return names;
+  /** What each is called now; undefined where it is gone. No move starts where another one ends. */
+  const called = new Map<string, string | undefined>([...names].map((name) => [name, name]));
+  const taken = new Set(names);
   const come: string[] = [];
-  for (const [source, target] of relocates.bySource) {
+  for (const [source, target] of moves) {
     const to = target !== '' && parentOf(target) === node.path ? nameOf(target) : undefined;
     const from = parentOf(source) === node.path ? nameOf(source) : undefined;
+    const isNew = to !== undefined && !taken.has(to);
     if (from !== undefined) {
-      const renamed = to !== undefined && !out.includes(to);
-      out = out.flatMap((name) => (name !== from ? [name] : renamed ? [to] : []));
+      if (called.has(from)) {
+        called.set(from, isNew ? to : undefined);
+        taken.delete(from);
+        if (isNew) taken.add(to);
+      }
       gone.add(from);
-    } else if (to !== undefined && !out.includes(to)) come.push(to);
+    } else if (isNew) come.push(to);
     if (to !== undefined) gone.delete(to);
   }
-  return [...out, ...come.sort()];
+  return new Set([...[...called.values()].filter((name) => name !== undefined), ...come.sort()]);
 }

@@ -35,6 +35,7 @@ function addClass(
 ): Node | undefined {
   const path = classPath(parent.path, map);
   if (path === undefined) return undefined;
+  builder.work.spend(parent.children.length);
   const known = parent.children.find((child) => child.isSite(parent.stack, path));
   if (known) return known;
   // Implied from one node of a layer stack to another it can be the very same site: kept only to be implied further.

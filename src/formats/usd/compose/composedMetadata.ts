@@ -1,4 +1,4 @@
-import type { Dictionary, ListOp, MetadataValue, Value } from '../layer.ts';
+import { type Dictionary, type ListOp, type MetadataValue, NOTHING, type Value } from '../layer.ts';
 import { composeList } from './listOps.ts';
 import { localValue, type Place } from './localValues.ts';
 
@@ -11,7 +11,7 @@ interface SaidMetadata {
 }
 
 /** The strongest value of each key; lists are composed, dictionaries merged entry by entry. */
-export function composeMetadata(said: readonly SaidMetadata[]): Map<string, MetadataValue> {
+export function composeMetadata(said: readonly SaidMetadata[]): ReadonlyMap<string, MetadataValue> {
   const stacks = new Map<string, { value: MetadataValue; place: Place }[]>();
   for (const { metadata, place } of said) {
     for (const [key, value] of metadata) {
@@ -21,6 +21,7 @@ export function composeMetadata(said: readonly SaidMetadata[]): Map<string, Meta
       else stacks.set(key, [{ value, place }]);
     }
   }
+  if (stacks.size === 0) return NOTHING;
   return new Map([...stacks].map(([key, stack]) => [key, composeValues(stack)]));
 }
 

@@ -70,9 +70,56 @@ describe('small files that ask for much', () => {
       return `def "L${i}" {\n${children.join('\n')}\n}`;
     }).join('\n');
 
-  it('get as many prims as there is room for', async () => {
+  const numbered = (count: number, line: (i: number) => string, between = '\n'): string =>
+    Array.from({ length: count }, (_, i) => line(i)).join(between);
+
+  it('get as many prims as there is room for, and the place where the rest is left out is named', async () => {
     const { said } = await stage({ 'root.usda': `${bomb(9)}\ndef "L9" {}` });
-    expect(said.map((line) => line.split(':')[0])).toEqual(['usd.too-many-prims root.usda']);
+    expect(said.map((line) => line.split(':')[0])).toEqual([
+      expect.stringMatching(/^usd.too-many-prims root.usda<\/L0\/C0/),
+    ]);
+  }, 60_000);
+
+  const many = (of: string, count: number): string =>
+    `${of}\ndef "W" {\n${numbered(count, (i) => `def "R${i}" ( references = </B> (offset = ${i + 1}) ) {}`)}\n}`;
+  const bombs: Record<string, string> = {
+    'properties of many prims': many(`def "B" {\n${numbered(3000, (i) => `int x${i} = 1`)}\n}`, 3000),
+    'properties of one prim': `def "B" {\n${numbered(3000, (i) => `int x${i} = 1`)}\n}
+def "W" ( references = [${numbered(3000, (i) => `</B> (offset = ${i})`, ', ')}] ) {}`,
+    targets: many(`def "B" {\nrel r = [${numbered(3000, (i) => `</B/x${i}>`, ', ')}]\n}`, 3000),
+    dictionaries: many(`def "B" ( customData = { ${numbered(3000, (i) => `int x${i} = 1`)} } ) {}`, 3000),
+    'samples that are moved in time': many(
+      `def "B" { double r.timeSamples = { ${numbered(9000, (i) => `${i}: 1`, ', ')} }\n}`,
+      3000,
+    ),
+    'variant sets of one prim': `def "A" ( variants = { ${numbered(3000, (i) => `string s${i} = "a"`)} }
+prepend variantSets = [${numbered(3000, (i) => `"s${i}"`, ', ')}] ) {
+${numbered(3000, (i) => `variantSet "s${i}" = { "a" { def "X" {} } }`)}\n}`,
+    'variant sets that nothing selects': `def "A" ( variants = { ${numbered(1000, (i) => `string s${2 * i} = "a"`)} }
+prepend variantSets = [${numbered(2000, (i) => `"s${i}"`, ', ')}] ) {
+${numbered(2000, (i) => `variantSet "s${i}" = { "a" {} }`)}\n}`,
+    bases: `def "A" ( specializes = [${numbered(3000, (i) => `</B${i}>`, ', ')}] ) { ${numbered(99, (i) => `def "D${i}" {}`)} }
+${numbered(3000, (i) => `def "B${i}" { def "C${i}" {} }`)}`,
+    'relocates and classes': `( relocates = { ${numbered(2000, (i) => `</A/B${i}>: </A/C${i}>`, ', ')} } )
+def "A" ( references = </S> ) {}\nclass "K" {}
+def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
+  };
+
+  it.each(Object.entries(bombs))(
+    'get as much as a second or two make of them: %s',
+    async (_, text) => {
+      const said = await codes({ 'root.usda': text });
+      expect(said.filter((code) => code === 'usd.too-many-prims')).toHaveLength(1);
+    },
+    60_000,
+  );
+
+  it('are no match for a large file that says all itself', async () => {
+    const { stage: whole, said } = await stage({
+      'root.usda': `def "W" {\n${numbered(249_999, (i) => `def "P${i}" {}`)}\n}`,
+    });
+    expect(said).toEqual([]);
+    expect(whole.layer.rootPrims.get('W')?.children.size).toBe(249_999);
   }, 60_000);
 
   it('get as many arcs as there is room for', async () => {

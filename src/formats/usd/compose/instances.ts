@@ -1,12 +1,17 @@
-import { byStrength, type Node } from './node.ts';
+import { type Node, strongestFirst } from './node.ts';
 
 /**
  * Whether a prim shares what is in it with others of the same arcs: it says `instanceable`, and has an arc that leads
  * to something to share. Only what is said on the prim itself is then its own.
  */
 export function isInstance(index: Node): boolean {
+  index.isShared ??= saysInstance(index);
+  return index.isShared;
+}
+
+function saysInstance(index: Node): boolean {
   if (!hasSharedNode(index, false)) return false;
-  for (const node of byStrength(index)) {
+  for (const node of strongestFirst(index)) {
     if (!node.contributes) continue;
     for (const { spec } of node.opinions) {
       const value = spec.metadata.get('instanceable');

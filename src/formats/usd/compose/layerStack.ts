@@ -1,4 +1,6 @@
+import { messageOf } from '../../fail.ts';
 import type { PrimSpec } from '../layer.ts';
+import { expanded, isExpression, NO_VARIABLES, type Variables, variablesUnder } from './expressions.ts';
 import { isFault, type LayerStore, type LoadedLayer } from './layerStore.ts';
 import { composeOffsets, isUsable, NO_OFFSET, type TimeOffset } from './offsets.ts';
 import { specAt } from './paths.ts';
@@ -9,12 +11,16 @@ export interface LayerStack {
   readonly root: LoadedLayer;
   readonly layers: readonly StackLayer[];
   readonly relocates: Relocates | undefined;
+  /** What expressions in its layers are made with: those of its root, under those of the stacks that lead to it. */
+  readonly variables: Variables;
 }
 
 export interface StackLayer {
   readonly source: LoadedLayer;
   /** From the layer's own times to those of the stack's root. */
   readonly time: TimeOffset;
+  /** Those of its stack. */
+  readonly variables: Variables;
 }
 
 /** What one layer of a stack says about a prim. */
@@ -46,24 +52,35 @@ export class LayerStacks {
     this.note = note;
   }
 
-  of(root: LoadedLayer, session?: LoadedLayer): LayerStack {
-    const key = session ? `${root.id}\nsession` : root.id;
+  /** `above`: the variables of the stack that leads here. */
+  of(root: LoadedLayer, session?: LoadedLayer, above = NO_VARIABLES): LayerStack {
+    const variables = variablesUnder(above, root.layer.metadata.get('expressionVariables'));
+    const values = variables.size > 0 ? JSON.stringify([...variables].sort()) : '';
+    const key = `${root.id}\n${session ? 'session' : ''}\n${values}`;
     const known = this.byRoot.get(key);
     if (known) return known;
-    const layers: StackLayer[] = session ? [{ source: session, time: NO_OFFSET }] : [];
-    const complete = this.collect(root, NO_OFFSET, [], layers);
-    const stack: LayerStack = { root, layers, relocates: relocatesOf(layers, complete ? this.note : () => {}) };
+    const layers: StackLayer[] = session ? [{ source: session, time: NO_OFFSET, variables }] : [];
+    const complete = this.collect({ source: root, time: NO_OFFSET, variables }, [], layers);
+    const stack: LayerStack = {
+      root,
+      layers,
+      variables,
+      relocates: relocatesOf(layers, complete ? this.note : () => {}),
+    };
     if (complete) this.byRoot.set(key, stack);
     return stack;
   }
 
   /** Adds a layer and what is below it; false where one of them is still to come. */
-  private collect(source: LoadedLayer, time: TimeOffset, above: readonly LoadedLayer[], into: StackLayer[]): boolean {
-    into.push({ source, time });
+  private collect(layer: StackLayer, above: readonly LoadedLayer[], into: StackLayer[]): boolean {
+    const { source, time, variables } = layer;
+    into.push(layer);
     const subLayers = source.layer.metadata.get('subLayers');
     if (subLayers?.type !== 'subLayers') return true;
     let complete = true;
-    for (const { asset, offset, scale } of subLayers.data) {
+    for (const { asset: written, offset, scale } of subLayers.data) {
+      const asset = this.expanded(written, layer);
+      if (asset === undefined) continue;
       const found = this.store.find(source.id, asset);
       if (!found) complete = false;
       else if (isFault(found)) this.note(found.code, '', `the sublayer ${found.message}`);
@@ -76,10 +93,22 @@ export class LayerStacks {
         }
         const own = this.usable({ offset, scale }, asset, source);
         const scaled = { offset: own.offset, scale: (own.scale * source.codesPerSecond) / found.codesPerSecond };
-        complete = this.collect(found, composeOffsets(time, scaled), chain, into) && complete;
+        complete =
+          this.collect({ source: found, time: composeOffsets(time, scaled), variables }, chain, into) && complete;
       }
     }
     return complete;
+  }
+
+  /** Undefined where an expression makes no path. */
+  private expanded(asset: string, { source, variables }: StackLayer): string | undefined {
+    if (!isExpression(asset)) return asset;
+    try {
+      return expanded(asset, variables) || undefined;
+    } catch (thrown) {
+      this.note('usd.expression', '', `the sublayer ${asset} of ${source.id} is left out: ${messageOf(thrown)}`);
+      return undefined;
+    }
   }
 
   private usable(time: TimeOffset, asset: string, source: LoadedLayer): TimeOffset {

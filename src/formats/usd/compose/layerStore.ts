@@ -39,6 +39,8 @@ export class LayerStore {
   private readonly byId = new Map<string, LoadedLayer | LayerFault>();
   private readonly byReference = new Map<string, LoadedLayer | LayerFault>();
   private readonly wanted = new Map<string, readonly [anchor: string, asset: string]>();
+  /** How many prims and properties the layers write. */
+  specs = 0;
 
   constructor(files: AssetFiles, parse: ParseLayer) {
     this.files = files;
@@ -95,20 +97,32 @@ export class LayerStore {
 
   private parsed(bytes: Uint8Array, id: string): LoadedLayer | LayerFault {
     try {
-      return loadedLayer(this.parse(bytes, id), id);
+      return this.counted(loadedLayer(this.parse(bytes, id), id));
     } catch (thrown) {
       return unreadable(id, thrown);
     }
+  }
+
+  private counted(layer: LoadedLayer): LoadedLayer {
+    this.specs += specsIn(layer.root);
+    return layer;
   }
 
   /** The stage's own layer; throws what is wrong with it. */
   async root(entry: string, bytes: Uint8Array): Promise<LoadedLayer> {
     const id = await this.files.layerIn(entry, bytes);
     const inside = id === entry ? bytes : (await this.files.read(id))!;
-    const root = loadedLayer(this.parse(inside, id), id);
+    const root = this.counted(loadedLayer(this.parse(inside, id), id));
     this.byId.set(id, root);
     return root;
   }
+}
+
+function specsIn({ children, properties, variantSets }: PrimSpec): number {
+  let count = 1 + properties.size;
+  for (const child of children.values()) count += specsIn(child);
+  for (const variants of variantSets.values()) for (const variant of variants.values()) count += specsIn(variant);
+  return count;
 }
 
 export const isFault = (found: LoadedLayer | LayerFault): found is LayerFault => 'code' in found;

@@ -1,4 +1,5 @@
 import type { Dictionary, TimeSamples, Value } from '../layer.ts';
+import { expandedOrWritten } from './expressions.ts';
 import type { StackLayer } from './layerStack.ts';
 import type { NamespaceMap } from './namespaceMap.ts';
 import { composeOffsets, isNoOffset, mapTime, type TimeOffset } from './offsets.ts';
@@ -9,14 +10,23 @@ export interface Place {
   readonly map: NamespaceMap;
 }
 
-const timeOf = ({ from, map }: Place): TimeOffset => composeOffsets(map.time, from.time);
+export const timeOf = ({ from, map }: Place): TimeOffset => composeOffsets(map.time, from.time);
 
 /** A value as the stage has it: times are the stage's, and an asset knows the layer that its path is relative to. */
 export function localValue(value: Value, place: Place): Value {
   switch (value.type) {
     case 'asset':
+      return {
+        type: 'asset',
+        data: expandedOrWritten(value.data, place.from.variables),
+        anchor: place.from.source.id,
+      };
     case 'asset[]':
-      return { ...value, anchor: place.from.source.id };
+      return {
+        type: 'asset[]',
+        data: value.data.map((asset) => expandedOrWritten(asset, place.from.variables)),
+        anchor: place.from.source.id,
+      };
     case 'timecode':
       return { ...value, data: mapTime(timeOf(place), value.data) };
     case 'timecode[]':

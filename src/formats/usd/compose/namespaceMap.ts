@@ -28,29 +28,87 @@ export const arcMap = (source: string, target: string, time: TimeOffset): Namesp
 export const mapToTarget = (map: NamespaceMap, path: string): string | undefined => translate(map.pairs, path, 0);
 export const mapToSource = (map: NamespaceMap, path: string): string | undefined => translate(map.pairs, path, 1);
 
+const translate = (pairs: readonly Pair[], path: string, from: 0 | 1): string | undefined =>
+  translateBy(pairs.length > FEW_PAIRS ? indexOf(pairs) : new FewPairs(pairs), path, from);
+
 /** Undefined where no pair covers the path, or where the result belongs to another, closer pair. */
-function translate(pairs: readonly Pair[], path: string, from: 0 | 1): string | undefined {
+function translateBy(pairs: Lookup, path: string, from: 0 | 1): string | undefined {
   const to = from === 0 ? 1 : 0;
-  let best: Pair | undefined;
-  let covered = -1;
-  for (const pair of pairs) {
-    const prefix = pair[from];
-    if (prefix === undefined || prefix.length <= covered || !hasPrefix(path, prefix)) continue;
-    best = pair;
-    covered = prefix.length;
-  }
+  const best = pairs.closest(path, from);
   const replaced = best?.[to];
   if (replaced === undefined) return undefined;
-  const result = replaced + path.slice(covered);
-  const isTaken = ({ [to]: other }: Pair): boolean =>
-    other !== undefined && other.length > replaced.length && hasPrefix(result, other);
-  return pairs.some((pair) => pair !== best && isTaken(pair)) ? undefined : result;
+  const result = replaced + path.slice(best![from]!.length);
+  return pairs.closest(result, to)![to]!.length > replaced.length ? undefined : result;
 }
+
+/** Finds the pair of which one side covers most of a path. */
+interface Lookup {
+  closest(path: string, side: 0 | 1): Pair | undefined;
+}
+
+class FewPairs implements Lookup {
+  private readonly pairs: readonly Pair[];
+
+  constructor(pairs: readonly Pair[]) {
+    this.pairs = pairs;
+  }
+
+  closest(path: string, side: 0 | 1): Pair | undefined {
+    let best: Pair | undefined;
+    let covered = -1;
+    for (const pair of this.pairs) {
+      const prefix = pair[side];
+      if (prefix === undefined || prefix.length <= covered || !hasPrefix(path, prefix)) continue;
+      best = pair;
+      covered = prefix.length;
+    }
+    return best;
+  }
+}
+
+/** More are found by their paths: relocates can make any number. */
+const FEW_PAIRS = 6;
+const indices = new WeakMap<readonly Pair[], PairIndex>();
+
+function indexOf(pairs: readonly Pair[]): PairIndex {
+  const known = indices.get(pairs);
+  if (known) return known;
+  const index = new PairIndex();
+  for (const pair of pairs) index.add(pair);
+  indices.set(pairs, index);
+  return index;
+}
+
+class PairIndex implements Lookup {
+  private readonly sides = [new Map<string, Pair>(), new Map<string, Pair>()] as const;
+
+  add(pair: Pair): void {
+    for (const side of [0, 1] as const) {
+      const prefix = pair[side];
+      if (prefix !== undefined && !this.sides[side].has(prefix)) this.sides[side].set(prefix, pair);
+    }
+  }
+
+  closest(path: string, side: 0 | 1): Pair | undefined {
+    const index = this.sides[side];
+    let found = index.get(path);
+    for (let i = path.length - 1; !found && i >= 0; i--)
+      if (SEPARATORS.has(path.charCodeAt(i))) found = index.get(path.slice(0, i));
+    return found;
+  }
+}
+
+/** '/', '.' and '{' come after a prefix. */
+const SEPARATORS: ReadonlySet<number> = new Set([47, 46, 123]);
 
 /** First `inner`, then `outer`. */
 export function composeMaps(outer: NamespaceMap, inner: NamespaceMap): NamespaceMap {
   if (isIdentity(outer)) return inner;
   if (isIdentity(inner)) return outer;
+  const time = composeOffsets(outer.time, inner.time);
+  const single =
+    inner.pairs.length === 1 && outer.pairs.length === 1 && composeSingle(outer.pairs[0], inner.pairs[0], time);
+  if (single) return single;
   const through = (path: string | undefined, first: NamespaceMap, then: NamespaceMap, from: 0 | 1) => {
     const middle = path === undefined ? undefined : translate(first.pairs, path, from);
     return middle === undefined ? undefined : translate(then.pairs, middle, from);
@@ -62,7 +120,13 @@ export function composeMaps(outer: NamespaceMap, inner: NamespaceMap): Namespace
     if (source !== undefined) pairs.push([source, through(source, inner, outer, 0)]);
   for (const target of new Set(targets))
     if (target !== undefined) pairs.push([through(target, outer, inner, 1), target]);
-  return { pairs: canonical(pairs), time: composeOffsets(outer.time, inner.time) };
+  return { pairs: canonical(pairs), time };
+}
+
+/** The commonest of all: one arc in what another one leads to. */
+function composeSingle([start, target]: Pair, [source, between]: Pair, time: TimeOffset): NamespaceMap | undefined {
+  if (source === undefined || between === undefined || target === undefined || start === undefined) return undefined;
+  return hasPrefix(between, start) ? { pairs: [[source, target + between.slice(start.length)]], time } : undefined;
 }
 
 export const inverseMap = ({ pairs, time }: NamespaceMap): NamespaceMap => ({
@@ -87,11 +151,17 @@ function canonical(pairs: readonly Pair[]): Pair[] {
   const textOf = ([source, target]: Pair): string => `${source ?? ' '}\n${target ?? ' '}`;
   const sorted = [...pairs].sort((a, b) => lengthOf(a) - lengthOf(b) || (textOf(a) < textOf(b) ? -1 : 1));
   const kept: Pair[] = [];
+  const index = new PairIndex();
+  const lookup: Lookup = pairs.length > FEW_PAIRS ? index : new FewPairs(kept);
   for (const pair of sorted) {
     const [source, target] = pair;
     const known =
-      source === undefined ? translate(kept, target ?? '', 1) === undefined : translate(kept, source, 0) === target;
-    if (!known) kept.push(pair);
+      source === undefined
+        ? translateBy(lookup, target ?? '', 1) === undefined
+        : translateBy(lookup, source, 0) === target;
+    if (known) continue;
+    kept.push(pair);
+    if (lookup === index) index.add(pair);
   }
   return kept;
 }

@@ -39,7 +39,10 @@ export class Node {
   isAncestral = false;
   /** When it was made; of two nodes in one tree, what is under the other is younger. */
   serial = 0;
+  /** Of a complete index's root, once it is asked: whether it is an instance. */
+  isShared: boolean | undefined;
   private whole: NamespaceMap | undefined;
+  private order: readonly Node[] | undefined;
 
   constructor(stack: LayerStack, path: string, opinions: readonly Opinion[] = opinionsAt(stack, path)) {
     this.stack = stack;
@@ -97,8 +100,14 @@ export class Node {
     child.arc = arc;
     child.parent = this;
     forgetMaps(child);
-    const place = this.children.findIndex((sibling) => compareSiblings(child, sibling) < 0);
-    this.children.splice(place < 0 ? this.children.length : place, 0, child);
+    const { children } = this;
+    let [from, to] = [0, children.length];
+    while (from < to) {
+      const middle = (from + to) >> 1;
+      if (compareSiblings(child, children[middle]) < 0) to = middle;
+      else from = middle + 1;
+    }
+    children.splice(from, 0, child);
   }
 
   /**
@@ -106,9 +115,8 @@ export class Node {
    * instance nothing counts but what its own arcs lead to.
    */
   toChild(name: string, isInInstance: boolean): Node {
-    const copies = new Map<Node, Node>();
-    const origins = new Set<Node>();
-    for (const { arc } of everyNode(this)) if (arc.origin) origins.add(arc.origin);
+    const origins = new Map<Node, Node | undefined>();
+    for (const { arc } of everyNode(this)) if (arc.origin) origins.set(arc.origin, undefined);
     const copy = (node: Node, isLocal: boolean): Node | undefined => {
       const child = node.below(name);
       const local = isLocal && !node.isDirect;
@@ -127,7 +135,7 @@ export class Node {
         node.stack.relocates ||
         !node.isAncestral;
       if (!needed) return undefined;
-      if (origins.has(node)) copies.set(node, child);
+      if (origins.has(node)) origins.set(node, child);
       return child;
     };
     const root = copy(this, isInInstance)!;
@@ -135,7 +143,7 @@ export class Node {
       // What the site's own layers move away is elsewhere.
       if (node.parent && node.stack.relocates?.bySource.has(node.path)) silence(node);
       const { origin } = node.arc;
-      if (origin) node.arc = { ...node.arc, origin: copies.get(origin) };
+      if (origin) node.arc = { ...node.arc, origin: origins.get(origin) };
     }
     return root;
   }
@@ -157,6 +165,12 @@ export class Node {
 
   static forget(node: Node): void {
     node.whole = undefined;
+  }
+
+  /** `byStrength` of a complete index. */
+  static strongestFirst(index: Node): readonly Node[] {
+    index.order ??= byStrength(index);
+    return index.order;
   }
 }
 
@@ -189,13 +203,22 @@ function compareSiblings(a: Node, b: Node): number {
   return a.arc.number - b.arc.number;
 }
 
-/** Below 0 where `a` comes first in the tree that `within` is in. */
+/** Below 0 where `a` comes first in the tree that `within` is in; what is not in it comes last. */
 function firstOf(within: Node, a: Node, b: Node): number {
-  for (const node of everyNode(within.root)) {
-    if (node === a) return -1;
-    if (node === b) return 1;
-  }
-  return 0;
+  const [wayToA, wayToB] = [wayTo(a), wayTo(b)];
+  const { root } = within;
+  if (wayToA[0] !== root || wayToB[0] !== root) return Number(wayToA[0] !== root) - Number(wayToB[0] !== root);
+  let fork = 1;
+  while (wayToA[fork] && wayToA[fork] === wayToB[fork]) fork++;
+  const { children } = wayToA[fork - 1];
+  return (wayToA[fork] ? children.indexOf(wayToA[fork]) : -1) - (wayToB[fork] ? children.indexOf(wayToB[fork]) : -1);
+}
+
+/** The nodes from the root to one. */
+function wayTo(node: Node): Node[] {
+  const way: Node[] = [];
+  for (let at: Node | undefined = node; at; at = at.parent) way.push(at);
+  return way.reverse();
 }
 
 /**
@@ -213,24 +236,28 @@ export function byStrength(root: Node): Node[] {
     }
   };
   visit(root);
+  if (bases.length === 0) return out;
+  const places = new Map(everyNode(root.root).map((node, place) => [node, place]));
   while (bases.length > 0) {
     // Those under a base join the rest, so that each time the strongest of all goes first.
     let first = 0;
-    for (let i = 1; i < bases.length; i++) if (compareBases(bases[i], bases[first]) < 0) first = i;
+    for (let i = 1; i < bases.length; i++) if (compareBases(bases[i], bases[first], places) < 0) first = i;
     visit(bases.splice(first, 1)[0]);
   }
   return out;
 }
 
+export const strongestFirst = Node.strongestFirst;
+
 /** Below 0 where the base `a` is stronger than the base `b`; they may be anywhere in one tree. */
-function compareBases(a: Node, b: Node): number {
+function compareBases(a: Node, b: Node, places: ReadonlyMap<Node, number>): number {
   const [originOfA, stepsOfA] = writtenArc(a);
   const [originOfB, stepsOfB] = writtenArc(b);
   if (originOfA === originOfB) return stepsOfB - stepsOfA;
   if (isUnder(originOfA, originOfB)) return 1;
   if (isUnder(originOfB, originOfA)) return -1;
   const depths = depthInStage(b) - depthInStage(a);
-  return depths !== 0 ? depths : firstOf(a, originOfA, originOfB);
+  return depths !== 0 ? depths : (places.get(originOfA) ?? 0) - (places.get(originOfB) ?? 0);
 }
 
 /** The node of the arc as it is written, and how many times it was implied since. */

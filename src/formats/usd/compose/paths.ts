@@ -1,4 +1,4 @@
-import type { Layer, PrimSpec } from '../layer.ts';
+import { type Layer, NOTHING, type PrimSpec } from '../layer.ts';
 
 /**
  * Paths as composition uses them: '' is the pseudo-root, `/A/B` a prim, `/A{set=variant}/B` what a variant says of it.
@@ -12,6 +12,12 @@ export const nameOf = (path: string): string => path.slice(path.lastIndexOf('/')
 export function hasPrefix(path: string, prefix: string): boolean {
   if (!path.startsWith(prefix)) return false;
   return path.length === prefix.length || '/.{'.includes(path[prefix.length]);
+}
+
+/** Whether something is so of a path or of one around it, the closest first. */
+export function anyAround(path: string, ask: (around: string) => boolean): boolean {
+  for (let at = path; at !== ''; at = parentOf(at)) if (ask(at)) return true;
+  return false;
 }
 
 /** Where a path is in the namespace of the stage, which knows no variants. */
@@ -54,7 +60,7 @@ export function specAt(root: PrimSpec, path: string): PrimSpec | undefined {
 
 /** The pseudo-root of a layer: its root prims as children. */
 export function pseudoRoot({ rootPrims, rootOrder }: Layer): PrimSpec {
-  const nothing = { metadata: new Map(), properties: new Map(), variantSets: new Map() };
+  const nothing = { metadata: NOTHING, properties: NOTHING, variantSets: NOTHING };
   const order = rootOrder ? { childOrder: rootOrder } : {};
   return { path: '/', name: '', specifier: 'def', typeName: '', children: rootPrims, ...nothing, ...order };
 }

@@ -3,11 +3,12 @@ import { isInstance } from './instances.ts';
 import type { LayerStack, LayerStacks, Note } from './layerStack.ts';
 import type { LayerStore } from './layerStore.ts';
 import { type Arc, areRelated, everyNode, hasClasses, Node, silence, speaksAnywhere } from './node.ts';
-import { hasPrefix, nameOf, parentOf } from './paths.ts';
+import { anyAround, nameOf, parentOf } from './paths.ts';
 import { addReferences } from './references.ts';
 import { addRelocate, implyRelocate } from './relocations.ts';
 import { type Task, type TaskKind, TaskList } from './tasks.ts';
 import { addVariant, addVariantSets } from './variants.ts';
+import { STEPS, type Work } from './work.ts';
 
 /** What all prims of a stage are composed with. */
 export interface Composer {
@@ -15,8 +16,7 @@ export interface Composer {
   readonly stacks: LayerStacks;
   /** Variants by set, the best first, where nothing is selected. */
   readonly fallbacks: ReadonlyMap<string, readonly string[]>;
-  /** Nodes that may still be made. */
-  readonly budget: { nodes: number };
+  readonly work: Work;
   readonly note: Note;
 }
 
@@ -61,7 +61,7 @@ export class IndexBuilder {
   readonly frame: Frame | undefined;
   /** Of the prims that are asked for here, this one is so many levels around the last. */
   readonly ancestorDepth: number;
-  readonly tasks = new TaskList();
+  readonly tasks: TaskList;
   root!: Node;
   private readonly evaluatesVariants: boolean;
   private readonly level: number;
@@ -72,6 +72,7 @@ export class IndexBuilder {
 
   private constructor(composer: Composer, path: string, around: Around = {}, evaluatesVariants = true) {
     this.composer = composer;
+    this.tasks = new TaskList(composer.work);
     const from = around.inner ?? around.frame?.outer;
     this.path = from?.path ?? path;
     this.expected = from?.expected ?? [];
@@ -121,10 +122,22 @@ export class IndexBuilder {
   private run(): Node {
     const nodes = everyNode(this.root);
     for (const node of nodes) node.serial = this.count.nodes++;
-    this.composer.budget.nodes -= nodes.length;
+    this.work.spend(STEPS.site * nodes.length);
     this.addArcTasks(this.root, true);
-    for (let task = this.tasks.take(); task; task = this.tasks.take()) this.perform(task);
+    for (let task = this.tasks.take(); task && !this.isFull(); task = this.tasks.take()) this.perform(task);
+    // Each base is compared with all others.
+    this.work.spend(everyNode(this.root).filter(({ arc }) => arc.kind === 'specialize').length ** 2 * 2);
     return this.root;
+  }
+
+  get work(): Work {
+    return this.composer.work;
+  }
+
+  private isFull(): boolean {
+    if (this.count.nodes > MAX_NODES)
+      this.note('usd.too-many-arcs', `more than ${MAX_NODES} sites have opinions on it; the rest is left out`);
+    return this.count.nodes > MAX_NODES || this.work.isTooMuch;
   }
 
   private perform(task: Task): void {
@@ -150,7 +163,8 @@ export class IndexBuilder {
       return undefined;
     }
     const skipsDuplicates = options.skipsDuplicates || (this.frame?.skipsDuplicates ?? false);
-    if ((skipsDuplicates && this.hasSite(parent, stack, path)) || !this.canAfford()) return undefined;
+    if ((skipsDuplicates && this.hasSite(parent, stack, path)) || this.isFull()) return undefined;
+    this.work.spend(STEPS.site + STEPS.pair * arc.map.pairs.length);
     const ancestral = options.ancestral ?? false;
     const contributes = options.contributes ?? true;
     let node: Node;
@@ -166,13 +180,6 @@ export class IndexBuilder {
     parent.adopt(node, arc);
     this.addTasks(node, !ancestral);
     return node;
-  }
-
-  private canAfford(): boolean {
-    this.composer.budget.nodes--;
-    if (this.count.nodes > MAX_NODES)
-      this.note('usd.too-many-arcs', `more than ${MAX_NODES} sites have opinions on it; the rest is left out`);
-    return this.count.nodes <= MAX_NODES && this.composer.budget.nodes > 0;
   }
 
   /** What is to be done for a new node: its own arcs, unless its index has followed them, and what they imply above. */
@@ -200,6 +207,7 @@ export class IndexBuilder {
   /** The prims that lead here, through all indexes that are being built: none of them may be in the target, or around it. */
   private makesCycle(parent: Node, stack: LayerStack, path: string): boolean {
     return this.someFrame(parent, path, (node, site) => {
+      this.work.spend(1);
       for (let at: Node | undefined = node; at; at = at.parent)
         if (at.stack === stack && areRelated(at.path, site)) return true;
       return false;
@@ -208,8 +216,9 @@ export class IndexBuilder {
 
   private hasSite(parent: Node, stack: LayerStack, path: string): boolean {
     return this.someFrame(parent, path, (node, site) => {
-      for (const other of everyNode(node.root)) if (other.isSite(stack, site)) return true;
-      return false;
+      const others = everyNode(node.root);
+      this.work.spend(others.length);
+      return others.some((other) => other.isSite(stack, site));
     });
   }
 
@@ -247,7 +256,5 @@ const PERFORM_INERT: ReadonlySet<TaskKind> = new Set(['impliedClasses', 'relocat
 
 /** Where a relocate of the same layers takes the prim away from, nothing is left that an arc could lead to. */
 function isMovedAway({ relocates }: LayerStack, path: string): boolean {
-  if (!relocates) return false;
-  for (const source of relocates.whole.keys()) if (hasPrefix(path, source)) return true;
-  return false;
+  return relocates !== undefined && anyAround(path, (around) => relocates.whole.has(around));
 }

@@ -1,4 +1,6 @@
+import { messageOf } from '../../fail.ts';
 import { metadataText } from '../context.ts';
+import { expanded } from './expressions.ts';
 import type { LayerStack } from './layerStack.ts';
 import { isFault, type LoadedLayer } from './layerStore.ts';
 import { arcMap, composeMaps, type NamespaceMap, withPairs, withRoot } from './namespaceMap.ts';
@@ -40,15 +42,27 @@ function targetOf(builder: IndexBuilder, node: Node, kind: string, arc: SourcedA
     builder.note('usd.default-prim', `its ${kind} ${named(arc)} is left out: ${why}`);
     return undefined;
   }
-  const stack = arc.asset === '' ? node.stack : builder.composer.stacks.of(root);
+  const stack = arc.asset === '' ? node.stack : builder.composer.stacks.of(root, undefined, node.stack.variables);
   return { stack, path, time: timeOf(builder, kind, arc, arc.asset === '' ? undefined : root) };
 }
 
 function layerOf(builder: IndexBuilder, kind: string, arc: SourcedArc): LoadedLayer | undefined {
-  const found = builder.composer.store.find(arc.from.source.id, arc.asset);
+  const asset = assetOf(builder, kind, arc);
+  if (asset === '') return undefined;
+  const found = builder.composer.store.find(arc.from.source.id, asset);
   if (!found || !isFault(found)) return found;
   builder.note(found.code, `its ${kind} ${found.message}`);
   return undefined;
+}
+
+/** The path as written, or what its expression makes; empty where that is none. */
+function assetOf(builder: IndexBuilder, kind: string, { asset, from }: SourcedArc): string {
+  try {
+    return expanded(asset, from.variables);
+  } catch (thrown) {
+    builder.note('usd.expression', `its ${kind} @${asset}@ is left out: ${messageOf(thrown)}`);
+    return '';
+  }
 }
 
 /**
@@ -84,6 +98,11 @@ export function mapForArc(node: Node, source: string, time: TimeOffset = NO_OFFS
   const map = arcMap(source, target, time);
   const { relocates } = node.stack;
   if (!relocates) return map;
+  const key = [source, target, time.offset, time.scale].join('\n');
+  const known = relocates.mapsOfArcs.get(key);
+  if (known) return known;
   const moves = [...relocates.whole].filter(([from, to]) => to !== '' && from.startsWith(`${target}/`));
-  return composeMaps(withPairs(withRoot(arcMap('', '', NO_OFFSET)), moves), map);
+  const moved = composeMaps(withPairs(withRoot(arcMap('', '', NO_OFFSET)), moves), map);
+  relocates.mapsOfArcs.set(key, moved);
+  return moved;
 }

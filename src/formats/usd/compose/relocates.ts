@@ -1,11 +1,16 @@
 import type { Note, StackLayer } from './layerStack.ts';
-import { depthOf, hasPrefix, isPrimPath } from './paths.ts';
+import type { NamespaceMap } from './namespaceMap.ts';
+import { anyAround, depthOf, hasPrefix, isPrimPath, parentOf } from './paths.ts';
 
 /** How a layer stack moves the prims that its arcs bring, to other names or places. */
 export interface Relocates {
   /** As written: where a prim is, and where it goes; '' where it is removed. */
   readonly bySource: ReadonlyMap<string, string>;
   readonly byTarget: ReadonlyMap<string, string>;
+  /** Those from or to a prim's children, by the prim's path. */
+  readonly byParent: ReadonlyMap<string, readonly (readonly [source: string, target: string])[]>;
+  /** Maps of arcs with the moves in them, by arc: one prim's arcs are followed again for each prim that is moved in it. */
+  readonly mapsOfArcs: Map<string, NamespaceMap>;
   /** With the moves of what is around a prim taken into account: where its specs are in the arcs' own namespace. */
   readonly whole: ReadonlyMap<string, string>;
 }
@@ -19,14 +24,41 @@ export function relocatesOf(layers: readonly StackLayer[], note: Note): Relocate
     for (const [source, target] of relocates.data) if (!written.has(source)) written.set(source, target);
   }
   const bySource = new Map(written);
+  const comings = comingsOf(written);
   for (const [source, target] of written) {
-    const fault = faultOf(source, target) ?? conflictOf(source, target, written);
+    const fault = faultOf(source, target) ?? conflictOf(source, target, written, comings);
     if (!fault) continue;
     note('usd.relocates', '', `the relocate of ${source} to ${target}: ${fault}; it is left out`);
     bySource.delete(source);
   }
   const byTarget = new Map([...bySource].flatMap(([from, to]) => (to === '' ? [] : [[to, from] as const])));
-  return bySource.size === 0 ? undefined : { bySource, byTarget, whole: wholeMoves(bySource) };
+  if (bySource.size === 0) return undefined;
+  const mapsOfArcs = new Map<string, NamespaceMap>();
+  return { bySource, byTarget, mapsOfArcs, byParent: movesByParent(bySource), whole: wholeMoves(bySource, byTarget) };
+}
+
+function movesByParent(bySource: ReadonlyMap<string, string>): Relocates['byParent'] {
+  const out = new Map<string, (readonly [string, string])[]>();
+  for (const move of bySource) {
+    const [source, target] = move;
+    for (const parent of new Set([parentOf(source), ...(target === '' ? [] : [parentOf(target)])])) {
+      const moves = out.get(parent);
+      if (moves) moves.push(move);
+      else out.set(parent, [move]);
+    }
+  }
+  return out;
+}
+
+/** The sources of each target. */
+function comingsOf(written: ReadonlyMap<string, string>): ReadonlyMap<string, readonly string[]> {
+  const out = new Map<string, string[]>();
+  for (const [source, target] of written) {
+    const sources = out.get(target);
+    if (sources) sources.push(source);
+    else out.set(target, [source]);
+  }
+  return out;
 }
 
 function faultOf(source: string, target: string): string | undefined {
@@ -37,27 +69,35 @@ function faultOf(source: string, target: string): string | undefined {
 }
 
 /** Relocates are in the namespace that all of them make: none may lead to or from where another one starts. */
-function conflictOf(source: string, target: string, all: ReadonlyMap<string, string>): string | undefined {
-  for (const [from, to] of all) {
-    if (from === source) continue;
-    if (to !== '' && to === target) return `${from} goes there as well`;
-    if (to === source) return `${from} goes to ${source}`;
-    if (target !== '' && hasPrefix(target, from)) return `${from} is moved away`;
-    if (hasPrefix(source, from)) return `${from}, around it, is moved away`;
-  }
-  return undefined;
+function conflictOf(
+  source: string,
+  target: string,
+  all: ReadonlyMap<string, string>,
+  comings: ReadonlyMap<string, readonly string[]>,
+): string | undefined {
+  const other = target !== '' && comings.get(target)?.find((from) => from !== source);
+  if (other) return `${other} goes there as well`;
+  const [before] = comings.get(source) ?? [];
+  if (before !== undefined) return `${before} goes to ${source}`;
+  const isMoved = (path: string): boolean => path !== source && all.has(path);
+  if (anyAround(target, isMoved)) return 'what is around it is moved away';
+  return anyAround(source, isMoved) ? 'what is around the source is moved away' : undefined;
 }
 
 /** /A/B → /A/C and /A/C/D → /A/E: what is at /A/E was at /A/B/D. */
-function wholeMoves(bySource: ReadonlyMap<string, string>): ReadonlyMap<string, string> {
+function wholeMoves(
+  bySource: ReadonlyMap<string, string>,
+  byTarget: ReadonlyMap<string, string>,
+): ReadonlyMap<string, string> {
   const whole = new Map<string, string>();
   for (const [source, target] of bySource) {
     let origin = source;
-    for (let hop = 0; hop <= bySource.size; hop++) {
-      const around = [...bySource].find(([, to]) => to !== '' && hasPrefix(origin, to));
-      if (!around) break;
-      origin = around[0] + origin.slice(around[1].length);
-    }
+    const moveOnce = (around: string): boolean => {
+      const before = byTarget.get(around);
+      if (before !== undefined) origin = before + origin.slice(around.length);
+      return before !== undefined;
+    };
+    for (let hop = 0; hop <= bySource.size && anyAround(origin, moveOnce); hop++);
     whole.set(origin, target);
   }
   return whole;

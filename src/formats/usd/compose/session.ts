@@ -1,4 +1,4 @@
-import type { Layer, PrimSpec } from '../layer.ts';
+import { type Layer, NOTHING, type PrimSpec, withEntry } from '../layer.ts';
 import { isPrimPath } from './paths.ts';
 
 /** A variant that the user chose instead of the file's; an empty one takes the choice away. */
@@ -11,26 +11,25 @@ export interface VariantChoice {
 
 /** The choices as a layer of overs, above all others. */
 export function sessionLayer(choices: readonly VariantChoice[]): Layer {
-  const layer: Layer = { name: '', metadata: new Map(), rootPrims: new Map() };
+  const root = emptyOver('', '');
   for (const { path, set, variant } of choices) {
     if (!isPrimPath(path)) continue;
-    const prim = overAt(layer, path);
+    const prim = overAt(root, path);
     const written = prim.metadata.get('variants');
     const selections = new Map(written?.type === 'texts-by-name' ? written.data : []);
-    prim.metadata.set('variants', { type: 'texts-by-name', data: selections.set(set, variant) });
+    prim.metadata = new Map([['variants', { type: 'texts-by-name', data: selections.set(set, variant) }]]);
   }
-  return layer;
+  return { name: '', metadata: NOTHING, rootPrims: root.children };
 }
 
-function overAt(layer: Layer, path: string): PrimSpec {
-  let children = layer.rootPrims;
-  let prim: PrimSpec | undefined;
+function overAt(root: PrimSpec, path: string): PrimSpec {
+  let prim = root;
   for (const name of path.split('/').slice(1)) {
-    prim = children.get(name) ?? emptyOver(`${prim?.path ?? ''}/${name}`, name);
-    children.set(name, prim);
-    children = prim.children;
+    const child: PrimSpec = prim.children.get(name) ?? emptyOver(`${prim.path}/${name}`, name);
+    prim.children = withEntry(prim.children, name, child);
+    prim = child;
   }
-  return prim!;
+  return prim;
 }
 
 const emptyOver = (path: string, name: string): PrimSpec => ({
@@ -38,8 +37,8 @@ const emptyOver = (path: string, name: string): PrimSpec => ({
   name,
   specifier: 'over',
   typeName: '',
-  metadata: new Map(),
-  properties: new Map(),
-  children: new Map(),
-  variantSets: new Map(),
+  metadata: NOTHING,
+  properties: NOTHING,
+  children: NOTHING,
+  variantSets: NOTHING,
 });

@@ -1,4 +1,5 @@
 import type { ListOp, Arc as WrittenArc } from '../layer.ts';
+import { expandedOrWritten } from './expressions.ts';
 import type { Opinion, StackLayer } from './layerStack.ts';
 import { applyListOp } from './listOps.ts';
 import { isVariantName } from './paths.ts';
@@ -53,10 +54,10 @@ export function variantsAt(opinions: readonly Opinion[], set: string): string[] 
 
 /** The strongest selection for a set; '' where none is to be selected. */
 export function selectionAt(opinions: readonly Opinion[], set: string): string | undefined {
-  for (const { spec } of opinions) {
+  for (const { spec, from } of opinions) {
     const written = spec.metadata.get('variants');
     const selection = written?.type === 'texts-by-name' ? written.data.get(set) : undefined;
-    if (selection !== undefined) return selection;
+    if (selection !== undefined) return expandedOrWritten(selection, from.variables);
   }
   return undefined;
 }

@@ -1,6 +1,9 @@
 import { type DiagnosticList, report } from '../context.ts';
-import type { Layer, PrimSpec } from '../layer.ts';
+import { type Layer, NOTHING, type PrimSpec } from '../layer.ts';
 import { childNames } from './childNames.ts';
+import { applyClips } from './clips/apply.ts';
+import { type ClipSet, clipSetOf } from './clips/clipSet.ts';
+import { clipSetDefinitions } from './clips/definitions.ts';
 import { composedPrim } from './composedPrim.ts';
 import { isInstance } from './instances.ts';
 import { type LayerStack, LayerStacks } from './layerStack.ts';
@@ -9,10 +12,12 @@ import type { Node } from './node.ts';
 import { type Composer, IndexBuilder } from './primIndex.ts';
 import { sessionLayer, type VariantChoice } from './session.ts';
 import { type OfferedSet, variantSetsOf } from './variantSets.ts';
+import { STEPS, Work } from './work.ts';
 
-/** Prims of one stage, and sites that they are composed from: a small file can ask for any number. */
+/** Prims of one stage: a small file can ask for any number. */
 const MAX_PRIMS = 250_000;
-const MAX_NODES = 1_000_000;
+/** Samples that all value clips of a stage make. */
+const MAX_CLIP_SAMPLES = 2 ** 22;
 /** Prims in prims. */
 const MAX_DEPTH = 512;
 
@@ -57,6 +62,8 @@ class StageComposer {
   private readonly variantSets: OfferedSet[] = [];
   private noted: Noted[] = [];
   private prims = 0;
+  private isFull = false;
+  private readonly clipBudget = { samples: MAX_CLIP_SAMPLES };
 
   constructor(store: LayerStore, root: LoadedLayer, diagnostics: DiagnosticList, options: ComposeOptions) {
     this.store = store;
@@ -67,19 +74,17 @@ class StageComposer {
     const note = (code: string, path: string, message: string): void => {
       this.noted.push({ code, path, message });
     };
-    const budget = { nodes: MAX_NODES };
     const stacks = new LayerStacks(store, note);
-    this.composer = { store, stacks, fallbacks: options.fallbacks ?? new Map(), budget, note };
+    this.composer = { store, stacks, fallbacks: options.fallbacks ?? new Map(), work: new Work(store), note };
   }
 
   async compose(): Promise<ComposedStage> {
     const stack = await this.settled(() => this.composer.stacks.of(this.root, this.session));
     const index = await this.settled(() => IndexBuilder.stagePrim(this.composer, stack, '', undefined));
     const { name, metadata } = this.root.layer;
-    const layer: Layer = { name, metadata, rootPrims: new Map() };
-    await this.addChildren(stack, index, '', layer.rootPrims, 0, false);
+    const rootPrims = await this.children(stack, index, '', 0, false, []);
     this.noteUnmetChoices();
-    return { layer, variantSets: this.variantSets };
+    return { layer: { name, metadata, rootPrims }, variantSets: this.variantSets };
   }
 
   /** Runs `build` until it needs no layer that is still to be read; what the last run noted is said. */
@@ -99,33 +104,68 @@ class StageComposer {
     report({ layer: this.root.layer, diagnostics: this.diagnostics }, 'warning', code, path, message);
   }
 
-  private async addChildren(
+  private async children(
     stack: LayerStack,
     around: Node,
     path: string,
-    into: Map<string, PrimSpec>,
     depth: number,
     isShared: boolean,
-  ): Promise<void> {
-    if (depth >= MAX_DEPTH)
-      return this.say('usd.too-deep', path, `prims nested more than ${MAX_DEPTH} deep are left out`);
-    for (const name of childNames(around)) {
-      if (++this.prims > MAX_PRIMS || this.composer.budget.nodes <= 0) return this.sayFull();
+    clipsAround: readonly ClipSet[],
+  ): Promise<ReadonlyMap<string, PrimSpec>> {
+    const names = childNames(around);
+    if (names.length === 0) return NOTHING;
+    const children = new Map<string, PrimSpec>();
+    if (depth >= MAX_DEPTH) {
+      this.say('usd.too-deep', path, `prims nested more than ${MAX_DEPTH} deep are left out`);
+      return children;
+    }
+    const { work } = this.composer;
+    for (const name of names) {
+      work.spend(STEPS.prim);
+      if (++this.prims > MAX_PRIMS || work.isTooMuch) {
+        this.sayFull(path);
+        break;
+      }
       const childPath = `${path}/${name}`;
       const build = (): Node => IndexBuilder.stagePrim(this.composer, stack, childPath, around);
       let index = build();
       if (!this.store.isComplete || this.noted.length > 0) index = await this.settled(build);
-      const prim = composedPrim(index, childPath);
-      into.set(name, prim);
+      const prim = composedPrim(index, childPath, work);
+      children.set(name, prim);
+      if (work.isTooMuch) this.sayFull(childPath);
+      const clips = await this.clipSets(index, childPath, clipsAround);
+      if (clips.length > 0) this.applyClips(prim, index, clips);
       if (!isShared) this.variantSets.push(...variantSetsOf(index, childPath));
       if (!isActive(prim)) continue;
-      await this.addChildren(stack, index, childPath, prim.children, depth + 1, isShared || isInstance(index));
+      prim.children = await this.children(stack, index, childPath, depth + 1, isShared || isInstance(index), clips);
     }
+    return children;
   }
 
-  private sayFull(): void {
-    const message = `the stage has more than ${MAX_PRIMS} prims, or they more than ${MAX_NODES} sites; the rest is left out`;
-    this.say('usd.too-many-prims', '', message);
+  /** The clip sets of a prim and of those around it, the strongest first. */
+  private async clipSets(index: Node, path: string, around: readonly ClipSet[]): Promise<readonly ClipSet[]> {
+    const definitions = clipSetDefinitions(index);
+    if (definitions.length === 0) return around;
+    const say = (code: string, message: string): void => this.composer.note(code, path, message);
+    const own = await this.settled(() => definitions.flatMap((d) => clipSetOf(d, this.store, say) ?? []));
+    return [...own, ...around];
+  }
+
+  private applyClips(prim: PrimSpec, index: Node, clips: readonly ClipSet[]): void {
+    if (this.clipBudget.samples < 0 || applyClips(prim, index, clips, this.clipBudget)) return;
+    const message = `the clips of the stage make more than ${MAX_CLIP_SAMPLES} samples; from here on they are left out`;
+    this.say('usd.clips', prim.path, message);
+  }
+
+  /** Said once: where the first prim is left out. */
+  private sayFull(path: string): void {
+    if (this.isFull) return;
+    this.isFull = true;
+    const why =
+      this.prims > MAX_PRIMS
+        ? `the stage has more than ${MAX_PRIMS} prims`
+        : `its layers write ${this.store.specs} prims and properties, and their arcs make more of them than can be followed; ${this.prims - 1} prims are made`;
+    this.say('usd.too-many-prims', path, `${why}; the rest is left out, from here on`);
   }
 
   private noteUnmetChoices(): void {

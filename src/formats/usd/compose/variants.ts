@@ -32,6 +32,7 @@ export function addVariant(builder: IndexBuilder, task: Task): void {
  */
 function selectionFor(builder: IndexBuilder, node: Node, set: string): string | undefined {
   const levels = levelsFrom(builder, node);
+  for (const { root } of levels) builder.work.spend(10 * everyNode(root).length);
   for (const { root, path } of levels) {
     const taken = takenSelection(root, path, builder.ancestorDepth, set);
     if (taken !== undefined) return taken;

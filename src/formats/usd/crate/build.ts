@@ -1,4 +1,13 @@
-import type { AttributeSpec, Layer, PrimSpec, PropertySpec, RelationshipSpec, Specifier } from '../layer.ts';
+import {
+  type AttributeSpec,
+  type Layer,
+  NOTHING,
+  type PrimSpec,
+  type PropertySpec,
+  type RelationshipSpec,
+  type Specifier,
+  withEntry,
+} from '../layer.ts';
 import { isPrimName, isPropertyName } from '../paths.ts';
 import { type Fields, SPEC, type SpecReader } from './fields.ts';
 import { metadataOf } from './metadata.ts';
@@ -28,23 +37,25 @@ export class LayerBuilder {
     const fields = this.reader.read(root);
     const children = fields.names('primChildren') ?? [];
     const rootOrder = fields.names('primOrder');
-    const layer: Layer = { name: source.file, metadata: metadataOf(fields), rootPrims: new Map() };
+    const rootPrims = this.prims(new Siblings(source, root), children);
+    const layer: Layer = { name: source.file, metadata: metadataOf(fields), rootPrims };
     if (rootOrder) layer.rootOrder = rootOrder;
-    this.addPrims(new Siblings(source, root), children, layer.rootPrims);
     source.node = this.specs.find((node) => !node.isBuilt);
     if (source.node) source.fail('there is a spec of this path, which is in no list of what is in its parent');
     return layer;
   }
 
-  private addPrims(siblings: Siblings, names: readonly string[], into: Map<string, PrimSpec>): void {
+  private prims(siblings: Siblings, names: readonly string[]): ReadonlyMap<string, PrimSpec> {
+    let prims: ReadonlyMap<string, PrimSpec> = NOTHING;
     for (const name of names) {
       const node = siblings.take(name, false, [SPEC.prim]);
       if (!isPrimName(name)) this.reader.source.fail(`'${name}' is not a prim name`);
       const fields = this.reader.read(node);
       const specifier = SPECIFIERS[fields.choice('specifier') ?? 1];
       if (!specifier) fields.fail(`its specifier is not def, over or class`);
-      into.set(name, this.prim(node, name, specifier, fields.text('typeName') ?? '', fields));
+      prims = withEntry(prims, name, this.prim(node, name, specifier, fields.text('typeName') ?? '', fields));
     }
+    return prims;
   }
 
   private prim(node: PathNode, name: string, specifier: Specifier, typeName: string, fields: Fields): PrimSpec {
@@ -53,17 +64,18 @@ export class LayerBuilder {
     const variantSets = fields.names('variantSetChildren') ?? [];
     const childOrder = fields.names('primOrder');
     const propertyOrder = fields.names('propertyOrder');
-    const empty = { properties: new Map(), children: new Map(), variantSets: new Map() };
+    const empty = { properties: NOTHING, children: NOTHING, variantSets: NOTHING };
     const prim: PrimSpec = { path: node.path, name, specifier, typeName, metadata: metadataOf(fields), ...empty };
     if (childOrder) prim.childOrder = childOrder;
     if (propertyOrder) prim.propertyOrder = propertyOrder;
     const siblings = new Siblings(this.reader.source, node);
-    for (const property of properties) prim.properties.set(property, this.property(siblings, property));
+    for (const property of properties)
+      prim.properties = withEntry(prim.properties, property, this.property(siblings, property));
     for (const set of variantSets) {
       const variants = this.variants(siblings, set);
-      if (variants.size > 0) prim.variantSets.set(set, variants);
+      if (variants.size > 0) prim.variantSets = withEntry(prim.variantSets, set, variants);
     }
-    this.addPrims(siblings, children, prim.children);
+    prim.children = this.prims(siblings, children);
     return prim;
   }
 

@@ -1,4 +1,4 @@
-import type { Arc, ListOp, MetadataValue, Value } from '../layer.ts';
+import { type Arc, type ListOp, type MetadataValue, NOTHING, type Value, withEntry } from '../layer.ts';
 import { parseUnregistered, parseUnregisteredItems } from '../metadata.ts';
 import type { Fields } from './fields.ts';
 import type { FieldValue } from './kinds.ts';
@@ -14,13 +14,13 @@ const WRITTEN: ReadonlyMap<string, string> = new Map([
 const PERMISSIONS = ['public', 'private'];
 
 /** The metadata among a spec's fields, as the text reader has it. */
-export function metadataOf(fields: Fields): Map<string, MetadataValue> {
-  const metadata = new Map<string, MetadataValue>();
+export function metadataOf(fields: Fields): ReadonlyMap<string, MetadataValue> {
+  let metadata: ReadonlyMap<string, MetadataValue> = NOTHING;
   const subLayers = subLayersOf(fields);
-  if (subLayers) metadata.set('subLayers', { type: 'subLayers', data: subLayers });
+  if (subLayers) metadata = withEntry<MetadataValue>(metadata, 'subLayers', { type: 'subLayers', data: subLayers });
   fields.forRest((name, field) => {
     const key = WRITTEN.get(name) ?? name;
-    metadata.set(key, entryOf(fields, key, field));
+    metadata = withEntry(metadata, key, entryOf(fields, key, field));
   });
   return metadata;
 }

@@ -1,0 +1,134 @@
+import { valueAt } from '../../attributes.ts';
+import type { AttributeSpec, PrimSpec, Value } from '../../layer.ts';
+import { isFault, type LayerStore, type LoadedLayer } from '../layerStore.ts';
+import { inverseOffset, isNoOffset } from '../offsets.ts';
+import { isPrimPath, specAt } from '../paths.ts';
+import type { ClipSetDefinition } from './definitions.ts';
+import { type ClipTable, type Knot, tableOfTemplate } from './template.ts';
+import { innerTime, outerTimes, TimeMap } from './timeMap.ts';
+
+/** One clip while it counts. */
+interface Clip {
+  /** Undefined where it is not there: it has no values then. */
+  readonly layer: LoadedLayer | undefined;
+  /** On the stage: from where it is written to count, from where it counts (the first: ever), and to where. */
+  readonly start: number;
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Layers whose samples, one after the other, are the values of a prim and of what is in it (OpenUSD, value clips). */
+export interface ClipSet {
+  readonly definition: ClipSetDefinition;
+  /** Where the values are in the clips. */
+  readonly primPath: string;
+  readonly clips: readonly Clip[];
+  readonly manifest: LoadedLayer | undefined;
+  readonly times: TimeMap;
+  readonly skipsMissing: boolean;
+}
+
+/** Reads a clip set; undefined, and said, where it cannot be followed. Layers that are still to be read are asked for. */
+export function clipSetOf(
+  definition: ClipSetDefinition,
+  store: LayerStore,
+  note: (code: string, message: string) => void,
+): ClipSet | undefined {
+  const { entries, from, name, time } = definition;
+  const anchor = from.source.id;
+  const layerOf = (asset: string, isOptional: boolean): LoadedLayer | undefined => {
+    const found = store.find(anchor, asset);
+    if (!found || !isFault(found)) return found;
+    if (!isOptional || found.code !== 'usd.missing-layer') note(found.code, `the clip ${found.message}`);
+    return undefined;
+  };
+  const refuse = (why: string): undefined => {
+    note('usd.clips', `its clip set '${name}' is left out: ${why}`);
+    return undefined;
+  };
+  const table = entries.has('assetPaths')
+    ? writtenTable(entries)
+    : tableOfTemplate(entries, (asset) => layerOf(asset, true) !== undefined, time);
+  if (typeof table === 'string') return refuse(table);
+  const fault = faultIn(table);
+  if (fault !== undefined) return refuse(fault);
+  const primPath = textOf(entries.get('primPath'));
+  if (!isPrimPath(primPath)) return refuse(`its primPath '${primPath}' is not the path of a prim`);
+  const manifest = textOf(entries.get('manifestAssetPath'));
+  const skips = entries.get('interpolateMissingClipValues');
+  const hasTimes = table.times.length > 0 || isNoOffset(time);
+  return {
+    definition,
+    primPath,
+    clips: clipsOf(table, (asset) => layerOf(asset, false)),
+    manifest: manifest === '' ? undefined : layerOf(manifest, false),
+    times: new TimeMap(table.times, hasTimes ? undefined : inverseOffset(time)),
+    skipsMissing: skips?.type === 'bool' && skips.data,
+  };
+}
+
+const textOf = (value: Value | undefined): string =>
+  value?.type === 'string' || value?.type === 'asset' || value?.type === 'token' ? value.data : '';
+
+function writtenTable(entries: ReadonlyMap<string, Value>): ClipTable | string {
+  const assets = entries.get('assetPaths');
+  if (assets?.type !== 'asset[]') return 'its assetPaths are no list of assets';
+  return { assets: assets.data, active: knotsOf(entries.get('active')), times: knotsOf(entries.get('times')) };
+}
+
+function knotsOf(value: Value | undefined): Knot[] {
+  if (value?.type !== 'double2[]') return [];
+  return Array.from({ length: value.data.length / 2 }, (_, i): Knot => [value.data[2 * i], value.data[2 * i + 1]]);
+}
+
+function faultIn({ assets, active, times }: ClipTable): string | undefined {
+  const starts = new Set<number>();
+  for (const [time, clip] of active) {
+    if (assets[clip] === undefined) return `its active names clip ${clip}, and there are ${assets.length}`;
+    if (assets[clip] === '') return `its clip ${clip} has no path`;
+    if (starts.has(time)) return `two clips are active from ${time} on`;
+    starts.add(time);
+  }
+  const counts = new Map<number, number>();
+  for (const [time] of times) {
+    counts.set(time, (counts.get(time) ?? 0) + 1);
+    if (counts.get(time)! > 2) return `its times have more than two entries for ${time}`;
+  }
+  if (![...active, ...times].every((knot) => knot.every(Number.isFinite))) return 'its times are not all finite';
+  return active.length === 0 ? 'none of its clips is active' : undefined;
+}
+
+function clipsOf({ assets, active }: ClipTable, layerOf: (asset: string) => LoadedLayer | undefined): Clip[] {
+  const sorted = [...active].sort(([a], [b]) => a - b);
+  return sorted.map(([start, clip], i) => ({
+    layer: layerOf(assets[clip]),
+    start,
+    from: i === 0 ? -Infinity : start,
+    to: sorted[i + 1]?.[0] ?? Infinity,
+  }));
+}
+
+/** What a clip's layer has at a path. */
+export const primIn = (layer: LoadedLayer | undefined, path: string): PrimSpec | undefined =>
+  layer && specAt(layer.root, path);
+
+/** Of one attribute in one clip: its samples, where it has any. */
+export function sampledIn(prim: PrimSpec | undefined, name: string): AttributeSpec | undefined {
+  const found = prim?.properties.get(name);
+  return found?.kind === 'attribute' && found.timeSamples && found.timeSamples.times.length > 0 ? found : undefined;
+}
+
+/** Times of the stage at which one clip gives samples: those of its own (to `most`), those of the time map, and its start. */
+export function timesOf(
+  { start, from, to }: Clip,
+  sampled: AttributeSpec | undefined,
+  map: TimeMap,
+  most: number,
+): number[] {
+  const own = sampled ? outerTimes(map, sampled.timeSamples!.times, [from, to], most) : [];
+  return [...own, ...map.bends, start].filter((time) => time >= from && time < to);
+}
+
+/** An attribute's value in a clip at a time of the stage. */
+export const clipValue = (sampled: AttributeSpec, map: TimeMap, time: number): Value | undefined =>
+  valueAt(sampled, innerTime(map, time));

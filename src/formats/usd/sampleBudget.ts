@@ -1,0 +1,65 @@
+import type { Layer, PrimSpec } from './layer.ts';
+
+/** Times at which things are placed: so many for any scene, and more the more samples its layers write. */
+const FREE_SAMPLES = 2 ** 18;
+const PER_WRITTEN = 4;
+
+/** Times that are looked at closely in any scene. */
+const CLOSE_LOOKS = 2 ** 17;
+
+/** Prims that are in no place of their own. */
+const NOWHERE: ReadonlySet<string> = new Set(['', 'Xform', 'Scope', 'Material', 'Shader', 'GeomSubset', 'NodeGraph']);
+
+/**
+ * At how many times the things of a scene can be placed, all together: what is under one prim with many samples is moved
+ * by each of them, so that a small file can ask for any number. They are given as they are asked for while half is left; of the rest
+ * each thing that may still come has its share, a power of two, so that things which move together have the same times.
+ */
+export class SampleBudget {
+  private readonly layer: Layer;
+  private left = FREE_SAMPLES;
+  private looks = CLOSE_LOOKS;
+  private things = 0;
+  private isShared = false;
+
+  constructor(layer: Layer) {
+    this.layer = layer;
+  }
+
+  /** Whether what happens between so many times can be looked at closely. */
+  looksClosely(times: number): boolean {
+    this.looks -= times;
+    return this.looks > 0;
+  }
+
+  /** How many of `wanted` times one thing gets; at least two. */
+  take(wanted: number): number {
+    if (!this.isShared && wanted > this.left / 2) this.count();
+    this.things--;
+    const given = this.isShared ? Math.min(wanted, this.share()) : wanted;
+    this.left -= given;
+    return given;
+  }
+
+  private add(samples: number): void {
+    this.left += samples;
+    this.looks += samples;
+  }
+
+  private share(): number {
+    const even = this.left / Math.max(1, this.things + 1);
+    return 2 ** Math.max(1, Math.floor(Math.log2(Math.max(2, even))));
+  }
+
+  private count(): void {
+    this.isShared = true;
+    for (const prim of this.layer.rootPrims.values()) this.countIn(prim);
+  }
+
+  private countIn(prim: PrimSpec): void {
+    if (!NOWHERE.has(prim.typeName)) this.things++;
+    for (const property of prim.properties.values())
+      if (property.kind === 'attribute') this.add(PER_WRITTEN * (property.timeSamples?.times.length ?? 0));
+    for (const child of prim.children.values()) this.countIn(child);
+  }
+}
