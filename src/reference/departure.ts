@@ -3,6 +3,7 @@ import { add, addScaled, dot, length, lerp, negate, scale, sub, type Vec3 } from
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { pieceAt, samplePose } from '../scene/motion.ts';
+import { pointsAt } from '../scene/points.ts';
 import { pointAt } from '../scene/polygons.ts';
 import type { SceneObject } from '../scene/types.ts';
 import type { Start } from './lighting.ts';
@@ -69,7 +70,7 @@ function placesAt({ mesh, motion }: SceneObject, t: number): (vertex: number) =>
     }
     case 'sampled-points': {
       const { before, after, s } = pieceAt(motion.times, t);
-      const [a, b] = [motion.points[before], motion.points[after]];
+      const [a, b] = [pointsAt(motion, before), pointsAt(motion, after)];
       return (i) => lerp(pointAt(a, i), pointAt(b, i), s);
     }
     default:

@@ -2,6 +2,7 @@ import { add, dot, lerp, type Vec3 } from '../math/vec3.ts';
 import { boundingSphere, halfDiagonal, type Sphere } from '../scene/bounds.ts';
 import { axesOf } from '../scene/daylight.ts';
 import { placed, samplePose } from '../scene/motion.ts';
+import { sphereAt } from '../scene/pointFacts.ts';
 import type { SceneObject } from '../scene/types.ts';
 import type { ViewPoint } from '../scene/view.ts';
 import { directionAt } from './camera.ts';
@@ -84,7 +85,7 @@ function stepOf(traced: TracedScene): number {
 /** Where an object is at time 0, or at its first sample; that round which it deforms is as large as it ever is. */
 function startOf({ mesh, motion }: SceneObject): Sphere {
   if (motion.kind === 'sampled-points') {
-    const spheres = motion.points.map(boundingSphere);
+    const spheres = Array.from(motion.times, (_, k) => sphereAt(motion, k));
     return { center: add(motion.origin, spheres[0].center), radius: Math.max(...spheres.map(({ radius }) => radius)) };
   }
   const { center, radius } = boundingSphere(mesh.positions);

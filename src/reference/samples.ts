@@ -2,6 +2,8 @@ import { toMatrix } from '../math/quat.ts';
 import { add, sub, type Vec3 } from '../math/vec3.ts';
 import { type Box, boundingBox } from '../scene/bounds.ts';
 import { samplePose } from '../scene/motion.ts';
+import { boxAt } from '../scene/pointFacts.ts';
+import { isStreamed, pointsAt } from '../scene/points.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 import { emptyBox, growBox } from './bvh.ts';
 import { growByTriangle, type TriangleTree, treeOfMesh, treeOfTriangles } from './triangleTree.ts';
@@ -10,6 +12,8 @@ import { growByTriangle, type TriangleTree, treeOfMesh, treeOfTriangles } from '
 export interface Shape {
   /** 3 per vertex, world axes, from the object's `origin` [m]. */
   readonly points: Float32Array | Float64Array;
+  /** The points are not the scene's: they are forgotten with the shape. */
+  readonly own: boolean;
   /** 6 per node of the tree, as `Bvh.bounds`. */
   readonly boxes: Float64Array;
   /** When it was last asked for. */
@@ -34,7 +38,7 @@ export class ShapeStore {
 
   /** Keeps sample k of an object; each of the last two asked for stays, whatever its size. */
   keep(shapes: (Shape | undefined)[], k: number, shape: Shape): void {
-    const bytes = shape.boxes.byteLength + (shape.points instanceof Float64Array ? shape.points.byteLength : 0);
+    const bytes = shape.boxes.byteLength + (shape.own ? shape.points.byteLength : 0);
     shapes[k] = shape;
     this.touch(shape);
     this.kept.push({ shapes, k, bytes });
@@ -64,6 +68,7 @@ export class Samples {
   private readonly motion: SampledMotion | SampledPointsMotion;
   private readonly shapes: (Shape | undefined)[];
   private readonly store: ShapeStore;
+  private readonly ownsPoints: boolean;
 
   constructor(
     { mesh, motion }: SceneObject & { readonly motion: SampledMotion | SampledPointsMotion },
@@ -72,6 +77,7 @@ export class Samples {
     this.mesh = mesh;
     this.motion = motion;
     this.store = store;
+    this.ownsPoints = motion.kind === 'sampled' || isStreamed(motion.points);
     this.times = motion.times;
     this.shapes = new Array(motion.times.length);
     this.origin = motion.kind === 'sampled' ? samplePose(motion.poses, 0).position : motion.origin;
@@ -85,7 +91,7 @@ export class Samples {
       return known;
     }
     const points = this.pointsAt(k);
-    const made = { points, boxes: this.refit(points), used: 0 };
+    const made = { points, own: this.ownsPoints, boxes: this.refit(points), used: 0 };
     this.store.keep(this.shapes, k, made);
     return made;
   }
@@ -99,7 +105,7 @@ export class Samples {
 
   private outline(k: number, boxes: Float64Array): void {
     const { motion } = this;
-    const box = boundingBox(motion.kind === 'sampled' ? this.mesh.positions : motion.points[k]);
+    const box = motion.kind === 'sampled' ? boundingBox(this.mesh.positions) : boxAt(motion, k);
     if (!box) emptyBox(boxes, 6 * k);
     else if (motion.kind === 'sampled') this.turnedBox(motion, k, box, boxes);
     else boxes.set([...box.min, ...box.max], 6 * k);
@@ -123,7 +129,7 @@ export class Samples {
 
   private pointsAt(k: number): Float32Array | Float64Array {
     const { motion } = this;
-    if (motion.kind === 'sampled-points') return motion.points[k];
+    if (motion.kind === 'sampled-points') return pointsAt(motion, k);
     const { position, orientation } = samplePose(motion.poses, k);
     const r = toMatrix(orientation);
     const [px, py, pz] = sub(position, this.origin);
@@ -172,4 +178,4 @@ export class Samples {
 const pointOf = (points: ArrayLike<number>, i: number): Vec3 => [points[3 * i], points[3 * i + 1], points[3 * i + 2]];
 
 /** The tree's structure is good for all samples where it fits one in the middle. */
-const middle = ({ points }: SampledPointsMotion): Float32Array => points[points.length >> 1];
+const middle = (motion: SampledPointsMotion): Float32Array => pointsAt(motion, motion.times.length >> 1);

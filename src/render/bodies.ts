@@ -5,6 +5,7 @@ import { contraction } from '../physics/simultaneity.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
 import { boundingSphere, sphereOfMesh } from '../scene/bounds.ts';
 import { placed, samplePose } from '../scene/motion.ts';
+import { sphereAt } from '../scene/pointFacts.ts';
 import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 
 /** What a frame needs to know of an object, whatever its motion: at every world time all its points are within `radius` of `line`. */
@@ -69,10 +70,10 @@ function sampledLine({ times, poses }: SampledMotion, point: Vec3): WorldLine {
 function deformingBody(object: SceneObject, motion: SampledPointsMotion, id: number): Body {
   const positions = new Float64Array(motion.times.length * 3);
   let radius = 0;
-  motion.points.forEach((points, k) => {
-    const sphere = boundingSphere(points);
+  for (let k = 0; k < motion.times.length; k++) {
+    const sphere = sphereAt(motion, k);
     positions.set(add(motion.origin, sphere.center), 3 * k);
     radius = Math.max(radius, sphere.radius);
-  });
+  }
   return { id, object, centre: ZERO, radius, line: { kind: 'polyline', times: motion.times, positions } };
 }

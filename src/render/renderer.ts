@@ -45,7 +45,8 @@ export class SceneRenderer implements PictureMaker {
     const { upload, drawn, gpu } = this;
     const triangles = upload?.refiner.triangles ?? 0;
     const tolerance = upload?.refiner.toleranceReached ?? 0;
-    return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, ...drawn };
+    const waiting = upload !== undefined && !upload.frame.isComplete;
+    return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
   }
   get width(): number {
     return this.size.width;
@@ -78,6 +79,7 @@ export class SceneRenderer implements PictureMaker {
       this.gaze(viewPoint, projection),
       projection.event === 'newton',
     );
+    if (!upload.frame.isComplete) return;
     this.cut(upload, viewPoint, sight, projection, seen);
     upload.environment.update(sight);
     const count = samples * samples;

@@ -29,7 +29,7 @@ export function poseSamples(table: FloatTable, first: Int, count: Int, offset: V
   };
 }
 
-/** A deforming mesh: per sample a texel (sample, 0, 0, time), and its points; `motion` = (origin relative to the anchor, vertices). */
+/** A deforming mesh: per sample a texel (sample, 0, 0, time), and its points; `motion` = (origin relative to the anchor, texels per sample). */
 export function pointSamples(
   table: FloatTable,
   points: FloatTable,

@@ -33,12 +33,13 @@ export function boundingSphere(points: ArrayLike<number>): Sphere {
   const box = boundingBox(points);
   if (!box) return { center: [0, 0, 0], radius: 0 };
   const center = scale(add(box.min, box.max), 0.5);
-  let radius = 0;
-  for (let i = 0; i < points.length / 3; i++) {
-    const d = distance(pointAt(points, i), center);
-    if (d > radius) radius = d;
+  const [x, y, z] = center;
+  let [square, farthest] = [-1, 0];
+  for (let i = 0; i + 2 < points.length; i += 3) {
+    const d = (points[i] - x) ** 2 + (points[i + 1] - y) ** 2 + (points[i + 2] - z) ** 2;
+    if (d > square) [square, farthest] = [d, i / 3];
   }
-  return { center, radius };
+  return { center, radius: distance(pointAt(points, farthest), center) || 0 };
 }
 
 /** By their positions: objects that share a mesh, or wear it in other materials, share these. */

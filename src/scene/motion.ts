@@ -3,6 +3,7 @@ import { add, dot, lerp, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { positionAt, samplesUntil, type WorldLine } from '../physics/worldLine.ts';
+import { pointsAt, vertexAt } from './points.ts';
 import { pointAt } from './polygons.ts';
 import type {
   FrameMotion,
@@ -132,9 +133,9 @@ export function sampleVelocity({ times, poses }: SampledMotion, k: number, c: nu
   return properVelocity(scale(moved, 1 / (c * (times[b] - times[a]))));
 }
 
-function deformingVertex({ points, origin }: SampledPointsMotion, i: number): Float64Array {
-  const out = new Float64Array(3 * points.length);
-  for (let k = 0; k < points.length; k++) out.set(add(origin, pointAt(points[k], i)), 3 * k);
+function deformingVertex(motion: SampledPointsMotion, i: number): Float64Array {
+  const out = new Float64Array(3 * motion.times.length);
+  for (let k = 0; k < motion.times.length; k++) out.set(add(motion.origin, vertexAt(motion, k, i)), 3 * k);
   return out;
 }
 
@@ -161,7 +162,7 @@ function placer(object: SceneObject, t: number, c: number): (vertex: number) => 
   }
   if (motion.kind === 'sampled-points') {
     const { before, after, s } = pieceAt(motion.times, t);
-    const [a, b] = [motion.points[before], motion.points[after]];
+    const [a, b] = [pointsAt(motion, before), pointsAt(motion, after)];
     return (i) => add(motion.origin, lerp(pointAt(a, i), pointAt(b, i), s));
   }
   return (i) => vertexPosition(object, i, t, c);

@@ -2,6 +2,7 @@ import { rotate } from '../math/quat.ts';
 import { dot, length, type Vec3 } from '../math/vec3.ts';
 import { makeObject } from './defaults.ts';
 import { fastest } from './fastest.ts';
+import { isStreamed, sampleCount } from './points.ts';
 import { pointAt } from './polygons.ts';
 import type { Diagnostic, HyperbolicMotion, Lamp, Mesh, Motion, Scene, SceneCamera, SceneObject } from './types.ts';
 
@@ -108,7 +109,7 @@ function isDegenerate(p: Float32Array, a: number, b: number, c: number): boolean
 function validateTimes(motion: Motion, path: string): Diagnostic[] {
   if (!('times' in motion)) return [];
   const { times } = motion;
-  const samples = motion.kind === 'sampled' ? motion.poses.length / 7 : motion.points.length;
+  const samples = motion.kind === 'sampled' ? motion.poses.length / 7 : sampleCount(motion);
   if (times.length < 2 || samples !== times.length) {
     return [
       problem(
@@ -168,7 +169,10 @@ function badMotion(motion: Motion): string | undefined {
         : `the pose at ${seconds(motion.times[Math.floor(at / 7)])} has ${motion.poses[at]} in it`;
     }
     case 'sampled-points': {
-      const k = motion.points.findIndex((points) => points.some((x) => !Number.isFinite(x)));
+      const { points } = motion;
+      const k = isStreamed(points)
+        ? points.facts.broken
+        : points.findIndex((sample) => sample.some((x) => !Number.isFinite(x)));
       return k < 0 ? undefined : `the points at ${seconds(motion.times[k])} have a number that is not finite`;
     }
     default: {

@@ -1,4 +1,4 @@
-import { fromHalf } from '../../half.ts';
+import { fromHalf } from '../../../math/half.ts';
 import type { NumberArray, Value } from '../layer.ts';
 import { readInt32s, readInt64s } from './integers.ts';
 import type { Rep } from './rep.ts';

@@ -1,0 +1,71 @@
+import { type Box, boundingBox, boundingSphere, type Sphere } from './bounds.ts';
+import { isStreamed } from './points.ts';
+import { makePoints, type PointFacts, type PointRecipe } from './streamedPoints.ts';
+import type { SampledPointsMotion } from './types.ts';
+
+/** The box of sample k, from the motion's origin [m]; undefined of no points. */
+export function boxAt({ points }: SampledPointsMotion, k: number): Box | undefined {
+  if (!isStreamed(points)) return boundingBox(points[k]);
+  const [x, y, z, X, Y, Z] = points.facts.boxes.subarray(6 * k, 6 * k + 6);
+  return x <= X ? { min: [x, y, z], max: [X, Y, Z] } : undefined;
+}
+
+/** The sphere round sample k, from the motion's origin [m]. */
+export function sphereAt(motion: SampledPointsMotion, k: number): Sphere {
+  const { points } = motion;
+  if (!isStreamed(points)) return boundingSphere(points[k]);
+  const box = boxAt(motion, k);
+  if (!box) return { center: [0, 0, 0], radius: 0 };
+  const [x, y, z] = box.min.map((low, i) => (low + box.max[i]) * 0.5);
+  return { center: [x, y, z], radius: points.facts.radii[k] };
+}
+
+/** A piece of a motion between two samples, and its fastest vertex. */
+export interface FastestOfPiece {
+  /** [m/s] */
+  readonly speed: number;
+  readonly vertex: number;
+}
+
+/** The fastest vertex on the way from one sample to the next in `span` [s]; vertex 0 where all rest. */
+export function fastestOfPiece(a: Float32Array, b: Float32Array, span: number): FastestOfPiece {
+  let [square, vertex] = [0, 0];
+  for (let i = 0; i < a.length; i += 3) {
+    const [x, y, z] = [b[i] - a[i], b[i + 1] - a[i + 1], b[i + 2] - a[i + 2]];
+    const s = x * x + y * y + z * z;
+    if (s > square) [square, vertex] = [s, i / 3];
+  }
+  return { speed: Math.sqrt(square) / span, vertex };
+}
+
+/** Reads every sample once, and keeps what is asked of all of them. Times [s]; `progress` is told the part that is read. */
+export function surveyPoints(
+  recipe: PointRecipe,
+  times: Float64Array,
+  progress: (part: number) => void = () => {},
+): PointFacts {
+  const n = times.length;
+  const facts = {
+    boxes: new Float64Array(6 * n),
+    radii: new Float64Array(n),
+    speeds: new Float64Array(n - 1),
+    fastest: new Uint32Array(n - 1),
+    broken: -1,
+  };
+  let before: Float32Array | undefined;
+  for (let k = 0; k < n; k++) {
+    const points = makePoints(recipe, k);
+    const box = boundingBox(points);
+    facts.boxes.set(box ? [...box.min, ...box.max] : [1, 1, 1, -1, -1, -1], 6 * k);
+    facts.radii[k] = boundingSphere(points).radius;
+    if (facts.broken < 0 && !points.every(Number.isFinite)) facts.broken = k;
+    if (before) {
+      const { speed, vertex } = fastestOfPiece(before, points, times[k] - times[k - 1]);
+      facts.speeds[k - 1] = speed;
+      facts.fastest[k - 1] = vertex;
+    }
+    before = points;
+    progress((k + 1) / n);
+  }
+  return facts;
+}
