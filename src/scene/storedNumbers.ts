@@ -36,9 +36,16 @@ export function readFilesWith(read: ReadRange): void {
 
 export function readRange(file: StoredFile, at: number, length: number): Uint8Array<ArrayBuffer> {
   const { handle } = file;
-  if (handle instanceof Uint8Array) return Uint8Array.from(handle.subarray(at, at + length));
+  if (handle instanceof Uint8Array) return copyOf(handle.subarray(at, at + length));
   if (!hostReads) throw new Error(`this thread was not told how to read ${file.name}`);
   return hostReads(file, at, length);
+}
+
+/** Also of a Buffer of Node, whose slices are no copies. */
+function copyOf(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+  const copy = new Uint8Array(bytes.length);
+  copy.set(bytes);
+  return copy;
 }
 
 /** `count` numbers from number `first` on; halves become f32. */
@@ -51,4 +58,20 @@ export function readStored(
   const { buffer } = readRange(file, at + width * first, width * count);
   if (scalar === 'half') return Float32Array.from(new Uint16Array(buffer), fromHalf);
   return scalar === 'float' ? new Float32Array(buffer) : new Float64Array(buffer);
+}
+
+/** Numbers at a time: stored ones, or the share of the way from them to the next ones. */
+export interface StoredSample {
+  readonly before: StoredNumbers;
+  readonly after?: StoredNumbers;
+  readonly share: number;
+}
+
+/** Numbers at a time, linear between stored ones and in their precision, as UsdAttribute::Get has it. */
+export function readSample({ before, after, share }: StoredSample, first = 0, count = before.count) {
+  const numbers = readStored(before, first, count);
+  if (!after) return numbers;
+  const next = readStored(after, first, count);
+  for (let i = 0; i < numbers.length; i++) numbers[i] = (1 - share) * numbers[i] + share * next[i];
+  return numbers;
 }

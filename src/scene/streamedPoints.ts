@@ -1,7 +1,7 @@
 import type { Mat4 } from '../math/mat4.ts';
 import { gatherPoints } from './geometry.ts';
 import { deformedNormals } from './normals.ts';
-import { readStored, type StoredNumbers } from './storedNumbers.ts';
+import { readSample, type StoredSample } from './storedNumbers.ts';
 import { transformedNormals, transformedPoints } from './transformPoints.ts';
 
 /**
@@ -22,18 +22,10 @@ export interface StreamedSample {
   readonly matrix: Mat4;
 }
 
-/** Numbers at a time: stored ones, or the share of the way from them to the next ones. */
-export interface StoredSample {
-  readonly before: StoredNumbers;
-  readonly after?: StoredNumbers;
-  readonly share: number;
-}
-
-/** Where normals come from: the file, sample by sample; the faces; or one set, which only turns. */
+/** Where normals come from: the file, sample by sample, or the faces, within the smoothing groups (normals.ts). */
 export type StreamedShading =
   | { readonly kind: 'stored'; readonly normals: readonly StoredSample[] }
-  | { readonly kind: 'faces'; readonly indices: Uint32Array; readonly groups: Uint32Array }
-  | { readonly kind: 'still'; readonly normals: Float32Array };
+  | { readonly kind: 'faces'; readonly indices: Uint32Array; readonly groups: Uint32Array };
 
 /** What is known of every sample without reading it again. Places are from the motion's origin [m]. */
 export interface PointFacts {
@@ -54,36 +46,22 @@ export type PointRecipe = Omit<StreamedPoints, 'facts'>;
 /** The points of sample k, 3 numbers per vertex, world-oriented, from the motion's origin [m]. */
 export function makePoints({ samples, pointOfVertex }: PointRecipe, k: number): Float32Array {
   const { points, matrix } = samples[k];
-  return transformedPoints(gatherPoints(numbersOf(points), pointOfVertex), matrix);
+  return transformedPoints(gatherPoints(readSample(points), pointOfVertex), matrix);
 }
 
 /** Their normals, unit. */
 export function makeNormals({ samples, pointOfVertex, shading }: PointRecipe, k: number): Float32Array {
   const { points, matrix } = samples[k];
-  const own = (sample: StoredSample): Float32Array => gatherPoints(numbersOf(sample), pointOfVertex);
-  switch (shading.kind) {
-    case 'stored':
-      return transformedNormals(own(shading.normals[k]), matrix);
-    case 'faces':
-      return transformedNormals(deformedNormals(own(points), shading.indices, shading.groups), matrix);
-    case 'still':
-      return transformedNormals(shading.normals, matrix);
-  }
+  const own = (sample: StoredSample): Float32Array => gatherPoints(readSample(sample), pointOfVertex);
+  const normals =
+    shading.kind === 'stored' ? own(shading.normals[k]) : deformedNormals(own(points), shading.indices, shading.groups);
+  return transformedNormals(normals, matrix);
 }
 
 /** One vertex of sample k alone: three numbers are read. */
 export function makePoint({ samples, pointOfVertex }: PointRecipe, k: number, vertex: number): Float32Array {
   const { points, matrix } = samples[k];
-  return transformedPoints(Float32Array.from(numbersOf(points, 3 * pointOfVertex[vertex], 3)), matrix);
-}
-
-/** Between samples as UsdAttribute::Get has it: in the precision of the file. */
-function numbersOf({ before, after, share }: StoredSample, first = 0, count = before.count) {
-  const numbers = readStored(before, first, count);
-  if (!after) return numbers;
-  const next = readStored(after, first, count);
-  for (let i = 0; i < numbers.length; i++) numbers[i] = (1 - share) * numbers[i] + share * next[i];
-  return numbers;
+  return transformedPoints(Float32Array.from(readSample(points, 3 * pointOfVertex[vertex], 3)), matrix);
 }
 
 /** Samples that were made lately. */

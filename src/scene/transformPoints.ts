@@ -32,7 +32,7 @@ function mapped(from: Float32Array, l: Mat3, t: Vec3): Float32Array {
 
 function madeUnit(normals: Float32Array): Float32Array {
   for (let i = 0; i < normals.length; i += 3) {
-    const l = Math.hypot(normals[i], normals[i + 1], normals[i + 2]);
+    const l = Math.sqrt(normals[i] ** 2 + normals[i + 1] ** 2 + normals[i + 2] ** 2);
     if (l > 0) for (let k = i; k < i + 3; k++) normals[k] /= l;
   }
   return normals;

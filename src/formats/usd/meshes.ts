@@ -1,14 +1,15 @@
 import { gatherPoints, makeMesh } from '../../scene/geometry.ts';
 import type { Polygons, PolygonValues } from '../../scene/polygons.ts';
 import type { Mesh } from '../../scene/types.ts';
-import { attributeOf, numbersAt, numbersOf, sampleTimes, textAt } from './attributes.ts';
+import { attributeOf, numbersAt, sampleTimes, textAt } from './attributes.ts';
 import { isTrue, report, type StageContext } from './context.ts';
 import type { NumberArray, PrimSpec } from './layer.ts';
-import { bentMesh, type DeformedPoints, type Shape } from './placement.ts';
+import { bentMesh, type DeformedPoints, type Shape, type StoredDeformation } from './placement.ts';
 import { type Primvar, primvarOf, type Topology, valuesOnMesh } from './primvars.ts';
 import type { Skeletons } from './skel/binding.ts';
 import { type Skin, skinOf } from './skel/skin.ts';
 import { levelsOf, subdivided } from './subdivision.ts';
+import { countOf, storedSamples } from './storedArray.ts';
 import type { Surface } from './surface.ts';
 
 interface Faces {
@@ -70,6 +71,8 @@ export function meshShape(
 interface Drawn {
   readonly mesh: Mesh;
   bent(points: ArrayLike<number>, time: number): DeformedPoints;
+  /** What is known of its vertices, and of their normals where they are sampled, if that can stay in its file. */
+  readonly stored?: Omit<StoredDeformation, 'points'>;
 }
 
 function plainMesh(
@@ -87,12 +90,14 @@ function plainMesh(
     ...(given ? { normals: onKept(given.values, kept) } : { smoothAngle }),
   });
   const sampled = given && areSampled(given.primvar, topology.points) ? given.primvar.attribute.name : undefined;
+  const normals = sampled === undefined ? undefined : storedSamples(attributeOf(prim, sampled));
   const normalsAt = (time: number): Float32Array | undefined => {
     if (skin) return given && skin.normalsAt(time, mesh.normals, pointOfVertex);
     return sampled === undefined ? undefined : gatherPoints(numbersAt(prim, sampled, time)!, pointOfVertex);
   };
   return {
     mesh,
+    ...(sampled === undefined || normals ? { stored: { pointOfVertex, normals } } : {}),
     bent: (points, time) => {
       const normals = normalsAt(time);
       return { positions: gatherPoints(points, pointOfVertex), ...(normals ? { normals } : {}) };
@@ -103,7 +108,7 @@ function plainMesh(
 /** Normals of the points themselves, as many at every time. */
 function areSampled({ interpolation, indices, attribute }: Primvar, points: number): boolean {
   if (interpolation !== 'point' || indices || sampleTimes(attribute).length === 0) return false;
-  return attribute.timeSamples!.values.every((value) => numbersOf(value)?.length === 3 * points);
+  return attribute.timeSamples!.values.every((value) => countOf(value) === 3 * points);
 }
 
 function subdividedMesh(
@@ -130,7 +135,9 @@ function bent(context: StageContext, prim: PrimSpec, times: Float64Array, drawn:
   const { mesh } = drawn;
   if (!skin) {
     if (times.length === 0) return { mesh };
-    return { mesh, deformation: { times, at: (time) => drawn.bent(numbersAt(prim, 'points', time)!, time) } };
+    const points = drawn.stored && storedSamples(attributeOf(prim, 'points'));
+    const stored = drawn.stored && points ? { stored: { ...drawn.stored, points } } : {};
+    return { mesh, deformation: { times, at: (time) => drawn.bent(numbersAt(prim, 'points', time)!, time), ...stored } };
   }
   const frame = skin.frame ? { frame: skin.frame } : {};
   if (skin.isRigid) return { mesh, ...frame };
@@ -257,7 +264,7 @@ function pointTimes(context: StageContext, prim: PrimSpec): Float64Array {
   const points = attributeOf(prim, 'points');
   const times = sampleTimes(points);
   const count = numbersAt(prim, 'points', context.startCode)!.length;
-  if (times.length === 0 || points!.timeSamples!.values.every((value) => numbersOf(value)?.length === count))
+  if (times.length === 0 || points!.timeSamples!.values.every((value) => countOf(value) === count))
     return times;
   const message = 'the number of points changes with time; the shape is held at the start';
   report(context, 'warning', 'usd.topology', prim.path, message);

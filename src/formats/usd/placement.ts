@@ -1,8 +1,13 @@
-import { cofactors, determinant, type Mat3 } from '../../math/mat3.ts';
+import { determinant } from '../../math/mat3.ts';
 import * as mat4 from '../../math/mat4.ts';
 import { distance, scale, type Vec3 } from '../../math/vec3.ts';
+import { gatherPoints } from '../../scene/geometry.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
+import { surveyPoints } from '../../scene/pointFacts.ts';
+import { readSample, type StoredSample } from '../../scene/storedNumbers.ts';
+import { makeNormals, makePoints, type PointRecipe } from '../../scene/streamedPoints.ts';
+import { transformedNormals, transformedPoints } from '../../scene/transformPoints.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion, UniformMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
@@ -21,7 +26,14 @@ export interface Deformation {
   readonly times: Float64Array;
   at(time: number): DeformedPoints;
   /** Where its points do not move along chords between the times: some of them, 3 numbers each, that stand for all. */
+  /** Where all of it is stored, if it was left in its file. */
+  readonly stored?: StoredDeformation;
   readonly follow?: { readonly cost: number; pointsAt(time: number): ArrayLike<number> };
+}
+export interface StoredDeformation {
+  readonly pointOfVertex: Uint32Array;
+  readonly points: (time: number) => StoredSample;
+  readonly normals: ((time: number) => StoredSample) | undefined;
 }
 export interface DeformedPoints {
   /** 3 per vertex of the mesh. */
@@ -279,16 +291,55 @@ function affordable(context: StageContext, path: string, wanted: Float64Array, v
   return times;
 }
 
+/** Whether samples are too many for memory. Those that are not take of it. */
+function leftInFile({ sampleMemory }: StageContext, times: number, vertices: number): boolean {
+  const left = sampleMemory.bytes - bytesOfPoints(times, vertices);
+  if (left >= 0) sampleMemory.bytes = left;
+  return left < 0;
+}
+
+/** Every vertex at every time, to be read when it is needed; as `sampledPoints` makes it. */
+function streamedPoints(
+  context: StageContext,
+  mesh: Mesh,
+  { pointOfVertex, points, normals }: StoredDeformation,
+  world: Frame,
+  codes: Float64Array,
+): Placed {
+  const origin = originOf((k) => gatherPoints(readSample(points(codes[k])), pointOfVertex), codes, world);
+  const recipe: PointRecipe = {
+    samples: Array.from(codes, (time) => ({
+      points: points(time),
+      matrix: relativeTo(origin, world.matrixAt(time)),
+    })),
+    pointOfVertex,
+    shading: normals
+      ? { kind: 'stored', normals: Array.from(codes, normals) }
+      : { kind: 'faces', indices: mesh.indices, groups: smoothingGroups(mesh) },
+  };
+  const times = codes.map((t) => t / context.codesPerSecond);
+  const facts = surveyPoints(recipe, times, context.progress);
+  const first = { positions: makePoints(recipe, 0), normals: makeNormals(recipe, 0) };
+  return {
+    mesh: { ...mesh, ...first, indices: facing(mesh.indices, world.matrixAt(codes[0])) },
+    motion: { kind: 'sampled-points', times, origin, points: { ...recipe, facts } },
+  };
+}
+
 /** Every vertex at every time. */
 function sampledPoints(context: StageContext, path: string, shape: Shape, world: Frame, wanted: Float64Array): Placed {
-  const times = affordable(context, path, wanted, shape.mesh.positions.length / 3);
   const { mesh, deformation } = shape;
+  const stored = deformation?.stored;
+  if (stored && leftInFile(context, wanted.length, mesh.positions.length / 3))
+    return streamedPoints(context, mesh, stored, world, wanted);
+  const times = affordable(context, path, wanted, mesh.positions.length / 3);
   const shapes = Array.from(times, (time): DeformedPoints => deformation?.at(time) ?? mesh);
   const groups = shapes.some(({ normals }) => !normals) ? smoothingGroups(mesh) : undefined;
-  const origin = originOf(shapes, times, world);
+  const origin = originOf((k) => shapes[k].positions, times, world);
   const placed = shapes.map(({ positions, normals }, i) => {
     const own = normals ?? deformedNormals(positions, mesh.indices, groups!);
-    return transformed(positions, own, relativeTo(origin, world.matrixAt(times[i])));
+    const matrix = relativeTo(origin, world.matrixAt(times[i]));
+    return { positions: transformedPoints(positions, matrix), normals: transformedNormals(own, matrix) };
   });
   const motion: SampledPointsMotion = {
     kind: 'sampled-points',
@@ -297,47 +348,15 @@ function sampledPoints(context: StageContext, path: string, shape: Shape, world:
     points: placed.map((p) => p.positions),
     normals: placed.map((p) => p.normals),
   };
-  const mirrored = determinant(mat4.linearPart(world.matrixAt(times[0]))) < 0;
-  return { mesh: { ...mesh, ...placed[0], indices: mirrored ? turned(mesh.indices) : mesh.indices }, motion };
+  return { mesh: { ...mesh, ...placed[0], indices: facing(mesh.indices, world.matrixAt(times[0])) }, motion };
 }
+
+/** Triangles that show the same side where M mirrors. */
+const facing = (indices: Uint32Array, m: mat4.Mat4): Uint32Array =>
+  determinant(mat4.linearPart(m)) < 0 ? turned(indices) : indices;
 
 const relativeTo = (origin: Vec3, m: mat4.Mat4): mat4.Mat4 =>
   m.map((x, i) => (i % 4 === 3 && i < 12 ? x - origin[(i - 3) / 4] : x));
-
-/** Points by M, normals by its cofactors and made unit; into new arrays, without an object for each vertex. */
-function transformed(positions: Float32Array, normals: Float32Array, m: mat4.Mat4) {
-  const linear = mat4.linearPart(m);
-  const sign = determinant(linear) < 0 ? -1 : 1;
-  return {
-    positions: mapped(positions, linear, [m[3], m[7], m[11]]),
-    normals: madeUnit(
-      mapped(
-        normals,
-        cofactors(linear).map((x) => x * sign),
-        [0, 0, 0],
-      ),
-    ),
-  };
-}
-
-function mapped(from: Float32Array, l: Mat3, t: Vec3): Float32Array {
-  const out = new Float32Array(from.length);
-  for (let i = 0; i < from.length; i += 3) {
-    const [x, y, z] = [from[i], from[i + 1], from[i + 2]];
-    out[i] = l[0] * x + l[1] * y + l[2] * z + t[0];
-    out[i + 1] = l[3] * x + l[4] * y + l[5] * z + t[1];
-    out[i + 2] = l[6] * x + l[7] * y + l[8] * z + t[2];
-  }
-  return out;
-}
-
-function madeUnit(normals: Float32Array): Float32Array {
-  for (let i = 0; i < normals.length; i += 3) {
-    const l = Math.sqrt(normals[i] ** 2 + normals[i + 1] ** 2 + normals[i + 2] ** 2);
-    if (l > 0) for (let k = i; k < i + 3; k++) normals[k] /= l;
-  }
-  return normals;
-}
 
 function turned(indices: Uint32Array): Uint32Array {
   const out = indices.slice();
@@ -350,11 +369,16 @@ export function bentMesh(mesh: Mesh, { positions, normals }: DeformedPoints): Me
   return { ...mesh, positions, normals: normals ?? deformedNormals(positions, mesh.indices, smoothingGroups(mesh)) };
 }
 
-/** The prim's own origin where it is near (so that its points stay as written), else the middle of all points. */
-function originOf(shapes: readonly DeformedPoints[], times: Float64Array, world: Frame): Vec3 {
-  const corners = shapes.flatMap(({ positions }, i) => {
-    const m = world.matrixAt(times[i]);
-    return boxCorners(positions).flatMap((c) => mat4.transformPoint(m, c));
+/** An origin is chosen by so many samples at most. */
+const ORIGIN_SAMPLES = 32;
+
+/** The prim's own origin where it is near (so that its points stay as written), else the middle of the points. */
+function originOf(positionsOf: (k: number) => Float32Array, times: Float64Array, world: Frame): Vec3 {
+  const step = Math.ceil(times.length / ORIGIN_SAMPLES);
+  const corners = Array.from(times.keys()).flatMap((k) => {
+    if (k % step !== 0) return [];
+    const m = world.matrixAt(times[k]);
+    return boxCorners(positionsOf(k)).flatMap((c) => mat4.transformPoint(m, c));
   });
   const box = boxCorners(corners);
   const [low, high] = [box[0], box[box.length - 1]];

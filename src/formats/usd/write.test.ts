@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { pointsAt } from '../../scene/points.ts';
 import { sphere } from '../../scene/primitives.ts';
 import type { Mesh, Scene, SceneObject, Texture } from '../../scene/types.ts';
+import { bytesOf } from '../rangedFile.ts';
 import { memorySource } from '../source.ts';
 import { readUsd } from './read.ts';
 import { float, primName } from './usdaText.ts';
@@ -269,7 +270,7 @@ describe('the written files', () => {
   it('begin on 64 bytes within a usdz', () => {
     const bytes = writeUsdz(scene);
     for (const file of openPackage(bytes, 'x').files.values())
-      expect((file.byteOffset - bytes.byteOffset) % 64).toBe(0);
+      expect((bytesOf(file).byteOffset - bytes.byteOffset) % 64).toBe(0);
   });
 
   it('give two objects of one name two names', () => {
