@@ -16,7 +16,34 @@ export interface Sphere {
 }
 
 /** The axis-parallel box of points, 3 numbers each [m]; undefined of none. Numbers that are not finite are left out. */
-export function boundingBox(points: ArrayLike<number>): Box | undefined {
+export const boundingBox = (points: ArrayLike<number>): Box | undefined => finiteBox(points) ?? boxOfFinite(points);
+
+/** The same of points that are all finite; undefined where one is not. One pass, which long caches take thousands of times. */
+export function finiteBox(points: ArrayLike<number>): Box | undefined {
+  let x0 = Number.POSITIVE_INFINITY;
+  let y0 = x0;
+  let z0 = x0;
+  let x1 = -x0;
+  let y1 = -x0;
+  let z1 = -x0;
+  let zero = 0;
+  for (let i = 0; i + 2 < points.length; i += 3) {
+    const x = points[i];
+    const y = points[i + 1];
+    const z = points[i + 2];
+    if (x < x0) x0 = x;
+    if (x > x1) x1 = x;
+    if (y < y0) y0 = y;
+    if (y > y1) y1 = y;
+    if (z < z0) z0 = z;
+    if (z > z1) z1 = z;
+    // 0 times what is not finite is no number.
+    zero += x * 0 + y * 0 + z * 0;
+  }
+  return zero === 0 && x0 <= x1 ? { min: [x0, y0, z0], max: [x1, y1, z1] } : undefined;
+}
+
+function boxOfFinite(points: ArrayLike<number>): Box | undefined {
   const min = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
   const max = min.map((x) => -x);
   for (let i = 0; i < points.length; i++) {
@@ -29,15 +56,21 @@ export function boundingBox(points: ArrayLike<number>): Box | undefined {
 }
 
 /** A sphere round the middle of the bounding box that holds all points [m]; at most √3 times the smallest one. */
-export function boundingSphere(points: ArrayLike<number>): Sphere {
-  const box = boundingBox(points);
+export function boundingSphere(points: ArrayLike<number>, box = boundingBox(points)): Sphere {
   if (!box) return { center: [0, 0, 0], radius: 0 };
   const center = scale(add(box.min, box.max), 0.5);
   const [x, y, z] = center;
-  let [square, farthest] = [-1, 0];
+  let square = -1;
+  let farthest = 0;
   for (let i = 0; i + 2 < points.length; i += 3) {
-    const d = (points[i] - x) ** 2 + (points[i + 1] - y) ** 2 + (points[i + 2] - z) ** 2;
-    if (d > square) [square, farthest] = [d, i / 3];
+    const dx = points[i] - x;
+    const dy = points[i + 1] - y;
+    const dz = points[i + 2] - z;
+    const d = dx * dx + dy * dy + dz * dz;
+    if (d > square) {
+      square = d;
+      farthest = i / 3;
+    }
   }
   return { center, radius: distance(pointAt(points, farthest), center) || 0 };
 }

@@ -1,4 +1,4 @@
-import { type Box, boundingBox, boundingSphere, type Sphere } from './bounds.ts';
+import { type Box, boundingBox, boundingSphere, finiteBox, type Sphere } from './bounds.ts';
 import { isStreamed } from './points.ts';
 import { makePoints, type PointFacts, type PointRecipe } from './streamedPoints.ts';
 import type { SampledPointsMotion } from './types.ts';
@@ -29,11 +29,17 @@ export interface FastestOfPiece {
 
 /** The fastest vertex on the way from one sample to the next in `span` [s]; vertex 0 where all rest. */
 export function fastestOfPiece(a: Float32Array, b: Float32Array, span: number): FastestOfPiece {
-  let [square, vertex] = [0, 0];
+  let square = 0;
+  let vertex = 0;
   for (let i = 0; i < a.length; i += 3) {
-    const [x, y, z] = [b[i] - a[i], b[i + 1] - a[i + 1], b[i + 2] - a[i + 2]];
+    const x = b[i] - a[i];
+    const y = b[i + 1] - a[i + 1];
+    const z = b[i + 2] - a[i + 2];
     const s = x * x + y * y + z * z;
-    if (s > square) [square, vertex] = [s, i / 3];
+    if (s > square) {
+      square = s;
+      vertex = i / 3;
+    }
   }
   return { speed: Math.sqrt(square) / span, vertex };
 }
@@ -55,10 +61,11 @@ export function surveyPoints(
   let before: Float32Array | undefined;
   for (let k = 0; k < n; k++) {
     const points = makePoints(recipe, k);
-    const box = boundingBox(points);
+    const finite = finiteBox(points);
+    const box = finite ?? boundingBox(points);
     facts.boxes.set(box ? [...box.min, ...box.max] : [1, 1, 1, -1, -1, -1], 6 * k);
-    facts.radii[k] = boundingSphere(points).radius;
-    if (facts.broken < 0 && !points.every(Number.isFinite)) facts.broken = k;
+    facts.radii[k] = boundingSphere(points, box).radius;
+    if (facts.broken < 0 && !finite) facts.broken = k;
     if (before) {
       const { speed, vertex } = fastestOfPiece(before, points, times[k] - times[k - 1]);
       facts.speeds[k - 1] = speed;

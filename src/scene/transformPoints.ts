@@ -22,7 +22,9 @@ export function transformedNormals(normals: Float32Array, m: Mat4): Float32Array
 function mapped(from: Float32Array, l: Mat3, t: Vec3): Float32Array {
   const out = new Float32Array(from.length);
   for (let i = 0; i < from.length; i += 3) {
-    const [x, y, z] = [from[i], from[i + 1], from[i + 2]];
+    const x = from[i];
+    const y = from[i + 1];
+    const z = from[i + 2];
     out[i] = l[0] * x + l[1] * y + l[2] * z + t[0];
     out[i + 1] = l[3] * x + l[4] * y + l[5] * z + t[1];
     out[i + 2] = l[6] * x + l[7] * y + l[8] * z + t[2];
