@@ -1,8 +1,7 @@
 import { add, dot, lerp, type Vec3 } from '../math/vec3.ts';
-import { boundingSphere, halfDiagonal, type Sphere } from '../scene/bounds.ts';
+import { boundingSphere, halfDiagonal, type Sphere, sphereAt } from '../scene/bounds.ts';
 import { axesOf } from '../scene/daylight.ts';
 import { placed, samplePose } from '../scene/motion.ts';
-import { sphereAt } from '../scene/pointFacts.ts';
 import type { SceneObject } from '../scene/types.ts';
 import type { ViewPoint } from '../scene/view.ts';
 import { directionAt } from './camera.ts';

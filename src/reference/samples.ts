@@ -1,8 +1,7 @@
 import { toMatrix } from '../math/quat.ts';
 import { add, sub, type Vec3 } from '../math/vec3.ts';
-import { type Box, boundingBox } from '../scene/bounds.ts';
+import { type Box, boundingBox, boxAt } from '../scene/bounds.ts';
 import { samplePose } from '../scene/motion.ts';
-import { boxAt } from '../scene/pointFacts.ts';
 import { isStreamed, pointsAt } from '../scene/points.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 import { emptyBox, growBox } from './bvh.ts';

@@ -3,9 +3,8 @@ import { add, dot, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
-import { boundingSphere, sphereOfMesh } from '../scene/bounds.ts';
+import { boundingSphere, sphereAt, sphereOfMesh } from '../scene/bounds.ts';
 import { placed, samplePose } from '../scene/motion.ts';
-import { sphereAt } from '../scene/pointFacts.ts';
 import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 
 /** What a frame needs to know of an object, whatever its motion: at every world time all its points are within `radius` of `line`. */

@@ -1,10 +1,11 @@
-import { add, distance, scale, type Vec3 } from '../math/vec3.ts';
+import { add, distance, lerp, scale, type Vec3 } from '../math/vec3.ts';
 import { emissionTime, type ObserverEvent } from '../physics/lightCone.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
 import { Extremes } from './extremes.ts';
-import { vertexPositions } from './motion.ts';
+import { pieceAt, vertexPositions } from './motion.ts';
+import { isStreamed } from './points.ts';
 import { pointAt } from './polygons.ts';
-import type { Mesh, Scene, SceneObject } from './types.ts';
+import type { Mesh, SampledPointsMotion, Scene, SceneObject } from './types.ts';
 
 export interface Box {
   readonly min: Vec3;
@@ -89,6 +90,23 @@ export function sphereOfMesh({ positions }: Pick<Mesh, 'positions'>): Sphere {
   return sphere;
 }
 
+/** The box of sample k, from the motion's origin [m]; undefined of no points. */
+export function boxAt({ points }: SampledPointsMotion, k: number): Box | undefined {
+  if (!isStreamed(points)) return boundingBox(points[k]);
+  const [x, y, z, X, Y, Z] = points.facts.boxes.subarray(6 * k, 6 * k + 6);
+  return x <= X ? { min: [x, y, z], max: [X, Y, Z] } : undefined;
+}
+
+/** The sphere round sample k, from the motion's origin [m]. */
+export function sphereAt(motion: SampledPointsMotion, k: number): Sphere {
+  const { points } = motion;
+  if (!isStreamed(points)) return boundingSphere(points[k]);
+  const box = boxAt(motion, k);
+  if (!box) return { center: [0, 0, 0], radius: 0 };
+  const [x, y, z] = box.min.map((low, i) => (low + box.max[i]) * 0.5);
+  return { center: [x, y, z], radius: points.facts.radii[k] };
+}
+
 /** Half the diagonal of the box of spheres [m]; 1 m of none. */
 export function halfDiagonal(spheres: readonly Sphere[]): number {
   const box = boundingBox(
@@ -108,10 +126,12 @@ export function sceneBounds(scene: Scene, t: number, c: number): Box | undefined
   return boundingBox(corners);
 }
 
-/** The box of an object at world time t [s]. */
+/** The box of an object at world time t [s]; of one whose samples are left in a file between the boxes of its samples. */
 export function objectBounds(object: SceneObject, t: number, c: number): Box | undefined {
+  const { motion } = object;
+  if (motion.kind === 'sampled-points' && isStreamed(motion.points)) return boxBetween(motion, t);
   const { positions } = object.mesh;
-  const { kind } = object.motion;
+  const { kind } = motion;
   const isAffine = kind === 'static' || kind === 'uniform' || kind === 'sampled';
   if (!isAffine || positions.length === 0 || !Number.isFinite(sphereOfMesh(object.mesh).radius))
     return boundingBox(vertexPositions(object, t, c));
@@ -123,6 +143,13 @@ export function objectBounds(object: SceneObject, t: number, c: number): Box | u
   const reach = (k: number, sign: number): number =>
     o[k] + sign * extremes.reach([sign * (x[k] - o[k]), sign * (y[k] - o[k]), sign * (z[k] - o[k])]);
   return { min: [reach(0, -1), reach(1, -1), reach(2, -1)], max: [reach(0, 1), reach(1, 1), reach(2, 1)] };
+}
+
+function boxBetween(motion: SampledPointsMotion, t: number): Box | undefined {
+  const { before, after, s } = pieceAt(motion.times, t);
+  const [a, b] = [boxAt(motion, before), boxAt(motion, after)];
+  const between = (p: Vec3, q: Vec3): Vec3 => add(motion.origin, lerp(p, q, s));
+  return a && b && { min: between(a.min, b.min), max: between(a.max, b.max) };
 }
 
 /**

@@ -1,24 +1,5 @@
-import { type Box, boundingBox, boundingSphere, finiteBox, type Sphere } from './bounds.ts';
-import { isStreamed } from './points.ts';
+import { boundingBox, boundingSphere, finiteBox } from './bounds.ts';
 import { makePoints, type PointFacts, type PointRecipe } from './streamedPoints.ts';
-import type { SampledPointsMotion } from './types.ts';
-
-/** The box of sample k, from the motion's origin [m]; undefined of no points. */
-export function boxAt({ points }: SampledPointsMotion, k: number): Box | undefined {
-  if (!isStreamed(points)) return boundingBox(points[k]);
-  const [x, y, z, X, Y, Z] = points.facts.boxes.subarray(6 * k, 6 * k + 6);
-  return x <= X ? { min: [x, y, z], max: [X, Y, Z] } : undefined;
-}
-
-/** The sphere round sample k, from the motion's origin [m]. */
-export function sphereAt(motion: SampledPointsMotion, k: number): Sphere {
-  const { points } = motion;
-  if (!isStreamed(points)) return boundingSphere(points[k]);
-  const box = boxAt(motion, k);
-  if (!box) return { center: [0, 0, 0], radius: 0 };
-  const [x, y, z] = box.min.map((low, i) => (low + box.max[i]) * 0.5);
-  return { center: [x, y, z], radius: points.facts.radii[k] };
-}
 
 /** A piece of a motion between two samples, and its fastest vertex. */
 export interface FastestOfPiece {

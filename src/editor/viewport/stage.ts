@@ -34,6 +34,8 @@ export class Stage {
   #shown: Shown | undefined;
   #frame = 0;
   #before: number | undefined;
+  /** Samples of this scene cannot be read any more. */
+  #lost = false;
 
   static async start(
     canvas: HTMLCanvasElement,
@@ -43,13 +45,19 @@ export class Stage {
     onLost: (reason: string) => void,
   ): Promise<Stage> {
     let stage: Stage | undefined;
+    const again = (): void => {
+      if (stage) stage.#again();
+    };
     const renderer = await SceneRenderer.create({
       canvas,
       backend,
       onLost,
       planWorker: () => new Worker(new URL('./plan.worker.ts', import.meta.url), { type: 'module' }),
-      onBetterPlan: () => {
-        if (stage) stage.#again();
+      sampleWorker: () => new Worker(new URL('./samples.worker.ts', import.meta.url), { type: 'module' }),
+      onBetterPlan: again,
+      onSamples: again,
+      onProblem: (error) => {
+        if (stage) stage.#lose(error);
       },
     });
     stage = new Stage(canvas, renderer, studio, pilot);
@@ -99,7 +107,7 @@ export class Stage {
     const interval = now - (this.#before ?? now);
     this.#before = now;
     this.#follow();
-    this.#pilot.advance(Math.min(LONGEST_STEP, interval / 1000));
+    if (this.#lost || !this.#renderer.info.waiting) this.#pilot.advance(Math.min(LONGEST_STEP, interval / 1000));
     this.#resolution.note(this.#draw(false), now, interval);
     if (this.#resolution.scale !== this.#scale) {
       this.#scale = this.#resolution.scale;
@@ -119,6 +127,7 @@ export class Stage {
   async #upload(picture: Picture, source: string): Promise<void> {
     this.#uploading = true;
     this.#scene = picture.scene;
+    this.#lost = false;
     try {
       await this.#renderer.setScene(picture.scene);
       this.#shown = undefined;
@@ -134,6 +143,12 @@ export class Stage {
   /** The next tick draws, also where nothing has changed. */
   #again(): void {
     this.#shown = undefined;
+  }
+
+  /** The last picture stays, and time goes on. */
+  #lose(error: Error): void {
+    this.#lost = true;
+    this.#studio.notify({ kind: 'error', text: error.message });
   }
 
   /** Whether there was anything new to draw. */

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { boxAt, objectBounds, sphereAt } from '../../scene/bounds.ts';
 import { fastest } from '../../scene/fastest.ts';
 import { vertexPositions, vertexWorldLine } from '../../scene/motion.ts';
-import { boxAt, sphereAt } from '../../scene/pointFacts.ts';
 import { isStreamed, normalsAt, pointsAt } from '../../scene/points.ts';
 import { InputError, type SampledPointsMotion, type Scene, type SceneObject } from '../../scene/types.ts';
 import { validate } from '../../scene/validate.ts';
@@ -53,6 +53,7 @@ describe('a cache that is left in its file', () => {
         for (const k of own.times.keys()) {
           expect(boxAt(other, k)).toEqual(boxAt(own, k));
           expect(sphereAt(other, k)).toEqual(sphereAt(own, k));
+          expect(objectBounds(left, own.times[k], C)).toEqual(objectBounds(known, own.times[k], C));
         }
         expect(fastest(left, C)).toEqual(fastest(known, C));
         expect(vertexWorldLine(left, 7, C)).toEqual(vertexWorldLine(known, 7, C));
