@@ -3,6 +3,7 @@ import { cpus, totalmem } from 'node:os';
 import { fileURLToPath } from 'node:url';
 import { type Bench, markdown } from './bench.ts';
 import { bundle } from './bundle.ts';
+import { cache } from './cache.ts';
 import { crate } from './crate.ts';
 import { emission } from './emission.ts';
 import { frame } from './frame.ts';
@@ -15,7 +16,19 @@ import { reference } from './reference.ts';
 import { refine } from './refine.ts';
 
 /** Every benchmark, in the order of the page. */
-const benches: readonly Bench[] = [frame, refine, emission, memory, load, instances, crate, reference, page, bundle];
+const benches: readonly Bench[] = [
+  frame,
+  refine,
+  emission,
+  memory,
+  load,
+  instances,
+  crate,
+  cache,
+  reference,
+  page,
+  bundle,
+];
 
 const file = fileURLToPath(new URL('../../../docs/performance.md', import.meta.url));
 const [BEGIN, END] = ['<!-- measured: npm run bench -->', '<!-- end -->'];

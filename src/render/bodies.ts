@@ -3,7 +3,7 @@ import { add, dot, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
-import { boundingSphere, sphereAt, sphereOfMesh } from '../scene/bounds.ts';
+import { sphereAt, sphereOfMesh } from '../scene/bounds.ts';
 import { placed, samplePose } from '../scene/motion.ts';
 import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 

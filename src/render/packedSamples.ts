@@ -1,4 +1,5 @@
-import { normalsAt, pointsAt } from '../scene/points.ts';
+import { isStreamed, pointsAt } from '../scene/points.ts';
+import { makeNormals } from '../scene/streamedPoints.ts';
 import type { SampledPointsMotion } from '../scene/types.ts';
 import { packNormal } from './packNormal.ts';
 
@@ -47,7 +48,8 @@ export function packSample(
   at = 0,
 ): void {
   const points = pointsAt(motion, k);
-  const normals = normalsAt(motion, k) ?? meshNormals;
+  // Nobody else wants these, so they are not kept.
+  const normals = isStreamed(motion.points) ? makeNormals(motion.points, k) : (motion.normals?.[k] ?? meshNormals);
   for (let i = 0, to = at; i < points.length; i += 3, to += 4) {
     out[to] = points[i];
     out[to + 1] = points[i + 1];

@@ -4,7 +4,7 @@ import { add, length, sub, type Vec3 } from '../math/vec3.ts';
 import { velocityAt } from '../physics/worldLine.ts';
 import { type Sphere, sphereOfMesh } from './bounds.ts';
 import { samplePose, vertexWorldLine } from './motion.ts';
-import { fastestOfPiece as fastestBetween } from './pointFacts.ts';
+import { longestWay } from './pointFacts.ts';
 import { isStreamed } from './points.ts';
 import { restToWorld } from './resample.ts';
 import type { SampledMotion, SampledPointsMotion, SceneObject } from './types.ts';
@@ -123,9 +123,10 @@ function fastestOfPiece(
 function fastestPoints({ times, points }: SampledPointsMotion, atLeast: number): FastestPoint {
   let best: FastestPoint = { ...REST, speed: atLeast };
   for (let k = 0; k + 1 < times.length; k++) {
-    const { speed, vertex } = isStreamed(points)
-      ? { speed: points.facts.speeds[k], vertex: points.facts.fastest[k] }
-      : fastestBetween(points[k], points[k + 1], times[k + 1] - times[k]);
+    const { way, vertex } = isStreamed(points)
+      ? { way: points.facts.ways[k], vertex: points.facts.fastest[k] }
+      : longestWay(points[k], points[k + 1]);
+    const speed = way / (times[k + 1] - times[k]);
     if (speed > best.speed) best = { speed, vertex, from: times[k], to: times[k + 1] };
   }
   return best.from === REST.from ? REST : best;

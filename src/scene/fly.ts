@@ -3,6 +3,8 @@ import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { boundingBox } from './bounds.ts';
 import { poseAt } from './motion.ts';
+import { isStreamed } from './points.ts';
+import { shiftedPoints } from './streamedPoints.ts';
 import type { FrameMotion, SampledPointsMotion, Scene, SceneObject, SphereLight } from './types.ts';
 
 /** A flight along a straight line at constant speed. */
@@ -103,10 +105,9 @@ function carriedPoints(motion: SampledPointsMotion, { velocity, at, range }: Cou
   const ends = (i: number): number[] => [i, ...Array.from(times, (_, k) => k), last];
   const order = ends(0);
   const longer = Float64Array.of(times[0] - lead, ...times, times[last] + lead);
-  const shifted = order.map((k, i) => {
-    const shift = scale(velocity, longer[i] - at);
-    return points[k].map((x, j) => x + shift[j % 3]);
-  });
+  const shifts = Float64Array.from(order.flatMap((_, i) => scale(velocity, longer[i] - at)));
+  if (isStreamed(points)) return { ...motion, times: longer, points: shiftedPoints(points, order, shifts) };
+  const shifted = order.map((k, i) => points[k].map((x, j) => x + shifts[3 * i + (j % 3)]));
   return {
     ...motion,
     times: longer,

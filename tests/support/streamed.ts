@@ -26,5 +26,5 @@ export function leftInFile(motion: SampledPointsMotion): SampledPointsMotion {
     },
   };
   const { normals, ...rest } = motion;
-  return { ...rest, points: { ...recipe, facts: surveyPoints(recipe, motion.times) } };
+  return { ...rest, points: { ...recipe, facts: surveyPoints(recipe) } };
 }

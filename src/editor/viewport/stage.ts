@@ -98,7 +98,7 @@ export class Stage {
     const { clientWidth, clientHeight } = this.#canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setSize(Math.round(clientWidth * ratio), Math.round(clientHeight * ratio));
-    // A canvas of a new size is empty: without a picture before the next paint it would flash.
+    // Without a picture before the next paint the old one would be stretched.
     this.#draw(true);
   }
 
@@ -156,12 +156,12 @@ export class Stage {
     const viewPoint = this.#pilot.viewPoint();
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
-    const { width, height } = this.#renderer;
-    const settings = renderSettings(picture, viewPoint, width / height);
+    const { clientWidth, clientHeight } = this.#canvas;
+    const settings = renderSettings(picture, viewPoint, clientWidth / Math.max(1, clientHeight));
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
     this.#renderer.render(viewPoint, settings);
-    return true;
+    return !this.#renderer.info.waiting;
   }
 }
 

@@ -318,7 +318,7 @@ function streamedPoints(
       : { kind: 'faces', indices: mesh.indices, groups: smoothingGroups(mesh) },
   };
   const times = codes.map((t) => t / context.codesPerSecond);
-  const facts = surveyPoints(recipe, times, context.progress);
+  const facts = surveyPoints(recipe, context.progress);
   const first = { positions: makePoints(recipe, 0), normals: makeNormals(recipe, 0) };
   return {
     mesh: { ...mesh, ...first, indices: facing(mesh.indices, world.matrixAt(codes[0])) },
