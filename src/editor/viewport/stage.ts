@@ -107,13 +107,13 @@ export class Stage {
     const interval = now - (this.#before ?? now);
     this.#before = now;
     this.#follow();
-    if (this.#lost || !this.#renderer.info.waiting) this.#pilot.advance(Math.min(LONGEST_STEP, interval / 1000));
+    if (!this.#waits) this.#pilot.advance(Math.min(LONGEST_STEP, interval / 1000));
     this.#resolution.note(this.#draw(false), now, interval);
     if (this.#resolution.scale !== this.#scale) {
       this.#scale = this.#resolution.scale;
       this.#resize();
     }
-    report(this.#pilot.observer, this.#renderer.info, now);
+    report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits }, now);
   }
 
   /** Takes up a new picture; where its scene is another one, after the upload: until then the last one stays. */
@@ -143,6 +143,11 @@ export class Stage {
   /** The next tick draws, also where nothing has changed. */
   #again(): void {
     this.#shown = undefined;
+  }
+
+  /** For samples that are to come. */
+  get #waits(): boolean {
+    return this.#renderer.info.waiting && !this.#lost;
   }
 
   /** The last picture stays, and time goes on. */

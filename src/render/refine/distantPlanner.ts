@@ -88,8 +88,9 @@ export class DistantPlanner implements Planner {
     this.post({ kind: 'plan', order: { look: widened(look), seen: seen.map(() => true) } });
   }
 
-  private receive(plans: PicturePlans): void {
+  private receive(plans: PlannerReply): void {
     this.busy = false;
+    if (!plans) return;
     if (this.sent) this.known = { look: this.sent, plans };
     if (this.waiting) this.better();
   }
