@@ -1,16 +1,22 @@
+import SampleWorker from '../../src/editor/viewport/samples.worker.ts?worker&inline';
 import { SceneRenderer } from '../../src/render/renderer.ts';
 import { FEW_TEXELS, type Form, paintLooks } from './streamingScenes.ts';
 
 declare global {
   interface Window {
-    paintStreamed: (form: Form) => Promise<number[][]>;
+    /** `tolerance` [px]: of the edges that are drawn. */
+    paintStreamed: (form: Form, tolerance?: number) => Promise<number[][]>;
   }
 }
 
-window.paintStreamed = async (form) => {
-  const canvas = document.createElement('canvas');
-  const few = form === 'whole' ? {} : { pointTexels: FEW_TEXELS };
-  const renderer = await SceneRenderer.create({ canvas, backend: 'webgl', ...few });
+window.paintStreamed = async (form, tolerance) => {
+  const renderer = await SceneRenderer.create({
+    canvas: document.createElement('canvas'),
+    backend: 'webgl',
+    ...(tolerance !== undefined && { tolerance }),
+    ...(form !== 'whole' && { pointTexels: FEW_TEXELS }),
+    ...(form === 'worker' && { sampleWorker: () => new SampleWorker() }),
+  });
   const seen = await paintLooks(renderer, form);
   renderer.dispose();
   return seen;

@@ -13,8 +13,8 @@ export const SIZE = 72;
 /** Texels for samples: room for 40 of the 150, and a picture needs up to 33. */
 export const FEW_TEXELS = 40 * 4096;
 
-/** In which form the samples are: all on the GPU, few of them, few of them that are left in a file. */
-export type Form = 'whole' | 'ring' | 'file';
+/** In which form the samples are: all on the GPU, few of them, few of them that are left in a file, those read by a worker. */
+export type Form = 'whole' | 'ring' | 'file' | 'worker';
 
 /** Forward, backward, and jumps over more than the ring holds, at rest and at 0.9 c by turns. */
 export const LOOKS = [2, 2.1, 2.4, 9, 9.1, 8.7, 8.3, 14.9, 0, 3].map((t, i) => ({
@@ -35,8 +35,10 @@ function waving(): SampledPointsMotion {
   return { kind: 'sampled-points', times, origin: [0, 0, -5], points, normals };
 }
 
+const blobOf = (bytes: Uint8Array<ArrayBuffer>): Blob => new Blob([bytes]);
+
 export function sceneIn(form: Form): Scene {
-  const motion = form === 'file' ? leftInFile(waving()) : waving();
+  const motion = form === 'file' ? leftInFile(waving()) : form === 'worker' ? leftInFile(waving(), blobOf) : waving();
   return makeScene({ name: form, objects: [makeObject({ path: '/waving', mesh, motion })] });
 }
 
@@ -48,13 +50,19 @@ export const viewOf = ({ t, beta }: (typeof LOOKS)[number]): ViewPoint => ({
   fovY: 0.9,
 });
 
+const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
+
 /** Position, emission time and picture of each look, one after the other. */
 export async function paintLooks(renderer: SceneRenderer, form: Form): Promise<number[][]> {
   renderer.setSize(SIZE, SIZE);
   await renderer.setScene(sceneIn(form));
   const seen: number[][] = [];
   for (const look of LOOKS) {
-    renderer.render(viewOf(look), { ...DEFAULT_SETTINGS, speedOfLight: 1 });
+    renderer.render(viewOf(look), SETTINGS);
+    while (renderer.info.waiting) {
+      await new Promise((done) => setTimeout(done, 2));
+      renderer.render(viewOf(look), SETTINGS);
+    }
     const parts = [
       await renderer.readAov('position'),
       await renderer.readAov('emission_time'),
