@@ -13,7 +13,7 @@ const AT_REST = { u: properVelocity([0, 0, 0]) };
 const AT_SPEED = { u: properVelocity([0, 0, -0.9]) };
 
 /** Of a long cache. */
-const PICTURES = 60;
+const PICTURES = 24;
 
 /** What a benchmark measures in a process of its own, so that memory is its alone. Prints one line of JSON. */
 const [task, argument] = process.argv.slice(2);
