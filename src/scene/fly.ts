@@ -28,12 +28,12 @@ const LEAST_LEAD = 60;
 /** Whether a thing is the one of a path, or below it. */
 export const isAt = (path: string, wanted: string): boolean => path === wanted || path.startsWith(`${wanted}/`);
 
-/** Objects whose samples are too many to be carried along. */
+/** Objects whose samples are too many to be carried along; those that are left in a file never are. */
 export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
   scene.objects
     .filter(({ motion, mesh, ...object }) => {
-      const isDeforming = motion.kind === 'sampled-points' && isAt(object.path, path);
-      return isDeforming && motion.times.length * mesh.positions.length > MAX_NUMBERS;
+      if (motion.kind !== 'sampled-points' || isStreamed(motion.points) || !isAt(object.path, path)) return false;
+      return motion.times.length * mesh.positions.length > MAX_NUMBERS;
     })
     .map((object) => object.path);
 
