@@ -8,8 +8,8 @@ import { bentMesh, type DeformedPoints, type Shape, type StoredDeformation } fro
 import { type Primvar, primvarOf, type Topology, valuesOnMesh } from './primvars.ts';
 import type { Skeletons } from './skel/binding.ts';
 import { type Skin, skinOf } from './skel/skin.ts';
-import { levelsOf, subdivided } from './subdivision.ts';
 import { countOf, storedSamples } from './storedArray.ts';
+import { levelsOf, subdivided } from './subdivision.ts';
 import type { Surface } from './surface.ts';
 
 interface Faces {
@@ -137,7 +137,10 @@ function bent(context: StageContext, prim: PrimSpec, times: Float64Array, drawn:
     if (times.length === 0) return { mesh };
     const points = drawn.stored && storedSamples(attributeOf(prim, 'points'));
     const stored = drawn.stored && points ? { stored: { ...drawn.stored, points } } : {};
-    return { mesh, deformation: { times, at: (time) => drawn.bent(numbersAt(prim, 'points', time)!, time), ...stored } };
+    return {
+      mesh,
+      deformation: { times, at: (time) => drawn.bent(numbersAt(prim, 'points', time)!, time), ...stored },
+    };
   }
   const frame = skin.frame ? { frame: skin.frame } : {};
   if (skin.isRigid) return { mesh, ...frame };
@@ -264,8 +267,7 @@ function pointTimes(context: StageContext, prim: PrimSpec): Float64Array {
   const points = attributeOf(prim, 'points');
   const times = sampleTimes(points);
   const count = numbersAt(prim, 'points', context.startCode)!.length;
-  if (times.length === 0 || points!.timeSamples!.values.every((value) => countOf(value) === count))
-    return times;
+  if (times.length === 0 || points!.timeSamples!.values.every((value) => countOf(value) === count)) return times;
   const message = 'the number of points changes with time; the shape is held at the start';
   report(context, 'warning', 'usd.topology', prim.path, message);
   return new Float64Array(0);

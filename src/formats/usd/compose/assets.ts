@@ -74,6 +74,12 @@ export class AssetFiles {
     return [...new Set(found)].map((id) => id + ends);
   }
 
+  /** The first of the candidates that is there, with its bytes. */
+  async findBytes(anchor: string, asset: string): Promise<{ id: string; bytes: Uint8Array } | undefined> {
+    const found = await this.find(anchor, asset);
+    return found && { id: found.id, bytes: bytesOf(found.content) };
+  }
+
   /** The first of the candidates that is there, with what it holds. */
   async find(anchor: string, asset: string): Promise<{ id: string; content: Content } | undefined> {
     for (const id of this.candidates(anchor, asset)) {
