@@ -6,6 +6,7 @@ import { isTrue, report, type StageContext } from './context.ts';
 import type { NumberArray, PrimSpec } from './layer.ts';
 import { bentMesh, type DeformedPoints, type Shape, type StoredDeformation } from './placement.ts';
 import { type Primvar, primvarOf, type Topology, valuesOnMesh } from './primvars.ts';
+import { bytesOfPoints } from './sampling.ts';
 import type { Skeletons } from './skel/binding.ts';
 import { type Skin, skinOf } from './skel/skin.ts';
 import { countOf, storedSamples } from './storedArray.ts';
@@ -46,7 +47,8 @@ export function meshShape(
   const faces = facesOf(context, prim);
   if (!faces) return undefined;
   const topology = { points: faces.points.length / 3, corners: faces.indices.length, faces: faces.counts.length };
-  const levels = levelsOf(context, prim);
+  const wanted = levelsOf(context, prim);
+  const levels = wanted > 0 && staysInFile(context, prim, topology.points) ? 0 : wanted;
   const kept = keptFaces(context, prim, faces, levels > 0);
   const uvs = surface.uvs(prim, topology);
   const colors = surface.colors(prim, topology);
@@ -65,6 +67,16 @@ export function meshShape(
   const skin = skinOf(context, skeletons, prim, { count: topology.points, times: moved });
   if (levels > 0) return bent(context, prim, moved, subdividedMesh(context, prim, polygons, levels, kept), skin);
   return bent(context, prim, moved, plainMesh(context, prim, polygons, topology, kept, skin), skin);
+}
+
+/** Whether the samples of the points are too many for memory, and can stay where they are: said, for what is subdivided has to be computed. */
+function staysInFile(context: StageContext, prim: PrimSpec, points: number): boolean {
+  const attribute = attributeOf(prim, 'points');
+  const bytes = bytesOfPoints(sampleTimes(attribute).length, points);
+  if (bytes <= context.sampleMemory.bytes || !storedSamples(attribute)) return false;
+  const message = 'its samples are too many to be subdivided and stay in their file; it is drawn as its polygons';
+  report(context, 'info', 'usd.subdivision', prim.path, message);
+  return true;
 }
 
 /** A mesh, and its vertices for points of the prim at another time. */

@@ -15,7 +15,7 @@ const C = 299_792_458;
 const cache = new Uint8Array(readFileSync(new URL('./fixtures/caches.usdc', import.meta.url)));
 const entry = 'caches.usdc';
 const opened = (source: FileSource, sampleMemory?: number, file = entry): Promise<Scene> =>
-  openScene(source, file, sampleMemory === undefined ? {} : { sampleMemory });
+  openScene(source, file, { subdivision: 0, ...(sampleMemory === undefined ? {} : { sampleMemory }) });
 const deforming = ({ motion }: SceneObject): SampledPointsMotion => {
   if (motion.kind !== 'sampled-points') throw new Error(motion.kind);
   return motion;
@@ -28,6 +28,12 @@ describe('a cache that is left in its file', () => {
     expect(inMemory.objects.map((object) => isStreamed(deforming(object).points))).toEqual(Array(5).fill(false));
     expect(streamed.objects.map((object) => isStreamed(deforming(object).points))).toEqual(Array(5).fill(true));
     expect(streamed.diagnostics).toEqual(inMemory.diagnostics);
+  });
+
+  it('is drawn as its polygons, and says so', async () => {
+    const { objects, diagnostics } = await openScene(memorySource({ [entry]: cache }), entry, { sampleMemory: 0 });
+    expect(isStreamed(deforming(objects[0]).points)).toBe(true);
+    expect(diagnostics.filter(({ code }) => code === 'usd.subdivision')).toHaveLength(5);
   });
 
   it('is read whole where it fits', async () => {
@@ -76,7 +82,11 @@ describe('a cache that is left in its file', () => {
 
   it('tells how far it is', async () => {
     const parts: number[] = [];
-    await openScene(memorySource({ [entry]: cache }), entry, { sampleMemory: 0, progress: (part) => parts.push(part) });
+    await openScene(memorySource({ [entry]: cache }), entry, {
+      subdivision: 0,
+      sampleMemory: 0,
+      progress: (part) => parts.push(part),
+    });
     expect(parts.slice(0, 6)).toEqual([1 / 6, 2 / 6, 3 / 6, 4 / 6, 5 / 6, 1]);
   });
 });
