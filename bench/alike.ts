@@ -1,3 +1,4 @@
+import { isStreamed } from '../src/scene/points.ts';
 import type { Mesh, Motion, Scene, SceneObject } from '../src/scene/types.ts';
 
 /**
@@ -73,6 +74,7 @@ class Cutter {
   motion(motion: Motion): Motion {
     if (motion.kind !== 'sampled-points') return motion;
     const { points, normals } = motion;
+    if (isStreamed(points)) return motion;
     const all = (arrays: readonly Float32Array[]) => arrays.map((array) => this.extended(array, 3));
     return { ...motion, points: all(points), ...(normals && { normals: all(normals) }) };
   }

@@ -1,20 +1,26 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { openSceneFile } from '../src/cli/files.ts';
+import { pumpFrame } from '../src/cli/node-shim.ts';
 import { readCrate } from '../src/formats/usd/crate/read.ts';
 import { properVelocity } from '../src/physics/boost.ts';
-import { interleaved, timed } from './bench.ts';
-import { openRenderer, releaseGpu } from './gpu.ts';
+import { interleaved, median, timed } from './bench.ts';
+import type { CachePlayed, CacheTask } from './cache.ts';
+import { openRenderer, releaseGpu, SETTINGS } from './gpu.ts';
 import { ballScene } from './scenes.ts';
 
 const AT_REST = { u: properVelocity([0, 0, 0]) };
 const AT_SPEED = { u: properVelocity([0, 0, -0.9]) };
+
+/** Of a long cache. */
+const PICTURES = 24;
 
 /** What a benchmark measures in a process of its own, so that memory is its alone. Prints one line of JSON. */
 const [task, argument] = process.argv.slice(2);
 if (task === 'load') await load(argument);
 else if (task === 'crate') await crate(argument);
 else if (task === 'instances') await instances(argument);
+else if (task === 'cache') await playCache(JSON.parse(argument) as CacheTask);
 else if (task === 'memory') await memory(Number(argument));
 else throw new Error(`no task ${task}`);
 
@@ -46,6 +52,30 @@ async function instances(path: string): Promise<void> {
   const bytes = (await resident()) - before;
   const { triangles } = renderer.info;
   console.log(JSON.stringify({ load, loaded, upload, resident: bytes, still, fast, triangles }));
+  renderer.dispose();
+  await releaseGpu();
+}
+
+/** The whole cloth from above, at one of its samples after another. */
+async function playCache({ file, inMemory }: CacheTask): Promise<void> {
+  const began = performance.now();
+  const scene = await openSceneFile(file, { subdivision: 0, ...(inMemory && { sampleMemory: 2 ** 40 }) });
+  const load = performance.now() - began;
+  const loadedBytes = await resident();
+  const { renderer } = await openRenderer(480, 270);
+  await renderer.setScene(scene);
+  const picture = (k: number): Promise<number> =>
+    timed(async () => {
+      pumpFrame();
+      const t = (100 + k) / scene.timeCodesPerSecond;
+      renderer.render({ t, position: [0, 0, 6], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 0.9 }, SETTINGS);
+      await renderer.readPixels();
+    });
+  const first = await picture(0);
+  const times: number[] = [];
+  for (let k = 1; k <= PICTURES; k++) times.push(await picture(k));
+  const played: CachePlayed = { load, loadedBytes, first, frame: median(times), peakBytes: peakMemory() };
+  console.log(JSON.stringify(played));
   renderer.dispose();
   await releaseGpu();
 }

@@ -3,6 +3,7 @@ import { cpus, totalmem } from 'node:os';
 import { fileURLToPath } from 'node:url';
 import { type Bench, markdown } from './bench.ts';
 import { bundle } from './bundle.ts';
+import { cache } from './cache.ts';
 import { crate } from './crate.ts';
 import { cubic } from './cubic.ts';
 import { emission } from './emission.ts';
@@ -25,6 +26,7 @@ const benches: readonly Bench[] = [
   load,
   instances,
   crate,
+  cache,
   reference,
   page,
   bundle,

@@ -7,14 +7,19 @@ import type { ReadOptions } from '../formats/registry.ts';
 import type { FileSource } from '../formats/source.ts';
 import type { PartedFile } from '../formats/zip/directory.ts';
 import { splitArchive, zipSource } from '../formats/zip/source.ts';
+import { readFilesWith } from '../scene/storedNumbers.ts';
 import { InputError, type Scene } from '../scene/types.ts';
+import { openDiskFile, readDiskFile } from './diskFiles.ts';
 
 /** The files of a folder on disk; `..` and absolute paths lead where they say, since the person who runs this may read them. */
-function folderSource(folder: string): FileSource {
+export function folderSource(folder: string): FileSource {
+  readFilesWith(readDiskFile);
+  const onDisk = (path: string): string => (isAbsolute(path) ? path : join(folder, path));
   return {
+    open: async (path) => openDiskFile(onDisk(path), path),
     read: async (path) => {
       try {
-        return new Uint8Array(await readFile(isAbsolute(path) ? path : join(folder, path)));
+        return new Uint8Array(await readFile(onDisk(path)));
       } catch (error) {
         const code = (error as NodeJS.ErrnoException).code;
         if (code === 'ENOENT' || code === 'ENOTDIR') return undefined;

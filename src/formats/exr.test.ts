@@ -1,10 +1,10 @@
 import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { fromHalf, toHalf } from '../math/half.ts';
 import { InputError } from '../scene/types.ts';
 import { type ExrChannel, type ExrImage, writeExr } from './exr.ts';
 import { readExr } from './exrRead.ts';
-import { fromHalf, toHalf } from './half.ts';
 
 const { fround } = Math;
 

@@ -1,5 +1,5 @@
 import { zlibSync } from 'fflate';
-import { toHalf } from './half.ts';
+import { toHalf } from '../math/half.ts';
 
 /**
  * OpenEXR pictures, the part that Slowlight writes and reads back: one part, scan lines, whole-pixel channels of float,

@@ -1,8 +1,8 @@
 import { unzlibSync } from 'fflate';
+import { fromHalf } from '../math/half.ts';
 import { InputError } from '../scene/types.ts';
 import { type ExrChannel, type ExrImage, MAGIC, PIXEL_TYPES, sizeOf, ZIP, ZIP_ROWS } from './exr.ts';
 import { inputError, messageOf } from './fail.ts';
-import { fromHalf } from './half.ts';
 
 const COMPRESSIONS = ['none', 'RLE', 'ZIPS', 'ZIP', 'PIZ', 'PXR24', 'B44', 'B44A', 'DWAA', 'DWAB'];
 const NONE = 0;

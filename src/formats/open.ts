@@ -21,9 +21,9 @@ export async function openScene(files: FileSource, entry: string, options: OpenO
   const format = formatOf(path);
   if (!format) throw unknownFormat(path);
   const source = boundedSource(files, options.maxBytes ?? MAX_BYTES);
-  const bytes = await source.read(path);
-  if (!bytes) throw await missingFile(files, path);
-  if (bytes.length === 0) throw inputError('file.empty', path, 'the file is empty (0 bytes); export or copy it again');
+  const size = (await source.open?.(path))?.size ?? (await source.read(path))?.length;
+  if (size === undefined) throw await missingFile(files, path);
+  if (size === 0) throw inputError('file.empty', path, 'the file is empty (0 bytes); export or copy it again');
   try {
     return soundScene(await format.read(source, path, options));
   } catch (thrown) {
@@ -46,18 +46,21 @@ async function missingFile(files: FileSource, path: string): Promise<InputError>
   return inputError('file.missing', path, `no such file${hint}`);
 }
 
-/** The same files, each read once, with a bound on what they hold together. */
+/** The same files, each read once, with a bound on what is read of them together; what is only opened does not count. */
 function boundedSource(files: FileSource, maxBytes: number): FileSource {
   const held = new Map<string, Promise<Uint8Array | undefined>>();
   let total = 0;
   const load = async (path: string): Promise<Uint8Array | undefined> => {
     const bytes = await files.read(path);
-    total += bytes?.length ?? 0;
+    count(path, bytes?.length ?? 0);
+    return bytes;
+  };
+  const count = (path: string, size: number): void => {
+    total += size;
     if (total > maxBytes) {
       const message = `with this file the scene takes ${formatBytes(total)}, more than the ${formatBytes(maxBytes)} that are read; use smaller textures or fewer samples`;
       throw inputError('file.too-large', path, message);
     }
-    return bytes;
   };
   const read = (path: string): Promise<Uint8Array | undefined> => {
     const key = normalizePath(path);
@@ -65,5 +68,9 @@ function boundedSource(files: FileSource, maxBytes: number): FileSource {
     held.set(key, bytes);
     return bytes;
   };
-  return files.list ? { read, list: () => files.list!() } : { read };
+  return {
+    read,
+    ...(files.open && { open: (path: string) => files.open!(normalizePath(path)) }),
+    ...(files.list && { list: () => files.list!() }),
+  };
 }

@@ -17,6 +17,10 @@ export interface ReadOptions {
   readonly variants?: ReadonlyMap<string, string>;
   /** USD: variants by the name of a set, the best first, where nothing is chosen. */
   readonly variantFallbacks?: ReadonlyMap<string, readonly string[]>;
+  /** USD: memory for samples of deforming meshes [bytes]; those of crate files that take more stay there and are read when they are needed. */
+  readonly sampleMemory?: number;
+  /** Told the part of a long cache that is read, and which file. */
+  readonly progress?: (part: number) => void;
 }
 
 /** A kind of scene file. `read` loads its parser on first use, so that the page stays small. */

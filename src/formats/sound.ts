@@ -1,5 +1,7 @@
 import { makeMaterial } from '../scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../scene/normals.ts';
+import { isStreamed, pointsAt } from '../scene/points.ts';
+import { withoutLost } from '../scene/streamedPoints.ts';
 import type {
   Diagnostic,
   Lamp,
@@ -86,7 +88,9 @@ function knownFinite(numbers: Float32Array): boolean {
 
 /** A 1 for each vertex that is nowhere, at rest or at a sample; undefined where all are somewhere. */
 function lostVertices({ mesh, motion }: SceneObject): Uint8Array | undefined {
-  const shapes = motion.kind === 'sampled-points' ? [mesh.positions, ...motion.points] : [mesh.positions];
+  const points = motion.kind === 'sampled-points' ? motion.points : [];
+  if (isStreamed(points)) return points.facts.lost;
+  const shapes = [mesh.positions, ...points];
   const broken = shapes.filter((shape) => !knownFinite(shape));
   if (broken.length === 0) return undefined;
   const lost = new Uint8Array(mesh.positions.length / 3);
@@ -114,7 +118,8 @@ function without({ path, mesh }: SceneObject, lost: Uint8Array, say: Say): Mesh 
 
 function stillWhere(lost: Uint8Array, motion: Motion): Motion {
   if (motion.kind !== 'sampled-points') return motion;
-  return { ...motion, points: motion.points.map((points) => zeroed(points, lost)) };
+  const { points } = motion;
+  return { ...motion, points: isStreamed(points) ? withoutLost(points) : points.map((list) => zeroed(list, lost)) };
 }
 
 const zeroed = (points: Float32Array, lost: Uint8Array): Float32Array =>
@@ -124,7 +129,7 @@ const zeroed = (points: Float32Array, lost: Uint8Array): Float32Array =>
 function withSoundNormals(motion: Motion, mesh: Mesh): Motion {
   if (motion.kind !== 'sampled-points' || !motion.normals || motion.normals.every(allFinite)) return motion;
   const groups = smoothingGroups(mesh);
-  const computed = (k: number): Float32Array => finite(deformedNormals(motion.points[k], mesh.indices, groups));
+  const computed = (k: number): Float32Array => finite(deformedNormals(pointsAt(motion, k), mesh.indices, groups));
   return { ...motion, normals: motion.normals.map((normals, k) => (allFinite(normals) ? normals : computed(k))) };
 }
 

@@ -1,3 +1,5 @@
+import { RangedFile } from './rangedFile.ts';
+
 /**
  * Where a scene's files come from: a folder on disk, files dropped on the page, a web server, memory. Paths use '/' and
  * are relative to the folder of the source; `..` may lead out of it, where the source allows that.
@@ -5,6 +7,8 @@
 export interface FileSource {
   /** The file's bytes, or undefined where there is no such file. */
   read(path: string): Promise<Uint8Array | undefined>;
+  /** The same file, of which parts can be read, as long as the scene is there; absent where the source cannot do that. */
+  open?(path: string): Promise<RangedFile | undefined>;
   /** Every file there is, where that can be told; for messages and suggestions. */
   list?(): Promise<string[]>;
 }
@@ -14,6 +18,10 @@ export function memorySource(files: Readonly<Record<string, Uint8Array>>): FileS
   const byPath = new Map(Object.entries(files).map(([path, bytes]) => [normalizePath(path), bytes]));
   return {
     read: async (path) => byPath.get(normalizePath(path)),
+    open: async (path) => {
+      const handle = byPath.get(normalizePath(path));
+      return handle && new RangedFile({ name: path, handle }, handle.length);
+    },
     list: async () => [...byPath.keys()],
   };
 }

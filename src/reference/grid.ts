@@ -1,5 +1,5 @@
 import { add, dot, lerp, type Vec3 } from '../math/vec3.ts';
-import { boundingSphere, halfDiagonal, type Sphere } from '../scene/bounds.ts';
+import { boundingSphere, halfDiagonal, type Sphere, sphereAt } from '../scene/bounds.ts';
 import { axesOf } from '../scene/daylight.ts';
 import { placed, samplePose } from '../scene/motion.ts';
 import type { SceneObject } from '../scene/types.ts';
@@ -84,7 +84,7 @@ function stepOf(traced: TracedScene): number {
 /** Where an object is at time 0, or at its first sample; that round which it deforms is as large as it ever is. */
 function startOf({ mesh, motion }: SceneObject): Sphere {
   if (motion.kind === 'sampled-points') {
-    const spheres = motion.points.map(boundingSphere);
+    const spheres = Array.from(motion.times, (_, k) => sphereAt(motion, k));
     return { center: add(motion.origin, spheres[0].center), radius: Math.max(...spheres.map(({ radius }) => radius)) };
   }
   const { center, radius } = boundingSphere(mesh.positions);

@@ -1,8 +1,9 @@
 import { toMatrix } from '../math/quat.ts';
 import { add, sub, type Vec3 } from '../math/vec3.ts';
-import { type Box, boundingBox } from '../scene/bounds.ts';
+import { type Box, boundingBox, boxAt } from '../scene/bounds.ts';
 import { isCubic } from '../scene/cubicPoints.ts';
 import { samplePose } from '../scene/motion.ts';
+import { isStreamed, pointsAt } from '../scene/points.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
 import { emptyBox, growBox } from './bvh.ts';
 import { CubicShapes } from './cubicShapes.ts';
@@ -12,6 +13,8 @@ import { growByTriangle, type TriangleTree, treeOfMesh, treeOfTriangles } from '
 export interface Shape {
   /** 3 per vertex, world axes, from the object's `origin` [m]. */
   readonly points: Float32Array | Float64Array;
+  /** The points are not the scene's: they are forgotten with the shape. */
+  readonly own: boolean;
   /** 6 per node of the tree, as `Bvh.bounds`. */
   readonly boxes: Float64Array;
   /** When it was last asked for. */
@@ -36,7 +39,7 @@ export class ShapeStore {
 
   /** Keeps sample k of an object; each of the last two asked for stays, whatever its size. */
   keep(shapes: (Shape | undefined)[], k: number, shape: Shape): void {
-    const bytes = shape.boxes.byteLength + (shape.points instanceof Float64Array ? shape.points.byteLength : 0);
+    const bytes = shape.boxes.byteLength + (shape.own ? shape.points.byteLength : 0);
     shapes[k] = shape;
     this.touch(shape);
     this.kept.push({ shapes, k, bytes });
@@ -68,6 +71,7 @@ export class Samples {
   private readonly store: ShapeStore;
   /** Where points go along cubics: its blocks are the pieces. */
   readonly cubic: CubicShapes | undefined;
+  private readonly ownsPoints: boolean;
 
   /** c [m/s]: how much a cubic bends can depend on it. */
   constructor(
@@ -79,6 +83,7 @@ export class Samples {
     this.motion = motion;
     this.store = store;
     this.cubic = motion.kind === 'sampled-points' && isCubic(motion) ? new CubicShapes(motion, c) : undefined;
+    this.ownsPoints = motion.kind === 'sampled' || isStreamed(motion.points) || this.cubic !== undefined;
     this.times = this.cubic?.times ?? motion.times;
     this.shapes = new Array(this.times.length);
     this.origin = motion.kind === 'sampled' ? samplePose(motion.poses, 0).position : motion.origin;
@@ -92,7 +97,7 @@ export class Samples {
       return known;
     }
     const points = this.pointsAt(k);
-    const made = { points, boxes: this.refit(points), used: 0 };
+    const made = { points, own: this.ownsPoints, boxes: this.refit(points), used: 0 };
     this.store.keep(this.shapes, k, made);
     return made;
   }
@@ -110,7 +115,7 @@ export class Samples {
       cubic.outline(k, boxes);
       return;
     }
-    const box = boundingBox(motion.kind === 'sampled' ? this.mesh.positions : motion.points[k]);
+    const box = motion.kind === 'sampled' ? boundingBox(this.mesh.positions) : boxAt(motion, k);
     if (!box) emptyBox(boxes, 6 * k);
     else if (motion.kind === 'sampled') this.turnedBox(motion, k, box, boxes);
     else boxes.set([...box.min, ...box.max], 6 * k);
@@ -134,7 +139,7 @@ export class Samples {
 
   private pointsAt(k: number): Float32Array | Float64Array {
     const { motion } = this;
-    if (motion.kind === 'sampled-points') return this.cubic?.at(k) ?? motion.points[k];
+    if (motion.kind === 'sampled-points') return this.cubic?.at(k) ?? pointsAt(motion, k);
     const { position, orientation } = samplePose(motion.poses, k);
     const r = toMatrix(orientation);
     const [px, py, pz] = sub(position, this.origin);
@@ -187,4 +192,4 @@ export class Samples {
 const pointOf = (points: ArrayLike<number>, i: number): Vec3 => [points[3 * i], points[3 * i + 1], points[3 * i + 2]];
 
 /** The tree's structure is good for all samples where it fits one in the middle. */
-const middle = ({ points }: SampledPointsMotion): Float32Array => points[points.length >> 1];
+const middle = (motion: SampledPointsMotion): Float32Array => pointsAt(motion, motion.times.length >> 1);

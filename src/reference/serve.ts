@@ -1,3 +1,4 @@
+import { keepSamplesIn } from '../scene/streamedPoints.ts';
 import { renderTile, type Tile, type TileData, type TileRequest } from './tile.ts';
 import { type Groundwork, type TracedScene, traced } from './trace.ts';
 
@@ -24,8 +25,10 @@ export function serve(port: Port): void {
   let scene: TracedScene | undefined;
   let request: TileRequest | undefined;
   const obey = (order: Order): void => {
-    if (order.kind === 'scene') scene = traced(order.ground, order.shapes);
-    else if (order.kind === 'picture') request = order.request;
+    if (order.kind === 'scene') {
+      keepSamplesIn(order.shapes / 4);
+      scene = traced(order.ground, order.shapes);
+    } else if (order.kind === 'picture') request = order.request;
     else if (!scene || !request) throw new Error('a tile was ordered before its scene and its picture');
     else {
       const data = renderTile(scene, request, order.tile);

@@ -3,6 +3,7 @@ import { dot, lerp, negate, normalize, type Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { pieceAt, samplePose } from '../scene/motion.ts';
+import { normalsAt as normalsAtSample } from '../scene/points.ts';
 import { pointAt } from '../scene/polygons.ts';
 import type { Material, SceneObject } from '../scene/types.ts';
 import { materialOf } from './material.ts';
@@ -117,9 +118,9 @@ export function normalsAt({ mesh, motion }: SceneObject, t: number): (vertex: nu
       return (i) => lerp(rotate(a, own(i)), rotate(b, own(i)), s);
     }
     case 'sampled-points': {
-      if (!motion.normals) return own;
       const { before, after, s } = pieceAt(motion.times, t);
-      const [a, b] = [motion.normals[before], motion.normals[after]];
+      const [a, b] = [normalsAtSample(motion, before), normalsAtSample(motion, after)];
+      if (!a || !b) return own;
       return (i) => lerp(pointAt(a, i), pointAt(b, i), s);
     }
     default:

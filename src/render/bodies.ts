@@ -3,7 +3,7 @@ import { add, dot, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
-import { boundingSphere, sphereOfMesh } from '../scene/bounds.ts';
+import { sphereAt, sphereOfMesh } from '../scene/bounds.ts';
 import { type CubicPointsMotion, innerControls, isCubic } from '../scene/cubicPoints.ts';
 import { placed, samplePose } from '../scene/motion.ts';
 import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../scene/types.ts';
@@ -70,11 +70,11 @@ function sampledLine({ times, poses }: SampledMotion, point: Vec3): WorldLine {
 function deformingBody(object: SceneObject, motion: SampledPointsMotion, id: number): Body {
   const positions = new Float64Array(motion.times.length * 3);
   let radius = 0;
-  motion.points.forEach((points, k) => {
-    const sphere = boundingSphere(points);
+  for (let k = 0; k < motion.times.length; k++) {
+    const sphere = sphereAt(motion, k);
     positions.set(add(motion.origin, sphere.center), 3 * k);
     radius = Math.max(radius, sphere.radius);
-  });
+  }
   if (isCubic(motion))
     for (let k = 0; k + 1 < motion.times.length; k++) radius = Math.max(radius, bulge(motion, positions, k));
   return { id, object, centre: ZERO, radius, line: { kind: 'polyline', times: motion.times, positions } };

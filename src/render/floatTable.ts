@@ -1,5 +1,14 @@
 import { int, ivec2, texture } from 'three/tsl';
-import { DataTexture, FloatType, NearestFilter, type Node, RGBAFormat, type TextureNode } from 'three/webgpu';
+import {
+  DataTexture,
+  FloatType,
+  NearestFilter,
+  type Node,
+  RGBAFormat,
+  type TextureNode,
+  Vector3,
+  type WebGPURenderer,
+} from 'three/webgpu';
 
 /** Texels of four floats in a texture of fixed width: read with `textureLoad`, which is the same on WebGPU and WebGL2. */
 export class FloatTable {
@@ -12,7 +21,7 @@ export class FloatTable {
   constructor(width: number) {
     this.widthBits = Math.log2(width);
     this.array = new Float32Array(4 << this.widthBits);
-    this.texture = this.makeTexture();
+    this.texture = makeTexture(this.array, width);
     this.node = texture(this.texture);
   }
 
@@ -31,17 +40,31 @@ export class FloatTable {
     const grown = new Float32Array(4 * (nextPowerOfTwo(rows) << this.widthBits));
     grown.set(this.array);
     this.array = grown;
-    this.replaceTexture();
+    this.replaceTexture(makeTexture(grown, 1 << this.widthBits));
   }
 
   /** Takes an array as it is, `4 · width` floats per row. */
   adopt(array: Float32Array<ArrayBuffer>): void {
     this.array = array;
-    this.replaceTexture();
+    this.replaceTexture(makeTexture(array, 1 << this.widthBits));
   }
 
   upload(): void {
     this.texture.needsUpdate = true;
+  }
+
+  /** From now on the table is so many rows on the GPU alone, nothing in them yet, to be filled with `writeRows`. */
+  leaveToGpu(rows: number): void {
+    const made = makeTexture(null, 1 << this.widthBits, rows);
+    // Room is made for it, and nothing is copied there.
+    made.source.dataReady = false;
+    this.array = new Float32Array(0);
+    this.replaceTexture(made);
+  }
+
+  /** Copies whole rows, as `values` has them, to the GPU, from row `first` on. `by` may be used again for as many rows. */
+  writeRows(renderer: WebGPURenderer, first: number, rows: Float32Array<ArrayBuffer>, by = new RowCopy()): void {
+    renderer.copyTextureToTexture(by.texture(rows, 1 << this.widthBits), this.texture, null, new Vector3(0, first, 0));
   }
 
   texel(index: Node<'int'>): Node<'vec4'> {
@@ -56,21 +79,36 @@ export class FloatTable {
     this.texture.dispose();
   }
 
-  private replaceTexture(): void {
+  private replaceTexture(made: DataTexture): void {
     this.texture.dispose();
-    this.texture = this.makeTexture();
-    this.node.value = this.texture;
+    this.texture = made;
+    this.node.value = made;
+  }
+}
+
+/** The texture by which rows come to a table; made once for rows of one number. */
+export class RowCopy {
+  private made: DataTexture | undefined;
+
+  texture(rows: Float32Array<ArrayBuffer>, width: number): DataTexture {
+    this.made ??= makeTexture(rows, width);
+    this.made.image.data = rows;
+    this.made.needsUpdate = true;
+    return this.made;
   }
 
-  private makeTexture(): DataTexture {
-    const width = 1 << this.widthBits;
-    const made = new DataTexture(this.array, width, this.array.length / (4 * width), RGBAFormat, FloatType);
-    made.minFilter = NearestFilter;
-    made.magFilter = NearestFilter;
-    made.generateMipmaps = false;
-    made.needsUpdate = true;
-    return made;
+  dispose(): void {
+    this.made?.dispose();
   }
+}
+
+function makeTexture(array: Float32Array<ArrayBuffer> | null, width: number, rows?: number): DataTexture {
+  const made = new DataTexture(array, width, rows ?? array!.length / (4 * width), RGBAFormat, FloatType);
+  made.minFilter = NearestFilter;
+  made.magFilter = NearestFilter;
+  made.generateMipmaps = false;
+  made.needsUpdate = true;
+  return made;
 }
 
 const nextPowerOfTwo = (n: number): number => 2 ** Math.ceil(Math.log2(n));

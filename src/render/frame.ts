@@ -42,7 +42,7 @@ export interface FrameTables {
  * Once per picture, in f64: for every object the event of its centre on the surface that is looked at (its anchor), and what its vertices need,
  * relative to that, so that f32 never meets a large number. The object table holds, from texel OBJECT_TEXELS · (id − 1):
  *   0  (Δx, |Δx|) of the anchor [m], |Δx| < 0 where nothing of the object can be in the picture
- *   1  uniform (v, 1 − v²); hyperbolic (axis, a/c² [1/m]); sampled points (origin relative to the anchor [m], vertices per sample)
+ *   1  uniform (v, 1 − v²); hyperbolic (axis, a/c² [1/m]); sampled points (origin relative to the anchor [m], texels per sample)
  *   2  birth, death and the observer's event, in light-metres after the anchor's time; the object's id
  *   3  uniform (born rigid); hyperbolic (e^φ, born rigid, shift of the anchor [m]); sampled (first texel, count) of the sample table, and 1/c of points
  *   4  orientation, where it has one
@@ -52,6 +52,7 @@ export interface FrameTables {
 export class Frame {
   private readonly tables: FrameTables;
   private used = 0;
+  private complete = true;
 
   constructor(tables: FrameTables) {
     this.tables = tables;
@@ -61,11 +62,17 @@ export class Frame {
   fill(bodies: readonly Body[], sight: Sight, gaze: Gaze, backToNow: boolean): boolean[] {
     const { objects, samples } = this.tables;
     this.used = 0;
+    this.complete = true;
     objects.reserve(bodies.length * OBJECT_TEXELS);
     const seen = bodies.map((body) => this.place(body, sight, gaze, backToNow));
     objects.upload();
     samples.upload();
     return seen;
+  }
+
+  /** Whether all samples that the last picture needs are on the GPU; else some are on their way, and it is to be made again. */
+  get isComplete(): boolean {
+    return this.complete;
   }
 
   /** |Δx| of an object's anchor in the last picture [m]; negative where it cannot be seen. */
@@ -140,14 +147,15 @@ export class Frame {
     const samples = this.tables.samples;
     out.set([this.used, count], at + 12);
     if (motion.kind === 'sampled-points' && store) {
-      const held = store.hold(first, count);
+      this.complete = store.hold(first, count) && this.complete;
       samples.reserve(this.used + count);
-      out.set([...relativeTo(motion.origin, sight, anchor), store.vertices], at + 4);
+      out.set([...relativeTo(motion.origin, sight, anchor), store.stride], at + 4);
       const bend = isCubic(motion)
         ? (k: number) => (k + 1 < line.times.length ? bendOf(motion, k, sight.c) : 0)
         : () => 0;
       out[at + 14] = 1 / sight.c;
-      for (let k = first; k < first + count; k++) samples.values.set([k - held, bend(k), 0, after(k)], 4 * this.used++);
+      for (let k = first; k < first + count; k++)
+        samples.values.set([store.slot(k), bend(k), 0, after(k)], 4 * this.used++);
     } else if (motion.kind === 'sampled') {
       samples.reserve(this.used + 2 * count);
       for (let k = first; k < first + count; k++) {

@@ -1,92 +1,114 @@
 import { abs, float, floor, normalize, select, vec2, vec3 } from 'three/tsl';
+import type { WebGPURenderer } from 'three/webgpu';
+import { type CubicPointsMotion, isCubic } from '../scene/cubicPoints.ts';
+import { isStreamed } from '../scene/points.ts';
 import type { SampledPointsMotion } from '../scene/types.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
-import { FloatTable } from './floatTable.ts';
+import { FloatTable, RowCopy } from './floatTable.ts';
+import { OwnSamples, type PackedSamples, packSample, packVelocities, ROW, rowsOf } from './packedSamples.ts';
+import { NORMAL_STEPS } from './packNormal.ts';
+import { SampleRing } from './sampleRing.ts';
 
 /** Texels that one object's samples may take: 256 MiB. */
 const BUDGET = 2 ** 24;
 
+/** How the samples of a deforming mesh come to the GPU. */
+export interface PointStoreOptions {
+  /** Texels that one object's samples may take. */
+  readonly texels?: number | undefined;
+  /** Where samples come from that are left in a file; made here where absent. */
+  readonly samples?: PackedSamples | undefined;
+}
+
 /**
  * The samples of a deforming mesh on the GPU: a texel per vertex and sample, its place relative to the motion's origin [m] and its
- * normal, octahedral in 2 × 12 bits of the fourth float. All samples where they fit, else the ones around the span that is looked at.
+ * normal, octahedral in 2 × 12 bits of the fourth float. All samples where they are in memory and fit, one after the other; else a ring
+ * (sampleRing.ts) of those around the span that is looked at, each in rows of its own, of which only new ones are brought.
  */
 export class PointStore {
-  readonly table = new FloatTable(4096);
+  readonly table = new FloatTable(ROW);
   /** Of cubic motion, by the same places: (velocity [m/s], 0). */
   readonly velocities: FloatTable | undefined;
-  readonly vertices: number;
-  private readonly motion: SampledPointsMotion;
-  private readonly meshNormals: Float32Array;
+  /** Texels from one sample to the next. */
+  readonly stride: number;
   /** How many samples fit. */
   readonly capacity: number;
-  private first = -1;
+  private readonly renderer: WebGPURenderer;
+  private readonly samples: PackedSamples;
+  private readonly ring: SampleRing | undefined;
+  private readonly cubic: CubicPointsMotion | undefined;
+  private readonly copy = new RowCopy();
 
-  constructor(motion: SampledPointsMotion, meshNormals: Float32Array) {
-    this.motion = motion;
-    this.meshNormals = meshNormals;
-    this.vertices = meshNormals.length / 3;
-    this.velocities = motion.velocities && new FloatTable(4096);
-    const perVertex = this.velocities ? 2 : 1;
-    const most = Math.floor(BUDGET / (perVertex * Math.max(1, this.vertices)));
-    this.capacity = Math.max(2, Math.min(motion.times.length, most));
-  }
-
-  /** Makes samples [first, first + count) resident and tells which sample is first in the table. */
-  hold(first: number, count: number): number {
-    const held = this.first >= 0 && first >= this.first && first + count <= this.first + this.capacity;
-    if (held) return this.first;
-    const spare = Math.max(0, this.capacity - count);
-    this.first = Math.max(0, Math.min(first - (spare >> 1), this.motion.times.length - this.capacity));
-    this.fill();
-    return this.first;
-  }
-
-  private fill(): void {
-    this.table.reserve(this.capacity * this.vertices);
-    const out = this.table.values;
-    for (let k = 0; k < this.capacity; k++) {
-      const points = this.motion.points[this.first + k];
-      const normals = this.motion.normals?.[this.first + k] ?? this.meshNormals;
-      for (let i = 0; i < this.vertices; i++) {
-        const at = 4 * (k * this.vertices + i);
-        out[at] = points[3 * i];
-        out[at + 1] = points[3 * i + 1];
-        out[at + 2] = points[3 * i + 2];
-        out[at + 3] = packNormal(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
-      }
+  constructor(
+    motion: SampledPointsMotion,
+    meshNormals: Float32Array,
+    renderer: WebGPURenderer,
+    { texels = BUDGET, samples }: PointStoreOptions = {},
+  ) {
+    const vertices = meshNormals.length / 3;
+    const { length } = motion.times;
+    this.renderer = renderer;
+    this.samples = samples ?? new OwnSamples(motion, meshNormals);
+    this.cubic = isCubic(motion) ? motion : undefined;
+    this.velocities = this.cubic && new FloatTable(ROW);
+    const room = this.velocities ? texels / 2 : texels;
+    if (!isStreamed(motion.points) && length * vertices <= room) {
+      this.stride = vertices;
+      this.capacity = length;
+      this.fill(motion, meshNormals);
+      return;
     }
-    this.table.upload();
-    this.fillVelocities();
+    const rows = rowsOf(vertices);
+    this.stride = ROW * rows;
+    this.capacity = Math.max(2, Math.min(length, Math.floor(room / this.stride)));
+    this.ring = new SampleRing(this.capacity, length);
+    for (const table of this.tables()) table.leaveToGpu(this.capacity * rows);
   }
 
-  private fillVelocities(): void {
-    const { velocities, motion } = this;
-    if (!velocities) return;
-    velocities.reserve(this.capacity * this.vertices);
+  /** Where sample k is in the table, once it is held: `stride` times this. */
+  slot(k: number): number {
+    return this.ring ? k % this.capacity : k;
+  }
+
+  /** Brings samples [first, first + count) to the GPU; whether all of them are there. */
+  hold(first: number, count: number): boolean {
+    const { ring, samples } = this;
+    if (!ring) return true;
+    const { missing, ahead } = ring.want(first, count);
+    samples.focus(ring.first, ring.end);
+    const there = missing.filter((k) => this.bring(ring, k)).length === missing.length;
+    if (samples.travel) for (const k of ahead) this.bring(ring, k);
+    return there;
+  }
+
+  private bring(ring: SampleRing, k: number): boolean {
+    const rows = this.samples.take(k);
+    if (!rows) return false;
+    const row = (this.slot(k) * this.stride) / ROW;
+    this.table.writeRows(this.renderer, row, rows, this.copy);
+    // The rows have been copied: they may hold something else now.
+    if (this.cubic) this.velocities?.writeRows(this.renderer, row, packVelocities(this.cubic, k, rows), this.copy);
+    ring.put(k);
+    return true;
+  }
+
+  private fill(motion: SampledPointsMotion, meshNormals: Float32Array): void {
+    for (const table of this.tables()) table.reserve(this.capacity * this.stride);
     for (let k = 0; k < this.capacity; k++) {
-      const from = motion.velocities?.[this.first + k] ?? new Float32Array(3 * this.vertices);
-      for (let i = 0; i < this.vertices; i++)
-        for (let axis = 0; axis < 3; axis++) velocities.values[4 * (k * this.vertices + i) + axis] = from[3 * i + axis];
+      packSample(motion, k, meshNormals, this.table.values, 4 * this.stride * k);
+      if (this.cubic && this.velocities) packVelocities(this.cubic, k, this.velocities.values, 4 * this.stride * k);
     }
-    velocities.upload();
+    for (const table of this.tables()) table.upload();
+  }
+
+  private tables(): FloatTable[] {
+    return this.velocities ? [this.table, this.velocities] : [this.table];
   }
 
   dispose(): void {
-    this.table.dispose();
-    this.velocities?.dispose();
+    for (const table of this.tables()) table.dispose();
+    this.copy.dispose();
   }
-}
-
-/** Steps per octahedral axis; their square is exact in f32. */
-const NORMAL_STEPS = 4096;
-
-/** A unit normal on the octahedron |x| + |y| + |z| = 1, the lower half folded out (Meyer et al. 2010), as one exact f32 integer. */
-export function packNormal(x: number, y: number, z: number): number {
-  const l = Math.abs(x) + Math.abs(y) + Math.abs(z) || 1;
-  const [a, b] = [x / l, y / l];
-  const [p, q] = z >= 0 ? [a, b] : [(1 - Math.abs(b)) * Math.sign(a || 1), (1 - Math.abs(a)) * Math.sign(b || 1)];
-  const step = (v: number) => Math.round((v * 0.5 + 0.5) * (NORMAL_STEPS - 1));
-  return step(p) * NORMAL_STEPS + step(q);
 }
 
 /** The inverse of `packNormal`. */

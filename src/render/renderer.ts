@@ -25,7 +25,9 @@ export class SceneRenderer implements PictureMaker {
   private readonly options: RendererOptions;
   private upload: SceneUpload | undefined;
   private taken: Sight | undefined;
+  /** Of the last picture, and of the next one: the size changes when that is made, for a canvas of a new size is empty. */
   private size = { width: 1, height: 1 };
+  private wanted = this.size;
   private drawn = { objectsDrawn: 0, milliseconds: 0 };
 
   static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
@@ -45,7 +47,8 @@ export class SceneRenderer implements PictureMaker {
     const { upload, drawn, gpu } = this;
     const triangles = upload?.refiner.triangles ?? 0;
     const tolerance = upload?.refiner.toleranceReached ?? 0;
-    return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, ...drawn };
+    const waiting = upload !== undefined && !upload.frame.isComplete;
+    return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
   }
   get width(): number {
     return this.size.width;
@@ -59,9 +62,16 @@ export class SceneRenderer implements PictureMaker {
   }
 
   setSize(width: number, height: number): void {
-    this.size = { width: Math.max(1, Math.round(width)), height: Math.max(1, Math.round(height)) };
-    this.gpu.renderer.setSize(this.width, this.height, false);
-    this.machine.setSize(this.width, this.height);
+    this.wanted = { width: Math.max(1, Math.round(width)), height: Math.max(1, Math.round(height)) };
+    if (!this.taken) this.resize();
+  }
+
+  private resize(): void {
+    const { width, height } = this.wanted;
+    if (width === this.width && height === this.height) return;
+    this.size = this.wanted;
+    this.gpu.renderer.setSize(width, height, false);
+    this.machine.setSize(width, height);
     this.taken = undefined;
   }
 
@@ -78,6 +88,8 @@ export class SceneRenderer implements PictureMaker {
       this.gaze(viewPoint, projection),
       projection.event === 'newton',
     );
+    if (!upload.frame.isComplete) return;
+    this.resize();
     this.cut(upload, viewPoint, sight, projection, seen);
     upload.environment.update(sight);
     const count = samples * samples;
@@ -163,7 +175,8 @@ export class SceneRenderer implements PictureMaker {
     const { uniforms, camera } = this;
     const tanY = Math.tan(view.fovY / 2);
     const luminous = settings.view === 'light-cone' ? 1 : 0;
-    uniforms.halfTangents.value.set((tanY * this.width) / this.height, tanY);
+    const aspect = this.wanted.width / this.wanted.height;
+    uniforms.halfTangents.value.set(tanY * aspect, tanY);
     uniforms.u.value.set(...sight.u);
     uniforms.gamma.value = gamma(sight.u);
     uniforms.iterations.value = settings.iterations;
@@ -177,7 +190,7 @@ export class SceneRenderer implements PictureMaker {
     uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
     lookAtGround(uniforms, view, upload);
     camera.fov = (view.fovY * 180) / Math.PI;
-    camera.aspect = this.width / this.height;
+    camera.aspect = aspect;
     camera.quaternion.copy(new Quaternion(...view.orientation));
     camera.matrixWorld.copy(new Matrix4().makeRotationFromQuaternion(camera.quaternion));
     camera.updateMatrixWorld();

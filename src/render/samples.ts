@@ -34,7 +34,7 @@ export function poseSamples(table: FloatTable, first: Int, count: Int, offset: V
   };
 }
 
-/** A deforming mesh: per sample a texel (sample, bend, 0, time), and its points; `motion` = (origin relative to the anchor, vertices). */
+/** A deforming mesh: per sample a texel (sample, bend, 0, time), and its points; `motion` = (origin relative to the anchor, texels per sample). */
 export function pointSamples(
   table: FloatTable,
   { table: points, velocities }: Pick<PointStore, 'table' | 'velocities'>,

@@ -1,5 +1,6 @@
 import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene } from 'three/webgpu';
-import type { Scene, Texture } from '../scene/types.ts';
+import { isStreamed } from '../scene/points.ts';
+import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
 import { type Batch, type BatchArrays, makeBatches } from './batches.ts';
 import { type Body, makeBody } from './bodies.ts';
 import type { Gpu } from './device.ts';
@@ -8,7 +9,9 @@ import { Environment } from './environment.ts';
 import { FloatTable } from './floatTable.ts';
 import { Frame } from './frame.ts';
 import { PointStore } from './pointStore.ts';
-import { Refiner, type RefinerOptions } from './refine/gpuRefiner.ts';
+import { Refiner } from './refine/gpuRefiner.ts';
+import { SampleCourier } from './sampleCourier.ts';
+import type { RendererOptions } from './settings.ts';
 import { MATERIAL_TEXELS } from './surface.ts';
 import { uploadTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -42,8 +45,9 @@ export class SceneUpload {
   private readonly instances = new FloatTable(256);
   private readonly points = new Map<number, PointStore>();
   private readonly textures = new Map<Texture, DataTexture>();
+  private courier: SampleCourier | undefined;
 
-  constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms, gpu: Gpu, options: RefinerOptions) {
+  constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms, gpu: Gpu, options: RendererOptions) {
     this.scene = scene;
     this.speedOfLight = speedOfLight;
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
@@ -53,7 +57,7 @@ export class SceneUpload {
     this.frame = new Frame({ objects: this.objects, samples: this.samples, points: this.points });
     for (const { id, object } of this.bodies)
       if (object.motion.kind === 'sampled-points')
-        this.points.set(id, new PointStore(object.motion, object.mesh.normals));
+        this.points.set(id, this.pointStore(object.motion, object.mesh.normals, gpu, options));
     this.fillMaterials();
     const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
     this.fillInstances(batches);
@@ -64,10 +68,25 @@ export class SceneUpload {
   dispose(): void {
     this.drawables.forEach(disposeDrawable);
     this.refiner.dispose();
+    this.courier?.dispose();
     for (const store of this.points.values()) store.dispose();
     for (const image of this.textures.values()) image.dispose();
     for (const table of [this.objects, this.samples, this.materials, this.instances]) table.dispose();
     this.environment.dispose();
+  }
+
+  private pointStore(
+    motion: SampledPointsMotion,
+    meshNormals: Float32Array,
+    gpu: Gpu,
+    options: RendererOptions,
+  ): PointStore {
+    const { sampleWorker, pointTexels: texels } = options;
+    if (!sampleWorker || !isStreamed(motion.points))
+      return new PointStore(motion, meshNormals, gpu.renderer, { texels });
+    this.courier ??= new SampleCourier(sampleWorker(), options);
+    const samples = this.courier.samplesOf(motion.points);
+    return new PointStore(motion, meshNormals, gpu.renderer, { texels, samples });
   }
 
   private fillMaterials(): void {

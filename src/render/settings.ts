@@ -36,6 +36,17 @@ export interface RendererOptions {
   readonly planWorker?: () => Worker;
   /** Called when the worker has a plan that fits the last picture better than its own: time to render it again. */
   readonly onBetterPlan?: () => void;
+  /** Texels (16 bytes each) that the samples of one deforming mesh may take on the GPU; default 2²⁴. */
+  readonly pointTexels?: number;
+  /**
+   * Makes a worker that reads samples which are left in files (`serveSamples` of sampleServer.ts), off the thread that draws: a picture for
+   * which they have not come is not made, and the last one stays (`RendererInfo.waiting`). Absent: they are read while rendering.
+   */
+  readonly sampleWorker?: () => Worker;
+  /** Called when samples have come: where a picture waits, it is time to render it again. */
+  readonly onSamples?: () => void;
+  /** Called once when samples cannot be read any more: the file is gone or changed. The last picture stays. */
+  readonly onProblem?: (error: Error) => void;
   /** Called once when the device or the context is lost; dispose this renderer and create another on a new canvas. */
   readonly onLost?: (reason: string) => void;
 }
@@ -48,6 +59,8 @@ export interface RendererInfo {
   readonly tolerance: number;
   readonly objectsDrawn: number;
   readonly objects: number;
+  /** The last picture asked for was not made: samples of a deforming mesh are on their way. */
+  readonly waiting: boolean;
   /** CPU time of the last `render` call [ms]; the GPU may still be at work. */
   readonly milliseconds: number;
 }

@@ -1,10 +1,11 @@
-import { add, distance, scale, type Vec3 } from '../math/vec3.ts';
+import { add, distance, lerp, scale, type Vec3 } from '../math/vec3.ts';
 import { emissionTime, type ObserverEvent } from '../physics/lightCone.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
 import { Extremes } from './extremes.ts';
-import { vertexPositions } from './motion.ts';
+import { pieceAt, vertexPositions } from './motion.ts';
+import { isStreamed } from './points.ts';
 import { pointAt } from './polygons.ts';
-import type { Mesh, Scene, SceneObject } from './types.ts';
+import type { Mesh, SampledPointsMotion, Scene, SceneObject } from './types.ts';
 
 export interface Box {
   readonly min: Vec3;
@@ -16,7 +17,34 @@ export interface Sphere {
 }
 
 /** The axis-parallel box of points, 3 numbers each [m]; undefined of none. Numbers that are not finite are left out. */
-export function boundingBox(points: ArrayLike<number>): Box | undefined {
+export const boundingBox = (points: ArrayLike<number>): Box | undefined => finiteBox(points) ?? boxOfFinite(points);
+
+/** The same of points that are all finite; undefined where one is not. One pass, which long caches take thousands of times. */
+export function finiteBox(points: ArrayLike<number>): Box | undefined {
+  let x0 = Number.POSITIVE_INFINITY;
+  let y0 = x0;
+  let z0 = x0;
+  let x1 = -x0;
+  let y1 = -x0;
+  let z1 = -x0;
+  let zero = 0;
+  for (let i = 0; i + 2 < points.length; i += 3) {
+    const x = points[i];
+    const y = points[i + 1];
+    const z = points[i + 2];
+    if (x < x0) x0 = x;
+    if (x > x1) x1 = x;
+    if (y < y0) y0 = y;
+    if (y > y1) y1 = y;
+    if (z < z0) z0 = z;
+    if (z > z1) z1 = z;
+    // 0 times what is not finite is no number.
+    zero += x * 0 + y * 0 + z * 0;
+  }
+  return zero === 0 && x0 <= x1 ? { min: [x0, y0, z0], max: [x1, y1, z1] } : undefined;
+}
+
+function boxOfFinite(points: ArrayLike<number>): Box | undefined {
   const min = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
   const max = min.map((x) => -x);
   for (let i = 0; i < points.length; i++) {
@@ -29,16 +57,23 @@ export function boundingBox(points: ArrayLike<number>): Box | undefined {
 }
 
 /** A sphere round the middle of the bounding box that holds all points [m]; at most √3 times the smallest one. */
-export function boundingSphere(points: ArrayLike<number>): Sphere {
-  const box = boundingBox(points);
+export function boundingSphere(points: ArrayLike<number>, box = boundingBox(points)): Sphere {
   if (!box) return { center: [0, 0, 0], radius: 0 };
   const center = scale(add(box.min, box.max), 0.5);
-  let radius = 0;
-  for (let i = 0; i < points.length / 3; i++) {
-    const d = distance(pointAt(points, i), center);
-    if (d > radius) radius = d;
+  const [x, y, z] = center;
+  let square = -1;
+  let farthest = 0;
+  for (let i = 0; i + 2 < points.length; i += 3) {
+    const dx = points[i] - x;
+    const dy = points[i + 1] - y;
+    const dz = points[i + 2] - z;
+    const d = dx * dx + dy * dy + dz * dz;
+    if (d > square) {
+      square = d;
+      farthest = i / 3;
+    }
   }
-  return { center, radius };
+  return { center, radius: distance(pointAt(points, farthest), center) || 0 };
 }
 
 /** By their positions: objects that share a mesh, or wear it in other materials, share these. */
@@ -53,6 +88,23 @@ export function sphereOfMesh({ positions }: Pick<Mesh, 'positions'>): Sphere {
   const sphere = SPHERES.get(positions) ?? boundingSphere(positions);
   SPHERES.set(positions, sphere);
   return sphere;
+}
+
+/** The box of sample k, from the motion's origin [m]; undefined of no points. */
+export function boxAt({ points }: SampledPointsMotion, k: number): Box | undefined {
+  if (!isStreamed(points)) return boundingBox(points[k]);
+  const [x, y, z, X, Y, Z] = points.facts.boxes.subarray(6 * k, 6 * k + 6);
+  return x <= X ? { min: [x, y, z], max: [X, Y, Z] } : undefined;
+}
+
+/** The sphere round sample k, from the motion's origin [m]. */
+export function sphereAt(motion: SampledPointsMotion, k: number): Sphere {
+  const { points } = motion;
+  if (!isStreamed(points)) return boundingSphere(points[k]);
+  const box = boxAt(motion, k);
+  if (!box) return { center: [0, 0, 0], radius: 0 };
+  const [x, y, z] = box.min.map((low, i) => (low + box.max[i]) * 0.5);
+  return { center: [x, y, z], radius: points.facts.radii[k] };
 }
 
 /** Half the diagonal of the box of spheres [m]; 1 m of none. */
@@ -74,10 +126,12 @@ export function sceneBounds(scene: Scene, t: number, c: number): Box | undefined
   return boundingBox(corners);
 }
 
-/** The box of an object at world time t [s]. */
+/** The box of an object at world time t [s]; of one whose samples are left in a file between the boxes of its samples. */
 export function objectBounds(object: SceneObject, t: number, c: number): Box | undefined {
+  const { motion } = object;
+  if (motion.kind === 'sampled-points' && isStreamed(motion.points)) return boxBetween(motion, t);
   const { positions } = object.mesh;
-  const { kind } = object.motion;
+  const { kind } = motion;
   const isAffine = kind === 'static' || kind === 'uniform' || kind === 'sampled';
   if (!isAffine || positions.length === 0 || !Number.isFinite(sphereOfMesh(object.mesh).radius))
     return boundingBox(vertexPositions(object, t, c));
@@ -89,6 +143,13 @@ export function objectBounds(object: SceneObject, t: number, c: number): Box | u
   const reach = (k: number, sign: number): number =>
     o[k] + sign * extremes.reach([sign * (x[k] - o[k]), sign * (y[k] - o[k]), sign * (z[k] - o[k])]);
   return { min: [reach(0, -1), reach(1, -1), reach(2, -1)], max: [reach(0, 1), reach(1, 1), reach(2, 1)] };
+}
+
+function boxBetween(motion: SampledPointsMotion, t: number): Box | undefined {
+  const { before, after, s } = pieceAt(motion.times, t);
+  const [a, b] = [boxAt(motion, before), boxAt(motion, after)];
+  const between = (p: Vec3, q: Vec3): Vec3 => add(motion.origin, lerp(p, q, s));
+  return a && b && { min: between(a.min, b.min), max: between(a.max, b.max) };
 }
 
 /**

@@ -1,12 +1,17 @@
 import { slopeRule } from '../math/hermite.ts';
 import { length, lerp, type Vec3 } from '../math/vec3.ts';
 import { type CubicPiece, controlVelocities, slowBend } from '../physics/cubic.ts';
+import { isStreamed } from './points.ts';
 import type { SampledPointsMotion } from './types.ts';
 
 /** Points that move along cubic pieces. */
-export type CubicPointsMotion = SampledPointsMotion & { readonly velocities: readonly Float32Array[] };
+export interface CubicPointsMotion extends SampledPointsMotion {
+  readonly points: readonly Float32Array[];
+  readonly velocities: readonly Float32Array[];
+}
 
-export const isCubic = (motion: SampledPointsMotion): motion is CubicPointsMotion => motion.velocities !== undefined;
+export const isCubic = (motion: SampledPointsMotion): motion is CubicPointsMotion =>
+  motion.velocities !== undefined && !isStreamed(motion.points);
 
 /** The velocity of every point at each sample, as the parabola through its neighbours has it [m/s]; 3 numbers per point. */
 export const parabolaVelocities = (times: Float64Array, points: readonly Float32Array[]): Float32Array[] =>

@@ -6,6 +6,8 @@ import { velocityAt } from '../physics/worldLine.ts';
 import { type Sphere, sphereOfMesh } from './bounds.ts';
 import { bendOf, type CubicPointsMotion, greatestSpeed, isCubic, pieceSpeed, pointPiece } from './cubicPoints.ts';
 import { samplePose, vertexWorldLine } from './motion.ts';
+import { longestWay } from './pointFacts.ts';
+import { isStreamed } from './points.ts';
 import { restToWorld } from './resample.ts';
 import type { SampledMotion, SampledPointsMotion, SceneObject } from './types.ts';
 
@@ -122,13 +124,12 @@ function fastestOfPiece(
 
 function fastestPoints({ times, points }: SampledPointsMotion, atLeast: number): FastestPoint {
   let best: FastestPoint = { ...REST, speed: atLeast };
-  for (let k = 0; k + 1 < points.length; k++) {
-    const [a, b] = [points[k], points[k + 1]];
-    const span = times[k + 1] - times[k];
-    for (let i = 0; i < a.length; i += 3) {
-      const speed = Math.sqrt((b[i] - a[i]) ** 2 + (b[i + 1] - a[i + 1]) ** 2 + (b[i + 2] - a[i + 2]) ** 2) / span;
-      if (speed > best.speed) best = { speed, vertex: i / 3, from: times[k], to: times[k + 1] };
-    }
+  for (let k = 0; k + 1 < times.length; k++) {
+    const { way, vertex } = isStreamed(points)
+      ? { way: points.facts.ways[k], vertex: points.facts.fastest[k] }
+      : longestWay(points[k], points[k + 1]);
+    const speed = way / (times[k + 1] - times[k]);
+    if (speed > best.speed) best = { speed, vertex, from: times[k], to: times[k + 1] };
   }
   return best.from === REST.from ? REST : best;
 }

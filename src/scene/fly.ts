@@ -3,6 +3,8 @@ import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { boundingBox } from './bounds.ts';
 import { poseAt } from './motion.ts';
+import { isStreamed } from './points.ts';
+import { shiftedPoints } from './streamedPoints.ts';
 import type { FrameMotion, SampledPointsMotion, Scene, SceneObject, SphereLight } from './types.ts';
 
 /** A flight along a straight line at constant speed. */
@@ -26,12 +28,12 @@ const LEAST_LEAD = 60;
 /** Whether a thing is the one of a path, or below it. */
 export const isAt = (path: string, wanted: string): boolean => path === wanted || path.startsWith(`${wanted}/`);
 
-/** Objects whose samples are too many to be carried along. */
+/** Objects whose samples are too many to be carried along; those that are left in a file never are. */
 export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
   scene.objects
     .filter(({ motion, mesh, ...object }) => {
-      const isDeforming = motion.kind === 'sampled-points' && isAt(object.path, path);
-      return isDeforming && motion.times.length * mesh.positions.length > MAX_NUMBERS;
+      if (motion.kind !== 'sampled-points' || isStreamed(motion.points) || !isAt(object.path, path)) return false;
+      return motion.times.length * mesh.positions.length > MAX_NUMBERS;
     })
     .map((object) => object.path);
 
@@ -110,10 +112,9 @@ function carriedPoints(motion: SampledPointsMotion, { velocity, at, range }: Cou
   const order = [...before.map(() => 0), ...times.keys(), ...after.map(() => last)];
   const longer = Float64Array.of(...before, ...times, ...after);
   const moves = (i: number): boolean => i >= before.length && i < before.length + times.length;
-  const shifted = order.map((k, i) => {
-    const shift = scale(velocity, longer[i] - at);
-    return points[k].map((x, j) => x + shift[j % 3]);
-  });
+  const shifts = Float64Array.from(order.flatMap((_, i) => scale(velocity, longer[i] - at)));
+  if (isStreamed(points)) return { ...motion, times: longer, points: shiftedPoints(points, order, shifts) };
+  const shifted = order.map((k, i) => points[k].map((x, j) => x + shifts[3 * i + (j % 3)]));
   return {
     ...motion,
     times: longer,

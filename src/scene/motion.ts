@@ -5,6 +5,7 @@ import { cubicAt, eased } from '../physics/cubic.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { type CubicLine, positionAt, samplesUntil, type WorldLine } from '../physics/worldLine.ts';
 import { bendOf, type CubicPointsMotion, isCubic, pointPiece } from './cubicPoints.ts';
+import { pointsAt, vertexAt } from './points.ts';
 import { pointAt } from './polygons.ts';
 import type {
   FrameMotion,
@@ -135,9 +136,9 @@ export function sampleVelocity({ times, poses }: SampledMotion, k: number, c: nu
   return properVelocity(scale(moved, 1 / (c * (times[b] - times[a]))));
 }
 
-function deformingVertex({ points, origin }: SampledPointsMotion, i: number): Float64Array {
-  const out = new Float64Array(3 * points.length);
-  for (let k = 0; k < points.length; k++) out.set(add(origin, pointAt(points[k], i)), 3 * k);
+function deformingVertex(motion: SampledPointsMotion, i: number): Float64Array {
+  const out = new Float64Array(3 * motion.times.length);
+  for (let k = 0; k < motion.times.length; k++) out.set(add(motion.origin, vertexAt(motion, k, i)), 3 * k);
   return out;
 }
 
@@ -182,7 +183,7 @@ function placer(object: SceneObject, t: number, c: number): (vertex: number) => 
 /** Vertex → its place at world time t, from the motion's origin. c [m/s]. */
 export function deformedPoints(motion: SampledPointsMotion, t: number, c: number): (vertex: number) => Vec3 {
   const { before, after, s } = pieceAt(motion.times, t);
-  const [a, b] = [motion.points[before], motion.points[after]];
+  const [a, b] = [pointsAt(motion, before), pointsAt(motion, after)];
   if (!isCubic(motion) || before === after) return (i) => lerp(pointAt(a, i), pointAt(b, i), s);
   const bend = bendOf(motion, before, c);
   const since = t - motion.times[before];

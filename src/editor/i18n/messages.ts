@@ -173,6 +173,7 @@ export const messages = {
   'status.ownTime': ['Own clock', '固有时'],
   'status.triangles': ['{{count}} triangles', '{{count}} 个三角形'],
   'status.coarse': ['up to {{pixels}} px off', '误差不超过 {{pixels}} 像素'],
+  'status.waiting': ['reading samples…', '读取采样…'],
   'status.starting': ['starting…', '启动中…'],
   'status.recovering': ['recovering…', '恢复中…'],
 

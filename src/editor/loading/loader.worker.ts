@@ -4,11 +4,15 @@ import { openScene } from '../../formats/open.ts';
 import type { FileSource } from '../../formats/source.ts';
 import { bytesFile, splitArchive, zipSource } from '../../formats/zip/source.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
+import { readFilesWith } from '../../scene/storedNumbers.ts';
 import { InputError } from '../../scene/types.ts';
+import { readBlob } from './blobs.ts';
 import type { LoaderReply, LoadRequest } from './protocol.ts';
 import { localSource, urlSource } from './sources.ts';
 import { loadedScene } from './survey.ts';
 import { transferables } from './transfer.ts';
+
+readFilesWith(readBlob);
 
 /** Reads one scene off the main thread; its arrays are handed over, not copied. */
 addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
@@ -21,11 +25,15 @@ addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
   }
 });
 
+/** Of a long cache, whose samples are all looked at once. */
+const progress = (part: number): void => reply({ kind: 'progress', stage: 'parse', part });
+
 async function load(request: LoadRequest): Promise<LoadedScene> {
   const { source, entry } = await sceneIn(sourceOf(request), request.entry);
   return loadedScene(
     await openScene(source, entry, {
       variants: new Map(request.variants),
+      progress,
       ...(request.interpolation && { interpolation: request.interpolation }),
     }),
   );

@@ -19,6 +19,13 @@ describe('files that a person chose', () => {
     expect(await source.list?.()).toHaveLength(4);
   });
 
+  it('can be opened, to read parts of them', async () => {
+    const opened = await source.open?.('elsewhere/wood.png');
+    expect(opened?.size).toBe(4);
+    expect(opened?.file.handle).toBe(files.get('set/textures/wood.png'));
+    expect(await source.open?.('gone.png')).toBeUndefined();
+  });
+
   it('are not guessed where two have the name', async () => {
     expect(await source.read('same.png')).toBeUndefined();
     expect(await source.read('gone.png')).toBeUndefined();

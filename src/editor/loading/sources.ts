@@ -1,4 +1,5 @@
 import { nearestPath } from '../../formats/find.ts';
+import { RangedFile } from '../../formats/rangedFile.ts';
 import { type FileSource, normalizePath } from '../../formats/source.ts';
 import { type HeldFile, readHeld } from './held.ts';
 
@@ -57,12 +58,18 @@ async function* streamOf(response: Response): AsyncGenerator<Uint8Array> {
  */
 export function localSource(files: ReadonlyMap<string, HeldFile>, report: Report, others?: FileSource): FileSource {
   const byPath = new Map([...files].map(([path, file]) => [normalizePath(path), file]));
+  const nearest = (path: string): HeldFile | undefined => byPath.get(nearestPath(byPath.keys(), path) ?? '');
   return {
+    open: async (path) => {
+      const wanted = normalizePath(path);
+      const handle = byPath.get(wanted) ?? (others ? undefined : nearest(wanted));
+      return handle instanceof Blob ? new RangedFile({ name: path, handle }, handle.size) : undefined;
+    },
     read: async (path) => {
       const wanted = normalizePath(path);
       const exact = byPath.get(wanted);
       const other = exact ? undefined : await others?.read(path);
-      const file = exact ?? (other ? undefined : byPath.get(nearestPath(byPath.keys(), wanted) ?? ''));
+      const file = exact ?? (other ? undefined : nearest(wanted));
       return file ? readHeld(file, report) : other;
     },
     list: async () => [...byPath.keys()],

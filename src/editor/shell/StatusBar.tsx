@@ -117,6 +117,7 @@ function Machine(): ReactNode {
   const graphics = useStudioState((state) => state.graphics);
   const triangles = useTelemetry((live) => live.triangles);
   const tolerance = useTelemetry((live) => live.tolerance);
+  const waiting = useTelemetry((live) => live.waiting);
   const starting = graphics === 'starting' ? t('status.starting') : t('status.recovering');
   const name = graphics === 'webgpu' || graphics === 'webgl' ? BACKENDS[graphics] : starting;
   return (
@@ -124,6 +125,7 @@ function Machine(): ReactNode {
       <Text size="xs" className="sl-status-item sl-figure" c="dimmed" data-status="triangles">
         {t('status.triangles', { count: formatCount(triangles) })}
         {tolerance > EXACT && ` · ${t('status.coarse', { pixels: formatCount(Math.ceil(tolerance)) })}`}
+        {waiting && ` · ${t('status.waiting')}`}
       </Text>
       <Text size="xs" className="sl-status-item" c="dimmed" data-status="backend">
         {name}

@@ -15,6 +15,8 @@ export interface Telemetry {
   readonly triangles: number;
   /** How far what is drawn may be from what is seen [px]. */
   readonly tolerance: number;
+  /** What is to be seen next is still being read. */
+  readonly waiting: boolean;
 }
 
 const INTERVAL = 100; // [ms]
@@ -26,17 +28,23 @@ export const telemetry = createStore<Telemetry>(() => ({
   gamma: 1,
   triangles: 0,
   tolerance: 0,
+  waiting: false,
 }));
 
 let last = Number.NEGATIVE_INFINITY;
 
 /** `now` [ms] is the frame's time stamp. What changed too recently is shown with a later frame. */
-export function report(state: ObserverState, drawn: Pick<Telemetry, 'triangles' | 'tolerance'>, now: number): void {
+export function report(
+  state: ObserverState,
+  drawn: Pick<Telemetry, 'triangles' | 'tolerance' | 'waiting'>,
+  now: number,
+): void {
   if (now - last < INTERVAL) return;
   last = now;
   const g = gamma(state.u);
-  const { triangles, tolerance } = drawn;
-  const next = { t: state.t, properTime: state.properTime, beta: length(state.u) / g, gamma: g, triangles, tolerance };
+  const { triangles, tolerance, waiting } = drawn;
+  const picture = { triangles, tolerance, waiting };
+  const next = { t: state.t, properTime: state.properTime, beta: length(state.u) / g, gamma: g, ...picture };
   const shown = telemetry.getState();
   if ((Object.keys(next) as (keyof Telemetry)[]).some((key) => next[key] !== shown[key])) telemetry.setState(next);
 }

@@ -34,6 +34,8 @@ export class Stage {
   #shown: Shown | undefined;
   #frame = 0;
   #before: number | undefined;
+  /** Samples of this scene cannot be read any more. */
+  #lost = false;
 
   static async start(
     canvas: HTMLCanvasElement,
@@ -43,13 +45,19 @@ export class Stage {
     onLost: (reason: string) => void,
   ): Promise<Stage> {
     let stage: Stage | undefined;
+    const again = (): void => {
+      if (stage) stage.#again();
+    };
     const renderer = await SceneRenderer.create({
       canvas,
       backend,
       onLost,
       planWorker: () => new Worker(new URL('./plan.worker.ts', import.meta.url), { type: 'module' }),
-      onBetterPlan: () => {
-        if (stage) stage.#again();
+      sampleWorker: () => new Worker(new URL('./samples.worker.ts', import.meta.url), { type: 'module' }),
+      onBetterPlan: again,
+      onSamples: again,
+      onProblem: (error) => {
+        if (stage) stage.#lose(error);
       },
     });
     stage = new Stage(canvas, renderer, studio, pilot);
@@ -90,7 +98,7 @@ export class Stage {
     const { clientWidth, clientHeight } = this.#canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setSize(Math.round(clientWidth * ratio), Math.round(clientHeight * ratio));
-    // A canvas of a new size is empty: without a picture before the next paint it would flash.
+    // Without a picture before the next paint the old one would be stretched.
     this.#draw(true);
   }
 
@@ -99,13 +107,13 @@ export class Stage {
     const interval = now - (this.#before ?? now);
     this.#before = now;
     this.#follow();
-    this.#pilot.advance(Math.min(LONGEST_STEP, interval / 1000));
+    if (!this.#waits) this.#pilot.advance(Math.min(LONGEST_STEP, interval / 1000));
     this.#resolution.note(this.#draw(false), now, interval);
     if (this.#resolution.scale !== this.#scale) {
       this.#scale = this.#resolution.scale;
       this.#resize();
     }
-    report(this.#pilot.observer, this.#renderer.info, now);
+    report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits }, now);
   }
 
   /** Takes up a new picture; where its scene is another one, after the upload: until then the last one stays. */
@@ -119,6 +127,7 @@ export class Stage {
   async #upload(picture: Picture, source: string): Promise<void> {
     this.#uploading = true;
     this.#scene = picture.scene;
+    this.#lost = false;
     try {
       await this.#renderer.setScene(picture.scene);
       this.#shown = undefined;
@@ -136,17 +145,28 @@ export class Stage {
     this.#shown = undefined;
   }
 
+  /** For samples that are to come. */
+  get #waits(): boolean {
+    return this.#renderer.info.waiting && !this.#lost;
+  }
+
+  /** The last picture stays, and time goes on. */
+  #lose(error: Error): void {
+    this.#lost = true;
+    this.#studio.notify({ kind: 'error', text: error.message });
+  }
+
   /** Whether there was anything new to draw. */
   #draw(always: boolean): boolean {
     const viewPoint = this.#pilot.viewPoint();
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
-    const { width, height } = this.#renderer;
-    const settings = renderSettings(picture, viewPoint, width / height);
+    const { clientWidth, clientHeight } = this.#canvas;
+    const settings = renderSettings(picture, viewPoint, clientWidth / Math.max(1, clientHeight));
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
     this.#renderer.render(viewPoint, settings);
-    return true;
+    return !this.#renderer.info.waiting;
   }
 }
 

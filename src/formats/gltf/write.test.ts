@@ -7,6 +7,7 @@ import { distance, type Vec3 } from '../../math/vec3.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../scene/defaults.ts';
 import { shownArea } from '../../scene/lamps.ts';
 import { vertexPosition } from '../../scene/motion.ts';
+import { pointsAt } from '../../scene/points.ts';
 import { box } from '../../scene/primitives.ts';
 import type { Motion, Scene, SceneObject } from '../../scene/types.ts';
 import { memorySource } from '../source.ts';
@@ -66,7 +67,8 @@ const scenes = fc
         ),
       }),
   );
-const meshOf = (motion: Motion) => (motion.kind === 'sampled-points' ? { ...cube, positions: motion.points[0] } : cube);
+const meshOf = (motion: Motion) =>
+  motion.kind === 'sampled-points' ? { ...cube, positions: pointsAt(motion, 0) } : cube;
 
 const up = ({ upAxis }: Scene, [x, y, z]: Vec3): Vec3 => (upAxis === 'Y' ? [x, y, z] : [x, z, -y]);
 const written = async (scene: Scene, name = 'a.glb') => {

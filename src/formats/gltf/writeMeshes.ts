@@ -1,4 +1,5 @@
 import type { Accessor, Buffer, Document, Node as GltfNode, Primitive } from '@gltf-transform/core';
+import { normalsAt, pointsAt } from '../../scene/points.ts';
 import type { Mesh, MeshGroup, SampledPointsMotion, Scene, SceneObject } from '../../scene/types.ts';
 import type { Losses, PlainMotion } from '../written.ts';
 import { MaterialWriter } from './writeMaterials.ts';
@@ -41,8 +42,10 @@ export class MeshWriter {
   private primitive(mesh: Mesh, group: MeshGroup, motion: SampledPointsMotion | undefined, moves: boolean): Primitive {
     const { indices, vertices } = compact(mesh.indices.subarray(group.start, group.start + group.count));
     const own = (values: Float32Array): Float32Array => taken(values, vertices, 3);
-    const points = motion?.points.map(own) ?? [own(mesh.positions)];
-    const normals = motion?.normals?.map(own) ?? [own(mesh.normals)];
+    const times = motion && (moves ? motion.times : motion.times.subarray(0, 1));
+    const points = times ? Array.from(times, (_, k) => own(pointsAt(motion, k))) : [own(mesh.positions)];
+    const shaded = motion !== undefined && normalsAt(motion, 0) !== undefined;
+    const normals = shaded ? points.map((_, k) => own(normalsAt(motion, k)!)) : [own(mesh.normals)];
     const primitive = this.document
       .createPrimitive()
       .setAttribute('POSITION', this.values('VEC3', points[0]))

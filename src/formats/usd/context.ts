@@ -28,6 +28,10 @@ export interface StageContext {
   readonly pointBudget: { bytes: number };
   /** Times that are left at which things can be placed. */
   readonly sampleBudget: SampleBudget;
+  /** How much of it is taken before meshes whose samples can stay in their file are left there. */
+  readonly sampleMemory: { bytes: number };
+  /** Told the part of a mesh's samples that is read. */
+  readonly progress: (part: number) => void;
   /** Work that is left for the paths between samples. */
   readonly motionBudget: RefinementBudget;
   /** Levels that are wanted, and of each mesh those that there are faces for, once they are known. */

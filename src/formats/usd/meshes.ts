@@ -1,13 +1,15 @@
 import { gatherPoints, makeMesh } from '../../scene/geometry.ts';
 import type { Polygons, PolygonValues } from '../../scene/polygons.ts';
 import type { Mesh } from '../../scene/types.ts';
-import { attributeOf, numbersAt, numbersOf, sampleTimes, textAt } from './attributes.ts';
+import { attributeOf, numbersAt, sampleTimes, textAt } from './attributes.ts';
 import { isTrue, report, type StageContext } from './context.ts';
 import type { NumberArray, PrimSpec } from './layer.ts';
-import { bentMesh, type DeformedPoints, type Shape } from './placement.ts';
+import { bentMesh, type DeformedPoints, type Shape, type StoredDeformation } from './placement.ts';
 import { type Primvar, primvarOf, type Topology, valuesOnMesh } from './primvars.ts';
+import { bytesOfPoints, vectorsOf } from './sampling.ts';
 import type { Skeletons } from './skel/binding.ts';
 import { type Skin, skinOf } from './skel/skin.ts';
+import { countOf, storedSamples } from './storedArray.ts';
 import { levelsOf, subdivided } from './subdivision.ts';
 import type { Surface } from './surface.ts';
 
@@ -45,7 +47,8 @@ export function meshShape(
   const faces = facesOf(context, prim);
   if (!faces) return undefined;
   const topology = { points: faces.points.length / 3, corners: faces.indices.length, faces: faces.counts.length };
-  const levels = levelsOf(context, prim);
+  const wanted = levelsOf(context, prim);
+  const levels = wanted > 0 && staysInFile(context, prim, topology.points) ? 0 : wanted;
   const kept = keptFaces(context, prim, faces, levels > 0);
   const uvs = surface.uvs(prim, topology);
   const colors = surface.colors(prim, topology);
@@ -66,10 +69,22 @@ export function meshShape(
   return bent(context, prim, moved, plainMesh(context, prim, polygons, topology, kept, skin), skin);
 }
 
+/** Whether the samples of the points are too many for memory, and can stay where they are: said, for what is subdivided has to be computed. */
+function staysInFile(context: StageContext, prim: PrimSpec, points: number): boolean {
+  const attribute = attributeOf(prim, 'points');
+  const bytes = bytesOfPoints(sampleTimes(attribute).length, points, vectorsOf(context));
+  if (bytes <= context.sampleMemory.bytes || !storedSamples(attribute)) return false;
+  const message = 'its samples are too many to be subdivided and stay in their file; it is drawn as its polygons';
+  report(context, 'info', 'usd.subdivision', prim.path, message);
+  return true;
+}
+
 /** A mesh, and its vertices for points of the prim at another time. */
 interface Drawn {
   readonly mesh: Mesh;
   bent(points: ArrayLike<number>, time: number): DeformedPoints;
+  /** What is known of its vertices, and of their normals where they are sampled, if that can stay in its file. */
+  readonly stored?: Omit<StoredDeformation, 'points'>;
 }
 
 function plainMesh(
@@ -87,12 +102,14 @@ function plainMesh(
     ...(given ? { normals: onKept(given.values, kept) } : { smoothAngle }),
   });
   const sampled = given && areSampled(given.primvar, topology.points) ? given.primvar.attribute.name : undefined;
+  const normals = sampled === undefined ? undefined : storedSamples(attributeOf(prim, sampled));
   const normalsAt = (time: number): Float32Array | undefined => {
     if (skin) return given && skin.normalsAt(time, mesh.normals, pointOfVertex);
     return sampled === undefined ? undefined : gatherPoints(numbersAt(prim, sampled, time)!, pointOfVertex);
   };
   return {
     mesh,
+    ...(sampled === undefined || normals ? { stored: { pointOfVertex, normals } } : {}),
     bent: (points, time) => {
       const normals = normalsAt(time);
       return { positions: gatherPoints(points, pointOfVertex), ...(normals ? { normals } : {}) };
@@ -103,7 +120,7 @@ function plainMesh(
 /** Normals of the points themselves, as many at every time. */
 function areSampled({ interpolation, indices, attribute }: Primvar, points: number): boolean {
   if (interpolation !== 'point' || indices || sampleTimes(attribute).length === 0) return false;
-  return attribute.timeSamples!.values.every((value) => numbersOf(value)?.length === 3 * points);
+  return attribute.timeSamples!.values.every((value) => countOf(value) === 3 * points);
 }
 
 function subdividedMesh(
@@ -131,11 +148,14 @@ function bent(context: StageContext, prim: PrimSpec, times: Float64Array, drawn:
   if (!skin) {
     if (times.length === 0) return { mesh };
     const at = (time: number): DeformedPoints => drawn.bent(numbersAt(prim, 'points', time)!, time);
+    const points = drawn.stored && storedSamples(attributeOf(prim, 'points'));
+    const stored = drawn.stored && points ? { stored: { ...drawn.stored, points } } : {};
     const count = numbersAt(prim, 'points', context.startCode)!.length;
-    if (!context.cubic || !velocitiesOf(context, prim, times, count)) return { mesh, deformation: { times, at } };
+    if (!context.cubic || !velocitiesOf(context, prim, times, count))
+      return { mesh, deformation: { times, at, ...stored } };
     // What places are made of, velocities are made of too.
     const velocitiesAt = (time: number) => drawn.bent(numbersAt(prim, 'velocities', time)!, time).positions;
-    return { mesh, deformation: { times, at, velocitiesAt } };
+    return { mesh, deformation: { times, at, velocitiesAt, ...stored } };
   }
   const frame = skin.frame ? { frame: skin.frame } : {};
   if (skin.isRigid) return { mesh, ...frame };
@@ -262,8 +282,7 @@ function pointTimes(context: StageContext, prim: PrimSpec): Float64Array {
   const points = attributeOf(prim, 'points');
   const times = sampleTimes(points);
   const count = numbersAt(prim, 'points', context.startCode)!.length;
-  if (times.length === 0 || points!.timeSamples!.values.every((value) => numbersOf(value)?.length === count))
-    return times;
+  if (times.length === 0 || points!.timeSamples!.values.every((value) => countOf(value) === count)) return times;
   const message = 'the number of points changes with time; the shape is held at the start';
   report(context, 'warning', 'usd.topology', prim.path, message);
   return new Float64Array(0);
@@ -274,7 +293,7 @@ function velocitiesOf(context: StageContext, prim: PrimSpec, times: Float64Array
   const samples = attributeOf(prim, 'velocities')?.timeSamples;
   if (!samples) return false;
   const given = samples.times.length === times.length && samples.times.every((t, k) => t === times[k]);
-  if (given && samples.values.every((value) => numbersOf(value)?.length === count)) return true;
+  if (given && samples.values.every((value) => countOf(value) === count)) return true;
   const message = `its velocities are not given for each of ${count / 3} points at each of ${times.length} samples; they are taken from the points`;
   report(context, 'info', 'usd.velocities', prim.path, message);
   return false;

@@ -1,15 +1,20 @@
 import { hermite } from '../../math/hermite.ts';
-import { cofactors, determinant, type Mat3 } from '../../math/mat3.ts';
+import { determinant } from '../../math/mat3.ts';
 import * as mat4 from '../../math/mat4.ts';
 import { distance, scale, type Vec3 } from '../../math/vec3.ts';
 import { chordGap, parabolaVelocities, parabolaVelocityAt } from '../../scene/cubicPoints.ts';
+import { gatherPoints } from '../../scene/geometry.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
 import { pieceAt } from '../../scene/motion.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
+import { surveyPoints } from '../../scene/pointFacts.ts';
+import { readSample, type StoredSample } from '../../scene/storedNumbers.ts';
+import { makeNormals, makePoints, type PointRecipe } from '../../scene/streamedPoints.ts';
+import { transformedNormals, transformedPoints } from '../../scene/transformPoints.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion, UniformMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
-import { affordableTimes, boxCorners, bytesOfPoints, carried, carriedNumbers, evenly } from './sampling.ts';
+import { affordableTimes, boxCorners, bytesOfPoints, carried, carriedNumbers, evenly, vectorsOf } from './sampling.ts';
 import { unionOfTimes } from './xformOps.ts';
 
 /** A mesh in its prim's own axes and stage units, and how its points change with time in there. */
@@ -26,7 +31,14 @@ export interface Deformation {
   /** As the file gives them [units per second], 3 per vertex; absent where it does not, or not at all times. */
   velocitiesAt?(time: number): Float32Array;
   /** Where its points do not move along chords between the times: some of them, 3 numbers each, that stand for all. */
+  /** Where all of it is stored, if it was left in its file. */
+  readonly stored?: StoredDeformation;
   readonly follow?: { readonly cost: number; pointsAt(time: number): ArrayLike<number> };
+}
+export interface StoredDeformation {
+  readonly pointOfVertex: Uint32Array;
+  readonly points: (time: number) => StoredSample;
+  readonly normals: ((time: number) => StoredSample) | undefined;
 }
 export interface DeformedPoints {
   /** 3 per vertex of the mesh. */
@@ -290,9 +302,6 @@ function diagonal(points: ArrayLike<number>): number {
   return distance(corners[0], corners[corners.length - 1]);
 }
 
-/** Of each vertex at each time: a place, a normal, and along cubics a velocity. */
-const vectorsOf = ({ cubic }: StageContext): number => (cubic ? 3 : 2);
-
 /** The times that the scene still has memory for. */
 function affordable(context: StageContext, path: string, wanted: Float64Array, vertices: number): Float64Array {
   const { pointBudget } = context;
@@ -306,22 +315,67 @@ function affordable(context: StageContext, path: string, wanted: Float64Array, v
   return times;
 }
 
+/** Whether samples are too many for memory. Those that are not take of it. */
+function leftInFile(context: StageContext, times: number, vertices: number): boolean {
+  const { sampleMemory } = context;
+  const left = sampleMemory.bytes - bytesOfPoints(times, vertices, vectorsOf(context));
+  if (left >= 0) sampleMemory.bytes = left;
+  return left < 0;
+}
+
+/** Every vertex at every time, to be read when it is needed; as `sampledPoints` makes it. */
+function streamedPoints(
+  context: StageContext,
+  path: string,
+  mesh: Mesh,
+  { pointOfVertex, points, normals }: StoredDeformation,
+  world: Frame,
+  codes: Float64Array,
+): Placed {
+  const origin = originOf((k) => gatherPoints(readSample(points(codes[k])), pointOfVertex), codes, world);
+  const recipe: PointRecipe = {
+    samples: Array.from(codes, (time) => ({
+      points: points(time),
+      matrix: relativeTo(origin, world.matrixAt(time)),
+    })),
+    pointOfVertex,
+    shading: normals
+      ? { kind: 'stored', normals: Array.from(codes, normals) }
+      : { kind: 'faces', indices: mesh.indices, groups: smoothingGroups(mesh) },
+  };
+  const times = codes.map((t) => t / context.codesPerSecond);
+  if (context.cubic) {
+    const message = 'its samples are too many for memory and stay in their file; between them its points go straight';
+    report(context, 'info', 'usd.between-samples', path, message);
+  }
+  const facts = surveyPoints(recipe, context.progress);
+  const first = { positions: makePoints(recipe, 0), normals: makeNormals(recipe, 0) };
+  return {
+    mesh: { ...mesh, ...first, indices: facing(mesh.indices, world.matrixAt(codes[0])) },
+    motion: { kind: 'sampled-points', times, origin, points: { ...recipe, facts } },
+  };
+}
+
 /** Every vertex at every time. */
 function sampledPoints(context: StageContext, path: string, shape: Shape, world: Frame, wanted: Float64Array): Placed {
-  const times = affordable(context, path, wanted, shape.mesh.positions.length / 3);
   const { mesh, deformation } = shape;
+  const stored = deformation?.stored;
+  if (stored && leftInFile(context, wanted.length, mesh.positions.length / 3))
+    return streamedPoints(context, path, mesh, stored, world, wanted);
+  const times = affordable(context, path, wanted, mesh.positions.length / 3);
   const shapes = Array.from(times, (time): DeformedPoints => deformation?.at(time) ?? mesh);
   const groups = shapes.some(({ normals }) => !normals) ? smoothingGroups(mesh) : undefined;
-  const origin = originOf(shapes, times, world);
+  const origin = originOf((k) => shapes[k].positions, times, world);
   const placed = shapes.map(({ positions, normals }, i) => {
     const own = normals ?? deformedNormals(positions, mesh.indices, groups!);
-    return transformed(positions, own, relativeTo(origin, world.matrixAt(times[i])));
+    const matrix = relativeTo(origin, world.matrixAt(times[i]));
+    return { positions: transformedPoints(positions, matrix), normals: transformedNormals(own, matrix) };
   });
   const seconds = times.map((t) => t / context.codesPerSecond);
   const points = placed.map((p) => p.positions);
   if (deformation && !deformation.follow) noteGap(context, path, seconds, points);
   const given = context.cubic && world.times.length === 0 ? deformation?.velocitiesAt : undefined;
-  const linear = mat4.linearPart(world.matrixAt(times[0]));
+  const turn = mat4.fromParts(mat4.linearPart(world.matrixAt(times[0])), [0, 0, 0]);
   const motion: SampledPointsMotion = {
     kind: 'sampled-points',
     times: seconds,
@@ -329,13 +383,12 @@ function sampledPoints(context: StageContext, path: string, shape: Shape, world:
     points,
     ...(context.cubic && {
       velocities: given
-        ? Array.from(times, (time) => mapped(given(time), linear, [0, 0, 0]))
+        ? Array.from(times, (time) => transformedPoints(given(time), turn))
         : parabolaVelocities(seconds, points),
     }),
     normals: placed.map((p) => p.normals),
   };
-  const mirrored = determinant(mat4.linearPart(world.matrixAt(times[0]))) < 0;
-  return { mesh: { ...mesh, ...placed[0], indices: mirrored ? turned(mesh.indices) : mesh.indices }, motion };
+  return { mesh: { ...mesh, ...placed[0], indices: facing(mesh.indices, world.matrixAt(times[0])) }, motion };
 }
 
 /** Says how much its samples leave open of how a mesh deforms: by how far cubics through them are from chords. */
@@ -348,43 +401,12 @@ function noteGap(context: StageContext, path: string, times: Float64Array, point
   report(context, 'info', 'usd.between-samples', path, message);
 }
 
+/** Triangles that show the same side where M mirrors. */
+const facing = (indices: Uint32Array, m: mat4.Mat4): Uint32Array =>
+  determinant(mat4.linearPart(m)) < 0 ? turned(indices) : indices;
+
 const relativeTo = (origin: Vec3, m: mat4.Mat4): mat4.Mat4 =>
   m.map((x, i) => (i % 4 === 3 && i < 12 ? x - origin[(i - 3) / 4] : x));
-
-/** Points by M, normals by its cofactors and made unit; into new arrays, without an object for each vertex. */
-function transformed(positions: Float32Array, normals: Float32Array, m: mat4.Mat4) {
-  const linear = mat4.linearPart(m);
-  const sign = determinant(linear) < 0 ? -1 : 1;
-  return {
-    positions: mapped(positions, linear, [m[3], m[7], m[11]]),
-    normals: madeUnit(
-      mapped(
-        normals,
-        cofactors(linear).map((x) => x * sign),
-        [0, 0, 0],
-      ),
-    ),
-  };
-}
-
-function mapped(from: Float32Array, l: Mat3, t: Vec3): Float32Array {
-  const out = new Float32Array(from.length);
-  for (let i = 0; i < from.length; i += 3) {
-    const [x, y, z] = [from[i], from[i + 1], from[i + 2]];
-    out[i] = l[0] * x + l[1] * y + l[2] * z + t[0];
-    out[i + 1] = l[3] * x + l[4] * y + l[5] * z + t[1];
-    out[i + 2] = l[6] * x + l[7] * y + l[8] * z + t[2];
-  }
-  return out;
-}
-
-function madeUnit(normals: Float32Array): Float32Array {
-  for (let i = 0; i < normals.length; i += 3) {
-    const l = Math.sqrt(normals[i] ** 2 + normals[i + 1] ** 2 + normals[i + 2] ** 2);
-    if (l > 0) for (let k = i; k < i + 3; k++) normals[k] /= l;
-  }
-  return normals;
-}
 
 function turned(indices: Uint32Array): Uint32Array {
   const out = indices.slice();
@@ -397,11 +419,16 @@ export function bentMesh(mesh: Mesh, { positions, normals }: DeformedPoints): Me
   return { ...mesh, positions, normals: normals ?? deformedNormals(positions, mesh.indices, smoothingGroups(mesh)) };
 }
 
-/** The prim's own origin where it is near (so that its points stay as written), else the middle of all points. */
-function originOf(shapes: readonly DeformedPoints[], times: Float64Array, world: Frame): Vec3 {
-  const corners = shapes.flatMap(({ positions }, i) => {
-    const m = world.matrixAt(times[i]);
-    return boxCorners(positions).flatMap((c) => mat4.transformPoint(m, c));
+/** An origin is chosen by so many samples at most. */
+const ORIGIN_SAMPLES = 32;
+
+/** The prim's own origin where it is near (so that its points stay as written), else the middle of the points. */
+function originOf(positionsOf: (k: number) => Float32Array, times: Float64Array, world: Frame): Vec3 {
+  const step = Math.ceil(times.length / ORIGIN_SAMPLES);
+  const corners = Array.from(times.keys()).flatMap((k) => {
+    if (k % step !== 0) return [];
+    const m = world.matrixAt(times[k]);
+    return boxCorners(positionsOf(k)).flatMap((c) => mat4.transformPoint(m, c));
   });
   const box = boxCorners(corners);
   const [low, high] = [box[0], box[box.length - 1]];

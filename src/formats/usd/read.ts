@@ -24,6 +24,11 @@ const POINT_BUDGET = 2 ** 30;
 
 const MOST_LEVELS = 8;
 
+/** For the samples of deforming meshes that could as well stay in their file [bytes]. */
+const SAMPLE_MEMORY = 2 ** 28;
+/** In a file a mesh takes at least such a part of what it takes in memory: three halves a point, not six floats. */
+const LEAST_PART = 4;
+
 /** For the paths of all moving things together [ops]: about half a second. */
 const MOTION_BUDGET = 2 ** 18;
 
@@ -32,17 +37,18 @@ const MOTION_BUDGET = 2 ** 18;
  * and is not read is in the scene's diagnostics. Throws an InputError where the file is not readable at all.
  */
 export async function readUsd(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
-  const bytes = await source.read(entry);
-  if (!bytes) throw inputError('file.missing', entry, 'no such file');
   const diagnostics = new DiagnosticList();
-  const files = new AssetFiles(source, entry);
+  const sampleMemory = options.sampleMemory ?? SAMPLE_MEMORY;
+  const files = new AssetFiles(source, entry, sampleMemory / LEAST_PART);
+  const content = await files.content(entry);
+  if (!content) throw inputError('file.missing', entry, 'no such file');
   const store = new LayerStore(files, readLayer);
-  const root = await store.root(entry, bytes);
+  const root = await store.root(entry, content);
   const stage = await composeStage(store, root, diagnostics, {
     variants: choicesIn(options.variants),
     fallbacks: options.variantFallbacks,
   });
-  const context = contextOf(stage.layer, files, diagnostics, options);
+  const context = contextOf(stage.layer, files, diagnostics, { ...options, sampleMemory });
   const contents = await readStage(context);
   noteSubdivision(context);
   const { error } = context.motionBudget;
@@ -78,7 +84,12 @@ function variantsIn({ variantSets }: ComposedStage): Pick<Scene, 'variants'> {
   return variants.length > 0 ? { variants } : {};
 }
 
-function contextOf(layer: Layer, files: AssetFiles, diagnostics: DiagnosticList, options: ReadOptions): StageContext {
+function contextOf(
+  layer: Layer,
+  files: AssetFiles,
+  diagnostics: DiagnosticList,
+  options: ReadOptions & { readonly sampleMemory: number },
+): StageContext {
   const number = (key: string): number | undefined => metadataNumber(layer.metadata, key);
   const context: StageContext = {
     layer,
@@ -92,6 +103,8 @@ function contextOf(layer: Layer, files: AssetFiles, diagnostics: DiagnosticList,
     diagnostics,
     pointBudget: { bytes: POINT_BUDGET },
     sampleBudget: new SampleBudget(layer),
+    sampleMemory: { bytes: options.sampleMemory },
+    progress: options.progress ?? (() => {}),
     motionBudget: new RefinementBudget(MOTION_BUDGET),
     subdivision: { wanted: levelsWanted(options.subdivision) },
     subdivided: [],

@@ -43,3 +43,6 @@ export function evenly(times: Float64Array, most: number): Float64Array {
   if (times.length <= most) return times;
   return Float64Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]);
 }
+
+/** Of each vertex at each time: a place, a normal, and along cubics a velocity. */
+export const vectorsOf = ({ cubic }: { readonly cubic: boolean }): number => (cubic ? 3 : 2);

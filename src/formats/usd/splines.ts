@@ -1,4 +1,4 @@
-import { fromHalf, toHalf } from '../half.ts';
+import { fromHalf, toHalf } from '../../math/half.ts';
 import type { Dictionary, Extrapolation, Spline, SplineKnot, SplineLoop, Tangent } from './layer.ts';
 import type { Scanner } from './scanner.ts';
 import { parseDictionary } from './values.ts';

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { pointsAt } from '../../scene/points.ts';
 import type { Mesh, Scene } from '../../scene/types.ts';
 import { memorySource } from '../source.ts';
 import { readUsd } from './read.ts';
@@ -59,8 +60,9 @@ describe('a mesh without a scheme', () => {
     );
     const { motion, mesh } = scene.objects[0];
     if (motion.kind !== 'sampled-points') throw new Error(motion.kind);
-    motion.points[1].forEach((x, i) => {
-      expect(x).toBeCloseTo(2 * motion.points[0][i], 5);
+    const before = pointsAt(motion, 0);
+    pointsAt(motion, 1).forEach((x, i) => {
+      expect(x).toBeCloseTo(2 * before[i], 5);
     });
     motion.normals![1].forEach((x, i) => {
       expect(x).toBeCloseTo(mesh.normals[i], 5);

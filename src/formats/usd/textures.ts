@@ -60,10 +60,10 @@ export class TextureLoader {
     const { files } = this.context;
     try {
       if (asset.includes('<UDIM>')) {
-        const tiles = await readTiles((tile) => files.find(anchor, asset.replaceAll('<UDIM>', tile)));
+        const tiles = await readTiles((tile) => files.findBytes(anchor, asset.replaceAll('<UDIM>', tile)));
         if (tiles.length > 0) return { ...atlasOf(tiles), color: looksLikeColor(tiles[0].bytes) };
       } else {
-        const found = await files.find(anchor, asset);
+        const found = await files.findBytes(anchor, asset);
         if (found) return { ...decodeImage(found.bytes, found.id), color: looksLikeColor(found.bytes) };
       }
       const { code, message, missing } = missingTexture(asset, paths);

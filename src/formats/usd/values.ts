@@ -1,4 +1,4 @@
-import { fromHalf, toHalf } from '../half.ts';
+import { fromHalf, toHalf } from '../../math/half.ts';
 import type { Dictionary, NumberArray, Value } from './layer.ts';
 import type { Scanner } from './scanner.ts';
 import { type ScalarKind, type ValueType, valueTypes } from './valueTypes.ts';

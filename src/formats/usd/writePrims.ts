@@ -1,5 +1,6 @@
 import { shortestTurn } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { normalsAt, pointsAt } from '../../scene/points.ts';
 import type {
   Lamp,
   Light,
@@ -87,7 +88,7 @@ function pointLines(mesh: Mesh, motion: Motion, placement: Placement): Lines {
     const corners = boxCorners(values);
     return floatTuples([...corners[0], ...corners.at(-1)!], 3, scale);
   };
-  const still = motion.kind !== 'sampled-points' || !motion.normals;
+  const still = motion.kind !== 'sampled-points' || !normalsAt(motion, 0);
   const normals = still ? `normal3f[] normals = ${floatTuples(mesh.normals, 3)}` : 'normal3f[] normals';
   const normalLines = withMetadata(normals, 'interpolation = "vertex"');
   if (motion.kind !== 'sampled-points')
@@ -97,12 +98,11 @@ function pointLines(mesh: Mesh, motion: Motion, placement: Placement): Lines {
       `point3f[] points = ${points(mesh.positions)}`,
     ];
   const codes = motion.times.map((t) => t * placement.codesPerSecond);
-  const moving = motion.normals;
   return [
-    ...timeSamples('float3[] extent', codes, (i) => extent(motion.points[i])),
+    ...timeSamples('float3[] extent', codes, (i) => extent(pointsAt(motion, i))),
     ...normalLines,
-    ...(moving ? timeSamples('normal3f[] normals', codes, (i) => floatTuples(moving[i], 3)) : []),
-    ...timeSamples('point3f[] points', codes, (i) => points(motion.points[i])),
+    ...(still ? [] : timeSamples('normal3f[] normals', codes, (i) => floatTuples(normalsAt(motion, i)!, 3))),
+    ...timeSamples('point3f[] points', codes, (i) => points(pointsAt(motion, i))),
     ...(motion.velocities ? timeSamples('vector3f[] velocities', codes, (i) => points(motion.velocities![i])) : []),
   ];
 }

@@ -13,7 +13,11 @@ export const bytesFile = (bytes: Uint8Array): PartedFile => ({
  * An archive as a folder of its own name: `set.zip/scene.usda`. What is not in it is looked for beside it, in `around`; what a
  * path inside does not lead to, by its name.
  */
-export async function zipSource(archive: PartedFile, name: string, around: FileSource): Promise<Required<FileSource>> {
+export async function zipSource(
+  archive: PartedFile,
+  name: string,
+  around: FileSource,
+): Promise<Required<Pick<FileSource, 'read' | 'list'>>> {
   const folder = `${normalizePath(name)}/`;
   const entries = new Map((await readZipDirectory(archive, name)).map((entry) => [folder + entry.path, entry]));
   return {

@@ -1,4 +1,5 @@
 import { type CubicPointsMotion, innerControls, isCubic } from '../../scene/cubicPoints.ts';
+import { pointsAt } from '../../scene/points.ts';
 import type { SampledPointsMotion } from '../../scene/types.ts';
 import type { Window } from './polyline.ts';
 import type { PlannedBatch } from './showing.ts';
@@ -6,6 +7,9 @@ import type { Lump } from './shown.ts';
 
 /** Most triangles of a cluster. */
 const CLUSTER = 128;
+
+/** Samples that are known are kept, up to so many times those of a picture. */
+const MOST_KEPT = 4;
 
 /** All clusters of one body in a batch: [first, end). */
 export interface Run {
@@ -156,11 +160,13 @@ export class DeformingLumps {
       jolts: Float64Array.from(paces, ({ jolts }) => jolts[i]),
     }));
     this.last = { window, lumps };
+    forgetOutside(this.places, window);
+    forgetOutside(this.paces, window);
     return lumps;
   }
 
   private placesAt(sample: number): readonly Lump[] {
-    return this.lumpsIn(this.motion.points[sample]);
+    return this.lumpsIn(pointsAt(this.motion, sample));
   }
 
   /** Of the inner control points of the piece that ends with a sample. */
@@ -219,10 +225,17 @@ function cubicPace({ times, points, velocities }: CubicPointsMotion, sample: num
 }
 
 /** Coordinate by coordinate [m/s], in the piece that ends with a sample; outside the samples it rests. */
-function velocities({ times, points }: SampledPointsMotion, sample: number): (i: number) => number {
+function velocities(motion: SampledPointsMotion, sample: number): (i: number) => number {
+  const { times } = motion;
   if (sample < 1 || sample >= times.length) return () => 0;
-  const [p, q, dt] = [points[sample - 1], points[sample], times[sample] - times[sample - 1]];
+  const [p, q, dt] = [pointsAt(motion, sample - 1), pointsAt(motion, sample), times[sample] - times[sample - 1]];
   return (i) => (q[i] - p[i]) / dt;
+}
+
+/** A long motion has more samples than there is memory for what is known of them. */
+function forgetOutside(known: Map<number, unknown>, { first, count }: Window): void {
+  if (known.size <= MOST_KEPT * count) return;
+  for (const k of known.keys()) if (k < first || k >= first + count) known.delete(k);
 }
 
 function kept<T>(known: Map<number, T>, key: number, make: () => T): T {

@@ -1,9 +1,18 @@
 import { distance } from '../../math/vec3.ts';
 import { gamma } from '../../physics/boost.ts';
+import { isStreamed } from '../../scene/points.ts';
 import type { MovingBody } from '../bodies.ts';
 import type { Look } from './look.ts';
-import { LocalPlanner, type PicturePlans, type PlannedPart, type Planner, type PlanOrder } from './planner.ts';
+import {
+  type LevelledPlan,
+  LocalPlanner,
+  type PicturePlans,
+  type PlannedPart,
+  type Planner,
+  type PlanOrder,
+} from './planner.ts';
 import type { PlannerReply, PlannerRequest } from './planServer.ts';
+import { DRAWN } from './shown.ts';
 
 /** What a worker plans is wider than the picture on all sides by this angle, for the picture turns while it is at work [rad]. */
 const MARGIN = 0.2;
@@ -23,6 +32,8 @@ const MOST_BYTES = 2 ** 28;
 export class DistantPlanner implements Planner {
   private readonly worker: Worker;
   private readonly local: LocalPlanner;
+  /** Batches whose samples are not in this thread. */
+  private readonly streamed: readonly boolean[];
   private readonly better: () => void;
   private sent: Look | undefined;
   private busy = false;
@@ -35,6 +46,7 @@ export class DistantPlanner implements Planner {
     this.worker = worker;
     this.better = better;
     this.local = new LocalPlanner(parts);
+    this.streamed = parts.map(isLeftInFiles);
     worker.onmessage = ({ data }: MessageEvent<PlannerReply>) => this.receive(data);
     this.post({ kind: 'scene', parts: withoutMeshes(parts) });
   }
@@ -44,8 +56,8 @@ export class DistantPlanner implements Planner {
     const exact = known !== undefined && same(known.look, order.look);
     if (!exact) this.ask(order);
     const fits = known !== undefined && nearly(known.look, order.look);
-    this.waiting = fits && !exact;
-    return fits ? known.plans.map((plan, i) => (order.seen[i] ? plan : undefined)) : this.local.plan(order);
+    this.waiting = (fits && !exact) || (!fits && this.streamed.includes(true));
+    return fits ? known.plans.map((plan, i) => (order.seen[i] ? plan : undefined)) : this.planHere(order);
   }
 
   starts(batch: number): Uint32Array {
@@ -56,6 +68,18 @@ export class DistantPlanner implements Planner {
     this.worker.terminate();
   }
 
+  /** What is streamed is drawn with its edges as they are, until the worker has cut them. */
+  private planHere(order: PlanOrder): PicturePlans {
+    const { streamed } = this;
+    const plans = this.local.plan({ ...order, seen: order.seen.map((seen, i) => seen && !streamed[i]) });
+    return plans.map((plan, i) => (order.seen[i] && streamed[i] ? this.uncut(i, order.look) : plan));
+  }
+
+  private uncut(batch: number, { tolerance }: Look): LevelledPlan {
+    const clusters = new Uint8Array(this.starts(batch).length - 1).fill(DRAWN);
+    return { whole: true, clusters, leaves: new Float32Array(0), count: 0, tolerance };
+  }
+
   /** For all batches: others may have come into the picture when the answer is there. */
   private ask({ look, seen }: PlanOrder): void {
     if (this.busy) return;
@@ -64,8 +88,9 @@ export class DistantPlanner implements Planner {
     this.post({ kind: 'plan', order: { look: widened(look), seen: seen.map(() => true) } });
   }
 
-  private receive(plans: PicturePlans): void {
+  private receive(plans: PlannerReply): void {
     this.busy = false;
+    if (!plans) return;
     if (this.sent) this.known = { look: this.sent, plans };
     if (this.waiting) this.better();
   }
@@ -75,12 +100,18 @@ export class DistantPlanner implements Planner {
   }
 }
 
-/** Whether a scene is small enough to be copied to a worker. */
+const isLeftInFiles = ({ batch: { bodies } }: PlannedPart): boolean =>
+  bodies.some(({ object: { motion } }) => motion.kind === 'sampled-points' && isStreamed(motion.points));
+
+/** Whether a scene is small enough to be copied to a worker; what is left in files can only be planned there. */
 export const canTravel = (parts: readonly PlannedPart[]): boolean => {
+  if (parts.some(isLeftInFiles)) return true;
   const motions = parts.flatMap(({ batch }) => batch.bodies.map(({ object }) => object.motion));
   const points = new Set(
     motions.flatMap((motion) =>
-      motion.kind === 'sampled-points' ? [...motion.points, ...(motion.velocities ?? [])] : [],
+      motion.kind === 'sampled-points' && !isStreamed(motion.points)
+        ? [...motion.points, ...(motion.velocities ?? [])]
+        : [],
     ),
   );
   const arrays = parts.flatMap(({ batch: { arrays } }) => [arrays.positions, arrays.indices, arrays.ids]);

@@ -1,10 +1,12 @@
+import { InputError } from '../../scene/types.ts';
 import { type LevelledPlan, LocalPlanner, type PicturePlans, type PlannedPart, type PlanOrder } from './planner.ts';
 
 /** What a worker that plans is told: a scene, once, then one look after another, each when the one before has been answered. */
 export type PlannerRequest =
   | { readonly kind: 'scene'; readonly parts: readonly PlannedPart[] }
   | { readonly kind: 'plan'; readonly order: PlanOrder };
-export type PlannerReply = PicturePlans;
+/** undefined where samples that are left in files could not be read: whoever draws them says so. */
+export type PlannerReply = PicturePlans | undefined;
 
 /** The worker's side of a port, as far as it is needed here. */
 interface Port {
@@ -17,8 +19,17 @@ export function servePlans(port: Port): void {
   let planner: LocalPlanner | undefined;
   port.addEventListener('message', ({ data }) => {
     if (data.kind === 'scene') planner = new LocalPlanner(data.parts);
-    else if (planner) send(port, planner.plan(data.order));
+    else if (planner) answer(port, planner, data.order);
   });
+}
+
+function answer(port: Port, planner: LocalPlanner, order: PlanOrder): void {
+  try {
+    send(port, planner.plan(order));
+  } catch (error) {
+    if (!(error instanceof InputError)) throw error;
+    port.postMessage(undefined, { transfer: [] });
+  }
 }
 
 function send(port: Port, plans: PicturePlans): void {

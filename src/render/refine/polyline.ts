@@ -3,6 +3,7 @@ import { add, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { gamma } from '../../physics/boost.ts';
 import type { PolylineLine } from '../../physics/worldLine.ts';
 import { samplePose } from '../../scene/motion.ts';
+import { pointsAt } from '../../scene/points.ts';
 import type { SampledMotion, SampledPointsMotion } from '../../scene/types.ts';
 import type { Sight } from '../sight.ts';
 import type { Mover, Reach } from './moving.ts';
@@ -221,7 +222,7 @@ export class Deforming extends Polyline {
 
   constructor(motion: SampledPointsMotion, window: Window, sight: Sight) {
     super(motion.times, window, sight);
-    this.points = motion.points.slice(window.first, window.first + window.count);
+    this.points = Array.from({ length: window.count }, (_, i) => pointsAt(motion, window.first + i));
     this.origin = sub(motion.origin, sight.position);
   }
 

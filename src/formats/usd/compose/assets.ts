@@ -1,4 +1,6 @@
+import { bytesOf, type Content, headOf } from '../../rangedFile.ts';
 import { type FileSource, normalizePath, resolvePath } from '../../source.ts';
+import { IDENT_BYTES, isCrate } from '../crate/bootstrap.ts';
 import { isZip, openPackage, type UsdzPackage } from '../usdz.ts';
 
 /** A package in a package in a package is opened, no deeper. */
@@ -10,35 +12,47 @@ const MAX_NESTING = 4;
  */
 export class AssetFiles {
   private readonly source: FileSource;
+  private readonly leastRanged: number;
   private readonly packages = new Map<string, UsdzPackage>();
   /** Folder of the root layer: where paths that do not begin with `./` are looked for last. */
   private searchFolder = '';
 
-  constructor(source: FileSource, entry: string) {
+  /** Crates and packages of more than `leastRanged` bytes are read in parts, where the source can do that. */
+  constructor(source: FileSource, entry: string, leastRanged = Number.POSITIVE_INFINITY) {
     this.source = source;
+    this.leastRanged = leastRanged;
     this.searchFolder = entry;
   }
 
   /** The file's bytes; undefined where there is none. Throws an InputError where a package around it is damaged. */
   async read(id: string): Promise<Uint8Array | undefined> {
+    const content = await this.content(id);
+    return content && bytesOf(content);
+  }
+
+  /** The same; of a large crate or package what is needed to read parts of it. */
+  async content(id: string): Promise<Content | undefined> {
     const { outer, inner } = splitId(id);
-    if (inner === undefined) return this.source.read(outer);
-    return (await this.package(outer))?.files.get(inner);
+    if (inner !== undefined) return (await this.package(outer))?.files.get(inner);
+    const ranged = this.leastRanged < Number.POSITIVE_INFINITY ? await this.source.open?.(outer) : undefined;
+    if (ranged && ranged.size > this.leastRanged && (isZip(headOf(ranged, 4)) || isCrate(headOf(ranged, IDENT_BYTES))))
+      return ranged;
+    return this.source.read(outer);
   }
 
   /** The layer that an identifier stands for: itself, or the first layer of a package. */
-  async layerIn(id: string, bytes: Uint8Array): Promise<string> {
-    return isZip(bytes) ? `${id}[${this.opened(id, bytes).layer}]` : id;
+  async layerIn(id: string, content: Content): Promise<string> {
+    return isZip(headOf(content, 4)) ? `${id}[${this.opened(id, content).layer}]` : id;
   }
 
   private async package(id: string): Promise<UsdzPackage | undefined> {
     if (id.split('[').length > MAX_NESTING) return undefined;
-    const bytes = this.packages.has(id) ? NO_BYTES : await this.read(id);
-    return bytes && this.opened(id, bytes);
+    const content = this.packages.has(id) ? NO_BYTES : await this.content(id);
+    return content && this.opened(id, content);
   }
 
-  private opened(id: string, bytes: Uint8Array): UsdzPackage {
-    const found = this.packages.get(id) ?? openPackage(bytes, id);
+  private opened(id: string, content: Content): UsdzPackage {
+    const found = this.packages.get(id) ?? openPackage(content, id);
     this.packages.set(id, found);
     return found;
   }
@@ -61,10 +75,16 @@ export class AssetFiles {
   }
 
   /** The first of the candidates that is there, with its bytes. */
-  async find(anchor: string, asset: string): Promise<{ id: string; bytes: Uint8Array } | undefined> {
+  async findBytes(anchor: string, asset: string): Promise<{ id: string; bytes: Uint8Array } | undefined> {
+    const found = await this.find(anchor, asset);
+    return found && { id: found.id, bytes: bytesOf(found.content) };
+  }
+
+  /** The first of the candidates that is there, with what it holds. */
+  async find(anchor: string, asset: string): Promise<{ id: string; content: Content } | undefined> {
     for (const id of this.candidates(anchor, asset)) {
-      const bytes = await this.read(id);
-      if (bytes) return { id, bytes };
+      const content = await this.content(id);
+      if (content) return { id, content };
     }
     return undefined;
   }

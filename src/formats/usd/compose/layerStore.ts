@@ -1,5 +1,6 @@
 import { InputError, type MissingFile } from '../../../scene/types.ts';
 import { messageOf } from '../../fail.ts';
+import type { Content } from '../../rangedFile.ts';
 import { metadataNumber } from '../context.ts';
 import type { Layer, PrimSpec } from '../layer.ts';
 import type { AssetFiles } from './assets.ts';
@@ -25,7 +26,7 @@ export interface LayerFault {
 /** One scene's layers together. */
 const MAX_LAYERS = 4096;
 
-export type ParseLayer = (bytes: Uint8Array, id: string) => Layer;
+export type ParseLayer = (content: Content, id: string) => Layer;
 
 /**
  * The layers of a stage, each read once. `find` does not wait: a layer that was never asked for is `undefined` at
@@ -75,7 +76,7 @@ export class LayerStore {
       };
     try {
       const found = await this.files.find(anchor, asset);
-      if (found) return await this.layer(found.id, found.bytes);
+      if (found) return await this.layer(found.id, found.content);
     } catch (thrown) {
       return unreadable(asset, thrown);
     }
@@ -85,19 +86,19 @@ export class LayerStore {
     return { code: 'usd.missing-layer', message };
   }
 
-  private async layer(file: string, bytes: Uint8Array): Promise<LoadedLayer | LayerFault> {
-    const id = await this.files.layerIn(file, bytes);
+  private async layer(file: string, content: Content): Promise<LoadedLayer | LayerFault> {
+    const id = await this.files.layerIn(file, content);
     const known = this.byId.get(id);
     if (known) return known;
-    const inside = id === file ? bytes : (await this.files.read(id))!;
+    const inside = id === file ? content : (await this.files.content(id))!;
     const layer = this.parsed(inside, id);
     this.byId.set(id, layer);
     return layer;
   }
 
-  private parsed(bytes: Uint8Array, id: string): LoadedLayer | LayerFault {
+  private parsed(content: Content, id: string): LoadedLayer | LayerFault {
     try {
-      return this.counted(loadedLayer(this.parse(bytes, id), id));
+      return this.counted(loadedLayer(this.parse(content, id), id));
     } catch (thrown) {
       return unreadable(id, thrown);
     }
@@ -109,9 +110,9 @@ export class LayerStore {
   }
 
   /** The stage's own layer; throws what is wrong with it. */
-  async root(entry: string, bytes: Uint8Array): Promise<LoadedLayer> {
-    const id = await this.files.layerIn(entry, bytes);
-    const inside = id === entry ? bytes : (await this.files.read(id))!;
+  async root(entry: string, content: Content): Promise<LoadedLayer> {
+    const id = await this.files.layerIn(entry, content);
+    const inside = id === entry ? content : (await this.files.content(id))!;
     const root = this.counted(loadedLayer(this.parse(inside, id), id));
     this.byId.set(id, root);
     return root;

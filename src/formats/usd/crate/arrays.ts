@@ -1,5 +1,7 @@
-import { fromHalf } from '../../half.ts';
+import { fromHalf } from '../../../math/half.ts';
+import { storedBytes } from '../../../scene/storedNumbers.ts';
 import type { NumberArray, Value } from '../layer.ts';
+import { StoredArray } from '../storedArray.ts';
 import { readInt32s, readInt64s } from './integers.ts';
 import type { Rep } from './rep.ts';
 import { type CrateSource, Cursor } from './source.ts';
@@ -19,6 +21,8 @@ export const ARRAYS = {
   float: Float32Array,
   double: Float64Array,
 } as const;
+
+type TupleArray = Extract<ArrayType, { kind: 'tuple' }>;
 
 /** What a text in an array costs: a reference. */
 const REFERENCE_BYTES = 8;
@@ -52,8 +56,27 @@ export function readArray(source: CrateSource, rep: Rep, type: ArrayType, texts:
         data: compressed ? readCompressed(cursor, type.scalar, count) : readNumbers(cursor, type.scalar, count),
       };
     case 'tuple':
-      return { type: `${type.storage}[]`, data: readNumbers(cursor, type.scalar, count * type.size) };
+      return (
+        leftInFile(cursor, type, count) ?? {
+          type: `${type.storage}[]`,
+          data: readNumbers(cursor, type.scalar, count * type.size),
+        }
+      );
   }
+}
+
+/** Arrays of tuples from this size on [bytes] stay in a file that is not in memory. */
+const LEAST_LEFT = 2 ** 12;
+
+/** The numbers of a large array, not read; undefined of what is small, or in memory anyway. */
+function leftInFile(cursor: Cursor, { storage, scalar, size }: TupleArray, count: number): StoredArray | undefined {
+  if (scalar !== 'half' && scalar !== 'float' && scalar !== 'double') return undefined;
+  const { source } = cursor;
+  const bytes = storedBytes({ count: count * size, scalar });
+  const part = bytes >= LEAST_LEFT ? source.part(0, source.size) : undefined;
+  if (!part) return undefined;
+  const at = part.start + cursor.skip(bytes, `an array of ${count} tuples`);
+  return new StoredArray(`${storage}[]`, { file: part.file, at, count: count * size, scalar });
 }
 
 /** Before 0.5 the rank stood before the length, before 0.7 the length had 32 bits. */
@@ -71,15 +94,15 @@ function readTexts(cursor: Cursor, count: number, storage: string, texts: Texts)
   source.spend(REFERENCE_BYTES * count, `an array of ${count} texts`, from);
   return Array.from({ length: count }, (_, i) => {
     const at = from + 4 * i;
-    const index = source.view.getUint32(at, true);
+    const index = source.view.getUint32(at - source.base, true);
     return storage === 'token' ? texts.token(index, at) : texts.string(index, at);
   });
 }
 
 /** One number as it lies. */
 export function readNumber(cursor: Cursor, scalar: CrateScalar): number {
+  const at = cursor.pass(BYTES[scalar], 'a number') - cursor.source.base;
   const { view } = cursor.source;
-  const at = cursor.pass(BYTES[scalar], 'a number');
   switch (scalar) {
     case 'half':
       return fromHalf(view.getUint16(at, true));
@@ -103,7 +126,7 @@ const LEAST_COPIED = 64;
 export function readNumbers(cursor: Cursor, scalar: CrateScalar, count: number): NumberArray {
   const { source } = cursor;
   const size = BYTES[scalar] * count;
-  const from = cursor.pass(size, `an array of ${count} numbers`);
+  const from = cursor.skip(size, `an array of ${count} numbers`);
   source.spend(scalar === 'half' ? 2 * size : size, `an array of ${count} numbers`, from);
   const NumbersArray = ARRAYS[scalar];
   if (size < LEAST_COPIED) {
@@ -113,14 +136,14 @@ export function readNumbers(cursor: Cursor, scalar: CrateScalar, count: number):
     return out;
   }
   // A copy: the file need not be kept for it, and it begins where the platform wants numbers to begin.
-  const { buffer } = source.bytes.slice(from, from + size);
+  const { buffer } = source.slice(from, size);
   return scalar === 'half' ? Float32Array.from(new Uint16Array(buffer), fromHalf) : new NumbersArray(buffer);
 }
 
 function readPairs(cursor: Cursor, count: number): Uint32Array<ArrayBuffer> {
-  const from = cursor.pass(8 * count, `an array of ${count} numbers`);
+  const from = cursor.skip(8 * count, `an array of ${count} numbers`);
   cursor.source.spend(8 * count, `an array of ${count} numbers`, from);
-  return new Uint32Array(cursor.source.bytes.slice(from, from + 8 * count).buffer);
+  return new Uint32Array(cursor.source.slice(from, 8 * count).buffer);
 }
 
 const [AS_INTEGERS, BY_TABLE] = ['i', 't'].map((c) => c.charCodeAt(0));

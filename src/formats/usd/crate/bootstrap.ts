@@ -2,6 +2,8 @@ import { inputError } from '../../fail.ts';
 import { type CrateSource, Cursor } from './source.ts';
 
 const IDENT = 'PXR-USDC';
+/** So many bytes tell whether a file is a crate. */
+export const IDENT_BYTES = IDENT.length;
 const HEADER_BYTES = 88;
 /** Of one entry in the table of contents: a name of 16 bytes, where the section begins, how long it is. */
 const ENTRY_BYTES = 32;
@@ -30,14 +32,14 @@ export function readSections(source: CrateSource): Map<SectionName, number> {
   for (let i = 0; i < count; i++) {
     const name = nameAt(source, cursor.pass(16, 'the name of a section'));
     const begin = cursor.i64(`the place of section ${name}`);
-    source.need(begin, Math.max(0, cursor.i64(`the size of section ${name}`)), `section ${name}`);
+    source.check(begin, Math.max(0, cursor.i64(`the size of section ${name}`)), `section ${name}`);
     found.set(name, begin);
   }
   return new Map(SECTIONS.map((name) => [name, found.get(name) ?? source.fail(`there is no section ${name}`, start)]));
 }
 
-function checkVersion({ bytes, file }: CrateSource): number {
-  const [major, minor, patch] = bytes.subarray(8, 11);
+function checkVersion({ bytes, base, file }: CrateSource): number {
+  const [major, minor, patch] = bytes.subarray(8 - base, 11 - base);
   if (major === 0 && minor >= OLDEST && minor <= NEWEST) return minor;
   const old = major === 0 && minor < OLDEST;
   const what = old
@@ -47,8 +49,8 @@ function checkVersion({ bytes, file }: CrateSource): number {
   throw inputError('usd.version', file, `is a crate file of version ${major}.${minor}.${patch}; ${read}; ${what}`);
 }
 
-function nameAt({ bytes }: CrateSource, at: number): string {
-  const name = bytes.subarray(at, at + 16);
+function nameAt({ bytes, base }: CrateSource, at: number): string {
+  const name = bytes.subarray(at - base, at - base + 16);
   const end = name.indexOf(0);
   return String.fromCharCode(...(end < 0 ? name : name.subarray(0, end)));
 }

@@ -1,3 +1,4 @@
+import { type Content, sizeOf } from '../../rangedFile.ts';
 import type { Layer } from '../layer.ts';
 import { readSections } from './bootstrap.ts';
 import { LayerBuilder } from './build.ts';
@@ -13,10 +14,10 @@ const budgetOf = (size: number): number => Math.max(Math.min(2 ** 26 + 128 * siz
 
 /**
  * Reads a binary USD layer (a crate, versions 0.4 to 0.14) into the same model as text. Throws an InputError that names
- * the file, the section or the path, and the byte.
+ * the file, the section or the path, and the byte. Of what is not in memory, large arrays stay in the file (storedArray.ts).
  */
-export function readCrate(bytes: Uint8Array, file: string): Layer {
-  const source = new CrateSource(bytes, file, budgetOf(bytes.length));
+export function readCrate(content: Content, file: string): Layer {
+  const source = new CrateSource(content, file, budgetOf(sizeOf(content)));
   const sections = readSections(source);
   return new LayerBuilder(new SpecReader(source, readStructure(source, sections))).layer();
 }

@@ -1,4 +1,4 @@
-import { fromHalf } from '../../half.ts';
+import { fromHalf } from '../../../math/half.ts';
 import type { NumberArray, Value } from '../layer.ts';
 import { ARRAYS, readNumber, type Texts } from './arrays.ts';
 import type { Rep } from './rep.ts';

@@ -83,7 +83,7 @@ function readLoop(cursor: Cursor): SplineLoop {
 function readKnots(cursor: Cursor, shape: Shape, custom: CustomData): SplineKnot[] {
   const { source, at } = cursor;
   const count = cursor.u32('the number of knots');
-  source.spend(2 * ENTRY_BYTES * Math.min(count, source.bytes.length), `${count} knots`, at);
+  source.spend(2 * ENTRY_BYTES * Math.min(count, source.size), `${count} knots`, at);
   const knots: SplineKnot[] = [];
   for (let i = 0; i < count; i++) {
     const knot = readKnot(cursor, shape, custom);

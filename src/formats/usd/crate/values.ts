@@ -71,8 +71,9 @@ export class ValueReader implements Values {
   /** The value of a representation that lies in the file. */
   readAt(cursor: Cursor): FieldValue {
     const at = cursor.pass(8, 'a value');
-    const { view } = this.source;
-    return this.read(new Rep(this.source, view.getUint32(at, true), view.getUint32(at + 4, true), at));
+    const { view, base } = this.source;
+    const low = view.getUint32(at - base, true);
+    return this.read(new Rep(this.source, low, view.getUint32(at - base + 4, true), at));
   }
 
   /** The value whose representation is where the next offset leads; what is read next follows it. */
