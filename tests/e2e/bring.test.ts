@@ -46,18 +46,20 @@ def Xform "World"
         prepend variantSets = "paint"
     )
     {
-        def Mesh "Body" { 
+        def Mesh "Body" {
+            uniform token subdivisionScheme = "none"
             int[] faceVertexCounts = [4]
             int[] faceVertexIndices = [0, 1, 2, 3]
             point3f[] points = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]
             uniform bool doubleSided = 1
         }
         variantSet "paint" = {
-            "grey" { over "Body" { color3f[] primvars:displayColor = [(0.3, 0.3, 0.3)] } }
-            "pink" { over "Body" { color3f[] primvars:displayColor = [(1, 0, 1)] } }
+            "grey" { over "Body" { color3f[] primvars:displayColor = [(0.3, 0.3, 0.3)]; } }
+            "pink" { over "Body" { color3f[] primvars:displayColor = [(1, 0, 1)]; } }
         }
     }
     def Mesh "Wall" {
+        uniform token subdivisionScheme = "none"
         int[] faceVertexCounts = [4]
         int[] faceVertexIndices = [0, 1, 2, 3]
         point3f[] points = [(-9, -1, -2), (-2, -1, -2), (-2, 1, -2), (-9, 1, -2)]
