@@ -2,10 +2,10 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { SceneHints } from '../scene/types.ts';
 
 /** What a file's author suggests for viewing, from the values that stand in it; what is not of its kind is passed over. */
-export function hintsFrom(valueOf: (name: keyof SceneHints) => unknown): SceneHints {
-  const number = (name: keyof SceneHints): number | undefined => finite(valueOf(name));
+export function hintsFrom(get: (name: keyof SceneHints) => unknown): SceneHints {
+  const number = (name: keyof SceneHints): number | undefined => finite(get(name));
   const text = (name: keyof SceneHints): string | undefined => {
-    const value = valueOf(name);
+    const value = get(name);
     return typeof value === 'string' ? value : undefined;
   };
   const c = number('speedOfLight');
@@ -13,7 +13,7 @@ export function hintsFrom(valueOf: (name: keyof SceneHints) => unknown): SceneHi
     speedOfLight: c !== undefined && c > 0 ? c : undefined,
     title: text('title'),
     lookFor: text('lookFor'),
-    beta: vector(valueOf('beta')),
+    beta: vector(get('beta')),
     openAt: number('openAt'),
   };
   return Object.fromEntries(Object.entries(hints).filter(([, value]) => value !== undefined));
