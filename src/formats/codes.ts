@@ -129,8 +129,8 @@ export const CODES = {
 
   'obj.number': 'a word that should be a number',
   'obj.index': 'an index of what is not there',
-  'obj.face': 'a face with fewer than 3 corners',
-  'obj.too-many': 'more corners, groups, materials or files than are read',
+  'obj.face': 'a face with fewer than 3 corners, or more than are read',
+  'obj.too-many': 'more groups, materials or files than are read',
   'obj.not-obj': 'text that is no OBJ',
   'obj.ignored': 'points, lines, curves, or part of a material: left out',
   'obj.unknown': 'a statement that is not known',
