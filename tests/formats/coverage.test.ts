@@ -3,14 +3,15 @@ import { describe, expect, it } from 'vitest';
 import { CODES } from '../../src/formats/codes.ts';
 import { entryOf } from '../../src/formats/entry.ts';
 import { openScene } from '../../src/formats/open.ts';
+import type { ReadOptions } from '../../src/formats/registry.ts';
 import { memorySource } from '../../src/formats/source.ts';
 import { bytesFile, zipSource } from '../../src/formats/zip/source.ts';
 import { InputError, type Scene } from '../../src/scene/types.ts';
 import { chapters } from './chapters.ts';
 import { page } from './page.ts';
-import type { Row } from './row.ts';
+import type { Example, Row } from './row.ts';
 
-const opened = async ({ files, options }: Row): Promise<Scene> => {
+const opened = async (files: Example, options: ReadOptions = {}): Promise<Scene> => {
   const given = typeof files === 'function' ? await files() : files;
   const encode = (content: string | Uint8Array) =>
     typeof content === 'string' ? new TextEncoder().encode(content) : content;
@@ -25,8 +26,12 @@ const opened = async ({ files, options }: Row): Promise<Scene> => {
 const ALWAYS = 'file.units';
 
 async function holds(row: Row): Promise<void> {
+  for (const example of [row.files].flat()) await holdsFor(row, example);
+}
+
+async function holdsFor(row: Row, example: Example): Promise<void> {
   if (row.how === 'refused') {
-    const error = await opened(row).then(
+    const error = await opened(example, row.options).then(
       () => undefined,
       (thrown: unknown) => thrown,
     );
@@ -34,7 +39,7 @@ async function holds(row: Row): Promise<void> {
     expect((error as InputError).diagnostic.code).toBe(row.says);
     return;
   }
-  const scene = await opened(row);
+  const scene = await opened(example, row.options);
   const said = scene.diagnostics.filter(({ code }) => code !== ALWAYS);
   if (row.how === 'read') {
     expect(said.filter(({ severity, code }) => severity !== 'info' || code !== row.says)).toEqual([]);

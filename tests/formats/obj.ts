@@ -43,7 +43,7 @@ const shapes: Group = {
       'points, lines, curves, surfaces',
       'named with the first line',
       'obj.ignored',
-      obj(`${FACE}l 1 2\n`),
+      ['p 1', 'l 1 2', 'curv 0 1 1 2', 'surf 0 1 0 1 1 2 3 4'].map((line) => obj(`${FACE}${line}\n`)),
       triangles(2),
     ),
     leftOut(
@@ -112,7 +112,7 @@ const materials: Group = {
     leftOut(
       'a picture that is damaged, too large, or neither PNG nor JPEG',
       'named with what it is',
-      'obj.texture',
+      'file.unreadable-texture',
       worn('map_Kd a.png', { 'a.png': WEBP }),
     ),
     leftOut(

@@ -10,7 +10,7 @@ export function page(): string {
   const parts = [
     '# What is read, approximated, refused',
     '<!-- Made from the code by `npm run docs`: do not edit it here. -->',
-    'Every line of the tables of formats is a claim with an example file in `tests/formats`, which is opened and looked at whenever the tests run. The words mean:',
+    'Every line of the tables of formats is a claim with examples in `tests/formats`, which are opened and looked at whenever the tests run. The words mean:',
     table(
       ['', ''],
       [

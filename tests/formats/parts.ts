@@ -17,6 +17,14 @@ function wider(png: Uint8Array): Uint8Array {
 
 const JPEG = new Uint8Array(encode({ width: 8, height: 8, data: new Uint8Array(256).fill(255) }, 90).data);
 
+/** The first bytes of pictures of other kinds. */
+const STRANGE = [
+  WEBP,
+  ...['    ftypavif    ', '\xabKTX 20\xbb', '\x76\x2f\x31\x01\x02', '#?RADIANCE\n'].map((start) =>
+    Uint8Array.from(start, (c) => c.charCodeAt(0)),
+  ),
+];
+
 const pictures: Group = {
   title: 'Pictures',
   rows: [
@@ -32,12 +40,22 @@ const pictures: Group = {
       shown(JPEG),
       (s) => expect(s.materials[0].baseColorTexture?.width).toBe(8),
     ),
-    leftOut('WebP, AVIF, KTX2, OpenEXR, Radiance HDR', 'named with what it is', 'obj.texture', shown(WEBP)),
-    leftOut('a picture that is damaged, cut off or empty', 'named', 'obj.texture', shown(PIXEL.slice(0, 40))),
+    leftOut(
+      'WebP, AVIF, KTX2, OpenEXR, Radiance HDR',
+      'named with what it is',
+      'file.unreadable-texture',
+      STRANGE.map(shown),
+    ),
+    leftOut(
+      'a picture that is damaged, cut off or empty',
+      'named',
+      'file.unreadable-texture',
+      [PIXEL.slice(0, 40), JPEG.slice(0, 90), new Uint8Array(0)].map(shown),
+    ),
     leftOut(
       'a picture with more pixels than are read',
       'named, before there is room made for it',
-      'obj.texture',
+      'file.unreadable-texture',
       shown(wider(PIXEL)),
     ),
   ],

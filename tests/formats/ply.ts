@@ -113,7 +113,7 @@ const contents: Group = {
     leftOut(
       'a picture that is damaged, too large, or neither PNG nor JPEG',
       'named with what it is',
-      'ply.texture',
+      'file.unreadable-texture',
       { ...ply({ comment: 'TextureFile a.png' }), 'a.png': WEBP },
       triangles(2),
     ),

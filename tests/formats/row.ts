@@ -5,13 +5,16 @@ import type { Scene } from '../../src/scene/types.ts';
 /** By path; the first is opened. */
 export type Files = Readonly<Record<string, string | Uint8Array>>;
 
+export type Example = Files | (() => Promise<Files>);
+
 /** Something that a file can hold, and what becomes of it: a claim, and an example that shows whether it is true. */
 export interface Row {
   /** In Markdown. */
   readonly what: string;
   readonly becomes: string;
   readonly how: 'read' | 'approximated' | 'left out' | 'refused';
-  readonly files: Files | (() => Promise<Files>);
+  /** One example or several, of which all of this is true. */
+  readonly files: Example | readonly Example[];
   readonly options?: ReadOptions;
   /** What is said of it; of what is read, a remark. */
   readonly says?: Code;
@@ -24,12 +27,12 @@ export interface Group {
   readonly rows: readonly Row[];
 }
 
-type Example = Row['files'];
+type Examples = Row['files'];
 
 export const read = (
   what: string,
   becomes: string,
-  files: Example,
+  files: Examples,
   check: (scene: Scene) => void,
   more: Pick<Row, 'says' | 'options'> = {},
 ): Row => ({ what, becomes, how: 'read', files, check, ...more });
@@ -40,7 +43,7 @@ const lesser =
     what: string,
     becomes: string,
     says: Code,
-    files: Example,
+    files: Examples,
     check?: (scene: Scene) => void,
     options?: ReadOptions,
   ): Row => ({
@@ -56,7 +59,7 @@ const lesser =
 export const approximated = lesser('approximated');
 export const leftOut = lesser('left out');
 
-export const refused = (what: string, becomes: string, says: Code, files: Example, options?: ReadOptions): Row => ({
+export const refused = (what: string, becomes: string, says: Code, files: Examples, options?: ReadOptions): Row => ({
   what,
   becomes,
   how: 'refused',

@@ -40,3 +40,7 @@ export const material = (
   ${more} }\n`;
 
 export const RED = material('Red', 'color3f inputs:diffuseColor = (1, 0, 0)');
+
+/** To (3, 0, 0) within a second. */
+export const MOVED = 'double3 xformOp:translate.timeSamples = { 0: (0, 0, 0), 24: (3, 0, 0) }';
+export const ORDER = 'uniform token[] xformOpOrder = ["xformOp:translate"]';

@@ -79,7 +79,17 @@ const materials: Group = {
       'normal maps, displacement, clearcoat, occlusion',
       'named; the rest of the material counts',
       'usd.material-input',
-      wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:clearcoat = 1'),
+      [
+        wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:clearcoat = 1'),
+        wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:displacement = 0.1'),
+        ...[
+          'normal3f inputs:normal.connect = </M/T.outputs:rgb>',
+          'float inputs:occlusion.connect = </M/T.outputs:r>',
+        ].map((line) => ({
+          ...wears(`color3f inputs:diffuseColor = (1, 0, 0)\n${line}`, texture('T')),
+          'a.png': PIXEL,
+        })),
+      ],
       red,
     ),
     leftOut(
@@ -165,7 +175,7 @@ const materials: Group = {
     leftOut(
       'a picture that is damaged, too large, or neither PNG nor JPEG',
       'named with what it is',
-      'usd.unreadable-texture',
+      'file.unreadable-texture',
       { ...wears(DIFFUSE, texture('T')), 'a.png': WEBP },
     ),
     leftOut(
@@ -248,7 +258,12 @@ const lights: Group = {
       'IES profiles, `focusTint`, a `specular` unlike `diffuse`, shadows that are switched off',
       'named; the light shines without',
       'usd.light-input',
-      shines('SphereLight', 'asset inputs:shaping:ies:file = @a.ies@'),
+      [
+        'asset inputs:shaping:ies:file = @a.ies@',
+        'color3f inputs:shaping:focusTint = (1, 0, 0)\nfloat inputs:shaping:focus = 1',
+        'float inputs:specular = 0.5',
+        'bool inputs:shadow:enable = false',
+      ].map((lines) => shines('SphereLight', lines)),
       (s) => expect(s.lights.length).toBe(1),
     ),
     unread('PortalLight'),

@@ -208,7 +208,7 @@ function dropUnreadTextures(json: GLTF.IGLTF, notes: Notes): void {
       delete holder[name];
       notes.add(
         'warning',
-        'gltf.texture',
+        'file.unreadable-texture',
         `material ${material.name ?? i}`,
         `its ${name} has no picture that is read; shown without it`,
       );

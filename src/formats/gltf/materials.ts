@@ -108,7 +108,12 @@ export class MaterialLibrary {
       decoded = bytes && bytes.length > 0 ? decodeImage(bytes, name) : undefined;
     } catch (thrown) {
       if (!(thrown instanceof InputError)) throw thrown;
-      this.#context.notes.add('warning', 'gltf.texture', name, `${thrown.diagnostic.message}; shown without it`);
+      this.#context.notes.add(
+        'warning',
+        'file.unreadable-texture',
+        name,
+        `${thrown.diagnostic.message}; shown without it`,
+      );
     }
     this.#images.set(image, decoded);
     return decoded;

@@ -89,7 +89,7 @@ async function readTexture(
     return { name, ...image, colorSpace: 'srgb', filter: 'linear', wrapS: 'repeat', wrapT: 'repeat' };
   } catch (thrown) {
     if (!(thrown instanceof InputError)) throw thrown;
-    notes.add('warning', 'ply.texture', '', `${thrown.message}; shown without it`);
+    notes.add('warning', 'file.unreadable-texture', '', `${thrown.message}; shown without it`);
     return undefined;
   }
 }
