@@ -88,6 +88,9 @@ export const CODES = {
   'usd.blend-shape': 'a blend shape that does not fit its mesh',
   'usd.instancer': 'an instancer whose arrays or prototypes do not fit together, or of which something is left out',
   'usd.resampling': 'a path that turns too fast between its samples to be followed',
+  'usd.between-samples':
+    'between its samples a mesh would be elsewhere by the other interpolation; or it can go only straight',
+  'usd.velocities': 'velocities that do not fit the points: they are taken from these',
   'usd.sample-budget': 'a deforming mesh with more samples than there is memory for',
   'usd.slowlight': 'attributes of our own that contradict each other, or are not known',
 
@@ -157,6 +160,7 @@ export const CODES = {
   'convert.motion': 'the file cannot hold the motion: it is sampled, or left out',
   'convert.times': 'times before 0, which glTF has not: all are later',
   'convert.points': 'a mesh with so many samples that they are not all written',
+  'convert.interpolation': 'points that go along cubics, which other programs show straight',
   'convert.light': 'a light that the file cannot hold, or not as it is',
   'convert.color': 'a colour beyond 0 … 1',
   'convert.texture': 'a picture in linear colours',

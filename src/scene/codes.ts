@@ -11,6 +11,7 @@ export const SCENE_CODES = {
   'motion.times': 'times that do not increase, or are none',
   'motion.rest-points': 'a deforming body that is authored at rest, which nothing says how to contract',
   'motion.not-finite': 'a pose or velocity that is NaN or infinite',
+  'motion.cubic': 'a cubic path that could be faster than light: it is shown straighter there',
   'motion.superluminal': 'something moves faster than light',
   'motion.horizon': 'part of an accelerated body lies beyond its horizon, where nothing can keep up with it',
   'object.lifetime': 'an object that dies before it is born',
