@@ -18,7 +18,7 @@ import { MAX_LAYERS } from '../../src/formats/usd/compose/layerStore.ts';
 import { MAX_NODES } from '../../src/formats/usd/compose/primIndex.ts';
 import { MAX_CLIP_SAMPLES, MAX_PRIMS, MAX_DEPTH as NAMESPACE_DEPTH } from '../../src/formats/usd/compose/stage.ts';
 import { MAX_DEPTH as TEXT_DEPTH } from '../../src/formats/usd/parser.ts';
-import { MOST_LEVELS, POINT_BUDGET } from '../../src/formats/usd/read.ts';
+import { MOST_LEVELS, POINT_BUDGET, SAMPLE_MEMORY } from '../../src/formats/usd/read.ts';
 import { MAX_INFLUENCES } from '../../src/formats/usd/skel/binding.ts';
 import { FACE_BUDGET } from '../../src/formats/usd/subdivision.ts';
 import { MAX_SIDE as MAX_ATLAS_SIDE } from '../../src/formats/usd/udim.ts';
@@ -39,7 +39,8 @@ export const bounds: readonly { readonly what: string; readonly most: string }[]
   { what: 'USD: opinions on one prim', most: count(MAX_NODES) },
   { what: 'USD: levels of namespace', most: `${count(NAMESPACE_DEPTH)}; in one text ${count(TEXT_DEPTH)}` },
   { what: 'USD: samples that value clips make', most: count(MAX_CLIP_SAMPLES) },
-  { what: 'USD: points of deforming meshes, all samples', most: bytes(POINT_BUDGET) },
+  { what: 'USD: points of deforming meshes, all samples in memory', most: bytes(POINT_BUDGET) },
+  { what: 'USD: samples that are held though they could stay in their binary layer', most: bytes(SAMPLE_MEMORY) },
   { what: 'USD: faces of subdivision surfaces', most: `${count(FACE_BUDGET)}, of ${MOST_LEVELS} levels` },
   { what: 'USD: joints that move one point', most: count(MAX_INFLUENCES) },
   { what: 'USD: side of the picture that tiles make', most: `${count(MAX_ATLAS_SIDE)} pixels` },

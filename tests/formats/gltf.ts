@@ -36,10 +36,13 @@ const files: Group = {
       (s) => expect(s.hints).toEqual({ speedOfLight: 10, title: 'Street' }),
     ),
     leftOut(
-      'every other extension that is only used',
+      'every other extension that is only used, or changes only looks',
       'named',
       'gltf.ignored-extension',
-      json({ extensionsUsed: ['EXT_new'] }),
+      [
+        json({ extensionsUsed: ['EXT_new'] }),
+        json({ extensionsUsed: ['KHR_materials_sheen'], extensionsRequired: ['KHR_materials_sheen'] }),
+      ],
       triangles(1),
     ),
     refused(

@@ -1,14 +1,10 @@
-import { readFileSync } from 'node:fs';
 import { expect } from 'vitest';
 import { packUsdz } from '../../src/formats/usd/writeZip.ts';
 import { volume } from '../support/meshes.ts';
 import { type Files, type Group, leftOut, read, refused } from './row.ts';
-import { corner, MOVED, ORDER, paths, usd } from './usdKit.ts';
+import { corner, crateFixture, MOVED, ORDER, paths, usd } from './usdKit.ts';
 import { lookGroups } from './usdLooks.ts';
 import { shapeGroups } from './usdShapes.ts';
-
-const fixture = (name: string): Uint8Array =>
-  new Uint8Array(readFileSync(new URL(`../../src/formats/usd/crate/fixtures/${name}`, import.meta.url)));
 
 /** The first bytes of a crate of a version. */
 const crate = (minor: number): Uint8Array =>
@@ -30,7 +26,7 @@ const files: Group = {
     read(
       'binary, “crate” (`.usdc`, `.usd`), versions 0.4 to 0.14',
       'the same, to the last bit, as the layer in text',
-      { 'a.usdc': fixture('written.usdc') },
+      { 'a.usdc': crateFixture('written.usdc') },
       (s) => expect(s.objects.length).toBeGreaterThan(0),
     ),
     read(
@@ -77,7 +73,7 @@ const files: Group = {
       'with place and value, and the command that writes it as text',
       'usd.crate',
       {
-        'a.usdc': fixture('meshes.usdc').slice(0, 400),
+        'a.usdc': crateFixture('meshes.usdc').slice(0, 400),
       },
     ),
     refused('a package that is damaged, compressed, encrypted or zip64', 'with what to do', 'usd.package', {

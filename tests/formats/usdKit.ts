@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { vertexPosition } from '../../src/scene/motion.ts';
 import type { Scene } from '../../src/scene/types.ts';
@@ -44,3 +45,7 @@ export const RED = material('Red', 'color3f inputs:diffuseColor = (1, 0, 0)');
 /** To (3, 0, 0) within a second. */
 export const MOVED = 'double3 xformOp:translate.timeSamples = { 0: (0, 0, 0), 24: (3, 0, 0) }';
 export const ORDER = 'uniform token[] xformOpOrder = ["xformOp:translate"]';
+
+/** A file beside those of the crate reader's tests. */
+export const crateFixture = (name: string): Uint8Array =>
+  new Uint8Array(readFileSync(new URL(`../../src/formats/usd/crate/fixtures/${name}`, import.meta.url)));

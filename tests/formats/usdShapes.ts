@@ -1,8 +1,22 @@
 import { expect } from 'vitest';
 import { vertexPosition } from '../../src/scene/motion.ts';
+import { isStreamed } from '../../src/scene/points.ts';
+import type { SampledPointsMotion, Scene } from '../../src/scene/types.ts';
 import { volume } from '../support/meshes.ts';
 import { approximated, type Group, leftOut, read } from './row.ts';
-import { C, corner, def, FACE, MOVED, ORDER, paths, RED, usd } from './usdKit.ts';
+import { C, corner, crateFixture, def, FACE, MOVED, ORDER, paths, RED, usd } from './usdKit.ts';
+
+/** The square, its first corner higher and lower again. */
+const waving = (more: string): string => {
+  const at = (z: number): string => `[(0, 0, ${z}), (1, 0, 0), (1, 1, 0), (0, 1, 0)]`;
+  const samples = `points.timeSamples = { 0: ${at(0)}, 12: ${at(1)}, 24: ${at(0)} }`;
+  return `${FACE.replace(/points = .*/, samples)}\n${more}`;
+};
+
+function deforming({ objects: [{ motion }] }: Scene): SampledPointsMotion {
+  if (motion.kind !== 'sampled-points') throw new Error(motion.kind);
+  return motion;
+}
 
 const motion: Group = {
   title: 'Placement and motion',
@@ -44,6 +58,29 @@ const motion: Group = {
         expect(s.objects[0].motion.kind).toBe('sampled-points');
         expect(corner(s, '/A', 0, 0.5)[2]).toBeCloseTo(0.5, 6);
       },
+    ),
+    read(
+      'what is between samples of `points` with `--interpolation cubic`',
+      'cubics, with `velocities` where they are written; else straight lines; how far these differ is told',
+      usd(def('Mesh', waving(''))),
+      (s) => expect(deforming(s).velocities).toHaveLength(3),
+      { says: 'usd.between-samples', options: { interpolation: 'cubic' } },
+    ),
+    approximated(
+      '`velocities` that do not fit the points, along cubics',
+      'slopes of the points',
+      'usd.velocities',
+      usd(def('Mesh', waving('vector3f[] velocities.timeSamples = { 0: [(0, 0, 1)] }'))),
+      (s) => expect(deforming(s).velocities).toHaveLength(3),
+      { interpolation: 'cubic' },
+    ),
+    approximated(
+      'samples of `points` that are too many for memory, in binary layers',
+      'they stay in their file and are read ahead of the light cone; subdivision surfaces are drawn as their polygons',
+      'usd.subdivision',
+      { 'a.usdc': crateFixture('../../fixtures/caches.usdc') },
+      (s) => expect(isStreamed(deforming(s).points)).toBe(true),
+      { sampleMemory: 0 },
     ),
     read(
       '`slowlight:motion = "uniform"` or `"hyperbolic"`',

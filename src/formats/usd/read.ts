@@ -26,7 +26,7 @@ export const POINT_BUDGET = 2 ** 30;
 export const MOST_LEVELS = 8;
 
 /** For the samples of deforming meshes that could as well stay in their file [bytes]. */
-const SAMPLE_MEMORY = 2 ** 28;
+export const SAMPLE_MEMORY = 2 ** 28;
 /** In a file a mesh takes at least such a part of what it takes in memory: three halves a point, not six floats. */
 const LEAST_PART = 4;
 
