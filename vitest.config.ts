@@ -12,7 +12,7 @@ export default defineConfig({
       {
         test: {
           name: 'unit',
-          include: ['src/**/*.test.{ts,tsx}', 'tests/examples/**/*.test.ts'],
+          include: ['src/**/*.test.{ts,tsx}', 'tests/examples/**/*.test.ts', 'tests/formats/**/*.test.ts'],
           exclude: ['**/*.oracle.test.ts'],
           setupFiles: seeded,
           // What takes a second takes many where the machine is busy.

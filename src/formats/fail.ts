@@ -1,7 +1,8 @@
 import { InputError } from '../scene/types.ts';
+import type { Code } from './codes.ts';
 
 /** An error that names file, place and value and says what to do; `code` is short and stable, for programs. */
-export function inputError(code: string, place: string, message: string, cause?: unknown): InputError {
+export function inputError(code: Code, place: string, message: string, cause?: unknown): InputError {
   const error = new InputError({ severity: 'error', code, place, message });
   if (cause !== undefined) error.cause = cause;
   return error;

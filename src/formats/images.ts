@@ -11,8 +11,8 @@ export interface DecodedImage {
 }
 
 /** Largest side and area [pixels] that are decoded: 64 megapixels are 256 MiB of RGBA. */
-const MAX_SIDE = 16384;
-const MAX_PIXELS = 2 ** 26;
+export const MAX_SIDE = 16384;
+export const MAX_PIXELS = 2 ** 26;
 
 /** Decodes a PNG or JPEG by its content (not its name). Throws an InputError that names `name` where it cannot. */
 export function decodeImage(bytes: Uint8Array, name: string): DecodedImage {

@@ -3,19 +3,19 @@ import { Notes } from './notes.ts';
 
 describe('notes', () => {
   it('say each thing once, with its place', () => {
-    const notes = new Notes('a.obj', 'obj');
-    for (let i = 0; i < 3; i++) notes.add('warning', 'missing', 'line 2', 'no such file');
-    notes.add('info', 'units', '', 'metres');
+    const notes = new Notes('a.obj');
+    for (let i = 0; i < 3; i++) notes.add('warning', 'obj.missing-material', 'line 2', 'no such file');
+    notes.add('info', 'file.units', '', 'metres');
     expect(notes.list()).toEqual([
-      { severity: 'warning', code: 'obj.missing', place: 'a.obj: line 2', message: 'no such file' },
-      { severity: 'info', code: 'obj.units', place: 'a.obj', message: 'metres' },
+      { severity: 'warning', code: 'obj.missing-material', place: 'a.obj: line 2', message: 'no such file' },
+      { severity: 'info', code: 'file.units', place: 'a.obj', message: 'metres' },
     ]);
   });
 
   it('of one kind are a hundred at most, and one that says so', () => {
-    const notes = new Notes('a.obj', 'obj');
-    for (let i = 0; i < 1000; i++) notes.add('warning', 'missing', `line ${i}`, 'no such file');
-    notes.add('info', 'units', '', 'metres');
+    const notes = new Notes('a.obj');
+    for (let i = 0; i < 1000; i++) notes.add('warning', 'obj.missing-material', `line ${i}`, 'no such file');
+    notes.add('info', 'file.units', '', 'metres');
     const list = notes.list();
     expect(list.length).toBe(102);
     expect(list[99].place).toBe('a.obj: line 99');

@@ -1,46 +1,49 @@
 import type { Diagnostic } from '../scene/types.ts';
+import type { Code } from './codes.ts';
 
-/** Most things of one kind that are listed. */
-const MAX_PER_CODE = 100;
+/** Of each kind of diagnostic so many are listed; a file with a million faults has one message more, not a million. */
+export const MAX_PER_CODE = 100;
 
-/** What a reader has to say of one file, each thing once. */
-export class Notes {
-  readonly #byKey = new Map<string, Diagnostic>();
+/** What is said about a file: the same thing about the same place once. */
+export class DiagnosticList {
+  readonly list: Diagnostic[] = [];
+  readonly #said = new Set<string>();
   readonly #counts = new Map<string, number>();
-  readonly #entry: string;
-  readonly #format: string;
-  /** `format` begins every code: `gltf`. */
-  constructor(entry: string, format: string) {
-    this.#entry = entry;
-    this.#format = format;
+
+  /** `file` is the place of what says that there are more. */
+  add(diagnostic: Diagnostic & { readonly code: Code }, file: string): void {
+    const { severity, code, place, message } = diagnostic;
+    const key = `${code}\n${place}\n${message}`;
+    const count = (this.#counts.get(code) ?? 0) + 1;
+    if (this.#said.has(key) || count > MAX_PER_CODE + 1) return;
+    this.#counts.set(code, count);
+    this.#said.add(key);
+    const more = `there are more of these; the first ${MAX_PER_CODE} are listed`;
+    this.list.push(count <= MAX_PER_CODE ? diagnostic : { severity, code, place: file, message: more });
+  }
+}
+
+/** What a reader or a writer has to say of one file. */
+export class Notes {
+  readonly #said = new DiagnosticList();
+  readonly #file: string;
+  constructor(file: string) {
+    this.#file = file;
   }
 
-  /**
-   * `what` names the thing in the file; empty: the file itself. A code with a dot is one that all formats share. `more`: what
-   * programs need of it besides.
-   */
+  /** `what` names the thing in the file; empty: the file itself. `more`: what programs need of it besides. */
   add(
     severity: Diagnostic['severity'],
-    code: string,
+    code: Code,
     what: string,
     message: string,
-    more: Partial<Diagnostic> = {},
+    more: Partial<Omit<Diagnostic, 'code'>> = {},
   ): void {
-    const key = `${code} ${what} ${message}`;
-    const count = (this.#counts.get(code) ?? 0) + 1;
-    if (this.#byKey.has(key) || count > MAX_PER_CODE + 1) return;
-    this.#counts.set(code, count);
-    const isMore = count > MAX_PER_CODE;
-    this.#byKey.set(key, {
-      severity,
-      code: code.includes('.') ? code : `${this.#format}.${code}`,
-      place: what && !isMore ? `${this.#entry}: ${what}` : this.#entry,
-      message: isMore ? `there are more of these; the first ${MAX_PER_CODE} are listed` : message,
-      ...(isMore ? {} : more),
-    });
+    const place = what ? `${this.#file}: ${what}` : this.#file;
+    this.#said.add({ severity, code, place, message, ...more }, this.#file);
   }
 
   list(): Diagnostic[] {
-    return [...this.#byKey.values()];
+    return this.#said.list;
   }
 }

@@ -10,7 +10,7 @@ export interface OpenOptions extends ReadOptions {
 }
 
 /** 2 GiB: what one typed array holds everywhere. */
-const MAX_BYTES = 2 ** 31;
+export const MAX_BYTES = 2 ** 31;
 
 /**
  * Reads a scene. Throws an InputError, and nothing else, where the file is missing, empty, too large, damaged or of a

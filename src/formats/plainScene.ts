@@ -24,8 +24,9 @@ export function plainScene(
   notes: Notes,
 ): Scene {
   const paths = new PathNames();
-  notes.add('info', 'units', '', 'neither unit nor up axis is written in it; one unit is taken as 1 m, Y as up');
-  if (meshes.length === 0) notes.add('warning', 'empty', '', 'no triangle is in it, so that there is nothing to see');
+  notes.add('info', 'file.units', '', 'neither unit nor up axis is written in it; one unit is taken as 1 m, Y as up');
+  if (meshes.length === 0)
+    notes.add('warning', 'file.no-triangles', '', 'no triangle is in it, so that there is nothing to see');
   return makeScene({
     name: stemOf(entry),
     objects: meshes.map(({ name, mesh }) => makeObject({ path: paths.of('', name || stemOf(entry)), mesh })),

@@ -1,7 +1,8 @@
 import type { Diagnostic, Scene } from '../scene/types.ts';
 import { inputError } from './fail.ts';
+import { Notes } from './notes.ts';
 import { extensionOf } from './source.ts';
-import { Losses, type Written } from './written.ts';
+import type { Written } from './written.ts';
 
 /** Kinds of scene file that are written, by extension. Each writer is loaded on first use. */
 const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<Written>>> = {
@@ -21,7 +22,7 @@ const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<W
 
 /** USD cannot say that points go along cubics; their velocities are written, from which we read them again. */
 function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
-  const losses = new Losses(name);
+  const losses = new Notes(name);
   for (const { path, motion } of scene.objects)
     if (motion.kind === 'sampled-points' && motion.velocities)
       losses.add(
@@ -30,7 +31,7 @@ function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
         path,
         'its points go along cubics, which USD does not know: their velocities are written, so that reading with cubic interpolation gives them back; other programs go straight',
       );
-  return losses.list;
+  return losses.list();
 }
 
 /** Extensions that `saveScene` takes. */

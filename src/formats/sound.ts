@@ -13,6 +13,7 @@ import type {
   SceneCamera,
   SceneObject,
 } from '../scene/types.ts';
+import type { Code } from './codes.ts';
 
 /**
  * A scene in which every number is one: files hold NaN and infinities, and finite numbers overflow on their way to metres
@@ -21,7 +22,7 @@ import type {
 export function soundScene(scene: Scene): Scene {
   const found: Diagnostic[] = [];
   const say = (path: string, message: string): void => {
-    found.push({ severity: 'warning', code: 'file.not-finite', place: `${scene.name}<${path}>`, message });
+    found.push({ severity: 'warning', code: NOT_FINITE, place: `${scene.name}<${path}>`, message });
   };
   const sound: Scene = {
     ...scene,
@@ -33,6 +34,8 @@ export function soundScene(scene: Scene): Scene {
   };
   return found.length > 0 ? { ...sound, diagnostics: [...scene.diagnostics, ...found] } : scene;
 }
+
+const NOT_FINITE: Code = 'file.not-finite';
 
 type Say = (path: string, message: string) => void;
 

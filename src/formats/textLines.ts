@@ -3,7 +3,7 @@ import { inputError } from './fail.ts';
 /** Bytes decoded at a time: no string is as long as a large file. */
 const BLOCK = 2 ** 22;
 /** Longest line [bytes]. */
-const MAX_LINE = 2 ** 24;
+export const MAX_LINE = 2 ** 24;
 const NEWLINE = 10;
 const RETURN = 13;
 

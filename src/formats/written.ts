@@ -14,6 +14,7 @@ import type {
   SceneObject,
   StaticMotion,
 } from '../scene/types.ts';
+import type { Notes } from './notes.ts';
 
 /** Motions that files of other programs can hold. */
 export type PlainMotion = StaticMotion | SampledMotion | SampledPointsMotion;
@@ -31,24 +32,11 @@ export interface Written {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** What is said while a scene is written: what the file cannot hold. */
-export class Losses {
-  readonly list: Diagnostic[] = [];
-  private readonly file: string;
-  constructor(file: string) {
-    this.file = file;
-  }
-
-  add(severity: Diagnostic['severity'], code: string, path: string, message: string): void {
-    this.list.push({ severity, code, place: path === '' ? this.file : `${this.file}: ${path}`, message });
-  }
-}
-
 /**
  * Objects as a file without relativity holds them: shapes of the world frame, motions sampled over the scene's time range.
  * What that loses is said.
  */
-export function plainObjects(scene: Scene, losses: Losses): (SceneObject & { readonly motion: PlainMotion })[] {
+export function plainObjects(scene: Scene, losses: Notes): (SceneObject & { readonly motion: PlainMotion })[] {
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   return scene.objects.map((object) => {
     const { birth, death } = object.lifetime;
@@ -63,7 +51,7 @@ export function plainObjects(scene: Scene, losses: Losses): (SceneObject & { rea
   });
 }
 
-function plainObject(object: SceneObject, scene: Scene, c: number, losses: Losses) {
+function plainObject(object: SceneObject, scene: Scene, c: number, losses: Notes) {
   const own = restToWorld(object, c);
   const { motion } = own;
   if (motion.kind === 'static' || motion.kind === 'sampled' || motion.kind === 'sampled-points')
@@ -98,7 +86,7 @@ export function plainFrame(
   motion: FrameMotion,
   scene: Scene,
   path: string,
-  losses: Losses,
+  losses: Notes,
 ): StaticMotion | SampledMotion {
   if (motion.kind === 'static' || motion.kind === 'sampled') return motion;
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;

@@ -1,5 +1,6 @@
 import { rotate } from '../math/quat.ts';
 import { dot, length, type Vec3 } from '../math/vec3.ts';
+import type { SceneCode } from './codes.ts';
 import { FASTEST, greatestSpeed, isCubic, straightened } from './cubicPoints.ts';
 import { makeObject } from './defaults.ts';
 import { fastest } from './fastest.ts';
@@ -36,7 +37,7 @@ export function validate(scene: Scene, c: number): Diagnostic[] {
   ];
 }
 
-const problem = (severity: Diagnostic['severity'], code: string, place: string, message: string): Diagnostic => ({
+const problem = (severity: Diagnostic['severity'], code: SceneCode, place: string, message: string): Diagnostic => ({
   severity,
   code,
   place,
@@ -72,9 +73,9 @@ interface MeshFindings {
   /** The first vertex that is nowhere. */
   readonly notFinite: number | undefined;
 }
-type Fault = Pick<Diagnostic, 'severity' | 'code' | 'message'>;
+type Fault = Pick<Diagnostic, 'severity' | 'message'> & { readonly code: SceneCode };
 
-const error = (code: string, message: string): Fault => ({ severity: 'error', code, message });
+const error = (code: SceneCode, message: string): Fault => ({ severity: 'error', code, message });
 
 function meshFaults(mesh: Mesh, scene: Scene): Fault[] {
   const vertices = mesh.positions.length / 3;

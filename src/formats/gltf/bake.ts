@@ -31,7 +31,7 @@ const MOTION_BUDGET = 2 ** 17;
 /** Following so many points takes as long as one curve. */
 const POINTS_PER_CURVE = 8;
 /** Most bytes of baked points in a scene. */
-const MAX_BAKED = 2 ** 30;
+export const MAX_BAKED = 2 ** 30;
 
 /** A mesh with its motion, ready for a scene. */
 export interface Baked {
@@ -141,7 +141,7 @@ export class Baker {
     const { times, error, wanted } = this.#motionBudget.refine(knots.times, shape, how, cost);
     if (error > tolerance) {
       const message = `moves too wildly between its ${knots.times.length} keys to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
-      this.#context.notes.add('warning', 'resampling', path, message);
+      this.#context.notes.add('warning', 'gltf.resampling', path, message);
     }
     return [...times];
   }
@@ -149,7 +149,7 @@ export class Baker {
   #noteJumps({ path }: Frame, { jumps }: Knots): void {
     if (jumps.size === 0) return;
     const message = `jumps ${jumps.size} times (first at ${[...jumps].sort((a, b) => a - b)[0]} s); each jump is shown as a ramp of at most 1 ms, and may be faster than light`;
-    this.#context.notes.add('warning', 'jump', path, message);
+    this.#context.notes.add('warning', 'gltf.jump', path, message);
   }
 
   /** Sample times of a deforming mesh; with a wider tolerance, or every n-th, where memory would not hold them. */
@@ -172,7 +172,7 @@ export class Baker {
     if (times.length > most) times = thinned(times, most);
     if (times.length < knots.times.length || tolerance > wanted) {
       const message = `bends too much to hold in ${formatBytes(this.#budget)}; it is sampled at ${times.length} times only`;
-      this.#context.notes.add('warning', 'coarse', frame.path, message);
+      this.#context.notes.add('warning', 'gltf.coarse', frame.path, message);
     }
     this.#left -= times.length * sampleBytes;
     return times;

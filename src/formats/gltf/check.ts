@@ -15,7 +15,7 @@ const ELEMENT_SIZE: Readonly<Record<string, number>> = {
 /** Most bytes that the accessors of a file may unpack to. */
 export const MAX_UNPACKED = 2 ** 31;
 /** Deepest nesting of nodes. */
-const MAX_DEPTH = 1000;
+export const MAX_DEPTH = 1000;
 
 /**
  * Refuses a file whose parts point outside each other or outside the data, before anything is allocated for it:
@@ -24,7 +24,7 @@ const MAX_DEPTH = 1000;
 export function checkGltf(entry: string, json: GLTF.IGLTF, resources: Readonly<Record<string, Uint8Array>>): void {
   const version = json.asset?.version;
   if (version !== '2.0')
-    throw gltfError(entry, 'version', 'asset', `glTF ${version}; only 2.0 is read, export it as 2.0`);
+    throw gltfError(entry, 'gltf.version', 'asset', `glTF ${version}; only 2.0 is read, export it as 2.0`);
   checkReferences(entry, json);
   checkExtensionIndices(entry, json);
   checkBuffers(entry, json, resources);
@@ -40,7 +40,7 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
       if (i === undefined || (Number.isInteger(i) && i >= 0 && i < count)) continue;
       throw gltfError(
         entry,
-        'bad-reference',
+        'gltf.bad-reference',
         what,
         `refers to ${target} ${i}, of which there are ${count}; export it again`,
       );
@@ -117,7 +117,7 @@ function checkExtensionIndices(entry: string, json: GLTF.IGLTF): void {
     if (bad === undefined) return;
     throw gltfError(
       entry,
-      'bad-reference',
+      'gltf.bad-reference',
       what,
       `refers to ${kind} ${bad}, of which there are ${count}; export it again`,
     );
@@ -146,7 +146,7 @@ function checkBuffers(entry: string, json: GLTF.IGLTF, resources: Readonly<Recor
     const held = resources[buffer.uri ?? '@glb.bin']?.length ?? 0;
     if (held >= buffer.byteLength) return;
     const message = `holds ${formatBytes(held)} of ${formatBytes(buffer.byteLength)}: the file is cut off; copy or export it again`;
-    throw gltfError(entry, 'truncated', `buffer ${i}`, message);
+    throw gltfError(entry, 'gltf.truncated', `buffer ${i}`, message);
   });
   json.bufferViews?.forEach((view, i) => {
     const size = json.buffers![view.buffer].byteLength;
@@ -159,7 +159,7 @@ export function checkRange(entry: string, what: string, offset: number, length: 
   const whole = Number.isInteger(offset) && Number.isInteger(length) && offset >= 0 && length >= 0;
   if (whole && offset + length <= available) return;
   const message = `wants bytes ${offset} to ${offset + length} of ${available}; the file is damaged, export it again`;
-  throw gltfError(entry, 'out-of-range', what, message);
+  throw gltfError(entry, 'gltf.out-of-range', what, message);
 }
 
 function checkAccessors(entry: string, json: GLTF.IGLTF): void {
@@ -170,11 +170,11 @@ function checkAccessors(entry: string, json: GLTF.IGLTF): void {
     const bytes = (COMPONENT_BYTES[a.componentType] ?? Number.NaN) * (ELEMENT_SIZE[a.type] ?? Number.NaN);
     const valid = Number.isInteger(a.count) && a.count >= 0 && bytes > 0;
     if (!valid)
-      throw gltfError(entry, 'bad-accessor', what, `${a.count} of ${a.type}, component type ${a.componentType}`);
+      throw gltfError(entry, 'gltf.bad-accessor', what, `${a.count} of ${a.type}, component type ${a.componentType}`);
     total += bytes * a.count;
     if (a.bufferView !== undefined) {
       const view = views[a.bufferView];
-      if (!view) throw gltfError(entry, 'bad-reference', what, `refers to bufferView ${a.bufferView}`);
+      if (!view) throw gltfError(entry, 'gltf.bad-reference', what, `refers to bufferView ${a.bufferView}`);
       const length = a.count === 0 ? 0 : (view.byteStride ?? bytes) * (a.count - 1) + bytes;
       checkRange(entry, what, a.byteOffset ?? 0, length, view.byteLength);
     }
@@ -183,7 +183,7 @@ function checkAccessors(entry: string, json: GLTF.IGLTF): void {
   if (total > MAX_UNPACKED) {
     throw gltfError(
       entry,
-      'too-large',
+      'gltf.too-large',
       'accessors',
       `unpack to ${formatBytes(total)}, more than ${formatBytes(MAX_UNPACKED)}`,
     );
@@ -200,7 +200,7 @@ function checkSparse(
   const { count, indices, values } = accessor.sparse!;
   const place = `${what}, sparse`;
   if (!(Number.isInteger(count) && count >= 0 && count <= accessor.count)) {
-    throw gltfError(entry, 'bad-accessor', place, `${count} changed values of ${accessor.count}`);
+    throw gltfError(entry, 'gltf.bad-accessor', place, `${count} changed values of ${accessor.count}`);
   }
   const parts = [
     [indices, COMPONENT_BYTES[indices.componentType] ?? Number.NaN],
@@ -208,7 +208,7 @@ function checkSparse(
   ] as const;
   for (const [part, size] of parts) {
     const view = views[part.bufferView];
-    if (!view) throw gltfError(entry, 'bad-reference', place, `refers to bufferView ${part.bufferView}`);
+    if (!view) throw gltfError(entry, 'gltf.bad-reference', place, `refers to bufferView ${part.bufferView}`);
     checkRange(entry, place, part.byteOffset ?? 0, count * size, view.byteLength);
   }
 }
@@ -222,7 +222,7 @@ function checkTree(entry: string, json: GLTF.IGLTF): void {
       if (parent[child] >= 0) {
         throw gltfError(
           entry,
-          'bad-tree',
+          'gltf.bad-tree',
           `node ${child}`,
           `has two parents, nodes ${parent[child]} and ${i}; export it again`,
         );
@@ -235,7 +235,7 @@ function checkTree(entry: string, json: GLTF.IGLTF): void {
     for (let up = parent[i]; up >= 0; up = parent[up]) {
       if (++depth <= MAX_DEPTH) continue;
       const message = `is nested more than ${MAX_DEPTH} deep, or in itself; flatten the hierarchy`;
-      throw gltfError(entry, 'bad-tree', `node ${i}`, message);
+      throw gltfError(entry, 'gltf.bad-tree', `node ${i}`, message);
     }
   }
 }

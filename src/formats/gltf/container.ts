@@ -47,7 +47,7 @@ export async function loadGltf(
   notes: Notes,
 ): Promise<{ json: GLTF.IGLTF; document: Document }> {
   const bytes = await source.read(entry);
-  if (!bytes) throw gltfError(entry, 'missing', '', 'no such file');
+  if (!bytes) throw gltfError(entry, 'file.missing', '', 'no such file');
   const { json, binary } = unpackContainer(entry, bytes);
   const resources = await loadResources(source, entry, json, notes);
   if (binary) resources[GLB_BUFFER] = binary;
@@ -68,14 +68,14 @@ function unpackContainer(entry: string, bytes: Uint8Array): { json: GLTF.IGLTF; 
   const size = bytes.length >= 12 ? view.getUint32(8, true) : 12;
   if (size > bytes.length) {
     const message = `${formatBytes(bytes.length)} of ${formatBytes(size)}: the file is cut off; copy or export it again`;
-    throw gltfError(entry, 'truncated', '', message);
+    throw gltfError(entry, 'gltf.truncated', '', message);
   }
   const version = view.getUint32(4, true);
   if (version !== 2)
-    throw gltfError(entry, 'version', '', `GLB version ${version}; only 2 is read, export it as glTF 2.0`);
+    throw gltfError(entry, 'gltf.version', '', `GLB version ${version}; only 2 is read, export it as glTF 2.0`);
   const chunks = readChunks(entry, view, bytes, size);
   const json = chunks.get(JSON_CHUNK);
-  if (!json) throw gltfError(entry, 'damaged', '', 'the GLB has no JSON chunk; export it again');
+  if (!json) throw gltfError(entry, 'gltf.damaged', '', 'the GLB has no JSON chunk; export it again');
   const binary = chunks.get(BIN_CHUNK);
   return { json: parseJson(entry, json), ...(binary ? { binary: unshared(binary) } : {}) };
 }
@@ -87,7 +87,7 @@ function readChunks(entry: string, view: DataView, bytes: Uint8Array, size: numb
     const type = view.getUint32(at + 4, true);
     if (at + 8 + length > size) {
       const message = `a chunk of ${formatBytes(length)} at byte ${at} runs past the end; export it again`;
-      throw gltfError(entry, 'truncated', '', message);
+      throw gltfError(entry, 'gltf.truncated', '', message);
     }
     if (!chunks.has(type)) chunks.set(type, bytes.subarray(at + 8, at + 8 + length));
     at += 8 + length;
@@ -101,10 +101,10 @@ function parseJson(entry: string, bytes: Uint8Array): GLTF.IGLTF {
     json = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
   } catch (thrown) {
     const message = `the JSON is damaged or cut off (${messageOf(thrown)}); copy or export it again`;
-    throw gltfError(entry, 'damaged', '', message, thrown);
+    throw gltfError(entry, 'gltf.damaged', '', message, thrown);
   }
   const isGltf = typeof json === 'object' && json !== null && Object.hasOwn(json, 'asset');
-  if (!isGltf) throw gltfError(entry, 'damaged', '', 'not a glTF: the JSON has no "asset"');
+  if (!isGltf) throw gltfError(entry, 'gltf.damaged', '', 'not a glTF: the JSON has no "asset"');
   return checkShape(entry, json);
 }
 
@@ -121,7 +121,7 @@ async function loadResources(source: FileSource, entry: string, json: GLTF.IGLTF
   for (const [i, buffer] of (json.buffers ?? []).entries()) {
     const { uri } = buffer;
     if (isFallback(buffer) || (await load(buffer, `buffer ${i}`))) continue;
-    throw gltfError(entry, 'missing-file', `buffer ${i}`, `there is no file ${uri}; put it beside the scene`);
+    throw gltfError(entry, 'gltf.missing-file', `buffer ${i}`, `there is no file ${uri}; put it beside the scene`);
   }
   for (const [i, image] of (json.images ?? []).entries()) {
     const { uri } = image;
@@ -154,7 +154,7 @@ async function loadUri(
     try {
       return BufferUtils.createBufferFromDataURI(uri);
     } catch (thrown) {
-      throw gltfError(entry, 'damaged', what, `its data URI cannot be decoded (${messageOf(thrown)})`, thrown);
+      throw gltfError(entry, 'gltf.damaged', what, `its data URI cannot be decoded (${messageOf(thrown)})`, thrown);
     }
   }
   const bytes = (await source.read(resolvePath(entry, unescaped(uri)))) ?? (await source.read(resolvePath(entry, uri)));
@@ -178,13 +178,13 @@ function checkExtensions(entry: string, json: GLTF.IGLTF, notes: Notes): void {
   for (const name of json.extensionsRequired ?? []) {
     if (HANDLED.includes(name) || LOOKS_ONLY.test(name)) continue;
     const message = `it needs the extension ${name}, which is not read; export it without`;
-    throw gltfError(entry, 'unsupported-extension', '', message);
+    throw gltfError(entry, 'gltf.unsupported-extension', '', message);
   }
   for (const name of json.extensionsUsed ?? []) {
     if (HANDLED.includes(name)) continue;
     const severity = LOOKS_ONLY.test(name) && !CHANGES_COLOR.test(name) ? 'info' : 'warning';
     const effect = CHANGES_COLOR.test(name) ? '; what uses it is shown without its picture or colour' : '';
-    notes.add(severity, 'ignored-extension', '', `the extension ${name} is left out${effect}`);
+    notes.add(severity, 'gltf.ignored-extension', '', `the extension ${name} is left out${effect}`);
   }
   json.extensionsRequired = json.extensionsRequired?.filter((name) =>
     EXTENSIONS.some((e) => e.EXTENSION_NAME === name),
@@ -208,7 +208,7 @@ function dropUnreadTextures(json: GLTF.IGLTF, notes: Notes): void {
       delete holder[name];
       notes.add(
         'warning',
-        'texture',
+        'file.unreadable-texture',
         `material ${material.name ?? i}`,
         `its ${name} has no picture that is read; shown without it`,
       );

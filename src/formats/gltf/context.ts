@@ -1,5 +1,6 @@
 import type { Document, GLTF } from '@gltf-transform/core';
 import type { VariantSet } from '../../scene/types.ts';
+import type { Code } from '../codes.ts';
 import { inputError } from '../fail.ts';
 import type { Notes } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
@@ -21,5 +22,5 @@ export interface GltfContext {
 export type Resources = Record<string, Uint8Array<ArrayBuffer>>;
 
 /** Refuses the file: `what` names the thing in it, `message` the value and what to do. */
-export const gltfError = (entry: string, code: string, what: string, message: string, cause?: unknown) =>
-  inputError(`gltf.${code}`, what ? `${entry}: ${what}` : entry, message, cause);
+export const gltfError = (entry: string, code: Code, what: string, message: string, cause?: unknown) =>
+  inputError(code, what ? `${entry}: ${what}` : entry, message, cause);

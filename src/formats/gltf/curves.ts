@@ -27,13 +27,13 @@ export function makeCurve(
   const needed = times.length * width * (isCubic ? 3 : 1);
   if (times.length === 0 || values.length < needed) {
     const message = `${values.length} values for ${times.length} keys, ${needed} are needed; export it again`;
-    throw gltfError(entry, 'bad-animation', what, message);
+    throw gltfError(entry, 'gltf.bad-animation', what, message);
   }
   times.forEach((t, i) => {
     if (Number.isFinite(t) && (i === 0 || t >= times[i - 1])) return;
     throw gltfError(
       entry,
-      'bad-animation',
+      'gltf.bad-animation',
       what,
       `key ${i} is at ${t} s after ${times[i - 1] ?? '–'} s; keys must rise`,
     );

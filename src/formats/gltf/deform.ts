@@ -74,13 +74,13 @@ function readJoints(context: GltfContext, tree: NodeTree, node: GltfNode, used: 
   const highest = used.reduce((a, b) => Math.max(a, b), 0);
   if (highest >= nodes.length) {
     const message = `a vertex follows joint ${highest} of ${nodes.length}; the file is damaged, export it again`;
-    throw gltfError(context.entry, 'bad-skin', what, message);
+    throw gltfError(context.entry, 'gltf.bad-skin', what, message);
   }
   const accessor = skin.getInverseBindMatrices();
   const binds = accessor ? floatsOf(accessor) : undefined;
   if (binds && binds.length < nodes.length * 16) {
     const message = `${binds.length / 16} inverse bind matrices for ${nodes.length} joints; export it again`;
-    throw gltfError(context.entry, 'bad-skin', what, message);
+    throw gltfError(context.entry, 'gltf.bad-skin', what, message);
   }
   const bind = (j: number): Mat4 =>
     Array.from({ length: 16 }, (_, i) => (binds ? binds[j * 16 + (i % 4) * 4 + (i >> 2)] : i % 5 === 0 ? 1 : 0));

@@ -7,7 +7,7 @@ import { type GltfContext, gltfError } from './context.ts';
 import type { Placement } from './nodes.ts';
 
 /** Most instances of one node: each is an object of its own. */
-const MAX_INSTANCES = 2 ** 16;
+export const MAX_INSTANCES = 2 ** 16;
 const WIDTHS: ReadonlyMap<string, number> = new Map([
   ['TRANSLATION', 3],
   ['ROTATION', 4],
@@ -20,11 +20,11 @@ export function readInstances(context: GltfContext, node: GltfNode, what: string
   if (!instanced) return undefined;
   const others = instanced.listSemantics().filter((name) => !WIDTHS.has(name));
   if (others.length > 0) {
-    context.notes.add('info', 'instance-attributes', what, `${others.join(', ')} of its instances are left out`);
+    context.notes.add('info', 'gltf.instance-attributes', what, `${others.join(', ')} of its instances are left out`);
   }
   const count = instanced.listAttributes()[0]?.getCount() ?? 0;
   if (count > MAX_INSTANCES) {
-    throw gltfError(context.entry, 'too-large', what, `has ${count} instances; at most ${MAX_INSTANCES} are read`);
+    throw gltfError(context.entry, 'gltf.too-large', what, `has ${count} instances; at most ${MAX_INSTANCES} are read`);
   }
   const values = (name: string): Float32Array | undefined => {
     const accessor = instanced.getAttribute(name);
@@ -37,7 +37,7 @@ export function readInstances(context: GltfContext, node: GltfNode, what: string
 function valuesOf(context: GltfContext, what: string, name: string, accessor: Accessor, count: number): Float32Array {
   if (accessor.getElementSize() === WIDTHS.get(name) && accessor.getCount() === count) return floatsOf(accessor);
   const message = `${name} of its instances has ${accessor.getCount()} of ${accessor.getType()}, for ${count}; export it again`;
-  throw gltfError(context.entry, 'bad-attribute', what, message);
+  throw gltfError(context.entry, 'gltf.bad-attribute', what, message);
 }
 
 type Values = Float32Array | undefined;

@@ -76,7 +76,7 @@ export class MaterialLibrary {
     if (maps.length === 0) return;
     this.#context.notes.add(
       'info',
-      'ignored-texture',
+      'gltf.ignored-texture',
       `material ${name}`,
       `its ${maps.join(', ')} texture is left out`,
     );
@@ -108,7 +108,12 @@ export class MaterialLibrary {
       decoded = bytes && bytes.length > 0 ? decodeImage(bytes, name) : undefined;
     } catch (thrown) {
       if (!(thrown instanceof InputError)) throw thrown;
-      this.#context.notes.add('warning', 'texture', name, `${thrown.diagnostic.message}; shown without it`);
+      this.#context.notes.add(
+        'warning',
+        'file.unreadable-texture',
+        name,
+        `${thrown.diagnostic.message}; shown without it`,
+      );
     }
     this.#images.set(image, decoded);
     return decoded;
@@ -153,7 +158,7 @@ export function uvSourceOf(context: GltfContext, material: GltfMaterial | null):
   const emissive = material?.getEmissiveTexture() ? uvSource(material.getEmissiveTextureInfo()) : undefined;
   if (material && base && emissive && JSON.stringify(base) !== JSON.stringify(emissive)) {
     const message = 'its emissive texture has its own uv set or transform; that of the base colour is used for both';
-    context.notes.add('warning', 'second-uvs', `material ${nameOf(context, material)}`, message);
+    context.notes.add('warning', 'gltf.second-uvs', `material ${nameOf(context, material)}`, message);
   }
   return base ?? emissive ?? { set: 0, offset: [0, 0], rotation: 0, scale: [1, 1] };
 }

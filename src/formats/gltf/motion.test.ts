@@ -189,7 +189,7 @@ describe('glTF motion', () => {
     kit.animate(node, 'rotation', [0, 1, 2, 3], turnKeys([0, 2, 4, 6]));
     kit.animate(node, 'scale', [0, 3], [1, 1, 1, 2, 2, 2]);
     const bake = async (budget: number): Promise<[number[], string[]]> => {
-      const notes = new Notes('a.glb', 'gltf');
+      const notes = new Notes('a.glb');
       const file = await loadGltf(await kit.files(), 'a.glb', notes);
       const context = { entry: 'a.glb', options: {}, variants: undefined, notes, ...file };
       const root = context.document.getRoot();

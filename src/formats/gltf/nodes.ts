@@ -136,11 +136,11 @@ function readChannels(context: GltfContext, animation: Animation): Map<GltfNode,
     const what = `animation ${animation.getName() || 'without a name'}, ${node?.getName() || 'a node'}.${path}`;
     const width = path === 'weights' ? morphCount(node) : WIDTHS[path ?? ''];
     if (!node || width === undefined) {
-      context.notes.add('warning', 'channel', what, 'this kind of animation is not read; it is left out');
+      context.notes.add('warning', 'gltf.channel', what, 'this kind of animation is not read; it is left out');
       continue;
     }
     if (!sampler?.getInput() || !sampler.getOutput()) {
-      throw gltfError(context.entry, 'bad-animation', what, 'has no keys; export it again');
+      throw gltfError(context.entry, 'gltf.bad-animation', what, 'has no keys; export it again');
     }
     if (width === 0) continue;
     const curves = byNode.get(node) ?? {};

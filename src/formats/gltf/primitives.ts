@@ -38,7 +38,7 @@ export function readGeometry(context: GltfContext, mesh: GltfMesh, library: Mate
   if (parts.length === 1) return parts[0];
   if (new Set(parts.map((p) => p.mesh.doubleSided)).size > 1) {
     const message = 'has single-sided and double-sided materials; all of it is shown double-sided';
-    context.notes.add('info', 'mixed-sides', what, message);
+    context.notes.add('info', 'gltf.mixed-sides', what, message);
   }
   return joinParts(parts);
 }
@@ -89,13 +89,13 @@ function readPrimitive(context: GltfContext, what: string, p: Primitive, library
     const message = position
       ? `${mode ?? `mode ${p.getMode()}`} cannot be shown; only triangles are`
       : 'has no positions';
-    context.notes.add('warning', 'primitive', what, `${message}; that part is left out`);
+    context.notes.add('warning', 'gltf.primitive', what, `${message}; that part is left out`);
     return undefined;
   }
   const bad = corners.find((corner) => corner >= position.getCount());
   if (bad !== undefined) {
     const message = `a triangle wants vertex ${bad} of ${position.getCount()}; the file is damaged, export it again`;
-    throw gltfError(context.entry, 'bad-index', what, message);
+    throw gltfError(context.entry, 'gltf.bad-index', what, message);
   }
   // Flat normals belong to triangles, so vertices can no longer be shared.
   const isFlat = !p.getAttribute('NORMAL');
@@ -104,7 +104,7 @@ function readPrimitive(context: GltfContext, what: string, p: Primitive, library
     if (!accessor) return undefined;
     if (accessor.getCount() !== position.getCount()) {
       const message = `${name} has ${accessor.getCount()} values for ${position.getCount()} vertices; export it again`;
-      throw gltfError(context.entry, 'bad-attribute', what, message);
+      throw gltfError(context.entry, 'gltf.bad-attribute', what, message);
     }
     return pick(accessor, width, isFlat ? corners : undefined);
   };
@@ -123,7 +123,7 @@ function noteVertexAlpha({ notes }: GltfContext, what: string, p: Primitive, mat
   const colors = p.getAttribute('COLOR_0');
   if (colors?.getElementSize() !== 4 || (material?.getAlphaMode() ?? 'OPAQUE') === 'OPAQUE') return;
   if (floatsOf(colors).every((value, i) => i % 4 !== 3 || value >= 1)) return;
-  notes.add('warning', 'vertex-alpha', what, 'the opacity of its vertex colours is left out');
+  notes.add('warning', 'gltf.vertex-alpha', what, 'the opacity of its vertex colours is left out');
 }
 
 /** Values of an attribute, `width` per vertex of the finished mesh. */

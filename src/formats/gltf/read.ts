@@ -1,4 +1,4 @@
-import type { Animation, Mesh as GltfMesh, Node as GltfNode } from '@gltf-transform/core';
+import type { Animation, Mesh as GltfMesh, Node as GltfNode, Scene as GltfScene } from '@gltf-transform/core';
 import type { Light as GltfLight } from '@gltf-transform/extensions';
 import { rotate } from '../../math/quat.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
@@ -9,10 +9,12 @@ import {
   type Light,
   type Scene,
   type SceneCamera,
+  type SceneHints,
   type SceneObject,
   type SphereLight,
 } from '../../scene/types.ts';
 import { messageOf } from '../fail.ts';
+import { hintsFrom } from '../hints.ts';
 import { MAX_OBJECTS } from '../limits.ts';
 import { Notes } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
@@ -28,9 +30,9 @@ import { type Geometry, readGeometry } from './primitives.ts';
 import { variantSet } from './variants.ts';
 
 /** Radius that stands for the point lights of glTF, which have none [m]. */
-const POINT_LIGHT_RADIUS = 0.05;
+export const POINT_LIGHT_RADIUS = 0.05;
 /** Most vertices of a scene: of a mesh that is shown many times in one size, once. */
-const MAX_VERTICES = 2 ** 26;
+export const MAX_VERTICES = 2 ** 26;
 
 /**
  * Reads glTF 2.0 (.gltf with its files, .glb). Node, morph and skin animations become sampled motions in the world frame.
@@ -38,14 +40,14 @@ const MAX_VERTICES = 2 ** 26;
  */
 export async function readGltf(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
   try {
-    const notes = new Notes(entry, 'gltf');
+    const notes = new Notes(entry);
     const file = await loadGltf(source, entry, notes);
     const variants = variantSet({ entry, json: file.json, options });
     const context: GltfContext = { entry, options, notes, variants, ...file };
     return buildScene(context);
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
-    throw gltfError(entry, 'invalid', '', `not a valid glTF (${messageOf(thrown)}); export it again`, thrown);
+    throw gltfError(entry, 'gltf.invalid', '', `not a valid glTF (${messageOf(thrown)}); export it again`, thrown);
   }
 }
 
@@ -60,6 +62,7 @@ function buildScene(context: GltfContext): Scene {
   return makeScene({
     name: shown?.getName() || stemOf(context.entry),
     upAxis: 'Y',
+    hints: hintsOf(shown),
     metersPerUnit: 1,
     startTime: times.reduce((a, b) => Math.min(a, b), times[0] ?? 0),
     endTime: times.reduce((a, b) => Math.max(a, b), 0),
@@ -71,6 +74,13 @@ function buildScene(context: GltfContext): Scene {
     ...(builder.pathError !== undefined && { pathError: builder.pathError }),
     diagnostics: context.notes.list(),
   });
+}
+
+/** `extras.slowlight` of the scene that is shown. */
+function hintsOf(shown: GltfScene | undefined): SceneHints {
+  const own = shown?.getExtras().slowlight;
+  const values = new Map(typeof own === 'object' && own !== null ? Object.entries(own) : []);
+  return hintsFrom((name) => values.get(name));
 }
 
 /** The set of a file's animations, which is chosen from as variants are. */
@@ -99,10 +109,15 @@ function chooseAnimation(context: GltfContext): Animation | undefined {
   const place = typeof asked === 'string' ? names.indexOf(asked) : (asked ?? 0);
   if (asked !== undefined && !all[place]) {
     const known = names.length > 0 ? `there are ${names.join(', ')}` : 'there is none';
-    throw gltfError(entry, 'no-animation', '', `no animation ${asked}; ${known}`);
+    throw gltfError(entry, 'gltf.no-animation', '', `no animation ${asked}; ${known}`);
   }
   if (all.length > 1) {
-    notes.add('info', 'animations', '', `${all.length} animations (${names.join(', ')}); ${names[place]} is shown`);
+    notes.add(
+      'info',
+      'gltf.animations',
+      '',
+      `${all.length} animations (${names.join(', ')}); ${names[place]} is shown`,
+    );
   }
   return all[place];
 }
@@ -172,7 +187,7 @@ class SceneBuilder {
     const instances = readInstances(this.#context, node, what);
     if (!instances || !skin || !node.getSkin()) return instances;
     const message = 'its instances all follow the same joints, so that they are in one place; one is shown';
-    this.#context.notes.add('warning', 'instances', what, message);
+    this.#context.notes.add('warning', 'gltf.instances', what, message);
     return undefined;
   }
 
@@ -191,7 +206,7 @@ class SceneBuilder {
   }
 
   #bound({ path }: Frame, isKept: boolean, most: string): void {
-    if (!isKept) throw gltfError(this.#context.entry, 'too-large', path, `more than ${most}; export fewer`);
+    if (!isKept) throw gltfError(this.#context.entry, 'gltf.too-large', path, `more than ${most}; export fewer`);
   }
 
   #addCamera(node: GltfNode): void {
@@ -199,12 +214,12 @@ class SceneBuilder {
     if (!camera) return;
     const path = this.#pathOf(node, 'Camera');
     if (camera.getType() !== 'perspective') {
-      this.#context.notes.add('warning', 'camera', path, 'an orthographic camera is not read; it is left out');
+      this.#context.notes.add('warning', 'gltf.camera', path, 'an orthographic camera is not read; it is left out');
       return;
     }
     const fovY = camera.getYFov();
     if (!(fovY > 0 && fovY < Math.PI)) {
-      this.#context.notes.add('warning', 'camera', path, `its field of view is ${fovY} rad; it is left out`);
+      this.#context.notes.add('warning', 'gltf.camera', path, `its field of view is ${fovY} rad; it is left out`);
       return;
     }
     this.cameras.push({ path, motion: this.#baker.bakeFrame(this.#tree.frame(node)), fovY });
@@ -217,7 +232,12 @@ class SceneBuilder {
     const color = scale(light.getColor(), light.getIntensity());
     const range = light.getRange();
     if (range)
-      this.#context.notes.add('info', 'light', path, `its range of ${range} m is left out: light goes on for ever`);
+      this.#context.notes.add(
+        'info',
+        'gltf.light',
+        path,
+        `its range of ${range} m is left out: light goes on for ever`,
+      );
     if (light.getType() === 'directional') {
       this.lights.push({ kind: 'distant', path, direction: this.#shining(node, path), color });
       return;
@@ -230,7 +250,8 @@ class SceneBuilder {
   /** The way a distant light shines, at its start. */
   #shining(node: GltfNode, path: string): Vec3 {
     const curves = this.#tree.curvesAbove(node);
-    if (curves.length > 0) this.#context.notes.add('warning', 'light', path, 'a turning sun is held where it starts');
+    if (curves.length > 0)
+      this.#context.notes.add('warning', 'gltf.light', path, 'a turning sun is held where it starts');
     const start = curves.length > 0 ? Math.min(...curves.map((curve) => curve.times[0])) : 0;
     return rotate(this.#tree.placementAt(node, start).rotation, [0, 0, -1]);
   }

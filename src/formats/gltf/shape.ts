@@ -197,6 +197,6 @@ export function checkShape(entry: string, json: unknown): GLTF.IGLTF {
     return json as GLTF.IGLTF;
   } catch (thrown) {
     if (!(thrown instanceof ShapeError)) throw thrown;
-    throw gltfError(entry, 'invalid', thrown.place, `${thrown.message}; the file is damaged, export it again`);
+    throw gltfError(entry, 'gltf.invalid', thrown.place, `${thrown.message}; the file is damaged, export it again`);
   }
 }

@@ -1,4 +1,5 @@
 import type { GLTF } from '@gltf-transform/core';
+import type { Code } from '../codes.ts';
 import { formatBytes, messageOf } from '../fail.ts';
 import { checkRange, MAX_UNPACKED } from './check.ts';
 import { gltfError, type Resources } from './context.ts';
@@ -66,13 +67,13 @@ class Unpacker {
       if (!packed) continue;
       const what = `bufferView ${i}`;
       const data = this.#bytes(what, packed);
-      const bytes = this.#attempt('meshopt', what, () => {
+      const bytes = this.#attempt('gltf.meshopt', what, () => {
         checkMeshopt(packed, data.length);
         this.#spend(what, packed.count * packed.byteStride);
         return decodeMeshopt(data, packed);
       });
       if (bytes.length < view.byteLength) {
-        throw this.#refusal('meshopt', what, `unpacks to ${bytes.length} bytes, not to ${view.byteLength}`);
+        throw this.#refusal('gltf.meshopt', what, `unpacks to ${bytes.length} bytes, not to ${view.byteLength}`);
       }
       const { extensions: _, ...plain } = view;
       this.#json.bufferViews![i] = { ...plain, buffer: this.#addBuffer(bytes), byteOffset: 0 };
@@ -90,7 +91,7 @@ class Unpacker {
         const packed = dracoOf(p);
         if (!packed) continue;
         const what = `mesh ${mesh.name ?? i}`;
-        this.#attempt('draco', what, () => {
+        this.#attempt('gltf.draco', what, () => {
           const known = meshes.get(packed.bufferView);
           const unpacked = known ?? decode(this.#viewBytes(what, packed.bufferView));
           meshes.set(packed.bufferView, unpacked);
@@ -154,7 +155,7 @@ class Unpacker {
 
   #bytes(what: string, part: { buffer: number; byteOffset?: number; byteLength: number }): Uint8Array {
     const buffer = this.#json.buffers?.[part.buffer];
-    if (!buffer) throw this.#refusal('bad-reference', what, `refers to buffer ${part.buffer}`);
+    if (!buffer) throw this.#refusal('gltf.bad-reference', what, `refers to buffer ${part.buffer}`);
     const held = this.#resources[buffer.uri ?? '@glb.bin'] ?? new Uint8Array(0);
     const from = part.byteOffset ?? 0;
     checkRange(this.#entry, what, from, part.byteLength, held.length);
@@ -182,11 +183,11 @@ class Unpacker {
     this.#left -= bytes;
     if (this.#left >= 0) return;
     const message = `with it the file unpacks to more than ${formatBytes(MAX_UNPACKED)}; export it in parts`;
-    throw gltfError(this.#entry, 'too-large', what, message);
+    throw gltfError(this.#entry, 'gltf.too-large', what, message);
   }
 
   /** What a decoder gives; whatever it throws becomes a refusal of the file. */
-  #attempt<T>(code: string, what: string, decode: () => T): T {
+  #attempt<T>(code: Code, what: string, decode: () => T): T {
     try {
       return decode();
     } catch (thrown) {
@@ -195,7 +196,7 @@ class Unpacker {
     }
   }
 
-  #refusal(code: string, what: string, reason: string, cause?: unknown): Error {
+  #refusal(code: Code, what: string, reason: string, cause?: unknown): Error {
     const message = `its compressed data ${reason}; export it again, or without compression`;
     return gltfError(this.#entry, code, what, message, cause);
   }

@@ -18,7 +18,7 @@ export function variantSet({
   const chosen = options.variants?.get(SET) ?? '';
   if (chosen !== '' && !names.includes(chosen)) {
     const known = names.length > 0 ? `there are ${names.join(', ')}` : 'the file has none';
-    throw gltfError(entry, 'no-variant', '', `no variant ${chosen} of its materials; ${known}`);
+    throw gltfError(entry, 'gltf.no-variant', '', `no variant ${chosen} of its materials; ${known}`);
   }
   return names.length > 0 ? { set: SET, options: [...new Set(names)], chosen } : undefined;
 }

@@ -238,6 +238,43 @@ describe('a scene written as glTF', () => {
     expect(back).toMatchObject([{ shaping: { inner: 0 } }, {}, { shaping: { inner: 0.2, outer: 0.6 } }]);
   });
 
+  it('what the author suggests for viewing comes back, along the axes and in the times of the file', async () => {
+    const hints = {
+      speedOfLight: 10,
+      title: 'Street',
+      lookFor: 'Houses turn',
+      beta: [0.1, 0.8, 0.2],
+      openAt: -2,
+    } as const;
+    const motion: Motion = {
+      kind: 'sampled',
+      times: Float64Array.of(-3, 1),
+      poses: Float64Array.of(0, 0, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0, 0, 1),
+    };
+    const scene = makeScene({
+      name: 'a',
+      upAxis: 'Z',
+      hints,
+      objects: [makeObject({ path: '/A', mesh: cube, motion })],
+    });
+    const { source, diagnostics } = await written(scene);
+    expect((await readGltf(source, 'a.glb')).hints).toEqual({ ...hints, beta: [0.1, 0.2, -0.8], openAt: 1 });
+    expect(diagnostics.map((d) => d.code)).toEqual(['convert.times']);
+    const same = await written({ ...scene, upAxis: 'Y', startTime: 0, objects: [] }, 'a.gltf');
+    expect((await readGltf(same.source, 'a.gltf')).hints).toEqual(hints);
+  });
+
+  it('suggestions that are not of their kind are passed over', async () => {
+    const text = (slowlight: unknown) =>
+      new TextEncoder().encode(JSON.stringify({ asset: { version: '2.0' }, scenes: [{ extras: { slowlight } }] }));
+    const read = async (slowlight: unknown) =>
+      (await readGltf(memorySource({ 'a.gltf': text(slowlight) }), 'a.gltf')).hints;
+    expect(await read({ speedOfLight: -1, title: 3, beta: [0, 'x', 0], openAt: null, lookFor: 'here' })).toEqual({
+      lookFor: 'here',
+    });
+    for (const none of [null, 7, 'text', [1, 2], {}]) expect(await read(none)).toEqual({});
+  });
+
   it('may be empty', async () => {
     for (const name of ['a.glb', 'a.gltf'])
       expect((await readGltf((await written(makeScene({ name: 'nothing' }), name)).source, name)).objects).toEqual([]);
@@ -266,7 +303,6 @@ describe('a scene written as glTF', () => {
     });
     const { source, diagnostics } = await written(scene);
     expect(diagnostics.map((d) => `${d.severity} ${d.code} ${d.place}`)).toEqual([
-      'info convert.hints a.glb',
       'warning convert.lifetime a.glb: /Train',
       'warning convert.motion a.glb: /Train',
       'warning convert.points a.glb: /Flag',

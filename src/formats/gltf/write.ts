@@ -4,16 +4,8 @@ import { shortestTurn } from '../../math/quat.ts';
 import { scale } from '../../math/vec3.ts';
 import { shownArea } from '../../scene/lamps.ts';
 import type { Lamp, Light, SampledMotion, Scene, StaticMotion } from '../../scene/types.ts';
-import {
-  Losses,
-  type PlainMotion,
-  plainFrame,
-  plainObjects,
-  posesOf,
-  turnedYUp,
-  type Written,
-  yUp,
-} from '../written.ts';
+import { Notes } from '../notes.ts';
+import { type PlainMotion, plainFrame, plainObjects, posesOf, turnedYUp, type Written, yUp } from '../written.ts';
 import { AnimationWriter } from './writeAnimation.ts';
 import { MeshWriter } from './writeMeshes.ts';
 
@@ -22,15 +14,15 @@ import { MeshWriter } from './writeMeshes.ts';
  * morph targets; all numbers are f32. `name`: of the file, with the extension `glb` (one file) or `gltf`.
  */
 export async function writeGltf(scene: Scene, name: string): Promise<Written> {
-  const losses = new Losses(name);
+  const losses = new Notes(name);
   const document = new GltfWriter(scene, losses).write();
   const io = new WebIO().registerExtensions([KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR]);
   if (/\.glb$/i.test(name))
-    return { files: new Map([[name, await io.writeBinary(document)]]), diagnostics: losses.list };
+    return { files: new Map([[name, await io.writeBinary(document)]]), diagnostics: losses.list() };
   const basename = name.replace(/\.[^.]*$/, '');
   const { json, resources } = await io.writeJSON(document, { basename });
   const text = new TextEncoder().encode(`${JSON.stringify(json, null, 1)}\n`);
-  return { files: new Map([[name, text], ...Object.entries(resources)]), diagnostics: losses.list };
+  return { files: new Map([[name, text], ...Object.entries(resources)]), diagnostics: losses.list() };
 }
 
 class GltfWriter {
@@ -40,11 +32,11 @@ class GltfWriter {
   private readonly taken: Set<string>;
   private readonly root = this.document.createScene();
   private readonly scene: Scene;
-  private readonly losses: Losses;
+  private readonly losses: Notes;
   private readonly meshes: MeshWriter;
   private readonly animations: AnimationWriter;
 
-  constructor(scene: Scene, losses: Losses) {
+  constructor(scene: Scene, losses: Notes) {
     this.scene = scene;
     this.losses = losses;
     const { objects, cameras, lights } = scene;
@@ -58,13 +50,7 @@ class GltfWriter {
 
   write(): Document {
     const { scene, losses } = this;
-    if (Object.keys(scene.hints).length > 0)
-      losses.add(
-        'info',
-        'convert.hints',
-        '',
-        'what the author suggests for viewing (speed of light, title) is not written',
-      );
+    this.addHints();
     for (const object of plainObjects(scene, losses)) {
       const node = this.placed(object.path, 'Mesh', object.motion);
       const weights = this.meshes.addTo(node, object);
@@ -79,6 +65,17 @@ class GltfWriter {
     // A buffer without bytes is not valid.
     if (root.listAccessors().length === 0) for (const buffer of root.listBuffers()) buffer.dispose();
     return this.document;
+  }
+
+  /** As `readGltf` reads them; other programs keep what they do not know. */
+  private addHints(): void {
+    const { beta, openAt, ...others } = this.scene.hints;
+    const hints = {
+      ...others,
+      ...(beta && { beta: yUp(this.scene, beta) }),
+      ...(openAt !== undefined && { openAt: openAt + this.animations.shift }),
+    };
+    if (Object.keys(hints).length > 0) this.document.getRoot().getDefaultScene()?.setExtras({ slowlight: hints });
   }
 
   private addLight(light: Light): void {

@@ -1,16 +1,18 @@
 import type { Accessor, Animation, Buffer, Document, Node as GltfNode } from '@gltf-transform/core';
 import type { SampledMotion, Scene } from '../../scene/types.ts';
-import { type Losses, posesOf, turnedYUp, yUp } from '../written.ts';
+import type { Notes } from '../notes.ts';
+import { posesOf, turnedYUp, yUp } from '../written.ts';
 
 /** Keys of glTF are f32 and not before 0: the scene's times, moved where they are, and those that f32 tells apart. */
 export class AnimationWriter {
   private readonly document: Document;
   private readonly buffer: Buffer;
   private readonly scene: Scene;
-  private readonly shift: number;
+  /** How much later all is [s]. */
+  readonly shift: number;
   private made: Animation | undefined;
 
-  constructor(document: Document, buffer: Buffer, scene: Scene, losses: Losses) {
+  constructor(document: Document, buffer: Buffer, scene: Scene, losses: Notes) {
     this.document = document;
     this.buffer = buffer;
     this.scene = scene;

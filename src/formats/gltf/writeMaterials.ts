@@ -2,8 +2,8 @@ import type { Document, Material as GltfMaterial, Texture as GltfTexture, Textur
 import { KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
 import { scale, type Vec3 } from '../../math/vec3.ts';
 import type { Material, Scene, Texture } from '../../scene/types.ts';
+import type { Notes } from '../notes.ts';
 import { encodePng } from '../png.ts';
-import type { Losses } from '../written.ts';
 
 const WRAPS = { repeat: 10497, clamp: 33071, mirror: 33648, black: 33071 } as const;
 const FILTERS = { nearest: { mag: 9728, min: 9728 }, linear: { mag: 9729, min: 9987 } } as const;
@@ -12,11 +12,11 @@ const FILTERS = { nearest: { mag: 9728, min: 9728 }, linear: { mag: 9729, min: 9
 export class MaterialWriter {
   private readonly document: Document;
   private readonly scene: Scene;
-  private readonly losses: Losses;
+  private readonly losses: Notes;
   private readonly made = new Map<string, GltfMaterial>();
   private readonly pictures = new Map<Uint8Array, GltfTexture>();
 
-  constructor(document: Document, scene: Scene, losses: Losses) {
+  constructor(document: Document, scene: Scene, losses: Notes) {
     this.document = document;
     this.scene = scene;
     this.losses = losses;

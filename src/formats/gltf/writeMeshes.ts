@@ -1,11 +1,12 @@
 import type { Accessor, Buffer, Document, Node as GltfNode, Primitive } from '@gltf-transform/core';
 import { normalsAt, pointsAt } from '../../scene/points.ts';
 import type { Mesh, MeshGroup, SampledPointsMotion, Scene, SceneObject } from '../../scene/types.ts';
-import type { Losses, PlainMotion } from '../written.ts';
+import type { Notes } from '../notes.ts';
+import type { PlainMotion } from '../written.ts';
 import { MaterialWriter } from './writeMaterials.ts';
 
 /** Most samples of a deforming mesh: each is a morph target, and each has a weight at the time of every other. */
-const MOST_TARGETS = 128;
+export const MOST_TARGETS = 128;
 
 type PlainObject = SceneObject & { readonly motion: PlainMotion };
 
@@ -13,10 +14,10 @@ type PlainObject = SceneObject & { readonly motion: PlainMotion };
 export class MeshWriter {
   private readonly document: Document;
   private readonly buffer: Buffer;
-  private readonly losses: Losses;
+  private readonly losses: Notes;
   private readonly materials: MaterialWriter;
 
-  constructor(document: Document, buffer: Buffer, scene: Scene, losses: Losses) {
+  constructor(document: Document, buffer: Buffer, scene: Scene, losses: Notes) {
     this.document = document;
     this.buffer = buffer;
     this.losses = losses;

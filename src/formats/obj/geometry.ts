@@ -4,7 +4,7 @@ import { MAX_CORNERS } from '../plainScene.ts';
 import { lineError, numberOf, type Statement } from './context.ts';
 
 /** Most objects and groups, and most materials, of one file. */
-const MAX_PARTS = 2 ** 16;
+export const MAX_PARTS = 2 ** 16;
 /** The smoothing group of faces that are flat. */
 export const FLAT = 0;
 
@@ -108,7 +108,7 @@ export class ObjGeometry {
   addFace({ line, words }: Statement): void {
     if (words.length < 3 || words.length > MAX_CORNERS) {
       const message = `a face has ${words.length} corners; from 3 to ${MAX_CORNERS} are read`;
-      throw lineError(this.file, line, 'face', message);
+      throw lineError(this.file, line, 'obj.face', message);
     }
     const part = this.#partFor(line);
     part.counts.push(words.length);
@@ -121,7 +121,7 @@ export class ObjGeometry {
     const known = this.#materials.get(this.#material);
     if (known !== undefined) return known;
     if (this.#materials.size >= MAX_PARTS)
-      throw lineError(this.file, line, 'too-many', `there are more than ${MAX_PARTS} materials`);
+      throw lineError(this.file, line, 'obj.too-many', `there are more than ${MAX_PARTS} materials`);
     this.#materials.set(this.#material, this.#materials.size);
     return this.#materials.size - 1;
   }
@@ -141,7 +141,7 @@ export class ObjGeometry {
     const place = index < 0 ? count + index : index - 1;
     if (!Number.isInteger(index) || index === 0 || place < 0 || place >= 2 ** 31) {
       const message = `the corner ${word} names ${list} ${text || '(none)'}; indices count from 1, or back from −1, and there are ${count} so far`;
-      throw lineError(this.file, line, 'index', message);
+      throw lineError(this.file, line, 'obj.index', message);
     }
     // What is named may stand further down in the file.
     if (place > this.#highest[list].index) this.#highest[list] = { index: place, line };
@@ -155,7 +155,7 @@ export class ObjGeometry {
       const { index, line } = this.#highest[list];
       if (index < counts[list]) continue;
       const message = `a face names ${list} ${index + 1} of ${counts[list]}; the file is cut off or damaged, export it again`;
-      throw lineError(this.file, line, 'index', message);
+      throw lineError(this.file, line, 'obj.index', message);
     }
   }
 
@@ -164,7 +164,12 @@ export class ObjGeometry {
     const name = [this.#object, this.#group].filter((part) => part !== '').join('_');
     const known = this.#parts.get(name);
     if (!known && this.#parts.size >= MAX_PARTS) {
-      throw lineError(this.file, line, 'too-many', `there are more than ${MAX_PARTS} objects and groups; join some`);
+      throw lineError(
+        this.file,
+        line,
+        'obj.too-many',
+        `there are more than ${MAX_PARTS} objects and groups; join some`,
+      );
     }
     this.#part = known ?? {
       name,

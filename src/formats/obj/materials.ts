@@ -22,9 +22,9 @@ export interface ReadMaterial {
 }
 
 /** Most names of .mtl files that are looked for. */
-const MAX_FILES = 1000;
+export const MAX_FILES = 1000;
 /** Most materials of one file. */
-const MAX_MATERIALS = 2 ** 16;
+export const MAX_MATERIALS = 2 ** 16;
 const COLORS = ['Kd', 'Ks', 'Ke'];
 const SCALARS = ['Ns', 'Ni', 'd', 'Tr', 'Pr', 'Pm'];
 const SHOWN_PICTURES = ['map_Kd', 'map_Ke', 'map_d'];
@@ -47,7 +47,7 @@ export class MaterialLibrary {
   async load({ line, words, rest }: Statement): Promise<void> {
     this.#named += words.length;
     if (this.#named > MAX_FILES) {
-      throw lineError(this.#context.entry, line, 'too-many', `more than ${MAX_FILES} files of materials are named`);
+      throw lineError(this.#context.entry, line, 'obj.too-many', `more than ${MAX_FILES} files of materials are named`);
     }
     if (await this.#loadFile(rest)) return;
     const missing: string[] = [];
@@ -79,7 +79,7 @@ export class MaterialLibrary {
       const where = this.#files.length > 0 ? this.#files.join(', ') : 'no materials were found';
       this.#context.notes.add(
         'warning',
-        'missing-material',
+        'obj.missing-material',
         name,
         `no such material (${where}); it is shown light grey`,
       );
@@ -97,18 +97,18 @@ function readMtl(bytes: Uint8Array, file: string, { notes }: ObjContext): MtlMat
     const { line, keyword, words, rest } = statement;
     if (keyword === 'newmtl') {
       if (out.length >= MAX_MATERIALS)
-        throw lineError(file, line, 'too-many', `there are more than ${MAX_MATERIALS} materials`);
+        throw lineError(file, line, 'obj.too-many', `there are more than ${MAX_MATERIALS} materials`);
       [numbers, pictures] = [new Map(), new Map()];
       out.push({ file, name: rest, numbers, pictures });
     } else if (COLORS.includes(keyword)) {
       if (words[0] === 'spectral' || words[0] === 'xyz')
-        notes.add('warning', 'color', `${file}: line ${line}`, `${keyword} ${words[0]} is not read`);
+        notes.add('warning', 'obj.color', `${file}: line ${line}`, `${keyword} ${words[0]} is not read`);
       else numbers.set(keyword, colorOf(file, statement));
     } else if (SCALARS.includes(keyword)) numbers.set(keyword, [scalarOf(file, statement)]);
     else if (SHOWN_PICTURES.includes(keyword))
       pictures.set(keyword, pictureRef(file, out.at(-1)?.name ?? '', statement));
     else if (LEFT_OUT.test(keyword)) {
-      notes.add('info', 'ignored', `material ${out.at(-1)?.name ?? ''}`, `${keyword} of it is left out`);
+      notes.add('info', 'obj.ignored', `material ${out.at(-1)?.name ?? ''}`, `${keyword} of it is left out`);
     }
   }
   return out;

@@ -104,7 +104,7 @@ export class PictureLoader {
         return decodeImage(bytes, path);
       } catch (thrown) {
         if (!(thrown instanceof InputError)) throw thrown;
-        this.#context.notes.add('warning', 'texture', what, `${thrown.message}; shown without it`);
+        this.#context.notes.add('warning', 'file.unreadable-texture', what, `${thrown.message}; shown without it`);
         return undefined;
       }
     }

@@ -19,7 +19,7 @@ const MAX_UNREAD = 100;
 export async function readObj(source: FileSource, entry: string): Promise<Scene> {
   const bytes = await source.read(entry);
   if (!bytes) throw inputError('file.missing', entry, 'no such file');
-  const context: ObjContext = { source, entry, notes: new Notes(entry, 'obj') };
+  const context: ObjContext = { source, entry, notes: new Notes(entry) };
   const geometry = new ObjGeometry(entry);
   const library = new MaterialLibrary(context);
   const unread = new Map<string, Statement>();
@@ -28,7 +28,7 @@ export async function readObj(source: FileSource, entry: string): Promise<Scene>
     else if (!apply(geometry, statement) && !unread.has(statement.keyword)) unread.set(statement.keyword, statement);
     if (unread.size <= MAX_UNREAD) continue;
     const message = `it is no Wavefront OBJ: there are more than ${MAX_UNREAD} kinds of statements that are not known`;
-    throw lineError(entry, statement.line, 'not-obj', message);
+    throw lineError(entry, statement.line, 'obj.not-obj', message);
   }
   geometry.checkIndices();
   noteUnread(context, unread);
@@ -66,11 +66,11 @@ const SILENT =
 function noteUnread({ notes }: ObjContext, unread: ReadonlyMap<string, Statement>): void {
   for (const [keyword, { line }] of unread) {
     const what = UNREAD.get(keyword);
-    if (what) notes.add('warning', 'ignored', `line ${line}`, `${what} not shown (${keyword}, first on this line)`);
+    if (what) notes.add('warning', 'obj.ignored', `line ${line}`, `${what} not shown (${keyword}, first on this line)`);
     else if (!SILENT.test(keyword))
       notes.add(
         'info',
-        'unknown',
+        'obj.unknown',
         `line ${line}`,
         `${keyword.slice(0, 40)} is not known; lines that begin with it are left out`,
       );

@@ -1,15 +1,16 @@
 import { rotate } from '../../math/quat.ts';
 import { add, type Vec3 } from '../../math/vec3.ts';
 import type { Material, Mesh, Pose, Scene, Texture } from '../../scene/types.ts';
+import { Notes } from '../notes.ts';
 import { encodePng } from '../png.ts';
-import { Losses, plainObjects, posesOf, type Written, yUp } from '../written.ts';
+import { plainObjects, posesOf, type Written, yUp } from '../written.ts';
 
 /**
  * A scene as Wavefront OBJ with its MTL and textures, in metres with Y up. OBJ holds shapes alone: what moves is written
  * where it is at its first sample, and what is lost is said.
  */
 export function writeObj(scene: Scene, name: string): Written {
-  const losses = new Losses(name);
+  const losses = new Notes(name);
   const base = name.replace(/\.[^.]*$/, '');
   const library = new MaterialLibrary(scene.materials, base);
   // Counts from 1, through all objects.
@@ -27,11 +28,13 @@ export function writeObj(scene: Scene, name: string): Written {
     lines.push(...vertexLines(scene, mesh, posesOf(motion)[0]), ...faceLines(mesh, first, library));
     first += mesh.positions.length / 3;
   }
+  if (Object.keys(scene.hints).length > 0)
+    losses.add('info', 'convert.hints', '', 'OBJ has no place for what the author suggests for viewing');
   for (const { path } of [...scene.lights, ...scene.cameras])
     losses.add('warning', 'convert.left-out', path, 'OBJ has no lights and no cameras; it is left out');
   const encode = (text: readonly string[]): Uint8Array => new TextEncoder().encode(`${text.join('\n')}\n`);
   const files = new Map([[name, encode(lines)], [`${base}.mtl`, encode(library.lines())], ...library.pictures()]);
-  return { files, diagnostics: losses.list };
+  return { files, diagnostics: losses.list() };
 }
 
 function vertexLines(scene: Scene, { positions, normals, uvs, colors }: Mesh, pose: Pose): string[] {

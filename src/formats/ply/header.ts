@@ -46,7 +46,7 @@ export interface PlyHeader {
 
 /** Longest header [bytes], most elements, most properties of one. */
 const MAX_HEADER = 2 ** 18;
-const MAX_PROPERTIES = 1000;
+export const MAX_PROPERTIES = 1000;
 
 /** Throws an InputError that names the line where the header is not one. */
 export function readHeader(bytes: Uint8Array, entry: string): PlyHeader {

@@ -88,7 +88,7 @@ describe.each(FORMATS)('PLY, %s', (format) => {
     const scene = await read(bytes);
     const three = new PLYLoader().parse(bytes.slice().buffer);
     expect(sceneSoup(scene, true)).toEqual(threeSoup(new ThreeMesh(three), true));
-    expect(scene.diagnostics.map((d) => d.code)).toEqual(['ply.units']);
+    expect(scene.diagnostics.map((d) => d.code)).toEqual(['file.units']);
     // Vertex 0 is in the first face, whichever way that is cut.
     const { mesh } = scene.objects[0];
     const zero = [...mesh.indices].find((v) => mesh.positions[3 * v] === 0 && mesh.positions[3 * v + 1] === 0)!;
@@ -199,7 +199,11 @@ describe('PLY', () => {
     expect(await refusal(mesh('3 0 1'))).toContain('line 13: a number is missing at the end');
     expect(await refusal(mesh('-1 0 1'))).toContain('line 13: a list vertex_indices has the length -1');
     expect(await refusal(mesh('99999 0 1'))).toContain('line 13: 99999 values of vertex_indices take 195 KiB');
-    expect((await read(mesh('2 0 1'))).diagnostics.map((d) => d.code)).toEqual(['ply.faces', 'ply.units', 'ply.empty']);
+    expect((await read(mesh('2 0 1'))).diagnostics.map((d) => d.code)).toEqual([
+      'ply.faces',
+      'file.units',
+      'file.no-triangles',
+    ]);
   });
 
   it('points alone are said not to be shown', async () => {

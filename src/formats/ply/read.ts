@@ -22,7 +22,7 @@ const SMOOTH_ANGLE = Math.PI / 3;
 export async function readPly(source: FileSource, entry: string): Promise<Scene> {
   const bytes = await source.read(entry);
   if (!bytes) throw inputError('file.missing', entry, 'no such file');
-  const notes = new Notes(entry, 'ply');
+  const notes = new Notes(entry);
   const header = readHeader(bytes, entry);
   const contents = readContents(header, valueReader(bytes, header, entry), entry);
   const mesh = meshOf(contents, notes);
@@ -34,7 +34,7 @@ export async function readPly(source: FileSource, entry: string): Promise<Scene>
 function meshOf(contents: PlyContents, notes: Notes): Mesh | undefined {
   const { points, normals, colors, faceColors } = contents;
   if (contents.faceCounts.length === 0) {
-    notes.add('warning', 'points', '', `its ${points.length / 3} points have no faces; points are not shown`);
+    notes.add('warning', 'ply.points', '', `its ${points.length / 3} points have no faces; points are not shown`);
     return undefined;
   }
   const uvs = uvsOf(contents);
@@ -52,7 +52,7 @@ function meshOf(contents: PlyContents, notes: Notes): Mesh | undefined {
     doubleSided: true,
   });
   if (skippedFaces > 0)
-    notes.add('warning', 'faces', '', `${skippedFaces} faces have fewer than 3 corners; they are left out`);
+    notes.add('warning', 'ply.faces', '', `${skippedFaces} faces have fewer than 3 corners; they are left out`);
   return mesh.indices.length > 0 ? mesh : undefined;
 }
 
@@ -89,7 +89,7 @@ async function readTexture(
     return { name, ...image, colorSpace: 'srgb', filter: 'linear', wrapS: 'repeat', wrapT: 'repeat' };
   } catch (thrown) {
     if (!(thrown instanceof InputError)) throw thrown;
-    notes.add('warning', 'texture', '', `${thrown.message}; shown without it`);
+    notes.add('warning', 'file.unreadable-texture', '', `${thrown.message}; shown without it`);
     return undefined;
   }
 }

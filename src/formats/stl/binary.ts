@@ -32,13 +32,13 @@ export function readBinary(bytes: Uint8Array, entry: string, notes: Notes): Face
   if (bytes.length > size) {
     notes.add(
       'warning',
-      'rest',
+      'stl.rest',
       `byte ${size}`,
       `${bytes.length - size} bytes follow the ${count} facets; they are left out`,
     );
   }
   if (new TextDecoder().decode(bytes.subarray(0, 80)).includes('COLOR=')) {
-    notes.add('info', 'colors', '', 'its colours are left out');
+    notes.add('info', 'stl.colors', '', 'its colours are left out');
   }
   return readFacets(viewOf(bytes), count, entry);
 }

@@ -58,7 +58,7 @@ describe.each([
     expect([volume(mesh), area(mesh)]).toEqual([expect.closeTo(6, 5), expect.closeTo(22, 5)]);
     const three = new ThreeMesh(new STLLoader().parse(bytes.slice().buffer));
     expect(sceneSoup(scene, true)).toEqual(threeSoup(three, true));
-    expect(scene.diagnostics.map((d) => d.code)).toEqual(['stl.units']);
+    expect(scene.diagnostics.map((d) => d.code)).toEqual(['file.units']);
   });
 
   it('cut off is refused', async () => {
@@ -89,7 +89,10 @@ describe('STL', () => {
     expect((await read(turned)).diagnostics[0].message).toBe(
       'the normals of 12 facets say the opposite of the order of their corners, which is what is taken',
     );
-    expect((await read(encode('solid\nendsolid'))).diagnostics.map((d) => d.code)).toEqual(['stl.units', 'stl.empty']);
+    expect((await read(encode('solid\nendsolid'))).diagnostics.map((d) => d.code)).toEqual([
+      'file.units',
+      'file.no-triangles',
+    ]);
   });
 
   it('refuses with place and value', async () => {

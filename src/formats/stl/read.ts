@@ -14,7 +14,7 @@ import { readText } from './text.ts';
 export async function readStl(source: FileSource, entry: string): Promise<Scene> {
   const bytes = await source.read(entry);
   if (!bytes) throw inputError('file.missing', entry, 'no such file');
-  const notes = new Notes(entry, 'stl');
+  const notes = new Notes(entry);
   const solids = isBinary(bytes) ? [readBinary(bytes, entry, notes)] : readText(bytes, entry);
   noteTurned(solids, notes);
   const shown = solids.filter(({ points }) => points.length > 0);
@@ -27,5 +27,5 @@ function noteTurned(solids: readonly Facets[], notes: Notes): void {
   const turned = solids.reduce((sum, solid) => sum + solid.turned, 0);
   if (turned === 0) return;
   const message = `the normals of ${turned} facets say the opposite of the order of their corners, which is what is taken`;
-  notes.add('info', 'normals', '', message);
+  notes.add('info', 'stl.normals', '', message);
 }

@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../math/vec3.ts';
+import type { Code } from '../codes.ts';
 import { inputError } from '../fail.ts';
 import { type Floats, growingFloats } from '../growing.ts';
 import { numberIn, textLines } from '../textLines.ts';
@@ -25,7 +26,7 @@ const EXPECTED: ReadonlyMap<string, readonly string[]> = new Map([
   ['loop', ['vertex', 'endloop']],
 ]);
 /** Most solids of one file: each becomes an object. */
-const MAX_SOLIDS = 2 ** 16;
+export const MAX_SOLIDS = 2 ** 16;
 
 class TextReader {
   readonly #entry: string;
@@ -46,7 +47,7 @@ class TextReader {
     const expected = EXPECTED.get(this.#inside)!;
     if (!expected.includes(keyword)) {
       throw this.#error(
-        'syntax',
+        'stl.syntax',
         `${expected.join(' or ')} should stand here, not ${words[0].slice(0, 40)}; export it again`,
       );
     }
@@ -60,13 +61,13 @@ class TextReader {
 
   finish(): Facets[] {
     if (this.#inside !== 'file')
-      throw this.#error('truncated', `the file ends inside a ${this.#inside}; it is cut off, copy it again`);
+      throw this.#error('stl.truncated', `the file ends inside a ${this.#inside}; it is cut off, copy it again`);
     return this.#solids.map(({ name, points, turned }) => ({ name, points: points.values().slice(), turned }));
   }
 
   #open(name: string): void {
     if (this.#solids.length >= MAX_SOLIDS)
-      throw this.#error('too-many', `there are more than ${MAX_SOLIDS} solids; join some`);
+      throw this.#error('stl.too-many', `there are more than ${MAX_SOLIDS} solids; join some`);
     this.#solids.push({ name, points: growingFloats(), turned: 0 });
     this.#inside = 'solid';
   }
@@ -81,7 +82,7 @@ class TextReader {
 
   #addCorner(words: readonly string[]): void {
     if (this.#corners.length === 3)
-      throw this.#error('corners', 'a facet has 3 corners, this one more; export it again');
+      throw this.#error('stl.corners', 'a facet has 3 corners, this one more; export it again');
     this.#corners.push(this.#vector(words));
   }
 
@@ -89,7 +90,7 @@ class TextReader {
     const solid = this.#solids.at(-1)!;
     const corners = this.#corners;
     if (corners.length !== 3)
-      throw this.#error('corners', `a facet has 3 corners, this one ${corners.length}; export it again`);
+      throw this.#error('stl.corners', `a facet has 3 corners, this one ${corners.length}; export it again`);
     for (const [x, y, z] of corners) solid.points.push(x, y, z);
     if (isTurned(this.#normal, facetNormal(corners.flat(), 0))) solid.turned++;
     this.#corners = [];
@@ -97,11 +98,11 @@ class TextReader {
   }
 
   #vector(words: readonly string[]): Vec3 {
-    const number = (k: number): number => numberIn(words[1 + k], (message) => this.#error('number', message));
+    const number = (k: number): number => numberIn(words[1 + k], (message) => this.#error('stl.number', message));
     return [number(0), number(1), number(2)];
   }
 
-  #error(code: string, message: string): Error {
-    return inputError(`stl.${code}`, `${this.#entry}: line ${this.#line}`, message);
+  #error(code: Code, message: string): Error {
+    return inputError(code, `${this.#entry}: line ${this.#line}`, message);
   }
 }

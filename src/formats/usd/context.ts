@@ -1,5 +1,7 @@
 import type { RefinementBudget } from '../../scene/refine.ts';
 import type { Diagnostic } from '../../scene/types.ts';
+import type { Code } from '../codes.ts';
+import type { DiagnosticList } from '../notes.ts';
 import { boolAt } from './attributes.ts';
 import type { AssetFiles } from './compose/assets.ts';
 import type { Layer, MetadataValue, PrimSpec } from './layer.ts';
@@ -40,36 +42,14 @@ export interface StageContext {
   readonly subdivided: string[];
 }
 
-/** Of each kind of diagnostic so many are listed; a file with a million faults has one message more, not a million. */
-const MAX_PER_CODE = 200;
-
-/** What is said about a file: the same thing about the same prim once. */
-export class DiagnosticList {
-  readonly list: Diagnostic[] = [];
-  private readonly said = new Set<string>();
-  private readonly counts = new Map<string, number>();
-
-  add(diagnostic: Diagnostic, file: string): void {
-    const { severity, code, place, message } = diagnostic;
-    const key = `${code}\n${place}\n${message}`;
-    if (this.said.has(key)) return;
-    const count = (this.counts.get(code) ?? 0) + 1;
-    this.counts.set(code, count);
-    if (count > MAX_PER_CODE + 1) return;
-    this.said.add(key);
-    const more = `there are more of these; the first ${MAX_PER_CODE} are listed`;
-    this.list.push(count <= MAX_PER_CODE ? diagnostic : { severity, code, place: file, message: more });
-  }
-}
-
 /** Says something about a prim; about the layer where `path` is empty. */
 export function report(
   context: Pick<StageContext, 'layer' | 'diagnostics'>,
   severity: Diagnostic['severity'],
-  code: string,
+  code: Code,
   path: string,
   message: string,
-  more: Partial<Diagnostic> = {},
+  more: Partial<Omit<Diagnostic, 'code'>> = {},
 ): void {
   const { name } = context.layer;
   context.diagnostics.add({ severity, code, place: path === '' ? name : `${name}<${path}>`, message, ...more }, name);

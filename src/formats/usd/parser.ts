@@ -18,7 +18,7 @@ import { parseSpline } from './splines.ts';
 import { parseItems, parseTypeName, parseValue } from './values.ts';
 
 /** Prims in prims and variants in variants, to this depth. */
-const MAX_DEPTH = 256;
+export const MAX_DEPTH = 256;
 
 /** Reads a layer of USD text. Throws an InputError that names file, line and column. */
 export function parseLayer(bytes: Uint8Array, file: string): Layer {

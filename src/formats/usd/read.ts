@@ -1,13 +1,14 @@
 import { RefinementBudget } from '../../scene/refine.ts';
 import type { Diagnostic, MissingFile, Scene } from '../../scene/types.ts';
 import { inputError } from '../fail.ts';
+import { DiagnosticList } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
 import type { FileSource } from '../source.ts';
 import { AssetFiles } from './compose/assets.ts';
 import { LayerStore } from './compose/layerStore.ts';
 import type { VariantChoice } from './compose/session.ts';
 import { type ComposedStage, composeStage } from './compose/stage.ts';
-import { DiagnosticList, metadataNumber, report, type StageContext } from './context.ts';
+import { metadataNumber, report, type StageContext } from './context.ts';
 import type { Layer } from './layer.ts';
 import { readLayer } from './readLayer.ts';
 import { SampleBudget } from './sampleBudget.ts';
@@ -16,16 +17,16 @@ import { readStage, type StageContents, upAxisOf } from './stage.ts';
 import { DEFAULT_LEVELS } from './subdivision.ts';
 
 /** Distance between a resampled path and the true one, as a fraction of the object's size, where none is asked for. */
-const CHORD_TOLERANCE = 1e-4;
-const BEND_TOLERANCE = 1e-3;
+export const CHORD_TOLERANCE = 1e-4;
+export const BEND_TOLERANCE = 1e-3;
 
 /** For all deforming meshes of a scene together [bytes]: a small file can ask for any number of samples of a large mesh. */
-const POINT_BUDGET = 2 ** 30;
+export const POINT_BUDGET = 2 ** 30;
 
-const MOST_LEVELS = 8;
+export const MOST_LEVELS = 8;
 
 /** For the samples of deforming meshes that could as well stay in their file [bytes]. */
-const SAMPLE_MEMORY = 2 ** 28;
+export const SAMPLE_MEMORY = 2 ** 28;
 /** In a file a mesh takes at least such a part of what it takes in memory: three halves a point, not six floats. */
 const LEAST_PART = 4;
 

@@ -1,8 +1,9 @@
 import { scale } from '../../math/vec3.ts';
 import type { HyperbolicMotion, Lifetime, Pose, SceneHints, UniformMotion } from '../../scene/types.ts';
-import { numberAt, textAt, vec3At, vec3Of } from './attributes.ts';
+import { hintsFrom } from '../hints.ts';
+import { numberAt, textAt, vec3At } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
-import type { Dictionary, Layer, PrimSpec, Value } from './layer.ts';
+import type { Layer, PrimSpec } from './layer.ts';
 
 /** What our own attributes (docs/guide/usd.md) say about a prim; descendants have it too, unless they say otherwise. */
 export interface Directions {
@@ -96,24 +97,8 @@ export function hintsOf(layer: Layer): SceneHints {
   const own = custom?.type === 'dictionary' ? custom.data.get('slowlight') : undefined;
   if (own?.type !== 'dictionary') return {};
   const { data } = own;
-  const hints = {
-    speedOfLight: numberIn(data, 'speedOfLight'),
-    title: textIn(data, 'title'),
-    lookFor: textIn(data, 'lookFor'),
-    beta: vec3Of(data.get('beta')),
-    openAt: numberIn(data, 'openAt'),
-  };
-  return Object.fromEntries(Object.entries(hints).filter(([, value]) => value !== undefined));
-}
-
-const dataOf = (value: Value | undefined) => (value && 'data' in value ? value.data : undefined);
-
-function numberIn(dictionary: Dictionary, key: string): number | undefined {
-  const data = dataOf(dictionary.get(key));
-  return typeof data === 'number' ? data : undefined;
-}
-
-function textIn(dictionary: Dictionary, key: string): string | undefined {
-  const data = dataOf(dictionary.get(key));
-  return typeof data === 'string' ? data : undefined;
+  return hintsFrom((name) => {
+    const value = data.get(name);
+    return value && 'data' in value ? value.data : undefined;
+  });
 }

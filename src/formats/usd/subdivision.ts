@@ -16,7 +16,7 @@ import type { Layer, PrimSpec } from './layer.ts';
 /** Levels where none are asked for. */
 export const DEFAULT_LEVELS = 2;
 /** Faces of all subdivided meshes of a scene together, unless their cages have more. */
-const FACE_BUDGET = 500_000;
+export const FACE_BUDGET = 500_000;
 
 type Scheme = Subdivision['scheme'];
 const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies Scheme[];

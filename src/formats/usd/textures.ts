@@ -71,7 +71,7 @@ export class TextureLoader {
       return undefined;
     } catch (thrown) {
       const message = thrown instanceof InputError ? thrown.message : messageOf(thrown);
-      report(this.context, 'warning', 'usd.unreadable-texture', user, message);
+      report(this.context, 'warning', 'file.unreadable-texture', user, message);
       return undefined;
     }
   }

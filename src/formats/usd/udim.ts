@@ -9,7 +9,7 @@ export interface Atlas extends DecodedImage {
 const COLUMNS = 10;
 const MAX_ROWS = 10;
 /** Most pixels along a side of all tiles together. */
-const MAX_SIDE = 8192;
+export const MAX_SIDE = 8192;
 
 interface Tile {
   readonly column: number;

@@ -30,9 +30,9 @@ const LOCATOR_SIZE = 20;
 const LOCAL_SIZE = 30;
 const MAX_COMMENT = 65535;
 /** Most that the files of one archive hold together, unpacked: what a scene may take. */
-const MAX_TOTAL = 2 ** 31;
+export const MAX_TOTAL = 2 ** 31;
 /** Deflate makes at most 1032 bytes of one. */
-const MAX_RATIO = 1032;
+export const MAX_RATIO = 1032;
 /** What unpacks to more than this [bytes] and to so many times its own size is no scene. */
 const BOMB_TOTAL = 2 ** 28;
 const BOMB_RATIO = 200;

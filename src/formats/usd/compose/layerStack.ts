@@ -1,3 +1,4 @@
+import type { Code } from '../../codes.ts';
 import { messageOf } from '../../fail.ts';
 import type { PrimSpec } from '../layer.ts';
 import { expanded, isExpression, NO_VARIABLES, type Variables, variablesUnder } from './expressions.ts';
@@ -29,7 +30,7 @@ export interface Opinion {
   readonly from: StackLayer;
 }
 
-export type Note = (code: string, path: string, message: string) => void;
+export type Note = (code: Code, path: string, message: string) => void;
 
 /** All opinions of a stack on the prim at a path, strongest first. */
 export const opinionsAt = (stack: LayerStack, path: string): Opinion[] =>

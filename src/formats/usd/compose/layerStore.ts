@@ -24,7 +24,7 @@ export interface LayerFault {
 }
 
 /** One scene's layers together. */
-const MAX_LAYERS = 4096;
+export const MAX_LAYERS = 4096;
 
 export type ParseLayer = (content: Content, id: string) => Layer;
 

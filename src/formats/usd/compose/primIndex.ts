@@ -1,3 +1,4 @@
+import type { Code } from '../../codes.ts';
 import { addClasses, implyClasses, startOfClasses } from './classes.ts';
 import { isInstance } from './instances.ts';
 import type { LayerStack, LayerStacks, Note } from './layerStack.ts';
@@ -49,7 +50,7 @@ export interface ArcOptions {
 /** Indexes within indexes, to this depth. */
 const MAX_LEVEL = 100;
 /** Sites that one prim can have. */
-const MAX_NODES = 4000;
+export const MAX_NODES = 4000;
 
 /**
  * Finds all sites that have opinions on one prim and orders them by strength: local, inherits, variants, relocates,
@@ -146,7 +147,7 @@ export class IndexBuilder {
   }
 
   /** Says something about the prim that is composed. */
-  note(code: string, message: string): void {
+  note(code: Code, message: string): void {
     this.composer.note(code, this.path, message);
   }
 

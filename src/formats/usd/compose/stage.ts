@@ -1,4 +1,6 @@
-import { type DiagnosticList, report } from '../context.ts';
+import type { Code } from '../../codes.ts';
+import type { DiagnosticList } from '../../notes.ts';
+import { report } from '../context.ts';
 import { type Layer, NOTHING, type PrimSpec } from '../layer.ts';
 import { childNames } from './childNames.ts';
 import { applyClips } from './clips/apply.ts';
@@ -15,11 +17,11 @@ import { type OfferedSet, variantSetsOf } from './variantSets.ts';
 import { STEPS, Work } from './work.ts';
 
 /** Prims of one stage: a small file can ask for any number. */
-const MAX_PRIMS = 250_000;
+export const MAX_PRIMS = 250_000;
 /** Samples that all value clips of a stage make. */
-const MAX_CLIP_SAMPLES = 2 ** 22;
+export const MAX_CLIP_SAMPLES = 2 ** 22;
 /** Prims in prims. */
-const MAX_DEPTH = 512;
+export const MAX_DEPTH = 512;
 
 export interface ComposeOptions {
   /** Stronger than what the file selects. */
@@ -36,7 +38,7 @@ export interface ComposedStage {
 
 /** A thing to say about a prim once it is certain that its index stands. */
 interface Noted {
-  readonly code: string;
+  readonly code: Code;
   readonly path: string;
   readonly message: string;
 }
@@ -71,7 +73,7 @@ class StageComposer {
     this.diagnostics = diagnostics;
     this.choices = options.variants ?? [];
     this.session = loadedLayer(sessionLayer(this.choices), '', true);
-    const note = (code: string, path: string, message: string): void => {
+    const note = (code: Code, path: string, message: string): void => {
       this.noted.push({ code, path, message });
     };
     const stacks = new LayerStacks(store, note);
@@ -100,7 +102,7 @@ class StageComposer {
     }
   }
 
-  private say(code: string, path: string, message: string): void {
+  private say(code: Code, path: string, message: string): void {
     report({ layer: this.root.layer, diagnostics: this.diagnostics }, 'warning', code, path, message);
   }
 
@@ -146,7 +148,7 @@ class StageComposer {
   private async clipSets(index: Node, path: string, around: readonly ClipSet[]): Promise<readonly ClipSet[]> {
     const definitions = clipSetDefinitions(index);
     if (definitions.length === 0) return around;
-    const say = (code: string, message: string): void => this.composer.note(code, path, message);
+    const say = (code: Code, message: string): void => this.composer.note(code, path, message);
     const own = await this.settled(() => definitions.flatMap((d) => clipSetOf(d, this.store, say) ?? []));
     return [...own, ...around];
   }

@@ -6,7 +6,7 @@ import { nearest, nearestTarget } from './inherited.ts';
 import { columnMatrices, readSkeleton, type Skeleton } from './skeleton.ts';
 
 /** Joints that one point can follow; more are no skin but a fault. */
-const MAX_INFLUENCES = 4096;
+export const MAX_INFLUENCES = 4096;
 
 /** How a mesh hangs on its skeleton. */
 export interface Binding {

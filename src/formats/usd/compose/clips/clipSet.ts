@@ -1,3 +1,4 @@
+import type { Code } from '../../../codes.ts';
 import { valueAt } from '../../attributes.ts';
 import type { AttributeSpec, PrimSpec, Value } from '../../layer.ts';
 import { isFault, type LayerStore, type LoadedLayer } from '../layerStore.ts';
@@ -32,7 +33,7 @@ export interface ClipSet {
 export function clipSetOf(
   definition: ClipSetDefinition,
   store: LayerStore,
-  note: (code: string, message: string) => void,
+  note: (code: Code, message: string) => void,
 ): ClipSet | undefined {
   const { entries, from, name, time } = definition;
   const anchor = from.source.id;

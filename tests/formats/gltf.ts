@@ -1,0 +1,208 @@
+import { EXTMeshGPUInstancing } from '@gltf-transform/extensions';
+import { expect } from 'vitest';
+import { vertexPosition } from '../../src/scene/motion.ts';
+import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
+import { find } from '../support/gltfKit.ts';
+import { glb, json, packed, triangles } from './gltfExamples.ts';
+import { lookGroups } from './gltfLooks.ts';
+import { approximated, type Group, leftOut, read, refused } from './row.ts';
+import { C } from './usdKit.ts';
+
+const files: Group = {
+  title: 'Files',
+  rows: [
+    read(
+      '`.glb`, and `.gltf` with its `.bin` and pictures beside it or inside',
+      'a scene in metres, Y up',
+      json({}),
+      triangles(1),
+    ),
+    read(
+      '`KHR_draco_mesh_compression`',
+      'unpacked',
+      packed('KHR_draco_mesh_compression', (doc) => dracoGlb(doc, 'edgebreaker')),
+      triangles(1),
+    ),
+    read(
+      '`EXT_meshopt_compression`, `KHR_meshopt_compression`, `KHR_mesh_quantization`',
+      'unpacked',
+      packed('EXT_meshopt_compression', (doc) => meshoptGlb(doc, 'filter')),
+      triangles(1),
+    ),
+    read(
+      '`extras.slowlight` of the scene: `speedOfLight`, `title`, `lookFor`, `beta`, `openAt`',
+      'what the author suggests for viewing',
+      json({ scenes: [{ nodes: [0], extras: { slowlight: { speedOfLight: 10, title: 'Street' } } }] }),
+      (s) => expect(s.hints).toEqual({ speedOfLight: 10, title: 'Street' }),
+    ),
+    leftOut(
+      'every other extension that is only used, or changes only looks',
+      'named',
+      'gltf.ignored-extension',
+      [
+        json({ extensionsUsed: ['EXT_new'] }),
+        json({ extensionsUsed: ['KHR_materials_sheen'], extensionsRequired: ['KHR_materials_sheen'] }),
+      ],
+      triangles(1),
+    ),
+    refused(
+      'an extension that is required and not read, and is more than a look',
+      'with its name',
+      'gltf.unsupported-extension',
+      json({ extensionsUsed: ['EXT_new'], extensionsRequired: ['EXT_new'] }),
+    ),
+    refused('glTF 1', 'with its version', 'gltf.version', json({ asset: { version: '1.0' } })),
+    refused('JSON that is damaged', 'with the place', 'gltf.damaged', { 'a.gltf': '{' }),
+    refused('JSON that is not as the schema has it', 'with place and value', 'gltf.invalid', json({ nodes: {} })),
+    refused(
+      'a file or buffer that is cut off',
+      'with what it holds and should',
+      'gltf.truncated',
+      json({ buffers: [{ byteLength: 40, uri: 'a.bin' }] }),
+    ),
+    refused('a buffer that is not there', 'with its name', 'gltf.missing-file', { 'a.gltf': json({})['a.gltf'] }),
+    refused(
+      'an index of what is not there',
+      'with place and number',
+      'gltf.bad-reference',
+      json({ nodes: [{ mesh: 7 }] }),
+    ),
+    refused(
+      'bytes that are not there',
+      'with their place',
+      'gltf.out-of-range',
+      json({ bufferViews: [{ buffer: 0, byteLength: 36, byteOffset: 4 }] }),
+    ),
+    refused(
+      'nodes in themselves, or with two parents',
+      'with the node',
+      'gltf.bad-tree',
+      json({ nodes: [{ mesh: 0, children: [0] }] }),
+    ),
+    refused(
+      'more objects, vertices or bytes than a scene may have',
+      'with the number',
+      'gltf.too-large',
+      json({ accessors: [{ componentType: 5126, count: 2 ** 30, type: 'VEC3' }] }),
+    ),
+  ],
+};
+
+const shapes: Group = {
+  title: 'Nodes and shapes',
+  rows: [
+    read(
+      'nodes, with translation, rotation, scale or a matrix (also a shearing one)',
+      'an object for each node with a mesh; `/Parent/Child`, or `/Parent/Child/Mesh` where the node holds more',
+      glb((_, thing) => thing.setTranslation([1, 2, 3])),
+      (s) => expect(vertexPosition(find(s, '/Thing'), 0, 0, C)).toEqual([1, 2, 3]),
+    ),
+    read(
+      'triangles, strips, fans; several primitives',
+      'one mesh with a run of triangles for each material; flat where there are no normals',
+      ([5, 6] as const).map((mode) =>
+        glb((kit, thing) => {
+          thing.getMesh()!.addPrimitive(kit.triangle([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]).setMode(mode));
+        }),
+      ),
+      triangles(3),
+    ),
+    read(
+      'sparse accessors',
+      'the values they change',
+      json({
+        accessors: [
+          {
+            componentType: 5126,
+            count: 3,
+            type: 'VEC3',
+            sparse: {
+              count: 1,
+              indices: { bufferView: 1, componentType: 5123 },
+              values: { bufferView: 0, byteOffset: 12 },
+            },
+          },
+        ],
+        bufferViews: [
+          { buffer: 0, byteLength: 36 },
+          { buffer: 0, byteLength: 2 },
+        ],
+      }),
+      (s) => expect([...find(s, '/Thing').mesh.positions.subarray(0, 3)]).toEqual([1, 0, 0]),
+    ),
+    read(
+      '`EXT_mesh_gpu_instancing`',
+      'an object for each instance: `/Node/Instance0`',
+      glb((kit, thing) => {
+        const of = kit.doc.createExtension(EXTMeshGPUInstancing).createInstancedMesh();
+        thing.setExtension(
+          'EXT_mesh_gpu_instancing',
+          of.setAttribute('TRANSLATION', kit.values('VEC3', [0, 0, 0, 5, 0, 0])),
+        );
+      }),
+      (s) => expect(s.objects.map((o) => o.path)).toEqual(['/Thing/Instance0', '/Thing/Instance1']),
+    ),
+    read(
+      '`KHR_node_visibility`',
+      'hidden nodes are not shown',
+      json({
+        extensionsUsed: ['KHR_node_visibility'],
+        scenes: [{ nodes: [0, 1] }],
+        nodes: [
+          { name: 'Thing', mesh: 0 },
+          { mesh: 0, extensions: { KHR_node_visibility: { visible: false } } },
+        ],
+      }),
+      (s) => expect(s.objects.length).toBe(1),
+    ),
+    leftOut(
+      'points, lines',
+      'named',
+      'gltf.primitive',
+      glb((kit, thing) => {
+        thing.getMesh()!.addPrimitive(kit.triangle().setMode(1));
+      }),
+      triangles(1),
+    ),
+    leftOut(
+      'attributes of instances beside place, turn and size',
+      'named',
+      'gltf.instance-attributes',
+      glb((kit, thing) => {
+        const of = kit.doc.createExtension(EXTMeshGPUInstancing).createInstancedMesh();
+        of.setAttribute('TRANSLATION', kit.values('VEC3', [0, 0, 0])).setAttribute(
+          '_COLOR',
+          kit.values('VEC3', [1, 0, 0]),
+        );
+        thing.setExtension('EXT_mesh_gpu_instancing', of);
+      }),
+    ),
+    approximated(
+      'single-sided and double-sided materials on one mesh',
+      'all of it double-sided',
+      'gltf.mixed-sides',
+      glb((kit, thing) => {
+        thing.getMesh()!.addPrimitive(kit.triangle().setMaterial(kit.doc.createMaterial().setDoubleSided(true)));
+      }),
+      (s) => expect(find(s, '/Thing').mesh.doubleSided).toBe(true),
+    ),
+    refused(
+      'a triangle with a vertex that is not there',
+      'with the number',
+      'gltf.bad-index',
+      glb((kit, thing) => {
+        thing.getMesh()!.addPrimitive(kit.triangle().setIndices(kit.ints('SCALAR', [0, 1, 7])));
+      }),
+    ),
+    refused(
+      'an attribute with too few values',
+      'with the numbers',
+      'gltf.bad-attribute',
+      glb((kit, thing) => {
+        thing.getMesh()!.addPrimitive(kit.triangle().setAttribute('NORMAL', kit.values('VEC3', [0, 0, 1])));
+      }),
+    ),
+  ],
+};
+
+export const gltfGroups: readonly Group[] = [files, shapes, ...lookGroups];

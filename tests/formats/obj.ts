@@ -1,0 +1,140 @@
+import { expect } from 'vitest';
+import type { Material, Scene } from '../../src/scene/types.ts';
+import { PIXEL, WEBP } from './pictures.ts';
+import { approximated, type Files, type Group, leftOut, read, refused } from './row.ts';
+
+const FACE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
+const obj = (text: string): Files => ({ 'a.obj': text });
+/** A square that wears the material `m` of these lines. */
+export const worn = (lines: string, more: Files = {}): Files => ({
+  'a.obj': `mtllib a.mtl\nusemtl m\n${FACE.replace('f 1 2 3 4', 'vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3')}`,
+  'a.mtl': `newmtl m\n${lines}\n`,
+  ...more,
+});
+const triangles = (count: number) => (scene: Scene) => expect(scene.objects[0].mesh.indices.length).toBe(3 * count);
+const looks = (wanted: Partial<Material>) => (scene: Scene) => expect(scene.materials[0]).toMatchObject(wanted);
+const pathsOf = (scene: Scene): string[] => scene.objects.map(({ path }) => path);
+
+const shapes: Group = {
+  title: 'Shapes',
+  rows: [
+    read(
+      '`v`, `vt`, `vn`, `f` with polygons; indices from 1, or back from −1',
+      'triangles, with uvs and normals where they are written',
+      obj(FACE.replace('1 2 3 4', '-4 -3 -2 -1')),
+      triangles(2),
+    ),
+    read(
+      '`s`',
+      'without normals, faces of one smoothing group are smooth together; `off` or none: flat',
+      obj(`s 1\n${FACE}v 0 0 1\nf 1 5 2\n`),
+      (s) => expect(s.objects[0].mesh.positions.length).toBe(3 * 5),
+    ),
+    read(
+      '`v x y z r g b`',
+      'colours of points, as sRGB; where one is above 1, all are taken as 0 … 255',
+      obj(FACE.replaceAll(/^v .*$/gm, '$& 1 0 0')),
+      (s) => expect([...s.objects[0].mesh.colors!.subarray(0, 3)]).toEqual([1, 0, 0]),
+    ),
+    read('`o`, `g`', 'an object each: `/Car`, `/Car_wheel`', obj(`o Car\n${FACE}g wheel\nf 1 2 3\n`), (s) =>
+      expect(pathsOf(s)).toEqual(['/Car', '/Car_wheel']),
+    ),
+    leftOut(
+      'points, lines, curves, surfaces',
+      'named with the first line',
+      'obj.ignored',
+      ['p 1', 'l 1 2', 'curv 0 1 1 2', 'surf 0 1 0 1 1 2 3 4'].map((line) => obj(`${FACE}${line}\n`)),
+      triangles(2),
+    ),
+    leftOut(
+      'statements that are not known',
+      'named with the first line',
+      'obj.unknown',
+      obj(`${FACE}wobble 3\n`),
+      triangles(2),
+    ),
+    leftOut('a file without a face', 'said: there is nothing to see', 'file.no-triangles', obj('v 0 0 0\n')),
+    refused('a word that should be a number', 'with line and word', 'obj.number', obj('v 0 x 0\n')),
+    refused('an index of what is not there', 'with line and index', 'obj.index', obj('v 0 0 0\nf 1 2 3\n')),
+    refused(
+      'a face with fewer than 3 corners, or more than are read',
+      'with its line',
+      'obj.face',
+      obj('v 0 0 0\nv 1 0 0\nf 1 2\n'),
+    ),
+    refused(
+      'more groups, materials or files than are read',
+      'with line and bound',
+      'obj.too-many',
+      obj(`mtllib ${'a.mtl '.repeat(1001)}\n`),
+    ),
+    refused(
+      'text that is no OBJ',
+      'with the line',
+      'obj.not-obj',
+      obj(Array.from({ length: 200 }, (_, i) => `word${i} 1\n`).join('')),
+    ),
+  ],
+};
+
+const materials: Group = {
+  title: 'Materials (`.mtl`)',
+  rows: [
+    read(
+      '`Kd`, `Ke`, `d`, `Tr`, `Ni` above 1, `Pm`',
+      'base colour and emission (taken as linear), opacity, refractive index, metalness',
+      worn('Kd 1 0 0\nKe 0 2 0\nd 0.5\nNi 1.25'),
+      looks({ baseColor: [1, 0, 0], emissive: [0, 2, 0], opacity: 0.5, ior: 1.25 }),
+    ),
+    read(
+      '`Pr`, else `Ns`',
+      'roughness; roughness⁴ = 2 / (Ns + 2); where `Ks` is 0: matt',
+      worn('Ns 30'),
+      looks({ roughness: 0.5 }),
+    ),
+    read(
+      '`map_Kd`, `map_Ke`, `map_d`, with `-s`, `-o`, `-clamp`',
+      'pictures; one of its name beside the `.mtl` where it is not at the place that is written',
+      worn('map_Kd -s 2 2 1 -clamp on C:\\old\\a.png', { 'a.png': PIXEL }),
+      (s) => {
+        expect(s.materials[0].baseColorTexture).toMatchObject({ width: 1, wrapS: 'clamp' });
+        expect(Math.max(...s.objects[0].mesh.uvs)).toBe(2);
+      },
+    ),
+    leftOut(
+      'other maps and words (`map_Bump`, `map_Ns`, `Tf` …)',
+      'named',
+      'obj.ignored',
+      worn('Kd 1 0 0\nmap_Bump a.png'),
+      looks({ baseColor: [1, 0, 0] }),
+    ),
+    leftOut('colours as `spectral` or `xyz`', 'named', 'obj.color', worn('Kd xyz 1 1 1')),
+    leftOut(
+      'a picture that is damaged, too large, or neither PNG nor JPEG',
+      'named with what it is',
+      'file.unreadable-texture',
+      worn('map_Kd a.png', { 'a.png': WEBP }),
+    ),
+    leftOut(
+      'a picture that is not there',
+      'named with where it was looked for',
+      'file.missing-texture',
+      worn('map_Kd a.png'),
+    ),
+    leftOut(
+      'a `.mtl` that is not there',
+      'named with where it was looked for',
+      'file.missing-materials',
+      obj(`mtllib b.mtl\n${FACE}`),
+    ),
+    approximated(
+      'a material that no file has',
+      'light grey',
+      'obj.missing-material',
+      obj(`usemtl b\n${FACE}`),
+      looks({ baseColor: [0.5, 0.5, 0.5] }),
+    ),
+  ],
+};
+
+export const objGroups: readonly Group[] = [shapes, materials];

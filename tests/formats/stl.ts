@@ -1,0 +1,48 @@
+import { expect } from 'vitest';
+import type { Scene } from '../../src/scene/types.ts';
+import { type Files, type Group, leftOut, read, refused } from './row.ts';
+
+const facet = (normal = '0 0 1', corners = ['0 0 0', '1 0 0', '0 1 0']): string =>
+  `facet normal ${normal}\nouter loop\n${corners.map((p) => `vertex ${p}\n`).join('')}endloop\nendfacet\n`;
+const stl = (body: string, end = 'endsolid\n'): Files => ({ 'a.stl': `solid Part\n${body}${end}` });
+
+/** One facet; `rest` after it. */
+function binary(header = '', rest = 0, x = 1): Files {
+  const bytes = new Uint8Array(84 + 50 + rest);
+  bytes.set(new TextEncoder().encode(header));
+  const view = new DataView(bytes.buffer);
+  view.setUint32(80, 1, true);
+  [0, 0, 1, 0, 0, 0, x, 0, 0, 0, 1, 0].forEach((number, i) => {
+    view.setFloat32(84 + 4 * i, number, true);
+  });
+  return { 'a.stl': bytes };
+}
+const one = (scene: Scene): void => expect(scene.objects.map(({ mesh }) => mesh.indices.length)).toEqual([3]);
+
+const contents: Group = {
+  title: 'Contents',
+  rows: [
+    read('text', 'flat triangles; each `solid` is an object', stl(facet()), (s) =>
+      expect(s.objects.map(({ path }) => path)).toEqual(['/Part']),
+    ),
+    read('binary, told from text by its content', 'flat triangles', binary('solid as a rock'), one),
+    read('normals', 'those of the order of the corners', stl(facet('0 0 0')), (s) =>
+      expect([...s.objects[0].mesh.normals.subarray(0, 3)]).toEqual([0, 0, 1]),
+    ),
+    leftOut('normals that say the opposite', 'told with how many', 'stl.normals', stl(facet('0 0 -1')), one),
+    leftOut('colours', 'told', 'stl.colors', binary('COLOR=rgba'), one),
+    read('attribute bytes of facets', 'nothing: they have no meaning of their own', binary(), one),
+    leftOut('bytes after the last facet', 'told with how many', 'stl.rest', binary('', 3), one),
+    refused('a word in the wrong place', 'with line and word', 'stl.syntax', stl('vertex 0 0 0\n')),
+    refused('a corner that is no number', 'with line or byte, and value', 'stl.number', binary('', 0, Number.NaN)),
+    refused('a facet that has not 3 corners', 'with its line', 'stl.corners', stl(facet('0 0 1', ['0 0 0', '1 0 0']))),
+    refused('a file that is cut off', 'with what it holds and should', 'stl.truncated', {
+      'a.stl': (binary()['a.stl'] as Uint8Array).slice(0, 100),
+    }),
+    refused('more solids than are read', 'with the bound', 'stl.too-many', {
+      'a.stl': 'solid\nendsolid\n'.repeat(2 ** 16 + 1),
+    }),
+  ],
+};
+
+export const stlGroups: readonly Group[] = [contents];

@@ -1,0 +1,294 @@
+import { expect } from 'vitest';
+import type { Material, Scene } from '../../src/scene/types.ts';
+import { PIXEL, WEBP } from './pictures.ts';
+import { approximated, type Files, type Group, leftOut, read } from './row.ts';
+import { def, FACE, material, usd } from './usdKit.ts';
+
+/** A square that wears `/M`. */
+const worn = (looks: string, uvs = ''): string => def('Mesh', `${FACE}\nrel material:binding = </M>\n${uvs}`) + looks;
+const UVS = 'texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] ( interpolation = "vertex" )';
+
+const wears = (inputs: string, more = ''): Files => usd(worn(material('M', inputs, more), UVS));
+const texture = (name: string, lines = ''): string => `def Shader "${name}" { uniform token info:id = "UsdUVTexture"
+    asset inputs:file = @./a.png@
+    ${lines}
+    float3 outputs:rgb
+    float outputs:r }`;
+const DIFFUSE = 'color3f inputs:diffuseColor.connect = </M/T.outputs:rgb>';
+const reader = (type: string, lines = ''): string =>
+  `def Shader "R" { uniform token info:id = "UsdPrimvarReader_${type}"\n${lines}\n${type} outputs:result }`;
+
+const base = (scene: Scene): Material => scene.materials[scene.objects[0].mesh.groups[0].material];
+const red = (scene: Scene): void => expect(base(scene).baseColor).toEqual([1, 0, 0]);
+
+const ANIMATED = 'color3f inputs:diffuseColor.timeSamples = { 0: (1, 0, 0), 9: (0, 1, 0) }';
+
+const materials: Group = {
+  title: 'Materials and textures',
+  rows: [
+    read(
+      '`UsdPreviewSurface` (also as a node of MaterialX): diffuse and emissive colour, opacity and its threshold, roughness, metallic, ior',
+      'a material; the reference renderer alone asks for the ior',
+      wears(
+        'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:roughness = 0.25\nfloat inputs:ior = 1.25\nfloat inputs:opacity = 0.5',
+      ),
+      (s) => expect(base(s)).toMatchObject({ baseColor: [1, 0, 0], roughness: 0.25, ior: 1.25, opacity: 0.5 }),
+    ),
+    read(
+      '`UsdUVTexture` on colours and opacity, with `UsdPrimvarReader_float2` and `UsdTransform2d`',
+      'textures with colour space, scale, bias, channel, wrap mode, fallback',
+      { ...wears(DIFFUSE, texture('T', 'token inputs:wrapS = "mirror"')), 'a.png': PIXEL },
+      (s) => expect(base(s).baseColorTexture).toMatchObject({ width: 1, wrapS: 'mirror', colorSpace: 'srgb' }),
+    ),
+    read(
+      'tiles of `<UDIM>`, 1001 to 1100',
+      'one picture',
+      { ...wears(DIFFUSE, texture('T').replace('a.png', 'a.<UDIM>.png')), 'a.1001.png': PIXEL, 'a.1002.png': PIXEL },
+      (s) => expect(base(s).baseColorTexture?.width).toBeGreaterThan(1),
+    ),
+    read(
+      '`UsdPrimvarReader_float3` (`_vector`, `_point`, `_normal`) on the diffuse colour',
+      'the mesh’s colours; its fallback where there are none',
+      wears(
+        'color3f inputs:diffuseColor.connect = </M/R.outputs:result>',
+        reader('float3', 'string inputs:varname = "none"\nfloat3 inputs:fallback = (1, 0, 0)'),
+      ),
+      (s) => expect([...s.objects[0].mesh.colors!.subarray(0, 3)]).toEqual([1, 0, 0]),
+    ),
+    approximated(
+      'textures of roughness and metallic',
+      'their mean',
+      'usd.material-input',
+      {
+        ...wears(
+          'float inputs:roughness.connect = </M/T.outputs:r>',
+          texture('T', 'token inputs:sourceColorSpace = "raw"'),
+        ),
+        'a.png': PIXEL,
+      },
+      (s) => expect(base(s).roughness).toBe(1),
+    ),
+    approximated(
+      '`useSpecularWorkflow`',
+      'the nearest metal or glass',
+      'usd.material-input',
+      wears('int inputs:useSpecularWorkflow = 1\ncolor3f inputs:specularColor = (1, 1, 1)'),
+      (s) => expect(base(s).metallic).toBeGreaterThan(0.8),
+    ),
+    leftOut(
+      'normal maps, displacement, clearcoat, occlusion',
+      'named; the rest of the material counts',
+      'usd.material-input',
+      [
+        wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:clearcoat = 1'),
+        wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:displacement = 0.1'),
+        ...[
+          'normal3f inputs:normal.connect = </M/T.outputs:rgb>',
+          'float inputs:occlusion.connect = </M/T.outputs:r>',
+        ].map((line) => ({
+          ...wears(`color3f inputs:diffuseColor = (1, 0, 0)\n${line}`, texture('T')),
+          'a.png': PIXEL,
+        })),
+      ],
+      red,
+    ),
+    leftOut(
+      'a primvar that drives a number',
+      'its fallback counts',
+      'usd.material-input',
+      wears(
+        'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:roughness.connect = </M/R.outputs:result>',
+        reader('float', 'float inputs:fallback = 0.25'),
+      ),
+      (s) => expect(base(s).roughness).toBe(0.25),
+    ),
+    approximated(
+      'materials of other renderers (MaterialX, MDL, RenderMan, Arnold …)',
+      'their `UsdPreviewSurface`; else base colour or the one picture behind it, roughness, metalness, glow, opacity, as far as they are constants; else the displayColor',
+      'usd.material',
+      usd(
+        worn(
+          material(
+            'M',
+            'color3f inputs:base_color = (1, 0, 0)',
+            '',
+            'ND_standard_surface_surfaceshader',
+            'outputs:mtlx:surface',
+          ),
+        ),
+      ),
+      red,
+    ),
+    approximated(
+      'a material that is not there',
+      'the displayColor',
+      'usd.material',
+      usd(worn('', 'color3f[] primvars:displayColor = [(1, 0, 0)]')),
+      red,
+    ),
+    approximated(
+      'a shader that is not read, or a network too long to follow',
+      'the input keeps its own value',
+      'usd.shader',
+      wears(
+        'color3f inputs:diffuseColor = (1, 0, 0)\ncolor3f inputs:diffuseColor.connect = </M/T.outputs:rgb>',
+        'def Shader "T" { uniform token info:id = "Noise"\nfloat3 outputs:rgb }',
+      ),
+    ),
+    approximated(
+      'textures of one material that read different uvs',
+      'those of the first; a mesh has one set',
+      'usd.uv',
+      {
+        ...usd(
+          worn(
+            material(
+              'M',
+              `${DIFFUSE}\ncolor3f inputs:emissiveColor.connect = </M/U.outputs:rgb>`,
+              [
+                texture('T', 'float2 inputs:st.connect = </M/Q.outputs:result>'),
+                texture('U', 'float2 inputs:st.connect = </M/R.outputs:result>'),
+                reader('float2', 'string inputs:varname = "st"').replace('"R"', '"Q"'),
+                reader('float2', 'string inputs:varname = "uv2"'),
+              ].join('\n'),
+            ),
+            UVS,
+          ),
+        ),
+        'a.png': PIXEL,
+      },
+    ),
+    approximated(
+      'a material that changes with time',
+      'held at the start',
+      'usd.animated-material',
+      wears(ANIMATED),
+      red,
+    ),
+    leftOut(
+      'a picture that is not there',
+      'named with where it was looked for; it can be dropped on the page',
+      'file.missing-texture',
+      wears(DIFFUSE, texture('T')),
+      (s) => expect(s.diagnostics[0].missing?.name).toBe('./a.png'),
+    ),
+    leftOut(
+      'a picture that is damaged, too large, or neither PNG nor JPEG',
+      'named with what it is',
+      'file.unreadable-texture',
+      { ...wears(DIFFUSE, texture('T')), 'a.png': WEBP },
+    ),
+    leftOut(
+      'a texture that names no file',
+      'its fallback counts',
+      'usd.texture',
+      wears(DIFFUSE, texture('T', 'float4 inputs:fallback = (1, 0, 0, 1)').replace('@./a.png@', '@@')),
+      red,
+    ),
+  ],
+};
+
+const shines = (type: string, lines = ''): Files => usd(def(type, lines));
+
+const unread = (type: string): ReturnType<typeof leftOut> =>
+  leftOut(`\`${type}\``, 'named', 'usd.unsupported-prim', shines(type), (s) => expect(s.lights).toEqual([]));
+
+const lights: Group = {
+  title: 'Lights and cameras',
+  rows: [
+    read(
+      '`DistantLight`, `DomeLight` with its picture',
+      'lights',
+      {
+        ...usd(
+          'def DistantLight "A" { float inputs:intensity = 3 }\ndef DomeLight "B" { asset inputs:texture:file = @a.png@ }',
+        ),
+        'a.png': PIXEL,
+      },
+      (s) =>
+        expect(s.lights).toMatchObject([
+          { kind: 'distant', color: [3, 3, 3], direction: [0, 0, -1] },
+          { kind: 'dome', texture: { width: 1 } },
+        ]),
+    ),
+    read(
+      '`SphereLight`, `RectLight`, `DiskLight`, `CylinderLight`; color, intensity, exposure, `normalize`, colour temperature, `treatAsPoint`, `treatAsLine`',
+      'lamps that move as their transforms or `slowlight:motion` say',
+      usd(
+        ['Sphere', 'Rect', 'Disk', 'Cylinder']
+          .map((k) => `def ${k}Light "${k}" { float inputs:exposure = 1 }`)
+          .join('\n'),
+      ),
+      (s) =>
+        expect(s.lights.map((l) => [l.kind, l.color[0]])).toEqual([
+          ['sphere', 2],
+          ['rect', 2],
+          ['disk', 2],
+          ['cylinder', 2],
+        ]),
+    ),
+    read(
+      '`ShapingAPI`: cone angle, softness, focus',
+      'the same',
+      shines('SphereLight', 'float inputs:shaping:cone:angle = 90\nfloat inputs:shaping:cone:softness = 0.5'),
+      (s) => expect(s.lights[0]).toMatchObject({ shaping: { inner: Math.PI / 4, outer: Math.PI / 2 } }),
+    ),
+    approximated(
+      '`MeshLightAPI`, `GeometryLight`',
+      'the mesh glows; that it lights other things the reference renderer alone shows',
+      'usd.mesh-light',
+      usd(`def Mesh "A" ( prepend apiSchemas = ["MeshLightAPI"] ) { ${FACE}\nfloat inputs:intensity = 2 }`),
+      (s) => expect(base(s).emissive).toEqual([2, 2, 2]),
+    ),
+    approximated(
+      'the picture on a `RectLight`',
+      'its mean colour',
+      'usd.light-input',
+      { ...shines('RectLight', 'asset inputs:texture:file = @a.png@'), 'a.png': PIXEL },
+      (s) => expect(s.lights[0].color).toEqual([1, 0, 0]),
+    ),
+    approximated(
+      'a light that changes with time, but for where a lamp is',
+      'held at the start',
+      'usd.animated-light',
+      shines('SphereLight', 'float inputs:intensity.timeSamples = { 0: 1, 9: 2 }'),
+      (s) => expect(s.lights[0].color).toEqual([1, 1, 1]),
+    ),
+    leftOut(
+      'IES profiles, `focusTint`, a `specular` unlike `diffuse`, shadows that are switched off',
+      'named; the light shines without',
+      'usd.light-input',
+      [
+        'asset inputs:shaping:ies:file = @a.ies@',
+        'color3f inputs:shaping:focusTint = (1, 0, 0)\nfloat inputs:shaping:focus = 1',
+        'float inputs:specular = 0.5',
+        'bool inputs:shadow:enable = false',
+      ].map((lines) => shines('SphereLight', lines)),
+      (s) => expect(s.lights.length).toBe(1),
+    ),
+    unread('PortalLight'),
+    unread('PluginLight'),
+    read(
+      '`Camera`',
+      'a camera; vertical field of view 2 atan(verticalAperture / 2 focalLength)',
+      shines('Camera', 'float focalLength = 10\nfloat verticalAperture = 20'),
+      (s) => expect(s.cameras[0].fovY).toBeCloseTo(Math.PI / 2, 12),
+    ),
+    approximated(
+      'orthographic cameras',
+      'perspective ones',
+      'usd.projection',
+      shines('Camera', 'token projection = "orthographic"'),
+      (s) => expect(s.cameras.length).toBe(1),
+    ),
+    approximated(
+      'a lens that changes with time',
+      'held at the start',
+      'usd.animated-lens',
+      shines('Camera', 'float focalLength.timeSamples = { 0: 10, 9: 20 }'),
+      (s) => expect(s.cameras.length).toBe(1),
+    ),
+  ],
+};
+
+export const lookGroups: readonly Group[] = [materials, lights];

@@ -1,0 +1,362 @@
+import { expect } from 'vitest';
+import { vertexPosition } from '../../src/scene/motion.ts';
+import { isStreamed } from '../../src/scene/points.ts';
+import type { SampledPointsMotion, Scene } from '../../src/scene/types.ts';
+import { volume } from '../support/meshes.ts';
+import { approximated, type Group, leftOut, read } from './row.ts';
+import { C, corner, crateFixture, def, FACE, MOVED, ORDER, paths, RED, usd } from './usdKit.ts';
+
+/** The square, its first corner higher and lower again. */
+const waving = (more: string): string => {
+  const at = (z: number): string => `[(0, 0, ${z}), (1, 0, 0), (1, 1, 0), (0, 1, 0)]`;
+  const samples = `points.timeSamples = { 0: ${at(0)}, 12: ${at(1)}, 24: ${at(0)} }`;
+  return `${FACE.replace(/points = .*/, samples)}\n${more}`;
+};
+
+function deforming({ objects: [{ motion }] }: Scene): SampledPointsMotion {
+  if (motion.kind !== 'sampled-points') throw new Error(motion.kind);
+  return motion;
+}
+
+const motion: Group = {
+  title: 'Placement and motion',
+  rows: [
+    read(
+      'all transform ops, `!invert!`, `!resetXformStack!`',
+      'where things are',
+      usd(
+        `def Xform "X" { double3 xformOp:translate = (9, 0, 0)\n${ORDER}
+       def Cube "A" { double3 xformOp:translate = (1, 2, 3)\nuniform token[] xformOpOrder = ["!resetXformStack!", "!invert!xformOp:translate"] } }`,
+      ),
+      (s) => {
+        const { motion: m } = s.objects[0];
+        expect(m.kind === 'static' && m.pose.position).toEqual([-1, -2, -3]);
+      },
+    ),
+    read(
+      'time samples of transforms',
+      'rigid motion; linear between samples, quaternions along the arc',
+      usd(`def Cube "A" { ${MOVED}\n${ORDER} }`),
+      (s) => {
+        expect(s.objects[0].motion.kind).toBe('sampled');
+        expect(corner(s, '/A', 0, 0.5)[0] - corner(s, '/A', 0, 0)[0]).toBeCloseTo(1.5, 4);
+      },
+    ),
+    read(
+      'time-sampled scale, shear or `points` (and `normals`)',
+      'a path for each vertex',
+      usd(
+        def(
+          'Mesh',
+          FACE.replace('points =', 'points.timeSamples = { 0:').replace(
+            '(0, 1, 0)]',
+            '(0, 1, 0)], 24: [(0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)] }',
+          ),
+        ),
+      ),
+      (s) => {
+        expect(s.objects[0].motion.kind).toBe('sampled-points');
+        expect(corner(s, '/A', 0, 0.5)[2]).toBeCloseTo(0.5, 6);
+      },
+    ),
+    read(
+      'what is between samples of `points` with `--interpolation cubic`',
+      'cubics, with `velocities` where they are written; else straight lines; how far these differ is told',
+      usd(def('Mesh', waving(''))),
+      (s) => expect(deforming(s).velocities).toHaveLength(3),
+      { says: 'usd.between-samples', options: { interpolation: 'cubic' } },
+    ),
+    approximated(
+      '`velocities` that do not fit the points, along cubics',
+      'slopes of the points',
+      'usd.velocities',
+      usd(def('Mesh', waving('vector3f[] velocities.timeSamples = { 0: [(0, 0, 1)] }'))),
+      (s) => expect(deforming(s).velocities).toHaveLength(3),
+      { interpolation: 'cubic' },
+    ),
+    approximated(
+      'samples of `points` that are too many for memory, in binary layers',
+      'they stay in their file and are read ahead of the light cone; subdivision surfaces are drawn as their polygons',
+      'usd.subdivision',
+      { 'a.usdc': crateFixture('../../fixtures/caches.usdc') },
+      (s) => expect(isStreamed(deforming(s).points)).toBe(true),
+      { sampleMemory: 0 },
+    ),
+    read(
+      '`slowlight:motion = "uniform"` or `"hyperbolic"`',
+      'exact motion for all times',
+      usd(def('Cube', 'token slowlight:motion = "uniform"\nvector3d slowlight:velocity = (2, 0, 0)')),
+      (s) => expect(s.objects[0].motion).toMatchObject({ kind: 'uniform', velocity: [2, 0, 0] }),
+    ),
+    read(
+      '`slowlight:birth`, `slowlight:death`, `slowlight:authoredIn`',
+      'when it is there; whose shape is written',
+      usd(def('Cube', 'double slowlight:birth = 1\ntoken slowlight:authoredIn = "rest"')),
+      (s) =>
+        expect(s.objects[0]).toMatchObject({
+          lifetime: { birth: 1, death: Number.POSITIVE_INFINITY },
+          authoredIn: 'rest',
+        }),
+    ),
+    read(
+      '`visibility`, `active`, `purpose`',
+      'what is invisible, inactive, `proxy` or `guide` is not shown',
+      usd(
+        'def Cube "A" { token visibility = "invisible" }\ndef Cube "B" ( active = false ) {}\ndef Cube "C" { uniform token purpose = "proxy" }\ndef Cube "D" { uniform token purpose = "guide" }',
+      ),
+      (s) => expect(paths(s)).toEqual(['/Rest']),
+    ),
+    approximated(
+      '`visibility` that changes with time',
+      'held at the start',
+      'usd.animated-visibility',
+      usd(def('Cube', 'token visibility.timeSamples = { 0: "inherited", 9: "invisible" }')),
+      (s) => expect(paths(s)).toContain('/A'),
+    ),
+    approximated(
+      'a path that turns too fast between its samples to be followed',
+      'as near as is affordable; samples wanted and error are told',
+      'usd.resampling',
+      usd(
+        def(
+          'Cube',
+          'double xformOp:rotateZ.timeSamples = { 0: 0, 1: 1e9 }\nuniform token[] xformOpOrder = ["xformOp:rotateZ"]',
+        ),
+      ),
+    ),
+    leftOut('an op that `xformOpOrder` names and the prim has not', 'named', 'usd.xform-op', usd(def('Cube', ORDER))),
+    leftOut(
+      '`slowlight:` attributes that contradict each other or are not known',
+      'named',
+      'usd.slowlight',
+      usd(def('Cube', 'token slowlight:motion = "sideways"')),
+    ),
+  ],
+};
+
+const PYRAMID = `int[] faceVertexCounts = [3, 3, 3, 3]; int[] faceVertexIndices = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]
+  point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]`;
+
+const unseen = (types: readonly string[], becomes: string): ReturnType<typeof leftOut> =>
+  leftOut(
+    types.map((type) => `\`${type}\``).join(', '),
+    becomes,
+    'usd.unsupported-prim',
+    types.map((type) => usd(def(type))),
+    (s) => expect(paths(s)).toEqual(['/Rest']),
+  );
+
+const geometry: Group = {
+  title: 'Shapes',
+  rows: [
+    read(
+      '`Mesh`: polygons, also concave, holes, left-handed',
+      'triangles',
+      usd(def('Mesh', `${FACE}\nuniform token orientation = "leftHanded"`)),
+      (s) => {
+        const { mesh } = s.objects[0];
+        expect(mesh.indices.length).toBe(6);
+        expect([...mesh.normals.subarray(0, 3)].map((x) => x + 0)).toEqual([0, 0, -1]);
+      },
+    ),
+    read(
+      'normals, uvs and colours of every interpolation, indexed or not',
+      'the same, vertices split where they differ',
+      [
+        ['constant', '[0]'],
+        ['uniform', '[0]'],
+        ['varying', '[0, 0, 1, 1]'],
+        ['vertex', '[0, 0, 1, 1]'],
+        ['faceVarying', '[0, 0, 1, 1]'],
+      ].map(([interpolation, indices]) =>
+        usd(
+          def(
+            'Mesh',
+            `${FACE}
+      color3f[] primvars:displayColor = [(1, 0, 0), (0, 1, 0)] ( interpolation = "${interpolation}" )
+      int[] primvars:displayColor:indices = ${indices}`,
+          ),
+        ),
+      ),
+      (s) => expect([...s.objects[0].mesh.colors!.subarray(0, 3)]).toEqual([1, 0, 0]),
+    ),
+    read(
+      '`subdivisionScheme` `catmullClark`, `loop`, `bilinear`; creases, corners, holes, boundaries',
+      'the limit surface, two levels unless asked otherwise',
+      usd(def('Mesh', `${PYRAMID}\nuniform token subdivisionScheme = "loop"`)),
+      (s) => {
+        expect(s.objects[0].mesh.indices.length).toBe(3 * 4 * 16);
+        expect(volume(s.objects[0].mesh)).toBeLessThan(1 / 6);
+      },
+    ),
+    read(
+      '`Cube`, `Sphere`, `Cylinder`, `Cone`, `Capsule`, `Plane`',
+      'meshes',
+      usd(
+        ['Cube', 'Sphere', 'Cylinder', 'Cone', 'Capsule', 'Plane'].map((type) => `def ${type} "${type}" {}`).join('\n'),
+      ),
+      (s) => expect(s.objects.length).toBe(7),
+    ),
+    read(
+      '`GeomSubset` of faces; `material:binding`, inherited, `strongerThanDescendants`',
+      'runs of triangles with a material',
+      usd(def('Mesh', `${FACE}\ndef GeomSubset "S" { int[] indices = [0]\nrel material:binding = </Red> }`) + RED),
+      (s) => expect(s.materials[s.objects[0].mesh.groups[0].material].baseColor).toEqual([1, 0, 0]),
+    ),
+    read(
+      '`displayColor`, `displayOpacity`',
+      'the material where none is bound',
+      usd(def('Cube', 'color3f[] primvars:displayColor = [(1, 0, 0)]\nfloat[] primvars:displayOpacity = [0.5]')),
+      (s) => expect(s.materials[0]).toMatchObject({ baseColor: [1, 0, 0], opacity: 0.5 }),
+    ),
+    approximated(
+      'faces, or a number of points, that change with time',
+      'the shape is held at the start',
+      'usd.topology',
+      usd(
+        def(
+          'Mesh',
+          FACE.replace('faceVertexCounts =', 'faceVertexCounts.timeSamples = { 0:').replace('[4];', '[4], 9: [3] };'),
+        ),
+      ),
+      (s) => expect(paths(s)).toContain('/A'),
+    ),
+    approximated(
+      'sizes of `Cube` and others that change with time',
+      'held at the start',
+      'usd.animated-size',
+      usd(def('Cube', 'double size.timeSamples = { 0: 1, 9: 2 }')),
+    ),
+    approximated(
+      '`loop` with polygons; creases or corners that do not fit',
+      'the polygons; the surface without them',
+      'usd.subdivision',
+      [
+        FACE.replace('"none"', '"loop"'),
+        `${FACE.replace('"none"', '"bilinear"')}\nint[] creaseIndices = [0, 9]\nint[] creaseLengths = [2]\nfloat[] creaseSharpnesses = [1]`,
+        `${FACE.replace('"none"', '"bilinear"')}\nint[] cornerIndices = [0]`,
+      ].map((mesh) => usd(def('Mesh', mesh))),
+    ),
+    leftOut(
+      'faces of fewer than 3 corners, or with points that are not there',
+      'named with how many',
+      'usd.faces',
+      usd(def('Mesh', `${PYRAMID.replace('2, 0, 3]', '2, 0, 9]')}\nuniform token subdivisionScheme = "none"`)),
+      (s) => expect(s.objects[0].mesh.indices.length).toBe(9),
+    ),
+    leftOut('a `Mesh` without points or faces', 'named', 'usd.empty-mesh', usd(def('Mesh'))),
+    leftOut(
+      'a primvar whose values do not fit',
+      'named with the numbers',
+      'usd.primvar',
+      usd(def('Mesh', `${FACE}\nnormal3f[] normals = [(0, 0, 1)] ( interpolation = "vertex" )`)),
+      (s) => expect(paths(s)).toContain('/A'),
+    ),
+    leftOut(
+      'subsets of points or edges',
+      'named',
+      'usd.subset',
+      usd(
+        def(
+          'Mesh',
+          `${FACE}\ndef GeomSubset "S" { uniform token elementType = "point"\nrel material:binding = </Red> }`,
+        ) + RED,
+      ),
+    ),
+    unseen(['BasisCurves', 'NurbsCurves', 'HermiteCurves', 'Points', 'Volume'], 'named'),
+    unseen(['NurbsPatch', 'TetMesh', 'Cylinder_1', 'Capsule_1'], 'named; export it, or its surface, as a mesh'),
+    leftOut(
+      'NaN, infinite or overflowing numbers',
+      'what they spoil (points, motions, lights), with how much',
+      'file.not-finite',
+      usd(def('Mesh', `${PYRAMID.replace('(0, 0, 1)]', '(0, 0, nan)]')}\nuniform token subdivisionScheme = "none"`)),
+      (s) => expect(s.objects[0].mesh.indices.length).toBe(3),
+    ),
+  ],
+};
+
+const many = (count: number): string =>
+  def(
+    'PointInstancer',
+    `rel prototypes = </A/P>\nint[] protoIndices = [${Array(count).fill(0).join(', ')}]\npoint3f[] positions = [${Array(count).fill('(3, 0, 0)').join(', ')}]\ndef Cube "P" {}`,
+  );
+
+const ONE = '((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))';
+const body = (skin: string, rig: string): string => `def SkelRoot "A" { rel skel:skeleton = </A/S>
+  rel skel:animationSource = </A/S/Turn>
+  def Skeleton "S" { uniform token[] joints = ["a"]; uniform matrix4d[] bindTransforms = [${ONE}]; uniform matrix4d[] restTransforms = [${ONE}]
+    def SkelAnimation "Turn" { ${rig} } }
+  def Mesh "M" { ${FACE}
+    ${skin} } }`;
+const BOUND = `int[] primvars:skel:jointIndices = [0, 0, 0, 0] ( elementSize = 1; interpolation = "vertex" )
+  float[] primvars:skel:jointWeights = [1, 1, 1, 1] ( elementSize = 1; interpolation = "vertex" )`;
+const SLIDE =
+  'uniform token[] joints = ["a"]\nfloat3[] translations.timeSamples = { 0: [(0, 0, 0)], 24: [(0, 0, 2)] }\nquatf[] rotations = [(1, 0, 0, 0)]\nhalf3[] scales = [(1, 1, 1)]';
+const SHAPE = (offsets: string): string =>
+  `uniform token[] skel:blendShapes = ["up"]\nrel skel:blendShapeTargets = </A/M/Up>\ndef BlendShape "Up" { uniform vector3f[] offsets = ${offsets} }`;
+const WEIGHT = 'uniform token[] blendShapes = ["up"]\nfloat[] blendShapeWeights.timeSamples = { 0: [0], 24: [1] }';
+const UP = '[(0, 0, 2), (0, 0, 2), (0, 0, 2), (0, 0, 2)]';
+
+const instances: Group = {
+  title: 'Instances and skeletons',
+  rows: [
+    read(
+      '`PointInstancer`: ids, masks, scales, velocities, instancers in prototypes',
+      'an object for each instance: `/Forest[12]/Tree`',
+      usd(many(2)),
+      (s) => expect(paths(s).slice(0, 2)).toEqual(['/A[0]/P', '/A[1]/P']),
+    ),
+    leftOut(
+      'an instancer that asks for more objects than a scene may have',
+      'named with how many',
+      'usd.too-many-instances',
+      usd(
+        `${many(600).replace('"A"', '"B"').replaceAll('/A/P', '/B/P')}\n${def('PointInstancer', `rel prototypes = </B>\nint[] protoIndices = [${Array(600).fill(0).join(', ')}]\npoint3f[] positions = [${Array(600).fill('(0, 0, 0)').join(', ')}]`)}`,
+      ),
+    ),
+    leftOut(
+      'arrays or prototypes of an instancer that do not fit together',
+      'named; the instances that can be are shown',
+      'usd.instancer',
+      usd(many(2).replace('[0, 0]', '[0, 7]')),
+    ),
+    leftOut(
+      'lights and cameras in prototypes',
+      'named',
+      'usd.instancer',
+      usd(many(1).replace('def Cube "P" {}', 'def Xform "P" { def Cube "C" {}\ndef SphereLight "L" {} }')),
+    ),
+    read(
+      '`SkelRoot`, `Skeleton`, `SkelAnimation`; linear blending or dual quaternions',
+      'meshes that follow their joints',
+      usd(body(`${BOUND}\nrel skel:skeleton = </A/S>`, SLIDE)),
+      (s) => expect(vertexPosition(s.objects[0], 0, 0.5, C)[2]).toBeCloseTo(1, 5),
+    ),
+    read(
+      '`BlendShape`, with inbetweens',
+      'bends its mesh',
+      usd(body(SHAPE(UP), `${SLIDE.replace(/float3\[\] tr.*\n/, 'float3[] translations = [(0, 0, 0)]\n')}\n${WEIGHT}`)),
+      (s) => expect(vertexPosition(s.objects[0], 0, 0.5, C)[2]).toBeCloseTo(1, 5),
+    ),
+    leftOut(
+      'a skeleton or animation that does not fit together',
+      'named; its meshes stay as they are written',
+      'usd.skeleton',
+      usd(body(BOUND, SLIDE).replace(`bindTransforms = [${ONE}]`, 'bindTransforms = []')),
+    ),
+    leftOut(
+      'joints or weights that do not fit their mesh',
+      'named; the mesh stays as it is written',
+      'usd.skin',
+      usd(body(BOUND.replace('[0, 0, 0, 0]', '[0, 0, 0, 9]'), SLIDE)),
+    ),
+    leftOut(
+      'a blend shape that does not fit its mesh',
+      'named; it does not bend it',
+      'usd.blend-shape',
+      usd(body(SHAPE('[(0, 0, 2)]'), `${SLIDE}\n${WEIGHT}`)),
+    ),
+  ],
+};
+
+export const shapeGroups: readonly Group[] = [motion, geometry, instances];
