@@ -2,7 +2,8 @@ import { existsSync, readFileSync } from 'node:fs';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { openSceneFile } from '../src/cli/files.ts';
 import { pumpFrame } from '../src/cli/node-shim.ts';
-import { readCrate } from '../src/formats/usd/crate/read.ts';
+import { sceneFormats } from '../src/formats/registry.ts';
+import { memorySource } from '../src/formats/source.ts';
 import { properVelocity } from '../src/physics/boost.ts';
 import { interleaved, median, timed } from './bench.ts';
 import type { CachePlayed, CacheTask } from './cache.ts';
@@ -18,22 +19,37 @@ const PICTURES = 24;
 /** What a benchmark measures in a process of its own, so that memory is its alone. Prints one line of JSON. */
 const [task, argument] = process.argv.slice(2);
 if (task === 'load') await load(argument);
-else if (task === 'crate') await crate(argument);
+else if (task === 'three') await three(argument);
 else if (task === 'instances') await instances(argument);
 else if (task === 'cache') await playCache(JSON.parse(argument) as CacheTask);
 else if (task === 'memory') await memory(Number(argument));
 else throw new Error(`no task ${task}`);
 
+/** Subdivision surfaces are refined once. */
 async function load(path: string): Promise<void> {
-  const ms = await timed(async () => void (await openSceneFile(path)));
-  console.log(JSON.stringify({ seconds: ms / 1000, peakBytes: peakMemory() }));
+  const warm = memorySource({});
+  await Promise.allSettled(sceneFormats.map(({ read }) => read(warm, 'none', {})));
+  await tell(() => openSceneFile(path, { subdivision: 1 }));
 }
 
-async function crate(path: string): Promise<void> {
-  const bytes = readFileSync(path);
-  const read = (): Promise<number> => timed(() => void readCrate(bytes, path));
-  const [first, again] = [await read(), await read()];
-  console.log(JSON.stringify({ first: first / 1000, again: again / 1000 }));
+async function three(path: string): Promise<void> {
+  const { threeLoader } = await import('./threeLoad.ts');
+  const read = threeLoader(path);
+  // So large a file has a buffer of its own.
+  await tell(() => read(readFileSync(path).buffer as ArrayBuffer));
+}
+
+/** What reading takes: time and memory, or why it fails. */
+async function tell(read: () => unknown): Promise<void> {
+  const before = await resident();
+  const began = performance.now();
+  try {
+    await read();
+    const seconds = (performance.now() - began) / 1000;
+    console.log(JSON.stringify({ seconds, bytes: peakMemory() - before }));
+  } catch (error) {
+    console.log(JSON.stringify({ refusal: `fails: ${String(error).split('\n')[0]}` }));
+  }
 }
 
 /** Reads a file and draws it: at rest, and at 0.9 c. */

@@ -4,13 +4,12 @@ import { fileURLToPath } from 'node:url';
 import { type Bench, markdown } from './bench.ts';
 import { bundle } from './bundle.ts';
 import { cache } from './cache.ts';
-import { crate } from './crate.ts';
 import { cubic } from './cubic.ts';
 import { emission } from './emission.ts';
+import { formats } from './formats.ts';
 import { frame } from './frame.ts';
 import { gpu, releaseGpu } from './gpu.ts';
 import { instances } from './instances.ts';
-import { load } from './load.ts';
 import { memory } from './memory.ts';
 import { page } from './page.ts';
 import { reference } from './reference.ts';
@@ -23,9 +22,8 @@ const benches: readonly Bench[] = [
   refine,
   emission,
   memory,
-  load,
+  formats,
   instances,
-  crate,
   cache,
   reference,
   page,

@@ -1,5 +1,6 @@
+import { length } from '../math/vec3.ts';
 import { cornerNormals } from './normals.ts';
-import { forEachFace, type Polygons, type PolygonValues, pointAt } from './polygons.ts';
+import { forEachFace, outlineOf, type Polygons, type PolygonValues } from './polygons.ts';
 import { triangulate } from './triangulate.ts';
 import type { Mesh, MeshGroup } from './types.ts';
 
@@ -49,10 +50,13 @@ function appendFace(
   count: number,
 ): void {
   const flip = polygons.leftHanded === true;
-  const corner = (k: number) => (flip ? first + count - 1 - k : first + k);
-  const outline = () =>
-    Array.from({ length: count }, (_, k) => pointAt(polygons.points, polygons.faceIndices[corner(k)]));
-  for (const k of count === 3 ? [0, 1, 2] : triangulate(outline())) run.push(welder.vertex(corner(k), face));
+  const corner = (k: number): number => (flip ? first + count - 1 - k : first + k);
+  if (count === 3) {
+    for (let k = 0; k < 3; k++) run.push(welder.vertex(corner(k), face));
+    return;
+  }
+  const outline = outlineOf(polygons, first, count);
+  for (const k of triangulate(flip ? outline.reverse() : outline)) run.push(welder.vertex(corner(k), face));
 }
 
 /** How many vertices of a point are compared with a corner; welding more would save little, and could take for ever. */
@@ -149,7 +153,7 @@ export function gatherPoints(points: ArrayLike<number>, pointOfVertex: ArrayLike
 
 function unitNormals(normals: Float32Array): Float32Array {
   for (let i = 0; i < normals.length; i += 3) {
-    const l = Math.hypot(normals[i], normals[i + 1], normals[i + 2]);
+    const l = length([normals[i], normals[i + 1], normals[i + 2]]);
     if (!(l > 0)) normals.set([0, 0, 1], i);
     else for (let k = 0; k < 3; k++) normals[i + k] = normals[i + k] / l;
   }

@@ -1,5 +1,5 @@
 import { cross, dot, length, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
-import { cornersAround, forEachFace, type Polygons, pointAt } from './polygons.ts';
+import { cornersAround, forEachFace, outlineOf, type Polygons, pointAt } from './polygons.ts';
 import { newellNormal } from './triangulate.ts';
 import type { Mesh } from './types.ts';
 
@@ -28,7 +28,7 @@ function measureFace(
   normals: Float64Array,
   weight: Float64Array,
 ): void {
-  const outline = Array.from({ length: count }, (_, k) => pointAt(polygons.points, polygons.faceIndices[first + k]));
+  const outline = outlineOf(polygons, first, count);
   const area = newellNormal(outline);
   const n = normalize(polygons.leftHanded ? scale(area, -1) : area);
   for (let k = 0; k < count; k++) {
@@ -76,16 +76,22 @@ const dotAt = (v: ArrayLike<number>, i: number, j: number): number =>
 
 /**
  * The smoothing groups of a mesh: vertices that share place and normal (a seam of uv or colour lies between them) get
- * one number, so that the normals of deformed points do not show the seam.
+ * one number, that of the first of them, so that the normals of deformed points do not show the seam.
  */
-export function smoothingGroups(mesh: Mesh): Uint32Array {
-  const groups = new Uint32Array(mesh.positions.length / 3);
-  const known = new Map<string, number>();
-  for (let v = 0; v < groups.length; v++) {
-    const key = `${pointAt(mesh.positions, v)}/${pointAt(mesh.normals, v)}`;
-    const group = known.get(key) ?? known.size;
-    known.set(key, group);
-    groups[v] = group;
+export function smoothingGroups({ positions, normals }: Mesh): Uint32Array {
+  // −0 becomes 0; as bits all numbers have an order, NaN too.
+  const bits = [positions, normals].map((values) => new Uint32Array(values.map((x) => x + 0).buffer));
+  const compare = (v: number, w: number): number => {
+    for (const values of bits)
+      for (let k = 0; k < 3; k++)
+        if (values[3 * v + k] !== values[3 * w + k]) return values[3 * v + k] - values[3 * w + k];
+    return 0;
+  };
+  const order = new Uint32Array(positions.length / 3).map((_, v) => v).sort((v, w) => compare(v, w) || v - w);
+  const groups = new Uint32Array(order.length);
+  for (let i = 0; i < order.length; i++) {
+    const isSame = i > 0 && compare(order[i - 1], order[i]) === 0;
+    groups[order[i]] = isSame ? groups[order[i - 1]] : order[i];
   }
   return groups;
 }

@@ -51,6 +51,13 @@ export const pointAt = (points: ArrayLike<number>, i: number): Vec3 => [
   points[3 * i + 2],
 ];
 
+/** The points of a face, in order. */
+export function outlineOf({ points, faceIndices }: Polygons, firstCorner: number, count: number): Vec3[] {
+  const outline: Vec3[] = [];
+  for (let c = firstCorner; c < firstCorner + count; c++) outline.push(pointAt(points, faceIndices[c]));
+  return outline;
+}
+
 /** Point → its corners, from one pass of counting. */
 export function cornersAround(pointOfCorner: ArrayLike<number>, points: number): (point: number) => Uint32Array {
   const start = new Uint32Array(points + 1);

@@ -24,6 +24,12 @@ export interface ObjPart {
 /** The kinds of number triples in a file. */
 type List = 'point' | 'uv' | 'normal';
 
+/** The place of the next slash; the end where there is none. */
+function slashOf(word: string, from: number): number {
+  const at = word.indexOf('/', from);
+  return at < 0 ? word.length : at;
+}
+
 /** All that an .obj says of its shapes, line by line. */
 export class ObjGeometry {
   readonly file: string;
@@ -127,7 +133,12 @@ export class ObjGeometry {
   }
 
   #addCorner(part: ObjPart, line: number, word: string): void {
-    const [point, uv, normal] = word.split('/');
+    // A list of the three for each corner would take twice as long.
+    const first = slashOf(word, 0);
+    const second = slashOf(word, first + 1);
+    const point = word.slice(0, first);
+    const uv = word.slice(first + 1, second);
+    const normal = word.slice(second + 1);
     part.corners.push(
       this.#place('point', line, word, point, this.points.length / 3),
       uv ? this.#place('uv', line, word, uv, this.uvs.length / 2) : -1,
@@ -144,7 +155,11 @@ export class ObjGeometry {
       throw lineError(this.file, line, 'obj.index', message);
     }
     // What is named may stand further down in the file.
-    if (place > this.#highest[list].index) this.#highest[list] = { index: place, line };
+    const highest = this.#highest[list];
+    if (place > highest.index) {
+      highest.index = place;
+      highest.line = line;
+    }
     return place;
   }
 

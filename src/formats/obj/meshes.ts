@@ -85,13 +85,14 @@ function allNormals({ normals }: ObjGeometry, part: ObjPart, corners: Int32Array
   let isWhole = true;
   for (let c = 0; c < corners.length / 3; c++) {
     const normal = corners[3 * c + 2];
-    if (normal >= 0) out.set(from.subarray(3 * normal, 3 * normal + 3), 3 * c);
-    else isWhole = false;
+    if (normal < 0) isWhole = false;
+    else for (let k = 0; k < 3; k++) out[3 * c + k] = from[3 * normal + k];
   }
   if (!isWhole) {
     const computed = smoothNormals(part, faces);
     for (let c = 0; c < corners.length / 3; c++) {
-      if (corners[3 * c + 2] < 0) out.set(computed.subarray(3 * c, 3 * c + 3), 3 * c);
+      if (corners[3 * c + 2] >= 0) continue;
+      for (let k = 3 * c; k < 3 * c + 3; k++) out[k] = computed[k];
     }
   }
   return out;

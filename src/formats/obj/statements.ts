@@ -24,6 +24,6 @@ function statementOf(line: number, text: string): Statement | undefined {
   const plain = (hash >= 0 ? text.slice(0, hash) : text).trim();
   if (plain === '') return undefined;
   const words = plain.split(/\s+/);
-  const [keyword] = words.splice(0, 1);
+  const keyword = words.shift()!;
   return { line, keyword, words, rest: plain.slice(keyword.length).trim() };
 }

@@ -6,7 +6,7 @@ import { fromAxisAngle } from '../../math/quat.ts';
 import { distance } from '../../math/vec3.ts';
 import { makeMaterial, makeObject, makeScene } from '../../scene/defaults.ts';
 import { vertexPosition } from '../../scene/motion.ts';
-import { box } from '../../scene/primitives.ts';
+import { box, sphere } from '../../scene/primitives.ts';
 import { decodeImage } from '../images.ts';
 import { writeObj } from './write.ts';
 
@@ -71,6 +71,16 @@ describe('a scene written as OBJ', () => {
     expect(text(files.get('a.mtl'))).toContain('Kd 0.5 0.25 0.125\n');
     expect(text(files.get('a.mtl'))).toContain('map_Kd a_0.png\n');
     expect(decodeImage(files.get('a_0.png')!, 'a_0.png').data).toEqual(data);
+  });
+
+  it('holds a mesh of more lines than a call has arguments', () => {
+    const mesh = sphere(1, { segments: 400 });
+    const { files: large } = writeObj(
+      makeScene({ name: 'large', objects: [makeObject({ path: '/A', mesh })] }),
+      'a.obj',
+    );
+    expect(text(large.get('a.obj')).match(/^v /gm)).toHaveLength(mesh.positions.length / 3);
+    expect(text(large.get('a.obj')).match(/^f /gm)).toHaveLength(mesh.indices.length / 3);
   });
 
   it('says what is lost', () => {

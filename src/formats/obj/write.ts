@@ -15,7 +15,7 @@ export function writeObj(scene: Scene, name: string): Written {
   const library = new MaterialLibrary(scene.materials, base);
   // Counts from 1, through all objects.
   let first = 1;
-  const lines = ['# Y up, metres', `mtllib ${base}.mtl`];
+  const parts = [['# Y up, metres', `mtllib ${base}.mtl`]];
   for (const { path, mesh, motion } of plainObjects(scene, losses)) {
     if (motion.kind !== 'static')
       losses.add(
@@ -24,8 +24,8 @@ export function writeObj(scene: Scene, name: string): Written {
         path,
         `OBJ has no motion: it is written where it is at ${motion.times[0]} s`,
       );
-    lines.push(`o ${path.replace(/^\//, '').replace(/\s/g, '_')}`);
-    lines.push(...vertexLines(scene, mesh, posesOf(motion)[0]), ...faceLines(mesh, first, library));
+    const name = path.replace(/^\//, '').replace(/\s/g, '_');
+    parts.push([`o ${name}`], vertexLines(scene, mesh, posesOf(motion)[0]), faceLines(mesh, first, library));
     first += mesh.positions.length / 3;
   }
   if (Object.keys(scene.hints).length > 0)
@@ -33,7 +33,11 @@ export function writeObj(scene: Scene, name: string): Written {
   for (const { path } of [...scene.lights, ...scene.cameras])
     losses.add('warning', 'convert.left-out', path, 'OBJ has no lights and no cameras; it is left out');
   const encode = (text: readonly string[]): Uint8Array => new TextEncoder().encode(`${text.join('\n')}\n`);
-  const files = new Map([[name, encode(lines)], [`${base}.mtl`, encode(library.lines())], ...library.pictures()]);
+  const files = new Map([
+    [name, encode(parts.flat())],
+    [`${base}.mtl`, encode(library.lines())],
+    ...library.pictures(),
+  ]);
   return { files, diagnostics: losses.list() };
 }
 

@@ -54,7 +54,7 @@ export function readContents(header: PlyHeader, values: ValueReader, entry: stri
   const reader = new ContentsReader(values, entry, vertices.rows);
   for (const element of header.elements) {
     if (element.properties.length === 0) continue;
-    values.expect(`${element.rows} rows of ${element.name}`, element.rows, leastTypes(element));
+    values.expect(() => `${element.rows} rows of ${element.name}`, element.rows, leastTypes(element));
     if (element.name === 'vertex') reader.readVertices(element);
     else if (element.name === 'face') reader.readFaces(element);
     else if (element.name === 'tristrips') reader.readStrips(element);
@@ -99,9 +99,15 @@ class ContentsReader {
     for (let i = 0; i < rows; i++) {
       this.#readRow(properties, row);
       for (const { kind, places, values } of kinds) {
-        for (const [k, place] of places.entries()) {
-          const value = kind === 'colors' ? linear(row[place], properties[place].type) : row[place];
-          values[i * places.length + k] = this.#finite(value, `${properties[place].name} of vertex ${i}`);
+        for (let k = 0; k < places.length; k++) {
+          const { name, type } = properties[places[k]];
+          const written = row[places[k]];
+          values[i * places.length + k] = this.#finite(
+            kind === 'colors' ? linear(written, type) : written,
+            name,
+            'vertex',
+            i,
+          );
         }
       }
     }
@@ -142,7 +148,7 @@ class ContentsReader {
       if (this.#cornerUvs) this.#pushUvs(uvs, this.#cornerUvs, face);
       for (const place of colors ?? []) {
         const value = linear(row[place], properties[place].type);
-        this.#faceColors?.push(this.#finite(value, `${properties[place].name} of face ${face}`));
+        this.#faceColors?.push(this.#finite(value, properties[place].name, 'face', face));
       }
     }
   }
@@ -151,14 +157,14 @@ class ContentsReader {
     const corners = this.#length(count!, type, name);
     if (corners > MAX_CORNERS)
       throw this.#error(`face ${face} has ${corners} corners; at most ${MAX_CORNERS} are read`);
-    for (let k = 0; k < corners; k++) this.#faceIndices.push(this.#vertex(type, `face ${face}`));
+    for (let k = 0; k < corners; k++) this.#faceIndices.push(this.#vertex(type, 'face', face));
     this.#faceCounts.push(corners);
   }
 
   /** As many uvs as the face has corners, whatever the file says. */
   #pushUvs(uvs: readonly number[], out: Floats, face: number): void {
     const corners = this.#faceCounts.values()[face];
-    for (let i = 0; i < 2 * corners; i++) out.push(this.#finite(uvs[i] ?? 0, `texcoord of face ${face}`));
+    for (let i = 0; i < 2 * corners; i++) out.push(this.#finite(uvs[i] ?? 0, 'texcoord', 'face', face));
   }
 
   /** Strips of triangles, ended by −1, as Stanford's models have them. */
@@ -175,7 +181,7 @@ class ContentsReader {
     const length = this.#length(count!, type, name);
     let [a, b, isOdd] = [-1, -1, false];
     for (let i = 0; i < length; i++) {
-      const c = this.#vertex(type, `strip ${row}`, -1);
+      const c = this.#vertex(type, 'strip', row, -1);
       if (c < 0) {
         [a, b, isOdd] = [-1, -1, false];
         continue;
@@ -198,19 +204,19 @@ class ContentsReader {
   #length(countType: ScalarType, type: ScalarType, name: string): number {
     const length = this.#values.next(countType);
     if (!Number.isInteger(length) || length < 0) throw this.#error(`a list ${name} has the length ${length}`);
-    this.#values.expect(`${length} values of ${name}`, length, [type]);
+    this.#values.expect(() => `${length} values of ${name}`, length, [type]);
     return length;
   }
 
-  #vertex(type: ScalarType, what: string, least = 0): number {
+  #vertex(type: ScalarType, what: string, row: number, least = 0): number {
     const index = this.#values.next(type);
     if (Number.isInteger(index) && index >= least && index < this.#vertices) return index;
-    throw this.#error(`${what} names vertex ${index}; there are ${this.#vertices}, counted from 0`);
+    throw this.#error(`${what} ${row} names vertex ${index}; there are ${this.#vertices}, counted from 0`);
   }
 
-  #finite(value: number, what: string): number {
+  #finite(value: number, name: string, element: string, row: number): number {
     if (Number.isFinite(Math.fround(value))) return value;
-    throw this.#error(`${what} is ${value}`);
+    throw this.#error(`${name} of ${element} ${row} is ${value}`);
   }
 
   #error(message: string, place = `${this.#entry}: ${this.#values.place()}`): Error {

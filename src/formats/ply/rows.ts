@@ -9,8 +9,8 @@ export interface ValueReader {
   next(type: ScalarType): number;
   /** Where the last value stands, for messages: `line 12`, `byte 3400`. */
   place(): string;
-  /** Throws an InputError where the rest of the file cannot hold so many values of these types. */
-  expect(what: string, rows: number, types: readonly ScalarType[]): void;
+  /** Throws an InputError that names `what` where the rest of the file cannot hold so many values of these types. */
+  expect(what: () => string, rows: number, types: readonly ScalarType[]): void;
 }
 
 export const valueReader = (bytes: Uint8Array, header: PlyHeader, entry: string): ValueReader =>
@@ -42,10 +42,10 @@ class BinaryReader implements ValueReader {
     return `byte ${this.#last}`;
   }
 
-  expect(what: string, rows: number, types: readonly ScalarType[]): void {
+  expect(what: () => string, rows: number, types: readonly ScalarType[]): void {
     const wanted = rows * types.reduce((sum, type) => sum + SIZES[type], 0);
     const left = this.#view.byteLength - this.#at;
-    if (wanted > left) throw tooShort(`${this.#entry}: byte ${this.#at}`, what, wanted, left);
+    if (wanted > left) throw tooShort(`${this.#entry}: byte ${this.#at}`, what(), wanted, left);
   }
 
   next(type: ScalarType): number {
@@ -98,9 +98,9 @@ class TextReader implements ValueReader {
   }
 
   /** A value takes a character and a space; that more is asked for than the whole file has is all that can be told. */
-  expect(what: string, rows: number, types: readonly ScalarType[]): void {
+  expect(what: () => string, rows: number, types: readonly ScalarType[]): void {
     const wanted = 2 * rows * types.length - 1;
-    if (wanted > this.#bytes) throw tooShort(`${this.#entry}: ${this.place()}`, what, wanted, this.#bytes);
+    if (wanted > this.#bytes) throw tooShort(`${this.#entry}: ${this.place()}`, what(), wanted, this.#bytes);
   }
 
   next(): number {

@@ -26,13 +26,13 @@ export function facetMesh({ points }: Facets): Mesh {
   const normals = new Float32Array(points.length);
   for (let v = 0; v < vertices; v += 3) {
     const n = normalize(facetNormal(points, v / 3), [0, 0, 1]);
-    for (let k = 0; k < 3; k++) normals.set(n, 3 * (v + k));
+    for (let i = 0; i < 9; i++) normals[3 * v + i] = n[i % 3];
   }
   return {
     positions: points,
     normals,
     uvs: new Float32Array(2 * vertices),
-    indices: Uint32Array.from({ length: vertices }, (_, v) => v),
+    indices: new Uint32Array(vertices).map((_, v) => v),
     groups: [{ start: 0, count: vertices, material: 0 }],
     // Files of scanners and of many programs have facets the wrong way round.
     doubleSided: true,

@@ -17,10 +17,11 @@ export function carriedNumbers(points: ArrayLike<number>, m: Mat4): Float64Array
 export function boxCorners(points: ArrayLike<number>): Vec3[] {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < points.length; i++) {
-    const k = i % 3;
-    if (points[i] < low[k]) low[k] = points[i];
-    if (points[i] > high[k]) high[k] = points[i];
+  for (let k = 0; k < 3; k++) {
+    for (let i = k; i < points.length; i += 3) {
+      if (points[i] < low[k]) low[k] = points[i];
+      if (points[i] > high[k]) high[k] = points[i];
+    }
   }
   if (!low.every(Number.isFinite) || !high.every(Number.isFinite)) return [[0, 0, 0]];
   return Array.from({ length: 8 }, (_, i): Vec3 => {

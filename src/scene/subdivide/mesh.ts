@@ -26,12 +26,9 @@ export function subdividePolygons(cage: Polygons, topology: Topology, how: Subdi
   const refinement = refine(topology, how.scheme, how.levels, how.smoothTriangles);
   const surface = new LimitSurface(refinement);
   const parents = parentFaces(refinement, cage.faceCounts);
-  const faces = Uint32Array.from(parents.keys()).filter((f) => !how.hidden(parents[f]));
+  const faces = parents.map((_, f) => f).filter((f) => !how.hidden(parents[f]));
   const size = splitsTriangles(how.scheme) ? 3 : 4;
-  const corners = Uint32Array.from(
-    { length: size * faces.length },
-    (_, c) => size * faces[Math.floor(c / size)] + (c % size),
-  );
+  const corners = new Uint32Array(size * faces.length).map((_, c) => size * faces[Math.floor(c / size)] + (c % size));
   const carry = (values: PolygonValues, width: number): PolygonValues => {
     if (values.per === 'constant') return values;
     if (values.per === 'face') return onFaces(values, faces, parents);

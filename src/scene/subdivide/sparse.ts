@@ -50,9 +50,9 @@ export const rowsOf = ({ starts }: Sparse): number => starts.length - 1;
 /** out = M x, for values of `width` numbers; `out` is written from its value `first` on, and may be `x` behind all that M reads. */
 export function applyInto(m: Sparse, x: Float64Array, width: number, out: Float64Array, first = 0): void {
   const { starts, columns, weights } = m;
+  out.fill(0, first * width, (first + rowsOf(m)) * width);
   for (let row = 0; row + 1 < starts.length; row++) {
     const at = (first + row) * width;
-    out.fill(0, at, at + width);
     for (let i = starts[row]; i < starts[row + 1]; i++) {
       const from = columns[i] * width;
       const w = weights[i];

@@ -66,8 +66,8 @@ function emptyLevel(parent: Topology, size: number, faces: number, points: numbe
   pointSharpness.set(pointLeft);
   return {
     points,
-    faceStarts: Uint32Array.from({ length: faces + 1 }, (_, f) => size * f),
-    faceOfCorner: Uint32Array.from({ length: size * faces }, (_, c) => Math.floor(c / size)),
+    faceStarts: new Uint32Array(faces + 1).map((_, f) => size * f),
+    faceOfCorner: new Uint32Array(size * faces).map((_, c) => Math.floor(c / size)),
     corners: new Uint32Array(size * faces),
     cornerEdges: new Uint32Array(size * faces),
     twins: new Int32Array(size * faces),
