@@ -7,6 +7,7 @@ import { memorySource } from '../src/formats/source.ts';
 import { properVelocity } from '../src/physics/boost.ts';
 import { interleaved, median, timed } from './bench.ts';
 import type { CachePlayed, CacheTask } from './cache.ts';
+import type { LoadTask } from './formats.ts';
 import { openRenderer, releaseGpu, SETTINGS } from './gpu.ts';
 import { ballScene } from './scenes.ts';
 
@@ -18,7 +19,7 @@ const PICTURES = 24;
 
 /** What a benchmark measures in a process of its own, so that memory is its alone. Prints one line of JSON. */
 const [task, argument] = process.argv.slice(2);
-if (task === 'load') await load(argument);
+if (task === 'load') await load(JSON.parse(argument) as LoadTask);
 else if (task === 'three') await three(argument);
 else if (task === 'instances') await instances(argument);
 else if (task === 'cache') await playCache(JSON.parse(argument) as CacheTask);
@@ -26,10 +27,10 @@ else if (task === 'memory') await memory(Number(argument));
 else throw new Error(`no task ${task}`);
 
 /** Subdivision surfaces are refined once. */
-async function load(path: string): Promise<void> {
-  const warm = memorySource({});
-  await Promise.allSettled(sceneFormats.map(({ read }) => read(warm, 'none', {})));
-  await tell(() => openSceneFile(path, { subdivision: 1 }));
+async function load({ file, inMemory }: LoadTask): Promise<void> {
+  const empty = memorySource({});
+  await Promise.allSettled(sceneFormats.map(({ read }) => read(empty, 'none', {})));
+  await tell(() => openSceneFile(file, { subdivision: 1, ...(inMemory && { sampleMemory: 2 ** 40 }) }));
 }
 
 async function three(path: string): Promise<void> {

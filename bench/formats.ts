@@ -11,12 +11,20 @@ const root = fileURLToPath(new URL('../../../', import.meta.url));
 const script = join(root, 'bench', 'formats.py');
 const ROUNDS = 3;
 
+/** What child.ts is told: whether samples are to be in memory, however many there are. */
+export interface LoadTask {
+  readonly file: string;
+  readonly inMemory: boolean;
+}
+
 /** What a reader takes for a file, or why it does not read it. */
 type Taken = { readonly seconds: number; readonly bytes: number } | { readonly refusal: string };
 
 interface Case {
   readonly what: string;
   readonly file: string;
+  /** Samples that take much memory would otherwise be left in the file. */
+  readonly inMemory?: boolean;
   /** Why a reader is not asked: what it does would not be the same work. */
   readonly not?: { readonly usdCore?: string; readonly three?: string };
 }
@@ -25,13 +33,19 @@ const STATIC = '1,000,000 triangles';
 const CROWD = '1,000 × 10,000 triangles';
 const NO_BAKE = 'draws the skeleton, and bakes nothing';
 const NO_REFINE = 'reads the cage, and refines nothing';
+const ONE_SHAPE = 'shows one sample of the points';
 const cases: readonly Case[] = [
   ...['.usda', '.usdc', '.usdz', '.glb'].map((end) => ({ what: STATIC, file: `million${end}` })),
   { what: STATIC, file: 'million.draco.glb', not: { three: 'decodes Draco only in a browser' } },
   ...['.meshopt.glb', '.obj', '.ply', '.text.ply', '.stl'].map((end) => ({ what: STATIC, file: `million${end}` })),
-  { what: '100,000 vertices × 250 samples', file: 'moving.usdc' },
+  { what: '100,000 vertices × 250 samples, in memory', file: 'moving.usdc', inMemory: true, not: { three: ONE_SHAPE } },
+  {
+    what: '100,000 vertices × 250 samples, left in the file',
+    file: 'moving.usdc',
+    not: { usdCore: 'is asked for all of them', three: ONE_SHAPE },
+  },
   ...['instancer.usdc', 'instanceable.usdc', 'instances.glb'].map((file) => ({ what: CROWD, file })),
-  { what: '10 MB of arrays', file: 'arrays.usdc' },
+  { what: '10 MB of arrays', file: 'arrays.usdc', not: { three: ONE_SHAPE } },
   { what: '60,000 prims', file: 'prims.usdc' },
   { what: '100,000 vertices × 100 samples, skinned', file: 'skinned.usdc', not: { three: NO_BAKE } },
   {
@@ -46,8 +60,8 @@ export const formats: Bench = {
   title: 'Opening files',
   about:
     'From a file on disk to a scene in memory, each time in a fresh process, whose code has not been compiled yet; the readers take turns. *Memory*: the most that is resident, beyond the process before it reads. ' +
-    "*usd-core*: Pixar's own library opens the stage and gives, through Python, the values of which our scene is made as arrays: points and normals at all times, faces, uvs, world matrices, instances, baked skins. It maps a crate and copies arrays as they are; ours also cuts polygons into triangles, joins their corners to vertices and makes normals. " +
-    '*three.js*: its loader for that kind of file. Modules are loaded before the time begins. –: it has no reader for the file, or a note below says why.',
+    "*usd-core*: Pixar's own library opens the stage and gives, through Python, the values of which our scene is made as arrays: points and normals at all times, faces, uvs, world matrices, instances, baked skins. It maps a crate and copies arrays as they are; ours also cuts polygons into triangles, joins their corners to vertices, makes normals, and follows a skin between its samples with as many more as its curved ways take. " +
+    '*three.js*: its loader for that kind of file; ours decodes Draco and meshopt without WebAssembly, which the security policy of the page forbids. Modules are loaded before the time begins. –: it has no reader for the file, or a note below says why.',
   async run() {
     const folder = mkdtempSync(join(tmpdir(), 'slowlight-bench-'));
     try {
@@ -64,7 +78,7 @@ export const formats: Bench = {
 const READERS = ['Slowlight', 'usd-core', 'three.js'] as const;
 
 function table(folder: string, hasUsdCore: boolean): Table {
-  const notes: string[] = [];
+  const notes = new Set<string>();
   const rows = cases.flatMap((one) => {
     const path = join(folder, one.file);
     if (!existsSync(path)) return [];
@@ -72,25 +86,25 @@ function table(folder: string, hasUsdCore: boolean): Table {
     const asked = readers(one, path, hasUsdCore);
     const taken = rounds(asked);
     for (const [i, each] of taken.entries()) {
-      if (each && 'refusal' in each && each.refusal) notes.push(`${one.file}: ${READERS[i]} ${each.refusal}.`);
+      if (each && 'refusal' in each) notes.add(`${one.file}: ${READERS[i]} ${each.refusal}.`);
     }
     return [[one.what, one.file, statSync(path).size / 1e6, ...taken.flatMap(cells)]];
   });
   const columns = READERS.flatMap((reader) => [`${reader} [s]`, '[MiB]']);
-  return { columns: ['', 'file', 'size [MB]', ...columns], rows, remark: notes.join(' ') };
+  return { columns: ['', 'file', 'size [MB]', ...columns], rows, remark: [...notes].join(' ') };
 }
 
 type Reader = () => Taken;
 
 /** The three in their order; undefined where there is none for the file. */
-function readers({ file, not }: Case, path: string, hasUsdCore: boolean): readonly (Reader | undefined)[] {
+function readers({ file, inMemory, not }: Case, path: string, hasUsdCore: boolean): readonly (Reader | undefined)[] {
   const refused =
     (refusal: string): Reader =>
     () => ({ refusal });
   const usdCore = (): Taken => JSON.parse(python('read', path) ?? '{ "refusal": "fails" }') as Taken;
   const isUsd = /\.usd[acz]$/.test(file);
   return [
-    () => inChild<Taken>('load', path),
+    () => inChild<Taken>('load', JSON.stringify({ file: path, inMemory: inMemory === true } satisfies LoadTask)),
     isUsd && hasUsdCore ? (not?.usdCore ? refused(not.usdCore) : usdCore) : undefined,
     not?.three ? refused(not.three) : () => inChild<Taken>('three', path),
   ];

@@ -236,6 +236,20 @@ describe('deformedNormals', () => {
   });
 });
 
+describe('smoothingGroups', () => {
+  it('joins vertices that share place and normal, whatever their order and the sign of a zero', () => {
+    const mesh = box([1, 1, 1]);
+    const [p, q] = [
+      [0, 1, 2],
+      [-0, 1, 2],
+    ];
+    const up = [0, 0, 1];
+    const positions = Float32Array.from([...p, 3, 4, 5, ...q, ...p, ...p]);
+    const normals = Float32Array.from([...up, ...up, ...up, 0, 1, 0, ...up]);
+    expect([...smoothingGroups({ ...mesh, positions, normals })]).toEqual([0, 1, 0, 3, 0]);
+  });
+});
+
 describe('transformMesh and mergeMeshes', () => {
   const orientation = fromAxisAngle([1, 2, 3], 1);
   it('carries area and normals, turns a mirrored mesh right side out', () => {

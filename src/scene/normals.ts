@@ -124,8 +124,8 @@ export function deformedNormals(
   const out = new Float32Array(groups.length * 3);
   for (let v = 0; v < groups.length; v++) {
     const at = 3 * groups[v];
-    const length = Math.hypot(sums[at], sums[at + 1], sums[at + 2]);
-    if (length > 0) for (let k = 0; k < 3; k++) out[3 * v + k] = sums[at + k] / length;
+    const l = length([sums[at], sums[at + 1], sums[at + 2]]);
+    if (l > 0) for (let k = 0; k < 3; k++) out[3 * v + k] = sums[at + k] / l;
     else out[3 * v + 2] = 1;
   }
   return out;
