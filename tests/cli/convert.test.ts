@@ -80,3 +80,55 @@ test('what cannot be written is refused, and nothing of others is written over',
   expect(readFileSync(join(own, 'h.mtl'), 'utf8')).toBe('mine');
   expect(existsSync(join(own, 'h.obj'))).toBe(false);
 });
+
+test('what is chosen is written, and what the author suggests for viewing goes with it', async () => {
+  writeFileSync(
+    out('car.usda'),
+    `#usda 1.0
+( metersPerUnit = 1; customLayerData = { dictionary slowlight = { double speedOfLight = 10; string title = "Street" } } )
+def "Car" ( variants = { string body = "box" }; prepend variantSets = "body" ) {
+  variantSet "body" = { "box" { def Cube "Box" {} } "ball" { def Sphere "Ball" {} } }
+}
+`,
+  );
+  expect((await slowlight('convert', out('car.usda'), out('car.glb'), '--variant', '/Car{body}=ball')).code).toBe(0);
+  const car = await slowlightJson<Inspection & { title: string; speedOfLight: number }>('inspect', out('car.glb'));
+  expect(car).toMatchObject({ title: 'Street', speedOfLight: 10, objects: [{ path: '/Car/Ball' }] });
+
+  writeFileSync(out('two.gltf'), twoAnimations());
+  expect((await slowlight('convert', out('two.gltf'), out('two.usda'), '--animation', 'Slide')).code).toBe(0);
+  const { fastest } = await slowlightJson<Inspection>('inspect', out('two.usda'));
+  expect(fastest.speed).toBeCloseTo(3, 5);
+});
+
+/** A triangle that rests in one animation and in the other goes 3 m in 1 s. */
+function twoAnimations(): string {
+  const numbers = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0);
+  const values = (from: number, count: number, type: string) => ({
+    bufferView: 0,
+    byteOffset: 4 * from,
+    componentType: 5126,
+    count,
+    type,
+  });
+  const animation = (name: string, output: number) => ({
+    name,
+    samplers: [{ input: 1, output }],
+    channels: [{ sampler: 0, target: { node: 0, path: 'translation' } }],
+  });
+  return JSON.stringify({
+    asset: { version: '2.0' },
+    scenes: [{ nodes: [0] }],
+    nodes: [{ name: 'Thing', mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    animations: [animation('Rest', 2), animation('Slide', 3)],
+    accessors: [values(0, 3, 'VEC3'), values(9, 2, 'SCALAR'), values(11, 2, 'VEC3'), values(17, 2, 'VEC3')],
+    bufferViews: [{ buffer: 0, byteLength: 4 * numbers.length }],
+    buffers: [
+      {
+        byteLength: 4 * numbers.length,
+        uri: `data:application/octet-stream;base64,${Buffer.from(numbers.buffer).toString('base64')}`,
+      },
+    ],
+  });
+}

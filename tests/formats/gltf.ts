@@ -5,8 +5,17 @@ import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
 import { find } from '../support/gltfKit.ts';
 import { glb, json, packed, triangles } from './gltfExamples.ts';
 import { lookGroups } from './gltfLooks.ts';
-import { approximated, type Group, leftOut, read, refused } from './row.ts';
+import { approximated, type Files, type Group, leftOut, read, refused } from './row.ts';
 import { C } from './usdKit.ts';
+
+/** Its compressed bytes are all 0. */
+async function damaged(): Promise<Files> {
+  const glb = (await packed('KHR_draco_mesh_compression', (doc) => dracoGlb(doc, 'edgebreaker'))())[
+    'a.glb'
+  ] as Uint8Array;
+  const start = 20 + new DataView(glb.buffer, glb.byteOffset).getUint32(12, true);
+  return { 'a.glb': Uint8Array.from(glb).fill(0, start + 8) };
+}
 
 const files: Group = {
   title: 'Files',
@@ -67,6 +76,13 @@ const files: Group = {
       'gltf.bad-reference',
       json({ nodes: [{ mesh: 7 }] }),
     ),
+    refused(
+      'an accessor of a type that is none',
+      'with the type',
+      'gltf.bad-accessor',
+      json({ accessors: [{ bufferView: 0, componentType: 1, count: 3, type: 'VEC3' }] }),
+    ),
+    refused('compressed data that cannot be unpacked', 'with the reason', 'gltf.draco', damaged),
     refused(
       'bytes that are not there',
       'with their place',

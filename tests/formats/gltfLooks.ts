@@ -303,6 +303,18 @@ const motion: Group = {
       }),
       (s) => expect(s.objects.length).toBe(1),
     ),
+    leftOut(
+      'animations of anything else (`KHR_animation_pointer`)',
+      'named',
+      'gltf.channel',
+      json({
+        extensionsUsed: ['KHR_animation_pointer'],
+        accessors: [0, 0]
+          .map(() => ({ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' }))
+          .concat({ bufferView: 0, componentType: 5126, count: 2, type: 'SCALAR' }),
+        animations: [{ samplers: [{ input: 2, output: 1 }], channels: [{ sampler: 0, target: { path: 'pointer' } }] }],
+      }),
+    ),
     refused(
       'keys that do not fit together',
       'with the animation and the numbers',

@@ -99,4 +99,26 @@ function bomb(): Uint8Array {
   return bytes;
 }
 
-export const partGroups: readonly Group[] = [pictures, archives];
+const whole: Group = {
+  title: 'Any file',
+  rows: [
+    refused('a file without a byte', 'said', 'file.empty', { 'a.usda': '' }),
+    refused('another kind of file', 'with those that can be opened', 'file.unknown-format', { 'a.fbx': 'x' }),
+    refused('a line longer than any of a sound file', 'with its place', 'text.long-line', {
+      'a.obj': 'v'.repeat(2 ** 25),
+    }),
+    refused('files with one path in an archive', 'with the path', 'zip.duplicate', {
+      'set.zip': twice(),
+    }),
+  ],
+};
+
+/** Two files that are both called `a.usda`. */
+function twice(): Uint8Array {
+  const bytes = zipSync({ 'a.usda': CUBE, 'b.usda': CUBE });
+  for (let i = 0; i < bytes.length; i++)
+    if (String.fromCharCode(...bytes.subarray(i, i + 6)) === 'b.usda') bytes[i] = 97;
+  return bytes;
+}
+
+export const partGroups: readonly Group[] = [whole, pictures, archives];

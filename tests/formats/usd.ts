@@ -1,7 +1,7 @@
 import { expect } from 'vitest';
 import { packUsdz } from '../../src/formats/usd/writeZip.ts';
 import { volume } from '../support/meshes.ts';
-import { type Files, type Group, leftOut, read, refused } from './row.ts';
+import { approximated, type Files, type Group, leftOut, read, refused } from './row.ts';
 import { corner, crateFixture, MOVED, ORDER, paths, usd } from './usdKit.ts';
 import { lookGroups } from './usdLooks.ts';
 import { shapeGroups } from './usdShapes.ts';
@@ -76,6 +76,9 @@ const files: Group = {
         'a.usdc': crateFixture('meshes.usdc').slice(0, 400),
       },
     ),
+    refused('units or rates that are not positive numbers', 'with the value', 'usd.metadata', {
+      'a.usda': '#usda 1.0\n( metersPerUnit = -1 )\n',
+    }),
     refused('a package that is damaged, compressed, encrypted or zip64', 'with what to do', 'usd.package', {
       'a.usdz': packageOf('b.usda', BOX).slice(0, 100),
     }),
@@ -181,6 +184,10 @@ def "A" ( references = @\`"./\${N}.usda"\`@ ) {}`,
       },
       (s) => expect(volume(s.objects[0].mesh)).toBeCloseTo(1, 5),
     ),
+    approximated('an offset or scale of times that cannot be', 'none', 'usd.layer-offset', {
+      'a.usda': '#usda 1.0\n( metersPerUnit = 1; subLayers = [@./box.usda@ (scale = 0)] )\n',
+      'box.usda': BOX,
+    }),
     leftOut(
       'a layer that is not there',
       'named with where it was looked for; it can be dropped on the page',
