@@ -41,7 +41,7 @@ export const CODES = {
   'usd.syntax': 'text that is not USD',
   'usd.crate': 'a binary layer that is damaged, or holds what is not read',
   'usd.version': 'a version of USD that is not read',
-  'usd.package': 'a usdz that is damaged, or no usdz',
+  'usd.package': 'a usdz that holds no layer, or packs its files',
   'usd.metadata': 'a unit or rate that is not a positive number',
   'usd.units': 'no metersPerUnit is written: one unit is 1 cm',
   'usd.missing-layer': 'a layer is not there; it is told where it was looked for',

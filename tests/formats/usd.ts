@@ -79,8 +79,11 @@ const files: Group = {
     refused('units or rates that are not positive numbers', 'with the value', 'usd.metadata', {
       'a.usda': '#usda 1.0\n( metersPerUnit = -1 )\n',
     }),
-    refused('a package that is damaged, compressed, encrypted or zip64', 'with what to do', 'usd.package', {
+    refused('a package that is damaged, encrypted or zip64', 'as any zip', 'zip.damaged', {
       'a.usdz': packageOf('b.usda', BOX).slice(0, 100),
+    }),
+    refused('a package whose files are compressed, or that holds no layer', 'with what to do', 'usd.package', {
+      'a.usdz': packageOf('b.png', BOX),
     }),
   ],
 };

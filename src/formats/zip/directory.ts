@@ -27,7 +27,9 @@ const END = 0x06054b50;
 const ZIP64_LOCATOR = 0x07064b50;
 const END_SIZE = 22;
 const LOCATOR_SIZE = 20;
-const LOCAL_SIZE = 30;
+const LOCAL = 0x04034b50;
+/** Of a local header [bytes]. */
+export const LOCAL_SIZE = 30;
 const MAX_COMMENT = 65535;
 /** Most that the files of one archive hold together, unpacked: what a scene may take. */
 export const MAX_TOTAL = 2 ** 31;
@@ -42,11 +44,9 @@ const BOMB_RATIO = 200;
  * large, where a name leads out of it or is there twice, and where files share their bytes, as bombs do.
  */
 export async function readZipDirectory(file: PartedFile, name: string): Promise<ZipEntry[]> {
-  const directory = await Directory.find(file, name);
-  const entries = directory.entries();
-  checkNames(entries, name);
-  checkSizes(entries, file.size, name);
-  return entries.filter(({ path }) => !isClutter(path));
+  const from = Math.max(0, file.size - TAIL);
+  const { count, start, size } = directoryPlace(await file.read(from, file.size), from, name);
+  return entriesIn(await file.read(start, start + size), count, file.size, name);
 }
 
 /** What archivers of macOS add to a scene's own files. */
@@ -56,49 +56,73 @@ const fail = (name: string, message: string): never => {
   throw inputError('zip.damaged', name, message);
 };
 
+/** Where the directory of an archive is. */
+export interface DirectoryPlace {
+  readonly count: number;
+  /** [bytes] */
+  readonly start: number;
+  readonly size: number;
+}
+
+/** So much of the end of an archive tells where its directory is [bytes]. */
+export const TAIL = END_SIZE + MAX_COMMENT + LOCATOR_SIZE;
+
+/** From an archive's last bytes, which begin at its byte `from`. */
+export function directoryPlace(tail: Uint8Array, from: number, name: string): DirectoryPlace {
+  const view = new DataView(tail.buffer, tail.byteOffset, tail.byteLength);
+  let at = tail.length - END_SIZE;
+  while (at >= 0 && view.getUint32(at, true) !== END) at--;
+  if (at < 0) return fail(name, 'the archive has no directory; it is cut off or no zip, copy it again');
+  const [count, size, start] = [
+    view.getUint16(at + 10, true),
+    view.getUint32(at + 12, true),
+    view.getUint32(at + 16, true),
+  ];
+  const hasLocator = at >= LOCATOR_SIZE && view.getUint32(at - LOCATOR_SIZE, true) === ZIP64_LOCATOR;
+  if (hasLocator || count === 0xffff || start === 0xffffffff)
+    throw inputError(
+      'zip.zip64',
+      name,
+      'is a zip64 archive, which is not read; pack less than 4 GiB and 65 535 files, or open the folder itself',
+    );
+  if (view.getUint16(at + 4, true) !== 0 || view.getUint16(at + 8, true) !== count)
+    throw inputError('zip.parts', name, 'is one part of a split archive, which is not read; pack it as one file');
+  if (start + size > from + at)
+    return fail(name, `its directory (${size} bytes at ${start}) goes beyond its end; it is cut off, copy it again`);
+  return { count, start, size };
+}
+
+/** The files that a directory lists, in an archive of `fileSize` bytes. */
+export function entriesIn(directory: Uint8Array, count: number, fileSize: number, name: string): ZipEntry[] {
+  const entries = new Directory(directory, name).entries(count);
+  checkNames(entries, name);
+  checkSizes(entries, fileSize, name);
+  return entries.filter(({ path }) => !isClutter(path));
+}
+
+/** Where the bytes of a file begin, by its local header. */
+export function dataStart(header: Uint8Array, { path, offset }: ZipEntry, name: string): number {
+  const view = new DataView(header.buffer, header.byteOffset, header.byteLength);
+  if (header.length < LOCAL_SIZE || view.getUint32(0, true) !== LOCAL)
+    fail(name, `${path} in it is not where the directory says (byte ${offset}); copy or pack it again`);
+  return offset + LOCAL_SIZE + view.getUint16(26, true) + view.getUint16(28, true);
+}
+
 class Directory {
   private readonly view: DataView;
   private readonly bytes: Uint8Array;
-  private readonly count: number;
   private readonly name: string;
 
-  static async find(file: PartedFile, name: string): Promise<Directory> {
-    const from = Math.max(0, file.size - END_SIZE - MAX_COMMENT - LOCATOR_SIZE);
-    const tail = await file.read(from, file.size);
-    const view = new DataView(tail.buffer, tail.byteOffset, tail.byteLength);
-    let at = tail.length - END_SIZE;
-    while (at >= 0 && view.getUint32(at, true) !== END) at--;
-    if (at < 0) return fail(name, 'the archive has no directory; it is cut off or no zip, copy it again');
-    const [count, size, start] = [
-      view.getUint16(at + 10, true),
-      view.getUint32(at + 12, true),
-      view.getUint32(at + 16, true),
-    ];
-    const hasLocator = at >= LOCATOR_SIZE && view.getUint32(at - LOCATOR_SIZE, true) === ZIP64_LOCATOR;
-    if (hasLocator || count === 0xffff || start === 0xffffffff)
-      throw inputError(
-        'zip.zip64',
-        name,
-        'is a zip64 archive, which is not read; pack less than 4 GiB and 65 535 files, or open the folder itself',
-      );
-    if (view.getUint16(at + 4, true) !== 0 || view.getUint16(at + 8, true) !== count)
-      throw inputError('zip.parts', name, 'is one part of a split archive, which is not read; pack it as one file');
-    if (start + size > from + at)
-      return fail(name, `its directory (${size} bytes at ${start}) goes beyond its end; it is cut off, copy it again`);
-    return new Directory(await file.read(start, start + size), count, name);
-  }
-
-  private constructor(bytes: Uint8Array, count: number, name: string) {
+  constructor(bytes: Uint8Array, name: string) {
     this.bytes = bytes;
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-    this.count = count;
     this.name = name;
   }
 
-  entries(): ZipEntry[] {
+  entries(count: number): ZipEntry[] {
     const found: ZipEntry[] = [];
     let at = 0;
-    for (let i = 0; i < this.count; i++) {
+    for (let i = 0; i < count; i++) {
       if (this.u32(at) !== CENTRAL) fail(this.name, `entry ${i} of its directory is damaged; copy it again`);
       const [nameLength, extra, comment] = [28, 30, 32].map((k) => this.u16(at + k));
       const path = this.path(at + 46, nameLength, (this.u16(at + 8) & 0x800) !== 0);

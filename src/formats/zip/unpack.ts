@@ -1,10 +1,8 @@
 import { Inflate } from 'fflate';
 import { crc32 } from '../crc32.ts';
 import { inputError, messageOf } from '../fail.ts';
-import type { PartedFile, ZipEntry } from './directory.ts';
+import { dataStart, LOCAL_SIZE, type PartedFile, type ZipEntry } from './directory.ts';
 
-const LOCAL = 0x04034b50;
-const LOCAL_SIZE = 30;
 /** What is inflated at a time [bytes]: of a file that holds more than it says not much more is made than this, 1032-fold. */
 const PORTION = 2 ** 14;
 
@@ -14,12 +12,8 @@ export async function unpack(archive: PartedFile, entry: ZipEntry, name: string)
   const fail = (message: string, cause?: unknown): never => {
     throw inputError('zip.damaged', name, `${path} in it ${message}; copy or pack it again`, cause);
   };
-  const start = offset + LOCAL_SIZE;
-  if (start > archive.size) fail('is cut off');
-  const header = await archive.read(offset, start);
-  const view = new DataView(header.buffer, header.byteOffset, header.byteLength);
-  if (view.getUint32(0, true) !== LOCAL) fail(`is not where the directory says (byte ${offset})`);
-  const from = start + view.getUint16(26, true) + view.getUint16(28, true);
+  if (offset + LOCAL_SIZE > archive.size) fail('is cut off');
+  const from = dataStart(await archive.read(offset, offset + LOCAL_SIZE), entry, name);
   if (from + packed > archive.size) fail('is cut off');
   const bytes = await archive.read(from, from + packed);
   if (method !== 0 && method !== 8) {
