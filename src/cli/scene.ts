@@ -44,7 +44,7 @@ export const addSceneFlags = (command: Command): Command =>
     )
     .option(
       '--subdivision <n>',
-      'USD: levels to which subdivision surfaces are refined; 0 draws their polygons (default: 2, fewer where it would be too many faces)',
+      'USD: levels to which subdivision surfaces are refined; 0 draws their polygons (default: as many as look round, fewer where it would be too many faces)',
       parseLevels,
     )
     .option('--speed-factor <k>', 'the animation runs so many times as fast', parsePositive)

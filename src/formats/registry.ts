@@ -11,7 +11,7 @@ export interface ReadOptions {
   readonly chordTolerance?: number;
   /** USD: how things move between samples; linear is what USD says. */
   readonly interpolation?: Interpolation;
-  /** Levels to which subdivision surfaces are refined, 0 … 8; 0: drawn as their polygons. Default: 2, or what faces there are for. */
+  /** Levels to which subdivision surfaces are refined, 0 … 8; 0: drawn as their polygons. Default: 2, up to 4 for meshes of few faces, or what faces there are for. */
   readonly subdivision?: number;
   /** Name of a variant set → the option to show. Default: what the file itself chooses. */
   readonly variants?: ReadonlyMap<string, string>;

@@ -7,6 +7,7 @@ import type { AssetFiles } from './compose/assets.ts';
 import type { Layer, MetadataValue, PrimSpec } from './layer.ts';
 import { splitProperty } from './paths.ts';
 import type { SampleBudget } from './sampleBudget.ts';
+import type { SubdivisionLevels } from './subdivision.ts';
 
 /** One stage while it is read: what its parts need to know, and what they have to say about the file. */
 export interface StageContext {
@@ -37,7 +38,7 @@ export interface StageContext {
   /** Work that is left for the paths between samples. */
   readonly motionBudget: RefinementBudget;
   /** Levels that are wanted, and of each mesh those that there are faces for, once they are known. */
-  readonly subdivision: { readonly wanted: number; levels?: ReadonlyMap<string, number> };
+  readonly subdivision: { readonly wanted?: number; levels?: SubdivisionLevels };
   /** Paths of the subdivision surfaces that are drawn as their polygons because no levels are wanted. */
   readonly subdivided: string[];
 }

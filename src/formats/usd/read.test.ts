@@ -152,7 +152,7 @@ def Material "M" {
       'usd.topology a.usda</Changing>: the number of points changes with time; the shape is held at the start',
     ]);
     // One triangle, subdivided twice.
-    expect(scene.objects[0].mesh.indices.length).toBe(12 * 6);
+    expect(scene.objects[0].mesh.indices.length).toBe(12 * 6 * 4 ** 2);
   });
 });
 

@@ -14,7 +14,6 @@ import { readLayer } from './readLayer.ts';
 import { SampleBudget } from './sampleBudget.ts';
 import { hintsOf } from './slowlight.ts';
 import { readStage, type StageContents, upAxisOf } from './stage.ts';
-import { DEFAULT_LEVELS } from './subdivision.ts';
 
 /** Distance between a resampled path and the true one, as a fraction of the object's size, where none is asked for. */
 export const CHORD_TOLERANCE = 1e-4;
@@ -107,7 +106,7 @@ function contextOf(
     sampleMemory: { bytes: options.sampleMemory },
     progress: options.progress ?? (() => {}),
     motionBudget: new RefinementBudget(MOTION_BUDGET),
-    subdivision: { wanted: levelsWanted(options.subdivision) },
+    subdivision: options.subdivision === undefined ? {} : { wanted: levelsWanted(options.subdivision) },
     subdivided: [],
   };
   for (const key of ['unit', 'codesPerSecond'] as const) {
@@ -122,7 +121,7 @@ function contextOf(
 }
 
 /** Whole, and not so many that a single face would be more than a scene has. */
-const levelsWanted = (levels = DEFAULT_LEVELS): number => Math.max(0, Math.min(MOST_LEVELS, Math.floor(levels) || 0));
+const levelsWanted = (levels: number): number => Math.max(0, Math.min(MOST_LEVELS, Math.floor(levels) || 0));
 
 function sceneHeader(context: StageContext, entry: string) {
   return {

@@ -1,14 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { pointsAt } from '../../scene/points.ts';
 import type { Mesh, Scene } from '../../scene/types.ts';
+import type { ReadOptions } from '../registry.ts';
 import { memorySource } from '../source.ts';
 import { readUsd } from './read.ts';
 
-const read = (body: string, subdivision?: number): Promise<Scene> => {
+const readAsIs = (body: string, options: ReadOptions = {}): Promise<Scene> => {
   const text = `#usda 1.0\n(\nmetersPerUnit = 1\n)\n${body}\n`;
-  const options = subdivision === undefined ? {} : { subdivision };
   return readUsd(memorySource({ 'a.usda': new TextEncoder().encode(text) }), 'a.usda', options);
 };
+const read = (body: string, subdivision = 2): Promise<Scene> => readAsIs(body, { subdivision });
 const said = (scene: Scene): string[] =>
   scene.diagnostics.map((d) => `${d.severity} ${d.code} ${d.place}: ${d.message}`);
 
@@ -23,7 +24,7 @@ const triangles = ({ indices }: Mesh): number => indices.length / 3;
 const reach = ({ positions }: Mesh): number => positions.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
 
 describe('a mesh without a scheme', () => {
-  it('is a Catmull–Clark surface of two levels, welded and with smooth normals', async () => {
+  it('is a Catmull–Clark surface, of two levels welded and with smooth normals', async () => {
     const scene = await read(cube());
     const { mesh } = scene.objects[0];
     expect(triangles(mesh)).toBe(6 * 16 * 2);
@@ -48,6 +49,11 @@ describe('a mesh without a scheme', () => {
     expect(said(polygons)).toEqual([
       'info usd.subdivision a.usda: /Box is meant as subdivision surface; it is drawn as its polygons',
     ]);
+  });
+
+  it('is refined until it looks round where no levels are asked for', async () => {
+    const [box] = (await readAsIs(cube())).objects;
+    expect(triangles(box.mesh)).toBe(2 * 384);
   });
 
   it('goes with its points in time, and its normals with it', async () => {
@@ -163,8 +169,8 @@ describe('a face budget', () => {
       return [p, p + 1, p + n + 2, p + n + 1];
     });
     const large = `def Mesh "Large" { int[] faceVertexCounts = [${Array(n * n).fill(4)}]; int[] faceVertexIndices = [${indices.flat()}]\n point3f[] points = [${points}] }`;
-    const scene = await read(`${large}\n${cube()}`);
-    expect(scene.objects.map(({ mesh }) => triangles(mesh))).toEqual([4 * n * n * 2, 192]);
+    const scene = await readAsIs(`${large}\n${cube()}`);
+    expect(scene.objects.map(({ mesh }) => triangles(mesh))).toEqual([4 * n * n * 2, 768]);
     expect(said(scene)).toEqual([
       "info usd.subdivision a.usda</Large>: it is subdivided 1 times, not 2: a scene's surfaces share 500,000 faces",
     ]);

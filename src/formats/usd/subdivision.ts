@@ -13,16 +13,17 @@ import { isActive } from './compose/stage.ts';
 import { report, type StageContext } from './context.ts';
 import type { Layer, PrimSpec } from './layer.ts';
 
-/** Levels where none are asked for. */
-export const DEFAULT_LEVELS = 2;
+/** Where no levels are asked for: so many, and up to so many more until a mesh has so many faces that it looks round. */
+const [LEAST_LEVELS, MOST_LEVELS] = [2, 4];
+const ROUND_FACES = 300;
 /** Faces of all subdivided meshes of a scene together, unless their cages have more. */
 export const FACE_BUDGET = 500_000;
 
 type Scheme = Subdivision['scheme'];
 const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies Scheme[];
 
-/** How often each mesh of a stage is subdivided. */
-export type SubdivisionLevels = ReadonlyMap<string, number>;
+/** How often each mesh of a stage is subdivided, and would be alone. */
+export type SubdivisionLevels = ReadonlyMap<string, { readonly levels: number; readonly wanted: number }>;
 
 /** Undefined where the mesh is its polygons. What is not known is Catmull–Clark, as nothing is. */
 function schemeOf(prim: PrimSpec): Scheme | undefined {
@@ -31,26 +32,39 @@ function schemeOf(prim: PrimSpec): Scheme | undefined {
   return SCHEMES.includes(written) ? (written as Scheme) : 'catmullClark';
 }
 
-/** All `wanted` levels for each mesh; where they are more faces than a scene may have, the largest meshes have fewer. */
-export function subdivisionLevels(layer: Layer, wanted: number): SubdivisionLevels {
+/**
+ * All `wanted` levels for each mesh, or as many as make it round; where they are more faces than a scene may have, the
+ * largest meshes have fewer. By path; those that each would have without the others, too.
+ */
+export function subdivisionLevels(layer: Layer, wanted?: number): SubdivisionLevels {
   const all = [...layer.rootPrims.values()].flatMap((prim) => subdividedMeshes(prim));
   // Instances share their mesh: it counts once.
   const meshes = [...new Map(all.map((mesh) => [mesh.key, mesh])).values()];
-  const levels = new Map(meshes.map(({ key }) => [key, wanted]));
-  const faces = ({ key, corners, scheme }: Candidate): number =>
-    levels.get(key) === 0 ? 0 : facesAfter(corners, scheme, levels.get(key)!);
+  const levels = new Map(meshes.map((mesh) => [mesh.key, wanted ?? roundLevels(mesh)]));
+  const faces = (mesh: Candidate): number => facesOf(mesh, levels.get(mesh.key)!);
   let total = meshes.reduce((sum, mesh) => sum + faces(mesh), 0);
-  for (let level = wanted; level > 0 && total > FACE_BUDGET; level--) {
+  while (total > FACE_BUDGET && meshes.some(({ key }) => levels.get(key)! > 0)) {
     // A level less is a quarter of the faces: the largest come down first, together with what is left as large as they then are.
-    const order = meshes.toSorted((a, b) => faces(b) - faces(a));
+    const order = meshes.filter(({ key }) => levels.get(key)! > 0).sort((a, b) => faces(b) - faces(a));
     for (const mesh of order) {
       if (total <= FACE_BUDGET) break;
       total -= faces(mesh);
-      levels.set(mesh.key, level - 1);
+      levels.set(mesh.key, levels.get(mesh.key)! - 1);
       total += faces(mesh);
     }
   }
-  return new Map(all.map(({ path, key }) => [path, levels.get(key)!]));
+  return new Map(
+    all.map((mesh) => [mesh.path, { levels: levels.get(mesh.key)!, wanted: wanted ?? roundLevels(mesh) }]),
+  );
+}
+
+const facesOf = ({ corners, scheme }: Candidate, levels: number): number =>
+  levels === 0 ? 0 : facesAfter(corners, scheme, levels);
+
+function roundLevels(mesh: Candidate): number {
+  let levels = LEAST_LEVELS;
+  while (levels < MOST_LEVELS && facesOf(mesh, levels) < ROUND_FACES) levels++;
+  return levels;
 }
 
 interface Candidate {
@@ -73,9 +87,8 @@ function subdividedMeshes(prim: PrimSpec): Candidate[] {
 export function levelsOf(context: StageContext, prim: PrimSpec): number {
   const scheme = schemeOf(prim);
   if (!scheme) return 0;
-  const { wanted } = context.subdivision;
-  context.subdivision.levels ??= subdivisionLevels(context.layer, wanted);
-  const levels = context.subdivision.levels.get(prim.path) ?? 0;
+  context.subdivision.levels ??= subdivisionLevels(context.layer, context.subdivision.wanted);
+  const { levels, wanted } = context.subdivision.levels.get(prim.path) ?? { levels: 0, wanted: 0 };
   if (levels < wanted)
     say(
       context,

@@ -88,7 +88,7 @@ describe('an elbow that turns by 90° between two samples', () => {
     const { objects, diagnostics } = await read(smooth);
     expect(diagnostics).toEqual([]);
     expect(objects[0].motion.kind).toBe('sampled-points');
-    expect(objects[0].mesh.indices.length).toBe(2 * 12 * 6);
+    expect(objects[0].mesh.indices.length).toBe(2 * 12 * 6 * 4 ** 2);
   });
 });
 
