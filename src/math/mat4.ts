@@ -93,9 +93,18 @@ export function decomposeRigid(m: Mat4): { readonly pose: RigidPose; readonly st
   return { pose: { position: [m[3], m[7], m[11]], orientation }, stretch: symmetric };
 }
 
+/** The pose with which M = T R S for a stretch S whose inverse is known; undefined where R would be no proper rotation. */
+export function poseOfStretched(m: Mat4, unstretch: mat3.Mat3): RigidPose | undefined {
+  const turn = mat3.multiply(linearPart(m), unstretch);
+  return isRotation(turn, 1e-13) ? { position: [m[3], m[7], m[11]], orientation: closestRotation(turn) } : undefined;
+}
+
 /** Whether M is a rotation and a translation only: |MᵀM − 1| ≤ `tolerance` in every element, and no mirror. */
 export function isRigid(m: Mat4, tolerance = 1e-9): boolean {
-  const l = linearPart(m);
+  return isRotation(linearPart(m), tolerance);
+}
+
+function isRotation(l: mat3.Mat3, tolerance: number): boolean {
   const gram = mat3.multiply(mat3.transpose(l), l);
   return mat3.determinant(l) > 0 && gram.every((x, i) => Math.abs(x - mat3.IDENTITY[i]) <= tolerance);
 }

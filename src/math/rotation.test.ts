@@ -147,6 +147,18 @@ describe('rigid part and stretch', () => {
         expectClose(found.stretch, S, 1e-10);
       }),
     ));
+  it('are found without iteration where the stretch is known, and only there', () =>
+    fc.assert(
+      fc.property(pose, element, fc.tuple(element, element, element), (p, log, logs) => {
+        const S = [Math.exp(logs[0] / 3), 0, 0, 0, Math.exp(logs[1] / 3), 0, 0, 0, Math.exp(logs[2] / 3)];
+        const M = mat4.fromParts(mat3.multiply(quat.toMatrix(p.orientation), S), p.position);
+        const inverse = S.map((x) => (x === 0 ? 0 : 1 / x));
+        sameRotation(mat4.poseOfStretched(M, inverse)!.orientation, p.orientation, 1e-11);
+        expect(mat4.poseOfStretched(M, mat3.multiply(inverse, [1.001, 0, 0, 0, 1, 0, 0, 0, 1]))).toBeUndefined();
+        const even = quat.toMatrix(p.orientation).map((x) => x * Math.exp(log));
+        sameRotation(mat4.decomposeRigid(mat4.fromParts(even, p.position)).pose.orientation, p.orientation, 1e-11);
+      }),
+    ));
   it('of a mirror, of a flat and of an empty matrix turn nothing that need not turn', () => {
     const parts = (x: number, y: number, z: number) =>
       mat4.decomposeRigid(mat4.fromParts([x, 0, 0, 0, y, 0, 0, 0, z], [0, 0, 0] as Vec3));

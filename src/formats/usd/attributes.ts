@@ -45,7 +45,8 @@ export function lowerSample(times: Float64Array, time: number): number {
   return low;
 }
 
-const LINEAR = /^(half|float|double|timecode|matrix|quat)/;
+/** Types of values that are blended between samples; others are held. */
+export const LINEAR = /^(half|float|double|timecode|matrix|quat)/;
 
 function interpolate(a: Value, b: Value, s: number): Value {
   if (a.type !== b.type || !LINEAR.test(a.type)) return a;

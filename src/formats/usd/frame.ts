@@ -1,8 +1,17 @@
 import * as mat4 from '../../math/mat4.ts';
-import { lowerSample, type TimeCode } from './attributes.ts';
+import type { TimeCode } from './attributes.ts';
 import { primAt } from './context.ts';
 import type { Layer } from './layer.ts';
-import { localMatrix, opTimes, transformOf, unionOfTimes, type XformOp } from './xformOps.ts';
+import {
+  isStraightOp,
+  localMatrix,
+  opTimes,
+  productOf,
+  stepsOf,
+  transformOf,
+  unionOfTimes,
+  type XformOp,
+} from './xformOps.ts';
 
 /** Where a prim's own axes are: its transform and those above it, at every time. */
 export interface Frame {
@@ -12,6 +21,8 @@ export interface Frame {
   readonly cost: number;
   /** It does not turn, and goes straight from each of its times to the next. */
   readonly isStraight?: boolean;
+  /** Its times are bounded where they come from, and take none of the scene's. */
+  readonly isCounted?: boolean;
   /** x_stage = M x_local, in stage units. */
   matrixAt(time: TimeCode): mat4.Mat4;
 }
@@ -26,31 +37,33 @@ export function childFrame(parent: Frame, ops: readonly XformOp[], isShared = fa
   if (ops.length === 0) return parent;
   const own = opTimes(ops);
   const fixed = own.length === 0 ? localMatrix(ops, 0) : undefined;
-  const local = (time: TimeCode): mat4.Mat4 => fixed ?? localMatrix(ops, time);
+  const steps = fixed ? [] : stepsOf(ops);
+  const local = (time: TimeCode): mat4.Mat4 => fixed ?? productOf(steps, time);
   const times = unionOfTimes([parent.times, own]);
   if (times.length === 0) {
     const fixedToStage = mat4.multiply(parent.matrixAt(0), local(0));
     return { times, cost: 1, matrixAt: () => fixedToStage };
   }
   const each = ops.some((op) => op.cubic) ? CUBIC_COST : 1;
-  const cost = parent.cost + (fixed ? 1 : each * ops.length);
+  const cost = parent.cost + Math.max(1, each * steps.length);
+  const isStraight = (parent.times.length === 0 || parent.isStraight === true) && ops.every(isStraightOp);
   const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.multiply(parent.matrixAt(time), local(time));
-  return { times, cost, matrixAt: isShared ? remembered(times, matrixAt) : matrixAt };
+  return { times, cost, isStraight, matrixAt: isShared ? remembered(matrixAt) : matrixAt };
 }
 
-/** Frames of more samples than this remember none: 10 MB. */
-const MOST_REMEMBERED = 2 ** 16;
+/** Frames remember at most so many matrices: 2 MB. */
+const MOST_REMEMBERED = 2 ** 13;
 
-/** At the times of the samples each matrix is made once. */
-function remembered(times: Float64Array, matrixAt: Frame['matrixAt']): Frame['matrixAt'] {
-  if (times.length > MOST_REMEMBERED) return matrixAt;
-  const known: (mat4.Mat4 | undefined)[] = [];
+/** Matrices are made once: what is carried along is looked at where its carrier is, mostly at the same times. */
+function remembered(matrixAt: Frame['matrixAt']): Frame['matrixAt'] {
+  const known = new Map<TimeCode, mat4.Mat4>();
   return (time) => {
-    if (time === undefined) return matrixAt(time);
-    const i = lowerSample(times, time);
-    if (times[i] !== time) return matrixAt(time);
-    known[i] ??= matrixAt(time);
-    return known[i];
+    const old = known.get(time);
+    if (old) return old;
+    if (known.size >= MOST_REMEMBERED) known.clear();
+    const made = matrixAt(time);
+    known.set(time, made);
+    return made;
   };
 }
 
@@ -61,8 +74,9 @@ export function nestedFrame(outer: Frame, inner: Frame): Frame {
     const cost = outer.cost + inner.cost;
     const isStraight = [outer, inner].every((frame) => frame.times.length === 0 || frame.isStraight === true);
     const alone = outer.times.length === 0 || inner.times.length === 0;
+    const isCounted = [outer, inner].every((frame) => frame.times.length === 0 || frame.isCounted === true);
     const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.multiply(outer.matrixAt(time), inner.matrixAt(time));
-    return { times, cost, isStraight: isStraight && alone, matrixAt };
+    return { times, cost, isStraight: isStraight && alone, isCounted, matrixAt };
   }
   const fixed = mat4.multiply(outer.matrixAt(0), inner.matrixAt(0));
   return { times, cost: 1, matrixAt: () => fixed };
@@ -79,6 +93,7 @@ export function frameOf(layer: Layer, path: string): Frame {
 
 /** The frame in metres. */
 export function scaledFrame(frame: Frame, unit: number): Frame {
+  if (unit === 1) return frame;
   const scale: mat4.Mat4 = [unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1];
   return { ...frame, matrixAt: (time) => mat4.multiply(scale, frame.matrixAt(time)) };
 }

@@ -1,6 +1,6 @@
 import { InputError } from '../../scene/types.ts';
 import { type Arc, type Dictionary, type ListOp, type MetadataValue, NOTHING, type Value, withEntry } from './layer.ts';
-import { absolutePath } from './paths.ts';
+import { absolutePath, isPath } from './paths.ts';
 import { Scanner } from './scanner.ts';
 import { parseDictionary, parseItems, parseTypeName, parseValue, rawValue } from './values.ts';
 
@@ -24,6 +24,13 @@ const KEY_TYPES: ReadonlyMap<string, string> = new Map(
   }).flatMap(([type, keys]) => keys.split(' ').map((key): [string, string] => [key, type])),
 );
 
+/** Words that cannot name a type or a key of one's own. */
+export const KEYWORDS: ReadonlySet<string> = new Set(
+  'add append class config connect custom customData def default delete displayUnit doc inherits kind nameChildren None offset over payload permission prefixSubstitutions prepend properties references rel relocates reorder rootPrims scale specializes subLayers suffixSubstitutions symmetryArguments symmetryFunction timeSamples uniform variantSet variantSets variants varying'.split(
+    ' ',
+  ),
+);
+
 const QUALIFIERS: ReadonlyMap<string, keyof ListOp<unknown>> = new Map([
   ['prepend', 'prepended'],
   ['append', 'appended'],
@@ -44,9 +51,16 @@ export function takeQualifier(s: Scanner): keyof ListOp<unknown> {
   return 'explicit';
 }
 
-/** `[a, b]`, `a` or `None`, put into the list op under its qualifier. */
-export function parseListOp<T>(s: Scanner, op: ListOp<T>, qualifier: keyof ListOp<T>, item: () => T): void {
+/** `[a, b]`, `a` or `None`, put into the list op under its qualifier; items of one identity are refused. */
+export function parseListOp<T>(
+  s: Scanner,
+  op: ListOp<T>,
+  qualifier: keyof ListOp<T>,
+  item: () => T,
+  identity?: (item: T) => string,
+): void {
   const items = s.takeWord('None') ? [] : s.peek() === '[' ? parseItems(s, item) : [item()];
+  if (identity && new Set(items.map(identity)).size < items.length) s.fail('an item of this list is there twice');
   // Nothing prepended, or deleted, is no opinion; an empty list of its own is one.
   if (items.length > 0 || qualifier === 'explicit') op[qualifier] = items;
 }
@@ -75,14 +89,20 @@ function parseEntry(s: Scanner, owner: string, said: Metadata): [key: string, va
   const key = written === 'doc' ? 'documentation' : written;
   s.expect('=', `after the metadata key '${written}'`);
   const special = SPECIAL.get(key);
+  const isList = special ? LISTS.has(special) : !KEY_TYPES.has(key);
+  if (qualifier !== 'explicit' && !isList) s.fail(`'${written}' is no list, which could be edited`);
+  if (!special && !KEY_TYPES.has(key) && KEYWORDS.has(key))
+    s.fail(`'${key}' is a word of the language, no metadata key`);
   if (special) return [key, special(s, said.get(key), qualifier, owner)];
   if (qualifier !== 'explicit') return [key, unregisteredList(s, said.get(key), qualifier)];
   return [key, plainEntry(s, key)];
 }
 
 function plainEntry(s: Scanner, key: string): Value {
-  const type = KEY_TYPES.get(key) ?? (s.peek() === '{' ? 'dictionary' : '');
-  return parseValue(s, type);
+  const type = KEY_TYPES.get(key);
+  if (type !== undefined && s.peekName() === 'None') s.expected(`a ${type}`);
+  if (type === undefined && s.peek() !== '{') return rawValue(s);
+  return parseValue(s, type ?? 'dictionary');
 }
 
 /** What a crate file keeps as text, because no schema knows its key, as it would be read where it was written. */
@@ -122,27 +142,30 @@ type SpecialParser = (
   owner: string,
 ) => MetadataValue;
 
-const arcs: SpecialParser = (s, old, qualifier, owner) => {
+const arcs: SpecialParser = (s, old, qualifier) => {
   const op = old?.type === 'arcs' ? old.op : {};
-  parseListOp(s, op, qualifier, () => parseArc(s, owner));
+  parseListOp(s, op, qualifier, () => parseArc(s), identityOfArc);
   return { type: 'arcs', op };
 };
 const paths: SpecialParser = (s, old, qualifier, owner) => {
   const op = old?.type === 'paths' ? old.op : {};
-  parseListOp(s, op, qualifier, () => absolutePath(s.path(), owner));
+  parseListOp(s, op, qualifier, () => parsePath(s, owner, false), String);
   return { type: 'paths', op };
 };
-const texts: SpecialParser = (s, old, qualifier) => {
-  const op = old?.type === 'texts' ? old.op : {};
-  parseListOp(s, op, qualifier, () => s.string('a name in quotes'));
-  return { type: 'texts', op };
-};
+const texts: SpecialParser = (s, old, qualifier) => textsOf(s, old, qualifier);
+const names: SpecialParser = (s, old, qualifier) => textsOf(s, old, qualifier, String);
 const integers: SpecialParser = (s, old, qualifier) => {
   const op = old?.type === 'integers' ? old.op : {};
   parseListOp(s, op, qualifier, () => BigInt(s.integerText().slice(0, 40)));
   return { type: 'integers', op };
 };
 const word: SpecialParser = (s) => ({ type: 'token', data: s.takeName() ?? s.string('a name') });
+const permission: SpecialParser = (s) => {
+  const data = s.takeName() ?? s.string('public or private');
+  return data === 'public' || data === 'private'
+    ? { type: 'token', data }
+    : s.fail(`'${data}' is not public or private`);
+};
 const substitutions: SpecialParser = (s) => ({
   type: 'texts-by-name',
   data: new Map(parsePairs(s, () => s.string('a text in quotes'))),
@@ -154,21 +177,38 @@ const SPECIAL: ReadonlyMap<string, SpecialParser> = new Map<string, SpecialParse
   ['inherits', paths],
   ['specializes', paths],
   ['apiSchemas', texts],
-  ['variantSets', texts],
+  ['variantSets', names],
   ['clipSets', texts],
   ['inactiveIds', integers],
-  ['permission', word],
+  ['permission', permission],
   ['symmetryFunction', word],
   ['displayUnit', word],
   ['prefixSubstitutions', substitutions],
   ['suffixSubstitutions', substitutions],
   ['variants', (s) => ({ type: 'texts-by-name', data: parseSelections(s) })],
-  ['subLayers', (s, _old, _qualifier, owner) => ({ type: 'subLayers', data: parseItems(s, () => parseArc(s, owner)) })],
+  ['subLayers', (s) => ({ type: 'subLayers', data: parseItems(s, () => parseArc(s)) })],
   [
     'relocates',
-    (s, _old, _qualifier, owner) => ({ type: 'relocates', data: parsePairs(s, () => absolutePath(s.path(), owner)) }),
+    (s, _old, _qualifier, owner) => ({
+      type: 'relocates',
+      data: parsePairs(s, () => parsePath(s, owner, false, true)),
+    }),
   ],
 ]);
+
+function textsOf(
+  s: Scanner,
+  old: MetadataValue | undefined,
+  qualifier: keyof ListOp<unknown>,
+  identity?: (text: string) => string,
+): MetadataValue {
+  const op = old?.type === 'texts' ? old.op : {};
+  parseListOp(s, op, qualifier, () => s.string('a name in quotes'), identity);
+  return { type: 'texts', op };
+}
+
+/** Those whose lists can be edited. */
+const LISTS: ReadonlySet<SpecialParser> = new Set([arcs, paths, texts, names, integers]);
 
 /** `{ a: b, c: d }` */
 function parsePairs(s: Scanner, item: () => string): [string, string][] {
@@ -198,10 +238,36 @@ function parseSelections(s: Scanner): Map<string, string> {
   return selections;
 }
 
+/** A path as written in the prim `owner`, made absolute. */
+export function parsePath(s: Scanner, owner: string, canBeProperty: boolean, canBeNone = false): string {
+  s.skip();
+  const at = s.pos;
+  const path = s.path();
+  if (canBeNone && path === '') return '';
+  if (!isPath(path, canBeProperty))
+    s.fail(`<${path}> is not the path of a prim${canBeProperty ? ' or a property' : ''}`, at);
+  return absolutePath(path, owner);
+}
+
+function parseArcPath(s: Scanner): string {
+  const at = s.pos;
+  const path = s.path();
+  if (path !== '' && !(path.startsWith('/') && isPath(path, false)))
+    s.fail(`<${path}> is not the path of a prim from the root`, at);
+  return path;
+}
+
+/** Arcs are the same where all of them is. */
+const identityOfArc = ({ asset, path, offset, scale, customData }: Arc): string =>
+  [asset, path, offset, scale, customData ? [...customData.keys()].join() : ''].join('\n');
+
 /** `@file@</Prim> (offset = 1; scale = 2; customData = { … })`, with either part left out. */
-function parseArc(s: Scanner, owner: string): Arc {
+function parseArc(s: Scanner): Arc {
+  s.skip();
+  const start = s.pos;
   const asset = s.peek() === '@' ? s.asset() : '';
-  const path = s.peek() === '<' ? absolutePath(s.path(), owner) : asset === '' ? s.expected('@file@ or </Prim>') : '';
+  if (s.pos > start && asset === '') s.fail('this asset path is empty', start);
+  const path = s.peek() === '<' ? parseArcPath(s) : asset === '' ? s.expected('@file@ or </Prim>') : '';
   let [offset, scale] = [0, 1];
   let customData: Dictionary | undefined;
   if (s.take('(')) {

@@ -11,8 +11,8 @@ import {
   type Value,
   withEntry,
 } from './layer.ts';
-import { parseListOp, parseMetadata, takeQualifier } from './metadata.ts';
-import { absolutePath, isPrimName } from './paths.ts';
+import { KEYWORDS, parseListOp, parseMetadata, parsePath, takeQualifier } from './metadata.ts';
+import { isPrimName } from './paths.ts';
 import { Scanner } from './scanner.ts';
 import { parseSpline } from './splines.ts';
 import { parseItems, parseTypeName, parseValue } from './values.ts';
@@ -39,7 +39,12 @@ export function parseLayer(bytes: Uint8Array, file: string): Layer {
   return layer;
 }
 
-const parseNames = (s: Scanner): string[] => parseItems(s, () => s.string('a name in quotes'));
+function parseNames(s: Scanner): string[] {
+  const name = (): string => s.string('a name in quotes');
+  if (s.peek() !== '[') return [name()];
+  const names = parseItems(s, name);
+  return names.length > 0 ? names : s.expected('names in the list before this');
+}
 
 /** A prim and the name that its parent has it by. */
 function parsePrim(
@@ -53,6 +58,7 @@ function parsePrim(
   if (word !== 'def' && word !== 'over' && word !== 'class') s.expected("'def', 'over' or 'class'");
   s.takeName();
   const typeName = s.peekName() === undefined ? '' : s.joinedName('.', 'a prim type');
+  if (KEYWORDS.has(typeName)) s.fail(`'${typeName}' is a word of the language, no prim type`);
   s.skip();
   const at = s.pos;
   const name = s.string('the name of a prim in quotes');
@@ -142,7 +148,7 @@ function parseRelationship(
   prim.properties = withEntry(prim.properties, name, rel);
   if (s.take('=')) {
     rel.targets ??= {};
-    parseListOp(s, rel.targets, qualifier, () => absolutePath(s.path(), prim.path));
+    parseListOp(s, rel.targets, qualifier, () => parsePath(s, prim.path, true), String);
   }
   rel.metadata = parseMetadata(s, prim.path, rel.metadata);
   s.endStatement(`the relationship '${name}'`);
@@ -156,6 +162,7 @@ function parseAttribute(
   uniform: boolean,
 ): void {
   const typeName = parseTypeName(s);
+  if (KEYWORDS.has(typeName.replace('[]', ''))) s.fail(`'${typeName}' is a word of the language, no type`);
   const name = s.joinedName(':', `the name of a ${typeName} attribute`);
   const attribute = declare(s, prim, { kind: 'attribute', name, typeName, custom, uniform, metadata: NOTHING });
   const part = s.take('.') ? s.name('timeSamples, connect or spline') : '';
@@ -176,8 +183,8 @@ function declare(s: Scanner, prim: PrimSpec, fresh: AttributeSpec): AttributeSpe
   if (old.kind !== 'attribute') s.fail(`'${fresh.name}' is already a relationship of ${prim.path}`);
   if (old.typeName !== fresh.typeName)
     s.fail(`'${fresh.name}' is already of type ${old.typeName}, not ${fresh.typeName}`);
+  if (old.uniform !== fresh.uniform) s.fail(`'${fresh.name}' is uniform in one statement and not in another`);
   old.custom ||= fresh.custom;
-  old.uniform ||= fresh.uniform;
   return old;
 }
 
@@ -197,7 +204,7 @@ function parseOpinion(
       break;
     case 'connect':
       attribute.connections ??= {};
-      parseListOp(s, attribute.connections, qualifier, () => absolutePath(s.path(), prim.path));
+      parseListOp(s, attribute.connections, qualifier, () => parsePath(s, prim.path, true), String);
       break;
     case 'spline':
       attribute.spline = parseSpline(s, attribute.typeName);

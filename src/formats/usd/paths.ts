@@ -32,3 +32,11 @@ export function splitProperty(path: string): readonly [prim: string, property: s
   const dot = path.indexOf('.', path.lastIndexOf('/') + 1);
   return dot < 0 ? [path, ''] : [path.slice(0, dot), path.slice(dot + 1)];
 }
+
+/** Whether a text is the path of a prim, or of a property where those can be meant; absolute, or from a prim. */
+export function isPath(text: string, canBeProperty: boolean): boolean {
+  if (text === '.' || text === '/' || /^(\.\.\/)*\.\.$/.test(text)) return canBeProperty || text !== '/';
+  const [, above, prim, dot, property] = /^(\/|(?:\.\.\/)*)([^.]*)(\.?)(.*)$/s.exec(text)!;
+  if (dot !== '' && !(canBeProperty && isPropertyName(property) && (prim !== '' || above !== '/'))) return false;
+  return prim === '' ? dot !== '' : prim.split('/').every(isPrimName);
+}

@@ -1,5 +1,5 @@
 import { hermite } from '../../math/hermite.ts';
-import { determinant } from '../../math/mat3.ts';
+import { determinant, invert } from '../../math/mat3.ts';
 import * as mat4 from '../../math/mat4.ts';
 import { distance, scale, type Vec3 } from '../../math/vec3.ts';
 import { chordGap, parabolaVelocities, parabolaVelocityAt } from '../../scene/cubicPoints.ts';
@@ -14,7 +14,7 @@ import { transformedNormals, transformedPoints } from '../../scene/transformPoin
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion, UniformMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
-import { affordableTimes, boxCorners, bytesOfPoints, carried, carriedNumbers, evenly, vectorsOf } from './sampling.ts';
+import { affordableTimes, boxCorners, bytesOfPoints, carried, evenly, vectorsOf } from './sampling.ts';
 import { unionOfTimes } from './xformOps.ts';
 
 /** A mesh in its prim's own axes and stage units, and how its points change with time in there. */
@@ -66,11 +66,7 @@ const RIGID = 1e-5;
 /** Turns between samples of what has no size are followed to this angle [rad], paths to as many metres. */
 const FRAME_TOLERANCE = 1e-4;
 /** Tips of the axes: they turn by at most the tolerance against the chord. */
-const AXES: readonly Vec3[] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
+const AXES = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 /** A polar decomposition takes as long as so many ops. */
 const POLAR_COST = 4;
 
@@ -92,24 +88,32 @@ export function placeShape(context: StageContext, path: string, shape: Shape, fr
   const world = scaledFrame(frame, context.unit);
   if (shape.deformation) return deforming(context, path, shape, world);
   if (world.times.length === 0) return fixed(shape.mesh, world.matrixAt(context.startCode));
-  if (world.isStraight) return straight(context, shape.mesh, world);
+  if (world.isStraight) return straight(context, path, shape.mesh, world);
   const times = refined(context, path, world, cornersOf(shape.mesh));
-  const parts = Array.from(times, (t) => mat4.decomposeRigid(world.matrixAt(t)));
-  const { stretch } = parts[0];
-  const size = Math.max(...stretch.map(Math.abs));
-  const rigid = parts.every((p) => p.stretch.every((x, i) => Math.abs(x - stretch[i]) <= RIGID * size));
+  const rigid = rigidPoses(times, world);
   if (!rigid) return sampledPoints(context, path, shape, world, times);
-  return {
-    mesh: stretched(shape.mesh, stretch),
-    motion: sampledPoses(
-      context,
-      times,
-      parts.map((p) => p.pose),
-    ),
-  };
+  return { mesh: stretched(shape.mesh, rigid.stretch), motion: sampledPoses(context, times, rigid.poses) };
 }
 
-function straight(context: StageContext, mesh: Mesh, { times, matrixAt }: Frame): Placed {
+/** The poses at some times and the stretch that is the same at all of them; undefined where it is not. */
+function rigidPoses(times: Float64Array, { matrixAt }: Frame) {
+  const { stretch } = mat4.decomposeRigid(matrixAt(times[0]));
+  const unstretch = invert(stretch);
+  const size = Math.max(...stretch.map(Math.abs));
+  const poses: mat4.RigidPose[] = [];
+  for (const time of times) {
+    const m = matrixAt(time);
+    const known = unstretch && mat4.poseOfStretched(m, unstretch);
+    const own = known ? { pose: known, stretch } : mat4.decomposeRigid(m);
+    if (!own.stretch.every((x, i) => Math.abs(x - stretch[i]) <= RIGID * size)) return undefined;
+    poses.push(own.pose);
+  }
+  return { poses, stretch };
+}
+
+function straight(context: StageContext, path: string, mesh: Mesh, frame: Frame): Placed {
+  const { matrixAt } = frame;
+  const times = frame.isCounted ? frame.times : affordedSamples(context, path, frame.times, frame.cost);
   const { pose, stretch } = mat4.decomposeRigid(matrixAt(times[0]));
   const poses = Array.from(times, (time): mat4.RigidPose => {
     const m = matrixAt(time);
@@ -167,18 +171,26 @@ function stretched(mesh: Mesh, stretch: readonly number[]): Mesh {
   return made;
 }
 
-/** Of each mesh in its prim's axes. */
-const CORNERS = new WeakMap<Mesh, readonly Vec3[]>();
+/** Of each shape in its prim's axes. */
+const CORNERS = new WeakMap<DeformedPoints, Float64Array>();
 
-function cornersOf(mesh: Mesh): readonly Vec3[] {
-  const corners = CORNERS.get(mesh) ?? boxCorners(mesh.positions);
+/** 3 numbers for each corner of the box around it. */
+function cornersOf(mesh: DeformedPoints): Float64Array {
+  const corners = CORNERS.get(mesh) ?? Float64Array.from(boxCorners(mesh.positions).flat());
   CORNERS.set(mesh, corners);
   return corners;
 }
 
-function refined(context: StageContext, path: string, world: Frame, corners: readonly Vec3[]): Float64Array {
-  const size = Math.max(...corners.map((c) => Math.hypot(...mat4.transformVector(world.matrixAt(world.times[0]), c))));
+function refined(context: StageContext, path: string, world: Frame, corners: Float64Array): Float64Array {
+  const size = farthest(carried(corners, mat4.fromParts(mat4.linearPart(world.matrixAt(world.times[0])), [0, 0, 0])));
   return followed(context, path, world, corners, context.chordTolerance * size);
+}
+
+/** Distance of the farthest of some points, 3 numbers each, from the origin. */
+function farthest(points: readonly number[]): number {
+  let most = 0;
+  for (let i = 0; i < points.length; i += 3) most = Math.max(most, Math.hypot(points[i], points[i + 1], points[i + 2]));
+  return most;
 }
 
 /** Times at which `corners` are followed along the frame's path, as closely as the scene's budget allows. */
@@ -186,16 +198,16 @@ function followed(
   context: StageContext,
   path: string,
   { times, cost, matrixAt }: Frame,
-  corners: readonly Vec3[],
+  corners: ArrayLike<number>,
   tolerance: number,
 ): Float64Array {
-  const shape = (time: number): Float64Array => carried(corners, matrixAt(time));
-  return followedShape(context, path, { times: affordedSamples(context, path, times), cost, shape }, tolerance);
+  const shape = (time: number): number[] => carried(corners, matrixAt(time));
+  return followedShape(context, path, { times: affordedSamples(context, path, times, cost), cost, shape }, tolerance);
 }
 
 /** The samples that the scene still has time for. */
-function affordedSamples(context: StageContext, path: string, written: Float64Array): Float64Array {
-  const samples = evenly(written, context.sampleBudget.take(written.length));
+function affordedSamples(context: StageContext, path: string, written: Float64Array, cost: number): Float64Array {
+  const samples = evenly(written, context.sampleBudget.take(written.length, cost));
   if (samples.length < written.length) {
     const message = `it is moved by ${written.length} samples, and all things of the scene together by more than there is room for; ${samples.length} of its samples are used (write out fewer, or move fewer things apart)`;
     report(context, 'warning', 'usd.sample-budget', path, message);
@@ -207,7 +219,7 @@ interface ShapePath {
   readonly times: Float64Array;
   readonly cost: number;
   /** 3 numbers for each point that is followed. */
-  shape(time: number): Float64Array;
+  shape(time: number): ArrayLike<number>;
 }
 
 function followedShape(
@@ -285,8 +297,8 @@ function withCubicPoints(shape: Shape): Shape {
 /** Times at which what bends on curved ways is followed; with a wider tolerance where its points would not be held. */
 function bentTimes(context: StageContext, path: string, { deformation, mesh }: Shape, world: Frame): Float64Array {
   const { times, follow } = deformation!;
-  const samples = affordedSamples(context, path, unionOfTimes([times, world.times]));
-  const shape = (time: number): Float64Array => carriedNumbers(follow!.pointsAt(time), world.matrixAt(time));
+  const samples = affordedSamples(context, path, unionOfTimes([times, world.times]), world.cost);
+  const shape = (time: number): number[] => carried(follow!.pointsAt(time), world.matrixAt(time));
   const size = diagonal(shape(samples[0]));
   const most = Math.floor(context.pointBudget.bytes / bytesOfPoints(1, mesh.positions.length / 3, vectorsOf(context)));
   const way: ShapePath = { times: samples, cost: world.cost + follow!.cost, shape };
@@ -428,7 +440,7 @@ function originOf(positionsOf: (k: number) => Float32Array, times: Float64Array,
   const corners = Array.from(times.keys()).flatMap((k) => {
     if (k % step !== 0) return [];
     const m = world.matrixAt(times[k]);
-    return boxCorners(positionsOf(k)).flatMap((c) => mat4.transformPoint(m, c));
+    return carried(boxCorners(positionsOf(k)).flat(), m);
   });
   const box = boxCorners(corners);
   const [low, high] = [box[0], box[box.length - 1]];

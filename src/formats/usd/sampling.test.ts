@@ -18,12 +18,6 @@ it('the box around points has eight corners, and one where there is nothing to m
 
 it('points are carried by a quarter turn and a way', () => {
   const matrix = fromPose({ position: [10, 20, 30], orientation: fromAxisAngle([0, 0, 1], Math.PI / 2) });
-  const points = carried(
-    [
-      [1, 2, 3],
-      [0, 0, 0],
-    ],
-    matrix,
-  );
+  const points = carried([1, 2, 3, 0, 0, 0], matrix);
   expect([...points].map((x) => Number(x.toFixed(12)))).toEqual([8, 21, 33, 10, 20, 30]);
 });

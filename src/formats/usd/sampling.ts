@@ -1,15 +1,15 @@
 import type { Mat4 } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 
-/** Where points are, carried by a matrix: 3 numbers each. */
-export const carried = (points: readonly Vec3[], m: Mat4): Float64Array => carriedNumbers(points.flat(), m);
-
-/** The same of 3 numbers for each point. */
-export function carriedNumbers(points: ArrayLike<number>, m: Mat4): Float64Array {
-  const out = new Float64Array(points.length);
-  for (let i = 0; i < points.length; i += 3)
-    for (let k = 0; k < 3; k++)
-      out[i + k] = m[4 * k] * points[i] + m[4 * k + 1] * points[i + 1] + m[4 * k + 2] * points[i + 2] + m[4 * k + 3];
+/** Where points of 3 numbers each are, carried by a matrix. */
+export function carried(points: ArrayLike<number>, m: Mat4): number[] {
+  const out = new Array<number>(points.length);
+  for (let i = 0; i < points.length; i += 3) {
+    const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
+    out[i] = m[0] * x + m[1] * y + m[2] * z + m[3];
+    out[i + 1] = m[4] * x + m[5] * y + m[6] * z + m[7];
+    out[i + 2] = m[8] * x + m[9] * y + m[10] * z + m[11];
+  }
   return out;
 }
 

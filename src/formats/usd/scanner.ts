@@ -110,7 +110,7 @@ export class Scanner {
   joinedName(separator: ':' | '.', what: string): string {
     let name = this.name(what);
     const code = separator.charCodeAt(0);
-    while (this.bytes[this.pos] === code && isName(this.bytes[this.pos + 1] ?? 0)) {
+    while (this.bytes[this.pos] === code && isNameStart(this.bytes[this.pos + 1] ?? 0)) {
       const start = this.pos++;
       while (this.pos < this.bytes.length && isName(this.bytes[this.pos]!)) this.pos++;
       name += this.text(start, this.pos);
@@ -133,13 +133,13 @@ export class Scanner {
     return true;
   }
 
-  /** Ends a statement: by a new line, by ';', or by the bracket that closes what it stands in. */
+  /** Ends a statement: by a new line, by one ';' on its own line, or by the bracket that closes what it stands in. */
   endStatement(what: string): void {
     const c = this.peek();
     const newline = this.afterNewline === this.pos;
-    if (c === ';') {
-      while (this.take(';'));
-    } else if (!newline && c !== '}' && c !== ')' && c !== '') this.expected(`a new line or ';' after ${what}`);
+    if (newline || c === '}' || c === ')' || c === '') return;
+    if (c !== ';') this.expected(`a new line or ';' after ${what}`);
+    this.pos++;
   }
 
   /**

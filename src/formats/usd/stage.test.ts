@@ -284,3 +284,52 @@ describe('meshes', async () => {
     ]);
   });
 });
+
+describe('transforms that a small file asks for', () => {
+  const text = (body: string) => memorySource({ 'a.usda': new TextEncoder().encode(`#usda 1.0\n${body}`) });
+
+  it('are the first few thousand of a prim, and the rest is told', async () => {
+    const order = Array.from({ length: 5000 }, (_, i) => `"xformOp:translate${i % 2 ? ':b' : ''}"`);
+    const scene = await readUsd(
+      text(`( metersPerUnit = 1 )
+def Cube "A" {
+  double3 xformOp:translate = (1, 0, 0)
+  double3 xformOp:translate:b = (0, 1, 0)
+  uniform token[] xformOpOrder = [${order}]
+}`),
+      'a.usda',
+    );
+    expect(scene.objects[0].motion).toMatchObject({ kind: 'static', pose: { position: [2048, 2048, 0] } });
+    expect(scene.diagnostics.map(({ code, message }) => [code, /5000 transforms/.test(message)])).toEqual([
+      ['usd.xform-op', true],
+    ]);
+  });
+
+  it.each([
+    ['0: (0, 0, 0), 4: (4, 0, 0), 8: (4, 8, 0)', [0, 4, 8]],
+    ['0: (0, 0, 0), 4: None, 8: (4, 8, 0)', [0, 4, 8]],
+  ])('go straight between samples that say so: %s', async (samples, codes) => {
+    const scene = await readUsd(
+      text(`( metersPerUnit = 1
+timeCodesPerSecond = 1 )
+def Xform "A" {
+  double3 xformOp:translate.timeSamples = { ${samples} }
+  float3 xformOp:scale = (1, 2, 3)
+  uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:scale"]
+  def Cube "B" {
+    float3 xformOp:translate = (1, 1, 1)
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+  }
+}`),
+      'a.usda',
+    );
+    const { motion } = scene.objects[0];
+    const times = 'times' in motion ? [...motion.times] : [];
+    // What is blocked jumps, and is followed closer and closer.
+    if (samples.includes('None')) expect(times.length).toBeGreaterThan(10);
+    else expect(times).toEqual(codes);
+    const x = (t: number) => Math.max(...vertices(scene.objects[0], t).map((p) => p[0]));
+    expect(x(2)).toBeCloseTo(samples.includes('None') ? 2 : 4, 6);
+    expect(x(8)).toBeCloseTo(6, 6);
+  });
+});

@@ -30,7 +30,7 @@ import {
 } from './slowlight.ts';
 import { type Binding, bindingOf, type Surface, surfaceOf } from './surface.ts';
 import { TextureLoader } from './textures.ts';
-import { transformOf } from './xformOps.ts';
+import { MAX_OPS, transformOf } from './xformOps.ts';
 
 /** What a prim hands down to its children. */
 interface Inherited {
@@ -172,6 +172,10 @@ class StageReader {
         prim.path,
         `xformOpOrder names '${name}', which is no transform of this prim; it is left out`,
       );
+    if (transform.tooMany) {
+      const message = `xformOpOrder names ${transform.tooMany} transforms; the first ${MAX_OPS} are used (write their product as one matrix)`;
+      report(this.context, 'warning', 'usd.xform-op', prim.path, message);
+    }
     const directions = directionsOf(prim, inherited.directions);
     if (directions !== inherited.directions) checkDirections(this.context, prim.path, directions);
     return {

@@ -116,6 +116,7 @@ function parseTuple(s: Scanner, scalar: ScalarKind, shape: readonly number[], ou
     if (inner === undefined) out[at + i] = readScalar(s, scalar);
     else parseTuple(s, scalar, [inner], out, at + i * size);
   }
+  s.take(',');
   s.expect(')', `after the ${count} parts of a value`);
 }
 
@@ -145,10 +146,10 @@ function readScalar(s: Scanner, scalar: ScalarKind): number {
   if (scalar === 'float') return Math.fround(value);
   if (scalar === 'half') return fromHalf(toHalf(value));
   const [least, most] = LIMITS[scalar];
-  if (!Number.isInteger(value) || value < least || value > most)
-    s.fail(`${value} is not a whole number from ${least} to ${most}`);
+  const whole = Math.trunc(value);
+  if (!(whole >= least && whole <= most)) s.fail(`${value} is not a whole number from ${least} to ${most}`);
   // −0 is not a whole number of its own.
-  return value + 0;
+  return whole + 0;
 }
 
 /** The text has w x y z; values are x y z w. */
@@ -163,11 +164,10 @@ function reorderQuaternions(storage: string, data: NumberArray): void {
 
 function parseBool(s: Scanner): boolean {
   const word = s.takeName()?.toLowerCase();
-  if (word === 'true') return true;
-  if (word === 'false') return false;
-  const value = word === undefined ? s.number() : undefined;
-  if (value !== 0 && value !== 1) s.fail(`'${word ?? value}' is not true, false, 0 or 1`);
-  return value === 1;
+  if (word === undefined) return s.number() !== 0;
+  if (word === 'true' || word === 'yes') return true;
+  if (word === 'false' || word === 'no') return false;
+  return s.fail(`'${word}' is not true, false, 0 or 1`);
 }
 
 function parseLong(s: Scanner, storage: 'int64' | 'uint64'): bigint {

@@ -1,7 +1,16 @@
 import * as mat4 from '../../math/mat4.ts';
 import { fromAxisAngle, IDENTITY, normalizeQuat, type Quat, toMatrix } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { attributeOf, numberOf, numbersOf, sampleTimes, type TimeCode, tokensAt, valueAt } from './attributes.ts';
+import {
+  attributeOf,
+  LINEAR,
+  numberOf,
+  numbersOf,
+  sampleTimes,
+  type TimeCode,
+  tokensAt,
+  valueAt,
+} from './attributes.ts';
 import { cubicNumbers } from './cubicOps.ts';
 import type { AttributeSpec, PrimSpec } from './layer.ts';
 
@@ -21,7 +30,12 @@ export interface LocalTransform {
   readonly resetsStack: boolean;
   /** Names in `xformOpOrder` that cannot be followed. */
   readonly unknown: readonly string[];
+  /** How many names there are, where they are more than are read. */
+  readonly tooMany?: number;
 }
+
+/** Transforms of one prim beyond this are left out: a file of one prim could ask for millions at every time. */
+export const MAX_OPS = 4096;
 
 const RESET = '!resetXformStack!';
 const INVERT = '!invert!';
@@ -31,14 +45,15 @@ const PREFIX = 'xformOp:';
 export function transformOf(prim: PrimSpec, cubic = false): LocalTransform {
   const order = tokensAt(prim, 'xformOpOrder', undefined) ?? [];
   const reset = order.lastIndexOf(RESET);
+  const count = order.length - reset - 1;
   const ops: XformOp[] = [];
   const unknown: string[] = [];
-  for (const written of order.slice(reset + 1)) {
+  for (const written of order.slice(reset + 1, reset + 1 + MAX_OPS)) {
     const op = opOf(prim, written, cubic);
     if (op) ops.push(op);
     else unknown.push(written);
   }
-  return { ops, resetsStack: reset >= 0, unknown };
+  return { ops, resetsStack: reset >= 0, unknown, ...(count > MAX_OPS && { tooMany: count }) };
 }
 
 function opOf(prim: PrimSpec, written: string, cubic: boolean): XformOp | undefined {
@@ -59,9 +74,43 @@ export function localMatrix(ops: readonly XformOp[], time: TimeCode): mat4.Mat4 
   }, mat4.IDENTITY);
 }
 
+/** A step that is the same at all times, or one that is not. */
+type Step = mat4.Mat4 | XformOp;
+
+/** The steps of what changes with time, those that stay the same between others made one. */
+export function stepsOf(ops: readonly XformOp[]): readonly Step[] {
+  const steps: Step[] = [];
+  for (const op of ops) {
+    const last = steps.at(-1);
+    if ((op.attribute.timeSamples?.times.length ?? 0) > 1) steps.push(op);
+    else if (isMatrix(last)) steps[steps.length - 1] = mat4.multiply(last, localMatrix([op], 0));
+    else steps.push(localMatrix([op], 0));
+  }
+  return steps;
+}
+
+const isMatrix = (step: Step | undefined): step is mat4.Mat4 => Array.isArray(step);
+
+/** What `localMatrix` is of the ops that the steps were made of, at a time code. */
+export function productOf(steps: readonly Step[], time: TimeCode): mat4.Mat4 {
+  let m = mat4.IDENTITY;
+  for (const step of steps) m = mat4.multiply(m, isMatrix(step) ? step : localMatrix([step], time));
+  return m;
+}
+
 /** Codes at which any of the ops has a sample, rising. */
 export function opTimes(ops: readonly XformOp[]): Float64Array {
   return unionOfTimes(ops.map((op) => sampleTimes(op.attribute)));
+}
+
+/** Whether an op does not change, or moves straight from each of its samples to the next. */
+export function isStraightOp({ kind, attribute, cubic }: XformOp): boolean {
+  const samples = attribute.timeSamples;
+  if (!samples || samples.times.length < 2) return true;
+  const [first] = samples.values;
+  const isNumber = numbersOf(first)?.length === 3 || (kind !== 'translate' && numberOf(first) !== undefined);
+  const isLinear = LINEAR.test(first.type) && samples.values.every(({ type }) => type === first.type);
+  return !cubic && kind.startsWith('translate') && isNumber && isLinear;
 }
 
 /** Of lists of rising times all, each once. */
@@ -131,13 +180,19 @@ function byParts([x, y, z, w]: Quat): Quat {
 }
 
 /** About one axis [degrees]. */
-const rotation = (axis: number, degrees: number): mat4.Mat4 =>
-  mat4.fromParts(toMatrix(fromAxisAngle(withAxis(0, axis, 1), (degrees * Math.PI) / 180)), [0, 0, 0]);
+function rotation(axis: number, degrees: number): mat4.Mat4 {
+  const angle = (degrees * Math.PI) / 180;
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  if (axis === 0) return [1, 0, 0, 0, 0, c, -s, 0, 0, s, c, 0, 0, 0, 0, 1];
+  if (axis === 1) return [c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1];
+  return [c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+}
 
 /** `XYZ`: first about X, then Y, then Z. The angles are x y z, in any order of application. */
 function eulerMatrix(order: string, degrees: ArrayLike<number>): mat4.Mat4 {
-  return [...order].reduce<mat4.Mat4>((m, letter) => {
-    const axis = 'XYZ'.indexOf(letter);
-    return mat4.multiply(rotation(axis, degrees[axis]), m);
-  }, mat4.IDENTITY);
+  const about = (i: number): mat4.Mat4 => {
+    const axis = 'XYZ'.indexOf(order[i]);
+    return rotation(axis, degrees[axis]);
+  };
+  return mat4.multiply(about(2), mat4.multiply(about(1), about(0)));
 }

@@ -30,17 +30,17 @@ describe('what leads nowhere or in circles is named, and the rest is shown', () 
   it('layers that are missing or damaged, targets that are not there', async () => {
     const said = await codes({
       'root.usda': `
-def "A" ( references = [@none.usda@, @bad.usda@, @empty.usda@, @empty.usda@</X>, </Y>, </A.p>] ) {}
+def "A" ( references = [@none.usda@, @bad.usda@, @empty.usda@, @empty.usda@</X>, </Y>, </Z>] ) {}
 def "B" ( references = @empty.usda@</X> (offset = inf; scale = 0) ) {}`,
       'bad.usda': 'def {',
       'empty.usda': '',
     });
     expect(said.sort()).toEqual([
       'usd.default-prim',
-      'usd.default-prim',
       'usd.layer-offset',
       'usd.missing-layer',
       'usd.unreadable-layer',
+      'usd.unresolved-prim',
       'usd.unresolved-prim',
       'usd.unresolved-prim',
       'usd.unresolved-prim',

@@ -24,7 +24,7 @@ export function instanceFrame(population: Population, instance: Instance, range:
     return { times: NO_TIMES, cost: 1, matrixAt: () => fixed };
   }
   const { isStraight } = population.transforms;
-  return { times, cost: COST, isStraight, matrixAt: (time) => matrixAt(time ?? range.start) };
+  return { times, cost: COST, isStraight, isCounted: true, matrixAt: (time) => matrixAt(time ?? range.start) };
 }
 
 const NO_TIMES = new Float64Array(0);
