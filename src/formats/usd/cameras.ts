@@ -1,9 +1,9 @@
 import type { SceneCamera } from '../../scene/types.ts';
 import { attributeOf, numberAt, sampleTimes, textAt } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
+import { frameMotion } from './following.ts';
 import type { Frame } from './frame.ts';
 import type { PrimSpec } from './layer.ts';
-import { frameMotion } from './placement.ts';
 
 /** Fallbacks of UsdGeomCamera, in tenths of a stage unit. */
 const FALLBACK = { focalLength: 50, verticalAperture: 15.2908 };

@@ -4,7 +4,7 @@ import type { Mesh } from '../../scene/types.ts';
 import { attributeOf, numberAt, sampleTimes, textAt, valueAt } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import type { PrimSpec } from './layer.ts';
-import type { Shape } from './placement.ts';
+import type { Shape } from './shape.ts';
 import type { Surface } from './surface.ts';
 
 type Builder = (size: (name: string, fallback: number) => number, axis: Axis) => Mesh;

@@ -3,10 +3,10 @@ import { addScaled, cross, dot, length, negate, normalize, scale, type Vec3 } fr
 import type { FrameMotion, Lamp } from '../../scene/types.ts';
 import { attributeOf, textOf, valueAt } from './attributes.ts';
 import { isTrue, report, type StageContext } from './context.ts';
+import { frameMotion } from './following.ts';
 import { type Frame, scaledFrame } from './frame.ts';
 import type { PrimSpec } from './layer.ts';
 import { brightnessOf, lightFlag, lightNumber, shapingOf } from './lightInputs.ts';
-import { frameMotion } from './placement.ts';
 import { type Directions, directedMotion, lifetimeOf, poseTimeOf } from './slowlight.ts';
 import { meanColor, type TextureLoader, textureOf } from './textures.ts';
 

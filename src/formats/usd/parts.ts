@@ -1,7 +1,7 @@
 import type { Frame } from './frame.ts';
 import type { PrimSpec } from './layer.ts';
 import type { MeshLight } from './meshLights.ts';
-import type { Shape } from './placement.ts';
+import type { Shape } from './shape.ts';
 import type { Directions } from './slowlight.ts';
 
 /** Something to see that is not yet in its place. */

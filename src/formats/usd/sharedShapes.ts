@@ -1,6 +1,6 @@
 import type { Mesh } from '../../scene/types.ts';
 import type { PrimSpec } from './layer.ts';
-import type { Shape } from './placement.ts';
+import type { Shape } from './shape.ts';
 import type { Surface } from './surface.ts';
 
 /** Shapes by what they are made of: prims with the same opinions and the same materials, as instances are, have one. */

@@ -16,7 +16,8 @@ import { MaterialTable } from './materials.ts';
 import { meshShape } from './meshes.ts';
 import { geometryLights, glowing, lightOn, type MeshLight } from './meshLights.ts';
 import type { Part, Site, Subtree } from './parts.ts';
-import { placeDrifting, placeShape, placeStill, type Shape } from './placement.ts';
+import { placeDrifting, placeShape, placeStill } from './placement.ts';
+import type { Shape } from './shape.ts';
 import { remade, SharedShapes } from './sharedShapes.ts';
 import { Skeletons } from './skel/binding.ts';
 import {

@@ -1,0 +1,128 @@
+import * as mat4 from '../../math/mat4.ts';
+import type { SampledMotion, StaticMotion } from '../../scene/types.ts';
+import { report, type StageContext } from './context.ts';
+import { type Frame, scaledFrame } from './frame.ts';
+import { boxCorners, carried, evenly } from './sampling.ts';
+import type { DeformedPoints } from './shape.ts';
+
+/** Turns between samples of what has no size are followed to this angle [rad], paths to as many metres. */
+const FRAME_TOLERANCE = 1e-4;
+
+/** Tips of the axes: they turn by at most the tolerance against the chord. */
+const AXES = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+
+/** A polar decomposition takes as long as so many ops. */
+const POLAR_COST = 4;
+
+/**
+ * Where a path between samples is compared with its chord: at irregular fractions, so that whole turns between two
+ * samples (which look like rest at the half) are found.
+ */
+const LOOKS = [0.118, 0.283, 0.5, 0.691, 0.877];
+
+/** Where there are more samples than can be looked at so closely. */
+const MIDDLE = [0.5];
+
+/** One interval is halved at most this often. */
+const MAX_HALVINGS = 14;
+
+/** Of each shape in its prim's axes. */
+const CORNERS = new WeakMap<DeformedPoints, Float64Array>();
+
+/** 3 numbers for each corner of the box around it. */
+export function cornersOf(mesh: DeformedPoints): Float64Array {
+  const corners = CORNERS.get(mesh) ?? Float64Array.from(boxCorners(mesh.positions).flat());
+  CORNERS.set(mesh, corners);
+  return corners;
+}
+
+export function refined(context: StageContext, path: string, world: Frame, corners: Float64Array): Float64Array {
+  const size = farthest(carried(corners, mat4.fromParts(mat4.linearPart(world.matrixAt(world.times[0])), [0, 0, 0])));
+  return followed(context, path, world, corners, context.chordTolerance * size);
+}
+
+/** Distance of the farthest of some points, 3 numbers each, from the origin. */
+function farthest(points: readonly number[]): number {
+  let most = 0;
+  for (let i = 0; i < points.length; i += 3) most = Math.max(most, Math.hypot(points[i], points[i + 1], points[i + 2]));
+  return most;
+}
+
+/** Times at which `corners` are followed along the frame's path, as closely as the scene's budget allows. */
+function followed(
+  context: StageContext,
+  path: string,
+  { times, cost, matrixAt }: Frame,
+  corners: ArrayLike<number>,
+  tolerance: number,
+): Float64Array {
+  const shape = (time: number): number[] => carried(corners, matrixAt(time));
+  return followedShape(context, path, { times: affordedSamples(context, path, times, cost), cost, shape }, tolerance);
+}
+
+/** The samples that the scene still has time for. */
+export function affordedSamples(
+  context: StageContext,
+  path: string,
+  written: Float64Array,
+  cost: number,
+): Float64Array {
+  const samples = evenly(written, context.sampleBudget.take(written.length, cost));
+  if (samples.length < written.length) {
+    const message = `it is moved by ${written.length} samples, and all things of the scene together by more than there is room for; ${samples.length} of its samples are used (write out fewer, or move fewer things apart)`;
+    report(context, 'warning', 'usd.sample-budget', path, message);
+  }
+  return samples;
+}
+
+export interface ShapePath {
+  readonly times: Float64Array;
+  readonly cost: number;
+  /** 3 numbers for each point that is followed. */
+  shape(time: number): ArrayLike<number>;
+}
+
+export function followedShape(
+  context: StageContext,
+  path: string,
+  { times: samples, cost, shape }: ShapePath,
+  tolerance: number,
+): Float64Array {
+  const looks = context.sampleBudget.looksClosely(samples.length) ? LOOKS : MIDDLE;
+  const how = { tolerance, looks, halvings: MAX_HALVINGS };
+  const { times, error, wanted } = context.motionBudget.refine(samples, shape, how, cost);
+  if (error > tolerance) {
+    const message = `it jumps or turns too fast between its ${samples.length} samples to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
+    report(context, 'warning', 'usd.resampling', path, message);
+  }
+  return times;
+}
+
+/** Poses as one motion, static where they are all the same. The signs of neighbouring quaternions agree. */
+export function sampledPoses(
+  context: Pick<StageContext, 'codesPerSecond'>,
+  times: Float64Array,
+  poses: readonly mat4.RigidPose[],
+): StaticMotion | SampledMotion {
+  const out = new Float64Array(times.length * 7);
+  poses.forEach(({ position, orientation }, i) => {
+    out.set(position, 7 * i);
+    let cosine = 0;
+    for (let k = 0; k < 4; k++) cosine += orientation[k] * (i > 0 ? out[7 * i - 4 + k] : orientation[k]);
+    out.set(cosine < 0 ? orientation.map((x) => -x) : orientation, 7 * i + 3);
+  });
+  const moves = out.some((x, i) => x !== out[i % 7]);
+  if (!moves || times.length < 2) return { kind: 'static', pose: poses[0] };
+  return { kind: 'sampled', times: times.map((t) => t / context.codesPerSecond), poses: out };
+}
+
+/** How a prim's own axes move: of a camera or a light, which have no size. Their scale does not matter. */
+export function frameMotion(context: StageContext, path: string, frame: Frame): StaticMotion | SampledMotion {
+  const world = scaledFrame(frame, context.unit);
+  const poseAt = (time: number): mat4.RigidPose => mat4.decomposeRigid(world.matrixAt(time)).pose;
+  if (world.times.length === 0) return { kind: 'static', pose: poseAt(context.startCode) };
+  const matrixAt = (time: number): mat4.Mat4 => mat4.fromPose(poseAt(time));
+  const rigid = { times: world.times, cost: world.cost + POLAR_COST, matrixAt };
+  const times = followed(context, path, rigid, AXES, FRAME_TOLERANCE);
+  return sampledPoses(context, times, Array.from(times, poseAt));
+}
