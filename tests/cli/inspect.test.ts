@@ -105,7 +105,7 @@ test('a subdivision surface has the levels that are asked for', async () => {
   );
   const triangles = async (...flags: string[]): Promise<number | undefined> =>
     (await slowlightJson<Inspection>('inspect', path, ...flags)).counts.triangles;
-  expect(await triangles()).toBe(2 * 16);
+  expect(await triangles()).toBe(2 * 256);
   expect(await triangles('--subdivision', '0')).toBe(2);
   expect(await triangles('--subdivision', '3')).toBe(2 * 64);
   expect((await slowlight('inspect', path, '--subdivision', '9')).code).toBe(2);

@@ -64,12 +64,22 @@ export function primAt(layer: Layer, path: string): PrimSpec | undefined {
   return prim;
 }
 
-/** The prims above a path, from the root down. */
-export function ancestorsOf(layer: Layer, path: string): PrimSpec[] {
-  const names = path.split('/').filter(Boolean);
-  const paths = names.slice(1).map((_, i) => `/${names.slice(0, i + 1).join('/')}`);
-  return paths.flatMap((above) => primAt(layer, above) ?? []);
+/** The prims along a path, from the root down, as far as they are there. */
+export function primsAlong(layer: Layer, path: string): PrimSpec[] {
+  const found: PrimSpec[] = [];
+  let { rootPrims: children } = layer;
+  for (const name of path.split('/').filter(Boolean)) {
+    const prim = children.get(name);
+    if (!prim) break;
+    found.push(prim);
+    children = prim.children;
+  }
+  return found;
 }
+
+/** The prims above a path, from the root down. */
+export const ancestorsOf = (layer: Layer, path: string): PrimSpec[] =>
+  primsAlong(layer, path.slice(0, path.lastIndexOf('/')));
 
 /** Targets of a relationship, or sources of a connection, once its list op is applied to nothing. */
 export function targetsOf(prim: PrimSpec, name: string): readonly string[] {

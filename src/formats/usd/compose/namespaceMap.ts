@@ -145,11 +145,16 @@ export const withPairs = (map: NamespaceMap, more: readonly Pair[]): NamespaceMa
   pairs: canonical([...map.pairs, ...more]),
 });
 
+/** What is not mapped comes before paths, and after the root, which is empty. */
+function compare(a = ' ', b = ' '): number {
+  return a === b ? 0 : a < b ? -1 : 1;
+}
+
 /** Sorted, and without the pairs that say what shorter ones say already. */
-function canonical(pairs: readonly Pair[]): Pair[] {
+function canonical(pairs: readonly Pair[]): readonly Pair[] {
+  if (pairs.length === 1) return pairs;
   const lengthOf = ([source, target]: Pair): number => (source ?? target ?? '').length;
-  const textOf = ([source, target]: Pair): string => `${source ?? ' '}\n${target ?? ' '}`;
-  const sorted = [...pairs].sort((a, b) => lengthOf(a) - lengthOf(b) || (textOf(a) < textOf(b) ? -1 : 1));
+  const sorted = [...pairs].sort((a, b) => lengthOf(a) - lengthOf(b) || compare(a[0], b[0]) || compare(a[1], b[1]));
   const kept: Pair[] = [];
   const index = new PairIndex();
   const lookup: Lookup = pairs.length > FEW_PAIRS ? index : new FewPairs(kept);
