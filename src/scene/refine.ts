@@ -124,6 +124,11 @@ export class RefinementBudget {
     this.#left = evaluations;
   }
 
+  /** Says that a motion needs no times between its own: it leaves no chord. */
+  keepExact(): void {
+    this.error ??= 0;
+  }
+
   /** `refineTimes` within the budget; `cost` [evaluations]: of one call of `shape`. */
   refine(
     samples: ArrayLike<number>,

@@ -56,6 +56,7 @@ function rigidPoses(times: Float64Array, { matrixAt }: Frame) {
 function straight(context: StageContext, path: string, mesh: Mesh, frame: Frame): Placed {
   const { matrixAt } = frame;
   const times = frame.isCounted ? frame.times : affordedSamples(context, path, frame.times, frame.cost);
+  context.motionBudget.keepExact();
   const { pose, stretch } = mat4.decomposeRigid(matrixAt(times[0]));
   const poses = Array.from(times, (time): mat4.RigidPose => {
     const m = matrixAt(time);
