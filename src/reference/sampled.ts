@@ -147,11 +147,7 @@ export class SampledTracer implements Tracer {
             a[3 * corner + axis] = before[at] - o[axis] + (moved * (share + rate * near) - d[axis] * near);
             b[3 * corner + axis] = moved * rate - d[axis];
           }
-        const n = triangle.meet(far - near, noise);
-        for (let j = 0; j < n; j++) {
-          const s = begin + near + triangle.sigma[j];
-          if (search.offer(this, s, first[i], triangle.v[j], triangle.w[j], triangle.front[j], piece)) break;
-        }
+        this.offerMet(search, begin + near, far - near, noise, first[i], piece);
       }
     }
   }
@@ -189,12 +185,17 @@ export class SampledTracer implements Tracer {
           const [enters, leaves] = [Math.max(near, ends[0]), Math.min(far, ends[1])];
           if (enters > leaves) continue;
           this.meetChord(o, d, along, per, enters);
-          const n = triangle.meet(leaves - enters, noise);
-          for (let j = 0; j < n; j++) {
-            const s = begin + enters + triangle.sigma[j];
-            if (search.offer(this, s, first[i], triangle.v[j], triangle.w[j], triangle.front[j], piece)) break;
-          }
+          this.offerMet(search, begin + enters, leaves - enters, noise, first[i], piece);
         }
+    }
+  }
+
+  /** Where the ray meets the triangle within `length` after s = `from`: the first that the search takes. */
+  private offerMet(search: Search, from: number, length: number, noise: number, corner: number, piece: number): void {
+    const n = triangle.meet(length, noise);
+    for (let j = 0; j < n; j++) {
+      const s = from + triangle.sigma[j];
+      if (search.offer(this, s, corner, triangle.v[j], triangle.w[j], triangle.front[j], piece)) break;
     }
   }
 

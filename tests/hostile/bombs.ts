@@ -1,4 +1,5 @@
 import { zlibSync } from 'fflate';
+import { crc32 } from '../../src/formats/crc32.ts';
 import type { Seed } from './seeds.ts';
 
 /** A small file that asks for much, or for what must not be. */
@@ -199,8 +200,8 @@ const pictureBombs: readonly Bomb[] = [
 /** A PNG of a size whose data has so many zeros. */
 function png(width: number, height: number, zeros: number): Uint8Array {
   const chunk = (type: string, data: Uint8Array): number[] => {
-    const body = [...bytes(type), ...data];
-    return [...u32(data.length), ...body, ...u32(crc(body))];
+    const body = Uint8Array.of(...bytes(type), ...data);
+    return [...u32(data.length), ...body, ...u32(crc32(body))];
   };
   const header = Uint8Array.of(...u32(width), ...u32(height), 8, 2, 0, 0, 0);
   const data = zlibSync(new Uint8Array(zeros), { level: 9 });
@@ -215,15 +216,6 @@ function png(width: number, height: number, zeros: number): Uint8Array {
 
 function u32(x: number): number[] {
   return [x >>> 24, (x >>> 16) & 255, (x >>> 8) & 255, x & 255];
-}
-
-function crc(body: readonly number[]): number {
-  let sum = -1;
-  for (const byte of body) {
-    sum ^= byte;
-    for (let k = 0; k < 8; k++) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0);
-  }
-  return ~sum >>> 0;
 }
 
 export const bombs: readonly Bomb[] = [...usdBombs, ...gltfBombs, ...meshBombs, ...pictureBombs];

@@ -11,11 +11,12 @@ import {
   Tooltip,
 } from '@mantine/core';
 import { IconRestore } from '@tabler/icons-react';
-import { type ReactNode, useId, useState } from 'react';
+import { type ReactNode, useId } from 'react';
 import type { ParamValue } from '../../graph/document.ts';
 import type { ChoiceParam, NumberParam, ParamSpec, TextParam, VectorParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { positionOf, valueAt } from './scales.ts';
+import { useTypedNumber } from './useTypedNumber.ts';
 import { VectorControl } from './VectorControl.tsx';
 
 export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
@@ -127,16 +128,11 @@ interface NumberFieldProps extends Pick<ParamProps<NumberParam>, 'spec' | 'onCha
   readonly precision: number;
 }
 
-/** Takes what is typed when it is complete, so that no half-written number reaches the document. */
 function NumberField({ spec, number, onChange, label, precision }: NumberFieldProps): ReactNode {
-  const [typed, setTyped] = useState<number | string>();
-  const commit = () => {
-    const value = typeof typed === 'number' ? typed : Number.parseFloat(typed ?? '');
-    setTyped(undefined);
-    if (!Number.isFinite(value)) return;
+  const field = useTypedNumber(number, (value) => {
     const bounded = Math.min(spec.max, Math.max(spec.min, value));
     if (bounded !== number) onChange(spec.integer ? Math.round(bounded) : bounded);
-  };
+  });
   return (
     <NumberInput
       size="xs"
@@ -146,13 +142,7 @@ function NumberField({ spec, number, onChange, label, precision }: NumberFieldPr
       decimalScale={precision}
       thousandSeparator={'\u202f'}
       suffix={spec.unit ? ` ${spec.unit}` : ''}
-      value={typed ?? number}
-      onChange={setTyped}
-      onBlur={commit}
-      onKeyDown={(event) => {
-        if (event.key === 'Enter') commit();
-        if (event.key === 'Escape') setTyped(undefined);
-      }}
+      {...field}
       classNames={{ input: 'sl-number' }}
     />
   );

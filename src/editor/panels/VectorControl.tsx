@@ -1,7 +1,8 @@
 import { Group, NumberInput, Select, Stack, Text, Tooltip } from '@mantine/core';
-import { type ReactNode, useId, useState } from 'react';
+import { type ReactNode, useId } from 'react';
 import type { VectorParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
+import { useTypedNumber } from './useTypedNumber.ts';
 
 type Vector = VectorParam['default'];
 
@@ -72,14 +73,10 @@ interface ComponentProps {
   readonly onChange: (value: number) => void;
 }
 
-/** Takes what is typed when it is complete. */
 function Component({ label, name, value, onChange }: ComponentProps): ReactNode {
-  const [typed, setTyped] = useState<number | string>();
-  const commit = () => {
-    const number = typeof typed === 'number' ? typed : Number.parseFloat(typed ?? '');
-    setTyped(undefined);
-    if (Number.isFinite(number) && number !== value) onChange(number);
-  };
+  const field = useTypedNumber(value, (number) => {
+    if (number !== value) onChange(number);
+  });
   return (
     <NumberInput
       size="xs"
@@ -88,13 +85,7 @@ function Component({ label, name, value, onChange }: ComponentProps): ReactNode 
       leftSectionWidth={24}
       hideControls
       decimalScale={6}
-      value={typed ?? value}
-      onChange={setTyped}
-      onBlur={commit}
-      onKeyDown={(event) => {
-        if (event.key === 'Enter') commit();
-        if (event.key === 'Escape') setTyped(undefined);
-      }}
+      {...field}
       classNames={{ input: 'sl-number' }}
     />
   );

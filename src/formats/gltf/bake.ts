@@ -6,6 +6,7 @@ import { boundingBox } from '../../scene/bounds.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
 import { RefinementBudget } from '../../scene/refine.ts';
 import type { Mesh, Motion, Pose, SampledMotion, StaticMotion } from '../../scene/types.ts';
+import { evenly } from '../evenly.ts';
 import { formatBytes } from '../fail.ts';
 import type { GltfContext } from './context.ts';
 import type { Deformer } from './deform.ts';
@@ -169,7 +170,7 @@ export class Baker {
       tolerance = tolerance > 0 ? tolerance * 4 : radiusOf(shape(knots.times[0])) * 1e-3 || 1;
       times = this.#followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
     }
-    if (times.length > most) times = thinned(times, most);
+    if (times.length > most) times = [...evenly(times, most)];
     if (times.length < knots.times.length || tolerance > wanted) {
       const message = `bends too much to hold in ${formatBytes(this.#budget)}; it is sampled at ${times.length} times only`;
       this.#context.notes.add('warning', 'gltf.coarse', frame.path, message);
@@ -253,7 +254,3 @@ function turnedRound(mesh: Mesh): Mesh {
   for (let i = 0; i + 2 < indices.length; i += 3) [indices[i + 1], indices[i + 2]] = [indices[i + 2], indices[i + 1]];
   return { ...mesh, indices };
 }
-
-/** `count` of the times, the first and the last among them. */
-const thinned = (times: readonly number[], count: number): number[] =>
-  Array.from({ length: count }, (_, i) => times[Math.round((i * (times.length - 1)) / (count - 1))]);

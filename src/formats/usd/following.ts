@@ -1,8 +1,9 @@
 import * as mat4 from '../../math/mat4.ts';
 import type { SampledMotion, StaticMotion } from '../../scene/types.ts';
+import { evenly } from '../evenly.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
-import { boxCorners, carried, evenly } from './sampling.ts';
+import { boxCorners, carried } from './sampling.ts';
 import type { DeformedPoints } from './shape.ts';
 
 /** Turns between samples of what has no size are followed to this angle [rad], paths to as many metres. */

@@ -1,5 +1,6 @@
 import type { Mat4 } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { evenly } from '../evenly.ts';
 
 /** Where points of 3 numbers each are, carried by a matrix. */
 export function carried(points: ArrayLike<number>, m: Mat4): number[] {
@@ -37,12 +38,6 @@ export const bytesOfPoints = (times: number, vertices: number, vectors: number):
 /** As many of the times as `bytes` hold, evenly chosen, with the first and the last; at least these two. */
 export function affordableTimes(times: Float64Array, perTime: number, bytes: number): Float64Array {
   return evenly(times, Math.max(2, Math.floor(bytes / perTime)));
-}
-
-/** At most so many of the times, evenly chosen, with the first and the last. */
-export function evenly(times: Float64Array, most: number): Float64Array {
-  if (times.length <= most) return times;
-  return Float64Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]);
 }
 
 /** Of each vertex at each time: a place, a normal, and along cubics a velocity. */
