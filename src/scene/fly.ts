@@ -5,7 +5,7 @@ import { boundingBox } from './bounds.ts';
 import { poseAt } from './motion.ts';
 import { isStreamed } from './points.ts';
 import { shiftedPoints } from './streamedPoints.ts';
-import type { FrameMotion, SampledPointsMotion, Scene, SceneObject, SphereLight } from './types.ts';
+import type { FrameMotion, Lamp, SampledPointsMotion, Scene, SceneObject } from './types.ts';
 
 /** A flight along a straight line at constant speed. */
 export interface Flight {
@@ -48,9 +48,7 @@ export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
  */
 export function fly(scene: Scene, flight: Flight, c: number): Scene {
   const flying = scene.objects.filter(({ path }) => isAt(path, flight.path));
-  const lamps = scene.lights.filter(
-    (light): light is SphereLight => light.kind === 'sphere' && isAt(light.path, flight.path),
-  );
+  const lamps = scene.lights.filter((light): light is Lamp => 'motion' in light && isAt(light.path, flight.path));
   const origins = [...flying, ...lamps].flatMap(({ motion }) => poseAt(motion, flight.at, c).position);
   const box = boundingBox(origins);
   const u = properVelocity(flight.beta);
@@ -67,7 +65,7 @@ export function fly(scene: Scene, flight: Flight, c: number): Scene {
     ...scene,
     objects: scene.objects.map((object) => (flying.includes(object) ? flyObject(object, flight, course) : object)),
     lights: scene.lights.map((light) =>
-      light.kind === 'sphere' && lamps.includes(light) ? { ...light, motion: flyFrame(light.motion, course) } : light,
+      'motion' in light && lamps.includes(light) ? { ...light, motion: flyFrame(light.motion, course) } : light,
     ),
   };
 }

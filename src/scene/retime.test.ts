@@ -73,16 +73,20 @@ describe('retime', () => {
     const whole = {
       ...scene,
       objects: [makeObject({ path: '/a', mesh, lifetime })],
-      lights: [{ kind: 'sphere', path: '/l', motion, lifetime, radius: 1, color: [1, 1, 1] } as const],
+      lights: [
+        { kind: 'sphere', path: '/l', motion, lifetime, radius: 1, color: [1, 1, 1] } as const,
+        { kind: 'cylinder', path: '/m', motion, lifetime, radius: 1, length: 2, color: [1, 1, 1] } as const,
+      ],
       cameras: [{ path: '/c', motion, fovY: 1 }],
     };
     const next = retime(whole, { offset: 10, speed: 2 });
     expect([next.startTime, next.endTime, next.hints.openAt]).toEqual([11, 12.5, 11.5]);
     expect(next.objects[0].lifetime).toEqual({ birth: 11.5, death: Number.POSITIVE_INFINITY });
-    expect(next.lights[0]).toMatchObject({
-      lifetime: { birth: 11.5 },
-      motion: { times: Float64Array.of(11, 11.5, 12.5) },
-    });
+    for (const light of next.lights)
+      expect(light).toMatchObject({
+        lifetime: { birth: 11.5 },
+        motion: { times: Float64Array.of(11, 11.5, 12.5) },
+      });
     expect(next.cameras[0].motion).toMatchObject({ times: Float64Array.of(11, 11.5, 12.5) });
     expect(retime(whole, { offset: 0, speed: 1 })).toBe(whole);
   });

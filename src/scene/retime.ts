@@ -48,7 +48,7 @@ const retimeObject = (object: SceneObject, map: TimeMap): SceneObject => ({
 });
 
 const retimeLight = (light: Light, map: TimeMap): Light =>
-  light.kind === 'sphere'
+  'motion' in light
     ? { ...light, motion: retimeMotion(light.motion, map), lifetime: retimeLifetime(light.lifetime, map) }
     : light;
 

@@ -54,7 +54,7 @@ export function Motion({ picture }: { readonly picture: Picture }): ReactNode {
 
 const moves = ({ objects, cameras, lights }: Scene): boolean =>
   [...objects, ...cameras].some(({ motion }) => motion.kind !== 'static') ||
-  lights.some((light) => light.kind === 'sphere' && light.motion.kind !== 'static') ||
+  lights.some((light) => 'motion' in light && light.motion.kind !== 'static') ||
   objects.some(({ lifetime }) => Number.isFinite(lifetime.birth) || Number.isFinite(lifetime.death));
 
 const sampled = ({ objects, cameras }: Scene): boolean =>
