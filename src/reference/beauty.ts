@@ -1,9 +1,10 @@
-import { lerp, type Vec3 } from '../math/vec3.ts';
+import { add, lerp, type Vec3 } from '../math/vec3.ts';
 import { toneMap } from '../spectrum/toneMap.ts';
 import { cameraRay } from './camera.ts';
 import { groundGrid } from './grid.ts';
 import { radiance } from './path.ts';
 import { pixelSequence } from './sequence.ts';
+import { starField } from './starField.ts';
 import type { Tile, TileRequest } from './tile.ts';
 import type { TracedScene } from './trace.ts';
 import type { SpacetimeRay } from './types.ts';
@@ -20,9 +21,11 @@ export interface Means {
  * the data are taken. A sample is tone mapped before it is averaged, as the rasterizer does, so that edges of very bright things are
  * smooth too. The sequence is the pixel's own, so that every division into tiles gives the same bits.
  */
-export function fillBeauty(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: Tile, means: Means): void {
+export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Tile, means: Means): void {
+  const { x0, y0, x1, y1 } = tile;
   const { view, settings, width, height, samples: n, seed, light } = request;
   const show = display(scene, request);
+  const stars = starField(scene, request, tile);
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
       const numbers = pixelSequence(seed, x, y);
@@ -32,7 +35,8 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, { x0, y0, x
         const [right, down] = n === 1 ? [0.5, 0.5] : [random(), random()];
         const [px, py] = [x + right, y + down];
         const ray = cameraRay(view, settings, px, py, width, height);
-        const arrived = radiance(scene, ray, view, settings, light, random);
+        const gathered = radiance(scene, ray, view, settings, light, random);
+        const arrived = stars ? add(gathered, stars(ray, px, py)) : gathered;
         const shown = show(arrived, ray, px, py);
         for (let k = 0; k < 3; k++) {
           sums[k] += arrived[k] / (n * n);

@@ -13,7 +13,7 @@ import type { Uniforms } from './uniforms.ts';
 import { type Projection, vertexStage, vShown } from './vertexStage.ts';
 
 /** Largest finite half float: what may be kept where the light target has no more. */
-const MOST_LIGHT = 65_000;
+export const MOST_LIGHT = 65_000;
 
 /** `reversed`: whether the depth buffer is. */
 export function geometryMaterial(

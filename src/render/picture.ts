@@ -63,7 +63,7 @@ export class PictureMachine {
 
   /** G-buffer to light, then what is transparent over it. */
   drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera): void {
-    const { buffer, uniforms, light, gpu } = this;
+    const { buffer, uniforms, light } = this;
     const { environment, bodies } = upload;
     const moving = () => bodies.some(({ object }) => object.motion.kind !== 'static');
     this.run(`sky ${upload.serial}`, () => skyLight(environment, uniforms), light, 'sky');
@@ -74,16 +74,23 @@ export class PictureMachine {
         light,
         'surfaces',
       );
+    if (upload.stars) this.drawOver(upload.stars.scene, camera);
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawable of upload.drawables)
       if (drawable.batch.transparent)
         this.dress(drawable, `forward ${projection.event} ${projection.place}`, () =>
           forwardMaterial(drawable, projection, buffer, upload.environment),
         );
-    gpu.renderer.autoClear = false;
-    gpu.renderer.setRenderTarget(light);
-    gpu.renderer.render(upload.transparent, camera);
-    gpu.renderer.autoClear = true;
+    this.drawOver(upload.transparent, camera);
+  }
+
+  /** Onto the light that is there. */
+  private drawOver(scene: Scene, camera: PerspectiveCamera): void {
+    const { renderer } = this.gpu;
+    renderer.autoClear = false;
+    renderer.setRenderTarget(this.light);
+    renderer.render(scene, camera);
+    renderer.autoClear = true;
   }
 
   /** Light to display: sample `index` of `count`, with or without the reference grid. */

@@ -92,6 +92,7 @@ export class SceneRenderer implements PictureMaker {
     this.resize();
     this.cut(upload, viewPoint, sight, projection, seen);
     upload.environment.update(sight);
+    upload.stars?.update(viewPoint, settings, this.width, this.height);
     const count = samples * samples;
     for (let i = 0; i < count; i++) {
       this.jitter(samples, i);

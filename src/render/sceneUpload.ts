@@ -1,4 +1,5 @@
 import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene } from 'three/webgpu';
+import { nightSkyOf } from '../scene/daylight.ts';
 import { isStreamed } from '../scene/points.ts';
 import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
 import { type Batch, type BatchArrays, makeBatches } from './batches.ts';
@@ -12,6 +13,7 @@ import { PointStore } from './pointStore.ts';
 import { Refiner } from './refine/gpuRefiner.ts';
 import { SampleCourier } from './sampleCourier.ts';
 import type { RendererOptions } from './settings.ts';
+import { StarPoints } from './starPoints.ts';
 import { MATERIAL_TEXELS } from './surface.ts';
 import { uploadTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -33,6 +35,7 @@ export class SceneUpload {
   readonly drawables: Drawable[] = [];
   readonly refiner: Refiner;
   readonly environment: Environment;
+  readonly stars: StarPoints | undefined;
   readonly frame: Frame;
   readonly opaque = new ThreeScene();
   readonly transparent = new ThreeScene();
@@ -54,6 +57,8 @@ export class SceneUpload {
     this.bodies = worldObjects(scene, speedOfLight).map((object, i) => makeBody(object, i + 1));
     this.radius = radiusOf(this.bodies);
     this.environment = new Environment(scene);
+    const night = nightSkyOf(scene);
+    this.stars = night && new StarPoints(night, uniforms, gpu.renderer.reversedDepthBuffer);
     this.frame = new Frame({ objects: this.objects, samples: this.samples, points: this.points });
     for (const { id, object } of this.bodies)
       if (object.motion.kind === 'sampled-points')
@@ -73,6 +78,7 @@ export class SceneUpload {
     for (const image of this.textures.values()) image.dispose();
     for (const table of [this.objects, this.samples, this.materials, this.instances]) table.dispose();
     this.environment.dispose();
+    this.stars?.dispose();
   }
 
   private pointStore(

@@ -1,5 +1,5 @@
 import { normalize, type Vec3 } from '../math/vec3.ts';
-import type { DistantLight, DomeLight, Lamp, Light, Scene } from './types.ts';
+import type { DistantLight, DomeLight, Lamp, Light, NightSky, Scene } from './types.ts';
 
 // What shines on a scene, and what it is seen against: its own lights, or a clear day's.
 
@@ -35,9 +35,16 @@ export const directLights = ({ lights, upAxis }: Pick<Scene, 'lights' | 'upAxis'
 
 /** The light all round; a clear day's sky where there is none. */
 export const domeOf = ({ lights }: Pick<Scene, 'lights'>): DomeLight | undefined =>
-  lights.find((light) => light.kind === 'dome');
+  lights.find((light) => light.kind === 'dome') ?? (nightSkyOf({ lights }) && DARKNESS);
 
-const isDirect = (light: Light): light is DirectLight => light.kind !== 'dome';
+/** Between the stars. */
+const DARKNESS: DomeLight = { kind: 'dome', path: '', color: [0, 0, 0] };
+
+/** The stars, where the scene is under them. */
+export const nightSkyOf = ({ lights }: Pick<Scene, 'lights'>): NightSky | undefined =>
+  lights.find((light) => light.kind === 'stars');
+
+const isDirect = (light: Light): light is DirectLight => light.kind !== 'dome' && light.kind !== 'stars';
 
 function defaultSun(upAxis: Scene['upAxis']): DistantLight {
   const direction: Vec3 = upAxis === 'Y' ? [-0.55, -0.75, -0.45] : [-0.55, 0.45, -0.75];

@@ -1,5 +1,6 @@
 import type { Quat } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import type { Stars } from './stars/brightStars.ts';
 import type { StreamedPoints } from './streamedPoints.ts';
 
 /**
@@ -193,7 +194,7 @@ export interface Texture {
 /** Outside the picture; `black` is transparent too. */
 export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';
 
-export type Light = DistantLight | Lamp | DomeLight;
+export type Light = DistantLight | Lamp | DomeLight | NightSky;
 
 /** What shines from somewhere, and may move. */
 export type Lamp = SphereLight | AreaLight;
@@ -257,6 +258,16 @@ export interface DomeLight {
   readonly path: string;
   readonly color: Vec3;
   readonly texture?: Texture;
+}
+/** The fixed stars before the cosmic background. They are seen; on things they shine too faintly to tell. */
+export interface NightSky {
+  readonly kind: 'stars';
+  readonly path: string;
+  readonly stars: Stars;
+  /** Equatorial axes → world axes. */
+  readonly orientation: Quat;
+  /** Radiance for each cd/m², and irradiance for each lx. */
+  readonly gain: number;
 }
 
 /** A perspective camera that looks down −Z with +Y up; animated by its poses. */

@@ -79,8 +79,8 @@ class GltfWriter {
   }
 
   private addLight(light: Light): void {
-    if (light.kind === 'dome') {
-      this.losses.add('warning', 'convert.light', light.path, 'glTF has no dome light; it is left out');
+    if (light.kind === 'dome' || light.kind === 'stars') {
+      this.losses.add('warning', 'convert.light', light.path, 'glTF has no light from a sky; it is left out');
       return;
     }
     const isSun = light.kind === 'distant';

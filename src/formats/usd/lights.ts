@@ -1,7 +1,9 @@
 import * as mat4 from '../../math/mat4.ts';
+import { multiply } from '../../math/quat.ts';
 import { normalize } from '../../math/vec3.ts';
-import type { Light } from '../../scene/types.ts';
-import { attributeOf, sampleTimes, textOf, valueAt } from './attributes.ts';
+import { EQUATORIAL } from '../../scene/stars/equatorial.ts';
+import type { Light, NightSky } from '../../scene/types.ts';
+import { attributeOf, sampleTimes, textAt, textOf, valueAt } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import type { Frame } from './frame.ts';
 import { isLamp, lampOf } from './lamps.ts';
@@ -32,12 +34,28 @@ export async function lightOf(
     const direction = normalize(mat4.transformVector(frame.matrixAt(context.startCode), [0, 0, -1]), [0, 0, -1]);
     return { kind: 'distant', path, direction, color: brightnessOf(context, prim, DISTANT_INTENSITY) };
   }
+  if (textAt(prim, 'slowlight:sky', undefined) === 'stars') return nightSkyOf(context, prim, frame);
   const color = brightnessOf(context, prim);
   const file = valueAt(attributeOf(prim, 'inputs:texture:file'), context.startCode);
   const name = textOf(file);
   const image = name ? await textures.file(file, path) : undefined;
   if (!image) return { kind: 'dome', path, color };
   return { kind: 'dome', path, color, texture: { ...textureOf(context, prim, image, false), name: name! } };
+}
+
+/** The bright stars as this prim's frame turns them; their colours are their own. */
+async function nightSkyOf(context: StageContext, prim: PrimSpec, frame: Frame): Promise<NightSky> {
+  // Loaded with the first scene that has stars: the page is light without them.
+  const { brightStars } = await import('../../scene/stars/brightStars.ts');
+  const { orientation } = mat4.decomposeRigid(frame.matrixAt(context.startCode)).pose;
+  const [r, g, b] = brightnessOf(context, prim);
+  return {
+    kind: 'stars',
+    path: prim.path,
+    stars: brightStars(),
+    orientation: multiply(orientation, EQUATORIAL),
+    gain: 0.2126 * r + 0.7152 * g + 0.0722 * b,
+  };
 }
 
 /**

@@ -275,7 +275,7 @@ describe('meshes', async () => {
       radius: 0.5,
       color: [40, 40, 40],
     });
-    expect(light('dome').color).toEqual([0.1, 0.2, 0.5].map((x) => expect.closeTo(x, 6)));
+    expect(light('dome')).toMatchObject({ color: [0.1, 0.2, 0.5].map((x) => expect.closeTo(x, 6)) });
   });
 
   it('has nothing to complain about, and tells what samples leave open', () => {

@@ -1,12 +1,14 @@
-import { shortestTurn } from '../../math/quat.ts';
+import { conjugate, multiply, shortestTurn } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { normalsAt, pointsAt } from '../../scene/points.ts';
+import { EQUATORIAL } from '../../scene/stars/equatorial.ts';
 import type {
   Lamp,
   Light,
   LightShaping,
   Mesh,
   Motion,
+  NightSky,
   Pose,
   SampledMotion,
   SampledPointsMotion,
@@ -186,6 +188,7 @@ export function cameraContent(camera: SceneCamera, placement: Placement): PrimCo
 }
 
 export function lightContent(light: Light, placement: Placement, file: string | undefined): PrimContent {
+  if (light.kind === 'stars') return nightSkyContent(light, placement);
   const color = [`color3f inputs:color = ${floats(light.color)}`, 'float inputs:intensity = 1'];
   if (light.kind === 'distant') {
     const pose: Pose = { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) };
@@ -210,6 +213,18 @@ export function lightContent(light: Light, placement: Placement, file: string | 
   }
   const texture = file ? [`asset inputs:texture:file = @${file}@`] : [];
   return { type: 'DomeLight', properties: [...color, ...texture] };
+}
+
+function nightSkyContent({ gain, orientation }: NightSky, placement: Placement): PrimContent {
+  const turn = multiply(orientation, conjugate(EQUATORIAL));
+  return {
+    type: 'DomeLight',
+    properties: [
+      'custom token slowlight:sky = "stars"',
+      `float inputs:intensity = ${float(gain)}`,
+      ...poseLines({ position: [0, 0, 0], orientation: turn }, placement),
+    ],
+  };
 }
 
 const LAMP_TYPES = { sphere: 'SphereLight', rect: 'RectLight', disk: 'DiskLight', cylinder: 'CylinderLight' } as const;

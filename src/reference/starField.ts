@@ -1,0 +1,62 @@
+import { addScaled, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { nightSkyOf } from '../scene/daylight.ts';
+import { starsInPicture } from '../scene/stars/inPicture.ts';
+import { spread } from '../scene/stars/spread.ts';
+import { coverage } from './passage.ts';
+import type { Tile, TileRequest } from './tile.ts';
+import { nearestHit, type TracedScene } from './trace.ts';
+import type { SpacetimeRay } from './types.ts';
+
+interface Star {
+  readonly x: number;
+  readonly y: number;
+  readonly half: number;
+  readonly light: Vec3;
+}
+
+/** Linear sRGB radiance of the stars at a point of the picture [px from its top left], as much as gets there along its ray. */
+export type StarField = (ray: SpacetimeRay, x: number, y: number) => Vec3;
+
+/** The stars of a tile; undefined where a scene has none. A star is a point: it is spread over a few pixels as the rasterizer spreads it. */
+export function starField(scene: TracedScene, request: TileRequest, tile: Tile): StarField | undefined {
+  const stars = starsNear(scene, request, tile);
+  if (stars.length === 0) return undefined;
+  return (ray, x, y) => {
+    let sum = ZERO;
+    for (const star of stars) {
+      const [dx, dy] = [x - star.x, y - star.y];
+      if (Math.abs(dx) < star.half && Math.abs(dy) < star.half)
+        sum = addScaled(sum, star.light, spread(Math.hypot(dx, dy)));
+    }
+    return sum === ZERO ? ZERO : scale(sum, shareSeen(scene, ray));
+  };
+}
+
+function starsNear(scene: TracedScene, { view, settings, width, height }: TileRequest, tile: Tile): readonly Star[] {
+  const sky = nightSkyOf(scene.scene);
+  if (!sky) return [];
+  const room = 3 * sky.stars.temperatures.length;
+  const [places, lights] = [new Float32Array(room), new Float32Array(room)];
+  const count = starsInPicture(sky, view, settings, width, height, { places, lights });
+  const near: Star[] = [];
+  for (let k = 0; k < 3 * count; k += 3) {
+    const [x, y, half] = [((places[k] + 1) / 2) * width, ((1 - places[k + 1]) / 2) * height, places[k + 2]];
+    if (x + half > tile.x0 && x - half < tile.x1 && y + half > tile.y0 && y - half < tile.y1)
+      near.push({ x, y, half, light: [lights[k], lights[k + 1], lights[k + 2]] });
+  }
+  return near;
+}
+
+/** What of the light from behind everything gets past the sides that are shown. */
+function shareSeen(scene: TracedScene, ray: SpacetimeRay): number {
+  let share = 1;
+  const hidden = nearestHit(scene, ray, {
+    shown: true,
+    accepts: (hit) => {
+      const held = coverage(scene, hit);
+      share *= 1 - held;
+      return held >= 1;
+    },
+  });
+  return hidden ? 0 : share;
+}

@@ -1,0 +1,97 @@
+import { attribute, exp, float, length, pow, uniform, vec4 } from 'three/tsl';
+import {
+  AdditiveBlending,
+  DynamicDrawUsage,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  LessEqualDepth,
+  Mesh,
+  type Node,
+  NodeMaterial,
+  PlaneGeometry,
+  Scene,
+  Vector2,
+} from 'three/webgpu';
+import { starsInPicture } from '../scene/stars/inPicture.ts';
+import { SPREAD } from '../scene/stars/spread.ts';
+import type { NightSky } from '../scene/types.ts';
+import type { RenderSettings, ViewPoint } from '../scene/view.ts';
+import type { Float } from '../shaders/types.ts';
+import { MOST_LIGHT } from './passes.ts';
+import type { Uniforms } from './uniforms.ts';
+
+/** The stars of a sky as points of a few pixels, where nothing is in front of them. What light they have here is worked out in f64 for each picture. */
+export class StarPoints {
+  /** To be drawn over the light of the sky. */
+  readonly scene = new Scene();
+  private readonly sky: NightSky;
+  private readonly geometry = new InstancedBufferGeometry();
+  private readonly material: NodeMaterial;
+  /** Place in the picture, −1 … 1, and half the side of its square [px]. */
+  private readonly places: InstancedBufferAttribute;
+  private readonly lights: InstancedBufferAttribute;
+  private readonly size = uniform(new Vector2(1, 1));
+
+  constructor(sky: NightSky, uniforms: Uniforms, reversedDepth: boolean) {
+    this.sky = sky;
+    const count = sky.stars.temperatures.length;
+    this.places = new InstancedBufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage);
+    this.lights = new InstancedBufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage);
+    const square = new PlaneGeometry(2, 2);
+    this.geometry.setIndex(square.getIndex());
+    this.geometry.setAttribute('position', square.getAttribute('position'));
+    this.geometry.setAttribute('starPlace', this.places);
+    this.geometry.setAttribute('starLight', this.lights);
+    this.material = starMaterial(uniforms, this.size, reversedDepth);
+    const mesh = new Mesh(this.geometry, this.material);
+    mesh.frustumCulled = false;
+    this.scene.add(mesh);
+  }
+
+  update(view: ViewPoint, settings: RenderSettings, width: number, height: number): void {
+    const count = starsInPicture(this.sky, view, settings, width, height, {
+      places: this.places.array as Float32Array,
+      lights: this.lights.array as Float32Array,
+    });
+    this.geometry.instanceCount = count;
+    this.size.value.set(width, height);
+    this.places.needsUpdate = true;
+    this.lights.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+    this.material.dispose();
+  }
+}
+
+function starMaterial({ jitter }: Uniforms, size: Node<'vec2'>, reversed: boolean): NodeMaterial {
+  const material = new NodeMaterial();
+  material.name = 'stars';
+  const place = attribute<'vec3'>('starPlace', 'vec3');
+  const pixels = attribute<'vec3'>('position', 'vec3').xy.mul(place.z);
+  // The far plane, as that of the passes over what is behind everything (fullScreen.ts).
+  material.vertexNode = vec4(place.xy.sub(jitter).add(pixels.mul(2).div(size)), 0, 1);
+  if (!reversed) material.depthNode = float(1);
+  const light = attribute<'vec3'>('starLight', 'vec3').toVarying('v_starLight');
+  material.fragmentNode = vec4(light.mul(spread(length(pixels.toVarying('v_starPixels')))).min(MOST_LIGHT), 1);
+  material.depthFunc = LessEqualDepth;
+  material.depthWrite = false;
+  material.transparent = true;
+  material.blending = AdditiveBlending;
+  return material;
+}
+
+/** As that of scene/stars/spread.ts. */
+function spread(r: Float): Float {
+  const { core, wings, reach, fall } = SPREAD;
+  const gauss = exp(r.mul(r).mul(-1 / (2 * core * core))).mul((1 - wings) / (2 * Math.PI * core * core));
+  const moffat = pow(
+    r
+      .mul(r)
+      .div(reach * reach)
+      .add(1),
+    -fall,
+  ).mul((wings * (fall - 1)) / (Math.PI * reach * reach));
+  return gauss.add(moffat);
+}

@@ -1,0 +1,51 @@
+import { conjugate, rotate } from '../../math/quat.ts';
+import { scale, ZERO } from '../../math/vec3.ts';
+import { aberrate } from '../../physics/aberration.ts';
+import { observerDoppler } from '../../physics/doppler.ts';
+import type { NightSky } from '../types.ts';
+import type { RenderSettings, ViewPoint } from '../view.ts';
+import { spreadRadius } from './spread.ts';
+import { starlight } from './starlight.ts';
+
+/** Room for all stars of a sky, 3 numbers each. */
+export interface StarArrays {
+  /** Place in the picture, −1 … 1 from left to right and from below up, and the half side of the square that it is seen in [px]. */
+  readonly places: Float32Array;
+  /** Linear sRGB radiance that a pixel would have with all of its light. */
+  readonly lights: Float32Array;
+}
+
+/** The stars that a picture has, brightest first as in the sky: how many there are. Frames: equatorial → world → observer → camera. */
+export function starsInPicture(
+  { stars, orientation, gain }: NightSky,
+  view: ViewPoint,
+  settings: RenderSettings,
+  width: number,
+  height: number,
+  out: StarArrays,
+): number {
+  const seen = settings.view === 'light-cone';
+  const boosted = seen && settings.aberration;
+  const u = seen ? view.u : ZERO;
+  const tanY = Math.tan(view.fovY / 2);
+  const tanX = (tanY * width) / height;
+  const pixel = (4 * tanX * tanY) / (width * height);
+  const toCamera = conjugate(view.orientation);
+  let count = 0;
+  for (let i = 0; i < stars.temperatures.length; i++) {
+    const n = rotate(orientation, [stars.directions[3 * i], stars.directions[3 * i + 1], stars.directions[3 * i + 2]]);
+    const [x, y, z] = rotate(toCamera, boosted ? aberrate(n, u) : n);
+    if (z >= 0) continue;
+    const D = observerDoppler(n, u);
+    // A picture's flat pixels take up less of the sky toward its edges: by cos³ of the angle.
+    const share = (gain * stars.illuminances[i]) / (pixel * (-z) ** 3);
+    const light = scale(starlight(stars.temperatures[i], D, settings), share / (boosted ? D * D : 1));
+    const brightest = Math.max(...light) * 2 ** settings.exposure;
+    const half = spreadRadius(brightest);
+    const place = [x / (-z * tanX), y / (-z * tanY)];
+    if (Math.abs(place[0]) > 1 + (2 * half) / width || Math.abs(place[1]) > 1 + (2 * half) / height) continue;
+    out.places.set([...place, half], 3 * count);
+    out.lights.set(light, 3 * count++);
+  }
+  return count;
+}

@@ -1,0 +1,25 @@
+/**
+ * How a picture spreads a point of light, as an eye or a camera does: a core (Gauss) and wings (Moffat 1969), per square pixel at r [px]
+ * from its middle; over the plane 1.
+ */
+export const SPREAD = { core: 0.6, wings: 0.12, reach: 1.3, fall: 2 } as const;
+
+/** A pixel with less than this, as it is displayed, looks dark. */
+const DARK = 2e-4;
+/** [px] */
+const RADII = [2.5, 48] as const;
+
+export function spread(r: number): number {
+  const { core, wings, reach, fall } = SPREAD;
+  const gauss = Math.exp(-(r * r) / (2 * core * core)) / (2 * Math.PI * core * core);
+  const moffat = ((fall - 1) / (Math.PI * reach * reach)) * (1 + (r / reach) ** 2) ** -fall;
+  return (1 - wings) * gauss + wings * moffat;
+}
+
+/** Where a star, of which a pixel would have all this radiance after exposure, is lost in the dark [px]. */
+export function spreadRadius(radiance: number): number {
+  const { wings, reach, fall } = SPREAD;
+  const most = (radiance * wings * (fall - 1)) / (Math.PI * reach * reach);
+  const r = reach * Math.sqrt(Math.max((most / DARK) ** (1 / fall) - 1, 0));
+  return Math.min(Math.max(r, RADII[0]), RADII[1]);
+}
