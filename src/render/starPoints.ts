@@ -1,4 +1,4 @@
-import { attribute, exp, float, length, pow, uniform, vec4 } from 'three/tsl';
+import { attribute, exp, float, length, pow, round, uniform, vec4 } from 'three/tsl';
 import {
   AdditiveBlending,
   DynamicDrawUsage,
@@ -69,9 +69,12 @@ function starMaterial({ jitter }: Uniforms, size: Node<'vec2'>, reversed: boolea
   const material = new NodeMaterial();
   material.name = 'stars';
   const place = attribute<'vec3'>('starPlace', 'vec3');
-  const pixels = attribute<'vec3'>('position', 'vec3').xy.mul(place.z);
+  const middle = place.xy.sub(jitter).mul(0.5).add(0.5).mul(size);
+  // Corners on whole pixels: a rasterizer rounds others, and what is between them with them.
+  const corner = round(middle.add(attribute<'vec3'>('position', 'vec3').xy.mul(place.z))).toVar();
+  const pixels = corner.sub(middle);
   // The far plane, as that of the passes over what is behind everything (fullScreen.ts).
-  material.vertexNode = vec4(place.xy.sub(jitter).add(pixels.mul(2).div(size)), 0, 1);
+  material.vertexNode = vec4(corner.div(size).mul(2).sub(1), 0, 1);
   if (!reversed) material.depthNode = float(1);
   const light = attribute<'vec3'>('starLight', 'vec3').toVarying('v_starLight');
   material.fragmentNode = vec4(light.mul(spread(length(pixels.toVarying('v_starPixels')))).min(MOST_LIGHT), 1);
