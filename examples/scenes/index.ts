@@ -6,8 +6,20 @@ import { scene as ladder } from './ladder.ts';
 import { scene as lattice } from './lattice.ts';
 import { scene as saturn } from './saturn.ts';
 import { scene as sphere } from './sphere.ts';
+import { scene as starfield } from './starfield.ts';
 import { scene as street } from './street.ts';
 import { scene as wheel } from './wheel.ts';
 
 /** All scenes, in the order in which the gallery shows them. */
-export const scenes: readonly ExampleScene[] = [street, dice, wheel, lattice, sphere, hall, saturn, gallery, ladder];
+export const scenes: readonly ExampleScene[] = [
+  street,
+  dice,
+  wheel,
+  lattice,
+  sphere,
+  hall,
+  starfield,
+  saturn,
+  gallery,
+  ladder,
+];

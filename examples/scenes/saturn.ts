@@ -1,8 +1,9 @@
 import { fromAxisAngle, multiply, rotate } from '../../src/math/quat.ts';
 import { random } from '../../src/math/random.ts';
-import { normalize, scale, type Vec3 } from '../../src/math/vec3.ts';
-import { makeMesh } from '../../src/scene/geometry.ts';
+import { normalize, type Vec3 } from '../../src/math/vec3.ts';
 import { type Band, revolve, sphere } from '../../src/scene/primitives.ts';
+import { brightStars } from '../../src/scene/stars/brightStars.ts';
+import { EQUATORIAL } from '../../src/scene/stars/equatorial.ts';
 import type { Light, Mesh, Scene } from '../../src/scene/types.ts';
 import { paint, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
@@ -33,7 +34,6 @@ function make(): Scene {
   const builder = new SceneBuilder();
   planet(builder);
   moons(builder);
-  stars(builder);
   const [from, to] = [0, 20];
   const way = (t: number) => 62 - 118 * cruise(t / to, 0.32);
   const flight = camera({
@@ -53,7 +53,7 @@ function make(): Scene {
   const [r, g, b] = linear('#fff4e2');
   const lights: Light[] = [
     { kind: 'distant', path: '/World/Sun', direction: normalize([0.72, -0.3, -0.45]), color: [r * 4, g * 4, b * 4] },
-    { kind: 'dome', path: '/World/Space', color: [0.004, 0.005, 0.008] },
+    { kind: 'stars', path: '/World/Stars', stars: brightStars(), orientation: EQUATORIAL, gain: 40 },
   ];
   return builder.finish('saturn', hints, [from, to], [flight], lights);
 }
@@ -158,39 +158,4 @@ function craters(color: string, name: string) {
     })
     .grain(0.05, 2)
     .texture(name);
-}
-
-/** Far little octahedra that glow: being geometry, they are aberrated like everything else. */
-function stars(builder: SceneBuilder): void {
-  const next = random(99);
-  const tints = ['#ffffff', '#ffe2c0', '#c9d8ff'];
-  const meshes = tints.map((tint, i) => {
-    const points: number[] = [];
-    const faceIndices: number[] = [];
-    for (let k = 0; k < 190; k++) {
-      const z = 2 * next() - 1;
-      const a = 2 * Math.PI * next();
-      const s = Math.sqrt(1 - z * z);
-      const centre = scale([s * Math.cos(a), z, s * Math.sin(a)], 420);
-      const size = 0.35 + 0.9 * next() ** 4;
-      const first = points.length / 3;
-      for (const axis of [0, 1, 2])
-        for (const side of [-1, 1]) points.push(...centre.map((x, j) => (j === axis ? x + side * size : x)));
-      for (const [x, y, w] of [
-        [1, 3, 5],
-        [3, 0, 5],
-        [0, 2, 5],
-        [2, 1, 5],
-        [3, 1, 4],
-        [0, 3, 4],
-        [2, 0, 4],
-        [1, 2, 4],
-      ])
-        faceIndices.push(first + x, first + y, first + w);
-    }
-    const faceCounts = new Array<number>(faceIndices.length / 3).fill(3);
-    const { mesh } = makeMesh({ points, faceCounts, faceIndices, smoothAngle: Math.PI });
-    return paint(mesh, builder.material(`star${i}`, '#000000', { emissive: tint }));
-  });
-  builder.object('/World/Stars', meshes);
 }

@@ -11,7 +11,18 @@ import type { ProbeObserver } from '../../src/scene/probe.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
 
 /** Every scene of the gallery. */
-export const NAMES = ['street', 'dice', 'wheel', 'lattice', 'sphere', 'hall', 'saturn', 'gallery', 'ladder'] as const;
+export const NAMES = [
+  'street',
+  'dice',
+  'wheel',
+  'lattice',
+  'sphere',
+  'hall',
+  'starfield',
+  'saturn',
+  'gallery',
+  'ladder',
+] as const;
 export type ExampleName = (typeof NAMES)[number];
 
 const files: FileSource = {

@@ -30,6 +30,11 @@ export const exampleWords: Readonly<Record<string, { readonly title: string; rea
     lookFor:
       '每块瓷砖边长两米。静止时线条笔直；给自己一个速度（按 Tab，再按 W），墙壁向外弓起，远处的墙退去，肩后的瓷砖进入视野。',
   },
+  starfield: {
+    title: '星空',
+    lookFor:
+      '真实的星空，猎户座在正前方。加速时群星向前方聚拢：在 0.9 c 时，原来前半个天空收进 26° 的圆内，猎户的腰带缩到不足四分之一。发红的参宿四变成蓝白色；回头看，天空空旷而暗红。',
+  },
   saturn: {
     title: '土星',
     lookFor:
