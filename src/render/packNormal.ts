@@ -24,3 +24,17 @@ export function fromOctahedron(p: number, q: number): Vec3 {
 }
 
 const step = (v: number): number => Math.round((v * 0.5 + 0.5) * (NORMAL_STEPS - 1));
+
+/** Steps, evenly many, per octahedral axis of a normal in the G-buffer, of which the lowest bits are kept apart: `FINER` of them are one in its first two numbers. */
+export const FINE_STEPS = 2 ** 15 - 2;
+export const FINER = 8;
+/** Steps of what is kept beside the lowest bits. */
+export const LEVELS = 511;
+/** Numbers of 12 bits are stored less this: halves hold whole numbers up to it. */
+export const MIDDLE = 2048;
+
+/** The normal of a pixel of the G-buffer (surfaceCode.ts). */
+export function normalOf(code: ArrayLike<number>): Vec3 {
+  const axis = (k: number): number => FINER * (code[k] + MIDDLE) + ((code[k + 2] + MIDDLE) % FINER);
+  return fromOctahedron((2 * axis(0)) / FINE_STEPS - 1, (2 * axis(1)) / FINE_STEPS - 1);
+}

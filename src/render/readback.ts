@@ -1,7 +1,7 @@
 import { DataUtils, type RenderTarget } from 'three/webgpu';
 import type { AovName } from '../scene/view.ts';
 import type { Gpu } from './device.ts';
-import { fromOctahedron } from './packNormal.ts';
+import { normalOf } from './packNormal.ts';
 import type { PickResult } from './settings.ts';
 import type { Sight } from './sight.ts';
 import type { TargetName } from './surface.ts';
@@ -62,7 +62,7 @@ const SOURCES: Record<
   position: { target: 'event', values: ([x, y, z], { position: p }) => [p[0] + x, p[1] + y, p[2] + z] },
   doppler: { target: 'motion', values: ([, , , w]) => [w] },
   velocity: { target: 'motion', values: ([x, y, z]) => [x, y, z] },
-  normal: { target: 'normal', values: ([p, q]) => fromOctahedron(p, q) },
+  normal: { target: 'normal', values: normalOf },
   object: { target: 'object', values: ([x]) => [x] },
 };
 

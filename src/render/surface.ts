@@ -1,4 +1,21 @@
-import { clamp, Discard, dot, Fn, faceDirection, int, length, mix, mrt, normalize, property, round, select, vec2, vec3, vec4 } from 'three/tsl';
+import {
+  clamp,
+  Discard,
+  dot,
+  Fn,
+  faceDirection,
+  int,
+  length,
+  mix,
+  mrt,
+  normalize,
+  property,
+  round,
+  select,
+  vec2,
+  vec3,
+  vec4,
+} from 'three/tsl';
 import type { DataTexture, MRTNode, Node } from 'three/webgpu';
 import type { Material, TextureChannel } from '../scene/types.ts';
 import { dopplerFactor } from '../shaders/dopplerFactor.ts';

@@ -1,14 +1,17 @@
-import { abs, clamp, dot, exp2, floor, log2, max, min, round, select, sqrt, vec2, vec3, vec4 } from 'three/tsl';
+import { abs, clamp, dot, exp2, floor, log2, max, min, round, select, sqrt, vec3, vec4 } from 'three/tsl';
 import type { Node } from 'three/webgpu';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { offOctahedron, ontoOctahedron } from './octahedral.ts';
+import { FINE_STEPS, FINER, LEVELS, MIDDLE } from './packNormal.ts';
 
 /*
  * What the G-buffer holds of a surface, in halves: of 64 bytes that a sample may have none is left.
  *   base      base colour, roughness
  *   emissive  what it emits, and its finish: how metallic it is and what it mirrors
- *   normal    the normal on an octahedron (to 5e-4 rad), reflectance below 380 nm and beyond 780 nm
+ *   normal    the normal (to 1.3e-4 rad), reflectance below 380 nm and beyond 780 nm
  */
+
+type Vec2 = Node<'vec2'>;
 
 /** What a surface emits: linear sRGB of daylight's spectrum, or the light of a blackbody. */
 export interface Emission {
@@ -87,15 +90,40 @@ export function unpackFinish(code: Float): Finish {
   const step = exponent.sub(LEAST_EXPONENT).add(select(code.lessThan(0), EXPONENTS, 0));
   const fraction = step.div(FRACTIONS);
   return {
-    metallic: clamp(mantissa.mul(MANTISSA).sub(MARGIN).div(MANTISSA - 2 * MARGIN), 0, 1),
+    metallic: clamp(
+      mantissa
+        .mul(MANTISSA)
+        .sub(MARGIN)
+        .div(MANTISSA - 2 * MARGIN),
+      0,
+      1,
+    ),
     F0: fraction.mul(fraction),
   };
 }
 
-/** The normal, and `invisible`: reflectance below 380 nm and beyond 780 nm. */
-export const packNormals = (normal: Vec3, invisible: Node<'vec2'>): Vec4 => vec4(ontoOctahedron(normal), invisible);
+/**
+ * The normal, and `invisible`: reflectance below 380 nm and beyond 780 nm. Four whole numbers of 12 bits, which halves hold exactly: the upper
+ * bits of the normal's two, and 9 bits of a reflectance with the lower 3 of one of them (`normalOf` in packNormal.ts reads them, too).
+ */
+export function packNormals(normal: Vec3, invisible: Vec2): Vec4 {
+  const fine = round(ontoOctahedron(normal).mul(0.5).add(0.5).clamp(0, 1).mul(FINE_STEPS)).toVar();
+  const coarse = floor(fine.div(FINER)).toVar();
+  const levels = round(clamp(invisible, 0, 1).mul(LEVELS));
+  return vec4(coarse, levels.sub(coarse).mul(FINER).add(fine)).sub(MIDDLE);
+}
 
-export const unpackNormals = (code: Vec4): { readonly normal: Vec3; readonly invisible: Node<'vec2'> } => ({
-  normal: offOctahedron(vec2(code.xy).toVar()),
-  invisible: code.zw,
-});
+export function unpackNormals(code: Vec4): { readonly normal: Vec3; readonly invisible: Vec2 } {
+  const whole = code.add(MIDDLE).toVar();
+  const levels = floor(whole.zw.div(FINER)).toVar();
+  const fine = whole.xy.sub(levels).mul(FINER).add(whole.zw);
+  return {
+    normal: offOctahedron(
+      fine
+        .mul(2 / FINE_STEPS)
+        .sub(1)
+        .toVar(),
+    ),
+    invisible: levels.div(LEVELS),
+  };
+}
