@@ -7,7 +7,7 @@ import type { Lamp } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import type { Random } from './directions.ts';
 import { type RestFrame, restFrame } from './restFrame.ts';
-import { type Shine, shining } from './shine.ts';
+import { type Shine, shineOf } from './shine.ts';
 import { type Sky, type Sun, skyOf } from './sky.ts';
 import type { TracedScene } from './trace.ts';
 import type { SpacetimeRay } from './types.ts';
@@ -56,10 +56,10 @@ function lightsOf(traced: TracedScene): Pick<Lighting, 'sky' | 'suns' | 'lamps'>
   const lights = directLights(traced.scene);
   const suns = lights
     .filter((light) => light.kind === 'distant')
-    .map(({ direction, color, spectrum }) => ({ direction, shine: shining(spectrum)(color) }));
+    .map(({ direction, color, spectrum }) => ({ direction, shine: shineOf(color, spectrum) }));
   const lamps = lights
     .filter((light) => light.kind !== 'distant')
-    .map((light) => ({ light, line: originLine(light.motion), shine: shining(light.spectrum)(light.color) }));
+    .map((light) => ({ light, line: originLine(light.motion), shine: shineOf(light.color, light.spectrum) }));
   const made = { sky: skyOf(traced.scene, suns), suns, lamps };
   known.set(traced, made);
   return made;

@@ -1,5 +1,5 @@
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../math/vec3.ts';
-import { type Bands, bandsOf } from '../spectrum/bands.ts';
+import type { Bands } from '../spectrum/bands.ts';
 import { inFrameOf, mirrored, type Random, tangents } from './directions.ts';
 import { dimmed, mixed, neutral } from './filters.ts';
 import type { SurfacePoint } from './surface.ts';
@@ -20,13 +20,11 @@ export interface Look {
   readonly NV: number;
 }
 
-export function lookOf(point: SurfacePoint, V: Vec3): Look {
-  const { metallic, roughness, ior, normal: N } = point;
-  const albedo = bandsOf(point.albedo);
+export function lookOf({ bands, metallic, roughness, ior, normal: N }: SurfacePoint, V: Vec3): Look {
   const bare = ((ior - 1) / (ior + 1)) ** 2;
-  const F0 = mixed(neutral(bare), 1 - metallic, albedo, metallic);
+  const F0 = mixed(neutral(bare), 1 - metallic, bands, metallic);
   return {
-    diffuse: dimmed(albedo, 1 - metallic),
+    diffuse: dimmed(bands, 1 - metallic),
     F0,
     // What refracts like its surroundings has no surface to mirror, not even at grazing incidence.
     F90: ior === 1 ? metallic : 1,

@@ -2,7 +2,7 @@ import { dot, lerp, scale, type Vec3 } from '../math/vec3.ts';
 import { axesOf, DAY, domeOf, SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
 import type { DomeLight, Scene, Texture } from '../scene/types.ts';
 import { DARK, type Light, plus } from './light.ts';
-import { type Shine, shining } from './shine.ts';
+import { type Shine, shineOf } from './shine.ts';
 import type { Sight } from './sight.ts';
 import { sampleTexture } from './texture.ts';
 
@@ -25,9 +25,8 @@ export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
   const color = dome
     ? domeColor(dome, scene.upAxis)
     : (n: Vec3) => gradient(dot(n, up), DAY.zenith, DAY.horizon, DAY.ground);
-  const shine = shining(dome?.spectrum);
   return {
-    light: (n, sight) => sight.shining(shine(color(n))),
+    light: (n, sight) => sight.shining(shineOf(color(n), dome?.spectrum)),
     suns: (n, sight) => suns.reduce((sum, sun) => plus(sum, sight.shining(sun.shine), discAndGlow(n, sun)), DARK),
   };
 }
