@@ -1,6 +1,7 @@
 import { add, lerp, type Vec3 } from '../math/vec3.ts';
 import { toneMap } from '../spectrum/toneMap.ts';
 import { cameraRay } from './camera.ts';
+import { eyesOf } from './eye.ts';
 import { groundGrid } from './grid.ts';
 import { radiance } from './path.ts';
 import { pixelSequence } from './sequence.ts';
@@ -26,6 +27,7 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Tile,
   const { view, settings, width, height, samples: n, seed, light } = request;
   const show = display(scene, request);
   const stars = starField(scene, request, tile);
+  const eyes = eyesOf(settings, n * n);
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
       const numbers = pixelSequence(seed, x, y);
@@ -35,7 +37,7 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Tile,
         const [right, down] = n === 1 ? [0.5, 0.5] : [random(), random()];
         const [px, py] = [x + right, y + down];
         const ray = cameraRay(view, settings, px, py, width, height);
-        const gathered = radiance(scene, ray, view, settings, light, random);
+        const gathered = radiance(scene, ray, view, settings, light, random, eyes(random));
         const arrived = stars ? add(gathered, stars(ray, px, py)) : gathered;
         const shown = show(arrived, ray, px, py);
         for (let k = 0; k < 3; k++) {

@@ -13,7 +13,7 @@ import type { Uniforms } from './uniforms.ts';
  * What shading reads of a surface: `normal` unit in its rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²), or undefined
  * where all things rest, which costs a third.
  */
-export type ShadedSurface = Pick<Surface, 'color' | 'emissive' | 'roughness' | 'metallic' | 'normal' | 'dx' | 'D'> & {
+export type ShadedSurface = Omit<Surface, 'velocity' | 'time' | 'object' | 'distance'> & {
   readonly velocity: Vec4 | undefined;
 };
 
@@ -35,7 +35,7 @@ export const shade = (surface: ShadedSurface, environment: Environment, uniforms
       direct.addAssign(environment.areas.sum((lamp) => areaLight({ ...look, N, V, dx, rest, mirrored }, lamp)));
     }
     const reflected = skyReflection(look, N, V, rest, environment, uniforms);
-    return seen(direct.add(reflected).add(surface.emissive), surface.D, uniforms);
+    return seen(direct.add(reflected).add(surface.emission.rgb).add(surface.emission.luminance), surface.D, uniforms);
   })();
 
 interface Look {
@@ -45,10 +45,10 @@ interface Look {
   readonly NV: Float;
 }
 
-function lookOf({ color, roughness, metallic }: ShadedSurface, NV: Float): Look {
+function lookOf({ color, roughness, metallic, F0 }: ShadedSurface, NV: Float): Look {
   return {
     diffuse: color.rgb.mul(metallic.oneMinus()).toVar(),
-    F0: mix(vec3(0.04), color.rgb, metallic).toVar(),
+    F0: mix(vec3(F0), color.rgb, metallic).toVar(),
     roughness: clamp(roughness, 0.05, 1).toVar(),
     NV,
   };
