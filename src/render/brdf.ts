@@ -2,9 +2,6 @@ import { clamp, dot, exp2, max, min, mix, normalize, vec4 } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import type { Filter } from './radiance.ts';
 
-/** Mirrors all. */
-const ALL = vec4(1, 1, 1, 0);
-
 // Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.
 
 /** How a surface reflects towards V. */
@@ -20,7 +17,7 @@ export interface Look {
 export function lookOf(albedo: Filter, metallic: Float, roughness: Float, N: Vec3, V: Vec3): Look {
   return {
     diffuse: albedo.mul(metallic.oneMinus()).toVar(),
-    F0: mix(ALL.mul(0.04), albedo, metallic).toVar(),
+    F0: mix(vec4(0.04), albedo, metallic).toVar(),
     roughness: clamp(roughness, 0.05, 1).toVar(),
     N,
     V,
@@ -59,7 +56,7 @@ function ggx({ F0, roughness, N, V, NV }: Look, L: Vec3, NL: Float): Vec4 {
     .mul(0.5);
   const away = clamp(dot(V, H), 0, 1).oneMinus().toVar();
   const away2 = away.mul(away).toVar();
-  const F = F0.add(ALL.sub(F0).mul(away2.mul(away2).mul(away)));
+  const F = F0.add(F0.oneMinus().mul(away2.mul(away2).mul(away)));
   return F.mul(min(distribution.mul(visibility), 1e4));
 }
 
@@ -74,5 +71,5 @@ export function mirroredSky({ F0, roughness, NV }: Look): Filter {
   const bias = a.mul(1.04).add(roughness.mul(0.022).sub(0.04));
   // A rough surface mirrors a wide part of the sky, of which its neighbours hide much; nothing else here knows of neighbours.
   const open = roughness.mul(roughness).mul(-0.75).add(1);
-  return F0.mul(scaleF).add(ALL.mul(bias)).mul(open);
+  return max(F0.mul(scaleF).add(bias).mul(open), 0);
 }

@@ -33,7 +33,7 @@ export class PictureMachine {
   private readonly gpu: Gpu;
   private readonly uniforms: Uniforms;
   private readonly passes = new Map<string, FullScreen>();
-  private readonly table = spectrumTexture(thermalTable());
+  private readonly table = spectrumTexture(thermalTable(3));
   private samples = 1;
 
   constructor(gpu: Gpu, uniforms: Uniforms) {
@@ -145,7 +145,7 @@ export class PictureMachine {
 
   private optics(colors: ColorMode): Optics {
     if (colors === 'approximate') return tinted;
-    return spectral(this.table, false);
+    return spectral(this.table);
   }
 
   private run(

@@ -3,8 +3,8 @@ import type { Float, Vec2, Vec3, Vec4 } from '../shaders/types.ts';
 import type { Uniforms } from './uniforms.ts';
 
 /**
- * A filter of light in one pixel: the coefficients r, g, b of spectrum/bands.ts, and how much more it has beyond the visible than its basis ends at,
- * in the ultraviolet where D < 1 brings that into sight, else in the infrared.
+ * A filter of light in one pixel: the coefficients r, g, b of spectrum/bands.ts, and its ultraviolet where D < 1 brings that into sight, else its
+ * infrared; 0 where no surface of the scene tells of its own.
  */
 export type Filter = Vec4;
 

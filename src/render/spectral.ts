@@ -13,33 +13,33 @@ const DAY: ThermalSource = { temperature: float(DAYLIGHT.temperature), luminance
  * Colours by spectra, from the table of blackbodies. Daylight that met a resting surface is summed in bands, and turned into what is seen of it once.
  * Light that came shifted is turned by itself: it is a blackbody of T·D_in·D_out seen through two filters, the surface's shifted by D_out and its own by both.
  * Their product is taken channel by channel of what is seen, relative to the bare blackbody: exact where either is neutral (docs/adr/0010-spectra.md).
- * `beyond`: some surface tells of its ultraviolet or infrared.
+ * The table has four layers where some surface tells of its ultraviolet or infrared.
  */
 export const spectral =
-  (table: SpectrumTable, beyond: boolean): Optics =>
+  (table: SpectrumTable): Optics =>
   (D, uniforms) => {
     const mix = (shift: Float): Float =>
       clamp(exp2(log2(max(shift, 1e-20)).mul(uniforms.dopplerMix)), ...SHIFTS).toVar();
     const out = mix(D);
-    const ends = beyond ? select(D.lessThan(1), vec3(...ENDS.uv), vec3(...ENDS.ir)).toVar() : undefined;
     const daylight = vec4(0).toVar();
     const turned = vec3(0).toVar();
-
-    /** What a surface sends on of light, in bands: its own share beyond the visible falls on that of the light. */
-    const product = (light: Vec3, share: Filter): Filter => share.mul(vec4(light, ends ? dot(ends, light) : 0));
+    const ofColor = (rgb: Vec3, shift: Float): Filter => {
+      if (table.layers === 3) return vec4(rgb, 0);
+      return vec4(rgb, dot(rgb, select(shift.lessThan(1), vec3(...ENDS.uv), vec3(...ENDS.ir))));
+    };
 
     const unshifted = (filter: Filter, { temperature, luminance }: ThermalSource): Vec3 => {
       const T = temperature.mul(out).toVar();
-      const colors = thermalColors(table, T, out, beyond);
+      const colors = thermalColors(table, T, out);
       return filteredColor(colors, filter).mul(gain(colors.H, T, luminance, out));
     };
 
     const shifted = (light: Vec3, share: Filter, D: Float, { temperature, luminance }: ThermalSource): Vec3 => {
       const whole = clamp(out.mul(mix(D)), ...SHIFTS).toVar();
       const T = temperature.mul(whole).toVar();
-      const surface = thermalColors(table, T, out, beyond);
-      const bare = surface.red.add(surface.green).add(surface.blue).toVar();
-      const through = filteredColor(thermalColors(table, T, whole), vec4(light, 0));
+      const surface = thermalColors(table, T, out);
+      const bare = filteredColor(surface, vec4(1)).toVar();
+      const through = filteredColor(thermalColors(table, T, whole), ofColor(light, whole));
       // No channel lets through more than the brightest band.
       const most = max(light.x, max(light.y, light.z));
       const source = clamp(through.mul(bare).div(bare.mul(bare).add(1e-9)), 0, most);
@@ -49,13 +49,11 @@ export const spectral =
     };
 
     return {
-      filter: (rgb, own) => {
-        if (!ends || !own) return vec4(rgb, 0);
-        return vec4(rgb, select(D.lessThan(1), own.x, own.y).sub(dot(ends, rgb)));
-      },
+      filter: (rgb, own) =>
+        own && table.layers === 4 ? vec4(rgb, select(D.lessThan(1), own.x, own.y)) : ofColor(rgb, D),
       send: (light, share, { D, source }, power) => {
         if (!D) {
-          const sent = product(light, share);
+          const sent = share.mul(ofColor(light, out));
           if (source) turned.addAssign(unshifted(sent, source));
           else daylight.addAssign(sent);
           return;
@@ -67,12 +65,12 @@ export const spectral =
         if (source) turn();
         else
           If(abs(D.sub(1)).greaterThan(NO_SHIFT), turn).Else(() => {
-            daylight.addAssign(product(k, f));
+            daylight.addAssign(f.mul(ofColor(k, out)));
           });
       },
       emit: (light, source) => {
-        if (source) turned.addAssign(unshifted(vec4(light, 0), source));
-        else daylight.addAssign(vec4(light, 0));
+        if (source) turned.addAssign(unshifted(ofColor(light, out), source));
+        else daylight.addAssign(ofColor(light, out));
       },
       seen: () => {
         const color = daylight.xyz.toVar();

@@ -5,12 +5,10 @@ import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { LUMINANCE_THETA, MIDDLE_TEMPERATURE } from '../spectrum/thermalTable.ts';
 import type { Float, Vec3, Vec4 } from './types.ts';
 
-/**
- * A `DopplerTable` on the GPU, its layers one under the other, linearly filtered. Its fourth layer has C_uv where D < 1 and C_ir where D > 1: no eye
- * sees both.
- */
+/** A `DopplerTable` on the GPU, its layers one under the other, linearly filtered. */
 export interface SpectrumTable {
   readonly texture: Texture;
+  readonly layers: 3 | 4;
   readonly columns: number;
   readonly rows: number;
 }
@@ -20,7 +18,7 @@ export interface BandColors {
   readonly red: Vec3;
   readonly green: Vec3;
   readonly blue: Vec3;
-  /** Through what the filter has beyond the visible more than its basis ends at; absent where no filter has. */
+  /** Through its ultraviolet or infrared, in tables of four layers. */
   readonly beyond?: Vec3;
   /** H of `luminanceOf`. */
   readonly H: Float;
@@ -29,12 +27,7 @@ export interface BandColors {
 const FARTHEST = SHIFT_LIMIT / (1 + SHIFT_LIMIT) - 0.5;
 
 /** The colours of the bands of a filter that is seen shifted by D, of a blackbody that is seen at T [K]: `tableTexel` at `rowOf` and `columnOf`. */
-export function thermalColors(
-  { texture: data, columns, rows }: SpectrumTable,
-  T: Float,
-  D: Float,
-  beyond = false,
-): BandColors {
+export function thermalColors({ texture: data, layers, columns, rows }: SpectrumTable, T: Float, D: Float): BandColors {
   const shift = D.div(D.add(1))
     .sub(0.5)
     .div(2 * FARTHEST);
@@ -49,16 +42,16 @@ export function thermalColors(
     .toVar();
   const layer = (k: number): Vec4 => {
     // The base level, for neighbours may not have read it; and not times the texture's matrix.
-    const texel = texture(data, vec2(across, row.add(k * rows).div(4 * rows))).level(float(0));
+    const texel = texture(data, vec2(across, row.add(k * rows).div(layers * rows))).level(float(0));
     texel.updateMatrix = false;
     return texel.toVar();
   };
   const red = layer(0);
   const colors = { red: red.xyz, green: layer(1).xyz, blue: layer(2).xyz, H: red.w };
-  return beyond ? { ...colors, beyond: layer(3).xyz } : colors;
+  return layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
 }
 
-/** What is seen through a filter: (r, g, b, what it has beyond the visible more than its basis ends at). */
+/** What is seen through a filter: (r, g, b, and in tables of four layers its ultraviolet where D < 1, else its infrared). */
 export function filteredColor({ red, green, blue, beyond }: BandColors, filter: Vec4): Vec3 {
   const inside = red.mul(filter.x).add(green.mul(filter.y)).add(blue.mul(filter.z));
   return beyond ? inside.add(beyond.mul(filter.w)) : inside;
