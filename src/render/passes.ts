@@ -61,6 +61,7 @@ function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
     metallic: emissive.w,
     normal: texelHere(buffer.texture('normal')).xyz.normalize(),
     dx: event.xyz,
+    time: event.w,
     velocity: moving ? velocity : undefined,
     D: motion.w,
   };

@@ -91,7 +91,7 @@ export class SceneRenderer implements PictureMaker {
     if (!upload.frame.isComplete) return;
     this.resize();
     this.cut(upload, viewPoint, sight, projection, seen);
-    upload.environment.update(sight);
+    upload.environment.update(sight, settings.colors);
     const count = samples * samples;
     for (let i = 0; i < count; i++) {
       this.jitter(samples, i);
@@ -183,6 +183,7 @@ export class SceneRenderer implements PictureMaker {
     uniforms.damping.value = settings.damping;
     uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;
     uniforms.boosted.value = projection.place === 'apparent' ? 1 : 0;
+    uniforms.lightTravels.value = settings.view === 'light-cone' && settings.lightDelay ? 1 : 0;
     uniforms.boostLight.value = luminous;
     uniforms.dopplerMix.value = luminous * settings.dopplerMix;
     uniforms.beaming.value = luminous * settings.beaming;

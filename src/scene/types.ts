@@ -1,5 +1,6 @@
 import type { Quat } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import type { LightSpectrum } from '../spectrum/lightSpectrum.ts';
 import type { StreamedPoints } from './streamedPoints.ts';
 
 /**
@@ -206,6 +207,8 @@ export interface DistantLight {
   readonly direction: Vec3;
   /** Linear sRGB times intensity and exposure: irradiance on a facing surface. */
   readonly color: Vec3;
+  /** What its light is made of, in its own frame; daylight where absent. */
+  readonly spectrum?: LightSpectrum;
 }
 interface Shining {
   readonly path: string;
@@ -215,6 +218,8 @@ interface Shining {
   readonly lifetime: Lifetime;
   /** Linear sRGB in its own frame: the radiance L of its surface, the same in all directions of its front. */
   readonly color: Vec3;
+  /** What its light is made of, in its own frame; daylight where absent. */
+  readonly spectrum?: LightSpectrum;
   /** Absent where it shines alike to all sides. */
   readonly shaping?: LightShaping;
 }
@@ -256,6 +261,8 @@ export interface DomeLight {
   readonly kind: 'dome';
   readonly path: string;
   readonly color: Vec3;
+  /** What its light is made of, in its own frame; daylight where absent. */
+  readonly spectrum?: LightSpectrum;
   readonly texture?: Texture;
 }
 
