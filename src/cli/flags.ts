@@ -3,7 +3,14 @@ import { Option } from 'commander';
 import type { Vec3 } from '../math/vec3.ts';
 import { adaptation } from '../nodes/picture.ts';
 import type { Scene } from '../scene/types.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View, type ViewPoint } from '../scene/view.ts';
+import {
+  type ColorMode,
+  DEFAULT_SETTINGS,
+  type RenderSettings,
+  type Solver,
+  type View,
+  type ViewPoint,
+} from '../scene/view.ts';
 import {
   parseBeta,
   parseDamping,
@@ -56,6 +63,7 @@ export interface SettingFlags {
   readonly view: View;
   readonly lightDelay: boolean;
   readonly aberration: boolean;
+  readonly colors: ColorMode;
   readonly dopplerMix: number;
   readonly beaming: number;
   readonly exposure: number;
@@ -68,6 +76,7 @@ export interface SettingFlags {
 
 const views: readonly View[] = ['light-cone', 'simultaneity', 'galilean'];
 const solvers: readonly Solver[] = ['exact', 'newton'];
+const colorModes: readonly ColorMode[] = ['spectral', 'approximate'];
 
 export const viewOption = (): Option =>
   new Option(
@@ -83,6 +92,11 @@ export function addSettingFlags(command: Command): Command {
     .addOption(viewOption())
     .option('--no-light-delay', 'as if light were instantaneous')
     .option('--no-aberration', "directions of the world's frame, not the observer's")
+    .addOption(
+      new Option('--colors <how>', 'how a Doppler shift turns colours: by spectra, or by a simple tint, for comparison')
+        .choices(colorModes)
+        .default(DEFAULT_SETTINGS.colors),
+    )
     .option('--doppler-mix <0…1>', 'how much of the Doppler shift reaches the colours', parseFraction, dopplerMix)
     .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
     .option('--exposure <EV>', 'the picture is 2^EV times as bright', parseNumber, exposure)
@@ -100,11 +114,13 @@ export function renderSettings(
   from: ViewPoint,
   aspect: number,
 ): RenderSettings {
-  const { view, lightDelay, aberration, dopplerMix, beaming, exposure, solver, iterations, damping, grid } = flags;
+  const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure } = flags;
+  const { solver, iterations, damping, grid } = flags;
   return {
     view,
     lightDelay,
     aberration,
+    colors,
     dopplerMix,
     beaming,
     exposure: exposure - adaptation(flags, from, aspect),

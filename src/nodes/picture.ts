@@ -12,6 +12,7 @@ export const renderSettings = (picture: Picture, from: ViewPoint, aspect: number
   view: picture.view,
   lightDelay: picture.lightDelay,
   aberration: picture.aberration,
+  colors: picture.colors,
   dopplerMix: picture.dopplerMix,
   beaming: picture.beaming,
   solver: picture.solver,

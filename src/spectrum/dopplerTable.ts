@@ -1,22 +1,23 @@
 import { fromHalf, toHalf } from '../math/half.ts';
-import { dot, type Vec3 } from '../math/vec3.ts';
+import type { Vec3 } from '../math/vec3.ts';
 import { BASIS_RANGE, type Bands, basisAt, ENDS } from './bands.ts';
 import { colorMatching, NANOMETRE, VISIBLE, WAVELENGTHS } from './cie1931.ts';
 import { toLinearSrgb } from './observerColor.ts';
 
 /**
- * The colour of light of a spectrum that a filter of five bands sends to the eye, for each band by itself, over two shifts: a texture of
- * half floats, to be interpolated linearly between texels. Four layers of rows × columns RGBA texels, row after row;
- * C_j is the linear sRGB (of N, see observerColor.ts) that band j alone shows, C_uv = (u, v, w):
+ * The colour of light of a spectrum that a filter sends to the eye, for each of its bands by itself, over two shifts: a texture of
+ * half floats, to be interpolated linearly between texels. Layers of rows × columns RGBA texels, row after row;
+ * C_j is the linear sRGB (of N, see observerColor.ts) that band j alone shows:
  *
- *   layer 0: C_r, H    layer 1: C_g, u    layer 2: C_b, v    layer 3: C_ir, w
+ *   layer 0: C_r, H    layer 1: C_g, 0    layer 2: C_b, 0    layer 3, in tables of four: C_x, 0
  *
- * C_r, C_g and C_b have in their own ultraviolet and infrared what the basis ends at (`ENDS`), so for a filter without values of its own
- * three layers are all: seen = r C_r + g C_g + b C_b. Else add C_uv (uv − ENDS.uv·rgb) + C_ir (ir − ENDS.ir·rgb).
+ * Of three layers: for filters whose ultraviolet and infrared are what their basis ends at (`bandsOf` a colour); seen =
+ * r C_r + g C_g + b C_b. Of four: for any filter, add x C_x, where x is its `uv` for D_out < 1 and its `ir` for D_out > 1: no eye sees both.
  * H is the luminance of a blackbody (`luminanceOf`), and 0 in the table of a sampled spectrum.
  */
 export interface DopplerTable {
   readonly data: Uint16Array;
+  readonly layers: 3 | 4;
   /** Along D_out, the shift from the filter to the eye: `columnOf`. */
   readonly columns: number;
   /** Along what light is seen, filtered or not: `rowOf` a temperature, `shiftRowOf` a sampled spectrum's whole shift. */
@@ -48,18 +49,18 @@ export interface TableRow {
   readonly H: number;
 }
 
-/** The table of the lights of its rows. */
-export function doppleredColors(lights: readonly TableRow[], columns: number): DopplerTable {
+/** The table of the lights of its rows, of three layers or four. */
+export function doppleredColors(lights: readonly TableRow[], layers: 3 | 4, columns: number): DopplerTable {
   const rows = lights.length;
-  const data = new Uint16Array(16 * rows * columns);
+  const data = new Uint16Array(4 * layers * rows * columns);
   const filters = Array.from({ length: columns }, (_, column) => shiftedBands(shiftAt(column, columns)));
   lights.forEach(({ radiance, H }, row) => {
     const light = seenLight(radiance);
     filters.forEach((filter, column) => {
-      store(data, rows * columns, row * columns + column, bandColors(light, filter), H);
+      store(data, layers, row * columns + column, bandColors(light, filter, layers === 3), H);
     });
   });
-  return { data, columns, rows };
+  return { data, layers, columns, rows };
 }
 
 /** Linear sRGB of each nanometre that is seen, channel by channel, and their sums up to it. */
@@ -116,15 +117,17 @@ function shiftedBands(D: number): ShiftedBands {
   };
 }
 
-/** C_r, C_g, C_b, C_uv, C_ir, one after the other. */
-function bandColors({ colors, sums }: SeenLight, bands: ShiftedBands): Float64Array {
+/** C_r, C_g, C_b and C_x, one after the other; `closed`: with C_x as it is by the ends of the basis already in the three. */
+function bandColors({ colors, sums }: SeenLight, bands: ShiftedBands, closed: boolean): Float64Array {
   const { from, to, red, green } = bands;
-  const found = new Float64Array(15);
+  const found = new Float64Array(12);
   for (let k = 0; k < 3; k++) {
     const values = colors[k];
-    const all = sums[k][values.length];
-    const before = sums[k][from];
-    const after = all - sums[k][to];
+    const total = sums[k][values.length];
+    const uv = sumUpTo(sums[k], bands.ultraviolet);
+    const ir = total - sumUpTo(sums[k], bands.infrared);
+    const before = sums[k][from] - (closed ? 0 : uv);
+    const after = total - sums[k][to] - (closed ? 0 : ir);
     let [r, g] = [ENDS.uv[0] * before + ENDS.ir[0] * after, ENDS.uv[1] * before + ENDS.ir[1] * after];
     for (let i = from; i < to; i++) {
       r += red[i - from] * values[i];
@@ -132,29 +135,27 @@ function bandColors({ colors, sums }: SeenLight, bands: ShiftedBands): Float64Ar
     }
     found[k] = r;
     found[3 + k] = g;
-    found[6 + k] = all - r - g;
-    found[9 + k] = sumUpTo(sums[k], bands.ultraviolet);
-    found[12 + k] = all - sumUpTo(sums[k], bands.infrared);
+    found[6 + k] = (closed ? total : total - uv - ir) - r - g;
+    // One of them is 0.
+    found[9 + k] = uv + ir;
   }
   return found;
 }
 
-function store(data: Uint16Array, layerSize: number, texel: number, found: Float64Array, H: number): void {
-  for (let layer = 0; layer < 4; layer++) {
-    const at = 4 * (layer * layerSize + texel);
-    for (let k = 0; k < 3; k++) data[at + k] = toHalf(found[layer < 3 ? 3 * layer + k : 12 + k]);
-    data[at + 3] = toHalf(layer === 0 ? H : found[8 + layer]);
+function store(data: Uint16Array, layers: number, texel: number, found: Float64Array, H: number): void {
+  const layerSize = data.length / layers;
+  for (let layer = 0; layer < layers; layer++) {
+    const at = layer * layerSize + 4 * texel;
+    for (let k = 0; k < 3; k++) data[at + k] = toHalf(found[3 * layer + k]);
+    data[at + 3] = layer === 0 ? toHalf(H) : 0;
   }
 }
 
 /** What a GPU makes of the table: the linear sRGB of a filter at `row` and `column`, interpolated. */
 export function tableColor(table: DopplerTable, row: number, column: number, { rgb, uv, ir }: Bands): Vec3 {
-  const [red, green, blue, infrared] = [0, 1, 2, 3].map((layer) => tableTexel(table, layer, row, column));
-  const ultraviolet = [green[3], blue[3], infrared[3]];
-  const moreUv = uv - dot(ENDS.uv, rgb);
-  const moreIr = ir - dot(ENDS.ir, rgb);
-  const channel = (k: number) =>
-    rgb[0] * red[k] + rgb[1] * green[k] + rgb[2] * blue[k] + moreUv * ultraviolet[k] + moreIr * infrared[k];
+  const parts = [...rgb, column < (table.columns - 1) / 2 ? uv : ir].slice(0, table.layers);
+  const texels = parts.map((_, layer) => tableTexel(table, layer, row, column));
+  const channel = (k: number) => parts.reduce((sum, part, layer) => sum + part * texels[layer][k], 0);
   return [channel(0), channel(1), channel(2)];
 }
 

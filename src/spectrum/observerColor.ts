@@ -1,22 +1,25 @@
-import { invert, type Mat3, transform } from '../math/mat3.ts';
+import { IDENTITY, invert, type Mat3, transform, transpose } from '../math/mat3.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type Bands, basisAt, reflectanceAt, WHITE } from './bands.ts';
 import { colorMatching, NANOMETRE, tristimulus } from './cie1931.ts';
 import { DAYLIGHT, type LightSpectrum, linesOf, meanRadiance, spectralRadiance } from './lightSpectrum.ts';
 
+/** XYZ of the basis functions in `DAYLIGHT`, one a column. */
+const DAYLIGHT_XYZ: Mat3 = transpose(
+  [0, 1, 2].flatMap((j) =>
+    tristimulus((wavelength) => basisAt(wavelength)[j] * spectralRadiance(DAYLIGHT, wavelength)),
+  ),
+);
+
 /**
  * N: XYZ → linear sRGB, row by row, such that a surface of linear sRGB (r, g, b) shows (r, g, b) in daylight at rest: the inverse of
- * the XYZ of the three basis functions in `DAYLIGHT`, whose luminance is 1. It is within 2 % of IEC 61966-2-1's matrix, which
- * is made for CIE D65.
+ * the XYZ of the three basis functions in `DAYLIGHT`, whose luminance is 1. It differs by up to 0.06
+ * from the matrix of IEC 61966-2-1, which is made for CIE D65.
  */
-export const NORMALISER: Mat3 = normaliser();
+export const NORMALISER: Mat3 = invert(DAYLIGHT_XYZ) ?? IDENTITY;
 
-function normaliser(): Mat3 {
-  const [red, green, blue] = [0, 1, 2].map((j) =>
-    tristimulus((wavelength) => basisAt(wavelength)[j] * spectralRadiance(DAYLIGHT, wavelength)),
-  );
-  return invert([red, green, blue].flatMap((_, i) => [red[i], green[i], blue[i]])) as Mat3;
-}
+/** Y of linear sRGB as the renderers see it: the luminance of the three basis functions in `DAYLIGHT`; near (0.21, 0.72, 0.07), of sum 1. */
+export const LUMINANCE: Vec3 = [DAYLIGHT_XYZ[3], DAYLIGHT_XYZ[4], DAYLIGHT_XYZ[5]];
 
 /** N·XYZ: linear sRGB as the renderers see it, white in `DAYLIGHT`. Negative where a colour lies outside of sRGB: only a display clips. */
 export const toLinearSrgb = (xyz: Vec3): Vec3 => transform(NORMALISER, xyz);

@@ -23,14 +23,14 @@ export const shiftRowOf = ({ first, step, rows }: SampledTable, D: number): numb
  * The table of a sampled spectrum of luminance 1 over D = D_in·D_out (`shiftRowOf`) and D_out (`columnOf`). Unlike that of blackbodies it
  * holds the luminance that is left, without the D⁴ of beaming: it is `seenColor` itself.
  */
-export function sampledTable(spectrum: SampledSpectrum, columns = COLUMNS): SampledTable {
+export function sampledTable(spectrum: SampledSpectrum, layers: 3 | 4, columns = COLUMNS): SampledTable {
   const longest = spectrum.first + spectrum.step * (spectrum.values.length - 1);
   const lowest = Math.log2(spectrum.first / (VISIBLE[1] + NANOMETRE));
   const highest = Math.log2(longest / (VISIBLE[0] - NANOMETRE));
   const step = Math.max(1 / ROWS_PER_OCTAVE, (highest - lowest) / (MOST_ROWS - 2));
   const [from, to] = [Math.floor(lowest / step), Math.ceil(highest / step)];
   const lights = Array.from({ length: to - from + 1 }, (_, row) => shiftedLight(spectrum, 2 ** ((from + row) * step)));
-  return { ...doppleredColors(lights, columns), first: from * step, step };
+  return { ...doppleredColors(lights, layers, columns), first: from * step, step };
 }
 
 /** D⁵ S(Dλ)/D⁴ at each nanometre. */

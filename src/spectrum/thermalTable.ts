@@ -22,15 +22,16 @@ const temperatures = (rows: number): number[] =>
 
 /**
  * The table of blackbodies over the temperature T·D_in·D_out that is seen (`rowOf`) and the shift D_out (`columnOf`), at luminance 1:
- * C_r + C_g + C_b is `whiteOf` the blackbody, and at 6504 K and D = 1 the three are the identity.
+ * white is `whiteOf` the blackbody, and at 6504 K and D = 1 C_r, C_g and C_b are the identity. Four layers where a filter has a `uv` or `ir` of its own.
  */
-export const thermalTable = (columns = COLUMNS, rows = ROWS): DopplerTable =>
+export const thermalTable = (layers: 3 | 4, columns = COLUMNS, rows = ROWS): DopplerTable =>
   doppleredColors(
     temperatures(rows).map((temperature) => {
       const spectrum: ThermalSpectrum = { kind: 'thermal', temperature };
       const radiance = WAVELENGTHS.map((wavelength) => spectralRadiance(spectrum, wavelength));
       return { radiance, H: luminanceShape(temperature) };
     }),
+    layers,
     columns,
   );
 
