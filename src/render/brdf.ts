@@ -1,23 +1,32 @@
-import { clamp, dot, exp2, max, min, mix, normalize, vec4 } from 'three/tsl';
+import { clamp, dot, exp2, float, max, min, mix, normalize, select, vec4 } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import type { Filter } from './radiance.ts';
+import type { Finish } from './surfaceCode.ts';
 
 // Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.
 
 /** How a surface reflects towards V. */
 export interface Look {
   readonly diffuse: Filter;
+  /** Mirrored share at normal and at grazing incidence. */
   readonly F0: Filter;
+  readonly F90: Float;
   readonly roughness: Float;
   readonly N: Vec3;
   readonly V: Vec3;
   readonly NV: Float;
 }
 
-export function lookOf(albedo: Filter, metallic: Float, roughness: Float, N: Vec3, V: Vec3): Look {
+interface Roughness {
+  readonly roughness: Float;
+}
+
+export function lookOf(albedo: Filter, { metallic, F0, roughness }: Finish & Roughness, N: Vec3, V: Vec3): Look {
   return {
     diffuse: albedo.mul(metallic.oneMinus()).toVar(),
-    F0: mix(vec4(0.04), albedo, metallic).toVar(),
+    F0: mix(vec4(F0), albedo, metallic).toVar(),
+    // What refracts like its surroundings has no surface to mirror, not even at grazing incidence.
+    F90: select(F0.greaterThan(0), float(1), metallic).toVar(),
     roughness: clamp(roughness, 0.05, 1).toVar(),
     N,
     V,
@@ -43,7 +52,7 @@ export function mirroredLight(look: Look, L: Vec3, breadth: Float, length: Float
 }
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
-function ggx({ F0, roughness, N, V, NV }: Look, L: Vec3, NL: Float): Vec4 {
+function ggx({ F0, F90, roughness, N, V, NV }: Look, L: Vec3, NL: Float): Vec4 {
   const H = normalize(L.add(V)).toVar();
   const a = roughness.mul(roughness).toVar();
   const a2 = a.mul(a).toVar();
@@ -56,12 +65,12 @@ function ggx({ F0, roughness, N, V, NV }: Look, L: Vec3, NL: Float): Vec4 {
     .mul(0.5);
   const away = clamp(dot(V, H), 0, 1).oneMinus().toVar();
   const away2 = away.mul(away).toVar();
-  const F = F0.add(F0.oneMinus().mul(away2.mul(away2).mul(away)));
+  const F = mix(F0, vec4(F90), away2.mul(away2).mul(away));
   return F.mul(min(distribution.mul(visibility), 1e4));
 }
 
 /** What is mirrored of light from all round: the split-sum fit of Karis (2014, "Physically based shading on mobile"). */
-export function mirroredSky({ F0, roughness, NV }: Look): Filter {
+export function mirroredSky({ F0, F90, roughness, NV }: Look): Filter {
   const r = roughness.mul(-1).add(1).toVar();
   const a = min(r.mul(r), exp2(NV.mul(-9.28)))
     .mul(r)
@@ -71,5 +80,5 @@ export function mirroredSky({ F0, roughness, NV }: Look): Filter {
   const bias = a.mul(1.04).add(roughness.mul(0.022).sub(0.04));
   // A rough surface mirrors a wide part of the sky, of which its neighbours hide much; nothing else here knows of neighbours.
   const open = roughness.mul(roughness).mul(-0.75).add(1);
-  return max(F0.mul(scaleF).add(bias).mul(open), 0);
+  return max(F0.mul(scaleF).add(bias.mul(F90)).mul(open), 0);
 }

@@ -9,6 +9,7 @@ import type { Optics } from './radiance.ts';
 import { type ShadedSurface, shade } from './shade.ts';
 import { background } from './sky.ts';
 import { readSurface, surfaceOutputs, type TargetName } from './surface.ts';
+import { unpackEmission, unpackFinish, unpackNormals } from './surfaceCode.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import { type Projection, vertexStage, vShown } from './vertexStage.ts';
@@ -49,17 +50,17 @@ export const surfaceLight = (
 ): Vec4 => Fn(() => kept(shade(surfaceHere(buffer, moving), environment, uniforms, optics)))();
 
 function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
-  const [base, emissive, event, motion] = (['base', 'emissive', 'event', 'motion'] as const).map((name) =>
-    texelHere(buffer.texture(name)).toVar(),
+  const [base, emissive, normal, event, motion] = (['base', 'emissive', 'normal', 'event', 'motion'] as const).map(
+    (name) => texelHere(buffer.texture(name)).toVar(),
   );
   const speed = length(motion.xyz).toVar();
   const velocity = vec4(motion.xyz, speed.oneMinus().mul(speed.add(1)));
   return {
     color: vec4(base.rgb, 1),
     roughness: base.w,
-    emissive: emissive.rgb,
-    metallic: emissive.w,
-    normal: texelHere(buffer.texture('normal')).xyz.normalize(),
+    emission: unpackEmission(emissive.xyz),
+    ...unpackFinish(emissive.w),
+    ...unpackNormals(normal),
     dx: event.xyz,
     time: event.w,
     velocity: moving ? velocity : undefined,

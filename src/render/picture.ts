@@ -8,6 +8,7 @@ import {
   UnsignedByteType,
 } from 'three/webgpu';
 import type { ColorMode } from '../scene/view.ts';
+import type { SpectrumTable } from '../shaders/spectrumTable.ts';
 import { spectrumTexture } from '../shaders/spectrumTexture.ts';
 import { thermalTable } from '../spectrum/thermalTable.ts';
 import type { Gpu } from './device.ts';
@@ -33,7 +34,8 @@ export class PictureMachine {
   private readonly gpu: Gpu;
   private readonly uniforms: Uniforms;
   private readonly passes = new Map<string, FullScreen>();
-  private readonly table = spectrumTexture(thermalTable(3));
+  /** By their layers, as they are needed. */
+  private readonly tables = new Map<3 | 4, SpectrumTable>();
   private samples = 1;
 
   constructor(gpu: Gpu, uniforms: Uniforms) {
@@ -72,7 +74,7 @@ export class PictureMachine {
   drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera, colors: ColorMode): void {
     const { buffer, uniforms, light, gpu } = this;
     const { environment, bodies } = upload;
-    const optics = this.optics(colors);
+    const optics = this.optics(colors, upload);
     const moving = () => bodies.some(({ object }) => object.motion.kind !== 'static');
     this.run(`sky ${upload.serial} ${colors}`, () => skyLight(environment, uniforms, optics), light, 'sky');
     if (upload.opaque.children.some((mesh) => mesh.visible))
@@ -139,13 +141,19 @@ export class PictureMachine {
   dispose(): void {
     for (const pass of this.passes.values()) pass.dispose();
     this.buffer.dispose();
-    this.table.texture.dispose();
+    for (const { texture } of this.tables.values()) texture.dispose();
     for (const target of [this.light, this.single, this.screen, ...this.sums]) target.dispose();
   }
 
-  private optics(colors: ColorMode): Optics {
+  private optics(colors: ColorMode, { scene }: SceneUpload): Optics {
     if (colors === 'approximate') return tinted;
-    return spectral(this.table);
+    const layers = scene.materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
+    const table = this.tables.get(layers) ?? spectrumTexture(thermalTable(layers));
+    this.tables.set(layers, table);
+    return spectral(
+      table,
+      scene.materials.some(({ emissionTemperature }) => emissionTemperature !== undefined),
+    );
   }
 
   private run(

@@ -1,5 +1,6 @@
 import { exp2, log2, max } from 'three/tsl';
 import type { Float, Vec2, Vec3, Vec4 } from '../shaders/types.ts';
+import type { Emission } from './surfaceCode.ts';
 import type { Uniforms } from './uniforms.ts';
 
 /**
@@ -35,6 +36,8 @@ export interface Gathering {
   send(light: Vec3, share: Filter, passage: Passage, power: Power): void;
   /** Light that is sent out here. */
   emit(light: Vec3, source?: ThermalSource): void;
+  /** Light of a blackbody that is sent out here. */
+  glow(emission: Pick<Emission, 'luminance' | 'heat'>): void;
   /** Linear sRGB of all that was sent. */
   seen(): Vec3;
 }

@@ -13,10 +13,7 @@ import type { Uniforms } from './uniforms.ts';
  * What shading reads of a surface: `normal` unit in its rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²), or undefined
  * where all things rest, which costs a third.
  */
-export type ShadedSurface = Pick<
-  Surface,
-  'color' | 'emissive' | 'roughness' | 'metallic' | 'normal' | 'dx' | 'time' | 'D'
-> & {
+export type ShadedSurface = Omit<Surface, 'velocity' | 'object' | 'distance'> & {
   readonly velocity: Vec4 | undefined;
 };
 
@@ -31,7 +28,8 @@ export const shade = (surface: ShadedSurface, environment: Environment, uniforms
     const N = surface.normal.toVar();
     const V = rest.into(normalize(surface.dx)).negate().toVar();
     const eye = optics(surface.D, uniforms);
-    const look = lookOf(eye.filter(surface.color.rgb).toVar(), surface.metallic, surface.roughness, N, V);
+    const albedo = eye.filter(surface.color.rgb, surface.invisible).toVar();
+    const look = lookOf(albedo, surface, N, V);
     const { dx, time } = surface;
     environment.eachSun(({ direction, color, source }) => {
       const passage = { ...passageBetween(direction, rest, AT_REST), ...(source && { source }) };
@@ -39,7 +37,8 @@ export const shade = (surface: ShadedSurface, environment: Environment, uniforms
     });
     environment.lamps.each((lamp) => lampLight({ look, dx, time, rest, uniforms }, lamp, eye));
     skyReflection(look, rest, environment, uniforms, eye);
-    eye.emit(surface.emissive);
+    eye.emit(surface.emission.rgb);
+    eye.glow(surface.emission);
     return eye.seen();
   })();
 

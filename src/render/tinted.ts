@@ -15,6 +15,9 @@ export const tinted: Optics = (D, uniforms) => {
     emit: (light) => {
       sum.addAssign(light);
     },
+    glow: ({ luminance }) => {
+      sum.addAssign(luminance);
+    },
     seen: () => shifted(sum, D, RADIANCE, uniforms),
   };
 };

@@ -169,14 +169,42 @@ export interface Material {
   /** Linear sRGB radiance. */
   readonly emissive: Vec3;
   readonly emissiveTexture?: Texture;
+  /** 0 … 1; where a texture tells, its mean. */
   readonly roughness: number;
+  readonly roughnessTexture?: TextureChannel;
+  /** 0 … 1; where a texture tells, its mean. */
   readonly metallic: number;
+  readonly metallicTexture?: TextureChannel;
+  readonly normalTexture?: NormalTexture;
   /** 0 … 1 */
   readonly opacity: number;
   /** Fragments less opaque than this are cut out; 0: none is. */
   readonly opacityThreshold: number;
   /** Refractive index, where the file gives it; without one a surface reflects as glass of 1.5 does. */
   readonly ior?: number;
+  /** Share that it reflects of light below 380 nm and beyond 780 nm, 0 … 1; where absent, what the visible colour ends at. */
+  readonly uv?: number;
+  readonly ir?: number;
+  /** [K]: it shines as a blackbody does, and `emissive` tells its luminance at rest alone. */
+  readonly emissionTemperature?: number;
+}
+
+/** A number for each texel: `scale` times one channel in linear light, plus `bias`, held within 0 … 1. */
+export interface TextureChannel {
+  readonly texture: Texture;
+  readonly channel: 0 | 1 | 2 | 3;
+  readonly scale: number;
+  readonly bias: number;
+}
+
+/**
+ * Normals in the frame that a surface's uvs give it: x the way u rises, y the way v rises, both across the surface's own normal, and z along it.
+ * A texel (r, g, b) means (strength_x (2r − 1), strength_y (2g − 1), 2b − 1), of any length.
+ */
+export interface NormalTexture {
+  /** Linear. */
+  readonly texture: Texture;
+  readonly strength: readonly [x: number, y: number];
 }
 
 export interface Texture {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { pointsAt } from '../../scene/points.ts';
 import { sphere } from '../../scene/primitives.ts';
-import type { Mesh, Scene, SceneObject, Texture } from '../../scene/types.ts';
+import type { Material, Mesh, Scene, SceneObject, Texture } from '../../scene/types.ts';
 import { bytesOf } from '../rangedFile.ts';
 import { memorySource } from '../source.ts';
 import { readUsd } from './read.ts';
@@ -237,6 +237,31 @@ describe('what is written reads back the same', async () => {
     expect((await reread(leafy)).materials[0]).toMatchObject({
       ...scene.materials[3],
       baseColorTexture: { data: scene.materials[3].baseColorTexture!.data },
+    });
+  });
+
+  it('what is told by texels, and of invisible light', async () => {
+    const map = { ...texture('finish.png', 255, 13), colorSpace: 'linear' } as const;
+    const material: Material = {
+      ...scene.materials[2],
+      name: '/Looks/Brick',
+      uv: 0.125,
+      ir: 0.75,
+      emissionTemperature: 2400,
+      normalTexture: { texture: { ...map, data: map.data.slice() }, strength: [0.5, -0.25] },
+      roughnessTexture: { texture: map, channel: 1, scale: 0.5, bias: 0.25 },
+      metallicTexture: { texture: map, channel: 2, scale: 1, bias: 0 },
+    };
+    const [back] = (await reread({ ...leafy, materials: scene.materials.with(3, material) })).materials;
+    const { normalTexture, roughnessTexture, metallicTexture } = material;
+    const named = (t: Texture | undefined, name: string) => ({ ...t, name: `textures/${name}.png` });
+    expect(back).toMatchObject({
+      uv: 0.125,
+      ir: 0.75,
+      emissionTemperature: 2400,
+      normalTexture: { ...normalTexture, texture: named(normalTexture?.texture, 'finish') },
+      roughnessTexture: { ...roughnessTexture, texture: named(roughnessTexture?.texture, 'finish_1') },
+      metallicTexture: { ...metallicTexture, texture: named(metallicTexture?.texture, 'finish_1') },
     });
   });
 
