@@ -4,6 +4,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import { adaptation } from '../nodes/picture.ts';
 import type { Scene } from '../scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View, type ViewPoint } from '../scene/view.ts';
+import { TONES, type Tone } from '../spectrum/toneMap.ts';
 import {
   parseBeta,
   parseDamping,
@@ -60,6 +61,7 @@ export interface SettingFlags {
   readonly beaming: number;
   readonly exposure: number;
   readonly adapt: boolean;
+  readonly tone: Tone;
   readonly solver: Solver;
   readonly iterations: number;
   readonly damping: number;
@@ -87,6 +89,14 @@ export function addSettingFlags(command: Command): Command {
     .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
     .option('--exposure <EV>', 'the picture is 2^EV times as bright', parseNumber, exposure)
     .option('--no-adapt', 'do not take back the brightness that the velocity gives the picture, as an eye would')
+    .addOption(
+      new Option(
+        '--tone <curve>',
+        'neutral keeps colours and softens what is very bright; agx rolls all of it off, as film does; linear cuts it off',
+      )
+        .choices(TONES)
+        .default(DEFAULT_SETTINGS.tone),
+    )
     .addOption(new Option('--solver <name>', 'how emission events are found').choices(solvers).default('exact'))
     .option('--iterations <n>', 'steps of the Newton solver', parseIterations, iterations)
     .option('--damping <k>', 'step length of the Newton solver, 0 < k ≤ 1', parseDamping, damping)
@@ -100,7 +110,8 @@ export function renderSettings(
   from: ViewPoint,
   aspect: number,
 ): RenderSettings {
-  const { view, lightDelay, aberration, dopplerMix, beaming, exposure, solver, iterations, damping, grid } = flags;
+  const { view, lightDelay, aberration, dopplerMix, beaming, exposure, tone, solver, iterations, damping, grid } =
+    flags;
   return {
     view,
     lightDelay,
@@ -108,6 +119,7 @@ export function renderSettings(
     dopplerMix,
     beaming,
     exposure: exposure - adaptation(flags, from, aspect),
+    tone,
     solver,
     iterations,
     damping,

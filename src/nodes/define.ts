@@ -1,5 +1,6 @@
 import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
 import type { Solver, View } from '../scene/view.ts';
+import type { Tone } from '../spectrum/toneMap.ts';
 import type { LoadedScene, Services } from './services.ts';
 
 /** A scene with how light travels in it. */
@@ -35,6 +36,7 @@ export interface GBuffer extends CameraView {
 
 /** A whole picture, but for the time and the observer, which change by themselves. */
 export interface Picture extends GBuffer {
+  readonly tone: Tone;
   /** [EV] */
   readonly exposure: number;
   /** The exposure follows the mean brightness that the observer's velocity gives the picture, as an eye does. */

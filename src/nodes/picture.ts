@@ -18,6 +18,7 @@ export const renderSettings = (picture: Picture, from: ViewPoint, aspect: number
   iterations: picture.iterations,
   damping: picture.damping,
   grid: picture.grid,
+  tone: picture.tone,
   exposure: picture.exposure - adaptation(picture, from, aspect),
   speedOfLight: picture.speedOfLight,
 });

@@ -7,6 +7,17 @@ export const toneMap = defineNode({
   help: 'node.toneMap.help',
   category: 'render',
   params: {
+    tone: {
+      kind: 'choice',
+      title: 'param.tone',
+      help: 'param.tone.help',
+      default: 'neutral',
+      options: [
+        { value: 'neutral', title: 'tone.neutral' },
+        { value: 'agx', title: 'tone.agx' },
+        { value: 'linear', title: 'tone.linear' },
+      ],
+    },
     exposure: {
       kind: 'number',
       title: 'param.exposure',

@@ -8,7 +8,7 @@ import {
   UnsignedByteType,
 } from 'three/webgpu';
 import type { Gpu } from './device.ts';
-import { addedSample, antialiased, averaged, singleSample } from './display.ts';
+import { addedSample, antialiased, averaged, type Look, singleSample } from './display.ts';
 import type { Drawable } from './drawable.ts';
 import { FullScreen, type Where } from './fullScreen.ts';
 import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
@@ -86,19 +86,20 @@ export class PictureMachine {
     gpu.renderer.autoClear = true;
   }
 
-  /** Light to display: sample `index` of `count`, with or without the reference grid. */
-  display(index: number, count: number, grid: boolean): void {
+  /** Light to display: sample `index` of `count`. */
+  display(index: number, count: number, look: Look): void {
+    const key = `${look.tone} ${look.grid}`;
     const { buffer, uniforms, light } = this;
     this.samples = count;
     if (count === 1) {
-      this.run(`single ${grid}`, () => singleSample(light.texture, buffer, uniforms, grid), this.single);
+      this.run(`single ${key}`, () => singleSample(light.texture, buffer, uniforms, look), this.single);
       return;
     }
     uniforms.weight.value = 1 / count;
     uniforms.firstSample.value = index === 0 ? 1 : 0;
     const [from, to] = index % 2 === 0 ? [1, 0] : [0, 1];
     const before = { picture: this.sums[from].textures[0], light: this.sums[from].textures[1] };
-    this.run(`add ${to} ${grid}`, () => addedSample(light.texture, before, buffer, uniforms, grid), this.sums[to]);
+    this.run(`add ${to} ${key}`, () => addedSample(light.texture, before, buffer, uniforms, look), this.sums[to]);
   }
 
   /** The finished picture to the canvas (`null`), or to where it can be read. */

@@ -97,7 +97,7 @@ export class SceneRenderer implements PictureMaker {
       this.jitter(samples, i);
       this.machine.drawGeometry(upload, projection, this.camera);
       this.machine.drawLight(upload, projection, this.camera);
-      this.machine.display(i, count, settings.grid);
+      this.machine.display(i, count, settings);
     }
     if (count > 1) {
       // Data are of the pixels' centres, not of the last sample.

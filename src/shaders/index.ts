@@ -17,7 +17,7 @@ export { polylinePlace } from './polylinePlace.ts';
 export { polylineSlice } from './polylineSlice.ts';
 export { simultaneousPosition } from './simultaneousPosition.ts';
 export { staticEmission } from './staticEmission.ts';
-export { toneMap } from './toneMap.ts';
+export { toneMapAgx, toneMapLinear, toneMapNeutral } from './toneMap.ts';
 export type { HyperbolicVertexEvent, SampleTable, VertexEvent, WorldLineAt } from './types.ts';
 export { unaberrate } from './unaberrate.ts';
 export { uniformEmission } from './uniformEmission.ts';

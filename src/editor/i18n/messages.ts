@@ -141,6 +141,14 @@ export const messages = {
   'param.grid.help': ['A grid on the ground that relativity does not bend.', '不受相对论变形影响的地面网格。'],
   'param.exposure': ['Exposure', '曝光'],
   'param.exposure.help': ['One step doubles the brightness.', '每增加一档亮度加倍。'],
+  'param.tone': ['Tone curve', '色调曲线'],
+  'param.tone.help': [
+    'Neutral keeps colours as they are and softens only what is very bright; AgX rolls all of it off, as film does; Linear cuts what is too bright.',
+    '中性：保持颜色，只压缩很亮的部分；AgX：像胶片一样整体柔化；线性：直接截断过亮的部分。',
+  ],
+  'tone.neutral': ['Neutral', '中性'],
+  'tone.agx': ['AgX', 'AgX'],
+  'tone.linear': ['Linear', '线性'],
   'param.adapt': ['Adapt to brightness', '自动适应亮度'],
   'param.adapt.help': [
     'As your speed makes the picture brighter or darker, the exposure follows, as an eye would.',
