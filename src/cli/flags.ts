@@ -1,9 +1,9 @@
 import type { Command } from 'commander';
 import { Option } from 'commander';
 import type { Vec3 } from '../math/vec3.ts';
-import { adaptation } from '../nodes/picture.ts';
+import { METERINGS, type Metering } from '../nodes/metering.ts';
 import type { Scene } from '../scene/types.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View, type ViewPoint } from '../scene/view.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View } from '../scene/view.ts';
 import { TONES, type Tone } from '../spectrum/toneMap.ts';
 import {
   parseBeta,
@@ -60,7 +60,7 @@ export interface SettingFlags {
   readonly dopplerMix: number;
   readonly beaming: number;
   readonly exposure: number;
-  readonly adapt: boolean;
+  readonly metering: Metering;
   readonly tone: Tone;
   readonly solver: Solver;
   readonly iterations: number;
@@ -87,8 +87,20 @@ export function addSettingFlags(command: Command): Command {
     .option('--no-aberration', "directions of the world's frame, not the observer's")
     .option('--doppler-mix <0…1>', 'how much of the Doppler shift reaches the colours', parseFraction, dopplerMix)
     .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
-    .option('--exposure <EV>', 'the picture is 2^EV times as bright', parseNumber, exposure)
-    .option('--no-adapt', 'do not take back the brightness that the velocity gives the picture, as an eye would')
+    .option(
+      '--exposure <EV>',
+      'added to what the metering sets: the picture is 2^EV times as bright',
+      parseNumber,
+      exposure,
+    )
+    .addOption(
+      new Option(
+        '--metering <how>',
+        "what sets the exposure. automatic: the picture's light; resting-eye: what somebody at rest there would have, so that beaming is seen as it is; manual: --exposure alone",
+      )
+        .choices(METERINGS)
+        .default('automatic'),
+    )
     .addOption(
       new Option(
         '--tone <curve>',
@@ -103,13 +115,8 @@ export function addSettingFlags(command: Command): Command {
     .option('--grid', 'draw the reference grid on the ground, which relativity does not bend', false);
 }
 
-/** The settings for one place, as the page has them. */
-export function renderSettings(
-  flags: SettingFlags,
-  speedOfLight: number,
-  from: ViewPoint,
-  aspect: number,
-): RenderSettings {
+/** The settings before metering, as the page has them. */
+export function renderSettings(flags: SettingFlags, speedOfLight: number): RenderSettings {
   const { view, lightDelay, aberration, dopplerMix, beaming, exposure, tone, solver, iterations, damping, grid } =
     flags;
   return {
@@ -118,7 +125,7 @@ export function renderSettings(
     aberration,
     dopplerMix,
     beaming,
-    exposure: exposure - adaptation(flags, from, aspect),
+    exposure,
     tone,
     solver,
     iterations,

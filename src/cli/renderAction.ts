@@ -6,6 +6,7 @@ import { validate } from '../scene/validate.ts';
 import type { AovName, ViewPoint } from '../scene/view.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { usageError } from './exit.ts';
+import { ExposureMeter } from './exposure.ts';
 import { renderSettings, speedOfLight } from './flags.ts';
 import { observerPath } from './observer.ts';
 import { endIfStopped } from './output.ts';
@@ -28,6 +29,8 @@ interface Made {
   readonly first: ViewPoint;
   readonly painter: Painter;
   readonly samples: number;
+  /** Of each frame [EV]. */
+  readonly exposures: readonly number[];
 }
 
 export async function render(path: string, flags: RenderFlags): Promise<void> {
@@ -41,19 +44,25 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   const frames = frameTimes(scene, flags);
   const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
+  const exposures: number[] = [];
   const sink = await openSink(flags, scene, frames.length);
   try {
     progress.show('getting ready to draw …');
     const painter = await openPainter(path, scene, flags, (text) => progress.note(text));
     const samples = flags.samples ?? painter.usualSamples;
+    const meter = new ExposureMeter(painter, flags.metering, flags.size);
     try {
       for (const [i, { number, t }] of frames.entries()) {
         const onPart = (part: number): void => progress.frames(i + part, frames.length);
         onPart(0);
         endIfStopped();
         const view = observer(t);
-        const settings = renderSettings(flags, c, view, flags.size.width / flags.size.height);
-        const picture = await painter.paint({ view, settings, samples, pixels: aovs.length === 0, aovs }, onPart);
+        const request = { view, settings: renderSettings(flags, c), samples, pixels: aovs.length === 0, aovs };
+        // Data and light itself have no exposure.
+        const metered = request.pixels ? await meter.read(request) : 0;
+        exposures.push(request.settings.exposure + metered);
+        const settings = { ...request.settings, exposure: exposures.at(-1)! };
+        const picture = await painter.paint({ ...request, settings }, onPart);
         await sink.add(picture, { number, view, speedOfLight: c });
       }
     } finally {
@@ -63,7 +72,7 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
     progress.show('finishing …');
     await sink.finish();
     progress.clear();
-    report(flags, scene, c, { frames, first: observer(frames[0]!.t), painter, samples }, sink);
+    report(flags, scene, c, { frames, first: observer(frames[0]!.t), painter, samples, exposures }, sink);
   } finally {
     progress.clear();
     sink.discard();
@@ -104,6 +113,7 @@ function report(flags: RenderFlags, scene: Scene, c: number, made: Made, sink: S
     observer: { position: first.position, beta, speed: length(beta), gamma: gamma(first.u) },
     ...made.painter.info,
     samples: made.samples,
+    exposure: [made.exposures[0]!, made.exposures.at(-1)!],
     objects: scene.objects.map((object, i) => ({ id: i + 1, path: object.path })),
   };
   console.log(JSON.stringify(summary, null, 2));

@@ -49,7 +49,7 @@ export const antialiased = (picture: Texture): Vec4 => vec4(fxaa(picture), 1);
 export const averaged = (picture: Texture): Vec4 => vec4(dithered(encode(texelHere(picture).rgb)), 1);
 
 /** sRGB encoding, IEC 61966-2-1. */
-function encode(linear: Vec3): Vec3 {
+export function encode(linear: Vec3): Vec3 {
   const low = linear.mul(12.92);
   const high = pow(linear.clamp(0, 1), vec3(1 / 2.4))
     .mul(1.055)

@@ -1,5 +1,6 @@
 import type { Quat } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import type { FalseColors } from '../spectrum/falseColor.ts';
 import type { Tone } from '../spectrum/toneMap.ts';
 
 /** `light-cone`: what is seen. `simultaneity`: where things are at the observer's own instant. `galilean`: c = ∞. */
@@ -28,6 +29,8 @@ export interface RenderSettings {
   readonly exposure: number;
   /** How that becomes what a screen can show. */
   readonly tone: Tone;
+  /** Instead of the light: what of it is to be shown as colours, between which values. */
+  readonly falseColors?: FalseColors;
   /** [m/s] */
   readonly speedOfLight: number;
 }

@@ -140,7 +140,10 @@ export const messages = {
   'param.grid': ['Reference grid', '参考网格'],
   'param.grid.help': ['A grid on the ground that relativity does not bend.', '不受相对论变形影响的地面网格。'],
   'param.exposure': ['Exposure', '曝光'],
-  'param.exposure.help': ['One step doubles the brightness.', '每增加一档亮度加倍。'],
+  'param.exposure.help': [
+    'Added to what the metering sets. One step doubles the brightness.',
+    '在测光结果之上再加的曝光。每增加一档亮度加倍。',
+  ],
   'param.tone': ['Tone curve', '色调曲线'],
   'param.tone.help': [
     'Neutral keeps colours as they are and softens only what is very bright; AgX rolls all of it off, as film does; Linear cuts what is too bright.',
@@ -149,11 +152,14 @@ export const messages = {
   'tone.neutral': ['Neutral', '中性'],
   'tone.agx': ['AgX', 'AgX'],
   'tone.linear': ['Linear', '线性'],
-  'param.adapt': ['Adapt to brightness', '自动适应亮度'],
-  'param.adapt.help': [
-    'As your speed makes the picture brighter or darker, the exposure follows, as an eye would.',
-    '速度使画面变亮或变暗时，曝光像眼睛一样随之调整。',
+  'param.metering': ['Metering', '测光'],
+  'param.metering.help': [
+    'Automatic follows the picture’s light, as an eye does. Resting eye keeps to what someone at rest here would have, so that the headlight effect is seen as it is. Manual is yours alone.',
+    '自动：像眼睛一样跟随画面亮度。静止之眼：按此处静止者的曝光，因而能看到聚束效应的真实强弱。手动：完全由你设定。',
   ],
+  'metering.automatic': ['Automatic', '自动'],
+  'metering.restingEye': ['Resting eye', '静止之眼'],
+  'metering.manual': ['Manual', '手动'],
   'param.camera': ['Camera', '相机'],
   'param.camera.auto': ['Automatic', '自动'],
   'param.ride': ['Ride the camera', '跟随相机'],

@@ -1,5 +1,5 @@
+import { type Color, magma } from '../../spectrum/colorMaps.ts';
 import { type Canvas, canvas, fill, paste, textHeight, textWidth, write } from './canvas.ts';
-import { type Color, magma } from './magma.ts';
 
 /** What the colours of an error map mean. */
 export interface Legend {
