@@ -33,7 +33,7 @@ function shiftScale(low: number, high: number): Scale {
 function timeScale(low: number, high: number): Scale {
   const [first, last] = [low > 0 && low < 0.6 * high ? 0 : low, high < 0 && high > 0.6 * low ? 0 : high];
   const step = roundStep((last - first) / 4 || Math.abs(last) / 4 || 1);
-  const [from, to] = [Math.floor(first / step + 1e-9) * step, Math.ceil(last / step - 1e-9) * step];
+  const [from, to] = [Math.floor(first / step + 1e-9) * step, Math.ceil(last / step - 1e-9) * step + 0];
   return to > from ? { from, to } : { from: from - step, to };
 }
 
