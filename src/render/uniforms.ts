@@ -21,6 +21,8 @@ export function makeUniforms() {
     dopplerMix: uniform(1),
     beaming: uniform(1),
     exposure: uniform(0),
+    /** 1/c */
+    secondsPerMetre: uniform(0),
     /** tan of half the field of view, across and up; and this sample's shift in the picture, in half-pictures. */
     halfTangents: uniform(new Vector2(1, 1)),
     jitter: uniform(new Vector2()),
