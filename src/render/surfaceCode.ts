@@ -1,6 +1,7 @@
 import { abs, clamp, dot, exp2, floor, log2, max, min, round, select, sqrt, vec3, vec4 } from 'three/tsl';
 import type { Node } from 'three/webgpu';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
+import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { offOctahedron, ontoOctahedron } from './octahedral.ts';
 import { FINE_STEPS, FINER, LEVELS, MIDDLE } from './packNormal.ts';
 
@@ -19,12 +20,9 @@ export interface Emission {
   readonly rgb: Vec3;
   /** 0 where it is not. */
   readonly luminance: Float;
-  /** log₂ of the temperature over `DAYLIGHT_TEMPERATURE`. */
+  /** log₂ of the temperature over that of daylight. */
   readonly heat: Float;
 }
-
-/** [K], of the spectrum that colours without another one have. */
-export const DAYLIGHT_TEMPERATURE = 6504;
 
 /** Luminance of linear sRGB (IEC 61966-2-1). */
 const LUMINANCE = [0.2126, 0.7152, 0.0722] as const;
@@ -35,7 +33,7 @@ export function emissionOf(rgb: Vec3, temperature: Float): Emission {
   return {
     rgb: select(thermal, vec3(0), rgb),
     luminance: select(thermal, dot(rgb, vec3(...LUMINANCE)), 0),
-    heat: log2(max(temperature, 1).div(DAYLIGHT_TEMPERATURE)),
+    heat: log2(max(temperature, 1).div(DAYLIGHT.temperature)),
   };
 }
 
