@@ -1,7 +1,10 @@
 import { addScaled, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { observerDoppler } from '../physics/doppler.ts';
 import { nightSkyOf } from '../scene/daylight.ts';
+import { cosmicBackground } from '../scene/stars/cosmicBackground.ts';
 import { starsInPicture } from '../scene/stars/inPicture.ts';
 import { spread } from '../scene/stars/spread.ts';
+import type { NightSky } from '../scene/types.ts';
 import { coverage } from './passage.ts';
 import type { Tile, TileRequest } from './tile.ts';
 import { nearestHit, type TracedScene } from './trace.ts';
@@ -14,27 +17,34 @@ interface Star {
   readonly light: Vec3;
 }
 
-/** Linear sRGB radiance of the stars at a point of the picture [px from its top left], as much as gets there along its ray. */
+/** Linear sRGB radiance of the stars and what is behind them at a point of the picture [px from its top left], as much as gets there along its ray. */
 export type StarField = (ray: SpacetimeRay, x: number, y: number) => Vec3;
 
 /** The stars of a tile; undefined where a scene has none. A star is a point: it is spread over a few pixels as the rasterizer spreads it. */
 export function starField(scene: TracedScene, request: TileRequest, tile: Tile): StarField | undefined {
-  const stars = starsNear(scene, request, tile);
-  if (stars.length === 0) return undefined;
+  const sky = nightSkyOf(scene.scene);
+  if (!sky) return undefined;
+  const stars = starsNear(sky, request, tile);
+  const { view, settings } = request;
+  const behind = (ray: SpacetimeRay): Vec3 => {
+    const D = settings.view === 'light-cone' ? observerDoppler(ray.dx, view.u) : 1;
+    return scale(cosmicBackground(D, settings), sky.gain);
+  };
   return (ray, x, y) => {
-    let sum = ZERO;
+    let sum = behind(ray);
     for (const star of stars) {
       const [dx, dy] = [x - star.x, y - star.y];
       if (Math.abs(dx) < star.half && Math.abs(dy) < star.half)
         sum = addScaled(sum, star.light, spread(Math.hypot(dx, dy)));
     }
-    return sum === ZERO ? ZERO : scale(sum, shareSeen(scene, ray));
+    return sum[0] + sum[1] + sum[2] > FAINTEST ? scale(sum, shareSeen(scene, ray)) : ZERO;
   };
 }
 
-function starsNear(scene: TracedScene, { view, settings, width, height }: TileRequest, tile: Tile): readonly Star[] {
-  const sky = nightSkyOf(scene.scene);
-  if (!sky) return [];
+/** Less than this no picture shows. */
+const FAINTEST = 1e-12;
+
+function starsNear(sky: NightSky, { view, settings, width, height }: TileRequest, tile: Tile): readonly Star[] {
   const room = 3 * sky.stars.temperatures.length;
   const [places, lights] = [new Float32Array(room), new Float32Array(room)];
   const count = starsInPicture(sky, view, settings, width, height, { places, lights });

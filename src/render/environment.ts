@@ -1,8 +1,8 @@
 import { acos, atan, clamp, dot, int, Loop, texture, uniform, vec2 } from 'three/tsl';
 import { Color, type DataTexture, Vector3 } from 'three/webgpu';
 import { normalize, scale, type Vec3 } from '../math/vec3.ts';
-import { axesOf, DAY, directLights, domeOf } from '../scene/daylight.ts';
-import type { DistantLight, DomeLight, Scene, Texture } from '../scene/types.ts';
+import { axesOf, DAY, directLights, domeOf, nightSkyOf } from '../scene/daylight.ts';
+import type { DistantLight, DomeLight, NightSky, Scene, Texture } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import { FloatTable } from './floatTable.ts';
@@ -39,6 +39,7 @@ export class Environment {
   /** Radiance of the dome's picture in a world direction. */
   readonly image: ((n: gpu.Vec3) => gpu.Vec3) | undefined;
   readonly lamps: LampTable;
+  readonly night: NightSky | undefined;
   /** Those of daylight first. */
   private readonly suns: readonly DistantLight[];
   private readonly table = new FloatTable(256);
@@ -46,6 +47,7 @@ export class Environment {
 
   constructor(scene: Scene) {
     const dome = domeOf(scene);
+    this.night = nightSkyOf(scene);
     const direct = directLights(scene);
     const suns = direct.filter((light) => light.kind === 'distant');
     this.suns = [...suns.filter(isDaylight), ...suns.filter((sun) => !isDaylight(sun))];

@@ -38,6 +38,8 @@ export interface Gathering {
   emit(light: Vec3, source?: ThermalSource): void;
   /** Light of a blackbody that is sent out here. */
   glow(emission: Pick<Emission, 'luminance' | 'heat'>): void;
+  /** Light of a blackbody of T [K], sent out here; `radiance`: of one of 6504 K. However cold it is, D can bring it into sight. */
+  radiate(T: number, radiance: Float): void;
   /** Linear sRGB of all that was sent. */
   seen(): Vec3;
 }

@@ -1,5 +1,6 @@
 import { clamp, dot, exp, Fn, float, max, mix, pow, smoothstep } from 'three/tsl';
 import { SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
+import { COSMIC_TEMPERATURE, DAYLIGHT_LUMINANCE } from '../scene/stars/cosmicBackground.ts';
 import { observerDoppler } from '../shaders/observerDoppler.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { unaberrate } from '../shaders/unaberrate.ts';
@@ -45,5 +46,6 @@ export const background = (environment: Environment, uniforms: Uniforms, optics:
     const eye = optics(D, uniforms);
     eye.emit(skyRadiance(environment, n, zenith));
     suns(environment, n, eye);
+    if (environment.night) eye.radiate(COSMIC_TEMPERATURE, float(environment.night.gain * DAYLIGHT_LUMINANCE));
     return eye.seen();
   })();

@@ -80,6 +80,15 @@ export const spectral =
           turned.addAssign(unshifted(ofColor(vec3(luminance), out), { temperature, luminance: atRest }));
         });
       },
+      radiate: (T, radiance) => {
+        const seenAt = out.mul(T).toVar();
+        const colors = thermalColors(table, seenAt, float(1));
+        turned.addAssign(
+          filteredColor(colors, vec4(1))
+            .mul(gain(colors.H, seenAt, float(1), out))
+            .mul(radiance),
+        );
+      },
       seen: () => {
         const color = daylight.xyz.toVar();
         If(abs(D.sub(1)).greaterThan(NO_SHIFT), () => {

@@ -18,6 +18,8 @@ export const tinted: Optics = (D, uniforms) => {
     glow: ({ luminance }) => {
       sum.addAssign(luminance);
     },
+    // A tint knows of nothing that is invisible at rest.
+    radiate: () => {},
     seen: () => shifted(sum, D, RADIANCE, uniforms),
   };
 };
