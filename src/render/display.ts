@@ -1,4 +1,19 @@
-import { dot, Fn, floor, fract, mix, mrt, pow, screenCoordinate, select, step, vec2, vec3, vec4 } from 'three/tsl';
+import {
+  dot,
+  Fn,
+  float,
+  floor,
+  fract,
+  mix,
+  mrt,
+  pow,
+  screenCoordinate,
+  select,
+  step,
+  vec2,
+  vec3,
+  vec4,
+} from 'three/tsl';
 import type { Node, Texture } from 'three/webgpu';
 import type { RenderSettings } from '../scene/view.ts';
 import { toneMaps } from '../shaders/toneMap.ts';
@@ -11,7 +26,10 @@ import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 
 /** What of the settings changes the passes of this file, and not their uniforms alone. */
-export type Look = Pick<RenderSettings, 'tone' | 'grid'>;
+export type Look = Pick<RenderSettings, 'tone' | 'grid'> & {
+  /** There are points of light in the sky, which are no edges to be smoothed. */
+  readonly starry: boolean;
+};
 
 /** Linear light to display, 0 … 1, with the grid over it where that is wanted. */
 function displayed(hdr: Vec3, buffer: GBuffer, uniforms: Uniforms, { tone, grid }: Look): Vec3 {
@@ -21,9 +39,12 @@ function displayed(hdr: Vec3, buffer: GBuffer, uniforms: Uniforms, { tone, grid 
   return mix(picture, lines.xyz, lines.w).toVar();
 }
 
-/** One sample: encoded in 8 bits, for FXAA needs what the eye sees. */
+/** One sample: encoded in 8 bits, for FXAA needs what the eye sees; 0 in the fourth, where only what has been smoothed already is. */
 export const singleSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms, look: Look): Vec4 =>
-  Fn(() => vec4(dithered(encode(displayed(texelHere(hdr).rgb, buffer, uniforms, look))), 1))();
+  Fn(() => {
+    const edged = look.starry ? step(0.5, texelHere(buffer.texture('object')).x) : float(1);
+    return vec4(dithered(encode(displayed(texelHere(hdr).rgb, buffer, uniforms, look))), edged);
+  })();
 
 /**
  * One of several samples, added to those before: the picture after tone mapping, so that edges of very bright things are smooth too,

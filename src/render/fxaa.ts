@@ -18,7 +18,7 @@ import {
   vec3,
 } from 'three/tsl';
 import type { Node, Texture } from 'three/webgpu';
-import type { Float, Vec3 } from '../shaders/types.ts';
+import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 
 type Vec2 = Node<'vec2'>;
 
@@ -28,24 +28,27 @@ const SPAN = 8;
 /** Of encoded luma; less is no edge. */
 const LEAST_CONTRAST = 1 / 32;
 
-/** Smooths edges of an sRGB-encoded picture along their direction. Source: Lottes, FXAA (NVIDIA 2009), the short variant. */
+/** Smooths edges of an sRGB-encoded picture along their direction, but those between texels whose fourth number is 0. Source: Lottes, FXAA (NVIDIA 2009), the short variant. */
 export const fxaa = (picture: Texture): Vec3 =>
   Fn(() => {
     const pixel = vec2(1).div(screenSize).toVar();
     const at = (x: Float, y: Float): Vec3 => texture(picture, screenUV.add(pixel.mul(vec2(x, y)))).level(int(0)).rgb;
     // Whole texels are fetched, for a software GPU takes long to filter.
     const last = screenSize.sub(0.5).toVar();
-    const texel = (x: number, y: number): Vec3 =>
-      textureLoad(picture, ivec2(clamp(screenCoordinate.add(vec2(x, y)), vec2(0.5), last))).rgb;
+    const texel = (x: number, y: number): Vec4 =>
+      textureLoad(picture, ivec2(clamp(screenCoordinate.add(vec2(x, y)), vec2(0.5), last))).toVar();
     const luma = (rgb: Vec3): Float => dot(rgb, vec3(0.299, 0.587, 0.114)).toVar();
-    const middle = texel(0, 0).toVar();
+    const here = texel(0, 0);
+    const middle = here.rgb.toVar();
     const m = luma(middle);
-    const [nw, ne, sw, se] = [luma(texel(-1, -1)), luma(texel(1, -1)), luma(texel(-1, 1)), luma(texel(1, 1))];
+    const around = [texel(-1, -1), texel(1, -1), texel(-1, 1), texel(1, 1)];
+    const [nw, ne, sw, se] = around.map(({ rgb }) => luma(rgb));
+    const edged = around.reduce((most, { w }) => max(most, w), here.w).greaterThan(0.5);
     const darkest = min(m, min(min(nw, ne), min(sw, se))).toVar();
     const brightest = max(m, max(max(nw, ne), max(sw, se))).toVar();
 
     const smooth = middle.toVar();
-    If(brightest.sub(darkest).greaterThan(LEAST_CONTRAST), () => {
+    If(edged.and(brightest.sub(darkest).greaterThan(LEAST_CONTRAST)), () => {
       const direction = vec2(sw.add(se).sub(nw).sub(ne), nw.add(sw).sub(ne).sub(se)).toVar();
       const reduce = max(
         nw

@@ -46,7 +46,7 @@ export class PictureMachine {
   private readonly gauge: GaugeReader;
   private readonly falseColors = new FalseColorTable();
   private samples = 1;
-  private look: Shown = { tone: 'neutral', grid: false };
+  private look: Shown = { tone: 'neutral', grid: false, starry: false };
 
   constructor(gpu: Gpu, uniforms: Uniforms) {
     this.gpu = gpu;
@@ -117,7 +117,7 @@ export class PictureMachine {
   /** Light to display: sample `index` of `count`. */
   display(index: number, count: number, look: Shown): void {
     this.look = look;
-    const key = `${look.tone} ${look.grid}`;
+    const key = `${look.tone} ${look.grid} ${look.starry}`;
     const { buffer, uniforms, light } = this;
     this.samples = count;
     if (count === 1) {

@@ -99,7 +99,7 @@ export class SceneRenderer implements PictureMaker {
       this.jitter(samples, i);
       this.machine.drawGeometry(upload, projection, this.camera);
       this.machine.drawLight(upload, projection, this.camera, settings.colors);
-      this.machine.display(i, count, settings);
+      this.machine.display(i, count, { ...settings, starry: upload.stars !== undefined });
     }
     if (count > 1) {
       // Data are of the pixels' centres, not of the last sample.
