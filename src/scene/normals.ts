@@ -1,10 +1,26 @@
-import { cross, dot, length, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
-import { cornersAround, forEachFace, outlineOf, type Polygons, pointAt } from './polygons.ts';
+import { norm, normalize, scale, type Vec3 } from '../math/vec3.ts';
+import { cornerRuns, forEachFace, outlineOf, type Polygons } from './polygons.ts';
 import { newellNormal } from './triangulate.ts';
 import type { Mesh } from './types.ts';
 
 /** Around a point with more corners all faces count, however they meet: to compare each with each would take for ever. */
 const MOST_COMPARED = 1024;
+
+/** The normal of each face, 3 numbers; zero where it has no area. */
+export function faceNormals(polygons: Polygons): Float32Array {
+  const normals = new Float32Array(polygons.faceCounts.length * 3);
+  let outline: Float64Array = new Float64Array(12);
+  forEachFace(polygons, (face, first, count) => {
+    outline = outlineOf(polygons, first, count, outline);
+    normals.set(faceNormal(polygons, outline, count), 3 * face);
+  });
+  return normals;
+}
+
+function faceNormal({ leftHanded }: Polygons, outline: Float64Array, count: number): Vec3 {
+  const area = newellNormal(outline, count);
+  return normalize(leftHanded ? scale(area, -1) : area);
+}
 
 /**
  * A normal for each corner: the mean, weighted by the angle at the corner, over the faces around its point that meet
@@ -14,65 +30,75 @@ const MOST_COMPARED = 1024;
  */
 export function cornerNormals(polygons: Polygons, smoothAngle: number): Float32Array {
   const corners = polygons.faceIndices.length;
-  const faceNormal = new Float64Array(corners * 3);
+  const own = new Float64Array(corners * 3);
   const weight = new Float64Array(corners);
-  forEachFace(polygons, (_, first, count) => measureFace(polygons, first, count, faceNormal, weight));
-  if (smoothAngle <= 0) return Float32Array.from(faceNormal);
-  return smoothed(faceNormal, weight, polygons.faceIndices, polygons.points.length / 3, Math.cos(smoothAngle));
+  let outline: Float64Array = new Float64Array(12);
+  forEachFace(polygons, (_, first, count) => {
+    outline = outlineOf(polygons, first, count, outline);
+    const n = faceNormal(polygons, outline, count);
+    for (let k = 0; k < count; k++) {
+      own.set(n, 3 * (first + k));
+      weight[first + k] = angleAt(outline, k, count) || 0;
+    }
+  });
+  if (smoothAngle <= 0) return new Float32Array(own);
+  return smoothed(own, weight, polygons.faceIndices, polygons.points.length / 3, Math.cos(smoothAngle));
 }
 
-function measureFace(
-  polygons: Polygons,
-  first: number,
-  count: number,
-  normals: Float64Array,
-  weight: Float64Array,
-): void {
-  const outline = outlineOf(polygons, first, count);
-  const area = newellNormal(outline);
-  const n = normalize(polygons.leftHanded ? scale(area, -1) : area);
-  for (let k = 0; k < count; k++) {
-    const p = outline[k];
-    normals.set(n, 3 * (first + k));
-    weight[first + k] = angleBetween(sub(outline[(k + 1) % count], p), sub(outline[(k + count - 1) % count], p)) || 0;
-  }
+/** The angle between the two sides at a corner [rad]. */
+function angleAt(outline: Float64Array, corner: number, count: number): number {
+  const p = 3 * corner;
+  const next = corner + 1 < count ? p + 3 : 0;
+  const last = corner > 0 ? p - 3 : 3 * count - 3;
+  const ux = outline[next] - outline[p];
+  const uy = outline[next + 1] - outline[p + 1];
+  const uz = outline[next + 2] - outline[p + 2];
+  const vx = outline[last] - outline[p];
+  const vy = outline[last + 1] - outline[p + 1];
+  const vz = outline[last + 2] - outline[p + 2];
+  return Math.atan2(norm(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx), ux * vx + uy * vy + uz * vz);
 }
 
-const angleBetween = (a: Vec3, b: Vec3): number => Math.atan2(length(cross(a, b)), dot(a, b));
-
+/** @param own of each corner, its face's normal */
 function smoothed(
-  faceNormal: Float64Array,
+  own: Float64Array,
   weight: Float64Array,
   pointOfCorner: ArrayLike<number>,
   points: number,
   cosine: number,
 ): Float32Array {
-  const around = cornersAround(pointOfCorner, points);
-  const out = new Float32Array(faceNormal.length);
-  const sum: [number, number, number] = [0, 0, 0];
-  /** Over the corners whose faces meet that of `own` at less than the angle; over all where `own` is none. */
-  const addUp = (corners: Uint32Array, own?: number): void => {
-    sum.fill(0);
-    for (const c of corners) {
-      // A face's own normal counts even where rounding puts n·n under the cosine of 0.
-      if (own !== undefined && c !== own && dotAt(faceNormal, own, c) < cosine) continue;
-      for (let k = 0; k < 3; k++) sum[k] += faceNormal[3 * c + k] * weight[c];
-    }
-  };
+  const { start, corners } = cornerRuns(pointOfCorner, points);
+  const out = new Float32Array(own.length);
   for (let p = 0; p < points; p++) {
-    const corners = around(p);
-    const areAllNear = cosine <= -1 || corners.length > MOST_COMPARED;
-    if (areAllNear) addUp(corners);
-    for (const c of corners) {
-      if (!areAllNear) addUp(corners, c);
-      out.set(normalize(sum, pointAt(faceNormal, c)), 3 * c);
+    const from = start[p];
+    const to = start[p + 1];
+    const areAllNear = cosine <= -1 || to - from > MOST_COMPARED;
+    let x = 0;
+    let y = 0;
+    let z = 0;
+    for (let i = from; i < to; i++) {
+      const c = 3 * corners[i];
+      if (!areAllNear || i === from) {
+        x = y = z = 0;
+        for (let j = from; j < to; j++) {
+          const d = 3 * corners[j];
+          // A face's own normal counts even where rounding puts n·n under the cosine of 0.
+          const isFar = own[c] * own[d] + own[c + 1] * own[d + 1] + own[c + 2] * own[d + 2] < cosine;
+          if (isFar && !areAllNear && i !== j) continue;
+          const w = weight[corners[j]];
+          x += own[d] * w;
+          y += own[d + 1] * w;
+          z += own[d + 2] * w;
+        }
+      }
+      const l = norm(x, y, z);
+      out[c] = l > 0 ? x / l : own[c];
+      out[c + 1] = l > 0 ? y / l : own[c + 1];
+      out[c + 2] = l > 0 ? z / l : own[c + 2];
     }
   }
   return out;
 }
-
-const dotAt = (v: ArrayLike<number>, i: number, j: number): number =>
-  v[3 * i] * v[3 * j] + v[3 * i + 1] * v[3 * j + 1] + v[3 * i + 2] * v[3 * j + 2];
 
 /**
  * The smoothing groups of a mesh: vertices that share place and normal (a seam of uv or colour lies between them) get
@@ -114,19 +140,22 @@ export function deformedNormals(
     const vx = points[c] - points[a];
     const vy = points[c + 1] - points[a + 1];
     const vz = points[c + 2] - points[a + 2];
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
     for (let k = i; k < i + 3; k++) {
       const at = 3 * groups[indices[k]];
-      sums[at] += uy * vz - uz * vy;
-      sums[at + 1] += uz * vx - ux * vz;
-      sums[at + 2] += ux * vy - uy * vx;
+      sums[at] += x;
+      sums[at + 1] += y;
+      sums[at + 2] += z;
     }
   }
   const out = new Float32Array(groups.length * 3);
   for (let v = 0; v < groups.length; v++) {
     const at = 3 * groups[v];
-    const l = length([sums[at], sums[at + 1], sums[at + 2]]);
-    if (l > 0) for (let k = 0; k < 3; k++) out[3 * v + k] = sums[at + k] / l;
-    else out[3 * v + 2] = 1;
+    const l = norm(sums[at], sums[at + 1], sums[at + 2]);
+    if (!(l > 0)) out[3 * v + 2] = 1;
+    else for (let k = 0; k < 3; k++) out[3 * v + k] = sums[at + k] / l;
   }
   return out;
 }
