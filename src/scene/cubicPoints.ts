@@ -1,6 +1,7 @@
 import { slopeRule } from '../math/hermite.ts';
 import { length, lerp, type Vec3 } from '../math/vec3.ts';
 import { type CubicPiece, controlVelocities, slowBend } from '../physics/cubic.ts';
+import { longestWay } from './longestWay.ts';
 import { isStreamed } from './points.ts';
 import type { SampledPointsMotion } from './types.ts';
 
@@ -41,19 +42,28 @@ const LOOKED_AT = 2 ** 22;
  * chosen points. 0 of two samples.
  */
 export function chordGap(times: Float64Array, points: readonly Float32Array[]): number {
-  const count = points[0].length / 3;
-  const step = Math.max(1, Math.ceil((count * 3 * times.length) / LOOKED_AT));
-  const path = points.map((all) =>
-    Float32Array.from({ length: 3 * Math.ceil(count / step) }, (_, i) => all[3 * step * Math.floor(i / 3) + (i % 3)]),
-  );
-  const velocities = parabolaVelocities(times, path);
+  const step = Math.max(1, Math.ceil((points[0].length * times.length) / LOOKED_AT));
+  const chosen = step === 1 ? points : points.map((all) => everyPoint(all, step));
+  const velocityAt = (k: number): Float32Array => parabolaVelocityAt(times, (j) => chosen[j], k);
   let most = 0;
-  for (let k = 0; k + 1 < times.length; k++) {
-    const [a, b, eighth] = [velocities[k], velocities[k + 1], (times[k + 1] - times[k]) / 8];
-    for (let i = 0; i < a.length; i += 3)
-      most = Math.max(most, eighth * Math.hypot(b[i] - a[i], b[i + 1] - a[i + 1], b[i + 2] - a[i + 2]));
+  let before = velocityAt(0);
+  for (let k = 1; k < times.length; k++) {
+    const after = velocityAt(k);
+    most = Math.max(most, ((times[k] - times[k - 1]) / 8) * longestWay(before, after).way);
+    before = after;
   }
   return most;
+}
+
+/** The first of every `step` points. */
+function everyPoint(points: Float32Array, step: number): Float32Array {
+  const out = new Float32Array(3 * Math.ceil(points.length / (3 * step)));
+  for (let i = 0, from = 0; i < out.length; i += 3, from += 3 * step) {
+    out[i] = points[from];
+    out[i + 1] = points[from + 1];
+    out[i + 2] = points[from + 2];
+  }
+  return out;
 }
 
 /** Point i between samples k and k + 1, from the motion's origin, with all of its bend [m, m/s]. */
