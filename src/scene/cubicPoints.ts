@@ -1,7 +1,6 @@
 import { slopeRule } from '../math/hermite.ts';
 import { length, lerp, type Vec3 } from '../math/vec3.ts';
 import { type CubicPiece, controlVelocities, slowBend } from '../physics/cubic.ts';
-import { longestWay } from './longestWay.ts';
 import { isStreamed } from './points.ts';
 import type { SampledPointsMotion } from './types.ts';
 
@@ -43,27 +42,33 @@ const LOOKED_AT = 2 ** 22;
  */
 export function chordGap(times: Float64Array, points: readonly Float32Array[]): number {
   const step = Math.max(1, Math.ceil((points[0].length * times.length) / LOOKED_AT));
-  const chosen = step === 1 ? points : points.map((all) => everyPoint(all, step));
-  const velocityAt = (k: number): Float32Array => parabolaVelocityAt(times, (j) => chosen[j], k);
   let most = 0;
-  let before = velocityAt(0);
-  for (let k = 1; k < times.length; k++) {
-    const after = velocityAt(k);
-    most = Math.max(most, ((times[k] - times[k - 1]) / 8) * longestWay(before, after).way);
-    before = after;
-  }
+  for (let k = 0; k + 1 < times.length; k++)
+    most = Math.max(most, ((times[k + 1] - times[k]) / 8) * greatestChange(times, points, k, step));
   return most;
 }
 
-/** The first of every `step` points. */
-function everyPoint(points: Float32Array, step: number): Float32Array {
-  const out = new Float32Array(3 * Math.ceil(points.length / (3 * step)));
-  for (let i = 0, from = 0; i < out.length; i += 3, from += 3 * step) {
-    out[i] = points[from];
-    out[i + 1] = points[from + 1];
-    out[i + 2] = points[from + 2];
+/** The greatest |v₁ − v₀| of the piece after sample k, of one point in `step` [m/s]: a sum of the chords of three pieces, without an array of it. */
+function greatestChange(times: Float64Array, points: readonly Float32Array[], k: number, step: number): number {
+  const weights = [0, 0, 0];
+  for (const end of [0, 1]) {
+    const { middle, share } = slopeRule(times, k + end);
+    const sign = end === 0 ? -1 : 1;
+    weights[middle - k] += (sign * (1 - share)) / (times[middle] - times[middle - 1]);
+    if (share !== 0) weights[middle - k + 1] += (sign * share) / (times[middle + 1] - times[middle]);
   }
-  return out;
+  const [first, second, third] = weights;
+  const [a, b, c, d] = [k - 1, k, k + 1, k + 2].map((j) => points[Math.min(Math.max(j, 0), points.length - 1)]);
+  const component = (i: number): number => first * (b[i] - a[i]) + second * (c[i] - b[i]) + third * (d[i] - c[i]);
+  let most = 0;
+  for (let i = 0; i < a.length; i += 3 * step) {
+    const x = component(i);
+    const y = component(i + 1);
+    const z = component(i + 2);
+    const square = x * x + y * y + z * z;
+    if (square > most) most = square;
+  }
+  return Math.sqrt(most);
 }
 
 /** Point i between samples k and k + 1, from the motion's origin, with all of its bend [m, m/s]. */

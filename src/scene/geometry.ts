@@ -188,7 +188,8 @@ class VertexValues {
 
   /** Those of the first so many vertices. */
   first(vertices: number): Float32Array {
-    return this.values.slice(0, vertices * this.size);
+    const numbers = vertices * this.size;
+    return numbers === this.values.length ? this.values : this.values.slice(0, numbers);
   }
 }
 
