@@ -59,13 +59,11 @@ function greatestChange(times: Float64Array, points: readonly Float32Array[], k:
   }
   const [first, second, third] = weights;
   const [a, b, c, d] = [k - 1, k, k + 1, k + 2].map((j) => points[Math.min(Math.max(j, 0), points.length - 1)]);
-  const component = (i: number): number => first * (b[i] - a[i]) + second * (c[i] - b[i]) + third * (d[i] - c[i]);
   let most = 0;
   for (let i = 0; i < a.length; i += 3 * step) {
-    const x = component(i);
-    const y = component(i + 1);
-    const z = component(i + 2);
-    const square = x * x + y * y + z * z;
+    let square = 0;
+    for (let j = i; j < i + 3; j++)
+      square += (first * (b[j] - a[j]) + second * (c[j] - b[j]) + third * (d[j] - c[j])) ** 2;
     if (square > most) most = square;
   }
   return Math.sqrt(most);

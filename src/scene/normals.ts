@@ -107,26 +107,51 @@ function smoothed(
   return out;
 }
 
+/** Of the groups that share a bucket so many are compared with a vertex: only a file made for it has more. */
+const MOST_IN_BUCKET = 64;
+
 /**
  * The smoothing groups of a mesh: vertices that share place and normal (a seam of uv or colour lies between them) get
  * one number, that of the first of them, so that the normals of deformed points do not show the seam.
  */
 export function smoothingGroups({ positions, normals }: Mesh): Uint32Array {
-  // −0 becomes 0; as bits all numbers have an order, NaN too.
-  const bits = [positions, normals].map((values) => new Uint32Array(values.map((x) => x + 0).buffer));
-  const compare = (v: number, w: number): number => {
-    for (const values of bits)
-      for (let k = 0; k < 3; k++)
-        if (values[3 * v + k] !== values[3 * w + k]) return values[3 * v + k] - values[3 * w + k];
-    return 0;
-  };
-  const order = new Uint32Array(positions.length / 3).map((_, v) => v).sort((v, w) => compare(v, w) || v - w);
-  const groups = new Uint32Array(order.length);
-  for (let i = 0; i < order.length; i++) {
-    const isSame = i > 0 && compare(order[i - 1], order[i]) === 0;
-    groups[order[i]] = isSame ? groups[order[i - 1]] : order[i];
+  const [places, directions] = [bitsOf(positions), bitsOf(normals)];
+  const vertices = positions.length / 3;
+  const buckets = new Int32Array(2 ** Math.ceil(Math.log2(vertices + 1))).fill(-1);
+  const next = new Int32Array(vertices);
+  const groups = new Uint32Array(vertices);
+  for (let v = 0; v < vertices; v++) {
+    const bucket = mixed(directions, v, mixed(places, v, 0)) & (buckets.length - 1);
+    let w = buckets[bucket];
+    for (let i = 0; w >= 0 && !(areSame(places, v, w) && areSame(directions, v, w)); i++)
+      w = i < MOST_IN_BUCKET ? next[w] : -1;
+    groups[v] = w < 0 ? v : w;
+    if (w >= 0) continue;
+    next[v] = buckets[bucket];
+    buckets[bucket] = v;
   }
   return groups;
+}
+
+/** Numbers as their bits, in which NaN is like NaN; and −0 is like 0. */
+function bitsOf(numbers: Float32Array): Uint32Array {
+  const bits = new Uint32Array(numbers.buffer, numbers.byteOffset, numbers.length).slice();
+  for (let i = 0; i < bits.length; i++) if (bits[i] === 0x80000000) bits[i] = 0;
+  return bits;
+}
+
+const areSame = (bits: Uint32Array, v: number, w: number): boolean =>
+  bits[3 * v] === bits[3 * w] && bits[3 * v + 1] === bits[3 * w + 1] && bits[3 * v + 2] === bits[3 * w + 2];
+
+/** The three numbers of vertex v stirred into a hash. Source: the rounds of MurmurHash3, Appleby 2011. */
+function mixed(bits: Uint32Array, v: number, hash: number): number {
+  let h = hash;
+  for (let i = 3 * v; i < 3 * v + 3; i++) {
+    h = Math.imul(h ^ bits[i], 0x85ebca6b);
+    h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);
+    h ^= h >>> 16;
+  }
+  return h;
 }
 
 /** Sums at the vertices of a mesh, for one of its samples after another: new memory for each would take longer than to add up. */
@@ -171,9 +196,17 @@ export function deformedNormals(
   const out = new Float32Array(groups.length * 3);
   for (let v = 0; v < groups.length; v++) {
     const at = 3 * groups[v];
-    const l = norm(sums[at], sums[at + 1], sums[at + 2]);
-    if (!(l > 0)) out[3 * v + 2] = 1;
-    else for (let k = 0; k < 3; k++) out[3 * v + k] = sums[at + k] / l;
+    const x = sums[at];
+    const y = sums[at + 1];
+    const z = sums[at + 2];
+    const l = norm(x, y, z);
+    if (!(l > 0)) {
+      out[3 * v + 2] = 1;
+      continue;
+    }
+    out[3 * v] = x / l;
+    out[3 * v + 1] = y / l;
+    out[3 * v + 2] = z / l;
   }
   return out;
 }
