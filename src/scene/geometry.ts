@@ -24,6 +24,7 @@ export function makeMesh(polygons: Polygons): BuiltMesh & { readonly skippedFace
   forEachFace(polygons, (face, first, count) => {
     const group = groupOfFace[face];
     if (group < 0) return;
+    // A triangle is itself, wherever it is.
     if (count > 3) outline = outlineOf(polygons, first, count, outline);
     if (count > 3 && polygons.leftHanded) turnRound(outline, count);
     const cut = triangulate(outline, count);

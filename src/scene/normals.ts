@@ -76,35 +76,37 @@ function smoothed(
 ): Float32Array {
   const { start, corners } = cornerRuns(pointOfCorner, points);
   const out = new Float32Array(own.length);
+  const sum = new Float64Array(3);
   for (let p = 0; p < points; p++) {
-    const from = start[p];
-    const to = start[p + 1];
-    const areAllNear = cosine <= -1 || to - from > MOST_COMPARED;
-    let x = 0;
-    let y = 0;
-    let z = 0;
-    for (let i = from; i < to; i++) {
-      const c = 3 * corners[i];
-      if (!areAllNear || i === from) {
-        x = y = z = 0;
-        for (let j = from; j < to; j++) {
-          const d = 3 * corners[j];
-          // A face's own normal counts even where rounding puts n·n under the cosine of 0.
-          const isFar = own[c] * own[d] + own[c + 1] * own[d + 1] + own[c + 2] * own[d + 2] < cosine;
-          if (isFar && !areAllNear && i !== j) continue;
-          const w = weight[corners[j]];
-          x += own[d] * w;
-          y += own[d + 1] * w;
-          z += own[d + 2] * w;
-        }
-      }
-      const l = norm(x, y, z);
-      out[c] = l > 0 ? x / l : own[c];
-      out[c + 1] = l > 0 ? y / l : own[c + 1];
-      out[c + 2] = l > 0 ? z / l : own[c + 2];
+    const around = corners.subarray(start[p], start[p + 1]);
+    const areAllNear = cosine <= -1 || around.length > MOST_COMPARED;
+    for (let i = 0; i < around.length; i++) {
+      if (!areAllNear || i === 0) addUp(sum, own, weight, around, around[i], areAllNear ? -Infinity : cosine);
+      const c = 3 * around[i];
+      const l = norm(sum[0], sum[1], sum[2]);
+      for (let k = 0; k < 3; k++) out[c + k] = l > 0 ? sum[k] / l : own[c + k];
     }
   }
   return out;
+}
+
+/** Over the corners around a point whose faces meet that of corner c at less than the angle. */
+function addUp(
+  sum: Float64Array,
+  own: Float64Array,
+  weight: Float64Array,
+  around: Uint32Array,
+  c: number,
+  cosine: number,
+): void {
+  sum.fill(0);
+  for (let i = 0; i < around.length; i++) {
+    const d = around[i];
+    const dot = own[3 * c] * own[3 * d] + own[3 * c + 1] * own[3 * d + 1] + own[3 * c + 2] * own[3 * d + 2];
+    // A face's own normal counts even where rounding puts n·n under the cosine of 0.
+    if (dot < cosine && c !== d) continue;
+    for (let k = 0; k < 3; k++) sum[k] += own[3 * d + k] * weight[d];
+  }
 }
 
 /** Of the groups that share a bucket so many are compared with a vertex: only a file made for it has more. */
@@ -115,16 +117,15 @@ const MOST_IN_BUCKET = 64;
  * one number, that of the first of them, so that the normals of deformed points do not show the seam.
  */
 export function smoothingGroups({ positions, normals }: Mesh): Uint32Array {
-  const [places, directions] = [bitsOf(positions), bitsOf(normals)];
+  const [p, n] = [bitsOf(positions), bitsOf(normals)];
   const vertices = positions.length / 3;
   const buckets = new Int32Array(2 ** Math.ceil(Math.log2(vertices + 1))).fill(-1);
   const next = new Int32Array(vertices);
   const groups = new Uint32Array(vertices);
   for (let v = 0; v < vertices; v++) {
-    const bucket = mixed(directions, v, mixed(places, v, 0)) & (buckets.length - 1);
+    const bucket = mixed(n, v, mixed(p, v, 0)) & (buckets.length - 1);
     let w = buckets[bucket];
-    for (let i = 0; w >= 0 && !(areSame(places, v, w) && areSame(directions, v, w)); i++)
-      w = i < MOST_IN_BUCKET ? next[w] : -1;
+    for (let i = 0; w >= 0 && !(areSame(p, v, w) && areSame(n, v, w)); i++) w = i < MOST_IN_BUCKET ? next[w] : -1;
     groups[v] = w < 0 ? v : w;
     if (w >= 0) continue;
     next[v] = buckets[bucket];
@@ -193,6 +194,11 @@ export function deformedNormals(
       sums[at + 2] += z;
     }
   }
+  return directions(sums, groups);
+}
+
+/** The unit vector of each vertex's sum, which is that of its group. */
+function directions(sums: Float64Array, groups: Uint32Array): Float32Array {
   const out = new Float32Array(groups.length * 3);
   for (let v = 0; v < groups.length; v++) {
     const at = 3 * groups[v];
