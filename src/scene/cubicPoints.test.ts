@@ -167,6 +167,12 @@ describe('the gap between cubics and chords', () => {
     );
     expect(chordGap(times, points)).toBeCloseTo(Math.max(...gaps), 5);
   });
+  it('is that of the points that are somewhere', () => {
+    const points = fallen(4);
+    points[1].fill(Number.POSITIVE_INFINITY, 6, 9);
+    points[3][10] = Number.NaN;
+    expect(chordGap(times, points)).toBeCloseTo(1, 6);
+  });
   it('is none of what rests, or has two samples', () => {
     const [first, , , , last] = fallen(4);
     expect(chordGap(times, Array(5).fill(last))).toBe(0);

@@ -64,7 +64,7 @@ function greatestChange(times: Float64Array, points: readonly Float32Array[], k:
     let square = 0;
     for (let j = i; j < i + 3; j++)
       square += (first * (b[j] - a[j]) + second * (c[j] - b[j]) + third * (d[j] - c[j])) ** 2;
-    if (square > most) most = square;
+    if (square > most && square < Number.POSITIVE_INFINITY) most = square;
   }
   return Math.sqrt(most);
 }
