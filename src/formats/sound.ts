@@ -62,9 +62,20 @@ function soundObjects(objects: readonly SceneObject[], say: Say): SceneObject[] 
 
 /** Whether all numbers are finite: a product with 0 is 0 for these alone, and a sum keeps what is not. */
 function allFinite(numbers: ArrayLike<number>): boolean {
+  if (numbers instanceof Float32Array)
+    return areFiniteBits(new Uint32Array(numbers.buffer, numbers.byteOffset, numbers.length));
   let sum = 0;
   for (let i = 0; i < numbers.length; i++) sum += numbers[i] * 0;
   return sum === 0;
+}
+
+/** An exponent of ones: NaN and the infinities. */
+const NOT_A_SIZE = 0x7f800000;
+
+/** The same of f32 by their bits, which is quicker: of long caches every number is looked at. */
+function areFiniteBits(bits: Uint32Array): boolean {
+  for (let i = 0; i < bits.length; i++) if ((bits[i] & NOT_A_SIZE) === NOT_A_SIZE) return false;
+  return true;
 }
 
 function isMotionSound({ path, motion }: { path: string; motion: Motion }, say: Say): boolean {

@@ -3,7 +3,14 @@ import { expectClose } from '../../tests/physicsArbitraries.ts';
 import { distance, length, type Vec3 } from '../math/vec3.ts';
 import { emissionEvent } from '../physics/lightCone.ts';
 import { positionAt, velocityAt } from '../physics/worldLine.ts';
-import { bendOf, type CubicPointsMotion, greatestSpeed, parabolaVelocities, straightened } from './cubicPoints.ts';
+import {
+  bendOf,
+  type CubicPointsMotion,
+  chordGap,
+  greatestSpeed,
+  parabolaVelocities,
+  straightened,
+} from './cubicPoints.ts';
 import { makeMaterial, makeObject, makeScene } from './defaults.ts';
 import { fastest } from './fastest.ts';
 import { vertexPositions, vertexWorldLine } from './motion.ts';
@@ -136,5 +143,39 @@ describe('speed', () => {
   it('is an error where the chord itself is too fast', () => {
     const scene = makeScene({ name: 'dash', objects: [dash], materials: [makeMaterial({ name: 'm' })] });
     expect(validate(scene, 8).map(({ code }) => code)).toEqual(['motion.superluminal']);
+  });
+});
+
+describe('the gap between cubics and chords', () => {
+  // Of x = t² every cubic is the parabola itself, h²/4 from its chord in the middle.
+  const times = Float64Array.of(0, 0.5, 1.5, 3.5, 5);
+  const fallen = (points: number) =>
+    Array.from(times, (t) => Float32Array.from({ length: 3 * points }, (_, i) => (i % 3 === 1 ? 7 - t * t : 1e5)));
+  it('is h²/4 of what falls, in the longest piece, however many points there are', () => {
+    expect(chordGap(times, fallen(4))).toBeCloseTo(1, 6);
+    // More than are looked at.
+    expect(chordGap(times, fallen(300_000))).toBeCloseTo(1, 6);
+  });
+  it('is that of their velocities', () => {
+    const points = Array.from(times, (t) => Float32Array.from({ length: 30 }, (_, i) => Math.sin(i + (1 + i / 9) * t)));
+    const velocities = parabolaVelocities(times, points);
+    const gaps = velocities.slice(1).flatMap((after, k) =>
+      Array.from({ length: 10 }, (_, p) => {
+        const change = [0, 1, 2].map((j) => after[3 * p + j] - velocities[k][3 * p + j]);
+        return ((times[k + 1] - times[k]) / 8) * Math.hypot(...change);
+      }),
+    );
+    expect(chordGap(times, points)).toBeCloseTo(Math.max(...gaps), 5);
+  });
+  it('is that of the points that are somewhere', () => {
+    const points = fallen(4);
+    points[1].fill(Number.POSITIVE_INFINITY, 6, 9);
+    points[3][10] = Number.NaN;
+    expect(chordGap(times, points)).toBeCloseTo(1, 6);
+  });
+  it('is none of what rests, or has two samples', () => {
+    const [first, , , , last] = fallen(4);
+    expect(chordGap(times, Array(5).fill(last))).toBe(0);
+    expect(chordGap(Float64Array.of(0, 5), [first, last])).toBe(0);
   });
 });

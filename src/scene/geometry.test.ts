@@ -250,6 +250,26 @@ describe('smoothingGroups', () => {
   });
 });
 
+describe('smoothingGroups of many vertices', () => {
+  it('are those of a table by their numbers', () => {
+    const numbers = fc.array(fc.constantFrom(0, -0, 1, -1, 0.5, Number.NaN), { minLength: 600, maxLength: 1800 });
+    fc.assert(
+      fc.property(numbers, numbers, (p, n) => {
+        const vertices = Math.floor(Math.min(p.length, n.length) / 3);
+        const [positions, normals] = [p, n].map((list) => Float32Array.from(list.slice(0, 3 * vertices)));
+        const first = new Map<string, number>();
+        const expected = Array.from({ length: vertices }, (_, v) => {
+          const key = [...pointAt(positions, v), ...pointAt(normals, v)].join();
+          first.set(key, first.get(key) ?? v);
+          return first.get(key);
+        });
+        expect([...smoothingGroups({ ...box([1, 1, 1]), positions, normals })]).toEqual(expected);
+      }),
+      { numRuns: 20 },
+    );
+  });
+});
+
 describe('transformMesh and mergeMeshes', () => {
   const orientation = fromAxisAngle([1, 2, 3], 1);
   it('carries area and normals, turns a mirrored mesh right side out', () => {

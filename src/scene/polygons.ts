@@ -51,20 +51,36 @@ export const pointAt = (points: ArrayLike<number>, i: number): Vec3 => [
   points[3 * i + 2],
 ];
 
-/** The points of a face, in order. */
-export function outlineOf({ points, faceIndices }: Polygons, firstCorner: number, count: number): Vec3[] {
-  const outline: Vec3[] = [];
-  for (let c = firstCorner; c < firstCorner + count; c++) outline.push(pointAt(points, faceIndices[c]));
+/** The points of a face in order, 3 numbers each; written into `into` where it has room, for faces are many. */
+export function outlineOf(
+  { points, faceIndices }: Polygons,
+  firstCorner: number,
+  count: number,
+  into?: Float64Array,
+): Float64Array {
+  const outline = into && into.length >= 3 * count ? into : new Float64Array(3 * count);
+  for (let k = 0; k < count; k++) {
+    const p = 3 * faceIndices[firstCorner + k];
+    outline[3 * k] = points[p];
+    outline[3 * k + 1] = points[p + 1];
+    outline[3 * k + 2] = points[p + 2];
+  }
   return outline;
 }
 
-/** Point → its corners, from one pass of counting. */
-export function cornersAround(pointOfCorner: ArrayLike<number>, points: number): (point: number) => Uint32Array {
+/** Point → its corners: point p has those of `corners` from `start[p]` on, up to `start[p + 1]`. From one pass of counting. */
+export function cornerRuns(pointOfCorner: ArrayLike<number>, points: number) {
   const start = new Uint32Array(points + 1);
   for (let c = 0; c < pointOfCorner.length; c++) start[pointOfCorner[c] + 1]++;
   for (let p = 0; p < points; p++) start[p + 1] += start[p];
   const fill = start.slice();
   const corners = new Uint32Array(pointOfCorner.length);
   for (let c = 0; c < pointOfCorner.length; c++) corners[fill[pointOfCorner[c]]++] = c;
+  return { start, corners };
+}
+
+/** The same as a function of the point. */
+export function cornersAround(pointOfCorner: ArrayLike<number>, points: number): (point: number) => Uint32Array {
+  const { start, corners } = cornerRuns(pointOfCorner, points);
   return (point) => corners.subarray(start[point], start[point + 1]);
 }

@@ -2,7 +2,7 @@ import type { Mat4 } from '../math/mat4.ts';
 import { gatherPoints } from './geometry.ts';
 import { deformedNormals } from './normals.ts';
 import { readSample, type StoredSample } from './storedNumbers.ts';
-import { transformedNormals, transformedPoints } from './transformPoints.ts';
+import { carryNormals, carryPoints } from './transformPoints.ts';
 
 /**
  * The samples of a deforming mesh, left in their files: what it takes to make any one of them, and what had to be known of
@@ -50,7 +50,7 @@ export type PointRecipe = Omit<StreamedPoints, 'facts'>;
 /** The points of sample k, 3 numbers per vertex, world-oriented, from the motion's origin [m]. */
 export function makePoints(recipe: PointRecipe, k: number): Float32Array {
   const { points, matrix } = recipe.samples[k];
-  return transformedPoints(ownPoints(recipe, points), matrix);
+  return carryPoints(ownPoints(recipe, points), matrix);
 }
 
 /** In the file's axes and units. */
@@ -74,7 +74,7 @@ export function makeNormals(recipe: PointRecipe, k: number): Float32Array {
     shading.kind === 'stored'
       ? gatherPoints(readSample(shading.normals[k]), pointOfVertex)
       : deformedNormals(ownPoints(recipe, points), shading.indices, shading.groups);
-  return withoutNone(transformedNormals(normals, matrix));
+  return withoutNone(carryNormals(normals, matrix));
 }
 
 /** What is no number is 0: such a normal is none, as one of length 0. */
@@ -87,7 +87,7 @@ function withoutNone(normals: Float32Array): Float32Array {
 export function makePoint({ samples, pointOfVertex, lost }: PointRecipe, k: number, vertex: number): Float32Array {
   const { points, matrix } = samples[k];
   const own = lost?.[vertex] === 1 ? [0, 0, 0] : readSample(points, 3 * pointOfVertex[vertex], 3);
-  return transformedPoints(Float32Array.from(own), matrix);
+  return carryPoints(Float32Array.from(own), matrix);
 }
 
 /** Samples that were made lately. */

@@ -1,41 +1,39 @@
 import { cofactors, determinant, type Mat3 } from '../math/mat3.ts';
 import { linearPart, type Mat4 } from '../math/mat4.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { norm, type Vec3, ZERO } from '../math/vec3.ts';
 
-/** Points by M, 3 numbers each, into a new array, without an object for each. */
-export const transformedPoints = (points: Float32Array, m: Mat4): Float32Array =>
-  mapped(points, linearPart(m), [m[3], m[7], m[11]]);
+/** Takes points to M x, 3 numbers each, where they are: long caches have many. */
+export const carryPoints = (points: Float32Array, m: Mat4): Float32Array =>
+  carry(points, linearPart(m), [m[3], m[7], m[11]]);
 
-/** Normals by the cofactors of M, made unit; turned with the faces where M mirrors. */
-export function transformedNormals(normals: Float32Array, m: Mat4): Float32Array {
+/** Takes normals by the cofactors of M, and makes them unit, where they are; turned with the faces where M mirrors. */
+export function carryNormals(normals: Float32Array, m: Mat4): Float32Array {
   const linear = linearPart(m);
   const sign = determinant(linear) < 0 ? -1 : 1;
-  return madeUnit(
-    mapped(
-      normals,
-      cofactors(linear).map((x) => x * sign),
-      [0, 0, 0],
-    ),
-  );
+  const turned = cofactors(linear).map((x) => x * sign);
+  return makeUnit(carry(normals, turned, ZERO));
 }
 
-function mapped(from: Float32Array, l: Mat3, t: Vec3): Float32Array {
-  const out = new Float32Array(from.length);
-  for (let i = 0; i < from.length; i += 3) {
-    const x = from[i];
-    const y = from[i + 1];
-    const z = from[i + 2];
-    out[i] = l[0] * x + l[1] * y + l[2] * z + t[0];
-    out[i + 1] = l[3] * x + l[4] * y + l[5] * z + t[1];
-    out[i + 2] = l[6] * x + l[7] * y + l[8] * z + t[2];
+function carry(vectors: Float32Array, linear: Mat3, [tx, ty, tz]: Vec3): Float32Array {
+  const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = linear;
+  for (let i = 0; i < vectors.length; i += 3) {
+    const x = vectors[i];
+    const y = vectors[i + 1];
+    const z = vectors[i + 2];
+    vectors[i] = xx * x + xy * y + xz * z + tx;
+    vectors[i + 1] = yx * x + yy * y + yz * z + ty;
+    vectors[i + 2] = zx * x + zy * y + zz * z + tz;
   }
-  return out;
+  return vectors;
 }
 
-function madeUnit(normals: Float32Array): Float32Array {
-  for (let i = 0; i < normals.length; i += 3) {
-    const l = Math.sqrt(normals[i] ** 2 + normals[i + 1] ** 2 + normals[i + 2] ** 2);
-    if (l > 0) for (let k = i; k < i + 3; k++) normals[k] /= l;
+function makeUnit(vectors: Float32Array): Float32Array {
+  for (let i = 0; i < vectors.length; i += 3) {
+    const l = norm(vectors[i], vectors[i + 1], vectors[i + 2]);
+    if (!(l > 0)) continue;
+    vectors[i] /= l;
+    vectors[i + 1] /= l;
+    vectors[i + 2] /= l;
   }
-  return normals;
+  return vectors;
 }

@@ -1,58 +1,74 @@
 import earcut from 'earcut';
-import { cross, dot, normalize, type Vec3 } from '../math/vec3.ts';
+import { cross, dot, normalize, sub, type Vec3 } from '../math/vec3.ts';
+import { pointAt } from './polygons.ts';
+
+const TRIANGLE = [0, 1, 2];
+/** A quad, cut from corner 0 or from corner 1. */
+const FROM_ZERO = [0, 1, 2, 0, 2, 3];
+const FROM_ONE = [0, 1, 3, 1, 2, 3];
 
 /**
  * Splits one polygon into triangles that keep its winding and use every corner of its outline, so that no neighbour
  * is left with a T-junction (which relativity would open into a crack). Concave and non-planar polygons are cut in
  * the plane of their Newell normal.
  *
- * @param outline corners in order [m]
- * @returns triples of places in `outline`
+ * @param outline corners in order, 3 numbers each [m]; it may be longer than `count` of them
+ * @returns triples of places in `outline`, `count` − 2 of them
  */
-export function triangulate(outline: readonly Vec3[]): number[] {
-  if (outline.length < 3) return [];
-  if (outline.length === 3) return [0, 1, 2];
-  if (outline.length === 4) return splitQuad(outline);
-  const flat = projected(outline, newellNormal(outline));
-  return withDroppedCorners(earcut(flat), outline.length) ?? fan(outline.length);
+export function triangulate(outline: ArrayLike<number>, count: number): readonly number[] {
+  if (count < 3) return [];
+  if (count === 3) return TRIANGLE;
+  if (count === 4) return splitQuad(outline);
+  const flat = projected(outline, count, newellNormal(outline, count));
+  return withDroppedCorners(earcut(flat), count) ?? fan(count);
 }
 
 /** Twice the polygon's vector area; its direction is the normal of a counter-clockwise outline (Newell's method). */
-export function newellNormal(outline: readonly Vec3[]): Vec3 {
-  const o = outline[0];
-  let [x, y, z] = [0, 0, 0];
-  for (let i = 0; i < outline.length; i++) {
-    const a = outline[i];
-    const b = outline[(i + 1) % outline.length];
-    x += (a[1] - b[1]) * (a[2] + b[2] - 2 * o[2]);
-    y += (a[2] - b[2]) * (a[0] + b[0] - 2 * o[0]);
-    z += (a[0] - b[0]) * (a[1] + b[1] - 2 * o[1]);
+export function newellNormal(outline: ArrayLike<number>, count: number): Vec3 {
+  const twoX = 2 * outline[0];
+  const twoY = 2 * outline[1];
+  const twoZ = 2 * outline[2];
+  let x = 0;
+  let y = 0;
+  let z = 0;
+  for (let k = 0; k < count; k++) {
+    const a = 3 * k;
+    const b = k + 1 < count ? a + 3 : 0;
+    x += (outline[a + 1] - outline[b + 1]) * (outline[a + 2] + outline[b + 2] - twoZ);
+    y += (outline[a + 2] - outline[b + 2]) * (outline[a] + outline[b] - twoX);
+    z += (outline[a] - outline[b]) * (outline[a + 1] + outline[b + 1] - twoY);
   }
   return [x, y, z];
 }
 
 /** Along corner 0, as viewers do, unless the quad is concave at corner 1 or 3. */
-function splitQuad(q: readonly Vec3[]): number[] {
-  const n = newellNormal(q);
-  const faces = (i: number, j: number, k: number) => dot(triangleNormal(q[i], q[j], q[k]), n) > 0;
-  const alongZero = faces(0, 1, 2) && faces(0, 2, 3);
-  const alongOne = faces(0, 1, 3) && faces(1, 2, 3);
-  return alongZero || !alongOne ? [0, 1, 2, 0, 2, 3] : [0, 1, 3, 1, 2, 3];
+function splitQuad(q: ArrayLike<number>): readonly number[] {
+  const n = newellNormal(q, 4);
+  if (isTurnedAs(n, q, 0, 1, 2) && isTurnedAs(n, q, 0, 2, 3)) return FROM_ZERO;
+  return isTurnedAs(n, q, 0, 1, 3) && isTurnedAs(n, q, 1, 2, 3) ? FROM_ONE : FROM_ZERO;
 }
 
-const triangleNormal = (a: Vec3, b: Vec3, c: Vec3): Vec3 =>
-  cross([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
+/** Whether the triangle of three corners faces the way of n; without an object for each of them. */
+function isTurnedAs(n: Vec3, outline: ArrayLike<number>, i: number, j: number, k: number): boolean {
+  const x = outline[3 * i];
+  const y = outline[3 * i + 1];
+  const z = outline[3 * i + 2];
+  const ux = outline[3 * j] - x;
+  const uy = outline[3 * j + 1] - y;
+  const uz = outline[3 * j + 2] - z;
+  const vx = outline[3 * k] - x;
+  const vy = outline[3 * k + 1] - y;
+  const vz = outline[3 * k + 2] - z;
+  return (uy * vz - uz * vy) * n[0] + (uz * vx - ux * vz) * n[1] + (ux * vy - uy * vx) * n[2] > 0;
+}
 
-function projected(outline: readonly Vec3[], normal: Vec3): number[] {
+function projected(outline: ArrayLike<number>, count: number, normal: Vec3): number[] {
   const n = normalize(normal, [0, 0, 1]);
   const away: Vec3 = Math.abs(n[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0];
   const e1 = normalize(cross(away, n));
   const e2 = cross(n, e1);
-  const o = outline[0];
-  return outline.flatMap((p) => {
-    const d: Vec3 = [p[0] - o[0], p[1] - o[1], p[2] - o[2]];
-    return [dot(d, e1), dot(d, e2)];
-  });
+  const o = pointAt(outline, 0);
+  return Array.from({ length: count }, (_, k) => sub(pointAt(outline, k), o)).flatMap((d) => [dot(d, e1), dot(d, e2)]);
 }
 
 /**

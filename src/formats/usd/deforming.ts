@@ -9,7 +9,7 @@ import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
 import { surveyPoints } from '../../scene/pointFacts.ts';
 import { readSample } from '../../scene/storedNumbers.ts';
 import { makeNormals, makePoints, type PointRecipe } from '../../scene/streamedPoints.ts';
-import { transformedNormals, transformedPoints } from '../../scene/transformPoints.ts';
+import { carryNormals, carryPoints } from '../../scene/transformPoints.ts';
 import type { Mesh, SampledPointsMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
 import { affordedSamples, cornersOf, followedShape, refined, type ShapePath } from './following.ts';
@@ -132,13 +132,13 @@ export function sampledPoints(
   if (stored && leftInFile(context, wanted.length, mesh.positions.length / 3))
     return streamedPoints(context, path, mesh, stored, world, wanted);
   const times = affordable(context, path, wanted, mesh.positions.length / 3);
-  const shapes = Array.from(times, (time): DeformedPoints => deformation?.at(time) ?? mesh);
+  const shapes = Array.from(times, (time) => deformation?.at(time) ?? copied(mesh));
   const groups = shapes.some(({ normals }) => !normals) ? smoothingGroups(mesh) : undefined;
   const origin = originOf((k) => shapes[k].positions, times, world);
   const placed = shapes.map(({ positions, normals }, i) => {
     const own = normals ?? deformedNormals(positions, mesh.indices, groups!);
     const matrix = relativeTo(origin, world.matrixAt(times[i]));
-    return { positions: transformedPoints(positions, matrix), normals: transformedNormals(own, matrix) };
+    return { positions: carryPoints(positions, matrix), normals: carryNormals(own, matrix) };
   });
   const seconds = times.map((t) => t / context.codesPerSecond);
   const points = placed.map((p) => p.positions);
@@ -152,13 +152,18 @@ export function sampledPoints(
     points,
     ...(context.cubic && {
       velocities: given
-        ? Array.from(times, (time) => transformedPoints(given(time), turn))
+        ? Array.from(times, (time) => carryPoints(given(time), turn))
         : parabolaVelocities(seconds, points),
     }),
     normals: placed.map((p) => p.normals),
   };
   return { mesh: { ...mesh, ...placed[0], indices: facing(mesh.indices, world.matrixAt(times[0])) }, motion };
 }
+
+const copied = ({ positions, normals }: Mesh): DeformedPoints => ({
+  positions: positions.slice(),
+  normals: normals.slice(),
+});
 
 /** Says how much its samples leave open of how a mesh deforms: by how far cubics through them are from chords. */
 function noteGap(context: StageContext, path: string, times: Float64Array, points: readonly Float32Array[]): void {

@@ -14,6 +14,7 @@ it('the box around points has eight corners, and one where there is nothing to m
   expect(boxCorners([0, 0, 0, 1, 2, -3])).toHaveLength(8);
   expect(boxCorners([0, 0, 0, 1, 2, -3])[7]).toEqual([1, 2, 0]);
   expect(boxCorners([])).toEqual([[0, 0, 0]]);
+  expect(boxCorners([0, Number.NaN, 0, 1, 2, Number.POSITIVE_INFINITY])[7]).toEqual([1, 2, 0]);
 });
 
 it('points are carried by a quarter turn and a way', () => {

@@ -1,5 +1,6 @@
 import type { Mat4 } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { boundingBox } from '../../scene/bounds.ts';
 import { evenly } from '../evenly.ts';
 
 /** Where points of 3 numbers each are, carried by a matrix. */
@@ -14,21 +15,12 @@ export function carried(points: ArrayLike<number>, m: Mat4): number[] {
   return out;
 }
 
-/** The eight corners of the box around points. */
+/** The eight corners of the box around points; the origin where none is finite. */
 export function boxCorners(points: ArrayLike<number>): Vec3[] {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let k = 0; k < 3; k++) {
-    for (let i = k; i < points.length; i += 3) {
-      if (points[i] < low[k]) low[k] = points[i];
-      if (points[i] > high[k]) high[k] = points[i];
-    }
-  }
-  if (!low.every(Number.isFinite) || !high.every(Number.isFinite)) return [[0, 0, 0]];
-  return Array.from({ length: 8 }, (_, i): Vec3 => {
-    const at = (k: number): number => ((i >> k) & 1 ? high[k] : low[k]);
-    return [at(0), at(1), at(2)];
-  });
+  const box = boundingBox(points);
+  if (!box) return [[0, 0, 0]];
+  const side = (i: number, k: number): number => ((i >> k) & 1 ? box.max : box.min)[k];
+  return Array.from({ length: 8 }, (_, i): Vec3 => [side(i, 0), side(i, 1), side(i, 2)]);
 }
 
 /** Memory of a deforming mesh: so many vectors of three f32 for each vertex at each time. */

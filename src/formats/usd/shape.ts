@@ -13,8 +13,9 @@ export interface Shape {
 
 export interface Deformation {
   readonly times: Float64Array;
+  /** New arrays each time. */
   at(time: number): DeformedPoints;
-  /** As the file gives them [units per second], 3 per vertex; absent where it does not, or not at all times. */
+  /** As the file gives them [units per second], 3 per vertex, in a new array; absent where it does not, or not at all times. */
   velocitiesAt?(time: number): Float32Array;
   /** Where all of it is stored, if it was left in its file. */
   readonly stored?: StoredDeformation;
