@@ -1,5 +1,6 @@
 import { type LayerStack, type Opinion, opinionsAt } from './layerStack.ts';
 import { composeMaps, IDENTITY, type NamespaceMap } from './namespaceMap.ts';
+import { composeOffsets, NO_OFFSET, type TimeOffset } from './offsets.ts';
 import { depthOf, hasPrefix, parentOf } from './paths.ts';
 
 /** The arcs of composition, the strongest first. */
@@ -42,6 +43,7 @@ export class Node {
   /** Of a complete index's root, once it is asked: whether it is an instance. */
   isShared: boolean | undefined;
   private whole: NamespaceMap | undefined;
+  private time: TimeOffset | undefined;
   private order: readonly Node[] | undefined;
 
   constructor(stack: LayerStack, path: string, opinions: readonly Opinion[] = opinionsAt(stack, path)) {
@@ -89,6 +91,12 @@ export class Node {
   get mapToRoot(): NamespaceMap {
     this.whole ??= this.parent ? composeMaps(this.parent.mapToRoot, this.arc.map) : IDENTITY;
     return this.whole;
+  }
+
+  /** The times of `mapToRoot`, made without its paths: values need no more, and most opinions hold no paths. */
+  get timeToRoot(): TimeOffset {
+    this.time ??= this.parent ? composeOffsets(this.parent.timeToRoot, this.arc.map.time) : NO_OFFSET;
+    return this.time;
   }
 
   isSite(stack: LayerStack, path: string): boolean {
@@ -160,11 +168,13 @@ export class Node {
     child.isAncestral = this.parent !== undefined;
     child.serial = this.serial;
     child.whole = this.whole;
+    child.time = this.time;
     return child;
   }
 
   static forget(node: Node): void {
     node.whole = undefined;
+    node.time = undefined;
   }
 
   /** `byStrength` of a complete index. */

@@ -73,10 +73,10 @@ function definitionOf(name: string, { entries, source }: Gathered): ClipSetDefin
   const onStage = new Map<string, Value>();
   for (const [key, entry] of entries) {
     const isStronger = entry.node === node && layers.indexOf(entry.from) < layers.indexOf(from);
-    const place = { from: isStronger ? entry.from : from, map: node.mapToRoot };
+    const place = { from: isStronger ? entry.from : from, node };
     onStage.set(key, inTime(key, entry.value, timeOf(place)));
   }
-  const time = timeOf({ from, map: node.mapToRoot });
+  const time = timeOf({ from, node });
   return { name, entries: onStage, stack: node.stack, path: node.path, from, time };
 }
 
