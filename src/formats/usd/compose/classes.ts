@@ -40,7 +40,7 @@ function addClass(
   if (known) return known;
   // Implied from one node of a layer stack to another it can be the very same site: kept only to be implied further.
   const contributes = path !== parent.path && !origin?.isSite(parent.stack, path);
-  const arc = { kind, origin, map, number, depth: depthOf(parent.path) };
+  const arc = { kind, origin, map, number, depth: parent.depth };
   const ancestral = contributes && depthOf(path) > 1;
   return builder.addArc(parent, parent.stack, path, arc, { contributes, ancestral, skipsDuplicates: contributes });
 }

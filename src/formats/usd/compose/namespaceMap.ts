@@ -137,6 +137,10 @@ export const inverseMap = ({ pairs, time }: NamespaceMap): NamespaceMap => ({
 /** What lies outside of an arc keeps its path: of classes, and of references within one layer. */
 export function withRoot(map: NamespaceMap): NamespaceMap {
   if (map.pairs.some(([source, target]) => source === '' || target === '')) return map;
+  if (map.pairs.length === 1) {
+    const [[source, target]] = map.pairs;
+    return { ...map, pairs: source === target ? IDENTITY.pairs : [ROOT, map.pairs[0]] };
+  }
   return { ...map, pairs: canonical([ROOT, ...map.pairs]) };
 }
 
