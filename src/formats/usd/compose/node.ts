@@ -208,6 +208,10 @@ function forgetWays(tree: Node): void {
   for (const node of everyNode(tree)) Node.forget(node);
 }
 
+/** Whether any opinion that counts has the metadata of a key. */
+export const isSaid = (index: Node, key: string): boolean =>
+  strongestFirst(index).some((node) => !node.isInert && node.opinions.some(({ spec }) => spec.metadata.has(key)));
+
 export const speaksAnywhere = (node: Node): boolean => node.opinions.length > 0 || node.children.some(speaksAnywhere);
 
 /** Keeps a tree for its place only. */

@@ -1,4 +1,4 @@
-import { type Node, strongestFirst } from './node.ts';
+import { isSaid, type Node, strongestFirst } from './node.ts';
 import { selectionOf } from './paths.ts';
 import { selectionAt, variantSetsAt, variantsAt } from './sites.ts';
 
@@ -13,8 +13,8 @@ export interface OfferedSet {
 
 /** The sets of a prim, those of the strongest site first, with all variants that any site has. */
 export function variantSetsOf(index: Node, path: string): OfferedSet[] {
+  if (!isSaid(index, 'variantSets')) return [];
   const nodes = strongestFirst(index).filter((node) => node.contributes);
-  if (!nodes.some(({ opinions }) => opinions.some(({ spec }) => spec.metadata.has('variantSets')))) return [];
   const variants = new Map<string, Set<string>>();
   for (const node of nodes)
     for (const set of variantSetsAt(node.opinions)) {
