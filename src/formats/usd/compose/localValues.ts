@@ -46,6 +46,7 @@ export function localSamples({ times, values }: TimeSamples, place: Place): Time
   const time = timeOf(place);
   const local = /^(asset|timecode)/.test(values[0].type) ? values.map((v) => localValue(v, place)) : values;
   if (isNoOffset(time)) return { times, values: local };
-  const mapped = times.map((t) => mapTime(time, t));
+  const mapped = new Float64Array(times.length);
+  for (let i = 0; i < times.length; i++) mapped[i] = mapTime(time, times[i]);
   return time.scale > 0 ? { times: mapped, values: local } : { times: mapped.reverse(), values: [...local].reverse() };
 }
