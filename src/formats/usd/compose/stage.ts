@@ -125,20 +125,15 @@ class StageComposer {
       this.say('usd.too-deep', path, `prims nested more than ${MAX_DEPTH} deep are left out`);
       return children;
     }
-    const { work } = this.composer;
     for (const name of names) {
-      work.spend(STEPS.prim);
-      if (++this.prims > MAX_PRIMS || work.isTooMuch) {
-        this.sayFull(path);
-        break;
-      }
+      if (!this.hasRoom(path)) break;
       const childPath = `${path}/${name}`;
       const build = (): Node => IndexBuilder.stagePrim(this.composer, parent.index.stack, childPath, parent.index);
       let index = build();
       if (!this.store.isComplete || this.noted.length > 0) index = await this.settled(build);
-      const prim = composedPrim(index, childPath, work);
+      const prim = composedPrim(index, childPath, this.composer.work);
+      if (this.isCutOff(prim)) break;
       children.set(name, prim);
-      if (work.isTooMuch) this.sayFull(childPath);
       const definitions = clipSetDefinitions(index);
       const clips = definitions.length === 0 ? parent.clips : await this.clipSets(definitions, childPath, parent.clips);
       if (clips.length > 0) this.applyClips(prim, index, clips);
@@ -150,6 +145,22 @@ class StageComposer {
       prim.children = await this.children({ index, path: childPath, depth: depth + 1, isShared: inside, clips }, below);
     }
     return children;
+  }
+
+  /** Counts one more prim in a prim; false, and said, where it is one too many. */
+  private hasRoom(path: string): boolean {
+    const { work } = this.composer;
+    work.spend(STEPS.prim);
+    if (++this.prims <= MAX_PRIMS && !work.isTooMuch) return true;
+    this.sayFull(path);
+    return false;
+  }
+
+  /** Says where the work ended while a prim was composed; true where nothing that defines it was reached. */
+  private isCutOff({ path, specifier }: PrimSpec): boolean {
+    if (!this.composer.work.isTooMuch) return false;
+    this.sayFull(path);
+    return specifier === 'over';
   }
 
   /** The clip sets of a prim and of those around it, the strongest first. */
