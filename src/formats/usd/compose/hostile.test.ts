@@ -123,12 +123,14 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
   }, 60_000);
 
   it('are no match for a street of which every house is written', async () => {
-    const house = numbered(40, (i) => `def Cube "Part${i}" { double size = ${i + 1} }`);
+    const house = numbered(40, (i) => `def "Window${i}" ( references = </Window> ) { double size = ${i + 1} }`);
     const street = numbered(
       1000,
       (i) => `def "House${i}" ( references = </House> ) { double3 xformOp:translate = (${i}, 0, 0) }`,
     );
-    const { stage: whole, said } = await stage({ 'root.usda': `def "House" { ${house} }\ndef "Street" { ${street} }` });
+    const { stage: whole, said } = await stage({
+      'root.usda': `def Cube "Window" {}\ndef "House" { ${house} }\ndef "Street" { ${street} }`,
+    });
     expect(said).toEqual([]);
     const houses = [...whole.layer.rootPrims.get('Street')!.children.values()];
     expect(houses.map(({ children }) => children.size)).toEqual(houses.map(() => 40));
