@@ -39,3 +39,8 @@ export const invert = (m: Mat3): Mat3 | undefined => {
   const d = determinant(m);
   return d === 0 || !Number.isFinite(d) ? undefined : transpose(cofactors(m)).map((x) => x / d);
 };
+/** Whether M only makes things longer or shorter along its axes, and mirrors none. */
+export function isPositiveDiagonal([xx, xy, xz, yx, yy, yz, zx, zy, zz]: Mat3): boolean {
+  if (xy !== 0 || xz !== 0 || yx !== 0 || yz !== 0 || zx !== 0 || zy !== 0) return false;
+  return xx > 0 && yy > 0 && zz > 0 && xx + yy + zz < Infinity;
+}

@@ -87,10 +87,13 @@ export const fromPose = (pose: RigidPose): Mat4 => fromParts(quat.toMatrix(pose.
  */
 export function decomposeRigid(m: Mat4): { readonly pose: RigidPose; readonly stretch: mat3.Mat3 } {
   const linear = linearPart(m);
+  const position: Vec3 = [m[3], m[7], m[11]];
+  // Most things are not turned at all.
+  if (mat3.isPositiveDiagonal(linear)) return { pose: { position, orientation: quat.IDENTITY }, stretch: linear };
   const orientation = closestRotation(linear);
   const s = mat3.multiply(mat3.transpose(quat.toMatrix(orientation)), linear);
   const symmetric = s.map((x, i) => (x + s[3 * (i % 3) + Math.floor(i / 3)]) / 2);
-  return { pose: { position: [m[3], m[7], m[11]], orientation }, stretch: symmetric };
+  return { pose: { position, orientation }, stretch: symmetric };
 }
 
 /** The pose with which M = T R S for a stretch S whose inverse is known; undefined where R would be no proper rotation. */

@@ -97,8 +97,14 @@ function fixed(mesh: Mesh, matrix: mat4.Mat4): Still {
   return { mesh: stretched(mesh, stretch), motion: { kind: 'static', pose } };
 }
 
-/** The stretched forms of each mesh: instances of one size share theirs. */
-const STRETCHED = new WeakMap<Mesh, Map<string, Mesh>>();
+/** The stretched forms of a mesh, and the last of them: most meshes have one, and need no keys. */
+interface StretchedForms {
+  last: { readonly stretch: readonly number[]; readonly mesh: Mesh };
+  readonly byKey: Map<string, Mesh>;
+}
+
+/** Instances of one size share theirs. */
+const STRETCHED = new WeakMap<Mesh, StretchedForms>();
 
 /** Parts of the greatest in which stretches are told apart: products of f64 matrices differ by less. */
 const ALIKE = 1e-9;
@@ -106,11 +112,21 @@ const ALIKE = 1e-9;
 function stretched(mesh: Mesh, stretch: readonly number[]): Mesh {
   const identity = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
   if (identity) return mesh;
+  const forms = STRETCHED.get(mesh);
+  if (!forms) {
+    const last = { stretch, mesh: transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0])) };
+    STRETCHED.set(mesh, { last, byKey: new Map() });
+    return last.mesh;
+  }
+  const { last, byKey } = forms;
+  if (stretch.every((x, i) => x === last.stretch[i])) return last.mesh;
+  byKey.set(stretchKey(last.stretch), last.mesh);
+  const key = stretchKey(stretch);
+  forms.last = { stretch, mesh: byKey.get(key) ?? transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0])) };
+  return forms.last.mesh;
+}
+
+function stretchKey(stretch: readonly number[]): string {
   const size = Math.max(...stretch.map(Math.abs));
-  const key = [size.toPrecision(9), ...stretch.map((x) => Math.round(x / (ALIKE * size)))].join(' ');
-  const known = STRETCHED.get(mesh) ?? new Map<string, Mesh>();
-  STRETCHED.set(mesh, known);
-  const made = known.get(key) ?? transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0]));
-  known.set(key, made);
-  return made;
+  return [size.toPrecision(9), ...stretch.map((x) => Math.round(x / (ALIKE * size)))].join(' ');
 }
