@@ -1,8 +1,11 @@
 import * as mat4 from '../../math/mat4.ts';
+import { type Closeness, RefinedPath } from '../../scene/refine.ts';
 import type { SampledMotion, StaticMotion } from '../../scene/types.ts';
 import { evenly } from '../evenly.ts';
+import type { TimeCode } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
+import { Once } from './once.ts';
 import { boxCorners, carried } from './sampling.ts';
 import type { DeformedPoints } from './shape.ts';
 
@@ -49,16 +52,23 @@ function farthest(points: readonly number[]): number {
   return most;
 }
 
+/** What is in one frame and has the same corners goes along one path. */
+const PATHS = new Once<RefinedPath>();
+
 /** Times at which `corners` are followed along the frame's path, as closely as the scene's budget allows. */
 function followed(
   context: StageContext,
   path: string,
-  { times, cost, matrixAt }: Frame,
+  frame: Frame,
   corners: ArrayLike<number>,
   tolerance: number,
 ): Float64Array {
-  const shape = (time: number): number[] => carried(corners, matrixAt(time));
-  return followedShape(context, path, { times: affordedSamples(context, path, times, cost), cost, shape }, tolerance);
+  const samples = affordedSamples(context, path, frame.times, frame.cost);
+  const closeness = closenessOf(context, samples, tolerance);
+  const shape = (time: number): number[] => carried(corners, frame.matrixAt(time));
+  const make = (): RefinedPath => new RefinedPath(samples, shape, closeness);
+  const refined = PATHS.of(frame, [corners, samples, closeness.looks, tolerance], make);
+  return followedPath(context, path, refined, frame.cost, tolerance);
 }
 
 /** The samples that the scene still has time for. */
@@ -68,32 +78,32 @@ export function affordedSamples(
   written: Float64Array,
   cost: number,
 ): Float64Array {
-  const samples = evenly(written, context.sampleBudget.take(written.length, cost));
-  if (samples.length < written.length) {
-    const message = `it is moved by ${written.length} samples, and all things of the scene together by more than there is room for; ${samples.length} of its samples are used (write out fewer, or move fewer things apart)`;
-    report(context, 'warning', 'usd.sample-budget', path, message);
-  }
+  const most = context.sampleBudget.take(written.length, cost);
+  if (most >= written.length) return written;
+  const samples = THINNED.of(written, [most], () => evenly(written, most));
+  const message = `it is moved by ${written.length} samples, and all things of the scene together by more than there is room for; ${samples.length} of its samples are used (write out fewer, or move fewer things apart)`;
+  report(context, 'warning', 'usd.sample-budget', path, message);
   return samples;
 }
 
-export interface ShapePath {
-  readonly times: Float64Array;
-  readonly cost: number;
-  /** 3 numbers for each point that is followed. */
-  shape(time: number): ArrayLike<number>;
+const THINNED = new Once<Float64Array>();
+
+export function closenessOf(context: StageContext, samples: Float64Array, tolerance: number): Closeness {
+  const looks = context.sampleBudget.looksClosely(samples.length) ? LOOKS : MIDDLE;
+  return { tolerance, looks, halvings: MAX_HALVINGS };
 }
 
-export function followedShape(
+/** Times along a path; `cost`: of where its points are at one time. */
+export function followedPath(
   context: StageContext,
   path: string,
-  { times: samples, cost, shape }: ShapePath,
+  refined: RefinedPath,
+  cost: number,
   tolerance: number,
 ): Float64Array {
-  const looks = context.sampleBudget.looksClosely(samples.length) ? LOOKS : MIDDLE;
-  const how = { tolerance, looks, halvings: MAX_HALVINGS };
-  const { times, error, wanted } = context.motionBudget.refine(samples, shape, how, cost);
+  const { times, error, wanted } = context.motionBudget.refine(refined, cost);
   if (error > tolerance) {
-    const message = `it jumps or turns too fast between its ${samples.length} samples to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
+    const message = `it jumps or turns too fast between its ${refined.samples.length} samples to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
     report(context, 'warning', 'usd.resampling', path, message);
   }
   return times;
@@ -117,13 +127,18 @@ export function sampledPoses(
   return { kind: 'sampled', times: times.map((t) => t / context.codesPerSecond), poses: out };
 }
 
+/** Frames without their stretch. */
+const RIGID = new Once<Frame>();
+const MOTIONS = new Once<StaticMotion | SampledMotion>();
+
 /** How a prim's own axes move: of a camera or a light, which have no size. Their scale does not matter. */
 export function frameMotion(context: StageContext, path: string, frame: Frame): StaticMotion | SampledMotion {
   const world = scaledFrame(frame, context.unit);
+  const { times, cost } = world;
   const poseAt = (time: number): mat4.RigidPose => mat4.decomposeRigid(world.matrixAt(time)).pose;
-  if (world.times.length === 0) return { kind: 'static', pose: poseAt(context.startCode) };
-  const matrixAt = (time: number): mat4.Mat4 => mat4.fromPose(poseAt(time));
-  const rigid = { times: world.times, cost: world.cost + POLAR_COST, matrixAt };
-  const times = followed(context, path, rigid, AXES, FRAME_TOLERANCE);
-  return sampledPoses(context, times, Array.from(times, poseAt));
+  if (times.length === 0) return { kind: 'static', pose: poseAt(context.startCode) };
+  const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.fromPose(poseAt(time ?? 0));
+  const rigid = RIGID.of(world, [], () => ({ times, cost: cost + POLAR_COST, matrixAt }));
+  const found = followed(context, path, rigid, AXES, FRAME_TOLERANCE);
+  return MOTIONS.of(world, [found], () => sampledPoses(context, found, Array.from(found, poseAt)));
 }

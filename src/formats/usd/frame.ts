@@ -2,6 +2,7 @@ import * as mat4 from '../../math/mat4.ts';
 import type { TimeCode } from './attributes.ts';
 import { primAt } from './context.ts';
 import type { Layer } from './layer.ts';
+import { Once } from './once.ts';
 import {
   isStraightOp,
   localMatrix,
@@ -91,9 +92,12 @@ export function frameOf(layer: Layer, path: string): Frame {
   return transform ? childFrame(parent, transform.ops) : parent;
 }
 
-/** The frame in metres. */
+const IN_METRES = new Once<Frame>();
+
+/** The frame in metres; the same one for the same. */
 export function scaledFrame(frame: Frame, unit: number): Frame {
   if (unit === 1) return frame;
   const scale: mat4.Mat4 = [unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1];
-  return { ...frame, matrixAt: (time) => mat4.multiply(scale, frame.matrixAt(time)) };
+  const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.multiply(scale, frame.matrixAt(time));
+  return IN_METRES.of(frame, [unit], () => ({ ...frame, matrixAt }));
 }
