@@ -31,17 +31,20 @@ export class RefinedPath {
   readonly #first: number;
   readonly #pieces = new Pieces();
   readonly #places: Places;
+  /** Where the points are in the middle of the piece at hand. */
+  readonly #middle: Float64Array;
   /** By how many times are added. */
   readonly #known = new Map<number, RefinedTimes>();
   /** How many are, where nothing but the path itself ends it; once that is known. */
   #enough: number | undefined;
 
-  /** `samples`: rising. */
+  /** `samples`: rising; `shape` may write each of its answers into the same array. */
   constructor(samples: Float64Array, shape: (time: number) => ArrayLike<number>, how: Closeness) {
     this.samples = samples;
     this.#shape = shape;
     this.#how = how;
     this.#places = new Places(samples, shape);
+    this.#middle = new Float64Array(this.#places.width);
     for (let i = 1; i < samples.length; i++) if (!how.ramps?.has(samples[i])) this.#pieces.add(i - 1, i);
     this.#first = this.#pieces.count;
   }
@@ -72,7 +75,8 @@ export class RefinedPath {
     const { tolerance, halvings } = this.#how;
     const added: number[] = [];
     let [error, wanted] = [0, 0];
-    let pieces = Array.from({ length: this.#first }, (_, piece) => piece);
+    let pieces: number[] = [];
+    for (let piece = 0; piece < this.#first; piece++) pieces.push(piece);
     for (let left = halvings; pieces.length > 0; left--) {
       const halves: number[] = [];
       for (const piece of pieces) {
@@ -106,17 +110,16 @@ export class RefinedPath {
     const [a, b] = [from[piece], to[piece]];
     const [start, end] = [places.times[a], places.times[b]];
     let worst = 0;
-    let middle: ArrayLike<number> = places.shapeAt(a);
     for (const s of this.#how.looks) {
       const seen = this.#shape(start + (end - start) * s);
-      if (s === 0.5) middle = seen;
       worst = Math.max(worst, places.chordError(a, b, seen, s));
+      if (s === 0.5) copy(seen, this.#middle, 0);
     }
     off[piece] = worst;
     const time = (start + end) / 2;
     if (!(worst > this.#how.tolerance) || !Number.isFinite(worst) || left === 0 || !(time > start && time < end))
       return;
-    const between = places.add(time, middle);
+    const between = places.add(time, this.#middle);
     half[piece] = this.#pieces.add(a, between);
     this.#pieces.add(between, b);
   }
@@ -155,30 +158,33 @@ class Pieces {
   }
 }
 
+function copy(from: ArrayLike<number>, to: Float64Array, at: number): void {
+  for (let i = 0; i < from.length; i++) to[at + i] = from[i];
+}
+
 /** Where the points are at some times. */
 class Places {
-  readonly times: number[];
-  readonly #width: number;
+  readonly times: number[] = [];
+  /** Numbers at one time. */
+  readonly width: number;
   #shapes: Float64Array;
 
   /** `times`: at least one. */
   constructor(times: Float64Array, shape: (time: number) => ArrayLike<number>) {
-    this.times = Array.from(times);
     const first = shape(times[0]);
-    this.#width = first.length;
-    this.#shapes = new Float64Array(this.#width * times.length);
-    this.#shapes.set(first);
-    for (let i = 1; i < times.length; i++) this.#shapes.set(shape(times[i]), i * this.#width);
+    this.width = first.length;
+    this.#shapes = new Float64Array(this.width * times.length);
+    for (let i = 0; i < times.length; i++) this.add(times[i], i === 0 ? first : shape(times[i]));
   }
 
   add(time: number, shape: ArrayLike<number>): number {
-    const at = this.times.length * this.#width;
-    if (at + this.#width > this.#shapes.length) {
-      const grown = new Float64Array(2 * at + this.#width);
+    const at = this.times.length * this.width;
+    if (at + this.width > this.#shapes.length) {
+      const grown = new Float64Array(2 * at + this.width);
       grown.set(this.#shapes);
       this.#shapes = grown;
     }
-    this.#shapes.set(shape, at);
+    copy(shape, this.#shapes, at);
     return this.times.push(time) - 1;
   }
 
@@ -187,14 +193,10 @@ class Places {
     this.#shapes = new Float64Array(0);
   }
 
-  shapeAt(place: number): Float64Array {
-    return this.#shapes.subarray(place * this.#width, (place + 1) * this.#width);
-  }
-
   /** Greatest distance of points from where straight ways from place `a` to `b` have them at fraction `s`. */
   chordError(a: number, b: number, seen: ArrayLike<number>, s: number): number {
     const shapes = this.#shapes;
-    let [p, q, worst] = [a * this.#width, b * this.#width, 0];
+    let [p, q, worst] = [a * this.width, b * this.width, 0];
     for (let i = 0; i + 2 < seen.length; i += 3, p += 3, q += 3) {
       const x = seen[i] - shapes[p] - (shapes[q] - shapes[p]) * s;
       const y = seen[i + 1] - shapes[p + 1] - (shapes[q + 1] - shapes[p + 1]) * s;

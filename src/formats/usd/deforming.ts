@@ -13,7 +13,7 @@ import { makeNormals, makePoints, type PointRecipe } from '../../scene/streamedP
 import { transformedNormals, transformedPoints } from '../../scene/transformPoints.ts';
 import type { Mesh, SampledPointsMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
-import { affordedSamples, closenessOf, cornersOf, followedPath, refined } from './following.ts';
+import { affordedSamples, closenessOf, cornersOf, followedPath, greatest, refined } from './following.ts';
 import type { Frame } from './frame.ts';
 import { Once } from './once.ts';
 import { affordableTimes, boxCorners, bytesOfPoints, carried, vectorsOf } from './sampling.ts';
@@ -51,8 +51,8 @@ function withCubicPoints(shape: Shape): Shape {
 function bentTimes(context: StageContext, path: string, { deformation, mesh }: Shape, world: Frame): Float64Array {
   const { times, follow } = deformation!;
   const samples = affordedSamples(context, path, unionOfTimes([times, world.times]), world.cost);
-  const shape = (time: number): number[] => carried(follow!.pointsAt(time), world.matrixAt(time));
-  const size = diagonal(shape(samples[0]));
+  const shape = (time: number): Float64Array => carried(follow!.pointsAt(time), world.matrixAt(time));
+  const size = greatest(samples, (time) => diagonal(shape(time)));
   const most = Math.floor(context.pointBudget.bytes / bytesOfPoints(1, mesh.positions.length / 3, vectorsOf(context)));
   for (let tolerance = context.bendTolerance * size; ; tolerance *= 4) {
     const refined = new RefinedPath(samples, shape, closenessOf(context, samples, tolerance));
@@ -226,7 +226,7 @@ function originOf(positionsOf: (k: number) => Float32Array, times: Float64Array,
   const corners = Array.from(times.keys()).flatMap((k) => {
     if (k % step !== 0) return [];
     const m = world.matrixAt(times[k]);
-    return carried(boxCorners(positionsOf(k)).flat(), m);
+    return [...carried(boxCorners(positionsOf(k)).flat(), m)];
   });
   const box = boxCorners(corners);
   const [low, high] = [box[0], box[box.length - 1]];

@@ -6,7 +6,7 @@ import type { TimeCode } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
 import { Once } from './once.ts';
-import { boxCorners, carried } from './sampling.ts';
+import { boxCorners, carried, carriedInto } from './sampling.ts';
 import type { DeformedPoints } from './shape.ts';
 
 /** Turns between samples of what has no size are followed to this angle [rad], paths to as many metres. */
@@ -41,12 +41,24 @@ export function cornersOf(mesh: DeformedPoints): Float64Array {
 }
 
 export function refined(context: StageContext, path: string, world: Frame, corners: Float64Array): Float64Array {
-  const size = farthest(carried(corners, mat4.fromParts(mat4.linearPart(world.matrixAt(world.times[0])), [0, 0, 0])));
+  const about = (time: number): Float64Array =>
+    carried(corners, mat4.fromParts(mat4.linearPart(world.matrixAt(time)), [0, 0, 0]));
+  const size = greatest(world.times, (time) => farthest(about(time)));
   return followed(context, path, world, corners, context.chordTolerance * size);
 }
 
+/** The size of what grows is looked for at so many of its samples. */
+const SIZE_SAMPLES = 32;
+
+/** The greatest of what is measured at some samples, the first and the last among them. */
+export function greatest(samples: Float64Array, measure: (time: number) => number): number {
+  let most = 0;
+  for (const time of evenly(samples, SIZE_SAMPLES)) most = Math.max(most, measure(time));
+  return most;
+}
+
 /** Distance of the farthest of some points, 3 numbers each, from the origin. */
-function farthest(points: readonly number[]): number {
+function farthest(points: ArrayLike<number>): number {
   let most = 0;
   for (let i = 0; i < points.length; i += 3) most = Math.max(most, Math.hypot(points[i], points[i + 1], points[i + 2]));
   return most;
@@ -65,7 +77,8 @@ function followed(
 ): Float64Array {
   const samples = affordedSamples(context, path, frame.times, frame.cost);
   const closeness = closenessOf(context, samples, tolerance);
-  const shape = (time: number): number[] => carried(corners, frame.matrixAt(time));
+  const there = new Float64Array(corners.length);
+  const shape = (time: number): Float64Array => carriedInto(there, corners, frame.matrixAt(time));
   const make = (): RefinedPath => new RefinedPath(samples, shape, closeness);
   const refined = PATHS.of(frame, [corners, samples, closeness.looks, tolerance], make);
   return followedPath(context, path, refined, frame.cost, tolerance);
@@ -109,22 +122,34 @@ export function followedPath(
   return times;
 }
 
-/** Poses as one motion, static where they are all the same. The signs of neighbouring quaternions agree. */
-export function sampledPoses(
+/**
+ * The pose at each of some times [codes] as one motion, static where they are all the same; undefined where one of them has
+ * none. The signs of neighbouring quaternions agree.
+ */
+export function sampledPoses<P extends mat4.RigidPose | undefined>(
   context: Pick<StageContext, 'codesPerSecond'>,
   times: Float64Array,
-  poses: readonly mat4.RigidPose[],
-): StaticMotion | SampledMotion {
-  const out = new Float64Array(times.length * 7);
-  poses.forEach(({ position, orientation }, i) => {
-    out.set(position, 7 * i);
-    let cosine = 0;
-    for (let k = 0; k < 4; k++) cosine += orientation[k] * (i > 0 ? out[7 * i - 4 + k] : orientation[k]);
-    out.set(cosine < 0 ? orientation.map((x) => -x) : orientation, 7 * i + 3);
-  });
-  const moves = out.some((x, i) => x !== out[i % 7]);
-  if (!moves || times.length < 2) return { kind: 'static', pose: poses[0] };
-  return { kind: 'sampled', times: times.map((t) => t / context.codesPerSecond), poses: out };
+  poseAt: (time: number) => P,
+): StaticMotion | SampledMotion | Extract<P, undefined> {
+  const poses = new Float64Array(times.length * 7);
+  let first: mat4.RigidPose | undefined;
+  for (let i = 0; i < times.length; i++) {
+    const pose = poseAt(times[i]);
+    if (!pose) return undefined as Extract<P, undefined>;
+    first ??= pose;
+    setPose(poses, i, pose);
+  }
+  const moves = poses.some((x, i) => x !== poses[i % 7]);
+  if (!moves || times.length < 2) return { kind: 'static', pose: first! };
+  return { kind: 'sampled', times: times.map((t) => t / context.codesPerSecond), poses };
+}
+
+function setPose(poses: Float64Array, i: number, { position, orientation }: mat4.RigidPose): void {
+  const at = 7 * i;
+  let cosine = 0;
+  for (let k = 0; k < 4; k++) cosine += orientation[k] * (i > 0 ? poses[at - 4 + k] : orientation[k]);
+  for (let k = 0; k < 3; k++) poses[at + k] = position[k];
+  for (let k = 0; k < 4; k++) poses[at + 3 + k] = cosine < 0 ? -orientation[k] : orientation[k];
 }
 
 /** Frames without their stretch. */
@@ -140,5 +165,5 @@ export function frameMotion(context: StageContext, path: string, frame: Frame): 
   const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.fromPose(poseAt(time ?? 0));
   const rigid = RIGID.of(world, [], () => ({ times, cost: cost + POLAR_COST, matrixAt }));
   const found = followed(context, path, rigid, AXES, FRAME_TOLERANCE);
-  return MOTIONS.of(world, [found], () => sampledPoses(context, found, Array.from(found, poseAt)));
+  return MOTIONS.of(world, [found], () => sampledPoses(context, found, poseAt));
 }

@@ -53,16 +53,14 @@ const onCourse = (mesh: Mesh, { stretch, motion }: Course): Placed => ({ mesh: s
 function rigidCourse(context: StageContext, times: Float64Array, { matrixAt }: Frame): Course | undefined {
   const { stretch } = mat4.decomposeRigid(matrixAt(times[0]));
   const unstretch = invert(stretch);
-  const size = Math.max(...stretch.map(Math.abs));
-  const poses: mat4.RigidPose[] = [];
-  for (const time of times) {
+  const most = RIGID * Math.max(...stretch.map(Math.abs));
+  const motion = sampledPoses(context, times, (time) => {
     const m = matrixAt(time);
     const known = unstretch && mat4.poseOfStretched(m, unstretch);
     const own = known ? { pose: known, stretch } : mat4.decomposeRigid(m);
-    if (!own.stretch.every((x, i) => Math.abs(x - stretch[i]) <= RIGID * size)) return undefined;
-    poses.push(own.pose);
-  }
-  return { stretch, motion: sampledPoses(context, times, poses) };
+    return own.stretch.every((x, i) => Math.abs(x - stretch[i]) <= most) ? own.pose : undefined;
+  });
+  return motion && { stretch, motion };
 }
 
 function straightCourse(context: StageContext, path: string, frame: Frame): Course {
@@ -70,11 +68,11 @@ function straightCourse(context: StageContext, path: string, frame: Frame): Cour
   context.motionBudget.keepExact();
   return STRAIGHT_COURSES.of(frame, [times], () => {
     const { pose, stretch } = mat4.decomposeRigid(frame.matrixAt(times[0]));
-    const poses = Array.from(times, (time): mat4.RigidPose => {
+    const poseAt = (time: number): mat4.RigidPose => {
       const m = frame.matrixAt(time);
       return { ...pose, position: [m[3], m[7], m[11]] };
-    });
-    return { stretch, motion: sampledPoses(context, times, poses) };
+    };
+    return { stretch, motion: sampledPoses(context, times, poseAt) };
   });
 }
 
