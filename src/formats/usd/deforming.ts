@@ -137,7 +137,7 @@ export function sampledPoints(
   if (stored && leftInFile(context, wanted.length, mesh.positions.length / 3))
     return streamedPoints(context, path, mesh, stored, world, wanted);
   const times = affordable(context, path, wanted, mesh.positions.length / 3);
-  const sampled = SAMPLED.of(world, [times, shape], () => sampledAt(context, shape, world, times));
+  const sampled = SAMPLED.of(shape, [world, times], () => sampledAt(context, shape, world, times));
   if (sampled.gap) noteGap(context, path, times.length, sampled.gap);
   return sampled.placed;
 }

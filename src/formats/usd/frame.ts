@@ -90,9 +90,11 @@ export function frameOf(layer: Layer, path: string): Frame {
 
 const IN_METRES = new Once<Frame>();
 
-/** The frame in metres; the same one for the same. */
+/** The frame in metres; the same one for one that moves. */
 export function scaledFrame(frame: Frame, unit: number): Frame {
   if (unit === 1) return frame;
   const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.enlarged(frame.matrixAt(time), unit);
-  return IN_METRES.of(frame, [unit], () => ({ ...frame, matrixAt }));
+  const made = (): Frame => ({ ...frame, matrixAt });
+  // What rests is not kept: the root's frame is there for ever.
+  return frame.times.length > 0 ? IN_METRES.of(frame, [unit], made) : made();
 }
