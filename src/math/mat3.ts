@@ -30,10 +30,8 @@ export const cofactors = (m: Mat3): Mat3 => [
   m[2] * m[3] - m[0] * m[5],
   m[0] * m[4] - m[1] * m[3],
 ];
-export const determinant = (m: Mat3): number => {
-  const c = cofactors(m);
-  return m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
-};
+export const determinant = (m: Mat3): number =>
+  m[0] * (m[4] * m[8] - m[5] * m[7]) + m[1] * (m[5] * m[6] - m[3] * m[8]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
 /** M⁻¹, or undefined where det M = 0. */
 export const invert = (m: Mat3): Mat3 | undefined => {
   const d = determinant(m);

@@ -60,10 +60,11 @@ const variants = (depth: number): string =>
   depth === 0
     ? 'def Cube "A" {\n}\n'
     : `def "P" ( variants = { string v = "a" }\nprepend variantSets = "v" ) {\nvariantSet "v" = {\n"a" {\n${variants(depth - 1)}}\n"b" {\n}\n}\n}\n`;
-const movedCubes =
-  `def Xform "A" {\ndouble3 xformOp:translate.timeSamples = {\n${times(50_000, (i) => `${i}: (${i % 7}, 0, 0),\n`)}}\n` +
-  `uniform token[] xformOpOrder = ["xformOp:translate"]\n${times(1000, (i) => `def Cube "C${i}" {\n}\n`)}}`;
 const INSTANCERS = 5;
+/** A thousand cubes under a parent with fifty thousand samples of one transform. */
+const movedCubes = (type: string, op: string, sample: (i: number) => string): string =>
+  `def Xform "A" {\n${type} xformOp:${op}.timeSamples = {\n${times(50_000, (i) => `${i}: ${sample(i % 7)},\n`)}}\n` +
+  `uniform token[] xformOpOrder = ["xformOp:${op}"]\n${times(1000, (i) => `def Cube "C${i}" {\n}\n`)}}`;
 const instancers = (depth: number): string =>
   `def PointInstancer "I${depth}" {\npoint3f[] positions = [${times(100, (i) => `(${i}, 0, 0),`)}]\nint[] protoIndices = [${'0,'.repeat(100)}]\n` +
   `rel prototypes = <${Array.from({ length: INSTANCERS - depth + 1 }, (_, i) => `/I${INSTANCERS - i}`).join('')}/${depth > 1 ? `I${depth - 1}` : 'Cube'}>\n` +
@@ -98,7 +99,21 @@ const usdBombs: readonly Bomb[] = [
     /faces/,
     'def Mesh "A" {\nint[] faceVertexCounts = [3, -3]\nint[] faceVertexIndices = [0, -1, 2]\npoint3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]\n}',
   ),
-  usda('samples of a parent of many', /./, movedCubes),
+  usda(
+    'samples of a parent of many that slide',
+    /sample-budget/,
+    movedCubes('double3', 'translate', (x) => `(${x}, 0, 0)`),
+  ),
+  usda(
+    'samples of a parent of many that turn',
+    /sample-budget/,
+    movedCubes('double', 'rotateX', (x) => `${10 * x}`),
+  ),
+  usda(
+    'samples of a parent of many that are stretched',
+    /sample-budget/,
+    movedCubes('double3', 'scale', (x) => `(${1 + x}, 1, 1)`),
+  ),
   usda('instances of instances', /too-many-instances/, instancers(INSTANCERS)),
   usda(
     'a million transforms',

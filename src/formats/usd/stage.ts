@@ -181,7 +181,7 @@ class StageReader {
     const directions = directionsOf(prim, inherited.directions);
     if (directions !== inherited.directions) checkDirections(this.context, prim.path, directions);
     return {
-      frame: childFrame(transform.resetsStack ? ROOT_FRAME : inherited.frame, transform.ops, prim.children.size > 1),
+      frame: childFrame(transform.resetsStack ? ROOT_FRAME : inherited.frame, transform.ops, holdsFrames(prim)),
       binding: bindingOf(prim, inherited.binding),
       directions,
       maybeBound: maybeBound(prim, inherited.maybeBound),
@@ -273,6 +273,10 @@ class StageReader {
 }
 
 type Made = Pick<SceneObject, 'mesh' | 'motion'>;
+
+/** Whether several of its children have transforms of their own, or children that may have. */
+const holdsFrames = ({ children }: PrimSpec): boolean =>
+  [...children.values()].filter((child) => child.children.size > 0 || child.properties.has('xformOpOrder')).length > 1;
 
 /** What stands for something else, or helps those who edit, is not looked at. */
 const isDrawn = (purpose: string): boolean => purpose !== 'proxy' && purpose !== 'guide';
