@@ -25,7 +25,7 @@ export interface DopplerTable {
 }
 
 /** Beyond these D_out nothing that is seen comes from within `VISIBLE`: only `uv`, or only `ir`, and nothing more changes. */
-export const SHIFT_LIMIT = (VISIBLE[1] + NANOMETRE / 2) / (VISIBLE[0] - NANOMETRE / 2);
+export const SHIFT_LIMIT = VISIBLE[1] / VISIBLE[0];
 
 /** 4 nm between two columns in the middle of what an eye sees. Odd, so that D = 1 is one. */
 export const COLUMNS = 193;
@@ -104,7 +104,7 @@ interface ShiftedBands {
 
 function shiftedBands(D: number): ShiftedBands {
   const count = WAVELENGTHS.length;
-  const placeOf = (wavelength: number) => (wavelength / D - VISIBLE[0]) / NANOMETRE;
+  const placeOf = (wavelength: number) => (wavelength / D - WAVELENGTHS[0]) / NANOMETRE;
   const [from, to] = BASIS_RANGE.map((end) => Math.min(Math.max(Math.ceil(placeOf(end)), 0), count));
   const basis = WAVELENGTHS.slice(from, to).map((wavelength) => basisAt(D * wavelength));
   return {

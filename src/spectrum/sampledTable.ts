@@ -25,8 +25,8 @@ export const shiftRowOf = ({ first, step, rows }: SampledTable, D: number): numb
  */
 export function sampledTable(spectrum: SampledSpectrum, layers: 3 | 4, columns = COLUMNS): SampledTable {
   const longest = spectrum.first + spectrum.step * (spectrum.values.length - 1);
-  const lowest = Math.log2(spectrum.first / (VISIBLE[1] + NANOMETRE));
-  const highest = Math.log2(longest / (VISIBLE[0] - NANOMETRE));
+  const lowest = Math.log2(spectrum.first / VISIBLE[1]);
+  const highest = Math.log2(longest / VISIBLE[0]);
   const step = Math.max(1 / ROWS_PER_OCTAVE, (highest - lowest) / (MOST_ROWS - 2));
   const [from, to] = [Math.floor(lowest / step), Math.ceil(highest / step)];
   const lights = Array.from({ length: to - from + 1 }, (_, row) => shiftedLight(spectrum, 2 ** ((from + row) * step)));
