@@ -1,9 +1,13 @@
 """Writes src/spectrum/tables/*.ts: the published tables of colour that Slowlight computes with.
 
 Run with the Python of the oracle tests: .cache/venv/bin/python3 scripts/spectrumTables.py && npm run format
-All numbers come from colour-science (PyPI), which holds them as published; tests compare them again (*.oracle.test.ts).
+With --json it prints the tables instead, by name, for src/spectrum/colour.oracle.test.ts to compare.
+All numbers come from colour-science (PyPI), which holds them as published.
 """
 
+import json
+import re
+import sys
 import warnings
 from pathlib import Path
 
@@ -20,8 +24,11 @@ def numbers(values, digits=None):
     return "[" + ", ".join("0" if s in ("-0", "") else s for s in shown) + "]"
 
 
+files = {}
+
+
 def write(name, text):
-    (FOLDER / f"{name}.ts").write_text(f"// Written by scripts/spectrumTables.py.\n{text}", encoding="utf8")
+    files[name] = f"// Written by scripts/spectrumTables.py.\n{text}"
 
 
 cmf = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
@@ -73,3 +80,10 @@ write(
         for name, s in lamps.items()
     ),
 )
+
+if "--json" in sys.argv:
+    arrays = (match for text in files.values() for match in re.finditer(r"const (\w+): [^=]*= (\[[^\]]*\])", text))
+    print(json.dumps({match[1]: json.loads(match[2]) for match in arrays}))
+else:
+    for name, text in files.items():
+        (FOLDER / f"{name}.ts").write_text(text, encoding="utf8")

@@ -1,4 +1,4 @@
-import { colorMatching, tristimulus, valueAt } from './cie1931.ts';
+import { colorMatching, NANOMETRE, tristimulus, valueAt } from './cie1931.ts';
 import { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
 
 /** A blackbody of a temperature [K]. Shifted by D it is one of T·D. */
@@ -45,10 +45,13 @@ export function spectralRadiance(spectrum: ThermalSpectrum | SampledSpectrum, wa
 /** The mean of S(λ) over a step of `width` [m] around a wavelength: what is narrower than a step is not missed. A blackbody's is S(λ) itself. */
 export function meanRadiance(spectrum: ThermalSpectrum | SampledSpectrum, wavelength: number, width: number): number {
   if (spectrum.kind === 'thermal') return spectralRadiance(spectrum, wavelength);
+  return meanSample(spectrum, wavelength, width) * scaleOf(spectrum);
+}
+
+function meanSample(spectrum: SampledSpectrum, wavelength: number, width: number): number {
   const place = (wavelength - spectrum.first) / spectrum.step;
   const half = width / (2 * spectrum.step);
-  const integral = integralUpTo(spectrum, place + half) - integralUpTo(spectrum, place - half);
-  return (integral / (2 * half)) * scaleOf(spectrum);
+  return (integralUpTo(spectrum, place + half) - integralUpTo(spectrum, place - half)) / (2 * half);
 }
 
 /** ∫ of the values from the first to `place`, with a step between two as the unit. */
@@ -101,14 +104,12 @@ function keep<T>(kept: WeakMap<LightSpectrum, T>, spectrum: LightSpectrum, find:
 
 const scaleOf = (spectrum: LightSpectrum): number => keep(scales, spectrum, () => findScale(spectrum));
 
-/** ȳ at 555 nm, where it is largest. */
-const BRIGHTEST = 1;
-
 function findScale(spectrum: LightSpectrum): number {
   if (spectrum.kind === 'thermal') return logLuminance(spectrum.temperature);
   const [luminance, power] = spectrum.kind === 'lines' ? ofLines(spectrum) : ofSamples(spectrum);
   if (luminance > 1e-6 * power) return 1 / luminance;
-  return power > 0 ? 1 / (BRIGHTEST * power) : 0;
+  // ȳ is 1 at 555 nm.
+  return power > 0 ? 1 / power : 0;
 }
 
 function ofLines({ lines }: LineSpectrum): [luminance: number, power: number] {
@@ -116,7 +117,8 @@ function ofLines({ lines }: LineSpectrum): [luminance: number, power: number] {
   return [total(({ wavelength, weight }) => weight * colorMatching(wavelength)[1]), total(({ weight }) => weight)];
 }
 
-function ofSamples({ first, step, values }: SampledSpectrum): [luminance: number, power: number] {
-  const [, Y] = tristimulus((wavelength) => valueAt(values, (wavelength - first) / step));
-  return [Y, values.reduce((sum, value) => sum + value, 0) * step];
+function ofSamples(spectrum: SampledSpectrum): [luminance: number, power: number] {
+  const { values, step } = spectrum;
+  const [, Y] = tristimulus((wavelength) => meanSample(spectrum, wavelength, NANOMETRE));
+  return [Y, integralUpTo(spectrum, values.length) * step];
 }
