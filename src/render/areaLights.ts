@@ -1,4 +1,4 @@
-import { int, Loop, vec3 } from 'three/tsl';
+import { int, Loop } from 'three/tsl';
 import { rotate } from '../math/quat.ts';
 import { scale, type Vec3 } from '../math/vec3.ts';
 import type { AreaLight } from '../scene/types.ts';
@@ -38,20 +38,17 @@ export class AreaLights {
     this.table.reserve(TEXELS * this.lights.length);
   }
 
-  /** Adds up what `of` gives for each. */
-  sum(of: (light: AreaTexels) => gpu.Vec3): gpu.Vec3 {
-    const total = vec3(0).toVar();
+  each(visit: (light: AreaTexels) => void): void {
     for (const kind of KINDS) {
       const start = this.lights.findIndex((light) => light.kind === kind);
       const end = start + this.lights.filter((light) => light.kind === kind).length;
       if (start < 0) continue;
-      if (end - start === 1) total.addAssign(of(this.light(kind, int(start))));
+      if (end - start === 1) visit(this.light(kind, int(start)));
       else
         Loop({ start: int(start), end: int(end), type: 'int', condition: '<' }, ({ i }) => {
-          total.addAssign(of(this.light(kind, int(i))));
+          visit(this.light(kind, int(i)));
         });
     }
-    return total;
   }
 
   private light(kind: AreaLight['kind'], index: gpu.Int): AreaTexels {

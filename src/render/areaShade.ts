@@ -1,20 +1,19 @@
-import { clamp, cross, dot, float, If, length, max, min, normalize, reflect, select, sqrt, vec3 } from 'three/tsl';
+import { clamp, cross, dot, float, If, length, max, min, normalize, reflect, select, sqrt } from 'three/tsl';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import type { AreaTexels } from './areaLights.ts';
+import { type Look, mirroredLight } from './brdf.ts';
 import { faceOutline, type Outline, outlineIrradiance, tubeOutline } from './outline.ts';
-import type { Rest } from './restFrame.ts';
+import { beamed, type Gathering, IRRADIANCE, RADIANCE } from './radiance.ts';
+import { AT_REST, passageBetween, type Rest } from './restFrame.ts';
 import { shaped } from './shaping.ts';
+import type { Uniforms } from './uniforms.ts';
 
-/** A surface that a lamp shines on: in its rest frame but for dx, and what it reflects of light from L there. */
+/** A surface that a lamp shines on, and where it is: `dx` observer → surface [m], world. */
 export interface Receiver {
-  readonly N: Vec3;
-  readonly V: Vec3;
-  /** Observer → surface [m], world. */
+  readonly look: Look;
   readonly dx: Vec3;
-  readonly diffuse: Vec3;
   readonly rest: Rest;
-  /** What is mirrored of light of an irradiance 1 from L; the lamp's breadth and length add to the roughness squared. */
-  mirrored(L: Vec3, breadth: Float, length: Float): Vec3;
+  readonly uniforms: Uniforms;
 }
 
 /**
@@ -22,9 +21,8 @@ export interface Receiver {
  * the lamp's middle. The glossy part has all light come from the point of the lamp that is nearest to the mirrored ray, on a surface that is rougher by
  * the lamp's size. Source: Karis 2013, "Real shading in Unreal Engine 4", SIGGRAPH course notes, "Area lights".
  */
-export function areaLight(receiver: Receiver, lamp: AreaTexels): Vec3 {
-  const { N, V, dx, diffuse, rest } = receiver;
-  const light = vec3(0).toVar();
+export function areaLight({ look, dx, rest, uniforms }: Receiver, lamp: AreaTexels, eye: Gathering): void {
+  const { N, V } = look;
   const centre = lamp.place.sub(dx).toVar();
   const toCentre = normalize(centre).toVar();
   const front = normalize(cross(lamp.Y, lamp.X)).toVar();
@@ -38,12 +36,13 @@ export function areaLight(receiver: Receiver, lamp: AreaTexels): Vec3 {
     // A mirror shows the lamp's own radiance: so the widening across times that along is Ω/4π.
     const widening = sqrt(facing.div(4 * Math.PI)).toVar();
     const stretch = sqrt(slenderness(lamp, toCentre)).toVar();
-    const glossy = receiver.mirrored(toward, widening.div(stretch), widening.mul(stretch)).mul(facing);
+    const glossy = mirroredLight(look, toward, widening.div(stretch), widening.mul(stretch)).mul(facing);
+    const passage = passageBetween(toCentre, rest, AT_REST);
     // The outline is that of the rest frame; the facing factor the world's, which D² belongs to.
-    const ofOutline = rest.radiance(lamp.color, toCentre).mul(diffuse).mul(matt.div(Math.PI));
-    light.assign(rest.irradiance(lamp.color, toCentre).mul(glossy).add(ofOutline).mul(share));
+    const ofFacing = passage.D ? glossy.mul(beamed(passage.D, IRRADIANCE - RADIANCE, uniforms)) : glossy;
+    const ofOutline = look.diffuse.mul(matt.div(Math.PI));
+    eye.send(lamp.color, ofOutline.add(ofFacing).mul(share), passage, RADIANCE);
   });
-  return light;
 }
 
 const outlineOf = ({ kind, X, Y, radius }: AreaTexels, centre: Vec3): Outline =>

@@ -1,4 +1,4 @@
-import { acos, atan, clamp, dot, int, Loop, texture, uniform, vec2, vec3 } from 'three/tsl';
+import { acos, atan, clamp, dot, int, Loop, texture, uniform, vec2 } from 'three/tsl';
 import { Color, type DataTexture, Vector3 } from 'three/webgpu';
 import { rotate } from '../math/quat.ts';
 import { normalize, scale, type Vec3 } from '../math/vec3.ts';
@@ -73,17 +73,12 @@ export class Environment {
     return { place, color: color.xyz, shaping };
   }
 
-  /** Adds up what `of` gives for each light, or for the distant ones. */
-  sum(which: 'all' | 'distant', of: (light: LightTexels) => gpu.Vec3): gpu.Vec3 {
+  /** Goes through all lights, or the distant ones. */
+  each(which: 'all' | 'distant', visit: (light: LightTexels) => void): void {
     const count = which === 'all' ? this.lights.length : this.lights.filter(isDistant).length;
-    const total = vec3(0).toVar();
-    const add = (i: gpu.Int): void => {
-      total.addAssign(of(this.light(i)));
-    };
     if (count > WRITTEN_OUT)
-      Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => add(int(i)));
-    else for (let i = 0; i < count; i++) add(int(i));
-    return total;
+      Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => visit(this.light(int(i))));
+    else for (let i = 0; i < count; i++) visit(this.light(int(i)));
   }
 
   /** Places are uploaded relative to the observer's event. */

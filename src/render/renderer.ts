@@ -96,7 +96,7 @@ export class SceneRenderer implements PictureMaker {
     for (let i = 0; i < count; i++) {
       this.jitter(samples, i);
       this.machine.drawGeometry(upload, projection, this.camera);
-      this.machine.drawLight(upload, projection, this.camera);
+      this.machine.drawLight(upload, projection, this.camera, settings.colors);
       this.machine.display(i, count, settings.grid);
     }
     if (count > 1) {

@@ -1,6 +1,7 @@
 import { abs, clamp, dot, exp2, floor, log2, max, min, round, select, sqrt, vec3, vec4 } from 'three/tsl';
 import type { Node } from 'three/webgpu';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
+import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { offOctahedron, ontoOctahedron } from './octahedral.ts';
 import { FINE_STEPS, FINER, LEVELS, MIDDLE } from './packNormal.ts';
 
@@ -8,7 +9,7 @@ import { FINE_STEPS, FINER, LEVELS, MIDDLE } from './packNormal.ts';
  * What the G-buffer holds of a surface, in halves: of 64 bytes that a sample may have none is left.
  *   base      base colour, roughness
  *   emissive  what it emits, and its finish: how metallic it is and what it mirrors
- *   normal    the normal (to 1.3e-4 rad), reflectance below 380 nm and beyond 780 nm
+ *   normal    the normal (to 1.3e-4 rad), reflectance below 360 nm and beyond 830 nm
  */
 
 type Vec2 = Node<'vec2'>;
@@ -19,12 +20,9 @@ export interface Emission {
   readonly rgb: Vec3;
   /** 0 where it is not. */
   readonly luminance: Float;
-  /** log₂ of the temperature over `DAYLIGHT_TEMPERATURE`. */
+  /** log₂ of the temperature over that of daylight. */
   readonly heat: Float;
 }
-
-/** [K], of the spectrum that colours without another one have. */
-export const DAYLIGHT_TEMPERATURE = 6504;
 
 /** Luminance of linear sRGB (IEC 61966-2-1). */
 const LUMINANCE = [0.2126, 0.7152, 0.0722] as const;
@@ -35,7 +33,7 @@ export function emissionOf(rgb: Vec3, temperature: Float): Emission {
   return {
     rgb: select(thermal, vec3(0), rgb),
     luminance: select(thermal, dot(rgb, vec3(...LUMINANCE)), 0),
-    heat: log2(max(temperature, 1).div(DAYLIGHT_TEMPERATURE)),
+    heat: log2(max(temperature, 1).div(DAYLIGHT.temperature)),
   };
 }
 
@@ -103,7 +101,7 @@ export function unpackFinish(code: Float): Finish {
 }
 
 /**
- * The normal, and `invisible`: reflectance below 380 nm and beyond 780 nm. Four whole numbers of 12 bits, which halves hold exactly: the upper
+ * The normal, and `invisible`: reflectance below 360 nm and beyond 830 nm. Four whole numbers of 12 bits, which halves hold exactly: the upper
  * bits of the normal's two, and 9 bits of a reflectance with the lower 3 of one of them (`normalOf` in packNormal.ts reads them, too).
  */
 export function packNormals(normal: Vec3, invisible: Vec2): Vec4 {

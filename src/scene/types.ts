@@ -182,7 +182,7 @@ export interface Material {
   readonly opacityThreshold: number;
   /** Refractive index, where the file gives it; without one a surface reflects as glass of 1.5 does. */
   readonly ior?: number;
-  /** Share that it reflects of light below 380 nm and beyond 780 nm, 0 … 1; where absent, what the visible colour ends at. */
+  /** Share that it reflects of light below 360 nm and beyond 830 nm, 0 … 1; where absent, what the visible colour ends at. */
   readonly uv?: number;
   readonly ir?: number;
   /** [K]: it shines as a blackbody does, and `emissive` tells its luminance at rest alone. */

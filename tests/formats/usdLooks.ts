@@ -256,6 +256,21 @@ const lights: Group = {
         ]),
     ),
     read(
+      '`slowlight:spectrum` of a light: `"2856 K"`, `"sodium"` …; else its colour temperature',
+      'what its light is made of',
+      shines('SphereLight', 'custom token slowlight:spectrum = "sodium"'),
+      (s) => expect(s.lights[0].spectrum).toMatchObject({ kind: 'lines' }),
+    ),
+    leftOut(
+      'a `slowlight:spectrum` that is not known',
+      'named',
+      'usd.slowlight',
+      ['moonshine', '-3 K', '1e99 K'].map((text) =>
+        shines('SphereLight', `custom token slowlight:spectrum = "${text}"`),
+      ),
+      (s) => expect(s.lights[0].spectrum).toBeUndefined(),
+    ),
+    read(
       '`ShapingAPI`: cone angle, softness, focus',
       'the same',
       shines('SphereLight', 'float inputs:shaping:cone:angle = 90\nfloat inputs:shaping:cone:softness = 0.5'),

@@ -116,7 +116,13 @@ const scene: Scene = {
     },
   ],
   lights: [
-    { kind: 'distant', path: '/Lights/Sun', direction: [0.6, 0, -0.8], color: [3, 2.5, 2] },
+    {
+      kind: 'distant',
+      path: '/Lights/Sun',
+      direction: [0.6, 0, -0.8],
+      color: [3, 2.5, 2],
+      spectrum: { kind: 'thermal', temperature: 5772.5 },
+    },
     {
       kind: 'sphere',
       path: '/Lights/Lamp',
@@ -267,7 +273,12 @@ describe('what is written reads back the same', async () => {
 
   it('lights, cameras, hints and times', () => {
     expect(back.lights).toMatchObject([
-      { kind: 'distant', direction: [0.6, 0, -0.8].map((x) => expect.closeTo(x, 12)), color: [3, 2.5, 2] },
+      {
+        kind: 'distant',
+        direction: [0.6, 0, -0.8].map((x) => expect.closeTo(x, 12)),
+        color: [3, 2.5, 2],
+        spectrum: { kind: 'thermal', temperature: 5772.5 },
+      },
       ...scene.lights.slice(1, 3),
       { kind: 'dome', color: [0.5, 0.5, 1] },
     ]);
