@@ -53,11 +53,11 @@ function display(
   request: TileRequest,
 ): (light: Vec3, ray: SpacetimeRay, x: number, y: number) => Vec3 {
   const { settings, view, width, height } = request;
-  if (!settings.grid) return (light) => toneMap(light, settings.exposure);
+  if (!settings.grid) return (light) => toneMap(light, settings.exposure, settings.tone);
   const grid = groundGrid(scene, view, width, height);
   return (light, ray, x, y) => {
     const depth = visibleHit(scene, ray)?.s ?? Number.POSITIVE_INFINITY;
     const { color, cover } = grid(x, y, depth);
-    return lerp(toneMap(light, settings.exposure), color, cover);
+    return lerp(toneMap(light, settings.exposure, settings.tone), color, cover);
   };
 }

@@ -13,10 +13,10 @@ const DAY: ThermalSource = { temperature: float(DAYLIGHT.temperature), luminance
  * Colours by spectra, from the table of blackbodies. Daylight that met a resting surface is summed in bands, and turned into what is seen of it once.
  * Light that came shifted is turned by itself: it is a blackbody of T·D_in·D_out seen through two filters, the surface's shifted by D_out and its own by both.
  * Their product is taken channel by channel of what is seen, relative to the bare blackbody: exact where either is neutral (docs/adr/0010-spectra.md).
- * The table has four layers where some surface tells of its ultraviolet or infrared.
+ * The table has four layers where some surface tells of its ultraviolet or infrared; `glowing`: some shines by its temperature.
  */
 export const spectral =
-  (table: SpectrumTable): Optics =>
+  (table: SpectrumTable, glowing = false): Optics =>
   (D, uniforms) => {
     const mix = (shift: Float): Float =>
       clamp(exp2(log2(max(shift, 1e-20)).mul(uniforms.dopplerMix)), ...SHIFTS).toVar();
@@ -73,6 +73,7 @@ export const spectral =
         else daylight.addAssign(ofColor(light, out));
       },
       glow: ({ luminance, heat }) => {
+        if (!glowing) return;
         If(luminance.greaterThan(0), () => {
           const temperature = exp2(heat).mul(DAYLIGHT.temperature).toVar();
           const atRest = luminanceOf(thermalColors(table, temperature, float(1)).H, temperature);

@@ -19,7 +19,7 @@ export { simultaneousPosition } from './simultaneousPosition.ts';
 export { type BandColors, filteredColor, luminanceOf, type SpectrumTable, thermalColors } from './spectrumTable.ts';
 export { spectrumTexture } from './spectrumTexture.ts';
 export { staticEmission } from './staticEmission.ts';
-export { toneMap } from './toneMap.ts';
+export { toneMapAgx, toneMapLinear, toneMapNeutral } from './toneMap.ts';
 export type { HyperbolicVertexEvent, SampleTable, VertexEvent, WorldLineAt } from './types.ts';
 export { unaberrate } from './unaberrate.ts';
 export { uniformEmission } from './uniformEmission.ts';
