@@ -59,7 +59,7 @@ describe('false colours', () => {
       ['D', 'Doppler factor D'],
       ['Time', 'Happened, from now'],
       ['Light', 'Luminance before exposure'],
-      ['Band', 'Emitted wavelength of what is seen as 550 nm'],
+      ['Band', 'What is seen at 550 nm was emitted at [µm]'],
     ] as const) {
       await choose(visit, 'False colours', option);
       await legendOf(visit).getByText(title).waitFor();

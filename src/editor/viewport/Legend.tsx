@@ -102,7 +102,9 @@ function Value({ kind, spoken }: { readonly kind: FalseColor; readonly spoken: b
       {reading ? (
         <>
           <b className="sl-figure">{readingText(kind, reading, t)}</b>
-          <span className="sl-legend-path">{reading.path ?? t('legend.sky')}</span>
+          <span className="sl-legend-path">
+            <bdi>{reading.path ?? t('legend.sky')}</bdi>
+          </span>
         </>
       ) : (
         <span>{t('legend.point')}</span>
@@ -125,6 +127,7 @@ function valueText(kind: FalseColor, value: number): string {
 
 /** Beside the bar there is little room. */
 function shortText(kind: FalseColor, value: number): string {
-  if (kind === 'emission-time') return `${formatNumber(Number(value.toPrecision(6)), 2)} s`;
-  return kind === 'band' ? formatLength(value) : formatNumber(value, 2);
+  const text = formatNumber(kind === 'band' ? value * 1e6 : value, 2);
+  const short = text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+  return kind === 'emission-time' ? `${short} s` : short;
 }
