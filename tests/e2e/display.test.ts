@@ -1,5 +1,6 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { falseColor } from '../../src/spectrum/falseColor.ts';
 import { colours, difference, type Guarded, Program } from './program.ts';
 
 let program: Program;
@@ -15,6 +16,14 @@ const choose = (visit: Guarded, group: string, option: string) =>
   visit.page.getByRole('radiogroup', { name: group }).getByText(option, { exact: true }).click();
 const legendOf = (visit: Guarded) => visit.page.getByRole('figure');
 const reading = async (visit: Guarded) => (await visit.page.locator('[data-reading]').textContent()) ?? '';
+
+/** The colour in the middle of the picture is that of the value that is told, on the scale that is told; both have three digits. */
+function expectColour(shown: readonly number[], told: string, range: string): void {
+  const [D, to] = [/D = ([\d.]+)/.exec(told), /to D = ([\d.]+)/.exec(range)].map((match) => Number(match?.[1]));
+  falseColor({ kind: 'doppler', from: 1 / to!, to: to! }, D!).forEach((value, k) => {
+    expect(Math.abs(value - shown[k]!)).toBeLessThanOrEqual(6);
+  });
+}
 
 async function seriousViolations(visit: Guarded): Promise<string[]> {
   const { violations } = await new AxeBuilder({ page: visit.page }).analyze();
@@ -87,6 +96,11 @@ describe('false colours', () => {
     expect(await button.getAttribute('aria-pressed')).toBe('true');
     await visit.shot('false-crosshair');
     const before = await reading(visit);
+    expectColour(
+      await visit.middle(),
+      before,
+      (await visit.page.locator('.sl-legend-bar').getAttribute('aria-label'))!,
+    );
     // To the side the shift is another one.
     await visit.page.keyboard.press('w', { delay: 500 });
     await visit.page.keyboard.press('c');
