@@ -182,7 +182,7 @@ function build(name) {
 
 // ── Independent judges of our files and figures, for tests ─────────────────────────────────────────────────────────
 
-const judges = ['usd-core==26.11', 'OpenEXR==3.4.4', 'numpy==2.3.5', 'flip-evaluator==1.7'];
+const judges = ['usd-core==26.11', 'OpenEXR==3.4.4', 'numpy==2.3.5', 'flip-evaluator==1.7', 'colour-science==0.4.7'];
 
 /** The folder of the Python that has the judges, or undefined with the reason said. Kept in .cache/, never in the system. */
 export function ensureOracle() {
@@ -193,7 +193,7 @@ export function ensureOracle() {
   const hasJudges = () =>
     existsSync(list) &&
     readFileSync(list, 'utf8') === judges.join('\n') &&
-    ask(python, ['-c', 'import pxr.Usd, OpenEXR, numpy, flip_evaluator']) !== undefined;
+    ask(python, ['-c', 'import pxr.Usd, OpenEXR, numpy, flip_evaluator, colour']) !== undefined;
   if (hasJudges()) return folder;
   try {
     if (ensurePackages(oraclePackages, 'for the optional tests against other programs').length > 0) return undefined;

@@ -3,7 +3,7 @@ import { Option } from 'commander';
 import type { Vec3 } from '../math/vec3.ts';
 import { METERINGS, type Metering } from '../nodes/metering.ts';
 import type { Scene } from '../scene/types.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type Solver, type View } from '../scene/view.ts';
+import { type ColorMode, DEFAULT_SETTINGS, type RenderSettings, type Solver, type View } from '../scene/view.ts';
 import { TONES, type Tone } from '../spectrum/toneMap.ts';
 import {
   parseBeta,
@@ -57,6 +57,7 @@ export interface SettingFlags {
   readonly view: View;
   readonly lightDelay: boolean;
   readonly aberration: boolean;
+  readonly colors: ColorMode;
   readonly dopplerMix: number;
   readonly beaming: number;
   readonly exposure: number;
@@ -70,6 +71,7 @@ export interface SettingFlags {
 
 const views: readonly View[] = ['light-cone', 'simultaneity', 'galilean'];
 const solvers: readonly Solver[] = ['exact', 'newton'];
+const colorModes: readonly ColorMode[] = ['spectral', 'approximate'];
 
 export const viewOption = (): Option =>
   new Option(
@@ -85,6 +87,11 @@ export function addSettingFlags(command: Command): Command {
     .addOption(viewOption())
     .option('--no-light-delay', 'as if light were instantaneous')
     .option('--no-aberration', "directions of the world's frame, not the observer's")
+    .addOption(
+      new Option('--colors <how>', 'how a Doppler shift turns colours: by spectra, or by a simple tint, for comparison')
+        .choices(colorModes)
+        .default(DEFAULT_SETTINGS.colors),
+    )
     .option('--doppler-mix <0…1>', 'how much of the Doppler shift reaches the colours', parseFraction, dopplerMix)
     .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
     .option(
@@ -117,12 +124,13 @@ export function addSettingFlags(command: Command): Command {
 
 /** The settings before metering, as the page has them. */
 export function renderSettings(flags: SettingFlags, speedOfLight: number): RenderSettings {
-  const { view, lightDelay, aberration, dopplerMix, beaming, exposure, tone, solver, iterations, damping, grid } =
-    flags;
+  const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure } = flags;
+  const { tone, solver, iterations, damping, grid } = flags;
   return {
     view,
     lightDelay,
     aberration,
+    colors,
     dopplerMix,
     beaming,
     exposure,

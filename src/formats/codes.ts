@@ -78,7 +78,7 @@ export const CODES = {
   'usd.primvar': 'a primvar whose values do not fit the mesh',
   'usd.uv': 'uvs that are not there, or more than one set of them',
   'usd.material': 'a material that is not there, or is made for another renderer',
-  'usd.material-input': 'an input of a material that is not drawn, or by its mean',
+  'usd.material-input': 'an input of a material that is not drawn, or not as it says',
   'usd.shader': 'a shader that is not read, or a network that cannot be followed',
   'usd.texture': 'a texture that names no file',
   'usd.light-input': 'an input of a light that is not applied',
@@ -122,6 +122,7 @@ export const CODES = {
   'gltf.primitive': 'points or lines, which are left out',
   'gltf.mixed-sides': 'single-sided and double-sided materials on one mesh: all of it is double-sided',
   'gltf.vertex-alpha': 'the opacity of vertex colours, which is left out',
+  'gltf.slowlight': 'extras of our own that mean nothing',
   'gltf.second-uvs': 'a second set of uvs, or transform: the first is used for both',
   'gltf.ignored-texture': 'a texture of a kind that is not drawn',
   'gltf.camera': 'a camera that is orthographic, or has no field of view',
@@ -155,6 +156,8 @@ export const CODES = {
   'stl.rest': 'bytes after the last facet',
   'stl.colors': 'colours, which are left out',
   'stl.normals': 'normals that say the opposite of the order of the corners',
+
+  'spectrum.csv': 'a table that is no spectrum: wavelengths in nm, rising, each with a value',
 
   'convert.lifetime': 'the file cannot hold when an object is born or dies',
   'convert.motion': 'the file cannot hold the motion: it is sampled, or left out',

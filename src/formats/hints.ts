@@ -1,5 +1,5 @@
 import type { Vec3 } from '../math/vec3.ts';
-import type { SceneHints } from '../scene/types.ts';
+import type { Material, SceneHints } from '../scene/types.ts';
 
 /** What a file's author suggests for viewing, from the values that stand in it; what is not of its kind is passed over. */
 export function hintsFrom(get: (name: keyof SceneHints) => unknown): SceneHints {
@@ -18,6 +18,32 @@ export function hintsFrom(get: (name: keyof SceneHints) => unknown): SceneHints 
   };
   return Object.fromEntries(Object.entries(hints).filter(([, value]) => value !== undefined));
 }
+
+/** What a material says of light that eyes do not see at rest. */
+type Spectral = Pick<Material, 'uv' | 'ir' | 'emissionTemperature'>;
+
+/** Of the attributes and extras of a material that are ours: where each comes from, and what it may be. */
+export const SPECTRAL_HINTS = [
+  { of: 'uv', name: 'slowlight:albedo:uv', least: 0, most: 1, range: '0 to 1' },
+  { of: 'ir', name: 'slowlight:albedo:ir', least: 0, most: 1, range: '0 to 1' },
+  { of: 'emissionTemperature', name: 'slowlight:emission:temperature', least: 1, most: 1e9, range: '1 to 1e9 K' },
+] as const;
+
+/** The hints of a material; `refuse` is told of each that is no number of its range, which is passed over. */
+export function spectralHints(get: (name: string) => unknown, refuse: (message: string) => void): Spectral {
+  const hints = SPECTRAL_HINTS.flatMap(({ of, name, least, most, range }) => {
+    const value = get(name);
+    if (value === undefined) return [];
+    const number = finite(value);
+    if (number !== undefined && number >= least && number <= most) return [[of, number] as const];
+    refuse(`${name} is ${shown(value)}, which is not a number from ${range}; it is left out`);
+    return [];
+  });
+  return Object.fromEntries(hints);
+}
+
+const shown = (value: unknown): string =>
+  typeof value === 'number' ? String(value) : typeof value === 'string' ? `"${value.slice(0, 40)}"` : typeof value;
 
 const finite = (value: unknown): number | undefined =>
   typeof value === 'number' && Number.isFinite(value) ? value : undefined;

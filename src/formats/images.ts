@@ -116,3 +116,10 @@ export function withAlphaFrom(image: DecodedImage | undefined, alpha: DecodedIma
   }
   return { width, height, data };
 }
+
+/** Mean of a channel of plain numbers, 0 … 1. */
+export function meanOf({ data }: DecodedImage, channel: number): number {
+  let sum = 0;
+  for (let i = channel; i < data.length; i += 4) sum += data[i];
+  return (4 * sum) / (255 * data.length);
+}

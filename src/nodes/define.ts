@@ -1,5 +1,5 @@
 import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
-import type { Solver, View } from '../scene/view.ts';
+import type { ColorMode, Solver, View } from '../scene/view.ts';
 import type { FalseColor } from '../spectrum/falseColor.ts';
 import type { Tone } from '../spectrum/toneMap.ts';
 import type { Metering } from './metering.ts';
@@ -31,6 +31,7 @@ export interface CameraView extends Relativity {
 
 /** What the rasterizer is to draw. A description: the pass itself runs once a frame. */
 export interface GBuffer extends CameraView {
+  readonly colors: ColorMode;
   readonly dopplerMix: number;
   readonly beaming: number;
   readonly grid: boolean;

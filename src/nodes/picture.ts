@@ -12,6 +12,7 @@ export const renderSettings = (picture: Picture, metered: number, scale?: Scale)
   view: picture.view,
   lightDelay: picture.lightDelay,
   aberration: picture.aberration,
+  colors: picture.colors,
   dopplerMix: picture.dopplerMix,
   beaming: picture.beaming,
   solver: picture.solver,

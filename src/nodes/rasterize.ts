@@ -7,6 +7,16 @@ export const relativityRasterize = defineNode({
   help: 'node.rasterize.help',
   category: 'render',
   params: {
+    colors: {
+      kind: 'choice',
+      title: 'param.colors',
+      help: 'param.colors.help',
+      default: 'spectral',
+      options: [
+        { value: 'spectral', title: 'colors.spectral' },
+        { value: 'approximate', title: 'colors.approximate' },
+      ],
+    },
     dopplerMix: {
       kind: 'number',
       title: 'param.dopplerMix',

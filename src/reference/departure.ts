@@ -1,12 +1,10 @@
-import { rotate } from '../math/quat.ts';
-import { add, addScaled, dot, length, lerp, negate, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { add, addScaled, dot, length, negate, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { contraction } from '../physics/simultaneity.ts';
-import { deformedPoints, pieceAt, samplePose } from '../scene/motion.ts';
 import { pointAt } from '../scene/polygons.ts';
-import type { SceneObject } from '../scene/types.ts';
 import type { Start } from './lighting.ts';
-import { cornersOf, normalsAt, sideOf, towards } from './surface.ts';
+import { normalsAt, placesAt } from './places.ts';
+import { cornersOf, sideOf, towards } from './surface.ts';
 import type { TracedScene } from './trace.ts';
 import type { Hit } from './types.ts';
 
@@ -56,20 +54,4 @@ function clearance({ objects, c }: TracedScene, { object, corner, position, time
   const [a, b] = [pointAt(positions, indices[corner]), pointAt(positions, indices[corner + 1])];
   const size = length(position) + length(a) + length(b);
   return 1e-10 * size + 1e-13 * c * Math.abs(time) * length(velocity);
-}
-
-/** Vertex → place on the world's slice t (or, of what is authored at rest, in its rest frame), from an origin that they share. */
-function placesAt({ mesh, motion }: SceneObject, t: number, c: number): (vertex: number) => Vec3 {
-  const own = (i: number): Vec3 => pointAt(mesh.positions, i);
-  switch (motion.kind) {
-    case 'sampled': {
-      const { before, after, s } = pieceAt(motion.times, t);
-      const [a, b] = [samplePose(motion.poses, before).orientation, samplePose(motion.poses, after).orientation];
-      return (i) => lerp(rotate(a, own(i)), rotate(b, own(i)), s);
-    }
-    case 'sampled-points':
-      return deformedPoints(motion, t, c);
-    default:
-      return (i) => rotate(motion.pose.orientation, own(i));
-  }
 }

@@ -1,12 +1,12 @@
-import { rotate } from '../math/quat.ts';
-import { dot, lerp, negate, normalize, type Vec3 } from '../math/vec3.ts';
-import { properVelocity } from '../physics/boost.ts';
+import { addScaled, cross, dot, negate, normalize, scale, sub, type Vec3, ZERO } from '../math/vec3.ts';
+import { boost, properVelocity } from '../physics/boost.ts';
+import { fourVector, spatial } from '../physics/fourVector.ts';
 import { contraction } from '../physics/simultaneity.ts';
-import { pieceAt, samplePose } from '../scene/motion.ts';
-import { normalsAt as normalsAtSample } from '../scene/points.ts';
 import { pointAt } from '../scene/polygons.ts';
-import type { Material, SceneObject } from '../scene/types.ts';
+import type { Material, NormalTexture, SceneObject, TextureChannel } from '../scene/types.ts';
+import { type Bands, bandsOf } from '../spectrum/bands.ts';
 import { materialOf } from './material.ts';
+import { normalsAt, placesAt } from './places.ts';
 import { type Rgba, sampleTexture } from './texture.ts';
 import type { TracedScene } from './trace.ts';
 import type { Hit } from './types.ts';
@@ -14,9 +14,13 @@ import type { Hit } from './types.ts';
 /** What a surface is where a ray meets it. Colours are linear sRGB. */
 export interface SurfacePoint {
   readonly albedo: Vec3;
+  /** The same, with what it reflects of invisible light. */
+  readonly bands: Bands;
   readonly opacity: number;
   /** Radiance. */
   readonly emissive: Vec3;
+  /** [K], where it shines as a blackbody; `emissive` tells its luminance then. */
+  readonly temperature?: number;
   readonly roughness: number;
   readonly metallic: number;
   /** Refractive index; 1.5 where the scene does not tell. */
@@ -34,17 +38,27 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   const base = baseColor(material, uv);
   const painted = mesh.colors ? blended(corners, (i) => pointAt(mesh.colors!, i)) : undefined;
   const [r, g, b, opacity] = base;
-  const { roughness, metallic, ior = 1.5 } = material;
+  const albedo: Vec3 = painted ? [r * painted[0], g * painted[1], b * painted[2]] : [r, g, b];
+  const { ior = 1.5, emissionTemperature: temperature } = material;
   return {
-    albedo: painted ? [r * painted[0], g * painted[1], b * painted[2]] : [r, g, b],
+    albedo,
+    bands: bandsOf(albedo, material.uv, material.ir),
     opacity,
     emissive: emission(material, uv),
-    roughness,
-    metallic,
+    ...(temperature !== undefined && { temperature }),
+    roughness: numberAt(material.roughness, material.roughnessTexture, uv),
+    metallic: numberAt(material.metallic, material.metallicTexture, uv),
     ior,
-    normal: normalAt(scene, hit, corners),
+    normal: normalAt(scene, hit, corners, material.normalTexture, uv),
     uv,
   };
+}
+
+type Uv = readonly [u: number, v: number];
+
+function numberAt(value: number, from: TextureChannel | undefined, uv: Uv): number {
+  if (!from) return value;
+  return Math.min(1, Math.max(0, from.scale * sampleTexture(from.texture, ...uv)[from.channel] + from.bias));
 }
 
 /** Opacity alone: all that a ray which only passes by needs to know. */
@@ -94,12 +108,46 @@ function emission({ emissive, emissiveTexture }: Material, uv: readonly [number,
  * along the motion. Where interpolated normals cancel, the triangle's own. Which side is which the triangle tells, for there are
  * files whose normals point to the other one, and light that starts on the wrong side of a wall comes through it.
  */
-function normalAt({ objects }: TracedScene, hit: Hit, corners: Corners): Vec3 {
-  const object = objects[hit.object];
+function normalAt(scene: TracedScene, hit: Hit, corners: Corners, map: NormalTexture | undefined, uv: Uv): Vec3 {
+  const object = scene.objects[hit.object];
   const given = blended(corners, normalsAt(object, hit.time));
-  const ofWorld = 'times' in object.motion || (object.authoredIn === 'world' && object.motion.kind !== 'static');
-  const rest = ofWorld ? contraction(given, properVelocity(hit.velocity)) : given;
-  return towards(sideOf(hit), normalize(rest, hit.normal));
+  const rest = isWrittenMoving(object) ? contraction(given, properVelocity(hit.velocity)) : given;
+  const smooth = normalize(rest, hit.normal);
+  const side = sideOf(hit);
+  if (!map) return towards(side, smooth);
+  const bent = mappedNormal(map, uv, smooth, uvFrame(scene, hit, corners));
+  return dot(side, smooth) < 0 ? negate(bent) : bent;
+}
+
+/** Whether shape and normals of an object are those of the world's slice, in which it moves. */
+const isWrittenMoving = ({ motion, authoredIn }: SceneObject): boolean =>
+  'times' in motion || (authoredIn === 'world' && motion.kind !== 'static');
+
+/** Along rising u and v, in the rest frame; of any length, 0 where the uvs tell no direction. */
+type UvFrame = readonly [u: Vec3, v: Vec3];
+
+/** What is between two points of a surface at one world time is longer in its rest frame, by γ along the motion. */
+function uvFrame({ objects, c }: TracedScene, hit: Hit, { indices }: Corners): UvFrame {
+  const object = objects[hit.object];
+  const { uvs } = object.mesh;
+  const place = placesAt(object, hit.time, c);
+  const [a, b, d] = indices.map(place);
+  const u = properVelocity(hit.velocity);
+  const written = isWrittenMoving(object);
+  const edge = (to: Vec3): Vec3 => (written ? spatial(boost(fourVector(0, sub(to, a)), u)) : sub(to, a));
+  const [p, q] = [edge(b), edge(d)];
+  const [pu, pv, qu, qv] = [1, 2].flatMap((k) => [0, 1].map((n) => uvs[2 * indices[k] + n] - uvs[2 * indices[0] + n]));
+  const side = Math.sign(pu * qv - pv * qu);
+  return [scale(addScaled(scale(p, qv), q, -pv), side), scale(addScaled(scale(q, pu), p, -qu), side)];
+}
+
+/** The unit normal that a picture makes of N (scene/types.ts, NormalTexture). */
+function mappedNormal({ texture, strength }: NormalTexture, uv: Uv, N: Vec3, [alongU, alongV]: UvFrame): Vec3 {
+  const T = normalize(addScaled(alongU, N, -dot(N, alongU)), ZERO);
+  const B = cross(N, T);
+  const [r, g, b] = sampleTexture(texture, ...uv);
+  const [x, y] = [strength[0] * (2 * r - 1), strength[1] * (2 * g - 1) * Math.sign(dot(B, alongV))];
+  return dot(T, T) > 0 ? normalize(addScaled(addScaled(scale(N, 2 * b - 1), T, x), B, y), N) : N;
 }
 
 /** The triangle's own normal on the side that is looked at. */
@@ -107,23 +155,3 @@ export const sideOf = ({ front, normal }: Hit): Vec3 => (front ? normal : negate
 
 /** n or −n, whichever is on the side. */
 export const towards = (side: Vec3, n: Vec3): Vec3 => (dot(side, n) < 0 ? negate(n) : n);
-
-/** Vertex → normal as the object has it at world time t, on the world's axes, not unit. */
-export function normalsAt({ mesh, motion }: SceneObject, t: number): (vertex: number) => Vec3 {
-  const own = (i: number): Vec3 => pointAt(mesh.normals, i);
-  switch (motion.kind) {
-    case 'sampled': {
-      const { before, after, s } = pieceAt(motion.times, t);
-      const [a, b] = [samplePose(motion.poses, before).orientation, samplePose(motion.poses, after).orientation];
-      return (i) => lerp(rotate(a, own(i)), rotate(b, own(i)), s);
-    }
-    case 'sampled-points': {
-      const { before, after, s } = pieceAt(motion.times, t);
-      const [a, b] = [normalsAtSample(motion, before), normalsAtSample(motion, after)];
-      if (!a || !b) return own;
-      return (i) => lerp(pointAt(a, i), pointAt(b, i), s);
-    }
-    default:
-      return (i) => rotate(motion.pose.orientation, own(i));
-  }
-}

@@ -1,7 +1,7 @@
 import { rotate } from '../math/quat.ts';
 import { sub, type Vec3 } from '../math/vec3.ts';
 import { isTransparent } from '../scene/transparency.ts';
-import type { Motion, Scene, Texture } from '../scene/types.ts';
+import type { Material, Motion, Scene, Texture, TextureChannel } from '../scene/types.ts';
 import type { Body } from './bodies.ts';
 
 /** Objects with more triangles than this are drawn alone, so that culling them saves their work. */
@@ -24,13 +24,26 @@ export interface Batch {
   readonly kind: Motion['kind'];
   readonly transparent: boolean;
   readonly doubleSided: boolean;
-  readonly baseColorTexture?: Texture;
-  readonly emissiveTexture?: Texture;
+  readonly textures: BatchTextures;
   readonly bodies: readonly Body[];
   /** Set where the arrays are a mesh in its own axes, and each body wears it; else they hold a copy for each. */
   readonly worn?: Worn;
   readonly arrays: BatchArrays;
 }
+
+/** Through which pictures it is looked at. */
+export type BatchTextures = Pick<
+  Material,
+  'baseColorTexture' | 'emissiveTexture' | 'normalTexture' | 'roughnessTexture' | 'metallicTexture'
+>;
+
+const texturesOf = (m: Material): BatchTextures => ({
+  ...(m.baseColorTexture && { baseColorTexture: m.baseColorTexture }),
+  ...(m.emissiveTexture && { emissiveTexture: m.emissiveTexture }),
+  ...(m.normalTexture && { normalTexture: m.normalTexture }),
+  ...(m.roughnessTexture && { roughnessTexture: m.roughnessTexture }),
+  ...(m.metallicTexture && { metallicTexture: m.metallicTexture }),
+});
 
 export interface BatchArrays {
   /** Relative to the body's centre, turned to the world's axes where the motion has one orientation and the mesh is not worn by many [m]. */
@@ -59,6 +72,16 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
     if (!textures.has(t)) textures.set(t, textures.size);
     return textures.get(t) ?? -1;
   };
+  const channel = (from: TextureChannel | undefined): string => `${number(from?.texture)}/${from?.channel}`;
+  const pictures = scene.materials.map((m) =>
+    [
+      number(m.baseColorTexture),
+      number(m.emissiveTexture),
+      number(m.normalTexture?.texture),
+      channel(m.roughnessTexture),
+      channel(m.metallicTexture),
+    ].join(' '),
+  );
   const runs = new Map<string, Part[]>();
   const wardrobe = new Wardrobe(bodies);
   for (const body of bodies) {
@@ -67,9 +90,8 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
     const alone = deforming || mesh.indices.length > 3 * ALONE;
     const worn = wardrobe.nameOf(body);
     for (const { material, start, count } of mesh.groups) {
-      const { baseColorTexture, emissiveTexture } = scene.materials[material];
       const shape = `${motion.kind} ${mesh.doubleSided} ${mesh.colors !== undefined} ${alone || transparent[material] ? body.id : 0}`;
-      const look = `${transparent[material]} ${number(baseColorTexture)} ${number(emissiveTexture)} ${deforming ? material : 0}`;
+      const look = `${transparent[material]} ${pictures[material]} ${deforming ? material : 0}`;
       const isWorn = worn !== undefined && !transparent[material];
       const key = isWorn ? `worn ${worn} ${start} ${count} ${motion.kind} ${look}` : `${shape} ${look}`;
       const run = runs.get(key) ?? [];
@@ -121,13 +143,11 @@ class Wardrobe {
 /** `firstInstance`: where all parts are one mesh that is worn. */
 function makeBatch(scene: Scene, parts: readonly Part[], transparent: boolean, firstInstance?: number): Batch {
   const { object } = parts[0].body;
-  const { baseColorTexture, emissiveTexture } = scene.materials[parts[0].material];
   return {
     kind: object.motion.kind,
     transparent,
     doubleSided: object.mesh.doubleSided,
-    ...(baseColorTexture && { baseColorTexture }),
-    ...(emissiveTexture && { emissiveTexture }),
+    textures: texturesOf(scene.materials[parts[0].material]),
     bodies: [...new Set(parts.map((p) => p.body))],
     ...(firstInstance !== undefined && { worn: { first: firstInstance, materials: parts.map((p) => p.material) } }),
     arrays:

@@ -1,32 +1,33 @@
-import { acos, atan, clamp, dot, int, Loop, texture, uniform, vec2, vec3 } from 'three/tsl';
+import { acos, atan, clamp, dot, int, Loop, texture, uniform, vec2 } from 'three/tsl';
 import { Color, type DataTexture, Vector3 } from 'three/webgpu';
-import { rotate } from '../math/quat.ts';
 import { normalize, scale, type Vec3 } from '../math/vec3.ts';
-import { axesOf, DAY, type DirectLight, directLights, domeOf } from '../scene/daylight.ts';
-import { shownArea } from '../scene/lamps.ts';
-import type { AreaLight, DistantLight, DomeLight, Scene, Texture } from '../scene/types.ts';
+import { axesOf, DAY, directLights, domeOf } from '../scene/daylight.ts';
+import type { DistantLight, DomeLight, Scene, Texture } from '../scene/types.ts';
+import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
-import { AreaLights } from './areaLights.ts';
 import { FloatTable } from './floatTable.ts';
-import { lampSeen } from './lampSeen.ts';
-import { type ShapingTexels, shapingValues } from './shaping.ts';
+import { shineColor, shineKind, thermalTexel } from './lampShine.ts';
+import { LampTable } from './lampTable.ts';
+import type { ThermalSource } from './radiance.ts';
 import type { Sight } from './sight.ts';
 import { uploadTexture } from './textures.ts';
 
-/** Direct light on the GPU: the direction to it (w = 0) or its place relative to the observer [m] (w = 1), and its colour. */
-export interface LightTexels {
-  readonly place: gpu.Vec4;
+/** A distant light on the GPU. */
+export interface SunTexels {
+  /** Towards it, unit. */
+  readonly direction: gpu.Vec3;
+  /** The filter of its irradiance. */
   readonly color: gpu.Vec3;
-  /** Absent where no lamp of the scene is shaped. */
-  readonly shaping?: ShapingTexels;
+  /** Absent of daylight. */
+  readonly source?: ThermalSource;
 }
 
-type Direct = Exclude<DirectLight, AreaLight>;
-
+/** Texels per distant light: (direction, temperature), (colour, luminance of a blackbody of that temperature over daylight's). */
+const SUN_TEXELS = 2;
 /** So many lights are written out one by one: a software GPU goes through the body of a loop once more than it need. */
 const WRITTEN_OUT = 4;
 
-/** Where light comes from: distant and sphere lights in a table, and a sky (the scene's dome, or a clear day's). */
+/** Where light comes from: suns, lamps, and a sky (the scene's dome, or a clear day's). */
 export class Environment {
   readonly uniforms = {
     zenithColor: uniform(new Color()),
@@ -37,24 +38,19 @@ export class Environment {
   };
   /** Radiance of the dome's picture in a world direction. */
   readonly image: ((n: gpu.Vec3) => gpu.Vec3) | undefined;
-  /** Lamps with a size; absent where there are none. */
-  readonly areas: AreaLights | undefined;
-  /** Distant ones first. */
-  private readonly lights: readonly Direct[];
-  /** Texels per light: twice as many where any is shaped. */
-  private readonly stride: 2 | 4;
+  readonly lamps: LampTable;
+  /** Those of daylight first. */
+  private readonly suns: readonly DistantLight[];
   private readonly table = new FloatTable(256);
   private readonly domeTexture: DataTexture | undefined;
 
   constructor(scene: Scene) {
     const dome = domeOf(scene);
     const direct = directLights(scene);
-    const spheres = direct.filter((light) => light.kind === 'sphere');
-    this.lights = [...direct.filter(isDistant), ...spheres];
-    this.stride = spheres.some(({ shaping }) => shaping) ? 4 : 2;
-    this.table.reserve(this.stride * this.lights.length);
-    const areas = direct.filter(isArea);
-    if (areas.length > 0) this.areas = new AreaLights(areas);
+    const suns = direct.filter((light) => light.kind === 'distant');
+    this.suns = [...suns.filter(isDaylight), ...suns.filter((sun) => !isDaylight(sun))];
+    this.table.reserve(SUN_TEXELS * this.suns.length);
+    this.lamps = new LampTable(direct.filter((light) => light.kind !== 'distant'));
     if (dome) this.setDome(dome);
     else this.setDay();
     if (dome?.texture) {
@@ -63,41 +59,40 @@ export class Environment {
     }
   }
 
-  private light(index: gpu.Int): LightTexels {
-    const at = index.mul(int(this.stride));
-    const texel = (k: number): gpu.Vec4 => this.table.texel(at.add(int(k))).toVar();
-    const [place, color] = [texel(0), texel(1)];
-    if (this.stride === 2) return { place, color: color.xyz };
-    const [front, angles] = [texel(2), texel(3)];
-    const shaping = { front: front.xyz, inner: front.w, outer: angles.x, focus: color.w };
-    return { place, color: color.xyz, shaping };
+  eachSun(visit: (sun: SunTexels) => void): void {
+    const day = this.suns.filter(isDaylight).length;
+    for (const [start, end] of [
+      [0, day],
+      [day, this.suns.length],
+    ]) {
+      const read = (i: gpu.Int) => visit(this.sun(i, start === day));
+      if (end - start > WRITTEN_OUT)
+        Loop({ start: int(start), end: int(end), type: 'int', condition: '<' }, ({ i }) => read(int(i)));
+      else for (let i = start; i < end; i++) read(int(i));
+    }
   }
 
-  /** Adds up what `of` gives for each light, or for the distant ones. */
-  sum(which: 'all' | 'distant', of: (light: LightTexels) => gpu.Vec3): gpu.Vec3 {
-    const count = which === 'all' ? this.lights.length : this.lights.filter(isDistant).length;
-    const total = vec3(0).toVar();
-    const add = (i: gpu.Int): void => {
-      total.addAssign(of(this.light(i)));
-    };
-    if (count > WRITTEN_OUT)
-      Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => add(int(i)));
-    else for (let i = 0; i < count; i++) add(int(i));
-    return total;
+  private sun(index: gpu.Int, thermal: boolean): SunTexels {
+    const at = index.mul(int(SUN_TEXELS));
+    const [direction, color] = [0, 1].map((k) => this.table.texel(at.add(int(k))).toVar());
+    const sun = { direction: direction.xyz, color: color.xyz };
+    return thermal ? { ...sun, source: { temperature: direction.w, luminance: color.w } } : sun;
   }
 
   /** Places are uploaded relative to the observer's event. */
-  update(sight: Sight): void {
-    this.lights.forEach((light, i) => {
-      this.table.values.set(texelsOf(light, sight).slice(0, 4 * this.stride), 4 * this.stride * i);
+  update(sight: Sight, colors: ColorMode): void {
+    this.suns.forEach((sun, i) => {
+      const [T, luminance] = thermalTexel(sun);
+      const texels = [...normalize(scale(sun.direction, -1)), T, ...shineColor(sun, colors), luminance];
+      this.table.values.set(texels, 4 * SUN_TEXELS * i);
     });
     this.table.upload();
-    this.areas?.update(sight);
+    this.lamps.update(sight, colors);
   }
 
   dispose(): void {
     this.table.dispose();
-    this.areas?.dispose();
+    this.lamps.dispose();
     this.domeTexture?.dispose();
   }
 
@@ -121,18 +116,8 @@ export class Environment {
   }
 }
 
-const isDistant = (light: DirectLight): light is DistantLight => light.kind === 'distant';
-const isArea = (light: DirectLight): light is AreaLight => light.kind !== 'distant' && light.kind !== 'sphere';
+const isDaylight = (light: DistantLight): boolean => shineKind(light) === 'daylight';
 const WHITE: Vec3 = [1, 1, 1];
-
-/** A sphere's radiance L is the intensity πr²L; a point's colour is its intensity. */
-function texelsOf(light: Direct, sight: Sight): readonly number[] {
-  if (light.kind === 'distant') return [...normalize(scale(light.direction, -1)), 0, ...light.color, 0];
-  const { position, orientation, color } = lampSeen(light, sight);
-  const [inner, outer, focus] = shapingValues(light);
-  const front = rotate(orientation, [0, 0, -1]);
-  return [...position, 1, ...scale(color, shownArea(light)), focus, ...front, inner, outer];
-}
 
 /** A latitude–longitude picture: its top row at the zenith, its middle column towards −Z (upAxis Y) or +Y (upAxis Z). */
 function domeImage(image: DataTexture, upAxis: Scene['upAxis'], color: Vec3): (n: gpu.Vec3) => gpu.Vec3 {

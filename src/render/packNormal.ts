@@ -1,14 +1,40 @@
+import type { Vec3 } from '../math/vec3.ts';
+
 /** Steps per octahedral axis; their square is exact in f32. */
 export const NORMAL_STEPS = 4096;
 
-/** A unit normal on the octahedron |x| + |y| + |z| = 1, the lower half folded out (Meyer et al. 2010), as one exact f32 integer. */
+/** A unit normal on the octahedron as one exact f32 integer. */
 export function packNormal(x: number, y: number, z: number): number {
-  const l = Math.abs(x) + Math.abs(y) + Math.abs(z) || 1;
-  const a = x / l;
-  const b = y / l;
-  const p = z >= 0 ? a : (1 - Math.abs(b)) * Math.sign(a || 1);
-  const q = z >= 0 ? b : (1 - Math.abs(a)) * Math.sign(b || 1);
+  const [p, q] = toOctahedron(x, y, z);
   return step(p) * NORMAL_STEPS + step(q);
 }
 
+/** A unit vector as a point of the square −1 … 1: on the octahedron |x| + |y| + |z| = 1, the lower half folded out (Meyer et al. 2010). */
+export function toOctahedron(x: number, y: number, z: number): readonly [p: number, q: number] {
+  const l = Math.abs(x) + Math.abs(y) + Math.abs(z) || 1;
+  const [a, b] = [x / l, y / l];
+  return z >= 0 ? [a, b] : [(1 - Math.abs(b)) * Math.sign(a || 1), (1 - Math.abs(a)) * Math.sign(b || 1)];
+}
+
+export function fromOctahedron(p: number, q: number): Vec3 {
+  const z = 1 - Math.abs(p) - Math.abs(q);
+  const [x, y] = z >= 0 ? [p, q] : [(1 - Math.abs(q)) * Math.sign(p || 1), (1 - Math.abs(p)) * Math.sign(q || 1)];
+  const l = Math.hypot(x, y, z);
+  return [x / l, y / l, z / l];
+}
+
 const step = (v: number): number => Math.round((v * 0.5 + 0.5) * (NORMAL_STEPS - 1));
+
+/** Steps, evenly many, per octahedral axis of a normal in the G-buffer, of which the lowest bits are kept apart: `FINER` of them are one in its first two numbers. */
+export const FINE_STEPS = 2 ** 15 - 2;
+export const FINER = 8;
+/** Steps of what is kept beside the lowest bits. */
+export const LEVELS = 511;
+/** Numbers of 12 bits are stored less this: halves hold whole numbers up to it. */
+export const MIDDLE = 2048;
+
+/** The normal of a pixel of the G-buffer (surfaceCode.ts). */
+export function normalOf(code: ArrayLike<number>): Vec3 {
+  const axis = (k: number): number => FINER * (code[k] + MIDDLE) + ((code[k + 2] + MIDDLE) % FINER);
+  return fromOctahedron((2 * axis(0)) / FINE_STEPS - 1, (2 * axis(1)) / FINE_STEPS - 1);
+}

@@ -5,9 +5,11 @@ import { logarithmicDepth } from './depth.ts';
 import { type Drawable, sideOf } from './drawable.ts';
 import type { Environment } from './environment.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';
+import type { Optics } from './radiance.ts';
 import { type ShadedSurface, shade } from './shade.ts';
 import { background } from './sky.ts';
 import { readSurface, surfaceOutputs, type TargetName } from './surface.ts';
+import { unpackEmission, unpackFinish, unpackNormals } from './surfaceCode.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import { type Projection, vertexStage, vShown } from './vertexStage.ts';
@@ -35,26 +37,32 @@ export function geometryMaterial(
 const kept = (light: Vec3): Vec4 => vec4(min(light, MOST_LIGHT), 1);
 
 /** The sky, for pixels in which nothing is. */
-export const skyLight = (environment: Environment, uniforms: Uniforms): Vec4 =>
-  Fn(() => kept(background(environment, uniforms, pixelDirection(uniforms))))();
+export const skyLight = (environment: Environment, uniforms: Uniforms, optics: Optics): Vec4 =>
+  Fn(() => kept(background(environment, uniforms, optics, pixelDirection(uniforms))))();
 
 /** The G-buffer shaded, for pixels in which something is. `moving`: not all of it rests. */
-export const surfaceLight = (buffer: GBuffer, environment: Environment, uniforms: Uniforms, moving: boolean): Vec4 =>
-  Fn(() => kept(shade(surfaceHere(buffer, moving), environment, uniforms)))();
+export const surfaceLight = (
+  buffer: GBuffer,
+  environment: Environment,
+  uniforms: Uniforms,
+  optics: Optics,
+  moving: boolean,
+): Vec4 => Fn(() => kept(shade(surfaceHere(buffer, moving), environment, uniforms, optics)))();
 
 function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
-  const [base, emissive, event, motion] = (['base', 'emissive', 'event', 'motion'] as const).map((name) =>
-    texelHere(buffer.texture(name)).toVar(),
+  const [base, emissive, normal, event, motion] = (['base', 'emissive', 'normal', 'event', 'motion'] as const).map(
+    (name) => texelHere(buffer.texture(name)).toVar(),
   );
   const speed = length(motion.xyz).toVar();
   const velocity = vec4(motion.xyz, speed.oneMinus().mul(speed.add(1)));
   return {
     color: vec4(base.rgb, 1),
     roughness: base.w,
-    emissive: emissive.rgb,
-    metallic: emissive.w,
-    normal: texelHere(buffer.texture('normal')).xyz.normalize(),
+    emission: unpackEmission(emissive.xyz),
+    ...unpackFinish(emissive.w),
+    ...unpackNormals(normal),
     dx: event.xyz,
+    time: event.w,
     velocity: moving ? velocity : undefined,
     D: motion.w,
   };
@@ -66,6 +74,7 @@ export function forwardMaterial(
   projection: Projection,
   buffer: GBuffer,
   environment: Environment,
+  optics: Optics,
 ): NodeMaterial {
   const { uniforms } = drawable.surface;
   const material = new NodeMaterial();
@@ -75,7 +84,7 @@ export function forwardMaterial(
     const surface = readSurface(drawable.surface);
     const velocity = drawable.batch.kind === 'static' ? undefined : surface.velocity;
     Discard(surface.distance.greaterThan(depthHere(buffer)));
-    return vec4(min(shade({ ...surface, velocity }, environment, uniforms), MOST_LIGHT), surface.color.w);
+    return vec4(min(shade({ ...surface, velocity }, environment, uniforms, optics), MOST_LIGHT), surface.color.w);
   })();
   material.side = sideOf(drawable.batch);
   material.transparent = true;

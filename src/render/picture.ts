@@ -8,8 +8,11 @@ import {
   UnsignedByteType,
 } from 'three/webgpu';
 import type { Gauge } from '../scene/gauge.ts';
-import type { RenderSettings } from '../scene/view.ts';
+import type { ColorMode, RenderSettings } from '../scene/view.ts';
+import type { SpectrumTable } from '../shaders/spectrumTable.ts';
+import { spectrumTexture } from '../shaders/spectrumTexture.ts';
 import type { FalseColors } from '../spectrum/falseColor.ts';
+import { thermalTable } from '../spectrum/thermalTable.ts';
 import type { Gpu } from './device.ts';
 import { addedSample, antialiased, averaged, type Look, singleSample } from './display.ts';
 import type { Drawable } from './drawable.ts';
@@ -17,8 +20,11 @@ import { FalseColorTable, falseColored } from './falseColor.ts';
 import { FullScreen, type Where } from './fullScreen.ts';
 import { GaugeReader } from './gauge.ts';
 import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
+import type { Optics } from './radiance.ts';
 import type { SceneUpload } from './sceneUpload.ts';
+import { spectral } from './spectral.ts';
 import { dataTarget, GBuffer } from './targets.ts';
+import { tinted } from './tinted.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
 
@@ -35,6 +41,8 @@ export class PictureMachine {
   private readonly gpu: Gpu;
   private readonly uniforms: Uniforms;
   private readonly passes = new Map<string, FullScreen>();
+  /** By their layers, as they are needed. */
+  private readonly tables = new Map<3 | 4, SpectrumTable>();
   private readonly gauge: GaugeReader;
   private readonly falseColors = new FalseColorTable();
   private samples = 1;
@@ -74,23 +82,24 @@ export class PictureMachine {
   }
 
   /** G-buffer to light, then what is transparent over it. */
-  drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera): void {
+  drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera, colors: ColorMode): void {
     const { buffer, uniforms, light, gpu } = this;
     const { environment, bodies } = upload;
+    const optics = this.optics(colors, upload);
     const moving = () => bodies.some(({ object }) => object.motion.kind !== 'static');
-    this.run(`sky ${upload.serial}`, () => skyLight(environment, uniforms), light, 'sky');
+    this.run(`sky ${upload.serial} ${colors}`, () => skyLight(environment, uniforms, optics), light, 'sky');
     if (upload.opaque.children.some((mesh) => mesh.visible))
       this.run(
-        `light ${upload.serial}`,
-        () => surfaceLight(buffer, environment, uniforms, moving()),
+        `light ${upload.serial} ${colors}`,
+        () => surfaceLight(buffer, environment, uniforms, optics, moving()),
         light,
         'surfaces',
       );
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawable of upload.drawables)
       if (drawable.batch.transparent)
-        this.dress(drawable, `forward ${projection.event} ${projection.place}`, () =>
-          forwardMaterial(drawable, projection, buffer, upload.environment),
+        this.dress(drawable, `forward ${projection.event} ${projection.place} ${colors}`, () =>
+          forwardMaterial(drawable, projection, buffer, upload.environment, optics),
         );
     gpu.renderer.autoClear = false;
     gpu.renderer.setRenderTarget(light);
@@ -151,8 +160,9 @@ export class PictureMachine {
 
   /** Lets go of the passes that read a scene. */
   forget(upload: SceneUpload): void {
-    for (const name of [`sky ${upload.serial}`, `light ${upload.serial}`]) {
-      this.passes.get(name)?.dispose();
+    for (const [name, pass] of this.passes) {
+      if (!name.startsWith(`sky ${upload.serial} `) && !name.startsWith(`light ${upload.serial} `)) continue;
+      pass.dispose();
       this.passes.delete(name);
     }
   }
@@ -160,9 +170,21 @@ export class PictureMachine {
   dispose(): void {
     for (const pass of this.passes.values()) pass.dispose();
     this.buffer.dispose();
+    for (const { texture } of this.tables.values()) texture.dispose();
     this.gauge.dispose();
     this.falseColors.dispose();
     for (const target of [this.light, this.single, this.screen, ...this.sums]) target.dispose();
+  }
+
+  private optics(colors: ColorMode, { scene }: SceneUpload): Optics {
+    if (colors === 'approximate') return tinted;
+    const layers = scene.materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
+    const table = this.tables.get(layers) ?? spectrumTexture(thermalTable(layers));
+    this.tables.set(layers, table);
+    return spectral(
+      table,
+      scene.materials.some(({ emissionTemperature }) => emissionTemperature !== undefined),
+    );
   }
 
   private run(

@@ -1,10 +1,11 @@
-import { abs, float, floor, normalize, select, vec2, vec3 } from 'three/tsl';
+import { floor, vec2 } from 'three/tsl';
 import type { WebGPURenderer } from 'three/webgpu';
 import { type CubicPointsMotion, isCubic } from '../scene/cubicPoints.ts';
 import { isStreamed } from '../scene/points.ts';
 import type { SampledPointsMotion } from '../scene/types.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { FloatTable, RowCopy } from './floatTable.ts';
+import { offOctahedron } from './octahedral.ts';
 import { OwnSamples, type PackedSamples, packSample, packVelocities, ROW, rowsOf } from './packedSamples.ts';
 import { NORMAL_STEPS } from './packNormal.ts';
 import { SampleRing } from './sampleRing.ts';
@@ -119,9 +120,5 @@ export function unpackNormal(packed: Float): Vec3 {
     .mul(2 / (NORMAL_STEPS - 1))
     .sub(1)
     .toVar();
-  const z = float(1).sub(abs(p.x)).sub(abs(p.y)).toVar();
-  const sign = (v: Float): Float => select(v.greaterThanEqual(0), float(1), float(-1));
-  const x = select(z.greaterThanEqual(0), p.x, abs(p.y).oneMinus().mul(sign(p.x)));
-  const y = select(z.greaterThanEqual(0), p.y, abs(p.x).oneMinus().mul(sign(p.y)));
-  return normalize(vec3(x, y, z));
+  return offOctahedron(p);
 }

@@ -1,7 +1,7 @@
 import { DataUtils, type RenderTarget } from 'three/webgpu';
-import { length, type Vec3 } from '../math/vec3.ts';
 import type { AovName } from '../scene/view.ts';
 import type { Gpu } from './device.ts';
+import { normalOf } from './packNormal.ts';
 import type { PickedSurface } from './settings.ts';
 import type { Sight } from './sight.ts';
 import type { TargetName } from './surface.ts';
@@ -62,14 +62,9 @@ const SOURCES: Record<
   position: { target: 'event', values: ([x, y, z], { position: p }) => [p[0] + x, p[1] + y, p[2] + z] },
   doppler: { target: 'motion', values: ([, , , w]) => [w] },
   velocity: { target: 'motion', values: ([x, y, z]) => [x, y, z] },
-  normal: { target: 'normal', values: ([x, y, z]) => unit([x, y, z]) },
+  normal: { target: 'normal', values: normalOf },
   object: { target: 'object', values: ([x]) => [x] },
 };
-
-function unit(v: Vec3): Vec3 {
-  const l = length(v) || 1;
-  return [v[0] / l, v[1] / l, v[2] / l];
-}
 
 /** A data AOV of a region; 0 where nothing is. */
 export async function readData(

@@ -92,12 +92,12 @@ export class SceneRenderer implements PictureMaker {
     if (!upload.frame.isComplete) return;
     this.resize();
     this.cut(upload, viewPoint, sight, projection, seen);
-    upload.environment.update(sight);
+    upload.environment.update(sight, settings.colors);
     const count = samples * samples;
     for (let i = 0; i < count; i++) {
       this.jitter(samples, i);
       this.machine.drawGeometry(upload, projection, this.camera);
-      this.machine.drawLight(upload, projection, this.camera);
+      this.machine.drawLight(upload, projection, this.camera, settings.colors);
       this.machine.display(i, count, settings);
     }
     if (count > 1) {
@@ -194,6 +194,7 @@ export class SceneRenderer implements PictureMaker {
     uniforms.damping.value = settings.damping;
     uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;
     uniforms.boosted.value = projection.place === 'apparent' ? 1 : 0;
+    uniforms.lightTravels.value = settings.view === 'light-cone' && settings.lightDelay ? 1 : 0;
     uniforms.boostLight.value = luminous;
     uniforms.dopplerMix.value = luminous * settings.dopplerMix;
     uniforms.beaming.value = luminous * settings.beaming;

@@ -3,20 +3,20 @@ import { aberrate } from '../shaders/aberrate.ts';
 import { observerDoppler } from '../shaders/observerDoppler.ts';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { unaberrate } from '../shaders/unaberrate.ts';
-import { met, seen } from './radiance.ts';
+import type { Passage } from './radiance.ts';
 import type { Uniforms } from './uniforms.ts';
 
-/** The surface's rest frame: directions of the world as they are there, and back, and light from a world direction as it meets it. */
+/** The rest frame of a surface or a lamp: directions of the world (towards where light comes from) as they are there, and back. */
 export interface Rest {
   into: (n: Vec3) => Vec3;
   out: (n: Vec3) => Vec3;
-  radiance: (rgb: Vec3, n: Vec3) => Vec3;
-  irradiance: (rgb: Vec3, n: Vec3) => Vec3;
+  /** ν there/ν in the world of light from `n`; absent of what rests in the world. */
+  doppler?: (n: Vec3) => Float;
 }
 
-export const AT_REST: Rest = { into: (n) => n, out: (n) => n, radiance: (rgb) => rgb, irradiance: (rgb) => rgb };
+export const AT_REST: Rest = { into: (n) => n, out: (n) => n };
 
-/** Most surfaces rest: then nothing is computed. */
+/** Of the velocity (v, 1 − v²); of the world in the views that show no light. Most surfaces rest: then nothing is computed. */
 export function restFrame(velocity: Vec4, uniforms: Uniforms): Rest {
   const gamma = inverseSqrt(clamp(velocity.w, 1e-12, 1)).toVar();
   const u = velocity.xyz.mul(gamma).mul(uniforms.boostLight).toVar();
@@ -28,11 +28,16 @@ export function restFrame(velocity: Vec4, uniforms: Uniforms): Rest {
     });
     return value;
   };
-  const doppler = (n: Vec3): Float => where(vec3(1), () => vec3(observerDoppler(n, u, gamma))).x;
   return {
     into: (n) => where(n, () => aberrate(n, u, gamma)),
     out: (n) => where(n, () => unaberrate(n, u, gamma)),
-    radiance: (rgb, n) => seen(rgb, doppler(n), uniforms),
-    irradiance: (rgb, n) => met(rgb, doppler(n), uniforms),
+    doppler: (n) => where(vec3(1), () => vec3(observerDoppler(n, u, gamma))).x,
   };
+}
+
+/** Of light from `n` (unit, world), from what rests in one frame to what rests in the other. */
+export function passageBetween(n: Vec3, receiver: Rest, source: Rest): Passage {
+  const [there, here] = [source.doppler?.(n), receiver.doppler?.(n)];
+  if (!there) return here ? { D: here } : {};
+  return { D: (here ? here.div(there) : there.reciprocal()).toVar() };
 }

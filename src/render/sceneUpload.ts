@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene } from 'three/webgpu';
 import { isStreamed } from '../scene/points.ts';
-import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
-import { type Batch, type BatchArrays, makeBatches } from './batches.ts';
+import type { SampledPointsMotion, Scene, Texture, TextureChannel } from '../scene/types.ts';
+import { type Batch, type BatchArrays, type BatchTextures, makeBatches } from './batches.ts';
 import { type Body, makeBody } from './bodies.ts';
 import type { Gpu } from './device.ts';
 import { type Drawable, disposeDrawable, makeDrawable } from './drawable.ts';
@@ -12,7 +12,7 @@ import { PointStore } from './pointStore.ts';
 import { Refiner } from './refine/gpuRefiner.ts';
 import { SampleCourier } from './sampleCourier.ts';
 import type { RendererOptions } from './settings.ts';
-import { MATERIAL_TEXELS } from './surface.ts';
+import { type ChannelTexture, MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './surface.ts';
 import { uploadTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 import { indexedVertex } from './vertexInput.ts';
@@ -93,8 +93,7 @@ export class SceneUpload {
     const { materials } = this.scene;
     this.materials.reserve(materials.length * MATERIAL_TEXELS);
     materials.forEach((m, i) => {
-      const texels = [...m.baseColor, m.opacity, ...m.emissive, m.opacityThreshold, m.roughness, m.metallic, 0, 0];
-      this.materials.values.set(texels, 4 * MATERIAL_TEXELS * i);
+      this.materials.values.set(materialTexels(m), 4 * MATERIAL_TEXELS * i);
     });
     this.materials.upload();
   }
@@ -118,8 +117,6 @@ export class SceneUpload {
   private drawBatch(batch: Batch, uniforms: Uniforms): Drawable {
     const points = batch.kind === 'sampled-points' ? this.points.get(batch.bodies[0].id) : undefined;
     const colored = batch.arrays.colors !== undefined;
-    const baseColor = this.texture(batch.baseColorTexture);
-    const emissive = this.texture(batch.emissiveTexture);
     const instances = batch.worn ? this.instances : undefined;
     return makeDrawable(makeGeometry(batch.arrays), {
       batch,
@@ -136,14 +133,27 @@ export class SceneUpload {
         materials: this.materials,
         uniforms,
         colored,
-        ...(baseColor && { baseColor }),
-        ...(emissive && { emissive }),
+        textures: this.pictures(batch.textures),
       },
     });
   }
 
-  private texture(image: Texture | undefined): DataTexture | undefined {
-    if (!image) return undefined;
+  private pictures(of: BatchTextures): SurfaceTextures {
+    const { baseColorTexture, emissiveTexture, normalTexture, roughnessTexture, metallicTexture } = of;
+    const channel = ({ texture, channel }: TextureChannel): ChannelTexture => ({
+      texture: this.texture(texture),
+      channel,
+    });
+    return {
+      ...(baseColorTexture && { baseColor: this.texture(baseColorTexture) }),
+      ...(emissiveTexture && { emissive: this.texture(emissiveTexture) }),
+      ...(normalTexture && { normal: this.texture(normalTexture.texture) }),
+      ...(roughnessTexture && { roughness: channel(roughnessTexture) }),
+      ...(metallicTexture && { metallic: channel(metallicTexture) }),
+    };
+  }
+
+  private texture(image: Texture): DataTexture {
     const made = this.textures.get(image) ?? uploadTexture(image);
     this.textures.set(image, made);
     return made;

@@ -4,7 +4,7 @@ import { observerDoppler } from '../shaders/observerDoppler.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { unaberrate } from '../shaders/unaberrate.ts';
 import type { Environment } from './environment.ts';
-import { seen } from './radiance.ts';
+import type { Gathering, Optics } from './radiance.ts';
 import type { Uniforms } from './uniforms.ts';
 
 /** Radiance of the sky in the world direction `n`: from the horizon to the zenith, and a ground that only closes the sphere. */
@@ -24,24 +24,26 @@ export function skyLight({ uniforms }: Environment, n: Vec3, zenith: Vec3): Vec3
 }
 
 /** The discs of distant lights, with their glow. */
-const suns = (environment: Environment, n: Vec3): Vec3 =>
-  environment.sum('distant', ({ place, color }) => {
-    const away = max(float(1).sub(dot(n, place.xyz)), 0).toVar();
+const suns = (environment: Environment, n: Vec3, eye: Gathering): void =>
+  environment.eachSun(({ direction, color, source }) => {
+    const away = max(float(1).sub(dot(n, direction)), 0).toVar();
     const disc = smoothstep(...SUN_DISC.rim, away)
       .oneMinus()
       .mul(SUN_DISC.radiance);
     const [near, far] = SUN_DISC.glows.map(([strength, rate]) => exp(away.mul(-rate)).mul(strength));
-    return color.mul(disc.add(near).add(far));
+    eye.emit(color.mul(disc.add(near).add(far)), source);
   });
 
 /** What is behind everything, in the direction `nPrime` of the observer's frame (unit, on the world axes that the boost carries). */
-export const background = (environment: Environment, uniforms: Uniforms, nPrime: Vec3): Vec3 =>
+export const background = (environment: Environment, uniforms: Uniforms, optics: Optics, nPrime: Vec3): Vec3 =>
   Fn(() => {
     const { u, gamma, boosted, zenith } = uniforms;
     const n = mix(nPrime, unaberrate(nPrime, u, gamma), boosted)
       .normalize()
       .toVar();
     const D: Float = observerDoppler(n, u, gamma).toVar();
-    const light = skyRadiance(environment, n, zenith).add(suns(environment, n)).toVar();
-    return seen(light, D, uniforms);
+    const eye = optics(D, uniforms);
+    eye.emit(skyRadiance(environment, n, zenith));
+    suns(environment, n, eye);
+    return eye.seen();
   })();

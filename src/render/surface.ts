@@ -1,34 +1,93 @@
-import { Discard, Fn, faceDirection, int, length, mix, mrt, normalize, property, round, select, vec4 } from 'three/tsl';
-import type { DataTexture, MRTNode } from 'three/webgpu';
+import {
+  clamp,
+  Discard,
+  dot,
+  Fn,
+  faceDirection,
+  int,
+  length,
+  mix,
+  mrt,
+  normalize,
+  property,
+  round,
+  select,
+  vec2,
+  vec3,
+  vec4,
+} from 'three/tsl';
+import type { DataTexture, MRTNode, Node } from 'three/webgpu';
+import type { Material, TextureChannel } from '../scene/types.ts';
 import { dopplerFactor } from '../shaders/dopplerFactor.ts';
 import { ontoLightCone } from '../shaders/ontoLightCone.ts';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
+import { ENDS } from '../spectrum/bands.ts';
 import type { FloatTable } from './floatTable.ts';
+import { mappedNormal } from './normalMap.ts';
+import { type Emission, emissionOf, type Finish, packEmission, packFinish, packNormals } from './surfaceCode.ts';
 import { sampled } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 import { vColor, vEvent, vLife, vMotion, vNormal, vShown, vUv } from './vertexStage.ts';
 
-/** Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (roughness, metallic, 0, 0). */
-export const MATERIAL_TEXELS = 3;
+/**
+ * Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (scale and bias of roughness, of metallic),
+ * (F₀, reflectance below 360 nm and beyond 830 nm, temperature of its emission [K]), (strength of its normals along u and v, 0, 0).
+ */
+export const MATERIAL_TEXELS = 5;
+/** Where the reflectance of invisible light is that of the visible colour's ends. */
+const NOT_TOLD = -1;
+
+export function materialTexels(m: Material): readonly number[] {
+  const { uv = NOT_TOLD, ir = NOT_TOLD, ior = GLASS, emissionTemperature = 0, normalTexture } = m;
+  return [
+    ...[...m.baseColor, m.opacity],
+    ...[...m.emissive, m.opacityThreshold],
+    ...[...linear(m.roughness, m.roughnessTexture), ...linear(m.metallic, m.metallicTexture)],
+    ...[((ior - 1) / (ior + 1)) ** 2, uv, ir, emissionTemperature],
+    ...[...(normalTexture?.strength ?? [0, 0]), 0, 0],
+  ].map((x) => Math.max(-LARGEST, Math.min(LARGEST, x)));
+}
+
+/** Scale and bias of a texel; of a number, what makes it of any texel. */
+const linear = (value: number, from: TextureChannel | undefined): readonly number[] =>
+  from ? [from.scale, from.bias] : [0, value];
+
+/** Refractive index where none is told. */
+const GLASS = 1.5;
+/** f32 holds it, and its products. */
+const LARGEST = 1e18;
 
 export interface SurfaceSources {
   readonly materials: FloatTable;
   readonly uniforms: Uniforms;
+  readonly textures: SurfaceTextures;
+  readonly colored: boolean;
+}
+
+/** Pictures of a material on the GPU. */
+export interface SurfaceTextures {
   readonly baseColor?: DataTexture;
   readonly emissive?: DataTexture;
-  readonly colored: boolean;
+  readonly normal?: DataTexture;
+  readonly roughness?: ChannelTexture;
+  readonly metallic?: ChannelTexture;
+}
+export interface ChannelTexture {
+  readonly texture: DataTexture;
+  readonly channel: TextureChannel['channel'];
 }
 
 /** (v, 1 − v²) */
 const AT_REST = vec4(0, 0, 0, 1);
 
 /** What is known of the surface at a fragment. */
-export interface Surface {
+export interface Surface extends Finish {
   /** Linear sRGB and opacity. */
   readonly color: Vec4;
-  readonly emissive: Vec3;
+  /** Reflectance below 360 nm and beyond 830 nm. */
+  readonly invisible: Vec2;
+  readonly emission: Emission;
   readonly roughness: Float;
-  readonly metallic: Float;
   /** Unit, rest frame, towards the observer's side. */
   readonly normal: Vec3;
   readonly dx: Vec3;
@@ -40,34 +99,42 @@ export interface Surface {
   /** Apparent distance |Δx′| [m]. */
   readonly distance: Float;
 }
+type Vec2 = Node<'vec2'>;
 
 /** Reads the surface inside a fragment's Fn, after discarding what is not there: outside the lifetime, cut out, or never seen. */
 export function readSurface(sources: SurfaceSources): Surface {
+  const { textures } = sources;
   const material = int(round(vLife.w)).mul(int(MATERIAL_TEXELS)).toVar();
-  const base = sources.materials.texel(material).toVar();
-  const emission = sources.materials.texel(material.add(int(1))).toVar();
-  const finish = sources.materials.texel(material.add(int(2))).toVar();
+  const [base, glow, numbers, more, relief] = [0, 1, 2, 3, 4].map((k) => sources.materials.texel(material.add(int(k))));
   const color = base.toVar();
-  if (sources.baseColor) color.mulAssign(sampled(sources.baseColor, vUv));
+  if (textures.baseColor) color.mulAssign(sampled(textures.baseColor, vUv));
   if (sources.colored) color.mulAssign(vec4(vColor, 1));
-  const emissive = emission.xyz.toVar();
-  if (sources.emissive) emissive.mulAssign(sampled(sources.emissive, vUv).rgb);
+  const emissive = glow.xyz.toVar();
+  if (textures.emissive) emissive.mulAssign(sampled(textures.emissive, vUv).rgb);
+  const finish = numbers.toVar();
+  const mirror = more.toVar();
 
   const { u, gamma, boostLight, onLightCone } = sources.uniforms;
   const velocity = vMotion.toVar();
   // Between the vertices the events are interpolated, and beside the light cone: each is that of the point which is painted here.
   const event = select(onLightCone.greaterThan(0.5), ontoLightCone(vEvent, velocity), vEvent).toVar();
+  const smooth = normalize(vNormal.xyz).toVar();
+  const ground = { normal: smooth, event, velocity, uv: vUv };
+  // Before anything is discarded: it compares this fragment with its neighbours.
+  const normal = textures.normal ? mappedNormal(textures.normal, relief.xy, ground).toVar() : smooth;
   const later = event.w.sub(vEvent.w).toVar();
   const alive = vLife.x.add(later).greaterThanEqual(0).and(vLife.y.sub(later).greaterThanEqual(0));
-  Discard(alive.not().or(vNormal.w.lessThan(0.9999)).or(color.w.lessThan(emission.w)));
+  Discard(alive.not().or(vNormal.w.lessThan(0.9999)).or(color.w.lessThan(glow.w)));
   const dx = event.xyz.toVar();
   const D = mix(1, dopplerFactor(dx, u, gamma, velocity), boostLight);
   return {
     color,
-    emissive,
-    roughness: finish.x,
-    metallic: finish.y,
-    normal: normalize(vNormal.xyz).mul(faceDirection),
+    invisible: vec2(told(mirror.y, ENDS.uv, color.rgb), told(mirror.z, ENDS.ir, color.rgb)),
+    emission: emissionOf(emissive, mirror.w),
+    roughness: channel(textures.roughness, finish.xy),
+    metallic: channel(textures.metallic, finish.zw),
+    F0: mirror.x,
+    normal: normal.mul(faceDirection),
     dx,
     time: event.w,
     velocity,
@@ -75,6 +142,17 @@ export function readSurface(sources: SurfaceSources): Surface {
     object: round(vLife.z),
     distance: distanceOf(dx, sources.uniforms),
   };
+}
+
+/** A reflectance as it is told, or what the colour ends at. */
+const told = (share: Float, ends: readonly [number, number, number], rgb: Vec3): Float =>
+  select(share.lessThan(0), dot(rgb, vec3(...ends)), share);
+
+function channel(from: ChannelTexture | undefined, linear: Vec2): Float {
+  if (!from) return linear.y;
+  const texel = sampled(from.texture, vUv);
+  const value = [texel.x, texel.y, texel.z, texel.w][from.channel];
+  return clamp(value.mul(linear.x).add(linear.y), 0, 1);
 }
 
 /** |Δx′| = (γ + u·n)|Δx| of the event itself; where directions are not boosted, places between the vertices are those of the events, or linear. */
@@ -108,8 +186,8 @@ export function surfaceOutputs(sources: SurfaceSources, names: readonly TargetNa
 
 const targetValues = (surface: Surface): Record<TargetName, Vec4> => ({
   base: vec4(surface.color.rgb, surface.roughness),
-  emissive: vec4(surface.emissive, surface.metallic),
-  normal: vec4(surface.normal, 1),
+  emissive: vec4(packEmission(surface.emission), packFinish(surface)),
+  normal: packNormals(surface.normal, surface.invisible),
   object: vec4(surface.object, surface.distance, 0, 1),
   event: vec4(surface.dx, surface.time),
   motion: vec4(surface.velocity.xyz, surface.D),

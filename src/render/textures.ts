@@ -7,16 +7,13 @@ import {
   MirroredRepeatWrapping,
   NearestFilter,
   NoColorSpace,
-  type Node,
   RepeatWrapping,
   RGBAFormat,
   SRGBColorSpace,
   UnsignedByteType,
 } from 'three/webgpu';
 import type { Texture, TextureWrap } from '../scene/types.ts';
-import type { Vec4 } from '../shaders/types.ts';
-
-type Vec2 = Node<'vec2'>;
+import type { Vec2, Vec4 } from '../shaders/types.ts';
 
 const WRAPS = {
   repeat: RepeatWrapping,

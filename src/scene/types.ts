@@ -1,5 +1,6 @@
 import type { Quat } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import type { LightSpectrum } from '../spectrum/lightSpectrum.ts';
 import type { StreamedPoints } from './streamedPoints.ts';
 
 /**
@@ -168,14 +169,42 @@ export interface Material {
   /** Linear sRGB radiance. */
   readonly emissive: Vec3;
   readonly emissiveTexture?: Texture;
+  /** 0 … 1; where a texture tells, its mean. */
   readonly roughness: number;
+  readonly roughnessTexture?: TextureChannel;
+  /** 0 … 1; where a texture tells, its mean. */
   readonly metallic: number;
+  readonly metallicTexture?: TextureChannel;
+  readonly normalTexture?: NormalTexture;
   /** 0 … 1 */
   readonly opacity: number;
   /** Fragments less opaque than this are cut out; 0: none is. */
   readonly opacityThreshold: number;
   /** Refractive index, where the file gives it; without one a surface reflects as glass of 1.5 does. */
   readonly ior?: number;
+  /** Share that it reflects of light below 360 nm and beyond 830 nm, 0 … 1; where absent, what the visible colour ends at. */
+  readonly uv?: number;
+  readonly ir?: number;
+  /** [K]: it shines as a blackbody does, and `emissive` tells its luminance at rest alone. */
+  readonly emissionTemperature?: number;
+}
+
+/** A number for each texel: `scale` times one channel in linear light, plus `bias`, held within 0 … 1. */
+export interface TextureChannel {
+  readonly texture: Texture;
+  readonly channel: 0 | 1 | 2 | 3;
+  readonly scale: number;
+  readonly bias: number;
+}
+
+/**
+ * Normals in the frame that a surface's uvs give it: x the way u rises, y the way v rises, both across the surface's own normal, and z along it.
+ * A texel (r, g, b) means (strength_x (2r − 1), strength_y (2g − 1), 2b − 1), of any length.
+ */
+export interface NormalTexture {
+  /** Linear. */
+  readonly texture: Texture;
+  readonly strength: readonly [x: number, y: number];
 }
 
 export interface Texture {
@@ -206,6 +235,8 @@ export interface DistantLight {
   readonly direction: Vec3;
   /** Linear sRGB times intensity and exposure: irradiance on a facing surface. */
   readonly color: Vec3;
+  /** What its light is made of, in its own frame; daylight where absent. */
+  readonly spectrum?: LightSpectrum;
 }
 interface Shining {
   readonly path: string;
@@ -215,6 +246,8 @@ interface Shining {
   readonly lifetime: Lifetime;
   /** Linear sRGB in its own frame: the radiance L of its surface, the same in all directions of its front. */
   readonly color: Vec3;
+  /** What its light is made of, in its own frame; daylight where absent. */
+  readonly spectrum?: LightSpectrum;
   /** Absent where it shines alike to all sides. */
   readonly shaping?: LightShaping;
 }
@@ -256,6 +289,8 @@ export interface DomeLight {
   readonly kind: 'dome';
   readonly path: string;
   readonly color: Vec3;
+  /** What its light is made of, in its own frame; daylight where absent. */
+  readonly spectrum?: LightSpectrum;
   readonly texture?: Texture;
 }
 

@@ -6,6 +6,8 @@ import type { Tone } from '../spectrum/toneMap.ts';
 /** `light-cone`: what is seen. `simultaneity`: where things are at the observer's own instant. `galilean`: c = ∞. */
 export type View = 'light-cone' | 'simultaneity' | 'galilean';
 export type Solver = 'exact' | 'newton';
+/** `spectral`: light is spectra, and a shift is seen at their wavelengths. `approximate`: light is linear sRGB, and a shift is a tint (dopplerTint.ts). */
+export type ColorMode = 'spectral' | 'approximate';
 
 /** How a picture is made. Every field is plain data, so that a document, a flag or a socket can hold it. */
 export interface RenderSettings {
@@ -14,6 +16,7 @@ export interface RenderSettings {
   readonly lightDelay: boolean;
   /** Off: directions are those of the world frame, not the observer's. Light-cone view only. */
   readonly aberration: boolean;
+  readonly colors: ColorMode;
   /** 0 … 1: how much of log D reaches the colours. */
   readonly dopplerMix: number;
   /** 0 … 1: how much of log D⁴ reaches the brightness. */
@@ -39,6 +42,7 @@ export const DEFAULT_SETTINGS: RenderSettings = {
   view: 'light-cone',
   lightDelay: true,
   aberration: true,
+  colors: 'spectral',
   dopplerMix: 1,
   beaming: 1,
   solver: 'exact',

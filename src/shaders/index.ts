@@ -16,6 +16,8 @@ export { polylineEmission } from './polylineEmission.ts';
 export { polylinePlace } from './polylinePlace.ts';
 export { polylineSlice } from './polylineSlice.ts';
 export { simultaneousPosition } from './simultaneousPosition.ts';
+export { type BandColors, filteredColor, luminanceOf, type SpectrumTable, thermalColors } from './spectrumTable.ts';
+export { spectrumTexture } from './spectrumTexture.ts';
 export { staticEmission } from './staticEmission.ts';
 export { toneMapAgx, toneMapLinear, toneMapNeutral } from './toneMap.ts';
 export type { HyperbolicVertexEvent, SampleTable, VertexEvent, WorldLineAt } from './types.ts';

@@ -3,6 +3,7 @@ import type { Node } from 'three/webgpu';
 export type Bool = Node<'bool'>;
 export type Int = Node<'int'>;
 export type Float = Node<'float'>;
+export type Vec2 = Node<'vec2'>;
 export type Vec3 = Node<'vec3'>;
 export type Vec4 = Node<'vec4'>;
 

@@ -92,23 +92,52 @@ const looks: Group = {
       { options: { variants: new Map([['material', 'red']]) } },
     ),
     approximated(
-      'an emission texture with other uvs than the base colour’s',
-      'the base colour’s are used for both',
+      'textures of one material with different uvs',
+      'those of the first are used: base colour, emission, normal, metallic-roughness',
       'gltf.second-uvs',
       worn((m, kit) => {
         m.setBaseColorTexture(picture(kit)).setEmissiveTexture(picture(kit));
         m.getEmissiveTextureInfo()!.setTexCoord(1);
       }),
     ),
-    leftOut(
-      'normal, occlusion and metallic-roughness textures',
-      'named; factors count',
-      'gltf.ignored-texture',
-      (['setNormalTexture', 'setOcclusionTexture', 'setMetallicRoughnessTexture'] as const).map((set) =>
-        worn((m, kit) => {
-          m.setRoughnessFactor(0.5)[set](picture(kit));
+    read(
+      'normal and metallic-roughness textures',
+      'read per pixel',
+      worn((m, kit) => {
+        m.setMetallicRoughnessTexture(picture(kit)).setRoughnessFactor(0.5);
+        m.setNormalTexture(picture(kit)).setNormalScale(0.25);
+      }),
+      (s) =>
+        expect(base(s)).toMatchObject({
+          roughnessTexture: { channel: 1, scale: 0.5, texture: { colorSpace: 'linear' } },
+          metallicTexture: { channel: 2, scale: 1 },
+          normalTexture: { strength: [0.25, 0.25] },
         }),
-      ),
+    ),
+    read(
+      'extras `slowlight:albedo:uv`, `slowlight:albedo:ir`, `slowlight:emission:temperature` [K] of a material',
+      'what it reflects of invisible light, and a glow that shifts as a blackbody’s',
+      worn((m) => {
+        m.setExtras({ 'slowlight:albedo:ir': 0.5, 'slowlight:emission:temperature': 3000 });
+      }),
+      (s) => expect(base(s)).toMatchObject({ ir: 0.5, emissionTemperature: 3000 }),
+    ),
+    leftOut(
+      'such extras that are no numbers, or out of range',
+      'named',
+      'gltf.slowlight',
+      worn((m) => {
+        m.setExtras({ 'slowlight:albedo:uv': 7, 'slowlight:emission:temperature': 'hot' });
+      }),
+      (s) => expect(base(s).uv).toBeUndefined(),
+    ),
+    leftOut(
+      'occlusion textures',
+      'named',
+      'gltf.ignored-texture',
+      worn((m, kit) => {
+        m.setRoughnessFactor(0.5).setOcclusionTexture(picture(kit));
+      }),
       (s) => expect(base(s).roughness).toBe(0.5),
     ),
     leftOut(
@@ -174,6 +203,16 @@ const lights: Group = {
     ),
     read('`KHR_lights_punctual`: directional', 'a distant light', glb(light('directional')), (s) =>
       expect(s.lights).toMatchObject([{ kind: 'distant', direction: [0, 0, -1] }]),
+    ),
+    read(
+      'the extra `slowlight:spectrum` of a light: `"2856 K"`, `"sodium"` …',
+      'what its light is made of',
+      glb((kit) => {
+        const lamp = kit.doc.createExtension(KHRLightsPunctual).createLight().setType('point');
+        const spectrum = lamp.setExtras({ 'slowlight:spectrum': '2856 K' });
+        kit.scene.addChild(kit.doc.createNode('Lamp').setExtension('KHR_lights_punctual', spectrum));
+      }),
+      (s) => expect(s.lights[0].spectrum).toEqual({ kind: 'thermal', temperature: 2856 }),
     ),
     leftOut('a range of a light', 'named; light goes on for ever', 'gltf.light', glb(light('point', 7)), (s) =>
       expect(s.lights.length).toBe(1),

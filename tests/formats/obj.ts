@@ -101,6 +101,16 @@ const materials: Group = {
         expect(Math.max(...s.objects[0].mesh.uvs)).toBe(2);
       },
     ),
+    read(
+      '`norm`, `map_Pr`, `map_Pm`',
+      'normals, roughness and metalness per pixel, the latter from the red times `Pr`, `Pm`',
+      worn('Pr 0.5\nmap_Pr a.png\nmap_Pm a.png\nnorm a.png', { 'a.png': PIXEL }),
+      looks({
+        roughnessTexture: expect.objectContaining({ channel: 0, scale: 0.5 }),
+        metallicTexture: expect.objectContaining({ scale: 1 }),
+        normalTexture: expect.objectContaining({ strength: [1, 1] }),
+      }),
+    ),
     leftOut(
       'other maps and words (`map_Bump`, `map_Ns`, `Tf` …)',
       'named',

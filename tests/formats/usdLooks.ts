@@ -28,7 +28,7 @@ const materials: Group = {
   rows: [
     read(
       '`UsdPreviewSurface` (also as a node of MaterialX): diffuse and emissive colour, opacity and its threshold, roughness, metallic, ior',
-      'a material; the reference renderer alone asks for the ior',
+      'a material',
       wears(
         'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:roughness = 0.25\nfloat inputs:ior = 1.25\nfloat inputs:opacity = 0.5',
       ),
@@ -55,18 +55,46 @@ const materials: Group = {
       ),
       (s) => expect([...s.objects[0].mesh.colors!.subarray(0, 3)]).toEqual([1, 0, 0]),
     ),
-    approximated(
-      'textures of roughness and metallic',
-      'their mean',
-      'usd.material-input',
+    read(
+      'textures of roughness and metallic, each from a channel with scale and bias',
+      'read per pixel',
       {
         ...wears(
-          'float inputs:roughness.connect = </M/T.outputs:r>',
-          texture('T', 'token inputs:sourceColorSpace = "raw"'),
+          'float inputs:roughness.connect = </M/T.outputs:g>',
+          texture('T', 'float4 inputs:scale = (1, 0.5, 1, 1)\ntoken inputs:sourceColorSpace = "raw"'),
         ),
         'a.png': PIXEL,
       },
-      (s) => expect(base(s).roughness).toBe(1),
+      (s) => expect(base(s).roughnessTexture).toMatchObject({ channel: 1, scale: 0.5, bias: 0 }),
+    ),
+    read(
+      'normal maps, with scale and bias',
+      'read per pixel, in the frame of the uvs',
+      {
+        ...wears(
+          'normal3f inputs:normal.connect = </M/T.outputs:rgb>',
+          texture(
+            'T',
+            'float4 inputs:scale = (2, -2, 2, 1)\nfloat4 inputs:bias = (-1, 1, -1, 0)\ntoken inputs:sourceColorSpace = "raw"',
+          ),
+        ),
+        'a.png': PIXEL,
+      },
+      (s) => expect(base(s).normalTexture).toMatchObject({ strength: [1, -1], texture: { colorSpace: 'linear' } }),
+    ),
+    read(
+      '`slowlight:albedo:uv`, `slowlight:albedo:ir`, `slowlight:emission:temperature` [K] on the Material',
+      'what it reflects of invisible light, and a glow that shifts as a blackbody’s',
+      usd(
+        worn(
+          material(
+            'M',
+            '',
+            'custom double slowlight:albedo:ir = 0.5\ncustom double slowlight:emission:temperature = 3000',
+          ),
+        ),
+      ),
+      (s) => expect(base(s)).toMatchObject({ ir: 0.5, emissionTemperature: 3000 }),
     ),
     approximated(
       '`useSpecularWorkflow`',
@@ -76,19 +104,19 @@ const materials: Group = {
       (s) => expect(base(s).metallic).toBeGreaterThan(0.8),
     ),
     leftOut(
-      'normal maps, displacement, clearcoat, occlusion',
+      'displacement, clearcoat, occlusion',
       'named; the rest of the material counts',
       'usd.material-input',
       [
         wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:clearcoat = 1'),
         wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:displacement = 0.1'),
-        ...[
-          'normal3f inputs:normal.connect = </M/T.outputs:rgb>',
-          'float inputs:occlusion.connect = </M/T.outputs:r>',
-        ].map((line) => ({
-          ...wears(`color3f inputs:diffuseColor = (1, 0, 0)\n${line}`, texture('T')),
+        {
+          ...wears(
+            'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:occlusion.connect = </M/T.outputs:r>',
+            texture('T'),
+          ),
           'a.png': PIXEL,
-        })),
+        },
       ],
       red,
     ),
@@ -226,6 +254,21 @@ const lights: Group = {
           ['disk', 2],
           ['cylinder', 2],
         ]),
+    ),
+    read(
+      '`slowlight:spectrum` of a light: `"2856 K"`, `"sodium"` …; else its colour temperature',
+      'what its light is made of',
+      shines('SphereLight', 'custom token slowlight:spectrum = "sodium"'),
+      (s) => expect(s.lights[0].spectrum).toMatchObject({ kind: 'lines' }),
+    ),
+    leftOut(
+      'a `slowlight:spectrum` that is not known',
+      'named',
+      'usd.slowlight',
+      ['moonshine', '-3 K', '1e99 K'].map((text) =>
+        shines('SphereLight', `custom token slowlight:spectrum = "${text}"`),
+      ),
+      (s) => expect(s.lights[0].spectrum).toBeUndefined(),
     ),
     read(
       '`ShapingAPI`: cone angle, softness, focus',

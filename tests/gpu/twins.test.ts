@@ -7,10 +7,11 @@ import { type HeadlessRenderer, openRenderer } from './dawn.ts';
 import { casesOf, failures, judge, report } from './judge.ts';
 import { pipelines } from './precision.ts';
 import { computeTwin } from './runTwin.ts';
+import { surfaceCodes } from './surfaceCodes.ts';
 
 /** Another one on every run with SEED=$RANDOM; a failure prints it. */
 const SEED = Number(process.env.SEED ?? 20260727);
-const twins = [...registry, ...pipelines];
+const twins = [...registry, ...pipelines, ...surfaceCodes];
 
 function expectEqual(twin: Twin, values: ArrayLike<number>): void {
   const verdicts = judge(twin, casesOf(twin, SEED), values);

@@ -3,6 +3,7 @@ import { registry } from '../../src/shaders/registry.ts';
 import { casesOf } from './judge.ts';
 import { pipelines } from './precision.ts';
 import { renderTwin } from './runTwin.ts';
+import { surfaceCodes } from './surfaceCodes.ts';
 
 declare global {
   interface Window {
@@ -21,7 +22,7 @@ async function open(): Promise<WebGPURenderer> {
 
 window.runTwin = async (name, seed) => {
   opened ??= open();
-  const twin = [...registry, ...pipelines].find((candidate) => candidate.name === name);
+  const twin = [...registry, ...pipelines, ...surfaceCodes].find((candidate) => candidate.name === name);
   if (!twin) throw new Error(`no twin is called ${name}`);
   return [...(await renderTwin(await opened, twin, casesOf(twin, seed)))];
 };

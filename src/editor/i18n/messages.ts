@@ -133,6 +133,13 @@ export const messages = {
   'param.iterations.help': ['More are more accurate, and slower.', '越多越精确，也越慢。'],
   'param.damping': ['Damping', '阻尼'],
   'param.damping.help': ['Smaller steps explode less easily.', '步长越小越不易发散。'],
+  'param.colors': ['Colours', '颜色'],
+  'param.colors.help': [
+    'Spectral: light is spectra, and a shift is seen at their wavelengths. Approximate: a simple tint, for comparison.',
+    '光谱：光以光谱计算，频移按波长作用。近似：简单的色调变化，用于比较。',
+  ],
+  'colors.spectral': ['Spectral', '光谱'],
+  'colors.approximate': ['Approximate', '近似'],
   'param.dopplerMix': ['Doppler mix', '多普勒混合'],
   'param.dopplerMix.help': ['How much of the Doppler shift reaches the colours.', '多普勒频移对颜色的影响程度。'],
   'param.beaming': ['Beaming', '聚束'],

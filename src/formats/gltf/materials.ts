@@ -1,8 +1,17 @@
 import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
 import type { EmissiveStrength, IOR, Transform } from '@gltf-transform/extensions';
 import { scale, type Vec3, ZERO } from '../../math/vec3.ts';
-import { InputError, type Material, type Texture, type TextureWrap } from '../../scene/types.ts';
-import { type DecodedImage, decodeImage } from '../images.ts';
+import {
+  InputError,
+  type Material,
+  type NormalTexture,
+  type Texture,
+  type TextureChannel,
+  type TextureWrap,
+} from '../../scene/types.ts';
+import { spectralHints } from '../hints.ts';
+import { type DecodedImage, decodeImage, meanOf } from '../images.ts';
+import { heldStrength } from '../limits.ts';
 import type { GltfContext } from './context.ts';
 
 /** How uv coordinates of a primitive are made for its material: (u, v) → offset + rotation · scale · (u, v), v down. */
@@ -59,30 +68,57 @@ export class MaterialLibrary {
       ...(baseColorTexture && { baseColorTexture }),
       emissive: light.emissive,
       ...(light.emissiveTexture && { emissiveTexture: light.emissiveTexture }),
-      roughness: material.getRoughnessFactor(),
-      metallic: isUnlit ? 0 : material.getMetallicFactor(),
+      ...this.#finish(material, isUnlit),
+      ...this.#normals(material),
       opacity: mode === 'OPAQUE' ? 1 : alpha,
       opacityThreshold: mode === 'MASK' ? material.getAlphaCutoff() : 0,
       ...(ior && { ior: ior.getIOR() }),
+      ...this.#spectral(material, name),
     };
   }
 
-  #noteIgnored(material: GltfMaterial, name: string): void {
-    const maps = [
-      material.getNormalTexture() && 'normal',
-      material.getOcclusionTexture() && 'occlusion',
-      material.getMetallicRoughnessTexture() && 'metallic-roughness',
-    ].filter((map) => map !== null);
-    if (maps.length === 0) return;
-    this.#context.notes.add(
-      'info',
-      'gltf.ignored-texture',
-      `material ${name}`,
-      `its ${maps.join(', ')} texture is left out`,
+  /** Roughness is in the green of its texture, metalness in the blue. */
+  #finish(material: GltfMaterial, isUnlit: boolean): Finish {
+    const [roughness, metallic] = [material.getRoughnessFactor(), material.getMetallicFactor()];
+    if (isUnlit) return { roughness, metallic: 0 };
+    const info = material.getMetallicRoughnessTextureInfo();
+    const texture = this.#texture(material.getMetallicRoughnessTexture(), info, false, 'linear');
+    if (!texture) return { roughness, metallic };
+    const channel = (channel: 1 | 2, scale: number): TextureChannel => ({ texture, channel, scale, bias: 0 });
+    return {
+      roughness: roughness * meanOf(texture, 1),
+      roughnessTexture: channel(1, roughness),
+      metallic: metallic * meanOf(texture, 2),
+      metallicTexture: channel(2, metallic),
+    };
+  }
+
+  #normals(material: GltfMaterial): { readonly normalTexture?: NormalTexture } {
+    const texture = this.#texture(material.getNormalTexture(), material.getNormalTextureInfo(), true, 'linear');
+    const strength = heldStrength(material.getNormalScale());
+    return texture ? { normalTexture: { texture, strength: [strength, strength] } } : {};
+  }
+
+  /** What our own extras of the material say of light that eyes do not see. */
+  #spectral(material: GltfMaterial, name: string): Partial<Material> {
+    const extras = new Map(Object.entries(material.getExtras()));
+    return spectralHints(
+      (hint) => extras.get(hint),
+      (message) => this.#context.notes.add('warning', 'gltf.slowlight', `material ${name}`, message),
     );
   }
 
-  #texture(image: GltfTexture | null, info: TextureInfo | null, opaque: boolean): Texture | undefined {
+  #noteIgnored(material: GltfMaterial, name: string): void {
+    if (material.getOcclusionTexture())
+      this.#context.notes.add('info', 'gltf.ignored-texture', `material ${name}`, 'its occlusion texture is left out');
+  }
+
+  #texture(
+    image: GltfTexture | null,
+    info: TextureInfo | null,
+    opaque: boolean,
+    colorSpace: Texture['colorSpace'] = 'srgb',
+  ): Texture | undefined {
     if (!image || !info) return undefined;
     const decoded = this.#decode(image);
     if (!decoded) return undefined;
@@ -91,7 +127,7 @@ export class MaterialLibrary {
       width: decoded.width,
       height: decoded.height,
       data: opaque ? withoutAlpha(decoded.data) : decoded.data,
-      colorSpace: 'srgb',
+      colorSpace,
       filter: info.getMagFilter() === NEAREST ? 'nearest' : 'linear',
       wrapS: WRAPS[info.getWrapS()] ?? 'repeat',
       wrapT: WRAPS[info.getWrapT()] ?? 'repeat',
@@ -125,6 +161,8 @@ export class MaterialLibrary {
   }
 }
 
+type Finish = Pick<Material, 'roughness' | 'roughnessTexture' | 'metallic' | 'metallicTexture'>;
+
 const NEAREST = 9728;
 const WRAPS: Readonly<Record<number, TextureWrap>> = { 10497: 'repeat', 33071: 'clamp', 33648: 'mirror' };
 
@@ -152,15 +190,26 @@ function withoutAlpha(rgba: Uint8Array): Uint8Array {
   return out;
 }
 
-/** Where the uvs of a material come from. A mesh has one set: the base colour's, or else the emission's. */
+/** Where the uvs of a material come from. A mesh has one set: that of the first of its textures. */
 export function uvSourceOf(context: GltfContext, material: GltfMaterial | null): UvSource {
-  const base = material?.getBaseColorTexture() ? uvSource(material.getBaseColorTextureInfo()) : undefined;
-  const emissive = material?.getEmissiveTexture() ? uvSource(material.getEmissiveTextureInfo()) : undefined;
-  if (material && base && emissive && JSON.stringify(base) !== JSON.stringify(emissive)) {
-    const message = 'its emissive texture has its own uv set or transform; that of the base colour is used for both';
+  const [first, ...more] = material ? uvSources(material) : [];
+  const other = material && more.find(({ source }) => JSON.stringify(source) !== JSON.stringify(first.source));
+  if (other) {
+    const message = `its ${other.what} texture has its own uv set or transform; that of the ${first.what} is used for both`;
     context.notes.add('warning', 'gltf.second-uvs', `material ${nameOf(context, material)}`, message);
   }
-  return base ?? emissive ?? { set: 0, offset: [0, 0], rotation: 0, scale: [1, 1] };
+  return first?.source ?? { set: 0, offset: [0, 0], rotation: 0, scale: [1, 1] };
+}
+
+function uvSources(m: GltfMaterial): { readonly what: string; readonly source: UvSource }[] {
+  const source = (what: string, texture: GltfTexture | null, info: TextureInfo | null) =>
+    texture ? [{ what, source: uvSource(info) }] : [];
+  return [
+    ...source('base colour', m.getBaseColorTexture(), m.getBaseColorTextureInfo()),
+    ...source('emissive', m.getEmissiveTexture(), m.getEmissiveTextureInfo()),
+    ...source('normal', m.getNormalTexture(), m.getNormalTextureInfo()),
+    ...source('metallic-roughness', m.getMetallicRoughnessTexture(), m.getMetallicRoughnessTextureInfo()),
+  ];
 }
 
 function uvSource(info: TextureInfo | null): UvSource {

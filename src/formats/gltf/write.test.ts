@@ -9,7 +9,7 @@ import { shownArea } from '../../scene/lamps.ts';
 import { vertexPosition } from '../../scene/motion.ts';
 import { pointsAt } from '../../scene/points.ts';
 import { box } from '../../scene/primitives.ts';
-import type { Motion, Scene, SceneObject } from '../../scene/types.ts';
+import type { Material, Motion, Scene, SceneObject, Texture, TextureChannel } from '../../scene/types.ts';
 import { memorySource } from '../source.ts';
 import { readUsd } from '../usd/read.ts';
 import { writeUsda } from '../usd/write.ts';
@@ -217,6 +217,55 @@ describe('a scene written as glTF', () => {
       const [light] = back.lights;
       if (light.kind === 'distant') expect(distance(light.direction, [0, -1, 0])).toBeLessThan(1e-6);
     }
+  });
+
+  it('keeps what is told by texels, and of invisible light', async () => {
+    const map: Texture = {
+      name: 'finish.png',
+      width: 2,
+      height: 1,
+      data: Uint8Array.of(10, 100, 200, 255, 20, 60, 40, 255),
+      colorSpace: 'linear',
+      filter: 'linear',
+      wrapS: 'repeat',
+      wrapT: 'repeat',
+    };
+    const channel = (channel: 0 | 1 | 2, scale: number, bias: number): TextureChannel => ({
+      texture: map,
+      channel,
+      scale,
+      bias,
+    });
+    const material = makeMaterial({
+      name: 'Brick',
+      uv: 0.125,
+      emissionTemperature: 2400,
+      normalTexture: { texture: { ...map, data: map.data.slice() }, strength: [0.5, 0.5] },
+      roughnessTexture: channel(1, 0.5, 0),
+      metallicTexture: channel(2, 1, 0),
+    });
+    const reread = async (m: Material): Promise<Material> => {
+      const { source, diagnostics } = await written(
+        makeScene({ name: 'a', materials: [m], objects: [makeObject({ path: '/A', mesh: cube })] }),
+        'a.glb',
+      );
+      expect(diagnostics).toEqual([]);
+      return (await readGltf(source, 'a.glb')).materials[0];
+    };
+    expect(await reread(material)).toMatchObject({
+      uv: 0.125,
+      emissionTemperature: 2400,
+      normalTexture: { texture: { data: map.data, colorSpace: 'linear' }, strength: [0.5, 0.5] },
+      roughness: expect.closeTo((0.5 * 80) / 255, 6),
+      roughnessTexture: { texture: { data: map.data }, channel: 1, scale: 0.5 },
+      metallicTexture: { channel: 2, scale: 1 },
+    });
+    // Of another channel, with a bias: made anew, beside a number that holds everywhere.
+    const { metallicTexture: _, ...rough } = material;
+    const baked = await reread({ ...rough, metallic: 0.25, roughnessTexture: channel(0, 2, 0.2) });
+    const texels = baked.roughnessTexture!.texture.data;
+    expect([texels[1], texels[5]]).toEqual([20 + 51, 40 + 51]);
+    expect(baked).toMatchObject({ metallic: 0.25, metallicTexture: { channel: 2, scale: 0.25 } });
   });
 
   it('lamps with a size become points that shine as brightly from afar', async () => {

@@ -2,8 +2,10 @@ import type { Document, Material as GltfMaterial, Texture as GltfTexture, Textur
 import { KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
 import { scale, type Vec3 } from '../../math/vec3.ts';
 import type { Material, Scene, Texture } from '../../scene/types.ts';
+import { SPECTRAL_HINTS } from '../hints.ts';
 import type { Notes } from '../notes.ts';
 import { encodePng } from '../png.ts';
+import { finishPicture } from './finishPicture.ts';
 
 const WRAPS = { repeat: 10497, clamp: 33071, mirror: 33648, black: 33071 } as const;
 const FILTERS = { nearest: { mag: 9728, min: 9728 }, linear: { mag: 9729, min: 9987 } } as const;
@@ -50,7 +52,29 @@ export class MaterialWriter {
       made.setEmissiveTexture(this.picture(m.emissiveTexture));
       sampled(made.getEmissiveTextureInfo(), m.emissiveTexture);
     }
-    return made;
+    this.addRelief(made, m);
+    this.addFinish(made, m);
+    const hints = SPECTRAL_HINTS.flatMap(({ of, name }) => (m[of] === undefined ? [] : [[name, m[of]] as const]));
+    return hints.length > 0 ? made.setExtras(Object.fromEntries(hints)) : made;
+  }
+
+  private addRelief(made: GltfMaterial, { name, normalTexture }: Material): void {
+    if (!normalTexture) return;
+    const [x, y] = normalTexture.strength;
+    if (x !== y) {
+      const message = `its normals are ${x} times as steep along u and ${y} times along v; the first is taken for both`;
+      this.losses.add('warning', 'convert.texture', `material ${name}`, message);
+    }
+    made.setNormalTexture(this.picture(normalTexture.texture, 'numbers')).setNormalScale(x);
+    sampled(made.getNormalTextureInfo(), normalTexture.texture);
+  }
+
+  private addFinish(made: GltfMaterial, m: Material): void {
+    const finish = finishPicture(m);
+    if (!finish) return;
+    made.setMetallicRoughnessTexture(this.picture(finish.texture, 'numbers'));
+    made.setRoughnessFactor(finish.roughness).setMetallicFactor(finish.metallic);
+    sampled(made.getMetallicRoughnessTextureInfo(), finish.texture);
   }
 
   /** Factors of glTF are at most 1; what is brighter has a strength too. */
@@ -74,10 +98,10 @@ export class MaterialWriter {
     return [r, g, b];
   }
 
-  private picture(texture: Texture): GltfTexture {
+  private picture(texture: Texture, of: 'colors' | 'numbers' = 'colors'): GltfTexture {
     const known = this.pictures.get(texture.data);
     if (known) return known;
-    if (texture.colorSpace === 'linear')
+    if (texture.colorSpace === 'linear' && of === 'colors')
       this.losses.add('warning', 'convert.texture', texture.name, 'its linear colours are taken as sRGB there');
     const name =
       texture.name

@@ -1,6 +1,6 @@
 import { makeMaterial } from '../../scene/defaults.ts';
 import type { Material, Texture } from '../../scene/types.ts';
-import { withAlphaFrom } from '../images.ts';
+import { meanOf, withAlphaFrom } from '../images.ts';
 import { resolvePath } from '../source.ts';
 import { lineError, numberOf, type ObjContext, type Statement } from './context.ts';
 import type { UvPlacement } from './meshes.ts';
@@ -27,9 +27,9 @@ export const MAX_FILES = 1000;
 export const MAX_MATERIALS = 2 ** 16;
 const COLORS = ['Kd', 'Ks', 'Ke'];
 const SCALARS = ['Ns', 'Ni', 'd', 'Tr', 'Pr', 'Pm'];
-const SHOWN_PICTURES = ['map_Kd', 'map_Ke', 'map_d'];
+const SHOWN_PICTURES = ['map_Kd', 'map_Ke', 'map_d', 'map_Pr', 'map_Pm', 'norm'];
 /** Said once each where they are met, for they change what is seen. */
-const LEFT_OUT = /^(map_|bump$|norm$|disp$|decal$|refl$|Tf$|Pc$|Pcr$|Ps$|aniso$|anisor$)/i;
+const LEFT_OUT = /^(map_|bump$|disp$|decal$|refl$|Tf$|Pc$|Pcr$|Ps$|aniso$|anisor$)/i;
 
 /** The materials of .mtl files by name; what is missing is named with where it was looked for. */
 export class MaterialLibrary {
@@ -130,20 +130,35 @@ async function convert({ name, numbers, pictures }: MtlMaterial, loader: Picture
   const ior = scalar(numbers, 'Ni');
   const baseColorTexture = await baseTexture(pictures, loader);
   const emissiveTexture = await loader.texture(pictures.get('map_Ke'));
-  const uvs = (pictures.get('map_Kd') ?? pictures.get('map_Ke') ?? pictures.get('map_d'))?.uvs;
+  const numbered = (keyword: string) => loader.texture(pictures.get(keyword), 'linear');
+  const normals = await numbered('norm');
+  const uvs = SHOWN_PICTURES.map((keyword) => pictures.get(keyword)).find(Boolean)?.uvs;
   const material = makeMaterial({
     name,
     baseColor: [r, g, b],
     ...(baseColorTexture && { baseColorTexture }),
     emissive: [emissive[0], emissive[1], emissive[2]],
     ...(emissiveTexture && { emissiveTexture }),
-    roughness: roughnessOf(numbers),
-    metallic: clamped(scalar(numbers, 'Pm') ?? 0),
+    ...channelOf('roughness', await numbered('map_Pr'), numbers, 'Pr'),
+    ...channelOf('metallic', await numbered('map_Pm'), numbers, 'Pm'),
+    ...(normals && { normalTexture: { texture: normals, strength: [1, 1] } }),
     opacity: clamped(scalar(numbers, 'd') ?? 1 - (scalar(numbers, 'Tr') ?? 0)),
     // Many programs write 1 or 0 where they mean nothing.
     ...(ior !== undefined && ior > 1 && { ior }),
   });
   return uvs ? { material, uvs } : { material };
+}
+
+/** A number, or the red of its picture times the number that stands beside it. */
+function channelOf(
+  what: 'roughness' | 'metallic',
+  texture: Texture | undefined,
+  numbers: ReadonlyMap<string, readonly number[]>,
+  keyword: 'Pr' | 'Pm',
+): Partial<Material> {
+  if (!texture) return { [what]: what === 'roughness' ? roughnessOf(numbers) : clamped(scalar(numbers, 'Pm') ?? 0) };
+  const scale = clamped(scalar(numbers, keyword) ?? 1);
+  return { [what]: scale * meanOf(texture, 0), [`${what}Texture`]: { texture, channel: 0, scale, bias: 0 } };
 }
 
 const scalar = (numbers: ReadonlyMap<string, readonly number[]>, name: string): number | undefined =>

@@ -83,14 +83,14 @@ export class PictureLoader {
     return image;
   }
 
-  async texture(ref: PictureRef | undefined): Promise<Texture | undefined> {
+  async texture(ref: PictureRef | undefined, colorSpace: Texture['colorSpace'] = 'srgb'): Promise<Texture | undefined> {
     const image = ref && (await this.image(ref));
-    return image && this.textureOf(ref, image);
+    return image && this.textureOf(ref, image, colorSpace);
   }
 
-  textureOf({ name, clamp }: PictureRef, image: DecodedImage): Texture {
+  textureOf({ name, clamp }: PictureRef, image: DecodedImage, colorSpace: Texture['colorSpace'] = 'srgb'): Texture {
     const wrap = clamp ? 'clamp' : 'repeat';
-    return { name, ...image, colorSpace: 'srgb', filter: 'linear', wrapS: wrap, wrapT: wrap };
+    return { name, ...image, colorSpace, filter: 'linear', wrapS: wrap, wrapT: wrap };
   }
 
   async #load({ file, line, material, name }: PictureRef): Promise<DecodedImage | undefined> {

@@ -12,13 +12,22 @@ import { writeObj } from './write.ts';
 
 const cube = box([1, 2, 3]);
 const data = Uint8Array.of(10, 20, 30, 255);
-const texture = { name: 'dot', width: 1, height: 1, data, colorSpace: 'srgb', filter: 'linear' } as const;
+const texture = {
+  name: 'dot',
+  width: 1,
+  height: 1,
+  data,
+  colorSpace: 'srgb',
+  filter: 'linear',
+  wrapS: 'repeat',
+  wrapT: 'repeat',
+} as const;
 const scene = makeScene({
   name: 'still',
   upAxis: 'Z',
   materials: [
     makeMaterial({ name: '/Materials/Red paint', baseColor: [0.5, 0.25, 0.125] }),
-    makeMaterial({ name: '/Materials/Red paint', baseColorTexture: { ...texture, wrapS: 'repeat', wrapT: 'repeat' } }),
+    makeMaterial({ name: '/Materials/Red paint', baseColorTexture: texture }),
   ],
   objects: [
     makeObject({
@@ -71,6 +80,27 @@ describe('a scene written as OBJ', () => {
     expect(text(files.get('a.mtl'))).toContain('Kd 0.5 0.25 0.125\n');
     expect(text(files.get('a.mtl'))).toContain('map_Kd a_0.png\n');
     expect(decodeImage(files.get('a_0.png')!, 'a_0.png').data).toEqual(data);
+  });
+
+  it('has pictures of roughness and metalness in their reds, and of normals', () => {
+    const map = { ...texture, colorSpace: 'linear' } as const;
+    const written = writeObj(
+      makeScene({
+        name: 'a',
+        materials: [
+          makeMaterial({
+            name: 'm',
+            roughnessTexture: { texture: map, channel: 1, scale: 0.5, bias: 0.25 },
+            normalTexture: { texture: map, strength: [1, 1] },
+          }),
+        ],
+      }),
+      'a.obj',
+    );
+    expect(text(written.files.get('a.mtl'))).toContain('Pr 1\n');
+    expect(text(written.files.get('a.mtl'))).toContain('norm a_0.png\nmap_Pr a_1.png\n');
+    const reds = decodeImage(written.files.get('a_1.png')!, 'a_1.png').data.filter((_, i) => i % 4 === 0);
+    expect([...reds]).toEqual([...data.filter((_, i) => i % 4 === 1)].map((g) => Math.round(g / 2 + 63.75)));
   });
 
   it('holds a mesh of more lines than a call has arguments', () => {

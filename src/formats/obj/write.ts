@@ -1,6 +1,7 @@
 import { rotate } from '../../math/quat.ts';
 import { add, type Vec3 } from '../../math/vec3.ts';
-import type { Material, Mesh, Pose, Scene, Texture } from '../../scene/types.ts';
+import type { Material, Mesh, Pose, Scene, Texture, TextureChannel } from '../../scene/types.ts';
+import { asRed } from '../channelPicture.ts';
 import { Notes } from '../notes.ts';
 import { encodePng } from '../png.ts';
 import { plainObjects, posesOf, type Written, yUp } from '../written.ts';
@@ -73,6 +74,7 @@ class MaterialLibrary {
   private readonly base: string;
   private readonly names: readonly string[];
   private readonly files = new Map<Uint8Array, readonly [string, Texture]>();
+  private readonly reds = new Map<TextureChannel, Texture>();
 
   constructor(materials: readonly Material[], base: string) {
     this.materials = materials;
@@ -97,12 +99,23 @@ class MaterialLibrary {
       `Kd ${numbers(m.baseColor)}`,
       `Ke ${numbers(m.emissive)}`,
       `d ${numbers([m.opacity])}`,
-      `Pr ${numbers([m.roughness])}`,
-      `Pm ${numbers([m.metallic])}`,
+      `Pr ${numbers([m.roughnessTexture ? 1 : m.roughness])}`,
+      `Pm ${numbers([m.metallicTexture ? 1 : m.metallic])}`,
       ...(m.ior === undefined ? [] : [`Ni ${numbers([m.ior])}`]),
       ...(m.baseColorTexture ? [`map_Kd ${this.file(m.baseColorTexture)}`] : []),
       ...(m.emissiveTexture ? [`map_Ke ${this.file(m.emissiveTexture)}`] : []),
+      ...(m.normalTexture ? [`norm ${this.file(m.normalTexture.texture)}`] : []),
+      ...this.channel('map_Pr', m.roughnessTexture),
+      ...this.channel('map_Pm', m.metallicTexture),
     ]);
+  }
+
+  /** A picture of numbers is read from its red: what comes from elsewhere is written apart. */
+  private channel(keyword: string, from: TextureChannel | undefined): string[] {
+    if (!from) return [];
+    const values = this.reds.get(from) ?? asRed(from);
+    this.reds.set(from, values);
+    return [`${keyword} ${this.file(values)}`];
   }
 
   /** The PNGs by their names, once `lines` has named them. */

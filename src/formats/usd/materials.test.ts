@@ -86,13 +86,51 @@ describe('textures', () => {
     expect(await space('token inputs:sourceColorSpace = "sRGB"')).toBe('srgb');
   });
 
-  it('drive numbers by the mean of what they say', async () => {
+  it('drive numbers by texels, of which the mean is known', async () => {
     const shaders =
-      surface('float inputs:roughness.connect = </M/T.outputs:r>') +
-      texture('float4 inputs:scale = (0.5, 1, 1, 1)', 'float4 inputs:bias = (0.25, 0, 0, 0)');
+      surface('float inputs:roughness.connect = </M/T.outputs:r>', 'float inputs:metallic.connect = </M/T.outputs:a>') +
+      texture('float4 inputs:scale = (0.5, 1, 1, 2)', 'float4 inputs:bias = (0.25, 0, 0, -0.5)');
     const { material, said } = await read(shaders);
     expect(material.roughness).toBeCloseTo(0.5, 6);
-    expect(said).toEqual(['usd.material-input: the texture of its roughness is drawn as its mean']);
+    expect(material.roughnessTexture).toMatchObject({ channel: 0, scale: 0.5, bias: 0.25 });
+    expect(material.metallicTexture).toMatchObject({ channel: 3, scale: 2, bias: -0.5 });
+    expect(material.metallicTexture!.texture).toBe(material.roughnessTexture!.texture);
+    expect(said).toEqual([]);
+  });
+
+  it('bend normals: the picture as it is where scale and bias are the usual, else made anew', async () => {
+    const normal = 'normal3f inputs:normal.connect = </M/T.outputs:rgb>';
+    const raw = 'token inputs:sourceColorSpace = "raw"';
+    const usual = await read(
+      surface(normal) + texture(raw, 'float4 inputs:scale = (1, -3, 2, 1)', 'float4 inputs:bias = (-0.5, 1.5, -1, 0)'),
+    );
+    expect(usual.material.normalTexture).toMatchObject({ strength: [0.5, -1.5] });
+    expect([...usual.material.normalTexture!.texture.data.subarray(0, 3)]).toEqual([0, 64, 255]);
+    // Without a scale texels are normals: (0, 64/255, 1) and (1, 64/255, 0).
+    const { strength, texture: made } = (await read(surface(normal) + texture(raw))).material.normalTexture!;
+    const length = Math.hypot(64 / 255, 1);
+    expect(strength).toEqual([1, 1]);
+    expect(Array.from(made.data, (byte) => byte / 127.5 - 1)).toEqual([
+      ...about([0, 64 / 255 / length, 1 / length, 1]),
+      ...about([1 / length, 64 / 255 / length, 0, 1]),
+    ]);
+  });
+
+  it('our own attributes tell of invisible light; what is no number of its range is named', async () => {
+    const own = (...lines: string[]) => read(`${lines.map((line) => `custom ${line}`).join('\n')}\n${surface()}`);
+    const { material } = await own('double slowlight:albedo:uv = 0.25', 'float slowlight:emission:temperature = 2000');
+    expect(material).toMatchObject({ uv: 0.25, emissionTemperature: 2000 });
+    const { material: bad, said } = await own(
+      'double slowlight:albedo:uv = 7',
+      'token slowlight:albedo:ir = "much"',
+      'double slowlight:emission:temperature = nan',
+    );
+    expect([bad.uv, bad.ir, bad.emissionTemperature]).toEqual([undefined, undefined, undefined]);
+    expect(said).toEqual([
+      'usd.slowlight: slowlight:albedo:uv is 7, which is not a number from 0 to 1; it is left out',
+      'usd.slowlight: slowlight:albedo:ir is "much", which is not a number from 0 to 1; it is left out',
+      'usd.slowlight: slowlight:emission:temperature is NaN, which is not a number from 1 to 1e9 K; it is left out',
+    ]);
   });
 
   it('cut out by any of their channels', async () => {

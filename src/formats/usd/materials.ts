@@ -1,13 +1,14 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Material } from '../../scene/types.ts';
-import { numberOf, textOf } from './attributes.ts';
+import { spectralHints } from '../hints.ts';
+import { attributeOf, numberOf, textOf, valueAt } from './attributes.ts';
 import { primAt, report, type StageContext } from './context.ts';
 import type { PrimSpec } from './layer.ts';
 import type { GlowMode } from './meshLights.ts';
 import { otherSurface, shaderName, surfaceShaders } from './otherShaders.ts';
 import { type Input, isAnimated, resolveInput, shaderId } from './shading.ts';
 import { fromSpecular } from './specular.ts';
-import { type Colored, type ColorPrimvar, TextureInputs } from './textureInputs.ts';
+import { type Colored, type ColorPrimvar, type Scalar, TextureInputs } from './textureInputs.ts';
 import { meanColor, type TextureLoader, textureOf } from './textures.ts';
 import { inTiles, isSameUv, type UvSource } from './uvs.ts';
 
@@ -33,7 +34,7 @@ export const withDisplayColor = (material: BoundMaterial, { varies }: DisplayCol
   varies ? { ...material, colors: { name: 'displayColor', fallback: WHITE } } : material;
 
 /** Inputs of UsdPreviewSurface that change the look and are not drawn. */
-const NOT_DRAWN = ['normal', 'displacement', 'clearcoat', 'occlusion'];
+const NOT_DRAWN = ['displacement', 'clearcoat', 'occlusion'];
 
 /** UsdPreviewSurface itself, and as a node of MaterialX; both have the same inputs. */
 const PREVIEW = new Set(['UsdPreviewSurface', 'ND_UsdPreviewSurface_surfaceshader']);
@@ -78,7 +79,7 @@ export class MaterialTable {
     return this.once((prim && contentBelow(prim, path)) ?? path, async () => {
       const shaders = prim ? surfaceShaders(this.context, prim) : [];
       const shader = shaders.find((candidate) => PREVIEW.has(shaderId(candidate)));
-      if (shader) return this.preview(path, shader);
+      if (prim && shader) return this.preview(prim, shader);
       if (shaders.length > 0) return this.other(path, shaders[0], fallback);
       const why = prim ? 'has no surface that can be read' : 'is not in this file';
       report(this.context, 'warning', 'usd.material', user, `its material ${path} ${why}; its displayColor is drawn`);
@@ -91,14 +92,17 @@ export class MaterialTable {
     const key = `${index} ${mode} ${radiance.join(' ')}`;
     const known = this.glows.get(key);
     if (known !== undefined) return known;
-    const { emissiveTexture, ...material } = this.materials[index];
+    const { emissiveTexture, emissionTemperature, ...material } = this.materials[index];
     const name = `${material.name}_light`;
     const [r, g, b] = material.emissive;
     const tinted = mode === 'materialGlowTintsLight' && r + g + b > 0;
     const dark = mode === 'noMaterialResponse' ? { baseColor: BLACK, metallic: 0 } : {};
     const emissive: Vec3 = tinted ? [r * radiance[0], g * radiance[1], b * radiance[2]] : radiance;
-    const textured = tinted && emissiveTexture ? { emissiveTexture } : {};
-    const place = this.materials.push({ ...material, ...dark, ...textured, name, emissive }) - 1;
+    const own = {
+      ...(emissiveTexture && { emissiveTexture }),
+      ...(emissionTemperature !== undefined && { emissionTemperature }),
+    };
+    const place = this.materials.push({ ...material, ...dark, ...(tinted && own), name, emissive }) - 1;
     this.glows.set(key, place);
     return place;
   }
@@ -124,27 +128,43 @@ export class MaterialTable {
     return bound;
   }
 
-  private async preview(path: string, shader: PrimSpec): Promise<BoundMaterial> {
+  private async preview(prim: PrimSpec, shader: PrimSpec): Promise<BoundMaterial> {
+    const { path } = prim;
     const input = (name: string): Input =>
       resolveInput(this.context.layer, shader, `inputs:${name}`, this.context.startCode);
     const opacity = await this.inputs.opacity(input('opacity'));
     const diffuse = await this.inputs.color(input('diffuseColor'), DEFAULTS.baseColor, opacity.alphaOf);
     const emissive = await this.inputs.color(input('emissiveColor'), BLACK);
-    const ior = numberOf(input('ior').value);
+    const normals = await this.inputs.normals(input('normal'));
+    const roughness = await this.inputs.scalar(input('roughness'), DEFAULTS.roughness);
     const metallic = await this.inputs.scalar(input('metallic'), DEFAULTS.metallic);
+    const finish = await this.finish(input, diffuse, metallic);
     const material: Material = {
       name: path,
-      ...(await this.finish(input, diffuse, metallic, ior)),
-      ...(diffuse.texture ? { baseColorTexture: diffuse.texture } : {}),
+      ...finish,
+      ...(diffuse.texture && { baseColorTexture: diffuse.texture }),
       emissive: emissive.color,
-      ...(emissive.texture ? { emissiveTexture: emissive.texture } : {}),
-      roughness: await this.inputs.scalar(input('roughness'), DEFAULTS.roughness),
+      ...(emissive.texture && { emissiveTexture: emissive.texture }),
+      roughness: roughness.value,
+      ...(roughness.texture && { roughnessTexture: roughness.texture }),
+      ...(normals && { normalTexture: normals.texture }),
       opacity: opacity.value,
       opacityThreshold: numberOf(input('opacityThreshold').value) ?? 0,
+      ...this.spectral(prim),
     };
     this.noteWhatIsNotDrawn(path, shader, input);
-    const uv = this.commonUv(path, [diffuse.uv, emissive.uv, opacity.uv]);
+    const uv = this.commonUv(path, [diffuse.uv, emissive.uv, opacity.uv, normals?.uv, roughness.uv, metallic.uv]);
     return this.added(material, { ...(uv && { uv }), ...(diffuse.primvar && { colors: diffuse.primvar }) });
+  }
+
+  /** What our own attributes of the Material say of light that eyes do not see. */
+  private spectral(prim: PrimSpec): Partial<Material> {
+    const value = (name: string): unknown => {
+      const attribute = attributeOf(prim, name);
+      const found = valueAt(attribute, this.context.startCode);
+      return attribute && (numberOf(found) ?? textOf(found) ?? attribute.typeName);
+    };
+    return spectralHints(value, (message) => report(this.context, 'warning', 'usd.slowlight', prim.path, message));
   }
 
   private added(material: Material, wants: Omit<BoundMaterial, 'index'>): BoundMaterial {
@@ -155,11 +175,16 @@ export class MaterialTable {
   private async finish(
     input: (name: string) => Input,
     { color, texture }: Colored,
-    metallic: number,
-    ior: number | undefined,
-  ): Promise<Pick<Material, 'baseColor' | 'metallic' | 'ior'>> {
+    metallic: Scalar,
+  ): Promise<Pick<Material, 'baseColor' | 'metallic' | 'metallicTexture' | 'ior'>> {
+    const ior = numberOf(input('ior').value);
     if (numberOf(input('useSpecularWorkflow').value) !== 1)
-      return { baseColor: color, metallic, ...(ior !== undefined && { ior }) };
+      return {
+        baseColor: color,
+        metallic: metallic.value,
+        ...(metallic.texture && { metallicTexture: metallic.texture }),
+        ...(ior !== undefined && { ior }),
+      };
     const specular = await this.inputs.color(input('specularColor'), BLACK);
     return fromSpecular(color, specular.texture ? meanColor(specular.texture) : specular.color, texture !== undefined);
   }
@@ -179,10 +204,8 @@ export class MaterialTable {
     const isWritten = (name: string): boolean =>
       input(name).shader !== undefined || (numberOf(input(name).value) ?? 0) > 0;
     const left = NOT_DRAWN.filter((name) => isWritten(name) && !(name === 'occlusion' && input(name).value));
-    const means = ['roughness', 'metallic'].filter((name) => input(name).shader);
     const notes = [
       ...(left.length > 0 ? [`${left.join(', ')} of this material is not drawn`] : []),
-      ...(means.length > 0 ? [`the texture of its ${means.join(' and ')} is drawn as its mean`] : []),
       ...(isWritten('useSpecularWorkflow') ? ['its specular workflow is drawn as metal and glass'] : []),
     ];
     if (notes.length > 0) report(this.context, 'info', 'usd.material-input', path, notes.join('; '));

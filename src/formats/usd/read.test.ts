@@ -145,7 +145,6 @@ def Material "M" {
     expect(said(scene)).toEqual([
       'usd.empty-mesh a.usda</NoPoints>: the mesh has no points; it is left out',
       'file.missing-texture a.usda</M/T>: the texture tex/none.png is not there (looked for tex/none.png); shown without it',
-      'usd.material-input a.usda</M>: normal of this material is not drawn',
       'usd.faces a.usda</BadFaces>: 3 of 4 faces have fewer than 3 corners or name points that are not there; they are left out',
       'usd.primvar a.usda</BadFaces>: primvars:st has 1 values where 3 are needed; it is left out',
       'usd.material a.usda</Changing>: its material /Missing is not in this file; its displayColor is drawn',

@@ -1,11 +1,11 @@
 import type { Vec3 } from '../../math/vec3.ts';
-import type { Texture } from '../../scene/types.ts';
+import type { NormalTexture, Texture, TextureChannel } from '../../scene/types.ts';
 import { type DecodedImage, withAlphaFrom } from '../images.ts';
 import { numberOf, numbersOf, vec3Of } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import type { PrimSpec, Value } from './layer.ts';
 import { type Input, isAnimated, resolveInput, shaderId } from './shading.ts';
-import { adjustedAlpha, adjustedColor, adjustedMean, type TexelReading } from './texturePixels.ts';
+import { adjustedAlpha, adjustedColor, adjustedMean, adjustedNormals, type TexelReading } from './texturePixels.ts';
 import { colorSpaceOf, type Picture, type TextureLoader, textureOf } from './textures.ts';
 import { inTiles, type UvSource, uvSourceOf } from './uvs.ts';
 
@@ -36,10 +36,19 @@ export interface Opacity {
   readonly uv?: UvSource | undefined;
 }
 
+/** A number, with the texture whose mean it is. */
+export interface Scalar {
+  readonly value: number;
+  readonly texture?: TextureChannel;
+  readonly uv?: UvSource | undefined;
+}
+
 /** What drives the inputs of a shader: values, textures, primvars. */
 export class TextureInputs {
   private readonly context: StageContext;
   private readonly textures: TextureLoader;
+  /** Of numbers, by their shaders: channels of one picture are one texture. */
+  private readonly ofNumbers = new Map<PrimSpec, Texture>();
 
   constructor(context: StageContext, textures: TextureLoader) {
     this.context = context;
@@ -99,23 +108,50 @@ export class TextureInputs {
     return { value: adjusted.gain, alphaOf, uv: this.uvOf(shader, picture) };
   }
 
-  /** A number; of a texture its mean. */
-  async scalar(input: Input, fallback: number): Promise<number> {
+  /** A number from 0 to 1, by texels where a texture drives it. */
+  async scalar(input: Input, fallback: number): Promise<Scalar> {
     const found = await this.picture(input);
-    if (found === undefined || typeof found === 'number') return found ?? fallback;
+    if (found === undefined || typeof found === 'number') return { value: found ?? fallback };
     const { shader, picture, channel } = found;
-    return Math.min(1, adjustedMean(picture, channel, this.reading(shader, picture)));
+    const reading = this.reading(shader, picture);
+    const texture = this.ofNumbers.get(shader) ?? textureOf(this.context, shader, picture, true);
+    this.ofNumbers.set(shader, texture);
+    return {
+      value: Math.min(1, adjustedMean(picture, channel, reading)),
+      texture: { texture, channel, scale: reading.scale[channel], bias: reading.bias[channel] },
+      uv: this.uvOf(shader, picture),
+    };
+  }
+
+  /** Normals by texels; undefined where no texture drives the input, for one normal all over says nothing. */
+  async normals(
+    input: Input,
+  ): Promise<{ readonly texture: NormalTexture; readonly uv?: UvSource | undefined } | undefined> {
+    const { shader } = input;
+    if (!shader) return undefined;
+    if (shaderId(shader) !== 'UsdUVTexture') {
+      this.unsupported(shader);
+      return undefined;
+    }
+    const picture = await this.textures.image(shader);
+    if (!picture) return undefined;
+    const { image, strength } = adjustedNormals(picture, this.reading(shader, picture));
+    const texture = {
+      ...textureOf(this.context, shader, { ...picture, ...image }, false),
+      colorSpace: 'linear',
+    } as const;
+    return { texture: { texture, strength }, uv: this.uvOf(shader, picture) };
   }
 
   /** The picture that drives a number, or the number; undefined where nothing does. */
   private async picture(
     input: Input,
-  ): Promise<{ shader: PrimSpec; picture: Picture; channel: number } | number | undefined> {
+  ): Promise<{ shader: PrimSpec; picture: Picture; channel: TextureChannel['channel'] } | number | undefined> {
     const { shader } = input;
     if (!shader) return numberOf(input.value);
     const id = shaderId(shader);
     if (id === 'UsdUVTexture') {
-      const channel = Math.max(0, 'rgba'.indexOf(input.output ?? 'r'));
+      const channel = Math.max(0, 'rgba'.indexOf(input.output ?? 'r')) as TextureChannel['channel'];
       const picture = await this.textures.image(shader);
       return picture ? { shader, picture, channel } : numbersOf(this.value(shader, 'fallback'))?.[channel];
     }

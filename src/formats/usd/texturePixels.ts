@@ -1,6 +1,8 @@
-import type { Vec3 } from '../../math/vec3.ts';
+import { normalize, type Vec3 } from '../../math/vec3.ts';
+import type { NormalTexture } from '../../scene/types.ts';
 import { decodeSrgb, encodeSrgb } from '../../spectrum/srgb.ts';
 import type { DecodedImage } from '../images.ts';
+import { heldStrength } from '../limits.ts';
 
 /** How an input reads a picture: value = texel · scale + bias, each in four channels; `channels`: which one each colour takes. */
 export interface TexelReading {
@@ -55,9 +57,34 @@ export function adjustedMean(image: DecodedImage, channel: number, reading: Texe
   return sum / (image.width * image.height);
 }
 
-/** Byte → value, 0 or more; alpha is linear always. */
-const valuesOf = (channel: number, { scale, bias, colorSpace }: TexelReading): number[] =>
+/**
+ * Normals that an input reads, as `NormalTexture` has them: the picture itself where scale and bias are those of such pictures, as
+ * nearly everywhere; else one that is made anew.
+ */
+export function adjustedNormals(
+  image: DecodedImage,
+  reading: TexelReading,
+): { image: DecodedImage; strength: NormalTexture['strength'] } {
+  const { scale, bias, colorSpace } = reading;
+  const usual =
+    colorSpace === 'linear' && scale[2] > 0 && [0, 1, 2].every((k) => Math.abs(2 * bias[k] + scale[k]) < 1e-5);
+  if (usual) return { image, strength: [heldStrength(scale[0] / scale[2]), heldStrength(scale[1] / scale[2])] };
+  const values = [0, 1, 2].map((channel) => readValues(channel, reading));
+  const data = image.data.slice();
+  for (let i = 0; i < data.length; i += 4) {
+    const n = normalize([values[0][data[i]], values[1][data[i + 1]], values[2][data[i + 2]]], [0, 0, 1]);
+    for (let k = 0; k < 3; k++) data[i + k] = Math.round(127.5 * (n[k] + 1));
+  }
+  return { image: { ...image, data }, strength: [1, 1] };
+}
+
+/** Byte → value, 0 or more. */
+const valuesOf = (channel: number, reading: TexelReading): number[] =>
+  readValues(channel, reading).map((value) => Math.max(0, value));
+
+/** Byte → value; alpha is linear always. */
+const readValues = (channel: number, { scale, bias, colorSpace }: TexelReading): number[] =>
   Array.from({ length: 256 }, (_, byte) => {
     const texel = colorSpace === 'srgb' && channel < 3 ? decodeSrgb(byte / 255) : byte / 255;
-    return Math.max(0, texel * scale[channel] + bias[channel]);
+    return texel * scale[channel] + bias[channel];
   });

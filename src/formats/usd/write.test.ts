@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { pointsAt } from '../../scene/points.ts';
 import { sphere } from '../../scene/primitives.ts';
-import type { Mesh, Scene, SceneObject, Texture } from '../../scene/types.ts';
+import type { Material, Mesh, Scene, SceneObject, Texture } from '../../scene/types.ts';
 import { bytesOf } from '../rangedFile.ts';
 import { memorySource } from '../source.ts';
 import { readUsd } from './read.ts';
@@ -116,7 +116,13 @@ const scene: Scene = {
     },
   ],
   lights: [
-    { kind: 'distant', path: '/Lights/Sun', direction: [0.6, 0, -0.8], color: [3, 2.5, 2] },
+    {
+      kind: 'distant',
+      path: '/Lights/Sun',
+      direction: [0.6, 0, -0.8],
+      color: [3, 2.5, 2],
+      spectrum: { kind: 'thermal', temperature: 5772.5 },
+    },
     {
       kind: 'sphere',
       path: '/Lights/Lamp',
@@ -240,9 +246,39 @@ describe('what is written reads back the same', async () => {
     });
   });
 
+  it('what is told by texels, and of invisible light', async () => {
+    const map = { ...texture('finish.png', 255, 13), colorSpace: 'linear' } as const;
+    const material: Material = {
+      ...scene.materials[2],
+      name: '/Looks/Brick',
+      uv: 0.125,
+      ir: 0.75,
+      emissionTemperature: 2400,
+      normalTexture: { texture: { ...map, data: map.data.slice() }, strength: [0.5, -0.25] },
+      roughnessTexture: { texture: map, channel: 1, scale: 0.5, bias: 0.25 },
+      metallicTexture: { texture: map, channel: 2, scale: 1, bias: 0 },
+    };
+    const [back] = (await reread({ ...leafy, materials: scene.materials.with(3, material) })).materials;
+    const { normalTexture, roughnessTexture, metallicTexture } = material;
+    const named = (t: Texture | undefined, name: string) => ({ ...t, name: `textures/${name}.png` });
+    expect(back).toMatchObject({
+      uv: 0.125,
+      ir: 0.75,
+      emissionTemperature: 2400,
+      normalTexture: { ...normalTexture, texture: named(normalTexture?.texture, 'finish') },
+      roughnessTexture: { ...roughnessTexture, texture: named(roughnessTexture?.texture, 'finish_1') },
+      metallicTexture: { ...metallicTexture, texture: named(metallicTexture?.texture, 'finish_1') },
+    });
+  });
+
   it('lights, cameras, hints and times', () => {
     expect(back.lights).toMatchObject([
-      { kind: 'distant', direction: [0.6, 0, -0.8].map((x) => expect.closeTo(x, 12)), color: [3, 2.5, 2] },
+      {
+        kind: 'distant',
+        direction: [0.6, 0, -0.8].map((x) => expect.closeTo(x, 12)),
+        color: [3, 2.5, 2],
+        spectrum: { kind: 'thermal', temperature: 5772.5 },
+      },
       ...scene.lights.slice(1, 3),
       { kind: 'dome', color: [0.5, 0.5, 1] },
     ]);

@@ -1,7 +1,17 @@
-import type { Material, Scene, Texture } from '../../scene/types.ts';
+import type { Material, Scene, Texture, TextureChannel } from '../../scene/types.ts';
+import { SPECTRAL_HINTS } from '../hints.ts';
 import { encodePng } from '../png.ts';
 import type { PrimTree } from './primTree.ts';
 import { block, double, float, floats, type Lines, quoted } from './usdaText.ts';
+
+const texturesOf = (m: Material): readonly Texture[] =>
+  [
+    m.baseColorTexture,
+    m.emissiveTexture,
+    m.normalTexture?.texture,
+    m.roughnessTexture?.texture,
+    m.metallicTexture?.texture,
+  ].filter((texture) => texture !== undefined);
 
 /** The scene's textures and the files they are written to: one for each picture, `textures/NAME.png`. */
 export class TextureFiles {
@@ -9,7 +19,7 @@ export class TextureFiles {
   private readonly textures = new Map<string, Texture>();
 
   constructor(scene: Scene) {
-    for (const m of scene.materials) for (const t of [m.baseColorTexture, m.emissiveTexture]) if (t) this.add(t);
+    for (const material of scene.materials) for (const texture of texturesOf(material)) this.add(texture);
     for (const light of scene.lights) if (light.kind === 'dome' && light.texture) this.add(light.texture);
   }
 
@@ -64,45 +74,67 @@ export class MaterialWriter {
     const path = this.tree.claim(byColors ? `${wanted}_vertexColors` : wanted);
     this.paths.set(key, path);
     const shaders = this.network(path, material, byColors);
-    const properties = [`token outputs:surface.connect = <${path}/Surface.outputs:surface>`];
+    const hints = SPECTRAL_HINTS.flatMap(({ of, name }) => {
+      const value = material[of];
+      return value === undefined ? [] : [`custom double ${name} = ${double(value)}`];
+    });
+    const properties = [`token outputs:surface.connect = <${path}/Surface.outputs:surface>`, ...hints];
     this.tree.set(path, { type: 'Material', properties, inner: shaders });
     return path;
   }
 
   private network(path: string, m: Material, byColors: boolean): Lines[] {
-    const { baseColorTexture: base, emissiveTexture: emissive } = m;
+    const { baseColorTexture: base, emissiveTexture: emissive, normalTexture: normal } = m;
+    const { roughnessTexture: roughness, metallicTexture: metallic } = m;
     const cutOut = base?.data.some((x, i) => i % 4 === 3 && x < 255);
-    const diffuse = byColors ? `<${path}/Colors.outputs:result>` : base ? `<${path}/BaseColor.outputs:rgb>` : undefined;
+    const from = (shader: string, output: string): string => `<${path}/${shader}.outputs:${output}>`;
+    const diffuse = byColors ? from('Colors', 'result') : base && from('BaseColor', 'rgb');
     const surface = block('def Shader "Surface"', [
       'uniform token info:id = "UsdPreviewSurface"',
       input('color3f', 'diffuseColor', diffuse, floats(m.baseColor)),
-      input('color3f', 'emissiveColor', emissive && `<${path}/Emissive.outputs:rgb>`, floats(m.emissive)),
+      input('color3f', 'emissiveColor', emissive && from('Emissive', 'rgb'), floats(m.emissive)),
       ...(m.ior === undefined ? [] : [`float inputs:ior = ${float(m.ior)}`]),
-      `float inputs:metallic = ${float(m.metallic)}`,
-      input('float', 'opacity', cutOut ? `<${path}/BaseColor.outputs:a>` : undefined, float(m.opacity)),
+      input('float', 'metallic', metallic && from('Metallic', 'rgba'[metallic.channel]), float(m.metallic)),
+      ...(normal ? [`normal3f inputs:normal.connect = ${from('Normal', 'rgb')}`] : []),
+      input('float', 'opacity', cutOut ? from('BaseColor', 'a') : undefined, float(m.opacity)),
       `float inputs:opacityThreshold = ${float(m.opacityThreshold)}`,
-      `float inputs:roughness = ${float(m.roughness)}`,
+      input('float', 'roughness', roughness && from('Roughness', 'rgba'[roughness.channel]), float(m.roughness)),
       'token outputs:surface',
     ]);
-    return [
-      surface,
-      ...(byColors ? [colorReader()] : []),
+    const [x, y] = normal?.strength ?? [1, 1];
+    const textures = [
       ...(base ? [this.texture(path, 'BaseColor', base, [...m.baseColor, m.opacity])] : []),
       ...(emissive ? [this.texture(path, 'Emissive', emissive, [...m.emissive, 1])] : []),
-      ...(base || emissive ? [uvReader()] : []),
+      ...(normal ? [this.texture(path, 'Normal', normal.texture, [2 * x, 2 * y, 2, 1], [-x, -y, -1, 0])] : []),
+      ...(roughness ? [this.channel(path, 'Roughness', roughness)] : []),
+      ...(metallic ? [this.channel(path, 'Metallic', metallic)] : []),
     ];
+    const readers = [...(byColors ? [colorReader()] : []), ...(textures.length > 0 ? [uvReader()] : [])];
+    return [surface, ...textures, ...readers];
   }
 
-  private texture(path: string, name: string, texture: Texture, scale: readonly number[]): Lines {
+  private channel(path: string, name: string, { texture, channel, scale, bias }: TextureChannel): Lines {
+    const only = (value: number, otherwise: number) => [0, 1, 2, 3].map((k) => (k === channel ? value : otherwise));
+    return this.texture(path, name, texture, only(scale, 1), only(bias, 0));
+  }
+
+  private texture(
+    path: string,
+    name: string,
+    texture: Texture,
+    scale: readonly number[],
+    bias: readonly number[] = [0, 0, 0, 0],
+  ): Lines {
     return block(`def Shader "${name}"`, [
       'uniform token info:id = "UsdUVTexture"',
+      ...(bias.some((x) => x !== 0) ? [`float4 inputs:bias = ${floats(bias)}`] : []),
       `asset inputs:file = @${this.files.path(texture)}@`,
       `float4 inputs:scale = ${floats(scale)}`,
       `token inputs:sourceColorSpace = "${texture.colorSpace === 'srgb' ? 'sRGB' : 'raw'}"`,
       `float2 inputs:st.connect = <${path}/Uv.outputs:result>`,
       `token inputs:wrapS = "${texture.wrapS}"`,
       `token inputs:wrapT = "${texture.wrapT}"`,
-      'float outputs:a',
+      ...['a', 'b', 'g', 'r'].map((channel) => `float outputs:${channel}`),
       'float3 outputs:rgb',
       `custom token slowlight:filter = "${texture.filter}"`,
     ]);

@@ -1,0 +1,29 @@
+import type { Material, Texture, TextureChannel } from '../../scene/types.ts';
+import { fillChannel } from '../channelPicture.ts';
+
+/** Roughness in the green and metalness in the blue of one picture, as glTF wants them, and what they are multiplied with. */
+export interface FinishPicture {
+  readonly texture: Texture;
+  readonly roughness: number;
+  readonly metallic: number;
+}
+
+/** The textures of a material's finish as one; undefined where it has none. */
+export function finishPicture(material: Material): FinishPicture | undefined {
+  const { roughnessTexture: rough, metallicTexture: metal } = material;
+  const texture = rough?.texture ?? metal?.texture;
+  if (!texture) return undefined;
+  if (rough && metal && rough.texture === metal.texture && isPlain(rough, 1) && isPlain(metal, 2))
+    return { texture, roughness: rough.scale, metallic: metal.scale };
+  const data = new Uint8Array(texture.data.length).fill(255);
+  if (rough) fillChannel(data, texture, 1, rough);
+  if (metal) fillChannel(data, texture, 2, metal);
+  return {
+    texture: { ...texture, data, colorSpace: 'linear' },
+    roughness: rough ? 1 : material.roughness,
+    metallic: metal ? 1 : material.metallic,
+  };
+}
+
+const isPlain = ({ texture, channel, scale, bias }: TextureChannel, wanted: number): boolean =>
+  texture.colorSpace === 'linear' && channel === wanted && bias === 0 && scale >= 0 && scale <= 1;

@@ -1,0 +1,127 @@
+import { abs, clamp, dot, exp2, floor, log2, max, min, round, select, sqrt, vec3, vec4 } from 'three/tsl';
+import type { Node } from 'three/webgpu';
+import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
+import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
+import { offOctahedron, ontoOctahedron } from './octahedral.ts';
+import { FINE_STEPS, FINER, LEVELS, MIDDLE } from './packNormal.ts';
+
+/*
+ * What the G-buffer holds of a surface, in halves: of 64 bytes that a sample may have none is left.
+ *   base      base colour, roughness
+ *   emissive  what it emits, and its finish: how metallic it is and what it mirrors
+ *   normal    the normal (to 1.3e-4 rad), reflectance below 360 nm and beyond 830 nm
+ */
+
+type Vec2 = Node<'vec2'>;
+
+/** What a surface emits: linear sRGB of daylight's spectrum, or the light of a blackbody. */
+export interface Emission {
+  /** 0 where it is thermal. */
+  readonly rgb: Vec3;
+  /** 0 where it is not. */
+  readonly luminance: Float;
+  /** log₂ of the temperature over that of daylight. */
+  readonly heat: Float;
+}
+
+/** Luminance of linear sRGB (IEC 61966-2-1). */
+const LUMINANCE = [0.2126, 0.7152, 0.0722] as const;
+
+/** Emission of this colour, or of a blackbody of its luminance where `temperature` [K] is not 0. */
+export function emissionOf(rgb: Vec3, temperature: Float): Emission {
+  const thermal = temperature.greaterThan(0);
+  return {
+    rgb: select(thermal, vec3(0), rgb),
+    luminance: select(thermal, dot(rgb, vec3(...LUMINANCE)), 0),
+    heat: log2(max(temperature, 1).div(DAYLIGHT.temperature)),
+  };
+}
+
+/** Nearly the largest half. */
+const BRIGHTEST = 65_000;
+
+/** Blue below 0 tells that it is thermal. */
+export const packEmission = ({ rgb, luminance, heat }: Emission): Vec3 =>
+  select(luminance.greaterThan(0), vec3(min(luminance, BRIGHTEST), heat, -1), clamp(rgb, 0, BRIGHTEST));
+
+export function unpackEmission(code: Vec3): Emission {
+  const thermal = code.z.lessThan(0);
+  return {
+    rgb: select(thermal, vec3(0), code),
+    luminance: select(thermal, code.x, 0),
+    heat: select(thermal, code.y, 0),
+  };
+}
+
+/** How metallic a surface is, 0 … 1, and what it mirrors of light that meets it straight where it is no metal. */
+export interface Finish {
+  readonly metallic: Float;
+  readonly F0: Float;
+}
+
+/** Steps of √F₀, the fraction (n − 1)/(n + 1) of a refractive index n: 1.5 is the 16th. The last one, 0.54, is of n = 6.6. */
+const FRACTIONS = 80;
+const MOST_STEPS = 59;
+/** Half of the steps are exponents of a half, −14 … 15; the rest have its sign. The mantissa, but for its ends, tells the metal. */
+const EXPONENTS = 30;
+const LEAST_EXPONENT = -14;
+const MANTISSA = 1024;
+const MARGIN = 2;
+
+/** Both in the bits of one half: ±2^e (1 + m). Metallic to 1/1020, √F₀ to 1/160. */
+export function packFinish({ metallic, F0 }: Finish): Float {
+  const step = min(round(sqrt(max(F0, 0)).mul(FRACTIONS)), MOST_STEPS).toVar();
+  const negative = step.greaterThanEqual(EXPONENTS);
+  const exponent = select(negative, step.sub(EXPONENTS), step).add(LEAST_EXPONENT);
+  const mantissa = clamp(metallic, 0, 1)
+    .mul(MANTISSA - 2 * MARGIN)
+    .add(MARGIN)
+    .div(MANTISSA);
+  const code = exp2(exponent).mul(mantissa.add(1));
+  return select(negative, code.negate(), code);
+}
+
+export function unpackFinish(code: Float): Finish {
+  const size = abs(code).toVar();
+  const exponent = floor(log2(size)).toVar();
+  const mantissa = size.mul(exp2(exponent.negate())).sub(1);
+  const step = exponent.sub(LEAST_EXPONENT).add(select(code.lessThan(0), EXPONENTS, 0));
+  const fraction = step.div(FRACTIONS);
+  return {
+    metallic: clamp(
+      mantissa
+        .mul(MANTISSA)
+        .sub(MARGIN)
+        .div(MANTISSA - 2 * MARGIN),
+      0,
+      1,
+    ),
+    F0: fraction.mul(fraction),
+  };
+}
+
+/**
+ * The normal, and `invisible`: reflectance below 360 nm and beyond 830 nm. Four whole numbers of 12 bits, which halves hold exactly: the upper
+ * bits of the normal's two, and 9 bits of a reflectance with the lower 3 of one of them (`normalOf` in packNormal.ts reads them, too).
+ */
+export function packNormals(normal: Vec3, invisible: Vec2): Vec4 {
+  const fine = round(ontoOctahedron(normal).mul(0.5).add(0.5).clamp(0, 1).mul(FINE_STEPS)).toVar();
+  const coarse = floor(fine.div(FINER)).toVar();
+  const levels = round(clamp(invisible, 0, 1).mul(LEVELS));
+  return vec4(coarse, levels.sub(coarse).mul(FINER).add(fine)).sub(MIDDLE);
+}
+
+export function unpackNormals(code: Vec4): { readonly normal: Vec3; readonly invisible: Vec2 } {
+  const whole = code.add(MIDDLE).toVar();
+  const levels = floor(whole.zw.div(FINER)).toVar();
+  const fine = whole.xy.sub(levels).mul(FINER).add(whole.zw);
+  return {
+    normal: offOctahedron(
+      fine
+        .mul(2 / FINE_STEPS)
+        .sub(1)
+        .toVar(),
+    ),
+    invisible: levels.div(LEVELS),
+  };
+}

@@ -1,0 +1,76 @@
+import fc from 'fast-check';
+import { describe, expect, test } from 'vitest';
+import { anyBands, anyShift, logarithmic, thermal } from '../../tests/support/spectra.ts';
+import { dot, type Vec3 } from '../math/vec3.ts';
+import { bandsOf, reflectanceAt, WHITE } from './bands.ts';
+import { lightFilter, shiftedFilter } from './lightFilter.ts';
+import { DAYLIGHT } from './lightSpectrum.ts';
+import { LUMINANCE, seenColor, whiteOf } from './observerColor.ts';
+import { blackbodyColor } from './planckian.ts';
+
+const close = (value: Vec3, expected: Vec3, digits: number): void => {
+  value.forEach((x, k) => void expect(x).toBeCloseTo(expected[k], digits));
+};
+const share = fc.double({ min: 0.3, max: 1, noNaN: true });
+const pale = fc.tuple(share, share, share);
+
+describe('the filter of a light', () => {
+  test('in daylight is its colour', () => {
+    fc.assert(
+      fc.property(pale, (color) => close(lightFilter(color, DAYLIGHT).rgb, color, 9)),
+      { numRuns: 20 },
+    );
+  });
+
+  test('before any blackbody shows its colour on a white surface at rest', () => {
+    fc.assert(
+      fc.property(pale, logarithmic(2500, 40_000), (tint, T) => {
+        const white = whiteOf(thermal(T));
+        const color: Vec3 = [tint[0] * white[0], tint[1] * white[1], tint[2] * white[2]];
+        close(seenColor(WHITE, lightFilter(color, thermal(T)), thermal(T), 1, 1), color, 4);
+      }),
+      { numRuns: 20 },
+    );
+  });
+
+  test('of a bare blackbody is none, also where it has no blue', () => {
+    for (const T of [500, 1000, 1900, 6504, 1e5]) close(lightFilter(whiteOf(thermal(T)), thermal(T)).rgb, [1, 1, 1], 9);
+    // What USD makes of 1500 K has its negative blue cut off; that asks for a little more blue, not for any amount.
+    expect(Math.max(...lightFilter(blackbodyColor(1500), thermal(1500)).rgb)).toBeLessThan(3);
+  });
+
+  test('of lines and lamps is their brightness alone', () => {
+    const lines = { kind: 'lines', lines: [{ wavelength: 589e-9, weight: 1 }] } as const;
+    const k = lightFilter([0.9, 0.2, 0.4], lines);
+    const luminance = dot(LUMINANCE, [0.9, 0.2, 0.4]);
+    close(k.rgb, [luminance, luminance, luminance], 12);
+    expect(dot(LUMINANCE, seenColor(WHITE, k, lines, 1, 1))).toBeCloseTo(luminance, 9);
+  });
+});
+
+describe('the filter of a light that is met shifted', () => {
+  test('is itself at D = 1, and neutral where it is neutral', () => {
+    fc.assert(
+      fc.property(anyBands, anyShift, (k, Din) => {
+        const same = shiftedFilter(k, 1);
+        close(same.rgb, k.rgb, 9);
+        expect([same.uv, same.ir]).toEqual([k.uv, k.ir]);
+        close(shiftedFilter(bandsOf([0.4, 0.4, 0.4]), Din).rgb, [0.4, 0.4, 0.4], 9);
+      }),
+      { numRuns: 30 },
+    );
+  });
+
+  test('ends in what has come there', () => {
+    const k = bandsOf([1, 0.1, 0.1], 0.2, 0.7);
+    expect(shiftedFilter(k, 1.5).uv).toBeCloseTo(reflectanceAt(k, 1.5 * 359.5e-9), 9);
+    expect(shiftedFilter(k, 1.5).ir).toBe(0.7);
+    expect(shiftedFilter(k, 0.7).ir).toBeCloseTo(reflectanceAt(k, 0.7 * 830.5e-9), 9);
+    expect(shiftedFilter(k, 3).rgb[0]).toBeCloseTo(0.7, 5);
+  });
+
+  test('turns a green filter red for who flees from it', () => {
+    const { rgb } = shiftedFilter(bandsOf([0, 1, 0]), 545 / 620);
+    expect(rgb[0]).toBeGreaterThan(2 * Math.max(rgb[1], rgb[2]));
+  });
+});

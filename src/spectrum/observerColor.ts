@@ -1,0 +1,68 @@
+import { IDENTITY, invert, type Mat3, transform, transpose } from '../math/mat3.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import { type Bands, basisAt, reflectanceAt, WHITE } from './bands.ts';
+import { colorMatching, NANOMETRE, tristimulus } from './cie1931.ts';
+import { DAYLIGHT, type LightSpectrum, linesOf, meanRadiance, spectralRadiance } from './lightSpectrum.ts';
+
+/** XYZ of the basis functions in `DAYLIGHT`, one a column. */
+const DAYLIGHT_XYZ: Mat3 = transpose(
+  [0, 1, 2].flatMap((j) =>
+    tristimulus((wavelength) => basisAt(wavelength)[j] * spectralRadiance(DAYLIGHT, wavelength)),
+  ),
+);
+
+/**
+ * N: XYZ → linear sRGB, row by row, such that a surface of linear sRGB (r, g, b) shows (r, g, b) in daylight at rest: the inverse of
+ * the XYZ of the three basis functions in `DAYLIGHT`, whose luminance is 1. It differs by up to 0.06
+ * from the matrix of IEC 61966-2-1, which is made for CIE D65.
+ */
+export const NORMALISER: Mat3 = invert(DAYLIGHT_XYZ) ?? IDENTITY;
+
+/** Y of linear sRGB as the renderers see it: the luminance of the three basis functions in `DAYLIGHT`; near (0.21, 0.72, 0.07), of sum 1. */
+export const LUMINANCE: Vec3 = [DAYLIGHT_XYZ[3], DAYLIGHT_XYZ[4], DAYLIGHT_XYZ[5]];
+
+/** N·XYZ: linear sRGB as the renderers see it, white in `DAYLIGHT`. Negative where a colour lies outside of sRGB: only a display clips. */
+export const toLinearSrgb = (xyz: Vec3): Vec3 => transform(NORMALISER, xyz);
+
+/** Linear sRGB of a light of luminance 1, at rest: (1, 1, 1) of `DAYLIGHT`. */
+export const whiteOf = (spectrum: LightSpectrum): Vec3 => seenColor(WHITE, WHITE, spectrum, 1, 1);
+
+/**
+ * Linear sRGB of what is seen of a surface `a` in a light of filter `k` and spectrum S (of luminance 1), by integration at
+ * every nanometre: the truth that tables and shaders are held to. The light meets the surface shifted by `Din`, the eye sees it
+ * shifted by `Dout` again, D = Din·Dout in all (D = ν_observed/ν_emitted):
+ *
+ *   N ∫ cmf(λ) a(Dout λ) k(D λ) D⁵ S(D λ) dλ / D⁴
+ *
+ * The D⁴ that radiance over all wavelengths gains is left to beaming. What a light or an emitter shows of itself has Din = 1.
+ */
+export function seenColor(a: Bands, k: Bands, spectrum: LightSpectrum, Din: number, Dout: number): Vec3 {
+  const D = Din * Dout;
+  if (spectrum.kind === 'lines') return seenLines(a, k, linesOf(spectrum), Din, D);
+  const xyz = tristimulus(
+    (wavelength) =>
+      reflectanceAt(a, Dout * wavelength, Dout * NANOMETRE) *
+      reflectanceAt(k, D * wavelength, D * NANOMETRE) *
+      D *
+      meanRadiance(spectrum, D * wavelength, D * NANOMETRE),
+  );
+  return toLinearSrgb(xyz);
+}
+
+/** A line of λ is at λ/Din for the surface and seen at λ/D; its radiance gains D⁴. */
+function seenLines(
+  a: Bands,
+  k: Bands,
+  lines: readonly { wavelength: number; weight: number }[],
+  Din: number,
+  D: number,
+): Vec3 {
+  const xyz = [0, 0, 0];
+  for (const { wavelength, weight } of lines) {
+    const radiance = weight * reflectanceAt(k, wavelength) * reflectanceAt(a, wavelength / Din);
+    colorMatching(wavelength / D).forEach((value, i) => {
+      xyz[i] += value * radiance;
+    });
+  }
+  return toLinearSrgb(xyz as unknown as Vec3);
+}
