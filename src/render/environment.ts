@@ -6,9 +6,10 @@ import type { DistantLight, DomeLight, NightSky, Scene, Texture } from '../scene
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import { FloatTable } from './floatTable.ts';
-import { shineColor, shineKind, thermalTexel } from './lampShine.ts';
+import { type ShineKind, shineColor, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
 import { LampTable } from './lampTable.ts';
-import type { ThermalSource } from './radiance.ts';
+import { LineTable } from './lineTable.ts';
+import type { Source } from './radiance.ts';
 import type { Sight } from './sight.ts';
 import { uploadTexture } from './textures.ts';
 
@@ -19,11 +20,12 @@ export interface SunTexels {
   /** The filter of its irradiance. */
   readonly color: gpu.Vec3;
   /** Absent of daylight. */
-  readonly source?: ThermalSource;
+  readonly source?: Source;
 }
 
-/** Texels per distant light: (direction, temperature), (colour, luminance of a blackbody of that temperature over daylight's). */
+/** Texels per distant light: (direction, x), (colour, y), with (x, y) of `shineNumbers`. */
 const SUN_TEXELS = 2;
+const SHINES = ['daylight', 'thermal', 'lines'] as const satisfies readonly ShineKind[];
 /** So many lights are written out one by one: a software GPU goes through the body of a loop once more than it need. */
 const WRITTEN_OUT = 4;
 
@@ -40,9 +42,10 @@ export class Environment {
   readonly image: ((n: gpu.Vec3) => gpu.Vec3) | undefined;
   readonly lamps: LampTable;
   readonly night: NightSky | undefined;
-  /** Those of daylight first. */
+  /** Those of a kind of light together. */
   private readonly suns: readonly DistantLight[];
   private readonly table = new FloatTable(256);
+  private readonly lines = new LineTable();
   private readonly domeTexture: DataTexture | undefined;
 
   constructor(scene: Scene) {
@@ -50,9 +53,12 @@ export class Environment {
     this.night = nightSkyOf(scene);
     const direct = directLights(scene);
     const suns = direct.filter((light) => light.kind === 'distant');
-    this.suns = [...suns.filter(isDaylight), ...suns.filter((sun) => !isDaylight(sun))];
+    this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind));
     this.table.reserve(SUN_TEXELS * this.suns.length);
-    this.lamps = new LampTable(direct.filter((light) => light.kind !== 'distant'));
+    this.lamps = new LampTable(
+      direct.filter((light) => light.kind !== 'distant'),
+      this.lines,
+    );
     if (dome) this.setDome(dome);
     else this.setDay();
     if (dome?.texture) {
@@ -62,30 +68,29 @@ export class Environment {
   }
 
   eachSun(visit: (sun: SunTexels) => void): void {
-    const day = this.suns.filter(isDaylight).length;
-    for (const [start, end] of [
-      [0, day],
-      [day, this.suns.length],
-    ]) {
-      const read = (i: gpu.Int) => visit(this.sun(i, start === day));
+    for (const kind of SHINES) {
+      const start = this.suns.findIndex((sun) => shineKind(sun) === kind);
+      const end = start + this.suns.filter((sun) => shineKind(sun) === kind).length;
       if (end - start > WRITTEN_OUT)
-        Loop({ start: int(start), end: int(end), type: 'int', condition: '<' }, ({ i }) => read(int(i)));
-      else for (let i = start; i < end; i++) read(int(i));
+        Loop({ start: int(start), end: int(end), type: 'int', condition: '<' }, ({ i }) =>
+          visit(this.sun(int(i), kind)),
+        );
+      else for (let i = start; i < end; i++) visit(this.sun(int(i), kind));
     }
   }
 
-  private sun(index: gpu.Int, thermal: boolean): SunTexels {
+  private sun(index: gpu.Int, kind: ShineKind): SunTexels {
     const at = index.mul(int(SUN_TEXELS));
     const [direction, color] = [0, 1].map((k) => this.table.texel(at.add(int(k))).toVar());
-    const sun = { direction: direction.xyz, color: color.xyz };
-    return thermal ? { ...sun, source: { temperature: direction.w, luminance: color.w } } : sun;
+    const source = sourceOf(kind, [direction.w, color.w], this.lines);
+    return { direction: direction.xyz, color: color.xyz, ...(source && { source }) };
   }
 
   /** Places are uploaded relative to the observer's event. */
   update(sight: Sight, colors: ColorMode): void {
     this.suns.forEach((sun, i) => {
-      const [T, luminance] = thermalTexel(sun);
-      const texels = [...normalize(scale(sun.direction, -1)), T, ...shineColor(sun, colors), luminance];
+      const [x, y] = shineNumbers(sun, this.lines);
+      const texels = [...normalize(scale(sun.direction, -1)), x, ...shineColor(sun, colors), y];
       this.table.values.set(texels, 4 * SUN_TEXELS * i);
     });
     this.table.upload();
@@ -95,6 +100,7 @@ export class Environment {
   dispose(): void {
     this.table.dispose();
     this.lamps.dispose();
+    this.lines.dispose();
     this.domeTexture?.dispose();
   }
 
@@ -118,7 +124,6 @@ export class Environment {
   }
 }
 
-const isDaylight = (light: DistantLight): boolean => shineKind(light) === 'daylight';
 const WHITE: Vec3 = [1, 1, 1];
 
 /** A latitude–longitude picture: its top row at the zenith, its middle column towards −Z (upAxis Y) or +Y (upAxis Z). */

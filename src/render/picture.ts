@@ -9,6 +9,7 @@ import {
 } from 'three/webgpu';
 import type { Gauge } from '../scene/gauge.ts';
 import type { ColorMode, RenderSettings } from '../scene/view.ts';
+import { observerTexture } from '../shaders/observerTexture.ts';
 import type { SpectrumTable } from '../shaders/spectrumTable.ts';
 import { spectrumTexture } from '../shaders/spectrumTexture.ts';
 import type { FalseColors } from '../spectrum/falseColor.ts';
@@ -43,6 +44,7 @@ export class PictureMachine {
   private readonly passes = new Map<string, FullScreen>();
   /** By their layers, as they are needed. */
   private readonly tables = new Map<3 | 4, SpectrumTable>();
+  private readonly observer = observerTexture();
   private readonly gauge: GaugeReader;
   private readonly falseColors = new FalseColorTable();
   private samples = 1;
@@ -177,7 +179,7 @@ export class PictureMachine {
   dispose(): void {
     for (const pass of this.passes.values()) pass.dispose();
     this.buffer.dispose();
-    for (const { texture } of this.tables.values()) texture.dispose();
+    for (const { texture } of [this.observer, ...this.tables.values()]) texture.dispose();
     this.gauge.dispose();
     this.falseColors.dispose();
     for (const target of [this.light, this.single, this.screen, ...this.sums]) target.dispose();
@@ -190,6 +192,7 @@ export class PictureMachine {
     this.tables.set(layers, table);
     return spectral(
       table,
+      this.observer,
       scene.materials.some(({ emissionTemperature }) => emissionTemperature !== undefined),
     );
   }

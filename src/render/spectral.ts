@@ -1,9 +1,18 @@
 import { abs, clamp, dot, exp2, float, If, log2, max, select, vec3, vec4 } from 'three/tsl';
+import { lineColor, type ObserverTable } from '../shaders/lineColor.ts';
 import { filteredColor, luminanceOf, type SpectrumTable, thermalColors } from '../shaders/spectrumTable.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { ENDS } from '../spectrum/bands.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
-import { beamed, type Filter, NO_SHIFT, type Optics, RADIANCE, type ThermalSource } from './radiance.ts';
+import {
+  beamed,
+  type Filter,
+  type LineSource,
+  NO_SHIFT,
+  type Optics,
+  RADIANCE,
+  type ThermalSource,
+} from './radiance.ts';
 
 /** Shifts that colours follow: beyond the first all is dark, beyond the second they change no more. */
 const SHIFTS = [1e-3, 1e6] as const;
@@ -13,10 +22,10 @@ const DAY: ThermalSource = { temperature: float(DAYLIGHT.temperature), luminance
  * Colours by spectra, from the table of blackbodies. Daylight that met a resting surface is summed in bands, and turned into what is seen of it once.
  * Light that came shifted is turned by itself: it is a blackbody of T·D_in·D_out seen through two filters, the surface's shifted by D_out and its own by both.
  * Their product is taken channel by channel of what is seen, relative to the bare blackbody: exact where either is neutral (docs/adr/0010-spectra.md).
- * The table has four layers where some surface tells of its ultraviolet or infrared; `glowing`: some shines by its temperature.
+ * Light of lines is turned line by line, exactly. The table has four layers where some surface tells of its ultraviolet or infrared; `glowing`: some shines by its temperature.
  */
 export const spectral =
-  (table: SpectrumTable, glowing = false): Optics =>
+  (table: SpectrumTable, observer: ObserverTable, glowing: boolean): Optics =>
   (D, uniforms) => {
     const mix = (shift: Float): Float =>
       clamp(exp2(log2(max(shift, 1e-20)).mul(uniforms.dopplerMix)), ...SHIFTS).toVar();
@@ -48,10 +57,26 @@ export const spectral =
         .mul(gain(surface.H, T, luminance, whole));
     };
 
+    /** Of light that came to a filter shifted by `D`. */
+    const lines = ({ each }: LineSource, filter: Filter, D: Float | undefined): Vec3 => {
+      const sum = vec3(0).toVar();
+      const own = table.layers === 4;
+      each((wavelength, radiance) => {
+        const surface = (D ? wavelength.div(mix(D)) : wavelength).toVar();
+        sum.addAssign(lineColor(observer, surface, surface.div(out), filter, own).mul(radiance));
+      });
+      return sum;
+    };
+
     return {
       filter: (rgb, own) =>
         own && table.layers === 4 ? vec4(rgb, select(D.lessThan(1), own.x, own.y)) : ofColor(rgb, D),
       send: (light, share, { D, source }, power) => {
+        if (source && 'each' in source) {
+          const seen = lines(source, share.mul(vec4(light, light.y)), D);
+          turned.addAssign(D ? seen.mul(beamed(D, power, uniforms)) : seen);
+          return;
+        }
         if (!D) {
           const sent = share.mul(ofColor(light, out));
           if (source) turned.addAssign(unshifted(sent, source));
@@ -69,8 +94,9 @@ export const spectral =
           });
       },
       emit: (light, source) => {
-        if (source) turned.addAssign(unshifted(ofColor(light, out), source));
-        else daylight.addAssign(ofColor(light, out));
+        if (!source) daylight.addAssign(ofColor(light, out));
+        else if ('each' in source) turned.addAssign(lines(source, vec4(light, light.y), undefined));
+        else turned.addAssign(unshifted(ofColor(light, out), source));
       },
       glow: ({ luminance, heat }) => {
         if (!glowing) return;

@@ -7,6 +7,7 @@ import {
   type FrameMotion,
   InputError,
   type Light,
+  type NightSky,
   type Scene,
   type SceneCamera,
   type SceneHints,
@@ -256,7 +257,7 @@ class SceneBuilder {
   }
 
   /** What the light is made of, where our own extra tells. */
-  #spectrum(light: GltfLight, path: string): Pick<Light, 'spectrum'> {
+  #spectrum(light: GltfLight, path: string): Pick<Exclude<Light, NightSky>, 'spectrum'> {
     const written = new Map(Object.entries(light.getExtras())).get(SPECTRUM_HINT);
     if (written === undefined) return {};
     const spectrum = typeof written === 'string' ? spectrumFrom(written) : undefined;
