@@ -4,10 +4,10 @@ import { rotate } from '../../math/quat.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
 import { FOREVER, makeObject, makeScene } from '../../scene/defaults.ts';
 import {
+  type DistantLight,
   type FrameMotion,
   InputError,
   type Light,
-  type NightSky,
   type Scene,
   type SceneCamera,
   type SceneHints,
@@ -257,7 +257,7 @@ class SceneBuilder {
   }
 
   /** What the light is made of, where our own extra tells. */
-  #spectrum(light: GltfLight, path: string): Pick<Exclude<Light, NightSky>, 'spectrum'> {
+  #spectrum(light: GltfLight, path: string): Pick<DistantLight, 'spectrum'> {
     const written = new Map(Object.entries(light.getExtras())).get(SPECTRUM_HINT);
     if (written === undefined) return {};
     const spectrum = typeof written === 'string' ? spectrumFrom(written) : undefined;

@@ -1,5 +1,5 @@
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import type { Light, LightShaping } from '../../scene/types.ts';
+import type { DistantLight, LightShaping } from '../../scene/types.ts';
 import { blackbodyColor } from '../../spectrum/planckian.ts';
 import { SPECTRUM_HINT, spectrumFrom, thermalSpectrum, unknownSpectrum } from '../spectra.ts';
 import { attributeOf, numberAt, numbersAt, textAt, vec3At } from './attributes.ts';
@@ -36,7 +36,7 @@ const temperatureOf = (context: StageContext, prim: PrimSpec): number | undefine
     : undefined;
 
 /** What the light is made of, where our own attribute or its colour temperature tells. */
-export function spectrumOf(context: StageContext, prim: PrimSpec): Pick<Light, 'spectrum'> {
+export function spectrumOf(context: StageContext, prim: PrimSpec): Pick<DistantLight, 'spectrum'> {
   const written = textAt(prim, SPECTRUM_HINT, undefined);
   const named = written === undefined ? undefined : spectrumFrom(written);
   if (written !== undefined && !named) report(context, 'warning', 'usd.slowlight', prim.path, unknownSpectrum(written));
