@@ -2,12 +2,12 @@ import type { Texture } from 'three/webgpu';
 import type { Scene } from '../scene/types.ts';
 import type { ColorMode, RenderSettings } from '../scene/view.ts';
 import { observerTexture } from '../shaders/observerTexture.ts';
-import type { SpectrumTable } from '../shaders/spectrumTable.ts';
 import { spectrumTexture } from '../shaders/spectrumTexture.ts';
 import { thermalTable } from '../spectrum/thermalTable.ts';
+import { DaylightTable } from './daylightTable.ts';
 import { shineKind } from './lampShine.ts';
 import type { Optics } from './radiance.ts';
-import { spectral } from './spectral.ts';
+import { type SpectralTables, spectral } from './spectral.ts';
 import { plain, tinted } from './tinted.ts';
 
 /** How passes are compiled to turn colours; `plain`: nothing is shifted, and all light is daylight. */
@@ -25,20 +25,33 @@ export function paletteOf(
 
 const isGlowing = ({ emissionTemperature }: Scene['materials'][number]): boolean => emissionTemperature !== undefined;
 
+interface Tables extends SpectralTables {
+  readonly blackbodies: SpectralTables['blackbodies'] & { readonly texture: Texture };
+}
+
 /** The tables of spectral colours on the GPU, made when they are first asked for. */
 export class Palettes {
-  private readonly tables = new Map<3 | 4, SpectrumTable & { readonly texture: Texture }>();
+  private readonly tables = new Map<3 | 4, Tables>();
   private readonly observer = observerTexture();
 
   optics(palette: Palette, { materials }: Scene): Optics {
     if (palette !== 'spectral') return palette === 'plain' ? plain : tinted;
     const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
-    const table = this.tables.get(layers) ?? spectrumTexture(thermalTable(layers));
-    this.tables.set(layers, table);
-    return spectral(table, this.observer, materials.some(isGlowing));
+    const tables = this.tables.get(layers) ?? this.makeTables(layers);
+    this.tables.set(layers, tables);
+    return spectral(tables, materials.some(isGlowing));
+  }
+
+  private makeTables(layers: 3 | 4): Tables {
+    const table = thermalTable(layers);
+    return { blackbodies: spectrumTexture(table), daylight: new DaylightTable(table), observer: this.observer };
   }
 
   dispose(): void {
-    for (const { texture } of [this.observer, ...this.tables.values()]) texture.dispose();
+    this.observer.texture.dispose();
+    for (const { blackbodies, daylight } of this.tables.values()) {
+      blackbodies.texture.dispose();
+      daylight.dispose();
+    }
   }
 }
