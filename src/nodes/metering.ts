@@ -16,7 +16,7 @@ const HIGHLIGHTS = [0.98, 0.995] as const;
 /** Luminance that the middle is brought to: what the example scenes have at rest, as their authors lit them. */
 const KEY = 0.4;
 /** Luminance that the highlights are not brought above: a small bright thing before black space is what the picture is of. */
-const WHITE = 1;
+const WHITE = 1.25;
 /** In so long an eye makes all but 1/e of its way to another brightness [s]. */
 const EYE = 0.3;
 

@@ -18,8 +18,8 @@ export function StatusBar(): ReactNode {
     <Group component="footer" className="sl-status" gap={0} wrap="nowrap" aria-label={t('status.bar')}>
       <LockButton />
       <CruiseButton />
-      <Speed />
       <Unphysical />
+      <Speed />
       <div className="sl-spring" />
       <Clock />
       <Machine />
