@@ -19,7 +19,8 @@ export function paletteOf(
   { lights, materials }: Scene,
 ): Palette {
   const shifted = view === 'light-cone' && (dopplerMix > 0 || beaming > 0);
-  const daylight = lights.every((light) => shineKind(light) === 'daylight') && !materials.some(isGlowing);
+  const daylight =
+    lights.every((light) => light.kind === 'stars' || shineKind(light) === 'daylight') && !materials.some(isGlowing);
   return shifted || (colors === 'spectral' && !daylight) ? colors : 'plain';
 }
 

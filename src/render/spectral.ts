@@ -116,13 +116,10 @@ export const spectral =
         });
       },
       radiate: (T, radiance) => {
-        const seenAt = out.mul(T).toVar();
-        const colors = thermalColors(table, seenAt, float(1));
-        turned.addAssign(
-          filteredColor(colors, vec4(1))
-            .mul(gain(colors.H, seenAt, float(1), out))
-            .mul(radiance),
-        );
+        const seenAt = out.mixed.mul(T).toVar();
+        const colors = thermalColors(blackbodies, seenAt, float(1));
+        const brightness = gain(colors.H, seenAt, float(1), out.mixed);
+        turned.addAssign(filteredColor(colors, vec4(1)).mul(brightness).mul(radiance));
       },
       seen: () => {
         const color = daylight.xyz.toVar();
