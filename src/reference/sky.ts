@@ -1,6 +1,6 @@
 import { addScaled, dot, lerp, scale, type Vec3, ZERO } from '../math/vec3.ts';
 import { axesOf, DAY, directLights, domeOf, SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
-import type { DistantLight, DomeLight, Scene, Texture } from '../scene/types.ts';
+import type { DistantLight, DomeLight, Scene } from '../scene/types.ts';
 import { sampleTexture } from './texture.ts';
 
 /** Radiance from world directions n (unit), for one who is at rest in the world. */
@@ -35,7 +35,11 @@ function gradient(height: number, zenith: Vec3, horizon: Vec3, ground: Vec3): Ve
 }
 
 /** A latitude–longitude picture: its top row at the zenith. */
-function domePicture(texture: Texture, color: Vec3, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
+function domePicture(
+  texture: NonNullable<DomeLight['texture']>,
+  color: Vec3,
+  upAxis: Scene['upAxis'],
+): (n: Vec3) => Vec3 {
   const { up, ahead, right } = axesOf(upAxis);
   return (n) => {
     const around = Math.atan2(dot(n, right), dot(n, ahead)) / (2 * Math.PI) + 0.5;

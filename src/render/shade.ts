@@ -6,7 +6,7 @@ import type { Environment, LightTexels } from './environment.ts';
 import { type Filter, type Gathering, IRRADIANCE, type Optics, RADIANCE } from './radiance.ts';
 import { AT_REST, passageBetween, type Rest, restFrame } from './restFrame.ts';
 import { shaped } from './shaping.ts';
-import { skyLight, skyRadiance } from './sky.ts';
+import { skyLight, skyMirrored } from './sky.ts';
 import type { Surface } from './surface.ts';
 import type { Uniforms } from './uniforms.ts';
 
@@ -56,7 +56,7 @@ function skyReflection(look: Look, rest: Rest, environment: Environment, uniform
   const { zenith } = uniforms;
   const { N, V } = look;
   const soft = (n: Vec3) => skyLight(environment, n, zenith);
-  const sharp = (n: Vec3) => mix(skyRadiance(environment, n, zenith), soft(n), look.roughness.sqrt());
+  const sharp = (n: Vec3) => skyMirrored(environment, n, zenith, look.roughness);
   const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: Filter): void => {
     const n = rest.out(nPrime);
     eye.send(radiance(n), share, passageBetween(n, rest, AT_REST), RADIANCE);
