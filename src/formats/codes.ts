@@ -157,6 +157,8 @@ export const CODES = {
   'stl.colors': 'colours, which are left out',
   'stl.normals': 'normals that say the opposite of the order of the corners',
 
+  'spectrum.csv': 'a table that is no spectrum: wavelengths in nm, rising, each with a value',
+
   'convert.lifetime': 'the file cannot hold when an object is born or dies',
   'convert.motion': 'the file cannot hold the motion: it is sampled, or left out',
   'convert.times': 'times before 0, which glTF has not: all are later',

@@ -16,11 +16,17 @@ export function lightFilter(color: Vec3, spectrum: LightSpectrum): Bands {
   return bandsOf(solveNearGrey(bandMatrix(spectrum), color, grey));
 }
 
-/** Columns: what r, g and b alone show of a light at rest. */
+const matrices = new WeakMap<LightSpectrum, Mat3>();
+
+/** Columns: what r, g and b alone show of a light at rest. Kept, for a sky asks with every ray. */
 function bandMatrix(spectrum: LightSpectrum): Mat3 {
+  const known = matrices.get(spectrum);
+  if (known) return known;
   const band = (rgb: Vec3) => seenColor(bandsOf(rgb), WHITE, spectrum, 1, 1);
   const [red, green, blue] = [band([1, 0, 0]), band([0, 1, 0]), band([0, 0, 1])];
-  return [0, 1, 2].flatMap((i) => [red[i], green[i], blue[i]]);
+  const matrix = [0, 1, 2].flatMap((i) => [red[i], green[i], blue[i]]);
+  matrices.set(spectrum, matrix);
+  return matrix;
 }
 
 /** Below this share of the light a band decides nothing. */
