@@ -107,7 +107,7 @@ export function toShow(file: PictureFile, exposure: number): Canvas {
   const shown = new Float32Array(rgb.length);
   for (let i = 0; i < rgb.length; i += 3) {
     const light: Vec3 = [rgb[i], rgb[i + 1], rgb[i + 2]];
-    shown.set(toneMap(light, exposure), i);
+    shown.set(toneMap(light, exposure, 'neutral'), i);
   }
   return { width, height, pixels: toScreen(shown, width, height) };
 }

@@ -1,16 +1,10 @@
 import type { Command } from 'commander';
 import { Option } from 'commander';
 import type { Vec3 } from '../math/vec3.ts';
-import { adaptation } from '../nodes/picture.ts';
+import { METERINGS, type Metering } from '../nodes/metering.ts';
 import type { Scene } from '../scene/types.ts';
-import {
-  type ColorMode,
-  DEFAULT_SETTINGS,
-  type RenderSettings,
-  type Solver,
-  type View,
-  type ViewPoint,
-} from '../scene/view.ts';
+import { type ColorMode, DEFAULT_SETTINGS, type RenderSettings, type Solver, type View } from '../scene/view.ts';
+import { TONES, type Tone } from '../spectrum/toneMap.ts';
 import {
   parseBeta,
   parseDamping,
@@ -67,7 +61,8 @@ export interface SettingFlags {
   readonly dopplerMix: number;
   readonly beaming: number;
   readonly exposure: number;
-  readonly adapt: boolean;
+  readonly metering: Metering;
+  readonly tone: Tone;
   readonly solver: Solver;
   readonly iterations: number;
   readonly damping: number;
@@ -99,23 +94,38 @@ export function addSettingFlags(command: Command): Command {
     )
     .option('--doppler-mix <0…1>', 'how much of the Doppler shift reaches the colours', parseFraction, dopplerMix)
     .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
-    .option('--exposure <EV>', 'the picture is 2^EV times as bright', parseNumber, exposure)
-    .option('--no-adapt', 'do not take back the brightness that the velocity gives the picture, as an eye would')
+    .option(
+      '--exposure <EV>',
+      'added to what the metering sets: the picture is 2^EV times as bright',
+      parseNumber,
+      exposure,
+    )
+    .addOption(
+      new Option(
+        '--metering <how>',
+        "what sets the exposure. automatic: the picture's light; resting-eye: what somebody at rest there would have, so that beaming is seen as it is; manual: --exposure alone",
+      )
+        .choices(METERINGS)
+        .default('automatic'),
+    )
+    .addOption(
+      new Option(
+        '--tone <curve>',
+        'neutral keeps colours and softens what is very bright; agx rolls all of it off, as film does; linear cuts it off',
+      )
+        .choices(TONES)
+        .default(DEFAULT_SETTINGS.tone),
+    )
     .addOption(new Option('--solver <name>', 'how emission events are found').choices(solvers).default('exact'))
     .option('--iterations <n>', 'steps of the Newton solver', parseIterations, iterations)
     .option('--damping <k>', 'step length of the Newton solver, 0 < k ≤ 1', parseDamping, damping)
     .option('--grid', 'draw the reference grid on the ground, which relativity does not bend', false);
 }
 
-/** The settings for one place, as the page has them. */
-export function renderSettings(
-  flags: SettingFlags,
-  speedOfLight: number,
-  from: ViewPoint,
-  aspect: number,
-): RenderSettings {
+/** The settings before metering, as the page has them. */
+export function renderSettings(flags: SettingFlags, speedOfLight: number): RenderSettings {
   const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure } = flags;
-  const { solver, iterations, damping, grid } = flags;
+  const { tone, solver, iterations, damping, grid } = flags;
   return {
     view,
     lightDelay,
@@ -123,7 +133,8 @@ export function renderSettings(
     colors,
     dopplerMix,
     beaming,
-    exposure: exposure - adaptation(flags, from, aspect),
+    exposure,
+    tone,
     solver,
     iterations,
     damping,

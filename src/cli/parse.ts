@@ -80,6 +80,16 @@ export function parseSize(text: string): Size {
 export const sizeOption = (meaning: string): Option =>
   new Option('--size <WxH>', meaning).argParser(parseSize).default({ width: 1280, height: 720 }, '1280x720');
 
+/** `A:B`, two different numbers. */
+export function parseRange(text: string): { readonly from: number; readonly to: number } {
+  const parts = text.split(':');
+  const [from, to] = parts.map(Number) as [number, number];
+  if (parts.length !== 2 || !Number.isFinite(from) || !Number.isFinite(to) || !(from < to)) {
+    throw new InvalidArgumentError('Expected FROM:TO, two numbers, the smaller one first, like -2:0.');
+  }
+  return { from, to };
+}
+
 export interface FrameRange {
   readonly first: number;
   readonly last: number;

@@ -1,5 +1,7 @@
-import { Command } from 'commander';
+import { Command, Option } from 'commander';
 import type { AovName } from '../scene/view.ts';
+import { FALSE_COLORS } from '../spectrum/falseColor.ts';
+import type { FalseColourFlags } from './falseColour.ts';
 import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from './flags.ts';
 import {
   type FrameRange,
@@ -7,16 +9,15 @@ import {
   parseFrames,
   parseNumber,
   parsePositive,
+  parseRange,
   parseSamples,
-  type Size,
   sizeOption,
 } from './parse.ts';
 import { addPipelineFlags, type PipelineFlags } from './pipeline.ts';
 import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 
-export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags {
+export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags, FalseColourFlags {
   readonly output: string;
-  readonly size: Size;
   readonly time?: number;
   readonly frames?: FrameRange;
   readonly fps?: number;
@@ -32,7 +33,8 @@ Examples:
   slowlight render street.usda -o street.exr --aov beauty,depth,doppler --size 1920x1080
   slowlight render street.usda -o street.mp4 --frames 1:96 --fps 24
   slowlight render street.usda -o 'street.####.png' --frames 1:96
-  slowlight render street.usda -o truth.png --pipeline reference --samples 8`;
+  slowlight render street.usda -o truth.png --pipeline reference --samples 8
+  slowlight render street.usda -o shift.png --false-colour doppler --legend --beta 0,0,-0.5`;
 
 export function renderCommand(): Command {
   const command = new Command('render')
@@ -57,6 +59,18 @@ export function renderCommand(): Command {
       'n × n samples per pixel (default: 1 of raster, whose edges FXAA then smooths; 4 of reference)',
       parseSamples,
     )
+    .addOption(
+      new Option(
+        '--false-colour <what>',
+        'colours for numbers: the Doppler factor, the time of emission before now, luminance before exposure, or the part of the spectrum that is seen',
+      ).choices(FALSE_COLORS),
+    )
+    .option(
+      '--false-range <from:to>',
+      'values at both ends of the colours, seconds of emission-time, metres of band (default: round numbers that hold the first picture)',
+      parseRange,
+    )
+    .option('--legend', 'with --false-colour: a strip under the picture that tells what its colours mean')
     .option(
       '--aov <names>',
       'for .exr: channels to write, of beauty, albedo, depth, emission_time, doppler, position, normal, velocity, object',

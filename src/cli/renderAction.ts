@@ -4,8 +4,11 @@ import { gamma, velocity } from '../physics/boost.ts';
 import type { Scene } from '../scene/types.ts';
 import { validate } from '../scene/validate.ts';
 import type { AovName, ViewPoint } from '../scene/view.ts';
+import type { FalseColors } from '../spectrum/falseColor.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { usageError } from './exit.ts';
+import { ExposureMeter } from './exposure.ts';
+import { FalseColourPainter, writtenSize } from './falseColour.ts';
 import { renderSettings, speedOfLight } from './flags.ts';
 import { observerPath } from './observer.ts';
 import { endIfStopped } from './output.ts';
@@ -28,6 +31,9 @@ interface Made {
   readonly first: ViewPoint;
   readonly painter: Painter;
   readonly samples: number;
+  /** Of each frame [EV]. */
+  readonly exposures: readonly number[];
+  readonly falseColours?: FalseColors;
 }
 
 export async function render(path: string, flags: RenderFlags): Promise<void> {
@@ -41,19 +47,27 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   const frames = frameTimes(scene, flags);
   const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
-  const sink = await openSink(flags, scene, frames.length);
+  const exposures: number[] = [];
+  checkFalseColours(flags, aovs);
+  const sink = await openSink({ ...flags, size: writtenSize(flags) }, scene, frames.length);
   try {
     progress.show('getting ready to draw …');
     const painter = await openPainter(path, scene, flags, (text) => progress.note(text));
     const samples = flags.samples ?? painter.usualSamples;
+    const meter = new ExposureMeter(painter, flags.metering, flags.size);
+    const falsely = flags.falseColour && new FalseColourPainter(painter, flags.falseColour, flags);
     try {
       for (const [i, { number, t }] of frames.entries()) {
         const onPart = (part: number): void => progress.frames(i + part, frames.length);
         onPart(0);
         endIfStopped();
         const view = observer(t);
-        const settings = renderSettings(flags, c, view, flags.size.width / flags.size.height);
-        const picture = await painter.paint({ view, settings, samples, pixels: aovs.length === 0, aovs }, onPart);
+        const request = { view, settings: renderSettings(flags, c), samples, pixels: aovs.length === 0, aovs };
+        // Data and light itself have no exposure.
+        const metered = request.pixels && showsLight(flags) ? await meter.read(request) : 0;
+        exposures.push(request.settings.exposure + metered);
+        const settings = { ...request.settings, exposure: exposures.at(-1)! };
+        const picture = await (falsely ?? painter).paint({ ...request, settings }, onPart);
         await sink.add(picture, { number, view, speedOfLight: c });
       }
     } finally {
@@ -63,7 +77,13 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
     progress.show('finishing …');
     await sink.finish();
     progress.clear();
-    report(flags, scene, c, { frames, first: observer(frames[0]!.t), painter, samples }, sink);
+    report(
+      flags,
+      scene,
+      c,
+      { frames, first: observer(frames[0]!.t), painter, samples, exposures, falseColours: falsely?.colors },
+      sink,
+    );
   } finally {
     progress.clear();
     sink.discard();
@@ -75,6 +95,20 @@ function chooseAovs({ output, aov }: RenderFlags): readonly AovName[] {
   if (extname(output).toLowerCase() === '.exr') return aov ?? ['beauty'];
   if (aov) throw usageError(`--aov needs a file that can hold data channels: write an .exr, not ${output}`);
   return [];
+}
+
+/** The others show numbers, whatever their light. */
+const showsLight = ({ falseColour }: RenderFlags): boolean => falseColour === undefined || falseColour === 'band';
+
+function checkFalseColours({ falseColour, falseRange, legend }: RenderFlags, aovs: readonly AovName[]): void {
+  if (falseColour === undefined) {
+    const idle = falseRange ? '--false-range' : legend ? '--legend' : undefined;
+    if (idle) throw usageError(`${idle} is for false colours: add --false-colour, or leave it out`);
+  } else if (aovs.length > 0) {
+    throw usageError('--false-colour makes pictures for a screen; an .exr holds the numbers themselves: use --aov');
+  } else if (falseRange && falseColour !== 'emission-time' && falseRange.from <= 0) {
+    throw usageError(`--false-range: the scale of ${falseColour} is logarithmic, so that both ends must be above 0`);
+  }
 }
 
 function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond, output }: RenderFlags): FrameTime[] {
@@ -104,6 +138,8 @@ function report(flags: RenderFlags, scene: Scene, c: number, made: Made, sink: S
     observer: { position: first.position, beta, speed: length(beta), gamma: gamma(first.u) },
     ...made.painter.info,
     samples: made.samples,
+    exposure: [made.exposures[0]!, made.exposures.at(-1)!],
+    falseColours: made.falseColours,
     objects: scene.objects.map((object, i) => ({ id: i + 1, path: object.path })),
   };
   console.log(JSON.stringify(summary, null, 2));

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { applyCommand, type Command } from './commands.ts';
-import { emptyDocument, type GraphDocument, parseDocument, serializeDocument } from './document.ts';
+import { emptyDocument, type GraphDocument, parseDocument, readDocument, serializeDocument } from './document.ts';
 import { CancelledError, Evaluator } from './evaluate.ts';
 import { endGesture, execute, newHistory, redo, undo } from './history.ts';
 import { CURRENT_VERSION, migrate } from './migrations.ts';
@@ -81,6 +81,22 @@ describe('the document', () => {
     [JSON.stringify({ ...example(), nodes: { x: { type: 'value' } } }), /nodes\.x\.params/],
   ])('refuses %s with the place', (input, message) => {
     expect(() => parseDocument(input)).toThrow(message);
+  });
+
+  it('a project of version 1 keeps its exposure: metered where it adapted, manual where it did not', () => {
+    const old = (params: object) => ({
+      ...emptyDocument(),
+      version: 1,
+      nodes: { toneMap: { type: 'tone-map', params }, read: { type: 'read', params: { adapt: false } } },
+    });
+    const now = (params: object) => readDocument(old(params)).nodes;
+    expect(now({ adapt: false, exposure: 2 }).toneMap).toEqual({
+      type: 'tone-map',
+      params: { exposure: 2, metering: 'manual' },
+    });
+    expect(now({ adapt: true }).toneMap?.params).toEqual({});
+    expect(now({}).read?.params).toEqual({ adapt: false });
+    expect(() => readDocument({ ...emptyDocument(), version: 1, nodes: 'none' })).toThrow('nodes');
   });
 
   it('migrates step by step', () => {

@@ -1,5 +1,7 @@
 import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
 import type { ColorMode, Solver, View } from '../scene/view.ts';
+import type { Tone } from '../spectrum/toneMap.ts';
+import type { Metering } from './metering.ts';
 import type { LoadedScene, Services } from './services.ts';
 
 /** A scene with how light travels in it. */
@@ -36,10 +38,10 @@ export interface GBuffer extends CameraView {
 
 /** A whole picture, but for the time and the observer, which change by themselves. */
 export interface Picture extends GBuffer {
-  /** [EV] */
+  readonly tone: Tone;
+  readonly metering: Metering;
+  /** What is added to the metered exposure [EV]. */
   readonly exposure: number;
-  /** The exposure follows the mean brightness that the observer's velocity gives the picture, as an eye does. */
-  readonly adapt: boolean;
 }
 
 /** What flows through a socket of each type. */

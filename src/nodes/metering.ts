@@ -1,31 +1,72 @@
-import { normalizeQuat, rotate } from '../math/quat.ts';
-import { dot, normalize, type Vec3 } from '../math/vec3.ts';
-import { gamma, velocity } from '../physics/boost.ts';
-import type { ViewPoint } from '../scene/view.ts';
-
-/** Directions across the picture, in each axis. */
-const GRID = 5;
+import { ZERO } from '../math/vec3.ts';
+import { dopplerFactor } from '../physics/doppler.ts';
+import { directionAt, rayToward } from '../reference/camera.ts';
+import { GAUGE, type Gauge, luminanceOf } from '../scene/gauge.ts';
+import type { RenderSettings, ViewPoint } from '../scene/view.ts';
+import { dopplerTint } from '../spectrum/dopplerTint.ts';
 
 /**
- * By how many stops the picture of a world at rest gets brighter for its observer's velocity alone: the mean over the picture's
- * directions n′ of log₂ D⁴, D = 1/[γ(1 − β·n′)] (without aberration, of the world's directions n: D = γ(1 + β·n)). A light
- * meter that does not need the picture, so that the exposure is the same in every run. [EV]
+ * What sets the exposure. `automatic`: the picture's own light. `resting-eye`: the same light without what the observer's velocity does to
+ * its brightness, so that this is seen as it is. `manual`: the person alone.
  */
-export function stopsOfMotion({ u, orientation, fovY }: ViewPoint, aspect: number, aberration: boolean): number {
-  const beta = velocity(u);
-  const g = gamma(u);
-  const tangent = Math.tan(fovY / 2);
-  const axes = normalizeQuat(orientation);
-  let sum = 0;
-  for (let i = 0; i < GRID; i++) {
-    for (let j = 0; j < GRID; j++) {
-      const ray: Vec3 = [place(i) * tangent * aspect, place(j) * tangent, -1];
-      const n = rotate(axes, normalize(ray));
-      sum += Math.log2(aberration ? 1 / (g * (1 - dot(beta, n))) : g * (1 + dot(beta, n)));
-    }
-  }
-  return (4 * sum) / GRID ** 2;
+export type Metering = 'automatic' | 'resting-eye' | 'manual';
+export const METERINGS: readonly Metering[] = ['automatic', 'resting-eye', 'manual'];
+
+/** Shares of what is lit at all, from the darkest on: its middle, without shadows and reflections, and its highlights, without the sun's glints. */
+const MIDDLE = [0.1, 0.95] as const;
+const HIGHLIGHTS = [0.98, 0.995] as const;
+/** Luminance that the middle is brought to: what the example scenes have at rest, as their authors lit them. */
+const KEY = 0.4;
+/** Luminance that the highlights are not brought above: a small bright thing before black space is what the picture is of. */
+const WHITE = 1;
+/** In so long an eye makes all but 1/e of its way to another brightness [s]. */
+const EYE = 0.3;
+
+/**
+ * The exposure at which a picture of this light has a middle brightness, or less where its highlights ask for it [EV]: by means over parts of
+ * the distribution of log₂ of luminance. It follows the light without steps, and a lamp or a glint does not move it; 0 where nothing is lit.
+ */
+export function meteredExposure(luminance: ArrayLike<number>): number {
+  const stops = Float64Array.from(luminance, Math.log2).filter(Number.isFinite).sort();
+  if (stops.length === 0) return 0;
+  return Math.min(Math.log2(KEY) - meanBetween(stops, MIDDLE), Math.log2(WHITE) - meanBetween(stops, HIGHLIGHTS));
 }
 
-/** −1 … 1, in the middle of each cell. */
-const place = (i: number): number => (2 * i + 1) / GRID - 1;
+function meanBetween(sorted: Float64Array, [from, to]: readonly [number, number]): number {
+  const last = sorted.length - 1;
+  const part = sorted.subarray(Math.round(from * last), Math.round(to * last) + 1);
+  return part.reduce((sum, value) => sum + value, 0) / part.length;
+}
+
+/**
+ * The exposure that the metering sets [EV], to which the person's own is added. The gauge's light may be that of another exposure and another
+ * tone curve, for it is before both. `aspect`: width over height.
+ */
+export function exposureFor(
+  metering: Metering,
+  { luminance }: Pick<Gauge, 'luminance'>,
+  view: ViewPoint,
+  settings: RenderSettings,
+  aspect: number,
+): number {
+  if (metering === 'manual') return 0;
+  return meteredExposure(metering === 'automatic' ? luminance : atRest(luminance, view, settings, aspect));
+}
+
+/**
+ * Each light divided by what the observer's own velocity makes of white daylight from there: D⁴, and its shift out of the visible. So is the
+ * light that somebody at rest receives at the same place and time from the same things.
+ */
+function atRest(luminance: Float32Array, view: ViewPoint, settings: RenderSettings, aspect: number): Float32Array {
+  if (settings.view !== 'light-cone') return luminance;
+  return luminance.map((value, i) => {
+    const n = directionAt(view, aspect * ((i % GAUGE) + 0.5), Math.floor(i / GAUGE) + 0.5, aspect * GAUGE, GAUGE);
+    const D = dopplerFactor(rayToward(view, settings, n).dx, view.u, ZERO);
+    const white = luminanceOf(...dopplerTint([1, 1, 1], D, settings.dopplerMix));
+    return value / (white * D ** (4 * settings.beaming));
+  });
+}
+
+/** An eye's way from one exposure to another in dt [s]; both in EV. */
+export const eased = (from: number, to: number, dt: number): number =>
+  to + (from - to) * Math.exp(-Math.max(dt, 0) / EYE);

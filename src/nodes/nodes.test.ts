@@ -7,9 +7,8 @@ import { validateDocument } from '../graph/validate.ts';
 import { makeMaterial, makeObject, restingAt } from '../scene/defaults.ts';
 import { box } from '../scene/primitives.ts';
 import { InputError, type Scene } from '../scene/types.ts';
-import { DEFAULT_SETTINGS, type ViewPoint } from '../scene/view.ts';
+import { DEFAULT_SETTINGS } from '../scene/view.ts';
 import { nodeLibrary } from './library.ts';
-import { stopsOfMotion } from './metering.ts';
 import { pictureOf, renderSettings } from './picture.ts';
 import { flightsIn, flyCommand, landCommand, newProject, openCommand } from './project.ts';
 import type { LoadedScene, Services } from './services.ts';
@@ -30,7 +29,6 @@ const scene: Scene = {
   hints: {},
   diagnostics: [],
 };
-const atRest: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 };
 const serving = (loaded: LoadedScene): Services => ({ readScene: async () => loaded });
 const set = (node: string, param: string, value: ParamValue): Command => ({
   kind: 'set-param',
@@ -62,25 +60,7 @@ describe('the library', () => {
 
   it("the nodes' defaults are the renderer's", async () => {
     const { picture } = await evaluate({ scene: { ...scene, hints: { speedOfLight: DEFAULT_SETTINGS.speedOfLight } } });
-    expect(renderSettings(picture!, atRest, 1.5)).toEqual(DEFAULT_SETTINGS);
-  });
-});
-
-describe('the exposure', () => {
-  const fast: ViewPoint = { ...atRest, u: [0, 0, -2] };
-
-  it('follows the brightness that the velocity gives, where asked to', async () => {
-    const { picture } = await evaluate({ scene });
-    const still = await evaluate({ scene }, set('toneMap', 'adapt', false));
-    expect(renderSettings(picture!, fast, 1.5).exposure).toBeLessThan(-2);
-    expect(renderSettings(picture!, { ...fast, u: [0, 0, 2] }, 1.5).exposure).toBeGreaterThan(2);
-    expect(renderSettings(still.picture!, fast, 1.5).exposure).toBe(0);
-  });
-
-  it('is that of the brightness straight ahead in a narrow picture: D = γ(1 + β) = e^ζ', () => {
-    const narrow = { ...fast, fovY: 1e-6 };
-    expect(stopsOfMotion(narrow, 1, true)).toBeCloseTo((4 * Math.asinh(2)) / Math.LN2, 6);
-    expect(stopsOfMotion(narrow, 1, false)).toBeCloseTo((4 * Math.asinh(2)) / Math.LN2, 6);
+    expect(renderSettings(picture!, 0)).toEqual(DEFAULT_SETTINGS);
   });
 });
 

@@ -7,6 +7,28 @@ export const toneMap = defineNode({
   help: 'node.toneMap.help',
   category: 'render',
   params: {
+    tone: {
+      kind: 'choice',
+      title: 'param.tone',
+      help: 'param.tone.help',
+      default: 'neutral',
+      options: [
+        { value: 'neutral', title: 'tone.neutral' },
+        { value: 'agx', title: 'tone.agx' },
+        { value: 'linear', title: 'tone.linear' },
+      ],
+    },
+    metering: {
+      kind: 'choice',
+      title: 'param.metering',
+      help: 'param.metering.help',
+      default: 'automatic',
+      options: [
+        { value: 'automatic', title: 'metering.automatic' },
+        { value: 'resting-eye', title: 'metering.restingEye' },
+        { value: 'manual', title: 'metering.manual' },
+      ],
+    },
     exposure: {
       kind: 'number',
       title: 'param.exposure',
@@ -17,7 +39,6 @@ export const toneMap = defineNode({
       max: 10,
       step: 0.1,
     },
-    adapt: { kind: 'boolean', title: 'param.adapt', help: 'param.adapt.help', default: true },
   },
   inputs: { gbuffer: { type: 'gbuffer' } },
   outputs: { image: { type: 'image' } },

@@ -1,6 +1,7 @@
 import { lerp, type Vec3 } from '../math/vec3.ts';
 import { toneMap } from '../spectrum/toneMap.ts';
 import { cameraRay } from './camera.ts';
+import { eyesOf } from './eye.ts';
 import { groundGrid } from './grid.ts';
 import { radiance } from './path.ts';
 import { pixelSequence } from './sequence.ts';
@@ -23,6 +24,7 @@ export interface Means {
 export function fillBeauty(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: Tile, means: Means): void {
   const { view, settings, width, height, samples: n, seed, light } = request;
   const show = display(scene, request);
+  const eyes = eyesOf(settings, n * n);
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
       const numbers = pixelSequence(seed, x, y);
@@ -32,7 +34,7 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, { x0, y0, x
         const [right, down] = n === 1 ? [0.5, 0.5] : [random(), random()];
         const [px, py] = [x + right, y + down];
         const ray = cameraRay(view, settings, px, py, width, height);
-        const arrived = radiance(scene, ray, view, settings, light, random);
+        const arrived = radiance(scene, ray, view, settings, light, random, eyes(random));
         const shown = show(arrived, ray, px, py);
         for (let k = 0; k < 3; k++) {
           sums[k] += arrived[k] / (n * n);
@@ -51,11 +53,11 @@ function display(
   request: TileRequest,
 ): (light: Vec3, ray: SpacetimeRay, x: number, y: number) => Vec3 {
   const { settings, view, width, height } = request;
-  if (!settings.grid) return (light) => toneMap(light, settings.exposure);
+  if (!settings.grid) return (light) => toneMap(light, settings.exposure, settings.tone);
   const grid = groundGrid(scene, view, width, height);
   return (light, ray, x, y) => {
     const depth = visibleHit(scene, ray)?.s ?? Number.POSITIVE_INFINITY;
     const { color, cover } = grid(x, y, depth);
-    return lerp(toneMap(light, settings.exposure), color, cover);
+    return lerp(toneMap(light, settings.exposure, settings.tone), color, cover);
   };
 }

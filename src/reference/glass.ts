@@ -1,6 +1,7 @@
-import { addScaled, dot, length, negate, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { addScaled, dot, length, negate, scale, type Vec3 } from '../math/vec3.ts';
 import { type Departure, passageAt } from './departure.ts';
 import { mirrored, turnedTo } from './directions.ts';
+import { DARK, type Light, plus, times } from './light.ts';
 import { type Lighting, rayBackInside } from './lighting.ts';
 import { materialOf } from './material.ts';
 import { type Beam, coverage, isElsewhere } from './passage.ts';
@@ -28,29 +29,29 @@ export interface Glass {
   /** Both the mirrored and the refracted ray are followed; else one of them by chance. */
   readonly branches: boolean;
   /** Radiance from a direction of the rest frame, outside. */
-  outside(from: Departure, direction: Vec3): Vec3;
+  outside(from: Departure, direction: Vec3): Light;
   /** Radiance along a beam, where it does not come from the body itself. */
-  along(beam: Beam): Vec3;
+  along(beam: Beam): Light;
 }
 
 /** What a body shows towards V by mirroring and refraction, in its rest frame. */
-export function throughGlass(lighting: Lighting, hit: Hit, at: Departure, V: Vec3, glass: Glass): Vec3 {
+export function throughGlass(lighting: Lighting, hit: Hit, at: Departure, V: Vec3, glass: Glass): Light {
   const { ior, normal, opacity, roughness } = glass.point;
   const H = roughness < 0.05 ? normal : visibleFacet(normal, V, roughness * roughness, lighting.random);
   const d = negate(V);
   const F = dielectricFresnel(dot(V, H), ior);
-  const mirror = (): Vec3 => glass.outside(at, mirrored(d, H));
-  const refract = (): Vec3 => {
+  const mirror = (): Light => glass.outside(at, mirrored(d, H));
+  const refract = (): Light => {
     const passage = passageAt(lighting.scene, hit);
     const inward = refracted(d, H, 1 / ior);
-    return inward ? scale(inside(lighting, passage, turnedTo(passage.side, inward), glass), 1 - opacity) : ZERO;
+    return inward ? times(inside(lighting, passage, turnedTo(passage.side, inward), glass), 1 - opacity) : DARK;
   };
-  if (glass.branches) return addScaled(scale(mirror(), F), refract(), 1 - F);
+  if (glass.branches) return plus(times(mirror(), F), refract(), 1 - F);
   return lighting.random() < F ? mirror() : refract();
 }
 
 /** Light from a direction inside the body: what it meets there, or through its sides. */
-function inside(lighting: Lighting, from: Departure, direction: Vec3, glass: Glass, sides = MOST_SIDES): Vec3 {
+function inside(lighting: Lighting, from: Departure, direction: Vec3, glass: Glass, sides = MOST_SIDES): Light {
   const { scene, random } = lighting;
   const { frame, point } = glass;
   const ray = rayBackInside(lighting, from, direction, frame, point.ior);
@@ -65,7 +66,7 @@ function inside(lighting: Lighting, from: Departure, direction: Vec3, glass: Gla
   const F = dielectricFresnel(-dot(direction, N), 1 / point.ior);
   const out = refracted(direction, N, point.ior);
   if (!out || random() < F) {
-    if (sides === 0) return ZERO;
+    if (sides === 0) return DARK;
     const back = { ...passageAt(scene, hit), side: scale(passageAt(scene, hit).side, -1) };
     return inside(lighting, back, turnedTo(back.side, mirrored(direction, N)), glass, sides - 1);
   }

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { direction, properVelocityUpTo } from '../../tests/physicsArbitraries.ts';
-import { lambert, lamp, lit, look, mirror, twoSided } from '../../tests/support/lightKit.ts';
+import { lambert, lamp, lit, look, mirror, SPECTRAL, twoSided } from '../../tests/support/lightKit.ts';
 import { conjugate, fromAxisAngle, multiply, type Quat } from '../math/quat.ts';
 import { addScaled, distance, length, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
 import { inverseBoost, velocity } from '../physics/boost.ts';
@@ -9,6 +9,7 @@ import { addVelocities, wignerRotation } from '../physics/velocity.ts';
 import { makeMaterial } from '../scene/defaults.ts';
 import { box, plane, sphere } from '../scene/primitives.ts';
 import type { Material, Mesh, UniformMotion } from '../scene/types.ts';
+import type { LightSpectrum } from '../spectrum/lightSpectrum.ts';
 
 /**
  * What is at `position` at the time 0 of the frame that moves with u, and has there the proper velocity w (0: it rests), as the world has it;
@@ -36,7 +37,12 @@ const things: readonly (readonly [Mesh, Material, Vec3, Quat])[] = [
   [twoSided(box([9, 9, 9])), lambert(0.3, { emissive: [0.2, 0.3, 0.4] }), [0, 0, 3], NOT],
 ];
 
-/** All things and a lamp, at rest in the frame of u; and there a mirror and a lamp without size that fly past. */
+const MERCURY: LightSpectrum = {
+  kind: 'lines',
+  lines: [435.8, 546.1, 577].map((nm) => ({ wavelength: nm * 1e-9, weight: 1 })),
+};
+
+/** All things and a lamp, at rest in the frame of u; and there a mirror and two lamps without size that fly past. */
 const stage = (u: Vec3) =>
   lit(
     [
@@ -56,6 +62,7 @@ const stage = (u: Vec3) =>
     [
       lamp(ZERO, { motion: carried([1, 1, 3], NOT, u), radius: 0.4, color: [5, 4, 3] }),
       lamp(ZERO, { motion: carried([-2, 0, 2], NOT, u, [0.3, 1.5, -0.2]), color: [2, 3, 4] }),
+      lamp(ZERO, { motion: carried([2, -1, 2], NOT, u, [-0.2, 0.1, 0.1]), color: [2, 2, 2], spectrum: MERCURY }),
     ],
   );
 
@@ -68,8 +75,8 @@ describe('light does not care for the frame it is described in', () => {
     const errors = cases.map(([u, [x, y, z]], seed) => {
       const n = normalize([x, y, z - 0.8]);
       const [time, ...place] = inverseBoost([t, ...position], u);
-      const at = look(rest, { t, position }, n, options, 1, { seed });
-      const flying = look(stage(u), { t: time, position: place, u }, n, options, 1, { seed });
+      const at = look(rest, { t, position }, n, options, 1, { seed, settings: SPECTRAL });
+      const flying = look(stage(u), { t: time, position: place, u }, n, options, 1, { seed, settings: SPECTRAL });
       return distance(flying, at) / Math.max(length(at), 1e-3);
     });
     errors.sort((a, b) => a - b);

@@ -3,11 +3,12 @@ import { gamma, inverseBoost, properVelocity } from '../physics/boost.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
 import { directLights } from '../scene/daylight.ts';
 import { originLine } from '../scene/motion.ts';
-import type { DistantLight, Lamp } from '../scene/types.ts';
+import type { Lamp } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import type { Random } from './directions.ts';
 import { type RestFrame, restFrame } from './restFrame.ts';
-import { type Sky, skyOf } from './sky.ts';
+import { type Shine, shineOf } from './shine.ts';
+import { type Sky, type Sun, skyOf } from './sky.ts';
 import type { TracedScene } from './trace.ts';
 import type { SpacetimeRay } from './types.ts';
 
@@ -23,10 +24,11 @@ export interface LightOptions {
 
 export const DEFAULT_LIGHT: LightOptions = { bounces: 2, mirrors: true, glass: false };
 
-/** A lamp and the world line of its centre. */
+/** A lamp, the world line of its centre, and what it shines with. */
 export interface MovingLamp {
   readonly light: Lamp;
   readonly line: WorldLine;
+  readonly shine: Shine;
 }
 
 /** Everything that one sample of a picture asks for while it follows its light back. */
@@ -36,7 +38,7 @@ export interface Lighting {
   readonly options: LightOptions;
   readonly random: Random;
   readonly sky: Sky;
-  readonly suns: readonly DistantLight[];
+  readonly suns: readonly Sun[];
   readonly lamps: readonly MovingLamp[];
   /** Which events light each other. */
   readonly when: When;
@@ -52,11 +54,13 @@ function lightsOf(traced: TracedScene): Pick<Lighting, 'sky' | 'suns' | 'lamps'>
   const found = known.get(traced);
   if (found) return found;
   const lights = directLights(traced.scene);
-  const suns = lights.filter((light) => light.kind === 'distant');
+  const suns = lights
+    .filter((light) => light.kind === 'distant')
+    .map(({ direction, color, spectrum }) => ({ direction, shine: shineOf(color, spectrum) }));
   const lamps = lights
     .filter((light) => light.kind !== 'distant')
-    .map((light) => ({ light, line: originLine(light.motion) }));
-  const made = { sky: skyOf(traced.scene), suns, lamps };
+    .map((light) => ({ light, line: originLine(light.motion), shine: shineOf(light.color, light.spectrum) }));
+  const made = { sky: skyOf(traced.scene, suns), suns, lamps };
   known.set(traced, made);
   return made;
 }

@@ -1,26 +1,29 @@
 import type { Quat } from '../math/quat.ts';
-import { add, length, negate, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { length, negate, normalize, scale, type Vec3 } from '../math/vec3.ts';
 import { apparentPosition, inverseApparentPosition } from '../physics/apparent.ts';
 import { pastLightCone } from '../physics/lightCone.ts';
 import { simultaneitySlice } from '../physics/simultaneity.ts';
 import { velocityAt } from '../physics/worldLine.ts';
 import { poseAt } from '../scene/motion.ts';
-import type { DistantLight } from '../scene/types.ts';
 import type { Departure } from './departure.ts';
+import { largest } from './filters.ts';
 import { sampleLamp } from './lampSamples.ts';
+import { DARK, type Light, plus, times } from './light.ts';
 import { frameOf, type Lighting, type MovingLamp, rayBack } from './lighting.ts';
 import { transmitted } from './passage.ts';
 import { type Look, reflectance } from './reflectance.ts';
-import { dopplerBetween, type RestFrame } from './restFrame.ts';
-import { met } from './shift.ts';
+import { type RestFrame, WORLD } from './restFrame.ts';
+import type { Shine } from './shine.ts';
+import { IRRADIANCE, type Receiver, received } from './sight.ts';
+import type { Sun } from './sky.ts';
 
-/** What a surface at rest in `frame` reflects of suns and lamps: radiance, in its rest frame. */
-export function directLight(lighting: Lighting, at: Departure, look: Look, frame: RestFrame): Vec3 {
-  let sum = ZERO;
-  for (const sun of lighting.suns) sum = add(sum, reflected(lighting, at, look, frame, sunlight(lighting, sun, frame)));
+/** What a surface, at rest `here`, reflects of suns and lamps: radiance, in its rest frame. */
+export function directLight(lighting: Lighting, at: Departure, look: Look, here: Receiver): Light {
+  let sum = DARK;
+  for (const sun of lighting.suns) sum = plus(sum, reflected(lighting, at, look, here, sunlight(sun)));
   for (const lamp of lighting.lamps) {
-    const light = lamplight(lighting, lamp, at, frame);
-    if (light) sum = add(sum, reflected(lighting, at, look, frame, light));
+    const light = lamplight(lighting, lamp, at);
+    if (light) sum = plus(sum, reflected(lighting, at, look, here, light));
   }
   return sum;
 }
@@ -31,40 +34,40 @@ interface Arriving {
   readonly dx: Vec3;
   /** Part of dx that is free of the light itself. */
   readonly end: number;
-  /** On a surface that faces it, in the surface's rest frame. */
-  readonly irradiance: Vec3;
+  /** What sends it out, at rest in that frame: `weight` times its light is the irradiance there of a surface that faces it. */
+  readonly shine: Shine;
+  readonly source: RestFrame;
+  readonly weight: number;
 }
 
-function reflected(
-  lighting: Lighting,
-  at: Departure,
-  look: Look,
-  frame: RestFrame,
-  { dx, end, irradiance }: Arriving,
-): Vec3 {
-  const L = frame.into(normalize(dx));
-  const f = reflectance(look, L);
-  if (f[0] + f[1] + f[2] === 0) return ZERO;
+function reflected(lighting: Lighting, at: Departure, look: Look, here: Receiver, arriving: Arriving): Light {
+  const { dx, end, shine, source, weight } = arriving;
+  const n = normalize(dx);
+  const filter = reflectance(look, here.frame.into(n));
+  if (!filter || largest(filter) === 0) return DARK;
   const beam = { ray: rayBack(lighting, at, dx), begin: at.clear / length(dx), from: at.hit };
   const share = transmitted(lighting.scene, beam, end);
-  return share === 0
-    ? ZERO
-    : [share * f[0] * irradiance[0], share * f[1] * irradiance[1], share * f[2] * irradiance[2]];
+  if (share === 0) return DARK;
+  const irradiance = received(here, n, source, IRRADIANCE, ({ sight }) => sight.shining(shine));
+  return here.sight.filtered(times(irradiance, share * weight), filter);
 }
 
 /** Infinitely far away and always there: E′ = D² E. */
-function sunlight({ settings }: Lighting, { direction, color }: DistantLight, frame: RestFrame): Arriving {
-  const dx = normalize(negate(direction));
-  return { dx, end: Number.POSITIVE_INFINITY, irradiance: met(color, frame.doppler(dx), settings) };
-}
+const sunlight = ({ direction, shine }: Sun): Arriving => ({
+  dx: normalize(negate(direction)),
+  end: Number.POSITIVE_INFINITY,
+  shine,
+  source: WORLD,
+  weight: 1,
+});
 
 /**
  * A lamp where it was when it sent out what arrives. In its own frame it rests at a distance d′ and is seen within a solid angle Ω′ (of a
  * sphere 2π(1 − √(1 − (radius/d′)²))); so E = D² L Ω′ = D⁴ L Ω, and of a point E = D² I/d′² = D⁴ I/r² where surface and world are one.
  * Its velocity and its axes are taken as constant while its light crosses it. undefined: none of its light is here yet, or any more.
  */
-function lamplight(lighting: Lighting, lamp: MovingLamp, at: Departure, frame: RestFrame): Arriving | undefined {
-  const { light } = lamp;
+function lamplight(lighting: Lighting, lamp: MovingLamp, at: Departure): Arriving | undefined {
+  const { light, shine } = lamp;
   const seen = lampSeen(lighting, lamp, at);
   if (!seen) return undefined;
   const centre = apparentPosition(seen.offset, seen.frame.u);
@@ -73,8 +76,7 @@ function lamplight(lighting: Lighting, lamp: MovingLamp, at: Departure, frame: R
   const dx = inverseApparentPosition(sample.toward, seen.frame.u);
   const time = at.t + rayBack(lighting, at, dx).dt / lighting.scene.c;
   if (time < light.lifetime.birth || time > light.lifetime.death) return undefined;
-  const D = dopplerBetween(normalize(dx), frame, seen.frame);
-  return { dx, end: 1 - 1e-9, irradiance: scale(met(light.color, D, lighting.settings), sample.weight) };
+  return { dx, end: 1 - 1e-9, shine, source: seen.frame, weight: sample.weight };
 }
 
 interface SeenLamp {

@@ -1,15 +1,19 @@
-import { add, addScaled, negate, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { negate, normalize, type Vec3, ZERO } from '../math/vec3.ts';
 import { simultaneousPosition } from '../physics/simultaneity.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import { type Departure, departureAt } from './departure.ts';
 import { cosineDirection, type Random, turnedTo } from './directions.ts';
+import { eyesOf } from './eye.ts';
+import { dimmed, largest } from './filters.ts';
 import { type Glass, isGlass, throughGlass } from './glass.ts';
+import { DARK, type Light, plus, times } from './light.ts';
 import { frameOf, type Lighting, type LightOptions, lightingOf, rayBack } from './lighting.ts';
 import { directLight } from './lights.ts';
 import { type Beam, coverage, isElsewhere } from './passage.ts';
 import { type Look, lookOf, sampleMirrored } from './reflectance.ts';
-import { dopplerBetween, type RestFrame, restFrame } from './restFrame.ts';
-import { seen } from './shift.ts';
+import { restFrame, WORLD } from './restFrame.ts';
+import { emissionOf } from './shine.ts';
+import { type Eye, RADIANCE, type Receiver, received } from './sight.ts';
 import { type SurfacePoint, surfaceAt } from './surface.ts';
 import { nearestHit, type TracedScene } from './trace.ts';
 import type { Hit, SpacetimeRay } from './types.ts';
@@ -26,9 +30,7 @@ const MIRROR_CHANCE = 4;
 const FAINT = 1e-4;
 
 /** Who looks along a ray, and how far what is met there is followed. */
-export interface Path {
-  /** The frame in which the light is received. */
-  readonly frame: RestFrame;
+export interface Path extends Receiver {
   /** Whether it is a picture that forms: of front sides, by what they reflect. Else light is gathered: from both sides, and what is left of `bounces` counts. */
   readonly eye: boolean;
   /** The sky has its suns in it. */
@@ -49,14 +51,15 @@ export function radiance(
   settings: RenderSettings,
   options: LightOptions,
   random: Random,
+  { sight, color }: Eye = eyesOf(settings)(random),
 ): Vec3 {
   const lighting = lightingOf(scene, settings, options, receiver.u, random);
   const luminous = settings.view === 'light-cone';
   const frame = restFrame(luminous ? receiver.u : ZERO);
   // A slice has the sky of the observer's own directions.
   const toward = settings.view === 'simultaneity' ? simultaneousPosition(ray.dx, receiver.u) : ray.dx;
-  const path = { frame, eye: true, suns: true, bounces: options.bounces, mirrors: MOST_MIRRORS };
-  return gather(lighting, { ray, begin: 0, toward: normalize(toward) }, path);
+  const path = { frame, sight, eye: true, suns: true, bounces: options.bounces, mirrors: MOST_MIRRORS };
+  return color(gather(lighting, { ray, begin: 0, toward: normalize(toward) }, path));
 }
 
 /** A beam, and the direction in which the sky is behind it. */
@@ -65,17 +68,17 @@ interface Gaze extends Beam {
 }
 
 /** Through all that is transparent, to the first solid surface or the sky. */
-function gather(lighting: Lighting, gaze: Gaze, path: Path): Vec3 {
+function gather(lighting: Lighting, gaze: Gaze, path: Path): Light {
   const { scene } = lighting;
   let beam: Beam = gaze;
-  let sum = ZERO;
+  let sum = DARK;
   let share = 1;
   for (let layer = 0; layer < MOST_LAYERS; layer++) {
     const hit = met(lighting, beam, path);
-    if (!hit) return addScaled(sum, skyLight(lighting, gaze.toward, path), share);
+    if (!hit) return plus(sum, skyLight(lighting, gaze.toward, path), share);
     const glass = path.eye && isGlass(lighting, hit);
     const held = glass ? 1 : coverage(scene, hit);
-    sum = addScaled(sum, surfaceLight(lighting, gaze, hit, path, glass), share * held);
+    sum = plus(sum, surfaceLight(lighting, gaze, hit, path, glass), share * held);
     share *= 1 - held;
     if (share < FAINT) break;
     beam = { ray: beam.ray, begin: hit.s, from: hit };
@@ -94,96 +97,89 @@ function met(lighting: Lighting, beam: Beam, { eye }: Path): Hit | undefined {
   });
 }
 
-function skyLight({ sky, settings }: Lighting, n: Vec3, { frame, suns }: Path): Vec3 {
-  const light = suns ? add(sky.light(n), sky.suns(n)) : sky.light(n);
-  return seen(light, frame.doppler(n), settings);
+function skyLight({ sky }: Lighting, n: Vec3, path: Path): Light {
+  return received(path, n, WORLD, RADIANCE, ({ sight }) => {
+    const light = sky.light(n, sight);
+    return path.suns ? plus(light, sky.suns(n, sight)) : light;
+  });
 }
 
 /** What the surface sends towards the receiver, as it arrives there. */
-function surfaceLight(lighting: Lighting, { ray }: Gaze, hit: Hit, path: Path, glass: boolean): Vec3 {
+function surfaceLight(lighting: Lighting, { ray }: Gaze, hit: Hit, path: Path, glass: boolean): Light {
   const n = normalize(ray.dx);
   const frame = frameOf(lighting, hit.velocity);
   const point = surfaceAt(lighting.scene, hit);
   const V = negate(frame.into(n));
-  const light = glass
-    ? glassLight(lighting, hit, point, V, frame, path)
-    : solidLight(lighting, hit, point, V, frame, path);
-  return seen(light, dopplerBetween(n, path.frame, frame), lighting.settings);
+  const sent = glass ? glassLight : solidLight;
+  return received(path, n, frame, RADIANCE, (here) => sent(lighting, hit, point, V, { ...path, ...here }));
 }
 
 /** Radiance of a surface towards V, in its rest frame: what it emits, and what it reflects where that is looked at. */
-function solidLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, frame: RestFrame, path: Path): Vec3 {
-  if (!path.eye && path.bounces === 0) return point.emissive;
+function solidLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, here: Path): Light {
+  const emitted = here.sight.shining(emissionOf(point));
+  if (!here.eye && here.bounces === 0) return emitted;
   const look = lookOf(point, V);
   const at = departureAt(lighting.scene, hit);
-  const direct = add(point.emissive, directLight(lighting, at, look, frame));
-  return add(direct, scattered(lighting, at, look, point.roughness, frame, path));
+  const direct = plus(emitted, directLight(lighting, at, look, here));
+  return plus(direct, scattered(lighting, at, look, point.roughness, here));
 }
 
 /**
  * Light of the sky and of other surfaces. Of what is seen directly both parts of the reflectance are followed, the faint mirroring
  * of a plastic now and then and all the more; further on one of the parts, by chance, stands for both.
  */
-function scattered(
-  lighting: Lighting,
-  at: Departure,
-  look: Look,
-  roughness: number,
-  frame: RestFrame,
-  path: Path,
-): Vec3 {
+function scattered(lighting: Lighting, at: Departure, look: Look, roughness: number, here: Path): Light {
   const { options, random } = lighting;
-  const eye = path.eye && options.mirrors && path.mirrors > 0;
-  const scatters = path.bounces > 0;
+  const eye = here.eye && options.mirrors && here.mirrors > 0;
+  const scatters = here.bounces > 0;
   const { L, share } = sampleMirrored(look, roughness, random);
-  const d = scatters ? Math.max(...look.diffuse) : 0;
-  const m = eye || scatters ? Math.max(...share) : 0;
-  const diffuse = (): Vec3 => diffuselyFrom(lighting, at, look, frame, path);
-  const mirror = (): Vec3 => product(share, lightFrom(lighting, at, L, mirrorPath(path, frame, eye)));
-  if (path.eye && path.mirrors === MOST_MIRRORS) {
-    let sum = ZERO;
-    if (d > 0) for (let k = 0; k < FIRST_RAYS; k++) sum = addScaled(sum, diffuse(), 1 / FIRST_RAYS);
+  const d = scatters ? largest(look.diffuse) : 0;
+  const m = eye || scatters ? largest(share) : 0;
+  const diffuse = (): Light => diffuselyFrom(lighting, at, look, here);
+  const mirror = (): Light => here.sight.filtered(lightFrom(lighting, at, L, mirrorPath(here, eye)), share);
+  if (here.eye && here.mirrors === MOST_MIRRORS) {
+    let sum = DARK;
+    if (d > 0) for (let k = 0; k < FIRST_RAYS; k++) sum = plus(sum, diffuse(), 1 / FIRST_RAYS);
     const chance = Math.min(1, MIRROR_CHANCE * m);
-    return random() < chance ? addScaled(sum, mirror(), 1 / chance) : sum;
+    return random() < chance ? plus(sum, mirror(), 1 / chance) : sum;
   }
-  if (d + m === 0) return ZERO;
-  return random() * (d + m) < d ? scale(diffuse(), (d + m) / d) : scale(mirror(), (d + m) / m);
+  if (d + m === 0) return DARK;
+  return random() * (d + m) < d ? times(diffuse(), (d + m) / d) : times(mirror(), (d + m) / m);
 }
 
-const mirrorPath = (path: Path, frame: RestFrame, eye: boolean): Path =>
+const mirrorPath = (here: Path, eye: boolean): Path =>
   eye
-    ? { ...path, frame, suns: false, mirrors: path.mirrors - 1 }
-    : { ...path, frame, suns: false, eye: false, bounces: path.bounces - 1 };
+    ? { ...here, suns: false, mirrors: here.mirrors - 1 }
+    : { ...here, suns: false, eye: false, bounces: here.bounces - 1 };
 
-function diffuselyFrom(lighting: Lighting, at: Departure, look: Look, frame: RestFrame, path: Path): Vec3 {
+function diffuselyFrom(lighting: Lighting, at: Departure, look: Look, here: Path): Light {
   const L = cosineDirection(look.N, lighting.random);
-  const onward = { ...path, frame, eye: false, suns: false, bounces: path.bounces - 1 };
-  return product(look.diffuse, lightFrom(lighting, at, L, onward));
+  const onward = { ...here, eye: false, suns: false, bounces: here.bounces - 1 };
+  return here.sight.filtered(lightFrom(lighting, at, L, onward), look.diffuse);
 }
 
 /** Radiance from the direction L of the rest frame, as it arrives there. Directions below the triangle count as their mirror images above it. */
-function lightFrom(lighting: Lighting, at: Departure, L: Vec3, path: Path): Vec3 {
+function lightFrom(lighting: Lighting, at: Departure, L: Vec3, path: Path): Light {
   const n = path.frame.out(turnedTo(at.side, L));
   return gather(lighting, { ray: rayBack(lighting, at, n), begin: at.clear, from: at.hit, toward: n }, path);
 }
 
 /** The body's own colour as much as it is opaque, the lamps' highlights, and what comes through and from its sides. */
-function glassLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, frame: RestFrame, path: Path): Vec3 {
+function glassLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, here: Path): Light {
   const { opacity } = point;
-  const look = lookOf({ ...point, albedo: scale(point.albedo, opacity), metallic: 0 }, V);
+  const solid = lookOf({ ...point, metallic: 0 }, V);
+  const look = { ...solid, diffuse: dimmed(solid.diffuse, opacity) };
   const at = departureAt(lighting.scene, hit);
-  const own = addScaled(directLight(lighting, at, look, frame), point.emissive, opacity);
-  const diffuse = opacity > 0 && path.bounces > 0 ? diffuselyFrom(lighting, at, look, frame, path) : ZERO;
-  const onward = { ...path, frame, suns: true, mirrors: path.mirrors - 1 };
+  const own = plus(directLight(lighting, at, look, here), here.sight.shining(emissionOf(point)), opacity);
+  const diffuse = opacity > 0 && here.bounces > 0 ? diffuselyFrom(lighting, at, look, here) : DARK;
+  const onward = { ...here, suns: true, mirrors: here.mirrors - 1 };
   const glass: Glass = {
-    frame,
+    frame: here.frame,
     point,
-    branches: path.mirrors === MOST_MIRRORS,
+    branches: here.mirrors === MOST_MIRRORS,
     outside: (from, L) => lightFrom(lighting, from, L, onward),
     along: (beam) => gather(lighting, { ...beam, toward: normalize(beam.ray.dx) }, onward),
   };
-  const clear = path.mirrors > 0 ? throughGlass(lighting, hit, at, V, glass) : ZERO;
-  return add(add(own, diffuse), clear);
+  const clear = here.mirrors > 0 ? throughGlass(lighting, hit, at, V, glass) : DARK;
+  return plus(plus(own, diffuse), clear);
 }
-
-const product = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];

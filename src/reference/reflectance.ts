@@ -1,5 +1,7 @@
-import { add, addScaled, dot, lerp, normalize, scale, type Vec3 } from '../math/vec3.ts';
+import { add, addScaled, dot, normalize, scale, type Vec3 } from '../math/vec3.ts';
+import type { Bands } from '../spectrum/bands.ts';
 import { inFrameOf, mirrored, type Random, tangents } from './directions.ts';
+import { dimmed, mixed, neutral } from './filters.ts';
 import type { SurfacePoint } from './surface.ts';
 
 // Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.
@@ -7,9 +9,9 @@ import type { SurfacePoint } from './surface.ts';
 /** How a surface reflects towards V. */
 export interface Look {
   /** Albedo of the Lambert part. */
-  readonly diffuse: Vec3;
+  readonly diffuse: Bands;
   /** Mirrored share at normal and at grazing incidence. */
-  readonly F0: Vec3;
+  readonly F0: Bands;
   readonly F90: number;
   /** As direct light meets it: a point of light on a perfect mirror would have no size. */
   readonly roughness: number;
@@ -18,11 +20,11 @@ export interface Look {
   readonly NV: number;
 }
 
-export function lookOf({ albedo, metallic, roughness, ior, normal: N }: SurfacePoint, V: Vec3): Look {
+export function lookOf({ bands, metallic, roughness, ior, normal: N }: SurfacePoint, V: Vec3): Look {
   const bare = ((ior - 1) / (ior + 1)) ** 2;
-  const F0 = lerp([bare, bare, bare], albedo, metallic);
+  const F0 = mixed(neutral(bare), 1 - metallic, bands, metallic);
   return {
-    diffuse: scale(albedo, 1 - metallic),
+    diffuse: dimmed(bands, 1 - metallic),
     F0,
     // What refracts like its surroundings has no surface to mirror, not even at grazing incidence.
     F90: ior === 1 ? metallic : 1,
@@ -33,15 +35,16 @@ export function lookOf({ albedo, metallic, roughness, ior, normal: N }: SurfaceP
   };
 }
 
-/** BRDF · cos of light from L. */
-export function reflectance(look: Look, L: Vec3): Vec3 {
+/** BRDF · cos of light from L; undefined where L is below the horizon. */
+export function reflectance(look: Look, L: Vec3): Bands | undefined {
   const NL = Math.min(dot(look.N, L), 1);
-  if (NL <= 0) return [0, 0, 0];
-  return scale(add(scale(look.diffuse, 1 / Math.PI), ggx(look, L, NL)), NL);
+  if (NL <= 0) return undefined;
+  const { share, F } = ggx(look, L, NL);
+  return mixed(look.diffuse, NL / Math.PI, F, NL * share);
 }
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
-function ggx(look: Look, L: Vec3, NL: number): Vec3 {
+function ggx(look: Look, L: Vec3, NL: number): { readonly share: number; readonly F: Bands } {
   const { N, V, NV, roughness } = look;
   const H = normalize(add(L, V));
   const a2 = roughness ** 4;
@@ -49,15 +52,16 @@ function ggx(look: Look, L: Vec3, NL: number): Vec3 {
   const spread = NH * NH * (a2 - 1) + 1;
   const distribution = a2 / (spread * spread * Math.PI);
   const visibility = 0.5 / Math.max(NL * lambda(NV, a2) + NV * lambda(NL, a2), 1e-4);
-  return scale(fresnel(look, dot(V, H)), Math.min(distribution * visibility, 1e4));
+  return { share: Math.min(distribution * visibility, 1e4), F: fresnel(look, dot(V, H)) };
 }
 
 /** √(a² + (1 − a²) x²) */
 const lambda = (x: number, a2: number): number => Math.sqrt(x * x * (1 - a2) + a2);
 
 /** Schlick 1994. */
-function fresnel({ F0, F90 }: Look, VH: number): Vec3 {
-  return lerp(F0, [F90, F90, F90], (1 - Math.min(Math.max(VH, 0), 1)) ** 5);
+function fresnel({ F0, F90 }: Look, VH: number): Bands {
+  const grazing = (1 - Math.min(Math.max(VH, 0), 1)) ** 5;
+  return mixed(F0, 1 - grazing, neutral(F90), grazing);
 }
 
 /** Below this a surface mirrors as if it were perfectly smooth. */
@@ -66,7 +70,7 @@ const SMOOTH = 0.05;
 /** A direction from which mirrored light comes, and what share of it goes towards V. */
 export interface Mirrored {
   readonly L: Vec3;
-  readonly share: Vec3;
+  readonly share: Bands;
 }
 
 /** Chosen by the facets that are seen from V, so that `share` is F · G₂/G₁ and never great. */
@@ -76,10 +80,10 @@ export function sampleMirrored(look: Look, roughness: number, random: Random): M
   const L = mirrored(scale(V, -1), H);
   const NL = dot(N, L);
   if (roughness < SMOOTH) return { L, share: fresnel(look, NV) };
-  if (NL <= 0) return { L, share: [0, 0, 0] };
+  if (NL <= 0) return { L, share: neutral(0) };
   const a2 = roughness ** 4;
   const [v, l] = [NL * lambda(NV, a2), NV * lambda(NL, a2)];
-  return { L, share: scale(fresnel(look, dot(V, H)), (NL * (NV + lambda(NV, a2))) / (v + l)) };
+  return { L, share: dimmed(fresnel(look, dot(V, H)), (NL * (NV + lambda(NV, a2))) / (v + l)) };
 }
 
 /** Source: Heitz 2018, "Sampling the GGX distribution of visible normals", JCGT 7(4). */

@@ -10,7 +10,8 @@ export interface RestFrame {
   doppler(n: Vec3): number;
 }
 
-const WORLD: RestFrame = { u: [0, 0, 0], into: (n) => n, out: (n) => n, doppler: () => 1 };
+/** Of whatever rests in the world. */
+export const WORLD: RestFrame = { u: [0, 0, 0], into: (n) => n, out: (n) => n, doppler: () => 1 };
 
 /** Most surfaces rest: then nothing is computed. */
 export const restFrame = (u: Vec3): RestFrame =>

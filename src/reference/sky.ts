@@ -1,26 +1,37 @@
-import { addScaled, dot, lerp, scale, type Vec3, ZERO } from '../math/vec3.ts';
-import { axesOf, DAY, directLights, domeOf, SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
-import type { DistantLight, DomeLight, Scene } from '../scene/types.ts';
+import { dot, lerp, scale, type Vec3 } from '../math/vec3.ts';
+import { axesOf, DAY, domeOf, SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
+import type { DomeLight, Scene } from '../scene/types.ts';
+import { DARK, type Light, plus } from './light.ts';
+import { type Shine, shineOf } from './shine.ts';
+import type { Sight } from './sight.ts';
 import { sampleTexture } from './texture.ts';
 
-/** Radiance from world directions n (unit), for one who is at rest in the world. */
-export interface Sky {
-  light(n: Vec3): Vec3;
-  /** The discs of distant lights and their glow, which are in the sky for the eye alone: as light they have no size. */
-  suns(n: Vec3): Vec3;
+/** A distant light: the unit direction in which it travels, and what it shines with. */
+export interface Sun {
+  readonly direction: Vec3;
+  readonly shine: Shine;
 }
 
-export function skyOf(scene: Scene): Sky {
+/** Radiance from world directions n (unit), for the sight of one who is at rest in the world. */
+export interface Sky {
+  light(n: Vec3, sight: Sight): Light;
+  /** The discs of distant lights and their glow, which are in the sky for the eye alone: as light they have no size. */
+  suns(n: Vec3, sight: Sight): Light;
+}
+
+export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
   const { up } = axesOf(scene.upAxis);
   const dome = domeOf(scene);
-  const suns = directLights(scene).filter((light) => light.kind === 'distant');
+  const color = dome
+    ? domeColor(dome, scene.upAxis)
+    : (n: Vec3) => gradient(dot(n, up), DAY.zenith, DAY.horizon, DAY.ground);
   return {
-    light: dome ? domeLight(dome, scene.upAxis) : (n) => gradient(dot(n, up), DAY.zenith, DAY.horizon, DAY.ground),
-    suns: (n) => suns.reduce((sum, sun) => addScaled(sum, sun.color, discAndGlow(n, sun)), ZERO),
+    light: (n, sight) => sight.shining(shineOf(color(n), dome?.spectrum)),
+    suns: (n, sight) => suns.reduce((sum, sun) => plus(sum, sight.shining(sun.shine), discAndGlow(n, sun)), DARK),
   };
 }
 
-function domeLight({ color, texture }: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
+function domeColor({ color, texture }: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
   if (texture) return domePicture(texture, color, upAxis);
   const { up } = axesOf(upAxis);
   return (n) => gradient(dot(n, up), color, color, color);
@@ -49,7 +60,7 @@ function domePicture(
   };
 }
 
-function discAndGlow(n: Vec3, { direction }: DistantLight): number {
+function discAndGlow(n: Vec3, { direction }: Sun): number {
   const away = 1 + dot(n, direction);
   const disc = SUN_DISC.radiance * (1 - smoothstep(...SUN_DISC.rim, away));
   return SUN_DISC.glows.reduce((sum, [strength, rate]) => sum + strength * Math.exp(-rate * away), disc);

@@ -1,3 +1,4 @@
+import type { Gauge } from '../scene/gauge.ts';
 import type { Scene } from '../scene/types.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import type { PickResult, RendererInfo } from './settings.ts';
@@ -23,6 +24,8 @@ export interface PictureMaker {
   readPixels(): Promise<Uint8Array>;
   /** Of the last picture; as many values per pixel as the AOV has channels. */
   readAov(name: AovName): Promise<Float32Array>;
+  /** The last picture at `GAUGE` × `GAUGE` places: what exposure and scales of false colours go by. */
+  gauge(): Promise<Gauge>;
   /** What opaque surface is at a pixel of the last picture (from the top left); undefined: none. */
   pick(x: number, y: number): Promise<PickResult | undefined>;
   dispose(): void;

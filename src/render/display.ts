@@ -1,6 +1,7 @@
 import { dot, Fn, floor, fract, mix, mrt, pow, screenCoordinate, select, step, vec2, vec3, vec4 } from 'three/tsl';
 import type { Node, Texture } from 'three/webgpu';
-import { toneMap } from '../shaders/toneMap.ts';
+import type { RenderSettings } from '../scene/view.ts';
+import { toneMaps } from '../shaders/toneMap.ts';
 import type { Vec3, Vec4 } from '../shaders/types.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';
 import { fxaa } from './fxaa.ts';
@@ -9,17 +10,20 @@ import { depthHere } from './passes.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 
+/** What of the settings changes the passes of this file, and not their uniforms alone. */
+export type Look = Pick<RenderSettings, 'tone' | 'grid'>;
+
 /** Linear light to display, 0 … 1, with the grid over it where that is wanted. */
-function displayed(hdr: Vec3, buffer: GBuffer, uniforms: Uniforms, grid: boolean): Vec3 {
-  const picture = toneMap(hdr, uniforms.exposure).toVar();
+function displayed(hdr: Vec3, buffer: GBuffer, uniforms: Uniforms, { tone, grid }: Look): Vec3 {
+  const picture = toneMaps[tone](hdr, uniforms.exposure).toVar();
   if (!grid) return picture;
   const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
   return mix(picture, lines.xyz, lines.w).toVar();
 }
 
 /** One sample: encoded in 8 bits, for FXAA needs what the eye sees. */
-export const singleSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms, grid: boolean): Vec4 =>
-  Fn(() => vec4(dithered(encode(displayed(texelHere(hdr).rgb, buffer, uniforms, grid))), 1))();
+export const singleSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms, look: Look): Vec4 =>
+  Fn(() => vec4(dithered(encode(displayed(texelHere(hdr).rgb, buffer, uniforms, look))), 1))();
 
 /**
  * One of several samples, added to those before: the picture after tone mapping, so that edges of very bright things are smooth too,
@@ -30,13 +34,13 @@ export function addedSample(
   before: { readonly picture: Texture; readonly light: Texture },
   buffer: GBuffer,
   uniforms: Uniforms,
-  grid: boolean,
+  look: Look,
 ): Node {
   const sum = (now: Vec3, of: Texture): Vec4 =>
     vec4(select(uniforms.firstSample.greaterThan(0.5), vec3(0), texelHere(of).rgb).add(now.mul(uniforms.weight)), 1);
   const light = texelHere(hdr).rgb;
   return mrt({
-    picture: Fn(() => sum(displayed(light, buffer, uniforms, grid), before.picture))(),
+    picture: Fn(() => sum(displayed(light, buffer, uniforms, look), before.picture))(),
     light: sum(light, before.light),
   });
 }
@@ -45,7 +49,7 @@ export const antialiased = (picture: Texture): Vec4 => vec4(fxaa(picture), 1);
 export const averaged = (picture: Texture): Vec4 => vec4(dithered(encode(texelHere(picture).rgb)), 1);
 
 /** sRGB encoding, IEC 61966-2-1. */
-function encode(linear: Vec3): Vec3 {
+export function encode(linear: Vec3): Vec3 {
   const low = linear.mul(12.92);
   const high = pow(linear.clamp(0, 1), vec3(1 / 2.4))
     .mul(1.055)

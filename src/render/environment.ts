@@ -1,32 +1,35 @@
 import { int, Loop, uniform } from 'three/tsl';
 import { Color } from 'three/webgpu';
-import { rotate } from '../math/quat.ts';
 import { normalize, scale, type Vec3 } from '../math/vec3.ts';
-import { DAY, type DirectLight, directLights, domeOf } from '../scene/daylight.ts';
-import { shownArea } from '../scene/lamps.ts';
-import type { AreaLight, DistantLight, DomeLight, Scene } from '../scene/types.ts';
+import { DAY, directLights, domeOf } from '../scene/daylight.ts';
+import type { DistantLight, DomeLight, Scene } from '../scene/types.ts';
+import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
-import { AreaLights } from './areaLights.ts';
 import { DomePicture } from './domeTexture.ts';
 import { FloatTable } from './floatTable.ts';
-import { lampSeen } from './lampSeen.ts';
-import { type ShapingTexels, shapingValues } from './shaping.ts';
+import { type ShineKind, shineColor, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
+import { LampTable } from './lampTable.ts';
+import { LineTable } from './lineTable.ts';
+import type { Source } from './radiance.ts';
 import type { Sight } from './sight.ts';
 
-/** Direct light on the GPU: the direction to it (w = 0) or its place relative to the observer [m] (w = 1), and its colour. */
-export interface LightTexels {
-  readonly place: gpu.Vec4;
+/** A distant light on the GPU. */
+export interface SunTexels {
+  /** Towards it, unit. */
+  readonly direction: gpu.Vec3;
+  /** The filter of its irradiance. */
   readonly color: gpu.Vec3;
-  /** Absent where no lamp of the scene is shaped. */
-  readonly shaping?: ShapingTexels;
+  /** Absent of daylight. */
+  readonly source?: Source;
 }
 
-type Direct = Exclude<DirectLight, AreaLight>;
-
+/** Texels per distant light: (direction, x), (colour, y), with (x, y) of `shineNumbers`. */
+const SUN_TEXELS = 2;
+const SHINES = ['daylight', 'thermal', 'lines'] as const satisfies readonly ShineKind[];
 /** So many lights are written out one by one: a software GPU goes through the body of a loop once more than it need. */
 const WRITTEN_OUT = 4;
 
-/** Where light comes from: distant and sphere lights in a table, and a sky (the scene's dome, or a clear day's). */
+/** Where light comes from: suns, lamps, and a sky (the scene's dome, or a clear day's). */
 export class Environment {
   readonly uniforms = {
     zenithColor: uniform(new Color()),
@@ -37,58 +40,61 @@ export class Environment {
   };
   /** The dome's, where it has one. */
   readonly picture: DomePicture | undefined;
-  /** Lamps with a size; absent where there are none. */
-  readonly areas: AreaLights | undefined;
-  /** Distant ones first. */
-  private readonly lights: readonly Direct[];
-  /** Texels per light: twice as many where any is shaped. */
-  private readonly stride: 2 | 4;
+  readonly lamps: LampTable;
+  /** Those of a kind of light together. */
+  private readonly suns: readonly DistantLight[];
   private readonly table = new FloatTable(256);
+  private readonly lines = new LineTable();
 
   constructor(scene: Scene) {
     const dome = domeOf(scene);
     const direct = directLights(scene);
-    const spheres = direct.filter((light) => light.kind === 'sphere');
-    this.lights = [...direct.filter(isDistant), ...spheres];
-    this.stride = spheres.some(({ shaping }) => shaping) ? 4 : 2;
-    this.table.reserve(this.stride * this.lights.length);
-    const areas = direct.filter(isArea);
-    if (areas.length > 0) this.areas = new AreaLights(areas);
+    const suns = direct.filter((light) => light.kind === 'distant');
+    this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind));
+    this.table.reserve(SUN_TEXELS * this.suns.length);
+    this.lamps = new LampTable(
+      direct.filter((light) => light.kind !== 'distant'),
+      this.lines,
+    );
     if (dome) this.setDome(dome);
     else this.setDay();
     if (dome?.texture) this.picture = new DomePicture(dome.texture, scene.upAxis, dome.color);
   }
 
-  private light(index: gpu.Int): LightTexels {
-    const at = index.mul(int(this.stride));
-    const texel = (k: number): gpu.Vec4 => this.table.texel(at.add(int(k))).toVar();
-    const [place, color] = [texel(0), texel(1)];
-    if (this.stride === 2) return { place, color: color.xyz };
-    const [front, angles] = [texel(2), texel(3)];
-    const shaping = { front: front.xyz, inner: front.w, outer: angles.x, focus: color.w };
-    return { place, color: color.xyz, shaping };
+  eachSun(visit: (sun: SunTexels) => void): void {
+    for (const kind of SHINES) {
+      const start = this.suns.findIndex((sun) => shineKind(sun) === kind);
+      const end = start + this.suns.filter((sun) => shineKind(sun) === kind).length;
+      if (end - start > WRITTEN_OUT)
+        Loop({ start: int(start), end: int(end), type: 'int', condition: '<' }, ({ i }) =>
+          visit(this.sun(int(i), kind)),
+        );
+      else for (let i = start; i < end; i++) visit(this.sun(int(i), kind));
+    }
   }
 
-  /** Goes through all lights, or the distant ones. */
-  each(which: 'all' | 'distant', visit: (light: LightTexels) => void): void {
-    const count = which === 'all' ? this.lights.length : this.lights.filter(isDistant).length;
-    if (count > WRITTEN_OUT)
-      Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => visit(this.light(int(i))));
-    else for (let i = 0; i < count; i++) visit(this.light(int(i)));
+  private sun(index: gpu.Int, kind: ShineKind): SunTexels {
+    const at = index.mul(int(SUN_TEXELS));
+    const [direction, color] = [0, 1].map((k) => this.table.texel(at.add(int(k))).toVar());
+    const source = sourceOf(kind, [direction.w, color.w], this.lines);
+    return { direction: direction.xyz, color: color.xyz, ...(source && { source }) };
   }
 
   /** Places are uploaded relative to the observer's event. */
-  update(sight: Sight): void {
-    this.lights.forEach((light, i) => {
-      this.table.values.set(texelsOf(light, sight).slice(0, 4 * this.stride), 4 * this.stride * i);
+  update(sight: Sight, colors: ColorMode): void {
+    this.suns.forEach((sun, i) => {
+      const [x, y] = shineNumbers(sun, this.lines);
+      const texels = [...normalize(scale(sun.direction, -1)), x, ...shineColor(sun, colors), y];
+      this.table.values.set(texels, 4 * SUN_TEXELS * i);
     });
     this.table.upload();
-    this.areas?.update(sight);
+    this.lamps.update(sight, colors);
   }
 
   dispose(): void {
     this.table.dispose();
-    this.areas?.dispose();
+    this.lamps.dispose();
+    this.lines.dispose();
     this.picture?.dispose();
   }
 
@@ -109,16 +115,4 @@ export class Environment {
     this.uniforms.horizonColor.value.setRGB(...horizon);
     this.uniforms.groundColor.value.setRGB(...ground);
   }
-}
-
-const isDistant = (light: DirectLight): light is DistantLight => light.kind === 'distant';
-const isArea = (light: DirectLight): light is AreaLight => light.kind !== 'distant' && light.kind !== 'sphere';
-
-/** A sphere's radiance L is the intensity πr²L; a point's colour is its intensity. */
-function texelsOf(light: Direct, sight: Sight): readonly number[] {
-  if (light.kind === 'distant') return [...normalize(scale(light.direction, -1)), 0, ...light.color, 0];
-  const { position, orientation, color } = lampSeen(light, sight);
-  const [inner, outer, focus] = shapingValues(light);
-  const front = rotate(orientation, [0, 0, -1]);
-  return [...position, 1, ...scale(color, shownArea(light)), focus, ...front, inner, outer];
 }

@@ -1,21 +1,53 @@
-import { scale, type Vec3, ZERO } from '../math/vec3.ts';
-import { originLine, poseAt } from '../scene/motion.ts';
-import type { Lamp, Pose } from '../scene/types.ts';
-import { meet, type Sight } from './sight.ts';
+import { length, normalize, select } from 'three/tsl';
+import type { Float, Vec3 } from '../shaders/types.ts';
+import { lampEvent } from './lampEvent.ts';
+import type { LampShape, LampTexels } from './lampTable.ts';
+import { AT_REST, type Rest, restFrame } from './restFrame.ts';
+import { turn } from './samples.ts';
+import type { Uniforms } from './uniforms.ts';
 
-/** A lamp as it is uploaded: where it is relative to the observer's event [m], how its axes stand, and its colour. */
-export interface SeenLamp extends Pose {
-  readonly color: Vec3;
+/** A lamp as a surface sees it. */
+export interface SeenLamp {
+  /** Surface → lamp, unit, world. */
+  readonly n: Vec3;
+  /** Its rest frame at the event; its axes, and what follows, are given there. */
+  readonly frame: Rest;
+  /** Surface → its middle [m]. */
+  readonly centre: Vec3;
+  /** Absent of what shines alike to all sides. */
+  readonly shape?: LampShape;
+  /** Whether it shines then. */
+  readonly shining?: Float;
 }
 
 /**
- * Where the observer sees the lamp: that is taken for where it shines from on all surfaces, as if its light took no time to them
- * and had no shift of its own (docs/model.md). Dark where it is not seen.
+ * A lamp where and when it sent out what meets a surface event at `dx` [m] from the observer and `time` [m of light] after his: on the event's own past light
+ * cone; in the views of one moment, at that moment. Its velocity and axes are taken as constant while its light crosses it.
  */
-export function lampSeen({ motion, lifetime, color }: Lamp, sight: Sight): SeenLamp {
-  const event = meet(originLine(motion), sight);
-  const time = sight.t + (event?.ahead ?? 0) / sight.c;
-  const { orientation } = poseAt(motion, time, sight.c);
-  const shines = event && lifetime.birth <= time && time <= lifetime.death;
-  return { position: event?.offset ?? ZERO, orientation, color: shines ? color : scale(color, 0) };
+export function lampSeen(lamp: LampTexels, dx: Vec3, time: Float, uniforms: Uniforms): SeenLamp {
+  const d = lamp.place.sub(dx).toVar();
+  const late =
+    lamp.life && select(uniforms.lightTravels.greaterThan(0.5), lamp.life.z.sub(time).add(length(d)), 0).toVar();
+  const { offset, elapsed, velocity, orientation, exists } = lampEvent(lamp.path, d, late);
+  const n = normalize(offset).toVar();
+  const frame = velocity ? restFrame(velocity, uniforms) : AT_REST;
+  const distance = length(offset);
+  const centre = frame.doppler
+    ? frame
+        .into(n)
+        .mul(distance.mul(frame.doppler(n)))
+        .toVar()
+    : offset;
+  const { shape, life } = lamp;
+  const when = life && elapsed && life.z.add(elapsed).toVar();
+  const alive = life && when?.greaterThanEqual(life.x).and(when.lessThanEqual(life.y));
+  const turned = orientation &&
+    shape && { ...shape, X: turn(orientation, shape.X).toVar(), Y: turn(orientation, shape.Y).toVar() };
+  return {
+    n,
+    frame,
+    centre,
+    ...(shape && { shape: turned ?? shape }),
+    ...(alive && { shining: select(exists ? alive.and(exists) : alive, 1, 0) }),
+  };
 }

@@ -62,6 +62,7 @@ function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
     ...unpackFinish(emissive.w),
     ...unpackNormals(normal),
     dx: event.xyz,
+    time: event.w,
     velocity: moving ? velocity : undefined,
     D: motion.w,
   };

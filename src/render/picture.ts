@@ -7,22 +7,24 @@ import {
   Scene,
   UnsignedByteType,
 } from 'three/webgpu';
-import type { ColorMode } from '../scene/view.ts';
-import type { SpectrumTable } from '../shaders/spectrumTable.ts';
-import { spectrumTexture } from '../shaders/spectrumTexture.ts';
-import { thermalTable } from '../spectrum/thermalTable.ts';
+import type { Gauge } from '../scene/gauge.ts';
+import type { RenderSettings } from '../scene/view.ts';
+import type { FalseColors } from '../spectrum/falseColor.ts';
 import type { Gpu } from './device.ts';
-import { addedSample, antialiased, averaged, singleSample } from './display.ts';
+import { addedSample, antialiased, averaged, type Look, singleSample } from './display.ts';
 import type { Drawable } from './drawable.ts';
+import { FalseColorTable, falseColored } from './falseColor.ts';
 import { FullScreen, type Where } from './fullScreen.ts';
+import { GaugeReader } from './gauge.ts';
+import { Palettes, paletteOf } from './palette.ts';
 import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
-import type { Optics } from './radiance.ts';
 import type { SceneUpload } from './sceneUpload.ts';
-import { spectral } from './spectral.ts';
 import { dataTarget, GBuffer } from './targets.ts';
-import { tinted } from './tinted.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
+
+/** How a picture is shown. */
+type Shown = Look & Pick<RenderSettings, 'falseColors'>;
 
 /** The targets and passes of a picture of one size: G-buffer, light, transparent things, display. */
 export class PictureMachine {
@@ -34,9 +36,11 @@ export class PictureMachine {
   private readonly gpu: Gpu;
   private readonly uniforms: Uniforms;
   private readonly passes = new Map<string, FullScreen>();
-  /** By their layers, as they are needed. */
-  private readonly tables = new Map<3 | 4, SpectrumTable>();
+  private readonly palettes = new Palettes();
+  private readonly gauge: GaugeReader;
+  private readonly falseColors = new FalseColorTable();
   private samples = 1;
+  private look: Shown = { tone: 'neutral', grid: false };
 
   constructor(gpu: Gpu, uniforms: Uniforms) {
     this.gpu = gpu;
@@ -46,6 +50,7 @@ export class PictureMachine {
     this.single.texture.minFilter = LinearFilter;
     this.single.texture.magFilter = LinearFilter;
     this.sums = [sumTarget(), sumTarget()];
+    this.gauge = new GaugeReader(gpu, this.buffer, uniforms);
   }
 
   setSize(width: number, height: number): void {
@@ -71,15 +76,16 @@ export class PictureMachine {
   }
 
   /** G-buffer to light, then what is transparent over it. */
-  drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera, colors: ColorMode): void {
+  drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera, settings: RenderSettings): void {
     const { buffer, uniforms, light, gpu } = this;
-    const { environment, bodies } = upload;
-    const optics = this.optics(colors, upload);
+    const { environment, bodies, scene } = upload;
+    const palette = paletteOf(settings, scene);
+    const optics = this.palettes.optics(palette, scene);
     const moving = () => bodies.some(({ object }) => object.motion.kind !== 'static');
-    this.run(`sky ${upload.serial} ${colors}`, () => skyLight(environment, uniforms, optics), light, 'sky');
+    this.run(`sky ${upload.serial} ${palette}`, () => skyLight(environment, uniforms, optics), light, 'sky');
     if (upload.opaque.children.some((mesh) => mesh.visible))
       this.run(
-        `light ${upload.serial} ${colors}`,
+        `light ${upload.serial} ${palette}`,
         () => surfaceLight(buffer, environment, uniforms, optics, moving()),
         light,
         'surfaces',
@@ -87,7 +93,7 @@ export class PictureMachine {
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawable of upload.drawables)
       if (drawable.batch.transparent)
-        this.dress(drawable, `forward ${projection.event} ${projection.place} ${colors}`, () =>
+        this.dress(drawable, `forward ${projection.event} ${projection.place} ${palette}`, () =>
           forwardMaterial(drawable, projection, buffer, upload.environment, optics),
         );
     gpu.renderer.autoClear = false;
@@ -96,25 +102,28 @@ export class PictureMachine {
     gpu.renderer.autoClear = true;
   }
 
-  /** Light to display: sample `index` of `count`, with or without the reference grid. */
-  display(index: number, count: number, grid: boolean): void {
+  /** Light to display: sample `index` of `count`. */
+  display(index: number, count: number, look: Shown): void {
+    this.look = look;
+    const key = `${look.tone} ${look.grid}`;
     const { buffer, uniforms, light } = this;
     this.samples = count;
     if (count === 1) {
-      this.run(`single ${grid}`, () => singleSample(light.texture, buffer, uniforms, grid), this.single);
+      this.run(`single ${key}`, () => singleSample(light.texture, buffer, uniforms, look), this.single);
       return;
     }
     uniforms.weight.value = 1 / count;
     uniforms.firstSample.value = index === 0 ? 1 : 0;
     const [from, to] = index % 2 === 0 ? [1, 0] : [0, 1];
     const before = { picture: this.sums[from].textures[0], light: this.sums[from].textures[1] };
-    this.run(`add ${to} ${grid}`, () => addedSample(light.texture, before, buffer, uniforms, grid), this.sums[to]);
+    this.run(`add ${to} ${key}`, () => addedSample(light.texture, before, buffer, uniforms, look), this.sums[to]);
   }
 
   /** The finished picture to the canvas (`null`), or to where it can be read. */
   present(where: 'canvas' | 'screen'): RenderTarget {
     const target = where === 'canvas' ? null : this.screen;
-    if (this.samples === 1) this.run('antialiased', () => antialiased(this.single.texture), target);
+    if (this.look.falseColors) this.colorFalsely(this.look, this.look.falseColors, target);
+    else if (this.samples === 1) this.run('antialiased', () => antialiased(this.single.texture), target);
     else {
       const at = (this.samples - 1) % 2;
       this.run(`averaged ${at}`, () => averaged(this.sums[at].textures[0]), target);
@@ -122,11 +131,26 @@ export class PictureMachine {
     return this.screen;
   }
 
+  private colorFalsely(look: Shown, colors: FalseColors, target: RenderTarget | null): void {
+    const { falseColors, buffer, uniforms } = this;
+    const { target: lit, index } = this.beauty();
+    const light = lit.textures[index];
+    falseColors.use(colors);
+    const name = `false ${colors.kind} ${look.tone} ${look.grid} ${light.id}`;
+    this.run(name, () => falseColored(colors.kind, light, buffer, uniforms, falseColors, look), target);
+  }
+
   /** Where the light of the whole picture is, and in which of its textures. */
   beauty(): { readonly target: RenderTarget; readonly index: number } {
     return this.samples === 1
       ? { target: this.light, index: 0 }
       : { target: this.sums[(this.samples - 1) % 2], index: 1 };
+  }
+
+  /** What the picture is like at places spread over it; c [m/s]. */
+  measure(c: number): Promise<Gauge> {
+    const { target, index } = this.beauty();
+    return this.gauge.read(target.textures[index], target.width, target.height, c);
   }
 
   /** Lets go of the passes that read a scene. */
@@ -141,16 +165,10 @@ export class PictureMachine {
   dispose(): void {
     for (const pass of this.passes.values()) pass.dispose();
     this.buffer.dispose();
-    for (const { texture } of this.tables.values()) texture.dispose();
+    this.palettes.dispose();
+    this.gauge.dispose();
+    this.falseColors.dispose();
     for (const target of [this.light, this.single, this.screen, ...this.sums]) target.dispose();
-  }
-
-  private optics(colors: ColorMode, { scene }: SceneUpload): Optics {
-    if (colors === 'approximate') return tinted;
-    const layers = scene.materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
-    const table = this.tables.get(layers) ?? spectrumTexture(thermalTable(layers));
-    this.tables.set(layers, table);
-    return spectral(table);
   }
 
   private run(

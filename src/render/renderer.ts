@@ -1,6 +1,7 @@
 import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
 import { toMatrix } from '../math/quat.ts';
 import { gamma } from '../physics/boost.ts';
+import type { Gauge } from '../scene/gauge.ts';
 import type { Scene } from '../scene/types.ts';
 import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../scene/view.ts';
 import type { PictureMaker } from './api.ts';
@@ -91,13 +92,13 @@ export class SceneRenderer implements PictureMaker {
     if (!upload.frame.isComplete) return;
     this.resize();
     this.cut(upload, viewPoint, sight, projection, seen);
-    upload.environment.update(sight);
+    upload.environment.update(sight, settings.colors);
     const count = samples * samples;
     for (let i = 0; i < count; i++) {
       this.jitter(samples, i);
       this.machine.drawGeometry(upload, projection, this.camera);
-      this.machine.drawLight(upload, projection, this.camera, settings.colors);
-      this.machine.display(i, count, settings.grid);
+      this.machine.drawLight(upload, projection, this.camera, settings);
+      this.machine.display(i, count, settings);
     }
     if (count > 1) {
       // Data are of the pixels' centres, not of the last sample.
@@ -127,6 +128,10 @@ export class SceneRenderer implements PictureMaker {
     if (!inside || !upload || !taken) return undefined;
     const pathOf = (id: number) => upload.bodies[id - 1].object.path;
     return readPick(this.gpu, this.machine.buffer, taken, pathOf, Math.floor(x), Math.floor(y));
+  }
+
+  async gauge(): Promise<Gauge> {
+    return this.machine.measure(this.picture().c);
   }
 
   dispose(): void {
@@ -183,10 +188,12 @@ export class SceneRenderer implements PictureMaker {
     uniforms.damping.value = settings.damping;
     uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;
     uniforms.boosted.value = projection.place === 'apparent' ? 1 : 0;
+    uniforms.lightTravels.value = settings.view === 'light-cone' && settings.lightDelay ? 1 : 0;
     uniforms.boostLight.value = luminous;
     uniforms.dopplerMix.value = luminous * settings.dopplerMix;
     uniforms.beaming.value = luminous * settings.beaming;
     uniforms.exposure.value = settings.exposure;
+    uniforms.secondsPerMetre.value = 1 / sight.c;
     uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
     lookAtGround(uniforms, view, upload);
     camera.fov = (view.fovY * 180) / Math.PI;

@@ -76,7 +76,7 @@ const endVelocities =
   };
 
 /** The piece that the time `s` is in, and how far along it. */
-export function pieceAt(samples: Samples, s: Float): { index: Int; fraction: Float } {
+export function pieceAt(samples: Pick<Samples, 'count' | 'time'>, s: Float): { index: Int; fraction: Float } {
   const index = bisect(samples.count, (i) => samples.time(i).lessThanEqual(s));
   const begin = samples.time(index).toVar();
   const length = max(samples.time(index.add(int(1))).sub(begin), 1e-30);
@@ -84,4 +84,4 @@ export function pieceAt(samples: Samples, s: Float): { index: Int; fraction: Flo
 }
 
 /** q x q⁻¹ */
-const turn = (q: Vec4, x: Vec3): Vec3 => x.add(cross(q.xyz, cross(q.xyz, x).add(x.mul(q.w))).mul(2));
+export const turn = (q: Vec4, x: Vec3): Vec3 => x.add(cross(q.xyz, cross(q.xyz, x).add(x.mul(q.w))).mul(2));

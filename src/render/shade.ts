@@ -1,11 +1,10 @@
-import { dot, Fn, float, mix, normalize, reflect } from 'three/tsl';
+import { Fn, normalize, reflect } from 'three/tsl';
 import type { Vec3, Vec4 } from '../shaders/types.ts';
-import { areaLight } from './areaShade.ts';
 import { type Look, lookOf, mirroredSky, reflectance } from './brdf.ts';
-import type { Environment, LightTexels } from './environment.ts';
+import type { Environment } from './environment.ts';
+import { lampLight } from './lampLight.ts';
 import { type Filter, type Gathering, IRRADIANCE, type Optics, RADIANCE } from './radiance.ts';
 import { AT_REST, passageBetween, type Rest, restFrame } from './restFrame.ts';
-import { shaped } from './shaping.ts';
 import { skyLight, skyMirrored } from './sky.ts';
 import type { Surface } from './surface.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -14,7 +13,7 @@ import type { Uniforms } from './uniforms.ts';
  * What shading reads of a surface: `normal` unit in its rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²), or undefined
  * where all things rest, which costs a third.
  */
-export type ShadedSurface = Omit<Surface, 'velocity' | 'time' | 'object' | 'distance'> & {
+export type ShadedSurface = Omit<Surface, 'velocity' | 'object' | 'distance'> & {
   readonly velocity: Vec4 | undefined;
 };
 
@@ -31,25 +30,17 @@ export const shade = (surface: ShadedSurface, environment: Environment, uniforms
     const eye = optics(surface.D, uniforms);
     const albedo = eye.filter(surface.color.rgb, surface.invisible).toVar();
     const look = lookOf(albedo, surface, N, V);
-    const { dx } = surface;
-    environment.each('all', (light) => directLight(look, dx, rest, light, eye));
-    environment.areas?.each((lamp) => areaLight({ look, dx, rest, uniforms }, lamp, eye));
+    const { dx, time } = surface;
+    environment.eachSun(({ direction, color, source }) => {
+      const passage = { ...passageBetween(direction, rest, AT_REST), ...(source && { source }) };
+      eye.send(color, reflectance(look, rest.into(direction)), passage, IRRADIANCE);
+    });
+    environment.lamps.each((lamp) => lampLight({ look, dx, time, rest, uniforms }, lamp, eye));
     skyReflection(look, rest, environment, uniforms, eye);
     eye.emit(surface.emission.rgb);
     eye.glow(surface.emission);
     return eye.seen();
   })();
-
-function directLight(look: Look, dx: Vec3, rest: Rest, light: LightTexels, eye: Gathering): void {
-  const { place, color } = light;
-  // Distant lights give their direction; sphere lights their place, and E falls with the square of the distance in the world, where they rest.
-  const away = mix(place.xyz, place.xyz.sub(dx), place.w).toVar();
-  const fall = mix(1, dot(away, away).max(1e-6).reciprocal(), place.w);
-  const s = normalize(away).toVar();
-  const open = light.shaping ? shaped(light.shaping, s.negate()) : float(1);
-  const passage = passageBetween(s, rest, AT_REST);
-  eye.send(color, reflectance(look, rest.into(s)).mul(fall).mul(open), passage, IRRADIANCE);
-}
 
 /** Sky light, and its mirror image. */
 function skyReflection(look: Look, rest: Rest, environment: Environment, uniforms: Uniforms, eye: Gathering): void {

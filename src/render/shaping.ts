@@ -1,4 +1,4 @@
-import { acos, clamp, dot, max, pow, smoothstep } from 'three/tsl';
+import { acos, clamp, cross, dot, max, normalize, pow, smoothstep } from 'three/tsl';
 import type { Lamp } from '../scene/types.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 
@@ -9,6 +9,9 @@ export interface ShapingTexels {
   readonly outer: Float;
   readonly focus: Float;
 }
+
+/** Unit −Z of the axes X and Y. */
+export const frontOf = ({ X, Y }: { readonly X: Vec3; readonly Y: Vec3 }): Vec3 => normalize(cross(Y, X)).toVar();
 
 /** Twin of `shaped` of scene/lamps.ts. */
 export function shaped({ front, inner, outer, focus }: ShapingTexels, out: Vec3): Float {

@@ -1,10 +1,10 @@
-import { clamp, dot, exp, Fn, float, max, mix, pow, smoothstep, vec3 } from 'three/tsl';
+import { clamp, dot, exp, Fn, float, max, mix, pow, smoothstep } from 'three/tsl';
 import { SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
 import { observerDoppler } from '../shaders/observerDoppler.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { unaberrate } from '../shaders/unaberrate.ts';
 import type { Environment } from './environment.ts';
-import type { Optics } from './radiance.ts';
+import type { Gathering, Optics } from './radiance.ts';
 import type { Uniforms } from './uniforms.ts';
 
 /** Radiance of the sky in the world direction `n`: from the horizon to the zenith, and a ground that only closes the sphere. */
@@ -33,18 +33,15 @@ export function skyMirrored(environment: Environment, n: Vec3, zenith: Vec3, rou
 }
 
 /** The discs of distant lights, with their glow. */
-function suns(environment: Environment, n: Vec3): Vec3 {
-  const light = vec3(0).toVar();
-  environment.each('distant', ({ place, color }) => {
-    const away = max(float(1).sub(dot(n, place.xyz)), 0).toVar();
+const suns = (environment: Environment, n: Vec3, eye: Gathering): void =>
+  environment.eachSun(({ direction, color, source }) => {
+    const away = max(float(1).sub(dot(n, direction)), 0).toVar();
     const disc = smoothstep(...SUN_DISC.rim, away)
       .oneMinus()
       .mul(SUN_DISC.radiance);
     const [near, far] = SUN_DISC.glows.map(([strength, rate]) => exp(away.mul(-rate)).mul(strength));
-    light.addAssign(color.mul(disc.add(near).add(far)));
+    eye.emit(color.mul(disc.add(near).add(far)), source);
   });
-  return light;
-}
 
 /** What is behind everything, in the direction `nPrime` of the observer's frame (unit, on the world axes that the boost carries). */
 export const background = (environment: Environment, uniforms: Uniforms, optics: Optics, nPrime: Vec3): Vec3 =>
@@ -55,6 +52,7 @@ export const background = (environment: Environment, uniforms: Uniforms, optics:
       .toVar();
     const D: Float = observerDoppler(n, u, gamma).toVar();
     const eye = optics(D, uniforms);
-    eye.emit(skyRadiance(environment, n, zenith).add(suns(environment, n)));
+    eye.emit(skyRadiance(environment, n, zenith));
+    suns(environment, n, eye);
     return eye.seen();
   })();

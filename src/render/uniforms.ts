@@ -15,10 +15,14 @@ export function makeUniforms() {
     boosted: uniform(1),
     /** 1 where light meets surfaces in their rest frame, 0 in the views that show no light. */
     boostLight: uniform(1),
+    /** 1 where light takes its time from lamps to surfaces; 0 in pictures of one moment. */
+    lightTravels: uniform(1),
     /** 1 where colours and brightness follow D; 0 in the views that show no light. */
     dopplerMix: uniform(1),
     beaming: uniform(1),
     exposure: uniform(0),
+    /** 1/c */
+    secondsPerMetre: uniform(0),
     /** tan of half the field of view, across and up; and this sample's shift in the picture, in half-pictures. */
     halfTangents: uniform(new Vector2(1, 1)),
     jitter: uniform(new Vector2()),

@@ -1,5 +1,7 @@
 import type { Quat } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import type { FalseColors } from '../spectrum/falseColor.ts';
+import type { Tone } from '../spectrum/toneMap.ts';
 
 /** `light-cone`: what is seen. `simultaneity`: where things are at the observer's own instant. `galilean`: c = ∞. */
 export type View = 'light-cone' | 'simultaneity' | 'galilean';
@@ -28,6 +30,10 @@ export interface RenderSettings {
   readonly grid: boolean;
   /** [EV]: the picture is 2^exposure times as bright. */
   readonly exposure: number;
+  /** How that becomes what a screen can show. */
+  readonly tone: Tone;
+  /** Instead of the light: what of it is to be shown as colours, between which values. */
+  readonly falseColors?: FalseColors;
   /** [m/s] */
   readonly speedOfLight: number;
 }
@@ -44,6 +50,7 @@ export const DEFAULT_SETTINGS: RenderSettings = {
   damping: 1,
   grid: false,
   exposure: 0,
+  tone: 'neutral',
   speedOfLight: 299_792_458,
 };
 

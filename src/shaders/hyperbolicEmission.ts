@@ -1,5 +1,5 @@
 import { dot, max, select, sqrt } from 'three/tsl';
-import { hyperbolaVertex } from './hyperbola.ts';
+import { type HyperbolaVertex, hyperbolaVertex } from './hyperbola.ts';
 import { hyperbolaEvent } from './hyperbolaEvent.ts';
 import type { Float, HyperbolicVertexEvent, Vec3, Vec4 } from './types.ts';
 
@@ -9,14 +9,21 @@ import type { Float, HyperbolicVertexEvent, Vec3, Vec4 } from './types.ts';
  * (aQ + κ − α)² + 4 d⊥², a sum of squares. No event (behind the horizon) where 1 + aη ≤ 0.
  * `anchor` = (d_c, R) [m]; `motion`, `w` = e^φ at the anchor, `bornRigid`, `offset`: see hyperbola.ts.
  */
-export function hyperbolicEmission(
+export const hyperbolicEmission = (
   anchor: Vec4,
   motion: Vec4,
   w: Float,
   bornRigid: Float,
   offset: Vec3,
+): HyperbolicVertexEvent => hyperbolaEmission(anchor, motion, w, hyperbolaVertex(motion, w, bornRigid, offset));
+
+/** The same of a vertex that is told by its hyperbola. */
+export function hyperbolaEmission(
+  anchor: Vec4,
+  motion: Vec4,
+  w: Float,
+  vertex: HyperbolaVertex,
 ): HyperbolicVertexEvent {
-  const vertex = hyperbolaVertex(motion, w, bornRigid, offset);
   const along = dot(anchor.xyz, motion.xyz).toVar();
   const across = anchor.xyz.sub(motion.xyz.mul(along)).toVar();
 

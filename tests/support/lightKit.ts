@@ -1,6 +1,7 @@
 import { IDENTITY } from '../../src/math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { rayToward } from '../../src/reference/camera.ts';
+import { eyesOf } from '../../src/reference/eye.ts';
 import type { LightOptions } from '../../src/reference/lighting.ts';
 import { radiance } from '../../src/reference/path.ts';
 import { pixelSequence } from '../../src/reference/sequence.ts';
@@ -9,8 +10,10 @@ import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../s
 import type { AreaLight, DomeLight, Light, Material, Mesh, SceneObject, SphereLight } from '../../src/scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
 
-/** Light walks at 1 m/s, and colours do not turn: what is left of a shift by D is D⁴. */
-export const GREY: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1, dopplerMix: 0 };
+/** Light walks at 1 m/s, and has a spectrum. */
+export const SPECTRAL: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
+/** Light is three numbers, for ways and brightness to be told to the last digit; and colours do not turn: what is left of a shift by D is D⁴. */
+export const GREY: RenderSettings = { ...SPECTRAL, colors: 'approximate', dopplerMix: 0 };
 export const DIRECT: LightOptions = { bounces: 0, mirrors: false, glass: false };
 
 /** A dome of one colour all round; dark where none is given. */
@@ -105,7 +108,11 @@ export function look(
 ): Vec3 {
   const ray = rayToward({ t, position, u, orientation: IDENTITY, fovY: 1 }, settings, direction);
   const numbers = pixelSequence(seed, 0, 0);
+  const eyes = eyesOf(settings, samples);
   let sum = ZERO;
-  for (let i = 0; i < samples; i++) sum = add(sum, radiance(scene, ray, { u }, settings, options, numbers(i)));
+  for (let i = 0; i < samples; i++) {
+    const random = numbers(i);
+    sum = add(sum, radiance(scene, ray, { u }, settings, options, random, eyes(random)));
+  }
   return scale(sum, 1 / samples);
 }

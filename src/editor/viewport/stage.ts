@@ -5,8 +5,10 @@ import type { Backend } from '../../render/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
 import { sceneName } from '../loading/sceneLoader.ts';
+import { prefersReducedMotion } from '../state/preferences.ts';
 import type { Studio } from '../state/studio.ts';
 import { report } from '../state/telemetry.ts';
+import { Eye } from './eye.ts';
 import type { Pilot } from './pilot.ts';
 import { Resolution } from './resolution.ts';
 
@@ -27,6 +29,7 @@ export class Stage {
   readonly #canvas: HTMLCanvasElement;
   readonly #observer: ResizeObserver;
   readonly #resolution = new Resolution();
+  readonly #eye = new Eye(prefersReducedMotion());
   #scale = 1;
   /** In the renderer now. */
   #scene: Scene | undefined;
@@ -107,7 +110,10 @@ export class Stage {
     const interval = now - (this.#before ?? now);
     this.#before = now;
     this.#follow();
-    if (!this.#waits) this.#pilot.advance(Math.min(LONGEST_STEP, interval / 1000));
+    const step = Math.min(LONGEST_STEP, interval / 1000);
+    if (!this.#waits) this.#pilot.advance(step);
+    // What a lost device cannot measure is measured in the next life.
+    this.#eye.advance(step, now)?.catch(() => {});
     this.#resolution.note(this.#draw(false), now, interval);
     if (this.#resolution.scale !== this.#scale) {
       this.#scale = this.#resolution.scale;
@@ -131,6 +137,7 @@ export class Stage {
     try {
       await this.#renderer.setScene(picture.scene);
       this.#shown = undefined;
+      this.#eye.blink();
       this.#pilot.show(picture, source);
     } catch (error) {
       const text = error instanceof Error ? error.message : String(error);
@@ -162,11 +169,14 @@ export class Stage {
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
     const { clientWidth, clientHeight } = this.#canvas;
-    const settings = renderSettings(picture, viewPoint, clientWidth / Math.max(1, clientHeight));
+    const settings = renderSettings(picture, this.#eye.exposure(picture));
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
     this.#renderer.render(viewPoint, settings);
-    return !this.#renderer.info.waiting;
+    if (this.#renderer.info.waiting) return false;
+    const aspect = clientWidth / Math.max(1, clientHeight);
+    this.#eye.see({ picture, viewPoint, settings, aspect, gauge: () => this.#renderer.gauge() });
+    return true;
   }
 }
 

@@ -1,5 +1,5 @@
+import type { Color } from '../../spectrum/colorMaps.ts';
 import { GLYPH_HEIGHT, GLYPH_WIDTH, glyph } from './glyphs.ts';
-import type { Color } from './magma.ts';
 
 /** Pixels to draw on: RGBA, 8 bits each, sRGB, rows from the top. */
 export interface Canvas {

@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
+import { magma } from '../../spectrum/colorMaps.ts';
 import { canvas, textWidth, write } from './canvas.ts';
 import { errorMap, sheet } from './errorMap.ts';
 import { glyph } from './glyphs.ts';
-import { magma } from './magma.ts';
 
 test('magma is that of matplotlib', () => {
   // Its 0th, 64th, 128th, 192nd and 255th colour.

@@ -1,5 +1,6 @@
-import { type Canvas, canvas, fill, paste, textHeight, textWidth, write } from './canvas.ts';
-import { type Color, magma } from './magma.ts';
+import { type Color, magma } from '../../spectrum/colorMaps.ts';
+import { type Canvas, canvas, paste, textHeight, textWidth, write } from './canvas.ts';
+import { GROUND, INK, legendBar, letterSize } from './legendBar.ts';
 
 /** What the colours of an error map mean. */
 export interface Legend {
@@ -9,8 +10,6 @@ export interface Legend {
   readonly max: number;
 }
 
-const GROUND: Color = [24, 24, 27];
-const INK: Color = [228, 228, 231];
 /** Where there is no error to tell: a grey that magma has not. */
 const UNKNOWN: Color = [63, 63, 70];
 
@@ -27,13 +26,13 @@ export function sheet(
   legend: Legend,
 ): Canvas {
   const [{ picture: first }] = pictures;
-  const size = first.width >= 480 ? 2 : 1;
+  const size = letterSize(first.width);
   const gap = 2 * size;
   const line = textHeight(size) + 6 * size;
   const top = pictures.some(({ caption }) => caption) ? line : 0;
   const column = Math.max(first.width, Math.ceil(leastWidth(legend, size) / pictures.length));
   const wide = column * pictures.length + gap * (pictures.length - 1);
-  const bar = legendBar(wide, size, legend);
+  const bar = errorBar(wide, size, legend);
   const made = canvas(wide, top + first.height + bar.height, GROUND);
   pictures.forEach(({ picture, caption = '' }, n) => {
     const x = n * (column + gap);
@@ -44,21 +43,13 @@ export function sheet(
   return made;
 }
 
-/** The title, the colours from none to the largest, and numbers under them. */
-function legendBar(width: number, size: number, { title, max }: Legend): Canvas {
-  const [margin, thick, line] = [4 * size, 6 * size, textHeight(size)];
-  const bar = canvas(width, 3 * margin + 2 * line + thick + 2 * size, GROUND);
-  write(bar, title, margin, margin, size, INK);
-  const [length, top] = [width - 2 * margin, 2 * margin + line];
-  for (let x = 0; x < length; x++) fill(bar, margin + x, top, 1, thick, magma(x / (length - 1)));
-  for (const part of ticks(length, size, max)) {
-    const label = number(part * max);
-    const room = length - textWidth(label, size);
-    const x = Math.min(Math.max(part * length - textWidth(label, size) / 2, 0), room);
-    write(bar, label, margin + Math.round(x), top + thick + 2 * size, size, INK);
-  }
-  return bar;
-}
+/** From no error to the largest. */
+const errorBar = (width: number, size: number, { title, max }: Legend): Canvas =>
+  legendBar(width, size, {
+    title,
+    color: magma,
+    labels: ticks(width - 8 * size, size, max).map((part) => ({ part, text: number(part * max) })),
+  });
 
 const PARTS = [0, 0.25, 0.5, 0.75, 1];
 /** As many as have room. */

@@ -1,7 +1,8 @@
 import { vec4 } from 'three/tsl';
 import * as spectrum from '../../spectrum/index.ts';
+import type { Tone } from '../../spectrum/toneMap.ts';
 import { dopplerTint } from '../dopplerTint.ts';
-import { toneMap } from '../toneMap.ts';
+import { toneMapAgx, toneMapLinear, toneMapNeutral } from '../toneMap.ts';
 import { absolute, always } from './checks.ts';
 import { draw, logUniform, vec3At } from './domain.ts';
 import type { Twin } from './twin.ts';
@@ -38,8 +39,8 @@ const dopplerTintTwin: Twin = {
   checks: [absolute('rgb', 0, 3, always(5e-5))],
 };
 
-const toneMapTwin: Twin = {
-  name: 'toneMap',
+const toneMapTwin = (name: string, tone: Tone, gpu: typeof toneMapNeutral): Twin => ({
+  name,
   texels: 2,
   outputs: 1,
   cases: (random) =>
@@ -47,9 +48,14 @@ const toneMapTwin: Twin = {
       const level = logUniform(random, 1e-3, 1e6);
       return [random() * level, random() * level, random() * level - 1e-3, 0, 12 * random() - 6, 0, 0, 0];
     }),
-  cpu: (input) => [...spectrum.toneMap(vec3At(input, 0), input[4]), 0],
-  gpu: (texel) => [vec4(toneMap(texel(0).xyz, texel(1).x), 0)],
-  checks: [absolute('rgb', 0, 3, always(1e-5))],
-};
+  cpu: (input) => [...spectrum.toneMap(vec3At(input, 0), input[4], tone), 0],
+  gpu: (texel) => [vec4(gpu(texel(0).xyz, texel(1).x), 0)],
+  checks: [absolute('rgb', 0, 3, always(tone === 'agx' ? 5e-5 : 1e-5))],
+});
 
-export const colour: readonly Twin[] = [dopplerTintTwin, toneMapTwin];
+export const colour: readonly Twin[] = [
+  dopplerTintTwin,
+  toneMapTwin('toneMapNeutral', 'neutral', toneMapNeutral),
+  toneMapTwin('toneMapAgx', 'agx', toneMapAgx),
+  toneMapTwin('toneMapLinear', 'linear', toneMapLinear),
+];

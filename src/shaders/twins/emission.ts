@@ -278,7 +278,7 @@ export const emission: readonly Twin[] = [
   staticTwin,
   ontoConeTwin,
   emissionTwin(movers.uniform, ['linearEmission']),
-  emissionTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaEvent']),
+  emissionTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaEmission', 'hyperbolaEvent']),
   emissionTwin(movers.polyline, ['linearEmission', 'bisect', 'pieceVelocity']),
   emissionTwin(movers.cubic, ['linearEmission', 'bisect', 'pieceVelocity', 'cubicPiece', 'cubicRoot', 'onCubic']),
   longestTable,

@@ -1,0 +1,88 @@
+import { describe, expect, it } from 'vitest';
+import type { Picture } from '../../nodes/define.ts';
+import { meteredExposure } from '../../nodes/metering.ts';
+import { GAUGE, type Gauge } from '../../scene/gauge.ts';
+import { DEFAULT_SETTINGS } from '../../scene/view.ts';
+import { type Drawn, Eye } from './eye.ts';
+
+const picture = { metering: 'automatic' } as Picture;
+const viewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 } as const;
+const light = (luminance: number): Gauge => ({
+  luminance: new Float32Array(GAUGE * GAUGE).fill(luminance),
+  doppler: new Float32Array(),
+  time: new Float32Array(),
+});
+const drawn = (luminance: number, more: Partial<Drawn> = {}): Drawn => ({
+  picture,
+  viewPoint: { ...viewPoint, t: luminance },
+  settings: DEFAULT_SETTINGS,
+  aspect: 1.5,
+  gauge: async () => light(luminance),
+  ...more,
+});
+const wanted = (luminance: number): number => meteredExposure([luminance]);
+
+describe('the eye', () => {
+  it('takes the first light as it is, and goes to the next bit by bit', async () => {
+    const eye = new Eye(false);
+    eye.see(drawn(1));
+    await eye.advance(0, 0);
+    expect(eye.exposure(picture)).toBeCloseTo(wanted(1), 12);
+    eye.see(drawn(16));
+    await eye.advance(0.02, 100);
+    const way: number[] = [];
+    for (let i = 0; i < 200; i++) {
+      void eye.advance(0.02, 101);
+      way.push(eye.exposure(picture));
+    }
+    expect(way[0]).toBeLessThan(wanted(1));
+    expect(way[5]).toBeGreaterThan(wanted(16));
+    expect(way.every((value, i) => i === 0 || value <= way[i - 1]!)).toBe(true);
+    expect(way.at(-1)).toBe(way.at(-2));
+    expect(way.at(-1)).toBeCloseTo(wanted(16), 12);
+  });
+
+  it('goes at once where less motion is wished for, and after a blink', async () => {
+    for (const eye of [new Eye(true), new Eye(false)]) {
+      eye.see(drawn(1));
+      await eye.advance(0, 0);
+      eye.blink();
+      eye.see(drawn(4));
+      await eye.advance(0.01, 100);
+      void eye.advance(0.01, 101);
+      expect(eye.exposure(picture)).toBeCloseTo(wanted(4), 12);
+    }
+  });
+
+  it('measures one picture at a time and none twice; another exposure is no other picture', async () => {
+    const eye = new Eye(true);
+    let count = 0;
+    const gauge = async () => {
+      count++;
+      return light(1);
+    };
+    const still = drawn(1, { gauge });
+    eye.see(still);
+    const first = eye.advance(0, 0);
+    eye.see(drawn(2, { gauge }));
+    expect(eye.advance(0, 100)).toBeUndefined();
+    await first;
+    await eye.advance(0, 200);
+    expect(count).toBe(2);
+    eye.see(drawn(2, { gauge, settings: { ...DEFAULT_SETTINGS, exposure: 3, tone: 'agx' } }));
+    expect(eye.advance(0, 300)).toBeUndefined();
+  });
+
+  it('leaves a manual exposure alone, and survives a device that is lost', async () => {
+    const eye = new Eye(true);
+    const manual = { ...picture, metering: 'manual' } as const;
+    eye.see(drawn(8, { picture: manual }));
+    expect(eye.advance(0, 0)).toBeUndefined();
+    expect(eye.exposure(manual)).toBe(0);
+    eye.see(drawn(8, { gauge: () => Promise.reject(new Error('lost')) }));
+    await expect(eye.advance(0, 100)).rejects.toThrow('lost');
+    eye.see(drawn(4));
+    await eye.advance(0, 200);
+    expect(eye.exposure(picture)).toBeCloseTo(wanted(4), 12);
+  });
+});

@@ -1,0 +1,84 @@
+import type { Picture } from '../../nodes/define.ts';
+import { eased, exposureFor } from '../../nodes/metering.ts';
+import type { Gauge } from '../../scene/gauge.ts';
+import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
+
+/** Between two measurements [ms]: each waits for the GPU, which has pictures to draw. */
+const INTERVAL = 80;
+/** Nobody sees a smaller change [EV]: the eye is there, and nothing more is drawn. */
+const THERE = 0.004;
+
+/** A picture that was drawn, and the way to measure it. */
+export interface Drawn {
+  readonly picture: Picture;
+  readonly viewPoint: ViewPoint;
+  readonly settings: RenderSettings;
+  /** Width over height. */
+  readonly aspect: number;
+  readonly gauge: () => Promise<Gauge>;
+}
+
+/**
+ * The exposure of the page. The light of what is drawn is measured now and then, without anybody waiting for it, and the exposure goes there
+ * as an eye does, in the person's time: also while the world's stands still. A picture that does not change is measured once, so that it comes to rest.
+ */
+export class Eye {
+  /** Without a way between: where less motion is wished for. */
+  readonly #atOnce: boolean;
+  #value: number | undefined;
+  #target = 0;
+  /** Drawn, and not measured yet. */
+  #drawn: Drawn | undefined;
+  #known = '';
+  #busy = false;
+  #since = Number.NEGATIVE_INFINITY;
+
+  constructor(atOnce: boolean) {
+    this.#atOnce = atOnce;
+  }
+
+  /** What the metering adds to the person's own exposure [EV]. */
+  exposure({ metering }: Picture): number {
+    return metering === 'manual' ? 0 : (this.#value ?? 0);
+  }
+
+  /** Opens anew: the first measurement is taken as it is. */
+  blink(): void {
+    this.#value = undefined;
+    this.#known = '';
+  }
+
+  /** To be told of every picture. */
+  see(drawn: Drawn): void {
+    if (drawn.picture.metering === 'manual') return;
+    // The light does not depend on how it is shown.
+    const { exposure: _, tone: __, ...lit } = drawn.settings;
+    const what = JSON.stringify([drawn.picture.metering, drawn.viewPoint, lit, drawn.aspect]);
+    if (what === this.#known) return;
+    this.#known = what;
+    this.#drawn = drawn;
+  }
+
+  /** A step of dt [s] of the person's time; `now` [ms]. Gives what is being measured, for those who would wait for it. */
+  advance(dt: number, now: number): Promise<void> | undefined {
+    if (this.#value !== undefined) {
+      const next = this.#atOnce ? this.#target : eased(this.#value, this.#target, dt);
+      this.#value = Math.abs(next - this.#target) < THERE ? this.#target : next;
+    }
+    if (!this.#drawn || this.#busy || now - this.#since < INTERVAL) return undefined;
+    this.#since = now;
+    return this.#measure(this.#drawn);
+  }
+
+  async #measure(drawn: Drawn): Promise<void> {
+    const { picture, viewPoint, settings, aspect, gauge } = drawn;
+    this.#busy = true;
+    this.#drawn = undefined;
+    try {
+      this.#target = exposureFor(picture.metering, await gauge(), viewPoint, settings, aspect);
+      this.#value ??= this.#target;
+    } finally {
+      this.#busy = false;
+    }
+  }
+}

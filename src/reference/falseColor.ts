@@ -1,0 +1,77 @@
+import { ZERO } from '../math/vec3.ts';
+import { dopplerFactor } from '../physics/doppler.ts';
+import { luminanceOf } from '../scene/gauge.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
+import { emittedWavelength, type FalseColor, type FalseColors, falseColor, shaded } from '../spectrum/falseColor.ts';
+import { encodeSrgb } from '../spectrum/srgb.ts';
+import { toneMap } from '../spectrum/toneMap.ts';
+import { cameraRay } from './camera.ts';
+import type { Canvas } from './compare/canvas.ts';
+
+/** The AOVs that a false-colour picture is made of. */
+export const AOVS_OF: Readonly<Record<FalseColor, readonly AovName[]>> = {
+  doppler: ['object', 'doppler'],
+  'emission-time': ['object', 'emission_time'],
+  radiance: ['beauty'],
+  band: ['object', 'doppler', 'beauty'],
+};
+
+/** A picture's AOVs, and what it is a picture of. */
+export interface Taken {
+  readonly aovs: ReadonlyMap<AovName, Float32Array>;
+  readonly view: ViewPoint;
+  readonly settings: RenderSettings;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** What each pixel's colour is to stand for; not a number where there is nothing. The sky has a D and a band: it rests in the world. */
+export function falseValues(kind: FalseColor, taken: Taken): Float32Array {
+  const { view, width, height } = taken;
+  const aov = (name: AovName) => taken.aovs.get(name)!;
+  const pixels = width * height;
+  switch (kind) {
+    case 'doppler':
+      return Float32Array.from({ length: pixels }, (_, i) =>
+        aov('object')[i] ? aov('doppler')[i]! : skyDoppler(taken, i),
+      );
+    case 'band':
+      return falseValues('doppler', taken).map(emittedWavelength);
+    case 'emission-time':
+      return Float32Array.from({ length: pixels }, (_, i) =>
+        aov('object')[i] ? aov('emission_time')[i]! - view.t : Number.NaN,
+      );
+    case 'radiance':
+      return Float32Array.from({ length: pixels }, (_, i) => luminanceOf(...rgbOf(aov('beauty'), i)));
+  }
+}
+
+function skyDoppler({ view, settings, width, height }: Taken, i: number): number {
+  if (settings.view !== 'light-cone') return 1;
+  const ray = cameraRay(view, settings, (i % width) + 0.5, Math.floor(i / width) + 0.5, width, height);
+  return dopplerFactor(ray.dx, view.u, ZERO);
+}
+
+/** The picture: RGBA, sRGB, opaque. */
+export function falsePicture(colors: FalseColors, values: Float32Array, taken: Taken): Canvas {
+  const { width, height } = taken;
+  const pixels = new Uint8Array(4 * width * height);
+  for (let i = 0; i < width * height; i++) {
+    const shade = colors.kind === 'band' ? shadeOf(taken, i) : 1;
+    const [r, g, b] = falseColor(colors, values[i]!);
+    pixels.set([Math.round(r * shade), Math.round(g * shade), Math.round(b * shade), 255], 4 * i);
+  }
+  return { width, height, pixels };
+}
+
+/** Of the picture as a screen would show it, in grey. */
+function shadeOf({ aovs, settings }: Taken, i: number): number {
+  const shown = toneMap(rgbOf(aovs.get('beauty')!, i), settings.exposure, settings.tone);
+  return shaded(encodeSrgb(luminanceOf(...shown)));
+}
+
+const rgbOf = (image: Float32Array, i: number): [number, number, number] => [
+  image[3 * i]!,
+  image[3 * i + 1]!,
+  image[3 * i + 2]!,
+];

@@ -1,0 +1,53 @@
+import { BANDS, type BandName, colorAt, type FalseColor, type FalseColors, partOf } from '../spectrum/falseColor.ts';
+import { ticksOf } from '../spectrum/falseScale.ts';
+import { type Canvas, canvas, paste } from './compare/canvas.ts';
+import { GROUND, type LegendBar, legendBar, legendHeight, letterSize } from './compare/legendBar.ts';
+
+const TITLES: Readonly<Record<FalseColor, string>> = {
+  doppler: 'DOPPLER FACTOR D',
+  'emission-time': 'EMITTED, FROM NOW (S)',
+  radiance: 'LUMINANCE BEFORE EXPOSURE',
+  band: 'EMITTED WAVELENGTH OF WHAT IS SEEN AS 550 NM',
+};
+const BAND_NAMES: Readonly<Record<BandName, string>> = {
+  'far-ultraviolet': 'FAR UV',
+  'near-ultraviolet': 'NEAR UV',
+  visible: 'VISIBLE',
+  'near-infrared': 'NEAR IR',
+  'thermal-infrared': 'THERMAL IR',
+};
+
+/** How high a picture of this width is with its legend, beyond its own height [px]. */
+export const legendRoom = (width: number): number => legendHeight(letterSize(width));
+
+/** A picture over the legend of its colours. */
+export function withLegend(picture: Canvas, colors: FalseColors): Canvas {
+  const { width, height } = picture;
+  const { kind, ...scale } = colors;
+  const legend: LegendBar = {
+    title: TITLES[kind],
+    color: (part) => colorAt(kind, part, scale),
+    labels: labelsOf(colors),
+  };
+  const whole = canvas(width, height + legendRoom(width), GROUND);
+  paste(whole, picture, 0, 0);
+  paste(whole, legendBar(width, letterSize(width), legend), 0, height);
+  return whole;
+}
+
+/** Both ends first, for what has no room is left out from the end of the list on. */
+function labelsOf({ kind, ...scale }: FalseColors): LegendBar['labels'] {
+  const at = (value: number, text: string) => ({ part: partOf(kind, value, scale), text });
+  const ticks = ticksOf(kind, scale);
+  const numbers = [scale.from, scale.to, ...ticks.slice(1, -1)];
+  if (kind !== 'band') return numbers.map((value) => at(value, plain(value)));
+  const names = BANDS.map(({ name, from }, i) => {
+    const [start, end] = [Math.max(from, scale.from), Math.min(BANDS[i + 1]?.from ?? scale.to, scale.to)];
+    return at(Math.sqrt(start * end), BAND_NAMES[name]);
+  });
+  // The visible is the one to find the others by.
+  const visible = BANDS.findIndex(({ name }) => name === 'visible');
+  return [names[visible]!, ...names, ...ticks.map((value) => at(value, `${plain(value * 1e9)} NM`))];
+}
+
+const plain = (value: number): string => String(Number(value.toPrecision(2)));

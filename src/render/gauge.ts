@@ -1,0 +1,66 @@
+import { dot, Fn, floor, ivec2, screenCoordinate, select, textureLoad, uniform, vec2, vec4 } from 'three/tsl';
+import { FloatType, type Texture, Vector2 } from 'three/webgpu';
+import { GAUGE, type Gauge } from '../scene/gauge.ts';
+import type { Vec4 } from '../shaders/types.ts';
+import type { Gpu } from './device.ts';
+import { LUMINANCE, skyDoppler } from './falseColor.ts';
+import { FullScreen } from './fullScreen.ts';
+import { readFloats } from './readback.ts';
+import { dataTarget, type GBuffer } from './targets.ts';
+import type { Uniforms } from './uniforms.ts';
+
+/** Channels of what is measured; the fourth tells whether a surface is there. */
+const [LIGHT, DOPPLER, TIME] = [0, 1, 2];
+
+/** Measures pictures at a few thousand places on the GPU, so that little is to be read back: 64 kB, however large they are. */
+export class GaugeReader {
+  private readonly gpu: Gpu;
+  private readonly buffer: GBuffer;
+  private readonly uniforms: Uniforms;
+  private readonly target = dataTarget(1, FloatType);
+  private readonly size = uniform(new Vector2());
+  private readonly passes = new Map<Texture, FullScreen>();
+
+  constructor(gpu: Gpu, buffer: GBuffer, uniforms: Uniforms) {
+    this.gpu = gpu;
+    this.uniforms = uniforms;
+    this.buffer = buffer;
+    this.target.setSize(GAUGE, GAUGE);
+  }
+
+  /** `light`: of the picture, `width` × `height` pixels; `c` [m/s]. */
+  async read(light: Texture, width: number, height: number, c: number): Promise<Gauge> {
+    const pass = this.passes.get(light) ?? new FullScreen(this.measured(light), 'gauge');
+    this.passes.set(light, pass);
+    this.size.value.set(width, height);
+    pass.render(this.gpu.renderer, this.target);
+    const texels = await readFloats(this.gpu, this.target, 0, { x: 0, y: 0, width: GAUGE, height: GAUGE });
+    const channel = (k: number, scale: number) =>
+      Float32Array.from({ length: GAUGE * GAUGE }, (_, i) => {
+        const known = k !== TIME || texels[4 * i + 3]! > 0.5;
+        return known ? scale * texels[4 * i + k]! : Number.NaN;
+      });
+    return { luminance: channel(LIGHT, 1), doppler: channel(DOPPLER, 1), time: channel(TIME, 1 / c) };
+  }
+
+  /** (luminance, D, c(t − t_o) [m], whether something is there) */
+  private measured(light: Texture): Vec4 {
+    const { buffer, size } = this;
+    return Fn(() => {
+      const pixel = ivec2(floor(screenCoordinate.div(GAUGE).mul(vec2(size)))).toVar();
+      const at = (of: Texture): Vec4 => textureLoad(of, pixel);
+      const there = at(buffer.texture('object')).x.greaterThan(0.5).toVar();
+      return vec4(
+        dot(at(light).rgb, LUMINANCE),
+        select(there, at(buffer.texture('motion')).w, skyDoppler(this.uniforms)),
+        at(buffer.texture('event')).w,
+        select(there, 1, 0),
+      );
+    })();
+  }
+
+  dispose(): void {
+    for (const pass of this.passes.values()) pass.dispose();
+    this.target.dispose();
+  }
+}
