@@ -1,7 +1,7 @@
 import { colorMatching, NANOMETRE, tristimulus, valueAt } from './cie1931.ts';
 import { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
 
-/** A blackbody of a temperature [K]. Shifted by D it is one of T·D. */
+/** A blackbody of a temperature above 0 [K]. Shifted by D it is one of T·D. */
 export interface ThermalSpectrum {
   readonly kind: 'thermal';
   readonly temperature: number;
