@@ -97,7 +97,7 @@ export class SceneRenderer implements PictureMaker {
     for (let i = 0; i < count; i++) {
       this.jitter(samples, i);
       this.machine.drawGeometry(upload, projection, this.camera);
-      this.machine.drawLight(upload, projection, this.camera, settings.colors);
+      this.machine.drawLight(upload, projection, this.camera, settings);
       this.machine.display(i, count, settings);
     }
     if (count > 1) {

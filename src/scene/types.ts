@@ -219,6 +219,11 @@ export interface Texture {
   readonly wrapS: TextureWrap;
   readonly wrapT: TextureWrap;
 }
+/** A picture of radiance, for what is brighter than white. */
+export interface RadiancePicture extends Omit<Texture, 'data'> {
+  /** RGBA as halves, linear sRGB of 0 … 65504, rows from the top. */
+  readonly data: Uint16Array;
+}
 /** Outside the picture; `black` is transparent too. */
 export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';
 
@@ -291,7 +296,7 @@ export interface DomeLight {
   readonly color: Vec3;
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
-  readonly texture?: Texture;
+  readonly texture?: Texture | RadiancePicture;
 }
 
 /** A perspective camera that looks down −Z with +Y up; animated by its poses. */
