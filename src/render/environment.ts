@@ -1,12 +1,12 @@
-import { acos, atan, clamp, dot, int, Loop, texture, uniform, vec2 } from 'three/tsl';
+import { acos, atan, clamp, dot, float, int, Loop, texture, uniform, vec2 } from 'three/tsl';
 import { Color, type DataTexture, Vector3 } from 'three/webgpu';
 import { normalize, scale, type Vec3 } from '../math/vec3.ts';
 import { axesOf, DAY, directLights, domeOf } from '../scene/daylight.ts';
-import type { DistantLight, DomeLight, Scene, Texture } from '../scene/types.ts';
+import type { DistantLight, Scene, Texture } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import { FloatTable } from './floatTable.ts';
-import { type ShineKind, shineColor, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
+import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
 import { LampTable } from './lampTable.ts';
 import { LineTable } from './lineTable.ts';
 import type { Source } from './radiance.ts';
@@ -42,7 +42,10 @@ export class Environment {
   readonly image: ((n: gpu.Vec3) => gpu.Vec3) | undefined;
   readonly lamps: LampTable;
   /** Those of a kind of light together. */
-  private readonly suns: readonly DistantLight[];
+  private readonly suns: readonly (DistantLight & { readonly colors: ShineColors })[];
+  /** What the sky's light is made of; absent of daylight. */
+  readonly skySource: Source | undefined;
+  private readonly sky: { readonly colors: ShineColors; readonly means: readonly [Vec3, Vec3] } | undefined;
   private readonly table = new FloatTable(256);
   private readonly lines = new LineTable();
   private readonly domeTexture: DataTexture | undefined;
@@ -51,17 +54,23 @@ export class Environment {
     const dome = domeOf(scene);
     const direct = directLights(scene);
     const suns = direct.filter((light) => light.kind === 'distant');
-    this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind));
+    this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind)).map((sun) => ({
+      ...sun,
+      colors: shineColors(sun),
+    }));
     this.table.reserve(SUN_TEXELS * this.suns.length);
     this.lamps = new LampTable(
       direct.filter((light) => light.kind !== 'distant'),
       this.lines,
     );
-    if (dome) this.setDome(dome);
-    else this.setDay();
+    if (dome) {
+      const [x, y] = shineNumbers(dome, this.lines);
+      this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines);
+      this.sky = { colors: shineColors(dome), means: dome.texture ? halfMeans(dome.texture) : [WHITE, WHITE] };
+    } else this.setDay();
     if (dome?.texture) {
       this.domeTexture = uploadTexture(dome.texture);
-      this.image = domeImage(this.domeTexture, scene.upAxis, dome.color);
+      this.image = domeImage(this.domeTexture, scene.upAxis, this.uniforms.zenithColor);
     }
   }
 
@@ -88,11 +97,12 @@ export class Environment {
   update(sight: Sight, colors: ColorMode): void {
     this.suns.forEach((sun, i) => {
       const [x, y] = shineNumbers(sun, this.lines);
-      const texels = [...normalize(scale(sun.direction, -1)), x, ...shineColor(sun, colors), y];
+      const texels = [...normalize(scale(sun.direction, -1)), x, ...sun.colors[colors], y];
       this.table.values.set(texels, 4 * SUN_TEXELS * i);
     });
     this.table.upload();
     this.lamps.update(sight, colors);
+    if (this.sky) this.setDome(this.sky.colors[colors], this.sky.means);
   }
 
   dispose(): void {
@@ -108,9 +118,8 @@ export class Environment {
     this.uniforms.lowerMean.value.setRGB(0.24, 0.22, 0.2);
   }
 
-  private setDome({ color, texture: image }: DomeLight): void {
+  private setDome(color: Vec3, [upper, lower]: readonly [Vec3, Vec3]): void {
     this.setSky(color, color, color);
-    const [upper, lower] = image ? halfMeans(image) : [WHITE, WHITE];
     this.uniforms.upperMean.value.setRGB(color[0] * upper[0], color[1] * upper[1], color[2] * upper[2]);
     this.uniforms.lowerMean.value.setRGB(color[0] * lower[0], color[1] * lower[1], color[2] * lower[2]);
   }
@@ -124,9 +133,10 @@ export class Environment {
 
 const WHITE: Vec3 = [1, 1, 1];
 
+type Tint = Environment['uniforms']['zenithColor'];
+
 /** A latitude–longitude picture: its top row at the zenith, its middle column towards −Z (upAxis Y) or +Y (upAxis Z). */
-function domeImage(image: DataTexture, upAxis: Scene['upAxis'], color: Vec3): (n: gpu.Vec3) => gpu.Vec3 {
-  const tint = uniform(new Vector3(...color));
+function domeImage(image: DataTexture, upAxis: Scene['upAxis'], tint: Tint): (n: gpu.Vec3) => gpu.Vec3 {
   const axes = axesOf(upAxis);
   const [up, ahead, right] = [axes.up, axes.ahead, axes.right].map((axis) => uniform(new Vector3(...axis)));
   return (n) => {
