@@ -53,7 +53,7 @@ export const background = (environment: Environment, uniforms: Uniforms, optics:
       .toVar();
     const D: Float = observerDoppler(n, u, gamma).toVar();
     const eye = optics(D, uniforms);
-    eye.emit(skyRadiance(environment, n, zenith));
+    eye.emit(skyRadiance(environment, n, zenith), environment.skySource);
     suns(environment, n, eye);
     if (environment.night) eye.radiate(COSMIC_TEMPERATURE, float(environment.night.gain * DAYLIGHT_LUMINANCE));
     return eye.seen();
