@@ -228,7 +228,10 @@ export interface RadiancePicture extends Omit<Texture, 'data'> {
 /** Outside the picture; `black` is transparent too. */
 export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';
 
-export type Light = DistantLight | Lamp | DomeLight | NightSky;
+export type Light = Luminary | NightSky;
+
+/** What shines with one colour and one spectrum. */
+export type Luminary = DistantLight | Lamp | DomeLight;
 
 /** What shines from somewhere, and may move. */
 export type Lamp = SphereLight | AreaLight;
