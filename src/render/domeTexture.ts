@@ -32,16 +32,13 @@ export class DomePicture {
   private readonly tint: Node<'vec3'>;
   private readonly axes: readonly Node<'vec3'>[];
 
-  constructor(
-    picture: NonNullable<DomeLight['texture']>,
-    upAxis: Scene['upAxis'],
-    color: readonly [number, number, number],
-  ) {
+  /** `tint`: what its colours are multiplied with. */
+  constructor(picture: NonNullable<DomeLight['texture']>, upAxis: Scene['upAxis'], tint: Vec3) {
     this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' });
     const maps = domeMaps(picture);
     this.layers = maps.length;
     this.maps = stacked(maps);
-    this.tint = uniform(new Vector3(...color));
+    this.tint = tint;
     const { up, ahead, right } = axesOf(upAxis);
     this.axes = [up, ahead, right].map((axis) => uniform(new Vector3(...axis)));
   }

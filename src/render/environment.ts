@@ -1,13 +1,13 @@
-import { int, Loop, uniform } from 'three/tsl';
+import { float, int, Loop, uniform } from 'three/tsl';
 import { Color } from 'three/webgpu';
 import { normalize, scale, type Vec3 } from '../math/vec3.ts';
 import { DAY, directLights, domeOf } from '../scene/daylight.ts';
-import type { DistantLight, DomeLight, Scene } from '../scene/types.ts';
+import type { DistantLight, Scene } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import { DomePicture } from './domeTexture.ts';
 import { FloatTable } from './floatTable.ts';
-import { type ShineKind, shineColor, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
+import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
 import { LampTable } from './lampTable.ts';
 import { LineTable } from './lineTable.ts';
 import type { Source } from './radiance.ts';
@@ -42,7 +42,10 @@ export class Environment {
   readonly picture: DomePicture | undefined;
   readonly lamps: LampTable;
   /** Those of a kind of light together. */
-  private readonly suns: readonly DistantLight[];
+  private readonly suns: readonly (DistantLight & { readonly colors: ShineColors })[];
+  /** What the sky's light is made of; absent of daylight. */
+  readonly skySource: Source | undefined;
+  private readonly skyColors: ShineColors | undefined;
   private readonly table = new FloatTable(256);
   private readonly lines = new LineTable();
 
@@ -50,15 +53,21 @@ export class Environment {
     const dome = domeOf(scene);
     const direct = directLights(scene);
     const suns = direct.filter((light) => light.kind === 'distant');
-    this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind));
+    this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind)).map((sun) => ({
+      ...sun,
+      colors: shineColors(sun),
+    }));
     this.table.reserve(SUN_TEXELS * this.suns.length);
     this.lamps = new LampTable(
       direct.filter((light) => light.kind !== 'distant'),
       this.lines,
     );
-    if (dome) this.setDome(dome);
-    else this.setDay();
-    if (dome?.texture) this.picture = new DomePicture(dome.texture, scene.upAxis, dome.color);
+    if (dome) {
+      const [x, y] = shineNumbers(dome, this.lines);
+      this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines);
+      this.skyColors = shineColors(dome);
+    } else this.setDay();
+    if (dome?.texture) this.picture = new DomePicture(dome.texture, scene.upAxis, this.uniforms.zenithColor.rgb);
   }
 
   eachSun(visit: (sun: SunTexels) => void): void {
@@ -84,11 +93,12 @@ export class Environment {
   update(sight: Sight, colors: ColorMode): void {
     this.suns.forEach((sun, i) => {
       const [x, y] = shineNumbers(sun, this.lines);
-      const texels = [...normalize(scale(sun.direction, -1)), x, ...shineColor(sun, colors), y];
+      const texels = [...normalize(scale(sun.direction, -1)), x, ...sun.colors[colors], y];
       this.table.values.set(texels, 4 * SUN_TEXELS * i);
     });
     this.table.upload();
     this.lamps.update(sight, colors);
+    if (this.skyColors) this.setDome(this.skyColors[colors]);
   }
 
   dispose(): void {
@@ -104,7 +114,7 @@ export class Environment {
     this.uniforms.lowerMean.value.setRGB(0.24, 0.22, 0.2);
   }
 
-  private setDome({ color }: DomeLight): void {
+  private setDome(color: Vec3): void {
     this.setSky(color, color, color);
     this.uniforms.upperMean.value.setRGB(...color);
     this.uniforms.lowerMean.value.setRGB(...color);

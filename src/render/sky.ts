@@ -52,7 +52,7 @@ export const background = (environment: Environment, uniforms: Uniforms, optics:
       .toVar();
     const D: Float = observerDoppler(n, u, gamma).toVar();
     const eye = optics(D, uniforms);
-    eye.emit(skyRadiance(environment, n, zenith));
+    eye.emit(skyRadiance(environment, n, zenith), environment.skySource);
     suns(environment, n, eye);
     return eye.seen();
   })();
