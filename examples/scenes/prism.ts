@@ -44,9 +44,9 @@ function make(): Scene {
   const flight = camera({
     from: FROM,
     to: TO,
-    fovY: 42,
+    fovY: 37,
     eye: (t) => [0, 1.75 + 0.2 * cruise(t / TO), 6 - 0.5 * cruise(t / TO)],
-    target: () => [0, 1.05, -2],
+    target: () => [0, 0.95, -2],
   });
   const hints = {
     speedOfLight: C,

@@ -1,12 +1,13 @@
-import { normalize } from '../../src/math/vec3.ts';
+import { normalize, scale } from '../../src/math/vec3.ts';
 import type { Light, Scene } from '../../src/scene/types.ts';
 import { SceneBuilder, shine } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, cruise } from '../kit/flight.ts';
+import { linear } from '../kit/paint.ts';
 import { street } from '../kit/street.ts';
 
-/** Of the low sun, of the sky above it, of gaslight [K]. */
-const [SUN, SKY, GAS] = [1900, 11000, 1850];
+/** Of the low sun, and of gaslight [K]. */
+const [SUN, GAS] = [2400, 2200];
 
 export const scene: ExampleScene = { name: 'sunset', texturesOf: 'street', make };
 
@@ -30,15 +31,14 @@ function make(): Scene {
     speedOfLight: 10,
     title: 'Sunset street',
     lookFor:
-      'The last of the sun, red as embers, and gaslight behind the windows. Fly at 0.8 c: ahead you see by infrared alone, three times shifted. Trees and lawns, dark a moment ago, are the brightest things, and the asphalt is dark; windows and sunlit walls turn white, for a glow of 1900 K then looks like one of 5700 K; what only the sky lights is blue.',
+      'The last of the sun, and gaslight behind the windows. Fly at 0.8 c: straight ahead you see by infrared alone. Trees, darker than the walls a moment ago, are as bright as they, and the asphalt stays dark; yellow windows turn white, for a glow of 2200 K then looks like one of 6600 K. Sunlit walls turn white as well, and what only the sky lights is blue.',
     openAt: 5,
   };
   const lights: Light[] = [
-    { kind: 'distant', path: '/World/Sun', direction: normalize([-0.42, -0.24, -0.87]), ...shine(sun, 1.5) },
-    { kind: 'dome', path: '/World/Sky', ...shine(sky, 0.3) },
+    { kind: 'distant', path: '/World/Sun', direction: normalize([-0.42, -0.24, -0.87]), ...shine(sun, 1.8) },
+    { kind: 'dome', path: '/World/Sky', color: scale(linear('#a99ccb'), 0.6) },
   ];
   return builder.finish('sunset', hints, [from, to], [flight], lights);
 }
 
 const sun = { kind: 'thermal', temperature: SUN } as const;
-const sky = { kind: 'thermal', temperature: SKY } as const;
