@@ -10,8 +10,8 @@ import { bar, block, moved } from '../kit/parts.ts';
 
 const C = 2;
 const [FROM, TO] = [0, 34];
-/** Of a way from end to end, and how long it takes [m], [s]: 0.3 c in the middle of it. */
-const [WAY, PERIOD] = [4.4, 8.33];
+/** Of a way from end to end, and how long it takes [m], [s]: 0.34 c in the middle of it. */
+const [WAY, PERIOD] = [4.4, 7.353];
 /** Where a chart is nearest [m]. */
 const NEAR = 0.6;
 
@@ -52,8 +52,8 @@ function make(): Scene {
     speedOfLight: C,
     title: 'Prism',
     lookFor:
-      'Three equal colour charts with their lamps: the left one comes towards you at 0.3 c, the right one goes away, the middle one rests; then they change about. What comes is bluer and brighter: red fields turn green, green ones blue. What goes is redder and darker. Below them leaf, skin, asphalt, snow, gold and copper show what eyes do not see at rest: the green leaf that comes is red, for its bright infrared is in sight.',
-    openAt: 8,
+      'Three equal colour charts, each with its lamp: the left one comes towards you at 0.34 c, the right one goes away, the middle one rests; then they change about. What comes is bluer and brighter: its red and orange fields turn blue. What goes is redder and darker: its blue field turns red, its red one a dark teal. Below them are leaf, skin, asphalt, snow, gold and copper: the green leaf that comes is red, for its bright infrared is in sight.',
+    openAt: 7.6,
   };
   return builder.finish(
     'prism',
