@@ -25,7 +25,7 @@ export const CODES = {
   'image.damaged': 'a picture that is damaged or cut off',
   'image.size': 'a picture with too many pixels, or none',
   'image.unknown-format': 'a picture that is neither PNG nor JPEG',
-  'image.unsupported': 'an OpenEXR picture of a kind that is not read',
+  'image.unsupported': 'an OpenEXR or Radiance picture of a kind that is not read',
 
   'zip.damaged': 'an archive that is damaged or cut off',
   'zip.zip64': 'an archive in the form for more than 4 GiB',

@@ -1,17 +1,17 @@
-import { acos, atan, clamp, dot, int, Loop, texture, uniform, vec2 } from 'three/tsl';
-import { Color, type DataTexture, Vector3 } from 'three/webgpu';
+import { float, int, Loop, uniform } from 'three/tsl';
+import { Color } from 'three/webgpu';
 import { normalize, scale, type Vec3 } from '../math/vec3.ts';
-import { axesOf, DAY, directLights, domeOf, nightSkyOf } from '../scene/daylight.ts';
-import type { DistantLight, DomeLight, NightSky, Scene, Texture } from '../scene/types.ts';
+import { DAY, directLights, domeOf, nightSkyOf } from '../scene/daylight.ts';
+import type { DistantLight, NightSky, Scene } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
+import { DomePicture } from './domeTexture.ts';
 import { FloatTable } from './floatTable.ts';
-import { type ShineKind, shineColor, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
+import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
 import { LampTable } from './lampTable.ts';
 import { LineTable } from './lineTable.ts';
 import type { Source } from './radiance.ts';
 import type { Sight } from './sight.ts';
-import { uploadTexture } from './textures.ts';
 
 /** A distant light on the GPU. */
 export interface SunTexels {
@@ -38,33 +38,38 @@ export class Environment {
     upperMean: uniform(new Color()),
     lowerMean: uniform(new Color()),
   };
-  /** Radiance of the dome's picture in a world direction. */
-  readonly image: ((n: gpu.Vec3) => gpu.Vec3) | undefined;
+  /** The dome's, where it has one. */
+  readonly picture: DomePicture | undefined;
   readonly lamps: LampTable;
   readonly night: NightSky | undefined;
   /** Those of a kind of light together. */
-  private readonly suns: readonly DistantLight[];
+  private readonly suns: readonly (DistantLight & { readonly colors: ShineColors })[];
+  /** What the sky's light is made of; absent of daylight. */
+  readonly skySource: Source | undefined;
+  private readonly skyColors: ShineColors | undefined;
   private readonly table = new FloatTable(256);
   private readonly lines = new LineTable();
-  private readonly domeTexture: DataTexture | undefined;
 
   constructor(scene: Scene) {
     const dome = domeOf(scene);
     this.night = nightSkyOf(scene);
     const direct = directLights(scene);
     const suns = direct.filter((light) => light.kind === 'distant');
-    this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind));
+    this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind)).map((sun) => ({
+      ...sun,
+      colors: shineColors(sun),
+    }));
     this.table.reserve(SUN_TEXELS * this.suns.length);
     this.lamps = new LampTable(
       direct.filter((light) => light.kind !== 'distant'),
       this.lines,
     );
-    if (dome) this.setDome(dome);
-    else this.setDay();
-    if (dome?.texture) {
-      this.domeTexture = uploadTexture(dome.texture);
-      this.image = domeImage(this.domeTexture, scene.upAxis, dome.color);
-    }
+    if (dome) {
+      const [x, y] = shineNumbers(dome, this.lines);
+      this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines);
+      this.skyColors = shineColors(dome);
+    } else this.setDay();
+    if (dome?.texture) this.picture = new DomePicture(dome.texture, scene.upAxis, this.uniforms.zenithColor.rgb);
   }
 
   eachSun(visit: (sun: SunTexels) => void): void {
@@ -90,18 +95,19 @@ export class Environment {
   update(sight: Sight, colors: ColorMode): void {
     this.suns.forEach((sun, i) => {
       const [x, y] = shineNumbers(sun, this.lines);
-      const texels = [...normalize(scale(sun.direction, -1)), x, ...shineColor(sun, colors), y];
+      const texels = [...normalize(scale(sun.direction, -1)), x, ...sun.colors[colors], y];
       this.table.values.set(texels, 4 * SUN_TEXELS * i);
     });
     this.table.upload();
     this.lamps.update(sight, colors);
+    if (this.skyColors) this.setDome(this.skyColors[colors]);
   }
 
   dispose(): void {
     this.table.dispose();
     this.lamps.dispose();
     this.lines.dispose();
-    this.domeTexture?.dispose();
+    this.picture?.dispose();
   }
 
   private setDay(): void {
@@ -110,11 +116,10 @@ export class Environment {
     this.uniforms.lowerMean.value.setRGB(0.24, 0.22, 0.2);
   }
 
-  private setDome({ color, texture: image }: DomeLight): void {
+  private setDome(color: Vec3): void {
     this.setSky(color, color, color);
-    const [upper, lower] = image ? halfMeans(image) : [WHITE, WHITE];
-    this.uniforms.upperMean.value.setRGB(color[0] * upper[0], color[1] * upper[1], color[2] * upper[2]);
-    this.uniforms.lowerMean.value.setRGB(color[0] * lower[0], color[1] * lower[1], color[2] * lower[2]);
+    this.uniforms.upperMean.value.setRGB(...color);
+    this.uniforms.lowerMean.value.setRGB(...color);
   }
 
   private setSky(zenith: Vec3, horizon: Vec3, ground: Vec3): void {
@@ -122,41 +127,4 @@ export class Environment {
     this.uniforms.horizonColor.value.setRGB(...horizon);
     this.uniforms.groundColor.value.setRGB(...ground);
   }
-}
-
-const WHITE: Vec3 = [1, 1, 1];
-
-/** A latitude–longitude picture: its top row at the zenith, its middle column towards −Z (upAxis Y) or +Y (upAxis Z). */
-function domeImage(image: DataTexture, upAxis: Scene['upAxis'], color: Vec3): (n: gpu.Vec3) => gpu.Vec3 {
-  const tint = uniform(new Vector3(...color));
-  const axes = axesOf(upAxis);
-  const [up, ahead, right] = [axes.up, axes.ahead, axes.right].map((axis) => uniform(new Vector3(...axis)));
-  return (n) => {
-    const around = atan(dot(n, right), dot(n, ahead))
-      .div(2 * Math.PI)
-      .add(0.5);
-    const down = acos(clamp(dot(n, up), -1, 1)).div(Math.PI);
-    // The base level: the seam at ±180° has no derivative.
-    return texture(image, vec2(around, down)).level(int(0)).rgb.mul(tint);
-  };
-}
-
-/** Mean linear colour of the upper and the lower half of a latitude–longitude picture, rows weighted by their solid angle. */
-function halfMeans({ width, height, data, colorSpace }: Texture): readonly [Vec3, Vec3] {
-  const linear = (byte: number) => {
-    const v = byte / 255;
-    return colorSpace === 'srgb' ? (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4) : v;
-  };
-  const mean = (from: number, to: number): Vec3 => {
-    const sum: [number, number, number] = [0, 0, 0];
-    let weight = 0;
-    for (let y = from; y < to; y++) {
-      const w = Math.sin(((y + 0.5) / height) * Math.PI);
-      for (let x = 0; x < width; x++, weight += w)
-        for (let k = 0; k < 3; k++) sum[k] += w * linear(data[4 * (y * width + x) + k]);
-    }
-    return scale(sum, 1 / Math.max(weight, 1e-9));
-  };
-  const middle = Math.max(1, height >> 1);
-  return [mean(0, middle), mean(Math.min(middle, height - 1), height)];
 }

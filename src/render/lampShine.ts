@@ -1,5 +1,5 @@
 import type { Vec3 } from '../math/vec3.ts';
-import type { DistantLight, Lamp } from '../scene/types.ts';
+import type { Luminary } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import { lightFilter } from '../spectrum/lightFilter.ts';
@@ -14,19 +14,18 @@ export type ShineKind = 'daylight' | 'thermal' | 'lines';
 export const shineKind = ({ spectrum = DAYLIGHT }: { readonly spectrum?: LightSpectrum }): ShineKind =>
   spectrum.kind !== 'thermal' ? 'lines' : spectrum.temperature === DAYLIGHT.temperature ? 'daylight' : 'thermal';
 
-/** A light's filter before its spectrum; of approximate colours what is seen of it at rest. */
-export function shineColor({ color, spectrum = DAYLIGHT }: DistantLight | Lamp, colors: ColorMode): Vec3 {
-  if (colors === 'approximate' || spectrum === DAYLIGHT) return color;
-  return lightFilter(color, spectrum).rgb;
-}
+/** What light is multiplied with before its spectrum, for each way to show colours; of approximate ones what is seen of it at rest. */
+export type ShineColors = Readonly<Record<ColorMode, Vec3>>;
+
+export const shineColors = ({ color, spectrum = DAYLIGHT }: Luminary): ShineColors => ({
+  approximate: color,
+  spectral: spectrum === DAYLIGHT ? color : lightFilter(color, spectrum).rgb,
+});
 
 /**
  * What tells shaders of its spectrum: the temperature [K] and the luminance of such a blackbody over that of daylight's, or where its lines are.
  */
-export function shineNumbers(
-  { spectrum = DAYLIGHT }: DistantLight | Lamp,
-  lines: LineTable,
-): readonly [number, number] {
+export function shineNumbers({ spectrum = DAYLIGHT }: Luminary, lines: LineTable): readonly [number, number] {
   if (spectrum.kind !== 'thermal') return lines.add(spectrum);
   const T = spectrum.temperature;
   return [T, Math.exp(logLuminance(T) - logLuminance(DAYLIGHT.temperature))];

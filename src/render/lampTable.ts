@@ -10,7 +10,7 @@ import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import { FloatTable } from './floatTable.ts';
 import type { LampPath } from './lampEvent.ts';
-import { type ShineKind, shineColor, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
+import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
 import type { LineTable } from './lineTable.ts';
 import type { Source } from './radiance.ts';
 import { shapingValues } from './shaping.ts';
@@ -59,8 +59,7 @@ interface KnownLamp {
   readonly lamp: Lamp;
   readonly line: WorldLine;
   readonly shine: readonly [number, number];
-  /** Of each way to show colours. */
-  readonly colors: Readonly<Record<ColorMode, Vec3>>;
+  readonly colors: ShineColors;
 }
 
 /** A line is drawn as a tube of this part of its length. */
@@ -197,7 +196,7 @@ const known = (lamp: Lamp, lines: LineTable): KnownLamp => ({
   lamp,
   line: originLine(lamp.motion),
   shine: shineNumbers(lamp, lines),
-  colors: { spectral: shineColor(lamp, 'spectral'), approximate: shineColor(lamp, 'approximate') },
+  colors: shineColors(lamp),
 });
 
 function valuesOf(

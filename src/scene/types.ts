@@ -220,10 +220,18 @@ export interface Texture {
   readonly wrapS: TextureWrap;
   readonly wrapT: TextureWrap;
 }
+/** A picture of radiance, for what is brighter than white. */
+export interface RadiancePicture extends Omit<Texture, 'data'> {
+  /** RGBA as halves, linear sRGB of 0 … 65504, rows from the top. */
+  readonly data: Uint16Array;
+}
 /** Outside the picture; `black` is transparent too. */
 export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';
 
-export type Light = DistantLight | Lamp | DomeLight | NightSky;
+export type Light = Luminary | NightSky;
+
+/** What shines with one colour and one spectrum. */
+export type Luminary = DistantLight | Lamp | DomeLight;
 
 /** What shines from somewhere, and may move. */
 export type Lamp = SphereLight | AreaLight;
@@ -292,7 +300,7 @@ export interface DomeLight {
   readonly color: Vec3;
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
-  readonly texture?: Texture;
+  readonly texture?: Texture | RadiancePicture;
 }
 /** The fixed stars before the cosmic background. They are seen; on things they shine too faintly to tell. */
 export interface NightSky {

@@ -9,7 +9,7 @@ import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src
 import { LIGHT_PRESETS } from '../../src/spectrum/lightPresets.ts';
 import type { LightSpectrum } from '../../src/spectrum/lightSpectrum.ts';
 import { whiteOf } from '../../src/spectrum/observerColor.ts';
-import { lamp, lit } from '../support/lightKit.ts';
+import { dome, lamp, lit } from '../support/lightKit.ts';
 import { type Difference, difference } from './agreement.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
 
@@ -144,6 +144,15 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     const material = { emissive: [1, 1, 1] as const, emissionTemperature: 2500 };
     const { mean, most } = await compared([sun([1, 1, 1])], { beta: [0, 0, -0.3], material });
     expect(mean).toBeLessThan(0.006);
+    expect(most).toBeLessThan(0.02);
+  });
+
+  it.each(['candle', 'mercury'])('of a sky of %s', async (name) => {
+    const spectrum = LIGHT_PRESETS.get(name)!.spectrum;
+    const sky = { ...dome(whiteOf(spectrum)), spectrum };
+    const view = { ...VIEW, u: properVelocity([0.2, 0, 0.3]) };
+    const { mean, most } = await difference(headless, lit([], [sky]), view, SETTINGS, 16);
+    expect(mean).toBeLessThan(0.004);
     expect(most).toBeLessThan(0.02);
   });
 

@@ -10,7 +10,7 @@ import { isLamp, lampOf } from './lamps.ts';
 import type { PrimSpec, PropertySpec } from './layer.ts';
 import { brightnessOf, spectrumOf } from './lightInputs.ts';
 import { type Directions, poseTimeOf } from './slowlight.ts';
-import { type TextureLoader, textureOf } from './textures.ts';
+import type { TextureLoader } from './textures.ts';
 
 const SKIES = new Set(['DomeLight', 'DomeLight_1']);
 const UNREAD = new Set(['PortalLight', 'PluginLight']);
@@ -38,10 +38,8 @@ export async function lightOf(
   if (textAt(prim, 'slowlight:sky', undefined) === 'stars') return nightSkyOf(context, prim, frame);
   const dome = { kind: 'dome', path, color: brightnessOf(context, prim), ...spectrumOf(context, prim) } as const;
   const file = valueAt(attributeOf(prim, 'inputs:texture:file'), context.startCode);
-  const name = textOf(file);
-  const image = name ? await textures.file(file, path) : undefined;
-  if (!image) return dome;
-  return { ...dome, texture: { ...textureOf(context, prim, image, false), name: name! } };
+  const texture = textOf(file) ? await textures.sky(file, prim) : undefined;
+  return texture ? { ...dome, texture } : dome;
 }
 
 /** The bright stars as this prim's frame turns them; their colours are their own. */

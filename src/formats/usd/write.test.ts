@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { toHalf } from '../../math/half.ts';
 import { pointsAt } from '../../scene/points.ts';
 import { sphere } from '../../scene/primitives.ts';
 import type { Material, Mesh, Scene, SceneObject, Texture } from '../../scene/types.ts';
@@ -269,6 +270,14 @@ describe('what is written reads back the same', async () => {
       roughnessTexture: { ...roughnessTexture, texture: named(roughnessTexture?.texture, 'finish_1') },
       metallicTexture: { ...metallicTexture, texture: named(metallicTexture?.texture, 'finish_1') },
     });
+  });
+
+  it('a dome of radiance, as an EXR beside the text', async () => {
+    const halves = Uint16Array.from([0.5, 2, 4000, 1, 0, 65504, 7, 1], toHalf);
+    const sky = { ...texture('sky.hdr', 255, 1), width: 2, height: 1, data: halves, colorSpace: 'linear' } as const;
+    const lights = [{ kind: 'dome', path: '/Sky', color: [1, 1, 1], texture: sky }] as const;
+    expect([...writeTextures({ ...leafy, lights }).keys()]).toContain('textures/sky.exr');
+    expect((await reread({ ...leafy, lights })).lights).toMatchObject([{ texture: { width: 2, data: halves } }]);
   });
 
   it('lights, cameras, hints and times', () => {
