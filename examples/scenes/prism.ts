@@ -13,7 +13,7 @@ const [FROM, TO] = [0, 34];
 /** Of a way from end to end, and how long it takes [m], [s]: 0.34 c in the middle of it. */
 const [WAY, PERIOD] = [4.4, 7.353];
 /** Where a chart is nearest [m]. */
-const NEAR = 0.6;
+const NEAR = 0.1;
 
 /** The 24 colours of the usual chart of photographers, in sRGB, row by row (McCamy, Marcus and Davidson 1976; sRGB as rounded by X-Rite). */
 const CHART = [
@@ -44,7 +44,7 @@ function make(): Scene {
   const flight = camera({
     from: FROM,
     to: TO,
-    fovY: 37,
+    fovY: 36,
     eye: (t) => [0, 1.75 + 0.2 * cruise(t / TO), 6 - 0.5 * cruise(t / TO)],
     target: () => [0, 0.95, -2],
   });
@@ -132,4 +132,4 @@ function carried(motion: FrameMotion): FrameMotion {
   return { ...motion, poses };
 }
 
-const SKY: Light = { kind: 'dome', path: '/World/Sky', ...shine({ kind: 'thermal', temperature: 6504 }, 0.035) };
+const SKY: Light = { kind: 'dome', path: '/World/Sky', ...shine({ kind: 'thermal', temperature: 6504 }, 0.022) };
