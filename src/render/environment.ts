@@ -10,7 +10,7 @@ import { FloatTable } from './floatTable.ts';
 import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
 import { LampTable } from './lampTable.ts';
 import { LineTable } from './lineTable.ts';
-import type { Source } from './radiance.ts';
+import { SKY, type Source } from './radiance.ts';
 import type { Sight } from './sight.ts';
 
 /** A distant light on the GPU. */
@@ -44,8 +44,8 @@ export class Environment {
   readonly night: NightSky | undefined;
   /** Those of a kind of light together. */
   private readonly suns: readonly (DistantLight & { readonly colors: ShineColors })[];
-  /** What the sky's light is made of; absent of daylight. */
-  readonly skySource: Source | undefined;
+  /** What the sky's light is made of. */
+  readonly skySource: Source = SKY;
   private readonly skyColors: ShineColors | undefined;
   private readonly table = new FloatTable(256);
   private readonly lines = new LineTable();
@@ -66,7 +66,7 @@ export class Environment {
     );
     if (dome) {
       const [x, y] = shineNumbers(dome, this.lines);
-      this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines);
+      this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines) ?? SKY;
       this.skyColors = shineColors(dome);
     } else this.setDay();
     if (dome?.texture) this.picture = new DomePicture(dome.texture, scene.upAxis, this.uniforms.zenithColor.rgb);
