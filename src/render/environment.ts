@@ -23,6 +23,11 @@ export interface SunTexels {
   readonly source?: Source;
 }
 
+interface KnownSun extends DistantLight {
+  readonly shine: readonly [number, number];
+  readonly colors: ShineColors;
+}
+
 /** Texels per distant light: (direction, x), (colour, y), with (x, y) of `shineNumbers`. */
 const SUN_TEXELS = 2;
 const SHINES = ['daylight', 'thermal', 'lines'] as const satisfies readonly ShineKind[];
@@ -43,7 +48,7 @@ export class Environment {
   readonly lamps: LampTable;
   readonly night: NightSky | undefined;
   /** Those of a kind of light together. */
-  private readonly suns: readonly (DistantLight & { readonly colors: ShineColors })[];
+  private readonly suns: readonly KnownSun[];
   /** What the sky's light is made of. */
   readonly skySource: Source = SKY;
   private readonly skyColors: ShineColors | undefined;
@@ -57,6 +62,7 @@ export class Environment {
     const suns = direct.filter((light) => light.kind === 'distant');
     this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind)).map((sun) => ({
       ...sun,
+      shine: shineNumbers(sun, this.lines),
       colors: shineColors(sun),
     }));
     this.table.reserve(SUN_TEXELS * this.suns.length);
@@ -94,7 +100,7 @@ export class Environment {
   /** Places are uploaded relative to the observer's event. */
   update(sight: Sight, colors: ColorMode): void {
     this.suns.forEach((sun, i) => {
-      const [x, y] = shineNumbers(sun, this.lines);
+      const [x, y] = sun.shine;
       const texels = [...normalize(scale(sun.direction, -1)), x, ...sun.colors[colors], y];
       this.table.values.set(texels, 4 * SUN_TEXELS * i);
     });
