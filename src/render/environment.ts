@@ -75,7 +75,7 @@ export class Environment {
       this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines) ?? SKY;
       this.skyColors = shineColors(dome);
     } else this.setDay();
-    if (dome?.texture) this.picture = new DomePicture(dome.texture, scene.upAxis, this.uniforms.zenithColor.rgb);
+    if (dome?.texture) this.picture = new DomePicture(dome.texture, dome, this.uniforms.zenithColor.rgb);
   }
 
   eachSun(visit: (sun: SunTexels) => void): void {

@@ -1,5 +1,5 @@
 import { fromHalf } from '../math/half.ts';
-import type { RadiancePicture, Texture, TextureWrap } from '../scene/types.ts';
+import type { RadiancePicture, Texture, TextureWrap } from './types.ts';
 
 export type Rgba = readonly [r: number, g: number, b: number, a: number];
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Texture } from '../scene/types.ts';
-import { sampleTexture } from './texture.ts';
+import { sampleTexture } from './sampleTexture.ts';
+import type { Texture } from './types.ts';
 
 /** Two texels across, one up: black and white, the second half clear. */
 const pair = (given: Partial<Texture> = {}): Texture => ({
