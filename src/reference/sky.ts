@@ -4,6 +4,7 @@ import { domeAxes, placeOnPanorama } from '../scene/panorama.ts';
 import { sampleTexture } from '../scene/sampleTexture.ts';
 import type { DomeLight, Scene } from '../scene/types.ts';
 import { SCATTERED, SCATTERED_COLOR, scatteredShare } from '../spectrum/scatteredLight.ts';
+import { type BrightParts, brightParts } from './brightParts.ts';
 import { neutral } from './filters.ts';
 import { DARK, type Light, plus } from './light.ts';
 import { type Shine, shineOf } from './shine.ts';
@@ -20,11 +21,13 @@ export interface Sky {
   light(n: Vec3, sight: Sight): Light;
   /** The discs of distant lights and their glow, which are in the sky for the eye alone: as light they have no size. */
   suns(n: Vec3, sight: Sight): Light;
+  readonly bright?: BrightParts;
 }
 
 export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
   const up = upOf(scene.upAxis);
   const dome = domeOf(scene);
+  const bright = dome && brightParts(dome);
   const color = dome
     ? domeColor(dome, scene.upAxis)
     : (n: Vec3) => gradient(dot(n, up), DAY.zenith, DAY.horizon, DAY.ground);
@@ -32,6 +35,7 @@ export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
     light: (n, sight) =>
       dome?.spectrum ? sight.shining(shineOf(color(n), dome.spectrum)) : scattering(color(n), sight),
     suns: (n, sight) => suns.reduce((sum, sun) => plus(sum, sight.shining(sun.shine), discAndGlow(n, sun)), DARK),
+    ...(bright && { bright }),
   };
 }
 

@@ -49,3 +49,9 @@ const NOTHING: Rgba = [0, 0, 0, 0];
 const PLAIN = Float64Array.from({ length: 256 }, (_, byte) => byte / 255);
 /** Encoded sRGB → linear light. Source: IEC 61966-2-1. */
 const DECODED = PLAIN.map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
+
+/** What each byte of a picture, or the bits of each half, stands for. */
+export function linearValues({ data, colorSpace }: Texture | RadiancePicture): ArrayLike<number> {
+  if (data instanceof Uint16Array) return Float32Array.from({ length: 2 ** 16 }, (_, bits) => fromHalf(bits));
+  return colorSpace === 'srgb' ? DECODED : PLAIN;
+}
