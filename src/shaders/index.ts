@@ -1,5 +1,6 @@
 export { aberrate } from './aberrate.ts';
 export { apparentPosition } from './apparentPosition.ts';
+export { boost } from './boost.ts';
 export { cubicEmission } from './cubicEmission.ts';
 export { cubicPlace } from './cubicPlace.ts';
 export { cubicSlice } from './cubicSlice.ts';
