@@ -24,8 +24,14 @@ export interface Receiver {
 export function lampLight(receiver: Receiver, lamp: LampTexels, eye: Gathering): void {
   const { dx, time, uniforms } = receiver;
   const seen = lampSeen(lamp, dx, time, uniforms);
+  const { source, colored } = lamp;
   const sent = ({ share, D }: Part): void =>
-    eye.send(lamp.color, share, { ...(D && { D }), ...(lamp.source && { source: lamp.source }) }, IRRADIANCE);
+    eye.send(
+      lamp.color,
+      share,
+      { ...(D && { D }), ...(source && { source }), ...(colored !== undefined && { colored }) },
+      IRRADIANCE,
+    );
   const send: Sending = (matt, glossy) => {
     if (!matt.D && !glossy.D) return sent({ share: matt.share.add(glossy.share) });
     sent(matt);

@@ -7,9 +7,18 @@ import { originLine, poseAt, samplePose } from '../scene/motion.ts';
 import type { Lamp } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
+import type { ColoredLight } from '../spectrum/filterPairs.ts';
 import { FloatTable } from './floatTable.ts';
 import type { LampPath } from './lampEvent.ts';
-import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
+import {
+  coloredIndex,
+  type ShineColors,
+  type ShineKind,
+  shineColors,
+  shineKind,
+  shineNumbers,
+  sourceOf,
+} from './lampShine.ts';
 import type { LineTable } from './lineTable.ts';
 import type { Source } from './radiance.ts';
 import { shapingValues } from './shaping.ts';
@@ -33,6 +42,8 @@ export interface LampTexels {
   readonly life?: gpu.Vec3;
   /** Absent of daylight. */
   readonly source?: Source;
+  /** As a passage's. */
+  readonly colored?: number;
 }
 
 export interface LampShape {
@@ -49,6 +60,7 @@ interface Group {
   readonly kind: LampKind;
   readonly motion: Lamp['motion']['kind'];
   readonly shine: ShineKind;
+  readonly colored: number | undefined;
   readonly texels: readonly TexelName[];
   /** Texel of the first. */
   readonly first: number;
@@ -79,11 +91,17 @@ export class LampTable {
 
   private readonly lines: LineTable;
 
-  constructor(lamps: readonly Lamp[], lines: LineTable) {
+  constructor(lamps: readonly Lamp[], colored: readonly ColoredLight[], lines: LineTable) {
     this.lines = lines;
     const alike = new Map<string, Lamp[]>();
     for (const lamp of lamps) {
-      const key = [kindOf(lamp), lamp.motion.kind, shineKind(lamp), ...texelsOf(lamp)].join(' ');
+      const key = [
+        kindOf(lamp),
+        lamp.motion.kind,
+        shineKind(lamp),
+        coloredIndex(lamp, colored),
+        ...texelsOf(lamp),
+      ].join(' ');
       alike.set(key, [...(alike.get(key) ?? []), lamp]);
     }
     let first = 0;
@@ -93,6 +111,7 @@ export class LampTable {
         kind: kindOf(members[0]),
         motion: members[0].motion.kind,
         shine: shineKind(members[0]),
+        colored: coloredIndex(members[0], colored),
         texels,
         first,
         lamps: members.map((lamp) => known(lamp, lines)),
@@ -114,7 +133,7 @@ export class LampTable {
     }
   }
 
-  private read({ kind, motion, shine, texels, first }: Group, index: gpu.Int): LampTexels {
+  private read({ kind, motion, shine, colored, texels, first }: Group, index: gpu.Int): LampTexels {
     const at = index.mul(int(texels.length)).add(int(first)).toVar();
     const texel = (name: TexelName): gpu.Vec4 | undefined => {
       const k = texels.indexOf(name);
@@ -132,6 +151,7 @@ export class LampTable {
       ...(X && Y && { shape: { X: X.xyz, Y: Y.xyz, inner: X.w, outer: Y.w, focus: color.w } }),
       ...(life && { life: life.xyz }),
       ...(made && { source: made }),
+      ...(colored !== undefined && { colored }),
     };
   }
 
