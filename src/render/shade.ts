@@ -31,8 +31,12 @@ export const shade = (surface: ShadedSurface, environment: Environment, uniforms
     const albedo = eye.filter(surface.color.rgb, surface.invisible).toVar();
     const look = lookOf(albedo, surface, N, V);
     const { dx, time } = surface;
-    environment.eachSun(({ direction, color, source }) => {
-      const passage = { ...passageBetween(direction, rest, AT_REST), ...(source && { source }) };
+    environment.eachSun(({ direction, color, source, colored }) => {
+      const passage = {
+        ...passageBetween(direction, rest, AT_REST),
+        ...(source && { source }),
+        ...(colored !== undefined && { colored }),
+      };
       eye.send(color, reflectance(look, rest.into(direction)), passage, IRRADIANCE);
     });
     environment.lamps.each((lamp) => lampLight({ look, dx, time, rest, uniforms }, lamp, eye));
@@ -50,7 +54,7 @@ function skyReflection(look: Look, rest: Rest, environment: Environment, uniform
   const sharp = (n: Vec3) => skyMirrored(environment, n, zenith, look.roughness);
   const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: Filter): void => {
     const n = rest.out(nPrime);
-    const passage = { ...passageBetween(n, rest, AT_REST), source: environment.skySource };
+    const passage = { ...passageBetween(n, rest, AT_REST), source: environment.skySource, colored: 'picture' } as const;
     eye.send(radiance(n), share, passage, RADIANCE);
   };
   reflected(N, soft, look.diffuse);

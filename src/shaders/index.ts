@@ -1,5 +1,8 @@
 export { aberrate } from './aberrate.ts';
 export { apparentPosition } from './apparentPosition.ts';
+export { boost } from './boost.ts';
+export { type ColoredTables, coloredColors } from './coloredTable.ts';
+export { coloredTexture } from './coloredTexture.ts';
 export { cubicEmission } from './cubicEmission.ts';
 export { cubicPlace } from './cubicPlace.ts';
 export { cubicSlice } from './cubicSlice.ts';
