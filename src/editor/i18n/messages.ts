@@ -177,6 +177,7 @@ export const messages = {
   'falseColor.emissionTime': ['Time', '时间'],
   'falseColor.radiance': ['Light', '亮度'],
   'falseColor.band': ['Band', '波段'],
+  'legend.show': ['Legend', '图例'],
   'legend.doppler': ['Doppler factor D', '多普勒因子 D'],
   'legend.emission-time': ['Happened, from now', '发生时间（相对现在）'],
   'legend.radiance': ['Luminance before exposure', '曝光前的亮度'],
