@@ -1,5 +1,6 @@
-import { BANDS, bandOf, colorRow, type FalseColor, type FalseColors, partOf } from '../../spectrum/falseColor.ts';
+import { colorRow, type FalseColor, type FalseColors, partOf } from '../../spectrum/falseColor.ts';
 import { ticksOf } from '../../spectrum/falseScale.ts';
+import { BANDS, bandOf } from '../../spectrum/spectralBands.ts';
 import { formatLength, formatNumber } from '../format.ts';
 import type { Translate } from '../i18n/i18n.ts';
 import type { Reading } from '../state/legend.ts';
@@ -55,7 +56,7 @@ function valueText(kind: FalseColor, value: number): string {
 
 /** Beside the bar there is little room. */
 function shortText(kind: FalseColor, value: number): string {
-  const text = formatNumber(kind === 'band' ? value * 1e6 : value, 2);
+  const text = formatNumber(kind === 'band' ? value * 1e9 : value, 2);
   const short = text.includes('.') ? text.replace(/\.?0+$/, '') : text;
   return kind === 'emission-time' ? `${short} s` : short;
 }
