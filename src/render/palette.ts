@@ -36,11 +36,12 @@ export class Palettes {
   private readonly observer = observerTexture();
 
   optics(palette: Palette, { materials }: Scene): Optics {
-    if (palette !== 'spectral') return palette === 'plain' ? plain : tinted;
+    const glowing = materials.some(isGlowing);
+    if (palette !== 'spectral') return palette === 'plain' ? plain(glowing) : tinted(glowing);
     const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
     const tables = this.tables.get(layers) ?? this.makeTables(layers);
     this.tables.set(layers, tables);
-    return spectral(tables, materials.some(isGlowing));
+    return spectral(tables, glowing);
   }
 
   private makeTables(layers: 3 | 4): Tables {
