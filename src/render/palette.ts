@@ -40,11 +40,12 @@ export class Palettes {
 
   optics(palette: Palette, scene: Scene): Optics {
     const { materials } = scene;
-    if (palette !== 'spectral') return palette === 'plain' ? plain : tinted;
+    const glowing = materials.some(isGlowing);
+    if (palette !== 'spectral') return palette === 'plain' ? plain(glowing) : tinted(glowing);
     const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
     const tables = this.tables.get(layers) ?? this.makeTables(layers);
     this.tables.set(layers, tables);
-    return spectral({ ...tables, colored: () => this.coloredOf(scene, layers) }, materials.some(isGlowing));
+    return spectral({ ...tables, colored: () => this.coloredOf(scene, layers) }, glowing);
   }
 
   /** Only shaders of scenes with coloured lights ask. */

@@ -9,6 +9,7 @@ export { cubicSlice } from './cubicSlice.ts';
 export { dopplerFactor } from './dopplerFactor.ts';
 export { dopplerTint } from './dopplerTint.ts';
 export { emitterDoppler } from './emitterDoppler.ts';
+export { glowColor } from './glowColor.ts';
 export { hyperbolicEmission } from './hyperbolicEmission.ts';
 export { hyperbolicPlace } from './hyperbolicPlace.ts';
 export { hyperbolicSlice } from './hyperbolicSlice.ts';
