@@ -1,11 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { applyCommand, type Command } from './commands.ts';
-import { emptyDocument, type GraphDocument, parseDocument, readDocument, serializeDocument } from './document.ts';
+import { emptyDocument, type GraphDocument } from './document.ts';
 import { CancelledError, Evaluator } from './evaluate.ts';
 import { endGesture, execute, newHistory, redo, undo } from './history.ts';
 import { CURRENT_VERSION, migrate } from './migrations.ts';
 import { NodeRefusal, type NodeType, refuseValue, resolveParams } from './nodeType.ts';
+import { parseDocument, readDocument } from './read.ts';
+import { serializeDocument } from './serialize.ts';
 import { refuseEdge, validateDocument } from './validate.ts';
 
 /** A toy library of numbers: `value` → `sum` → `sum`. */
