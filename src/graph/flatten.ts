@@ -27,11 +27,16 @@ export interface FlatNode {
   readonly inputs: ReadonlyMap<string, readonly FlatSource[]>;
 }
 
+export interface FlatAlias {
+  readonly output: string;
+  readonly source: FlatSource;
+}
+
 /** A document without groups, bends and muted nodes: what is evaluated. */
 export interface FlatGraph {
   readonly nodes: ReadonlyMap<string, FlatNode>;
   /** For nodes that flattening took out: what their first output was. */
-  readonly aliases: ReadonlyMap<string, FlatSource>;
+  readonly aliases: ReadonlyMap<string, FlatAlias>;
   /** Nodes that feed themselves, or lie between such. */
   readonly circles: ReadonlySet<string>;
 }
@@ -53,7 +58,7 @@ const DEEPEST = 16;
 /** Opens out the groups of a document and takes out what computes nothing. Throws a DocumentError where that gives too much. */
 export function flatten(document: GraphDocument, registry: Registry): FlatGraph {
   const nodes = new Map<string, FlatNode>();
-  const aliases = new Map<string, FlatSource>();
+  const aliases = new Map<string, FlatAlias>();
   const walk: Walk = { registry, known: new Map() };
   const visit = (scope: Scope): void => {
     for (const [id, node] of Object.entries(scope.graph.nodes)) {
@@ -79,10 +84,10 @@ interface Walk {
   readonly known: Map<string, FlatSource | undefined>;
 }
 
-function aliasOf(scope: Scope, id: string, node: GraphNode, walk: Walk): FlatSource {
-  const output = Object.keys(socketsOf(scope, node, walk.registry)?.outputs ?? {})[0];
-  const source = output === undefined ? undefined : sourceOf(scope, { node: id, output }, walk);
-  return source ?? { kind: 'nothing', why: `nothing is connected to ${scope.prefix}${id}` };
+function aliasOf(scope: Scope, id: string, node: GraphNode, walk: Walk): FlatAlias {
+  const output = Object.keys(socketsOf(scope, node, walk.registry)?.outputs ?? {})[0] ?? '';
+  const source = sourceOf(scope, { node: id, output }, walk);
+  return { output, source: source ?? nothing(`nothing is connected to ${scope.prefix}${id}`) };
 }
 
 const isPassage = (node: GraphNode): boolean =>

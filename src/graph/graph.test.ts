@@ -303,7 +303,7 @@ describe('evaluation', () => {
   });
 
   it('forgets the least recently used result first', async () => {
-    const evaluator = new Evaluator(registry, 2);
+    const evaluator = new Evaluator(registry, { capacity: 1 });
     const at = (number: number) => evaluate(evaluator, build(add('x', 'value'), set('x', number)), 'x');
     for (const number of [1, 2, 1, 3]) await at(number);
     expect((await at(1)).ran).toEqual([]);
