@@ -120,8 +120,8 @@ describe('commands', () => {
       type: fc.constantFrom('value', 'sum'),
       at: point(),
     }),
-    fc.record({ kind: fc.constant('remove-node' as const), node: ids }),
-    fc.record({ kind: fc.constant('move-node' as const), node: ids, to: point() }),
+    fc.record({ kind: fc.constant('remove-nodes' as const), nodes: fc.uniqueArray(ids) }),
+    fc.record({ kind: fc.constant('move-nodes' as const), to: fc.dictionary(ids, point()) }),
     fc.record({ kind: fc.constant('set-param' as const), node: ids, param: fc.constant('value'), value: fc.integer() }),
     fc.record({ kind: fc.constant('set-param' as const), node: ids, param: fc.constant('value') }),
     fc.tuple(ids, ids, fc.constantFrom('a', 'b')).map(([from, to, input]) => ({
@@ -179,7 +179,7 @@ describe('commands', () => {
   });
 
   it('removing a node removes its edges, and undo brings them back', () => {
-    const history = execute(newHistory(example()), { kind: 'remove-node', node: 'x' }, 'remove');
+    const history = execute(newHistory(example()), { kind: 'remove-nodes', nodes: ['x'] }, 'remove');
     expect(Object.keys(history.document.edges)).toEqual(['s.b']);
     expect(undo(history).document).toEqual(example());
   });

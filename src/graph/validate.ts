@@ -95,24 +95,21 @@ function refuseSockets(level: Level, { from, to }: GraphEdge, registry: Registry
 }
 
 /** Whether data flows from one node to another, over any number of edges; a node reaches itself. */
-export function reaches({ edges }: Pick<GraphDocument, 'edges'>, from: string, to: string): boolean {
+export const reaches = (graph: Pick<GraphDocument, 'edges'>, from: string, to: string): boolean =>
+  reachedFrom(graph, [from]).has(to);
+
+/** All that data flows to from some nodes, with these. */
+export function reachedFrom({ edges }: Pick<GraphDocument, 'edges'>, starts: Iterable<string>): ReadonlySet<string> {
   const after = new Map<string, string[]>();
-  for (const edge of Object.values(edges)) {
-    const list = after.get(edge.from.node);
-    if (list) list.push(edge.to.node);
-    else after.set(edge.from.node, [edge.to.node]);
+  for (const { from, to } of Object.values(edges)) {
+    const list = after.get(from.node);
+    if (list) list.push(to.node);
+    else after.set(from.node, [to.node]);
   }
-  const seen = new Set([from]);
-  const open = [from];
-  for (let node = open.pop(); node !== undefined; node = open.pop()) {
-    if (node === to) return true;
-    for (const next of after.get(node) ?? []) {
-      if (seen.has(next)) continue;
-      seen.add(next);
-      open.push(next);
-    }
-  }
-  return false;
+  const reached = new Set(starts);
+  // What a set is given while it is gone through comes too.
+  for (const node of reached) for (const next of after.get(node) ?? []) reached.add(next);
+  return reached;
 }
 
 function checkParams(id: string, params: GraphNode['params'], type: NodeType): Problem[] {
