@@ -118,13 +118,13 @@ function changeLevel(level: Graph, command: LevelCommand): void {
     case 'move-nodes':
       for (const [node, at] of Object.entries(command.to)) {
         nodeOf(level, node);
-        level.layout[node] = [...at];
+        level.layout[node] = copy(at);
       }
       break;
     case 'connect':
       nodeOf(level, command.edge.from.node);
       nodeOf(level, command.edge.to.node);
-      put(level.edges, edgeKey(command.edge.to), { from: { ...command.edge.from }, to: { ...command.edge.to } });
+      put(level.edges, edgeKey(command.edge.to), command.edge);
       break;
     case 'disconnect':
       put(level.edges, edgeKey(command.to), undefined);
@@ -165,20 +165,27 @@ function put<Table extends object, Key extends keyof Table & string>(
   value: Table[Key] | undefined,
 ): void {
   if (value === undefined) delete table[key];
-  else if (!Object.hasOwn(table, key) || JSON.stringify(table[key]) !== JSON.stringify(value)) table[key] = value;
+  else if (!Object.hasOwn(table, key) || JSON.stringify(table[key]) !== JSON.stringify(value)) table[key] = copy(value);
+}
+
+/** Of plain data: what a later part of the same command changes must not be the command's own. */
+function copy<T>(value: T): T {
+  if (typeof value !== 'object' || value === null) return value;
+  if (Array.isArray(value)) return value.map(copy) as T;
+  return Object.fromEntries(Object.entries(value).map(([key, item]) => [key, copy(item)])) as T;
 }
 
 function addNode(level: Graph, { node, type, at, params = {} }: Extract<Command, { kind: 'add-node' }>): void {
   if (!IDENTIFIER.test(node)) throw new CommandError(`"${node}" cannot be a node's name: letters, digits, - and _`);
   refuseTaken(level.nodes, node, 'node');
-  level.nodes[node] = { type, params: { ...params } };
-  level.layout[node] = [...at];
+  level.nodes[node] = { type, params: copy(params) };
+  level.layout[node] = copy(at);
 }
 
 function insert(level: Graph, graph: Graph): void {
   for (const table of ['nodes', 'layout', 'edges', 'notes', 'frames'] as const) {
     for (const key of Object.keys(graph[table])) refuseTaken(level[table], key, table);
-    Object.assign(level[table], graph[table]);
+    Object.assign(level[table], copy(graph[table]));
   }
 }
 

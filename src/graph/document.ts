@@ -7,6 +7,8 @@ import { CURRENT_VERSION } from './migrations.ts';
  */
 /** How many nodes a project may hold, and how many what is made of it when its groups are opened out. */
 export const MOST_NODES = 10_000;
+/** How deep groups may lie in groups. */
+export const DEEPEST_GROUP = 16;
 const MOST_NUMBERS = 100_000;
 const LONGEST_TEXT = 100_000;
 

@@ -1,5 +1,6 @@
 import { circlesIn } from './circles.ts';
 import {
+  DEEPEST_GROUP,
   DocumentError,
   type Graph,
   type GraphDocument,
@@ -53,8 +54,6 @@ interface Scope extends Level {
   readonly exit?: string;
 }
 
-const DEEPEST = 16;
-
 /** Opens out the groups of a document and takes out what computes nothing. Throws a DocumentError where that gives too much. */
 export function flatten(document: GraphDocument, registry: Registry): FlatGraph {
   const nodes = new Map<string, FlatNode>();
@@ -96,7 +95,8 @@ const isPassage = (node: GraphNode): boolean =>
 /** A level with all groups in it; `total` counts what that makes. */
 function openedOut(level: Level, prefix: string, parent: Scope['parent'], total: { count: number }): Scope {
   const depth = prefix.split('/').length - 1;
-  if (depth > DEEPEST) throw new DocumentError(`groups.${level.group}: groups lie more than ${DEEPEST} deep`);
+  if (depth > DEEPEST_GROUP)
+    throw new DocumentError(`groups.${level.group}: groups lie more than ${DEEPEST_GROUP} deep`);
   const entries = Object.entries(level.graph.nodes);
   total.count += entries.length;
   if (total.count > MOST_NODES)

@@ -1,8 +1,5 @@
-import { edgeKey, type Graph, type GraphDocument, MOST_NODES, own } from './document.ts';
+import { DEEPEST_GROUP, edgeKey, type Graph, type GraphDocument, MOST_NODES, own } from './document.ts';
 import { GROUP, groupOf } from './structure.ts';
-
-/** How deep groups may lie in groups. */
-const DEEPEST_GROUP = 16;
 
 /** The first thing by which a document contradicts itself, with its place; undefined where it does not. */
 export function faultIn(document: GraphDocument): string | undefined {
@@ -47,7 +44,8 @@ function recursionIn(document: GraphDocument): string | undefined {
     const known = heights.get(id);
     if (known !== undefined) return known;
     if (above.length > DEEPEST_GROUP) throw new Recursion(tooDeep(id));
-    const found = 1 + Math.max(0, ...groupsIn(own(document.groups, id)).map((inner) => height(inner, [...above, id])));
+    const inside = groupsIn(own(document.groups, id)).filter((inner) => own(document.groups, inner));
+    const found = 1 + Math.max(0, ...inside.map((inner) => height(inner, [...above, id])));
     heights.set(id, found);
     return found;
   };
