@@ -5,6 +5,8 @@ import { migrate } from './migrations.ts';
 
 /** A project is words, not data: what is longer is none [characters]. */
 const LONGEST_PROJECT = 2 ** 24;
+/** What of a place is told: a damaged file may have keys of any length [characters]. */
+const LONGEST_PLACE = 200;
 
 /** Reads parsed JSON of any version. Throws a DocumentError with the place of the first fault. */
 export function readDocument(data: unknown): GraphDocument {
@@ -21,7 +23,8 @@ export function checked<T>(schema: z.ZodType<T>, data: unknown, otherwise: strin
   const result = schema.safeParse(data);
   if (result.success) return result.data;
   const issue = result.error.issues[0];
-  throw new DocumentError(`${issue?.path.join('.') || 'the file'}: ${issue?.message ?? otherwise}`);
+  const place = issue?.path.join('.').slice(0, LONGEST_PLACE);
+  throw new DocumentError(`${place || 'the file'}: ${issue?.message ?? otherwise}`);
 }
 
 export function parseJson(text: string): unknown {
