@@ -1,9 +1,9 @@
-export const CURRENT_VERSION = 2;
+export const CURRENT_VERSION = 3;
 
 type Migration = (data: Record<string, unknown>) => Record<string, unknown>;
 
 /** `MIGRATIONS[n]` turns a document of version n into one of version n + 1. A change of the schema adds one entry. */
-const MIGRATIONS: Readonly<Record<number, Migration>> = { 1: meterInsteadOfAdapting };
+const MIGRATIONS: Readonly<Record<number, Migration>> = { 1: meterInsteadOfAdapting, 2: withGroupsAndNotes };
 
 /** Brings parsed JSON to the current version; what is no document at all is left to the schema to refuse. */
 export function migrate(data: unknown, migrations = MIGRATIONS, current = CURRENT_VERSION): unknown {
@@ -30,6 +30,11 @@ const isToneMap = (node: unknown): node is { type: string; params: Record<string
 function metered({ params, ...node }: { params: Record<string, unknown> }) {
   const { adapt, ...rest } = params;
   return { ...node, params: adapt === false ? { ...rest, metering: 'manual' } : rest };
+}
+
+/** 2 → 3: groups, notes, frames and references to files came; there were none before. */
+function withGroupsAndNotes(data: Record<string, unknown>): Record<string, unknown> {
+  return { ...data, notes: {}, frames: {}, groups: {}, files: {} };
 }
 
 const isRecord = (data: unknown): data is Record<string, unknown> =>

@@ -1,4 +1,5 @@
 import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
+import type { Vec3 } from '../math/vec3.ts';
 import type { ColorMode, Solver, View } from '../scene/view.ts';
 import type { FalseColor } from '../spectrum/falseColor.ts';
 import type { Tone } from '../spectrum/toneMap.ts';
@@ -53,10 +54,21 @@ interface SocketValues {
   readonly view: CameraView;
   readonly gbuffer: GBuffer;
   readonly image: Picture;
+  readonly number: number;
+  readonly vector: Vec3;
+  /** Linear sRGB. */
+  readonly color: Vec3;
+  readonly text: string;
+  readonly any: unknown;
 }
 type SocketType = keyof SocketValues;
 type Sockets = Readonly<Record<string, Socket<SocketType>>>;
-type ValuesOf<S extends Sockets> = { readonly [K in keyof S]: SocketValues[S[K]['type']] };
+type ValueOf<S extends Socket<SocketType>> = S extends { readonly many: true }
+  ? readonly SocketValues[S['type']][]
+  : S extends { readonly optional: true }
+    ? SocketValues[S['type']] | undefined
+    : SocketValues[S['type']];
+type ValuesOf<S extends Sockets> = { readonly [K in keyof S]: ValueOf<S[K]> };
 type Params = Readonly<Record<string, ParamSpec>>;
 type ParamsOf<P extends Params> = { readonly [K in keyof P]: ParamOf<P[K]> };
 

@@ -98,7 +98,7 @@ function landings(document: GraphDocument, landed: readonly string[]): Command[]
   const left = flightsIn(document).filter((node) => !landed.includes(node));
   const chain = [BEFORE, ...left];
   return [
-    ...landed.map((node): Command => ({ kind: 'remove-node', node })),
+    ...landed.map((node): Command => ({ kind: 'remove-nodes', nodes: [node] })),
     ...left.map((node, i) => connect(chain[i]!, { node, input: 'relativity' })),
     connect(chain.at(-1)!, AFTER),
   ];
