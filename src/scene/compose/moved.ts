@@ -1,6 +1,7 @@
 import { multiply, rotate } from '../../math/quat.ts';
-import { add } from '../../math/vec3.ts';
-import { samplePose } from '../motion.ts';
+import { add, length } from '../../math/vec3.ts';
+import { sphereOfMesh } from '../bounds.ts';
+import { placed, samplePose } from '../motion.ts';
 import type { FrameMotion, Pose, Scene, SceneObject } from '../types.ts';
 import { withObjects } from './dress.ts';
 import { isChosen } from './merge.ts';
@@ -15,18 +16,18 @@ export const movingAt = (scene: Scene, path: string): readonly string[] =>
  */
 export function moved(scene: Scene, path: string, frame: FrameMotion, authoredIn: SceneObject['authoredIn']): Scene {
   const objects = withObjects(scene, path, (object) =>
-    object.motion.kind === 'static' ? { ...object, authoredIn, motion: carried(frame, object.motion.pose) } : object,
+    object.motion.kind === 'static' ? { ...object, authoredIn, motion: carriedBy(frame, object.motion.pose) } : object,
   );
   const lights = scene.lights.map((light) =>
     'motion' in light && light.motion.kind === 'static' && isChosen(light.path, path)
-      ? { ...light, motion: carried(frame, light.motion.pose) }
+      ? { ...light, motion: carriedBy(frame, light.motion.pose) }
       : light,
   );
   return { ...scene, objects, lights };
 }
 
 /** What stands at a pose in a frame that moves. */
-function carried(frame: FrameMotion, pose: Pose): FrameMotion {
+export function carriedBy(frame: FrameMotion, pose: Pose): FrameMotion {
   if (frame.kind !== 'sampled') return { ...frame, pose: within(frame.pose, pose) };
   const poses = new Float64Array(frame.poses.length);
   for (let k = 0; k < frame.times.length; k++) {
@@ -40,3 +41,13 @@ const within = (frame: Pose, { position, orientation }: Pose): Pose => ({
   position: add(frame.position, rotate(frame.orientation, position)),
   orientation: multiply(frame.orientation, orientation),
 });
+
+/** How far from the origin anything at a path and below it reaches [m]. */
+export function movedReach(scene: Scene, path: string): number {
+  return scene.objects
+    .filter((object) => isChosen(object.path, path))
+    .reduce((most, { mesh, motion }) => {
+      const { center, radius } = sphereOfMesh(mesh);
+      return Math.max(most, length(motion.kind === 'static' ? placed(motion.pose, center) : center) + radius);
+    }, 0);
+}

@@ -2,15 +2,60 @@ import { fromAxisAngle, IDENTITY, type Quat, rotate, shortestTurn } from '../../
 import { add, addScaled, cross, distance, lerp, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { pieceAt } from '../motion.ts';
 import { type Samples, sampleMotion } from '../resample.ts';
-import type { Pose, SampledMotion } from '../types.ts';
+import type { FrameMotion, Pose, SampledMotion } from '../types.ts';
 import { across } from './instances.ts';
 
-/** How finely a path is followed. */
-export interface Following {
-  /** World times at which it begins and ends [s]; before and after it the thing rests. */
+/** How a frame is to move, before it is known how far what it carries reaches. Places in the frame of the scene [m]; between two world times [s]. */
+export type Course =
+  | { readonly kind: 'frame'; readonly motion: FrameMotion }
+  | (Circle & Span & { readonly kind: 'circle' })
+  | (Spin & Span & { readonly kind: 'spin' })
+  | (Path & Span & { readonly kind: 'path' });
+
+/** When a course begins and ends; before and after it what it carries rests. */
+export interface Span {
   readonly from: number;
   readonly to: number;
-  /** Of the thing round its own origin [m]. */
+}
+export interface Circle {
+  readonly center: Vec3;
+  /** Unit. */
+  readonly axis: Vec3;
+  readonly radius: number;
+  /** [rad/s] */
+  readonly rate: number;
+  /** It turns as it goes round. */
+  readonly facing: boolean;
+}
+export interface Spin {
+  readonly center: Vec3;
+  /** Unit. */
+  readonly axis: Vec3;
+  /** [rad/s] */
+  readonly rate: number;
+}
+export interface Path {
+  /** At least two. */
+  readonly places: readonly Vec3[];
+  /** Its −Z turns the way it goes. */
+  readonly facing: boolean;
+}
+
+/** A course as a motion; `reach` [m]: how far from the frame's origin anything is that it carries. */
+export function motionOf(course: Course, reach: number): FrameMotion {
+  switch (course.kind) {
+    case 'frame':
+      return course.motion;
+    case 'circle':
+      return circling(course, { ...course, reach });
+    case 'spin':
+      return spinning(course, { ...course, reach });
+    case 'path':
+      return alongPath(course, { ...course, reach });
+  }
+}
+
+interface Following extends Span {
   readonly reach: number;
 }
 
@@ -24,11 +69,7 @@ function followed(at: (t: number) => Pose, { from, to, reach }: Following, size:
   return { kind: 'sampled', ...samples };
 }
 
-/** Round a centre about a unit axis at a constant angular velocity [rad/s], facing the way it goes where `facing`. */
-export function circling(
-  { center, axis, radius, rate, facing }: { center: Vec3; axis: Vec3; radius: number; rate: number; facing: boolean },
-  how: Following,
-): SampledMotion {
+function circling({ center, axis, radius, rate, facing }: Circle, how: Following): SampledMotion {
   const x = across(axis);
   const y = cross(axis, x);
   const at = (t: number): Pose => {
@@ -39,11 +80,7 @@ export function circling(
   return followed(at, how, radius, eighths(rate, how));
 }
 
-/** Turning about a unit axis through a centre at a constant angular velocity [rad/s]. */
-export function spinning(
-  { center, axis, rate }: { center: Vec3; axis: Vec3; rate: number },
-  how: Following,
-): SampledMotion {
+function spinning({ center, axis, rate }: Spin, how: Following): SampledMotion {
   const at = (t: number): Pose => {
     const orientation = fromAxisAngle(axis, rate * (t - how.from));
     return { position: sub(center, rotate(orientation, center)), orientation };
@@ -72,9 +109,9 @@ export function keyed(keys: readonly Key[]): SampledMotion {
 
 /**
  * Along a smooth curve through places at one speed, from the first to the last (centripetal Catmull–Rom, Yuksel et al. 2011: no cusps,
- * no loops), its −Z turned the way it goes where `facing`.
+ * no loops).
  */
-export function alongPath(places: readonly Vec3[], how: Following, facing: boolean): SampledMotion {
+function alongPath({ places, facing }: Path, how: Following): SampledMotion {
   const { point, length } = curveThrough(places);
   const part = (t: number): number => Math.min(1, Math.max(0, (t - how.from) / (how.to - how.from)));
   const at = (t: number): Pose => {
