@@ -1,5 +1,8 @@
+import { nodeMessages } from './nodeMessages.ts';
+
 /** Every text of the page, in English and Chinese; `{{name}}` is filled in. One catalogue, so that neither can lack a key. */
 export const messages = {
+  ...nodeMessages,
   'app.title': ['Slowlight', 'Slowlight 慢光'],
   'app.skip': ['Skip to the picture', '跳到画面'],
 

@@ -1,5 +1,5 @@
-import { NodeRefusal } from '../graph/nodeType.ts';
-import { defineNode } from './define.ts';
+import { NodeRefusal } from '../../graph/nodeType.ts';
+import { defineNode } from '../define.ts';
 
 const DEGREE = Math.PI / 180;
 

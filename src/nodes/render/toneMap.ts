@@ -1,4 +1,4 @@
-import { defineNode } from './define.ts';
+import { defineNode } from '../define.ts';
 
 /** Brings linear light to what a screen can show. */
 export const toneMap = defineNode({

@@ -1,7 +1,7 @@
-import { parseChoice } from '../formats/choices.ts';
-import { NodeRefusal } from '../graph/nodeType.ts';
-import { InputError } from '../scene/types.ts';
-import { defineNode } from './define.ts';
+import { parseChoice } from '../../formats/choices.ts';
+import { NodeRefusal } from '../../graph/nodeType.ts';
+import { InputError } from '../../scene/types.ts';
+import { defineNode } from '../define.ts';
 
 /** Reads a scene file of any kind that `formats/` knows. */
 export const read = defineNode({
@@ -25,12 +25,12 @@ export const read = defineNode({
     },
   },
   inputs: {},
-  outputs: { scene: { type: 'scene' } },
+  outputs: { geometry: { type: 'geometry' } },
   async evaluate(_inputs, { source, variants, interpolation }, { node, services, signal, progress }) {
     if (!source) throw refusal('read.none', node, 'no file is chosen; open one, or take one of the examples');
     try {
       const chosen = new Map(variants.flatMap((text) => [parseChoice(text)].filter((choice) => choice !== undefined)));
-      return { scene: await services.readScene(source, { variants: chosen, interpolation, signal, progress }) };
+      return { geometry: await services.readScene(source, { variants: chosen, interpolation, signal, progress }) };
     } catch (error) {
       if (!(error instanceof InputError)) throw error;
       const { code, place, message } = error.diagnostic;

@@ -1,7 +1,7 @@
-import { NodeRefusal } from '../graph/nodeType.ts';
-import { validate } from '../scene/validate.ts';
-import { defineNode } from './define.ts';
-import type { LoadedScene } from './services.ts';
+import { NodeRefusal } from '../../graph/nodeType.ts';
+import { validate } from '../../scene/validate.ts';
+import { defineNode } from '../define.ts';
+import type { LoadedScene } from '../services.ts';
 
 const LEAST_C = 0.1;
 const GREATEST_C = 299_792_458;

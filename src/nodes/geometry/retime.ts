@@ -1,7 +1,7 @@
-import { fastest } from '../scene/fastest.ts';
-import { retime } from '../scene/retime.ts';
-import { defineNode } from './define.ts';
-import type { LoadedScene } from './services.ts';
+import { fastest } from '../../scene/fastest.ts';
+import { retime } from '../../scene/retime.ts';
+import { defineNode } from '../define.ts';
+import type { LoadedScene } from '../services.ts';
 
 /** When and how fast a scene's animation runs. */
 export const retimeNode = defineNode({
@@ -33,11 +33,13 @@ export const retimeNode = defineNode({
       slider: false,
     },
   },
-  inputs: { scene: { type: 'scene' } },
-  outputs: { scene: { type: 'scene' } },
-  evaluate({ scene: loaded }, timing) {
+  inputs: { geometry: { type: 'geometry' } },
+  outputs: { geometry: { type: 'geometry' } },
+  evaluate({ geometry: loaded }, timing) {
     const scene = retime(loaded.scene, timing);
-    return { scene: scene === loaded.scene ? loaded : { ...loaded, scene, ...fastestIn(scene, loaded, timing.speed) } };
+    return {
+      geometry: scene === loaded.scene ? loaded : { ...loaded, scene, ...fastestIn(scene, loaded, timing.speed) },
+    };
   },
 });
 

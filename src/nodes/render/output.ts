@@ -1,4 +1,4 @@
-import { defineNode } from './define.ts';
+import { defineNode } from '../define.ts';
 
 /** What the screen shows and what is saved. */
 export const output = defineNode({

@@ -1,4 +1,4 @@
-import { defineNode } from './define.ts';
+import { defineNode } from '../define.ts';
 
 /** Draws what the observer sees into a G-buffer. */
 export const relativityRasterize = defineNode({

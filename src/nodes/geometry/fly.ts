@@ -1,10 +1,10 @@
-import { NodeRefusal, type Problem } from '../graph/nodeType.ts';
-import { length, normalize, scale } from '../math/vec3.ts';
-import { fastest } from '../scene/fastest.ts';
-import { fly, isAt, tooLargeToFly } from '../scene/fly.ts';
-import type { Scene } from '../scene/types.ts';
-import { defineNode, type Relativity } from './define.ts';
-import type { FastestPoint } from './services.ts';
+import { NodeRefusal, type Problem } from '../../graph/nodeType.ts';
+import { length, normalize, scale } from '../../math/vec3.ts';
+import { fastest } from '../../scene/fastest.ts';
+import { fly, isAt, tooLargeToFly } from '../../scene/fly.ts';
+import type { Scene } from '../../scene/types.ts';
+import { defineNode, type Relativity } from '../define.ts';
+import type { FastestPoint } from '../services.ts';
 
 /** Makes a thing fly along a straight line, whatever moved it before. */
 export const flyNode = defineNode({
