@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { utilityProject } from '../../tests/support/exampleGraphs.ts';
 import { applyCommand, type Command } from '../graph/commands.ts';
 import type { ParamValue } from '../graph/document.ts';
 import { Evaluator } from '../graph/evaluate.ts';
@@ -54,10 +55,10 @@ describe('the library', () => {
     }
   });
 
-  it('every node is exercised by the project that the page opens with, and by a flight', () => {
-    const { document } = applyCommand(newProject(), flyCommand(newProject(), '/a', 0));
-    const used = new Set(Object.values(document.nodes).map((node) => node.type));
-    expect([...used].sort()).toEqual(Object.keys(nodeLibrary).sort());
+  it('every node is exercised by the project that the page opens with, a flight, or the example of the utilities', () => {
+    const document = utilityProject();
+    const used = [document, ...Object.values(document.groups)].flatMap(({ nodes }) => Object.values(nodes));
+    expect([...new Set(used.map(({ type }) => type))].sort()).toEqual(Object.keys(nodeLibrary).sort());
   });
 
   it("the nodes' defaults are the renderer's", async () => {
