@@ -63,7 +63,7 @@ async function evaluation(): Promise<Table> {
       ],
       ROUNDS,
     );
-    rows.push([size, same!, start!, end!, flat!]);
+    rows.push([`${size}`, same!, start!, end!, flat!]);
   }
   return {
     columns: [
@@ -95,7 +95,7 @@ async function edits(): Promise<Table> {
       ],
       20,
     );
-    rows.push([size, copy!, paste!, back!, again!, move!]);
+    rows.push([size.toLocaleString('en'), copy!, paste!, back!, again!, move!]);
   }
   return {
     columns: ['nodes', 'copy [ms]', 'paste [ms]', 'undo of it [ms]', 'redo [ms]', 'then moving one node [ms]'],
