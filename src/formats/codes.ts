@@ -37,6 +37,7 @@ export const CODES = {
   'zip.bomb': 'an archive that claims to hold far more than it can',
   'zip.too-large': 'an archive that unpacks to more than is read',
   'zip.no-scene': 'no file of the archive is a scene',
+  'zip.no-project': 'an archive that was to hold a project holds none',
 
   'usd.syntax': 'text that is not USD',
   'usd.crate': 'a binary layer that is damaged, or holds what is not read',

@@ -11,6 +11,7 @@ import { newProject, openCommand } from '../../nodes/project.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { Backend } from '../../render/settings.ts';
 import type { Lock } from '../flight/flight.ts';
+import { heavyWorkers } from './heavyWorkers.ts';
 
 export interface Loading {
   readonly source: string;
@@ -133,7 +134,7 @@ export const sourceOf = (document: GraphDocument): string => String(document.nod
 
 /** Keeps the picture in step with the document: one evaluation at a time, and a new file ends the reading of the last. */
 function evaluating(store: StoreApi<StudioState>, services: Services) {
-  const evaluator = new Evaluator(nodeLibrary);
+  const evaluator = new Evaluator(nodeLibrary, { heavy: heavyWorkers() });
   let abort = new AbortController();
   let reading = '';
   let latest = 0;
