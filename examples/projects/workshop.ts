@@ -11,7 +11,7 @@ export const workshop = () =>
     white: { type: 'material', set: { color: [0.85, 0.84, 0.8] }, from: { geometry: 'standing.geometry' } },
     posts: {
       type: 'instances',
-      set: { arrangement: 'ring', count: 24, radius: 12 },
+      set: { arrangement: 'ring', count: 18, radius: 14 },
       from: { geometry: 'white.geometry' },
     },
 
@@ -75,7 +75,7 @@ export const workshop = () =>
       },
     },
     later: { type: 'retime', set: { offset: 0 }, from: { geometry: 'things.geometry' } },
-    eye: { type: 'camera', set: { name: 'Eye', position: [2, 3.2, 14], target: [0, 1.2, 0] } },
+    eye: { type: 'camera', set: { name: 'Eye', position: [1.5, 3, 11], target: [0, 1.2, 0] } },
 
     sun: { type: 'sun', set: { brightness: 2.2, color: [1, 0.92, 0.8], direction: [-0.6, -0.7, -0.5] } },
     sky: { type: 'sky', set: { color: [0.35, 0.5, 0.8], brightness: 0.8 } },
@@ -87,7 +87,7 @@ export const workshop = () =>
     },
 
     clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.2 } },
-    start: { type: 'observer', set: { beta: [0, 0, -0.3] } },
+    start: { type: 'observer', set: { beta: [0, 0, -0.2] } },
     scene: {
       type: 'scene',
       from: {

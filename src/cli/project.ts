@@ -14,6 +14,7 @@ import { fastestIn } from '../scene/fastestIn.ts';
 import type { Scene } from '../scene/types.ts';
 import { inputProblem, usageError } from './exit.ts';
 import { openSceneFile } from './files.ts';
+import { heavyNodes } from './heavyNodes.ts';
 import type { RenderFlags } from './render.ts';
 
 /** A project, which is a node graph, by its name. */
@@ -88,9 +89,14 @@ async function evaluateProject(
   document: GraphDocument,
   progress: (node: string, part: number | undefined) => void,
 ): Promise<Picture> {
-  const evaluation = await new Evaluator(nodeLibrary).evaluate(document, outputOf(path, document), servicesAt(path), {
-    progress,
-  });
+  const evaluation = await new Evaluator(nodeLibrary, { heavy: heavyNodes() }).evaluate(
+    document,
+    outputOf(path, document),
+    servicesAt(path),
+    {
+      progress,
+    },
+  );
   const picture = pictureOf(evaluation);
   if (picture) return picture;
   const faults = problemsIn(evaluation);

@@ -67,6 +67,8 @@ export interface TextParam extends ParamBase {
 export interface VectorParam extends ParamBase {
   readonly kind: 'vector';
   readonly default: readonly [number, number, number];
+  /** Of each of them, as written beside the number. */
+  readonly unit?: string;
 }
 /** Linear sRGB. */
 export interface ColorParam extends ParamBase {

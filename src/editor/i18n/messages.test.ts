@@ -18,7 +18,7 @@ describe('the catalogue of messages', () => {
 
   it('has no text that nobody shows', () => {
     const sources = Object.values(
-      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,nodeMessages}.ts'], {
+      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,words}.ts'], {
         query: '?raw',
         import: 'default',
         eager: true,

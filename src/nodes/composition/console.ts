@@ -123,7 +123,8 @@ function refuseHorizon({ scene }: LoadedScene, c: number): void {
 /** What is accelerated evenly was judged by another speed of light, where the scene suggests none: it never reaches any. */
 function knownAt(loaded: LoadedScene, speedOfLight: number): LoadedScene {
   const { scene, fastest } = loaded;
-  if (!fastest || fastest.speed < speedOfLight) return loaded;
+  const evenly = scene.objects.some(({ path, motion }) => path === fastest?.path && motion.kind === 'hyperbolic');
+  if (!fastest || fastest.speed < speedOfLight || !evenly) return loaded;
   return { scene, fastest: fastestIn({ ...scene, hints: { ...scene.hints, speedOfLight } }) };
 }
 
