@@ -295,6 +295,19 @@ describe('evaluation', () => {
     expect((await evaluate(evaluator, chain, `n${count}`)).ran).toEqual([]);
   });
 
+  it('where nodes stand is no reason to evaluate anything; another target is, and so are other services', async () => {
+    const evaluator = new Evaluator(registry);
+    const services = {};
+    const before = await evaluator.evaluate(example(), 's', services);
+    const { document } = applyCommand(example(), { kind: 'batch', commands: [] });
+    expect(await evaluator.evaluate(document, 's', services)).not.toBe(before);
+    const again = await evaluator.evaluate(document, 's', services);
+    const moved = applyCommand(document, { kind: 'move-nodes', to: { x: [5, 5] } }).document;
+    expect(await evaluator.evaluate(moved, 's', services)).toBe(again);
+    expect((await evaluator.evaluate(moved, 'x', services)).target).toEqual({ status: 'done', outputs: { number: 1 } });
+    expect(await evaluator.evaluate(moved, 'x', {})).not.toBe(await evaluator.evaluate(moved, 'x', services));
+  });
+
   it('a refusal stands at each node that has it', async () => {
     const evaluator = new Evaluator(registry);
     const both = applyCommand(applyCommand(example(), set('x', 13)).document, set('y', 13)).document;
