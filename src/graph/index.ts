@@ -29,6 +29,7 @@ export {
   serializeFragment,
 } from './edits/fragment.ts';
 export { type Grouping, groupingOf } from './edits/group.ts';
+export { type NodePlace, placeOf } from './edits/place.ts';
 export { type Ungrouping, ungroupingOf } from './edits/ungroup.ts';
 export { CancelledError, type EvaluateOptions, type Evaluation, Evaluator, type EvaluatorOptions } from './evaluate.ts';
 export { type Expression, type ExpressionContext, evaluateExpression } from './expression.ts';
