@@ -184,7 +184,7 @@ export const messages = {
   'legend.doppler': ['Doppler factor D', '多普勒因子 D'],
   'legend.emission-time': ['Happened, from now', '发生时间（相对现在）'],
   'legend.radiance': ['Luminance before exposure', '曝光前的亮度'],
-  'legend.band': ['What is seen at 550 nm was emitted at [nm]', '550 nm 处所见光的发射波长 [nm]'],
+  'legend.band': ['Seen at 550 nm, emitted at [nm]', '550 nm 处所见光的发射波长 [nm]'],
   'legend.range': ['Colours from {{from}} to {{to}}', '颜色范围：{{from}} 至 {{to}}'],
   'legend.crosshair': ['Value at the crosshair', '十字线处的数值'],
   'legend.point': ['Point at the picture, or press P', '指向画面，或按 P 键'],
