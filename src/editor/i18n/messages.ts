@@ -248,6 +248,7 @@ export const messages = {
   'viewport.lookFor': ['What to look for', '观察要点'],
   'viewport.hide': ['Hide', '隐藏'],
   'viewport.loading': ['Opening {{name}}', '正在打开 {{name}}'],
+  'viewport.preparing': ['Preparing the picture…', '正在准备画面…'],
   'viewport.cancel': ['Cancel', '取消'],
   'viewport.restart': ['The graphics device was lost. Starting it again…', '图形设备丢失，正在重新启动…'],
   'viewport.drop': [
