@@ -55,7 +55,7 @@ export const messages = {
   'legend.doppler': ['Doppler factor D', '多普勒因子 D'],
   'legend.emission-time': ['Happened, from now', '发生时间（相对现在）'],
   'legend.radiance': ['Luminance before exposure', '曝光前的亮度'],
-  'legend.band': ['What is seen at 550 nm was emitted at [nm]', '550 nm 处所见光的发射波长 [nm]'],
+  'legend.band': ['Seen at 550 nm, emitted at [nm]', '550 nm 处所见光的发射波长 [nm]'],
   'legend.range': ['Colours from {{from}} to {{to}}', '颜色范围：{{from}} 至 {{to}}'],
   'legend.crosshair': ['Value at the crosshair', '十字线处的数值'],
   'legend.point': ['Point at the picture, or press P', '指向画面，或按 P 键'],
@@ -112,6 +112,7 @@ export const messages = {
   'viewport.lookFor': ['What to look for', '观察要点'],
   'viewport.hide': ['Hide', '隐藏'],
   'viewport.loading': ['Opening {{name}}', '正在打开 {{name}}'],
+  'viewport.preparing': ['Preparing the picture…', '正在准备画面…'],
   'viewport.cancel': ['Cancel', '取消'],
   'viewport.restart': ['The graphics device was lost. Starting it again…', '图形设备丢失，正在重新启动…'],
   'viewport.drop': [
