@@ -29,6 +29,9 @@ export const SPECTRAL_HINTS = [
   { of: 'emissionTemperature', name: 'slowlight:emission:temperature', least: 1, most: 1e9, range: '1 to 1e9 K' },
 ] as const;
 
+/** Our own attributes of a dome: the colours of its horizon and of the ground. */
+export const SKY_HINTS = ['slowlight:sky:horizon', 'slowlight:sky:ground'] as const;
+
 /** The hints of a material; `refuse` is told of each that is no number of its range, which is passed over. */
 export function spectralHints(get: (name: string) => unknown, refuse: (message: string) => void): Spectral {
   const hints = SPECTRAL_HINTS.flatMap(({ of, name, least, most, range }) => {

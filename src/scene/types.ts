@@ -300,10 +300,17 @@ export interface DomeLight {
   readonly color: Vec3;
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
-  /** Of all directions, by latitude and longitude (panorama.ts); without one they are all alike. */
+  /** It is brighter or darker at the horizon and below, `color` is that of the zenith; without this and a picture all directions are alike. */
+  readonly gradient?: SkyGradient;
+  /** Of all directions, by latitude and longitude (panorama.ts). */
   readonly texture?: Texture | RadiancePicture;
   /** The picture's axes → world axes; the same where absent. */
   readonly orientation?: Quat;
+}
+/** Linear sRGB radiance at the horizon, and of the ground well below it. The zenith is where the scene's up axis points. */
+export interface SkyGradient {
+  readonly horizon: Vec3;
+  readonly ground: Vec3;
 }
 /** The fixed stars before the cosmic background. They are seen; on things they shine too faintly to tell. */
 export interface NightSky {

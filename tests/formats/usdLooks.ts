@@ -260,6 +260,18 @@ const lights: Group = {
       (s) => expect(s.lights).toMatchObject([{ kind: 'stars', gain: expect.closeTo(5, 6) }]),
     ),
     read(
+      'a `DomeLight` without a picture; with `slowlight:sky:horizon` or `slowlight:sky:ground`',
+      'alike all round; a sky that changes with height',
+      usd(
+        'def DomeLight "A" { float inputs:intensity = 2 }\ndef DomeLight "B" { custom color3f slowlight:sky:horizon = (1, 0.5, 0) }',
+      ),
+      (s) =>
+        expect(s.lights).toEqual([
+          { kind: 'dome', path: '/A', color: [2, 2, 2] },
+          { kind: 'dome', path: '/B', color: [1, 1, 1], gradient: { horizon: [1, 0.5, 0], ground: [1, 0.5, 0] } },
+        ]),
+    ),
+    read(
       'the picture of a `DomeLight` as Radiance (`.hdr`), or OpenEXR (halves or floats; uncompressed, ZIP)',
       'radiance as bright as it says, up to 65504',
       [

@@ -146,6 +146,12 @@ const scene: Scene = {
     },
     {
       kind: 'dome',
+      path: '/Lights/Evening',
+      color: [0.25, 0.5, 1],
+      gradient: { horizon: [1, 0.5, 0.25], ground: [0.125, 0.125, 0] },
+    },
+    {
+      kind: 'dome',
       path: '/Lights/Sky',
       color: [0.5, 0.5, 1],
       texture: texture('sky.png', 255, 5),
@@ -295,7 +301,8 @@ describe('what is written reads back the same', async () => {
         spectrum: { kind: 'thermal', temperature: 5772.5 },
       },
       ...scene.lights.slice(1, 3),
-      { kind: 'dome', color: [0.5, 0.5, 1] },
+      scene.lights.at(-2),
+      { kind: 'dome', color: [0.5, 0.5, 1], orientation: pose.orientation.map((x) => expect.closeTo(x, 12)) },
     ]);
     expect(back.cameras.map((c) => c.fovY)).toEqual([expect.closeTo(0.8, 6), expect.closeTo(1.2, 6)]);
     expect(back.cameras.map((c) => c.motion.kind)).toEqual(['static', 'sampled']);
