@@ -19,6 +19,12 @@ export function hintsFrom(get: (name: keyof SceneHints) => unknown): SceneHints 
   return Object.fromEntries(Object.entries(hints).filter(([, value]) => value !== undefined));
 }
 
+/** Reflectances that a picture may tell, too; `shader`: what reads it where that is a USD material. */
+export const UNSEEN = [
+  { of: 'uv', texture: 'uvTexture', name: 'slowlight:albedo:uv', shader: 'Ultraviolet' },
+  { of: 'ir', texture: 'irTexture', name: 'slowlight:albedo:ir', shader: 'Infrared' },
+] as const;
+
 /** What a material says of light that eyes do not see at rest. */
 type Spectral = Pick<Material, 'uv' | 'ir' | 'emissionTemperature'>;
 

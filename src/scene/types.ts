@@ -186,6 +186,11 @@ export interface Material {
   /** Share that it reflects of light below 360 nm and beyond 830 nm, 0 … 1; where absent, what the visible colour ends at. */
   readonly uv?: number;
   readonly ir?: number;
+  /** Where a texture tells, `uv` and `ir` are their means. */
+  readonly uvTexture?: TextureChannel;
+  readonly irTexture?: TextureChannel;
+  /** Share of the light from all round that gets to each point, past what the mesh does not show: of the sky and of other surfaces, not of suns and lamps. */
+  readonly occlusionTexture?: TextureChannel;
   /** [K]: it shines as a blackbody does, and `emissive` tells its luminance at rest alone. */
   readonly emissionTemperature?: number;
 }

@@ -106,21 +106,20 @@ const materials: Group = {
       (s) => expect(base(s).metallic).toBeGreaterThan(0.8),
     ),
     leftOut(
-      'displacement, clearcoat, occlusion',
+      'displacement, clearcoat',
       'named; the rest of the material counts',
       'usd.material-input',
       [
         wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:clearcoat = 1'),
         wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:displacement = 0.1'),
-        {
-          ...wears(
-            'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:occlusion.connect = </M/T.outputs:r>',
-            texture('T'),
-          ),
-          'a.png': PIXEL,
-        },
       ],
       red,
+    ),
+    read(
+      'textures of occlusion, and of what is reflected of invisible light (`slowlight:albedo:uv.connect`, `:ir`)',
+      'drawn per pixel; occlusion dims the light of the sky and of other surfaces',
+      [{ ...wears('float inputs:occlusion.connect = </M/T.outputs:r>', texture('T')), 'a.png': PIXEL }],
+      (s) => expect(base(s).occlusionTexture).toMatchObject({ channel: 0, scale: 1, bias: 0 }),
     ),
     leftOut(
       'a primvar that drives a number',

@@ -270,17 +270,21 @@ describe('what is written reads back the same', async () => {
       normalTexture: { texture: { ...map, data: map.data.slice() }, strength: [0.5, -0.25] },
       roughnessTexture: { texture: map, channel: 1, scale: 0.5, bias: 0.25 },
       metallicTexture: { texture: map, channel: 2, scale: 1, bias: 0 },
+      occlusionTexture: { texture: map, channel: 0, scale: 0.75, bias: 0.25 },
+      irTexture: { texture: map, channel: 3, scale: 0.5, bias: 0.125 },
     };
     const [back] = (await reread({ ...leafy, materials: scene.materials.with(3, material) })).materials;
-    const { normalTexture, roughnessTexture, metallicTexture } = material;
+    const { normalTexture, roughnessTexture, metallicTexture, occlusionTexture, irTexture } = material;
     const named = (t: Texture | undefined, name: string) => ({ ...t, name: `textures/${name}.png` });
     expect(back).toMatchObject({
       uv: 0.125,
-      ir: 0.75,
+      ir: expect.closeTo(0.625, 6),
       emissionTemperature: 2400,
       normalTexture: { ...normalTexture, texture: named(normalTexture?.texture, 'finish') },
       roughnessTexture: { ...roughnessTexture, texture: named(roughnessTexture?.texture, 'finish_1') },
       metallicTexture: { ...metallicTexture, texture: named(metallicTexture?.texture, 'finish_1') },
+      occlusionTexture: { ...occlusionTexture, texture: named(occlusionTexture?.texture, 'finish_1') },
+      irTexture: { ...irTexture, texture: named(irTexture?.texture, 'finish_1') },
     });
   });
 
