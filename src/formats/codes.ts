@@ -125,7 +125,6 @@ export const CODES = {
   'gltf.vertex-alpha': 'the opacity of vertex colours, which is left out',
   'gltf.slowlight': 'extras of our own that mean nothing',
   'gltf.second-uvs': 'a second set of uvs, or transform: the first is used for both',
-  'gltf.ignored-texture': 'a texture of a kind that is not drawn',
   'gltf.camera': 'a camera that is orthographic, or has no field of view',
   'gltf.light': 'a range of a light, or a turning sun',
   'gltf.instances': 'instances of a skinned mesh, which are in one place',

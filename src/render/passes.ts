@@ -9,7 +9,7 @@ import type { Optics } from './radiance.ts';
 import { type ShadedSurface, shade } from './shade.ts';
 import { background } from './sky.ts';
 import { readSurface, surfaceOutputs, type TargetName } from './surface.ts';
-import { unpackEmission, unpackFinish, unpackNormals } from './surfaceCode.ts';
+import { roughnessAndOcclusion, unpackEmission, unpackFinish, unpackNormals } from './surfaceCode.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import { type Projection, vertexStage, vShown } from './vertexStage.ts';
@@ -57,7 +57,7 @@ function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
   const velocity = vec4(motion.xyz, speed.oneMinus().mul(speed.add(1)));
   return {
     color: vec4(base.rgb, 1),
-    roughness: base.w,
+    ...roughnessAndOcclusion(base.w),
     emission: unpackEmission(emissive.xyz),
     ...unpackFinish(emissive.w),
     ...unpackNormals(normal),

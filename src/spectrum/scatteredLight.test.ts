@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { addScaled, dot, type Vec3 } from '../math/vec3.ts';
-import { DAY } from '../scene/daylight.ts';
+import { DAY_SKY } from '../scene/daylight.ts';
 import { WHITE } from './bands.ts';
 import { colorMatching, NANOMETRE, WAVELENGTHS } from './cie1931.ts';
 import { LUMINANCE, seenColor, toLinearSrgb } from './observerColor.ts';
@@ -36,9 +36,9 @@ describe('scattered light', () => {
 
   test('is nearly all of the zenith of a clear day, and little of its horizon', () => {
     for (const [color, least, most] of [
-      [DAY.zenith, 0.9, 1],
-      [DAY.horizon, 0.1, 0.3],
-      [DAY.ground, 0, 0],
+      [DAY_SKY.color, 0.9, 1],
+      [DAY_SKY.gradient.horizon, 0.1, 0.3],
+      [DAY_SKY.gradient.ground, 0, 0],
     ] as const) {
       const share = scatteredShare(color);
       const rest = addScaled(color, SCATTERED_COLOR, -share);
