@@ -3,7 +3,14 @@ import { DAY, domeOf, SKY_SHAPE, SUN_DISC, upOf } from '../scene/daylight.ts';
 import { domeAxes, placeOnPanorama } from '../scene/panorama.ts';
 import { sampleTexture } from '../scene/sampleTexture.ts';
 import type { DomeLight, Scene } from '../scene/types.ts';
-import { SCATTERED, SCATTERED_COLOR, scatteredShare } from '../spectrum/scatteredLight.ts';
+import {
+  REDDENED,
+  REDDENED_COLORS,
+  SCATTERED,
+  SCATTERED_COLOR,
+  scatteredShare,
+  skyParts,
+} from '../spectrum/scatteredLight.ts';
 import { type BrightParts, brightParts } from './brightParts.ts';
 import { neutral } from './filters.ts';
 import { DARK, type Light, plus } from './light.ts';
@@ -32,8 +39,10 @@ export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
     ? domeColor(dome, scene.upAxis)
     : (n: Vec3) => gradient(dot(n, up), DAY.zenith, DAY.horizon, DAY.ground);
   return {
-    light: (n, sight) =>
-      dome?.spectrum ? sight.shining(shineOf(color(n), dome.spectrum)) : scattering(color(n), sight),
+    light: (n, sight) => {
+      if (!dome) return scattering(color(n), sight);
+      return dome.spectrum ? sight.shining(shineOf(color(n), dome.spectrum)) : reddening(color(n), sight);
+    },
     suns: (n, sight) => suns.reduce((sum, sun) => plus(sum, sight.shining(sun.shine), discAndGlow(n, sun)), DARK),
     ...(bright && { bright }),
   };
@@ -43,9 +52,26 @@ export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
 function scattering(color: Vec3, sight: Sight): Light {
   const share = scatteredShare(color);
   if (share === 0) return sight.shining(shineOf(color));
-  const blue = { spectrum: SCATTERED, filter: neutral(share), color: scale(SCATTERED_COLOR, share) };
-  return plus(sight.shining(shineOf(addScaled(color, SCATTERED_COLOR, -share))), sight.shining(blue));
+  return plus(sight.shining(shineOf(addScaled(color, SCATTERED_COLOR, -share))), sight.shining(scatteredShine(share)));
 }
+
+/** The same, and what comes through much air, as at dusk. */
+function reddening(color: Vec3, sight: Sight): Light {
+  const { scattered, reddened, rest } = skyParts(color);
+  let sum = sight.shining(shineOf(rest));
+  if (scattered > 0) sum = plus(sum, sight.shining(scatteredShine(scattered)));
+  reddened.forEach((share, i) => {
+    const shine = { spectrum: REDDENED[i], filter: neutral(share), color: scale(REDDENED_COLORS[i], share) };
+    if (share > 0) sum = plus(sum, sight.shining(shine));
+  });
+  return sum;
+}
+
+const scatteredShine = (share: number): Shine => ({
+  spectrum: SCATTERED,
+  filter: neutral(share),
+  color: scale(SCATTERED_COLOR, share),
+});
 
 function domeColor(dome: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
   const { color, texture } = dome;

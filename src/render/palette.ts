@@ -1,4 +1,5 @@
 import type { Texture } from 'three/webgpu';
+import { domeOf } from '../scene/daylight.ts';
 import type { Scene } from '../scene/types.ts';
 import type { ColorMode, RenderSettings } from '../scene/view.ts';
 import type { ColoredTables } from '../shaders/coloredTable.ts';
@@ -45,7 +46,13 @@ export class Palettes {
     const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
     const tables = this.tables.get(layers) ?? this.makeTables(layers);
     this.tables.set(layers, tables);
-    return spectral({ ...tables, colored: () => this.coloredOf(scene, layers) }, glowing);
+    return spectral(
+      { ...tables, colored: () => this.coloredOf(scene, layers) },
+      {
+        glowing,
+        dusky: domeOf(scene) !== undefined,
+      },
+    );
   }
 
   /** Only shaders of scenes with coloured lights ask. */
