@@ -8,6 +8,8 @@ import { logPlanck } from './planck.ts';
 const [FIRST, LAST, STEP] = [40e-9, 7.5e-6, 5e-9];
 const REFERENCE = 550e-9;
 
+type Three<T> = readonly [mild: T, middle: T, deep: T];
+
 /** Daylight times what air makes of it, by (550 nm/λ)⁴. */
 const throughAir = (left: (ratio: number) => number): SampledSpectrum => ({
   kind: 'sampled',
@@ -24,12 +26,13 @@ const throughAir = (left: (ratio: number) => number): SampledSpectrum => ({
 export const SCATTERED: SampledSpectrum = throughAir((ratio) => ratio);
 
 /**
- * What of daylight comes through air that scatters the rest away, at two optical depths τ at 550 nm: times exp(−τ (550 nm/λ)⁴). Of the sun on its way through much air,
+ * What of daylight comes through air that scatters the rest away, at three optical depths τ at 550 nm: times exp(−τ (550 nm/λ)⁴). Of the sun on its way through much air,
  * and of what it shines on, evening skies are made.
  */
-export const REDDENED: readonly [mild: SampledSpectrum, deep: SampledSpectrum] = [
-  throughAir((ratio) => Math.exp(-0.6 * ratio)),
-  throughAir((ratio) => Math.exp(-2 * ratio)),
+export const REDDENED: Three<SampledSpectrum> = [
+  throughAir((ratio) => Math.exp(-0.5 * ratio)),
+  throughAir((ratio) => Math.exp(-1.4 * ratio)),
+  throughAir((ratio) => Math.exp(-4 * ratio)),
 ];
 
 /** Linear sRGB of scattered light of luminance 1, at rest. */
@@ -49,7 +52,7 @@ function partOf([r, g, b]: Vec3): Vec3 {
 }
 
 /** Linear sRGB of reddened light of luminance 1, at rest. */
-export const REDDENED_COLORS: readonly [mild: Vec3, deep: Vec3] = [whiteOf(REDDENED[0]), whiteOf(REDDENED[1])];
+export const REDDENED_COLORS: Three<Vec3> = [whiteOf(REDDENED[0]), whiteOf(REDDENED[1]), whiteOf(REDDENED[2])];
 
 /** How much of the light of a sky of linear sRGB `rgb` is scattered, as luminance; the rest is a filter before daylight. Nothing of a sky that is no bluer than white. */
 export const scatteredShare = (rgb: Vec3): number => Math.max(dot(rgb, SCATTERED_PART), 0);
@@ -57,7 +60,7 @@ export const scatteredShare = (rgb: Vec3): number => Math.max(dot(rgb, SCATTERED
 /** What the light of a sky is made of: luminances of scattered and of reddened light, and a filter before daylight. */
 export interface SkyParts {
   readonly scattered: number;
-  readonly reddened: readonly [mild: number, deep: number];
+  readonly reddened: Three<number>;
   readonly rest: Vec3;
 }
 
@@ -70,22 +73,29 @@ function sharesOf(a: Vec3, b: Vec3): readonly [a: Vec3, b: Vec3] {
   ];
 }
 
-/** Of white, scattered and deeply reddened light; and, of colours that have no blue of the sky, of white and of both kinds of reddened light. */
-export const BLUE_SHARES: readonly [scattered: Vec3, deep: Vec3] = sharesOf(SCATTERED_COLOR, REDDENED_COLORS[1]);
-export const RED_SHARES: readonly [mild: Vec3, deep: Vec3] = sharesOf(...REDDENED_COLORS);
+const [MILD, MIDDLE, DEEP] = REDDENED_COLORS;
+/** How much of the two lights, beside white, for colours bluer than white and the deepest red; of those that are redder, in two parts. */
+export const DUSK_SHARES = {
+  blue: sharesOf(SCATTERED_COLOR, DEEP),
+  red: sharesOf(MIDDLE, DEEP),
+  yellow: sharesOf(MILD, MIDDLE),
+} as const;
 
 /**
  * Of linear sRGB `rgb`. Skies by day and at dusk are sums of white, scattered and reddened light, and no filter is left but a grey one. Of other colours as much is
  * taken for such light as leaves a filter that is nowhere negative.
  */
 export function skyParts(rgb: Vec3): SkyParts {
-  const blue = dot(BLUE_SHARES[0], rgb);
-  const [mild, deep] = blue > 0 ? [0, dot(BLUE_SHARES[1], rgb)] : [dot(RED_SHARES[0], rgb), dot(RED_SHARES[1], rgb)];
-  const shares = [Math.max(blue, 0), Math.max(mild, 0), Math.max(deep, 0)];
+  const [blue, red, yellow] = [DUSK_SHARES.blue, DUSK_SHARES.red, DUSK_SHARES.yellow].map(([a, b]) => [
+    Math.max(dot(a, rgb), 0),
+    Math.max(dot(b, rgb), 0),
+  ]);
+  const ofRed = red[1] > 0 ? [0, 0, ...red] : [0, ...yellow, 0];
+  const shares = blue[0] > 0 ? [blue[0], 0, 0, blue[1]] : ofRed;
   const sum = [SCATTERED_COLOR, ...REDDENED_COLORS].reduce((all, color, i) => addScaled(all, color, shares[i]), ZERO);
   const most = Math.min(1, ...sum.map((value, k) => rgb[k] / Math.max(value, rgb[k], LEAST)));
-  const [scattered, ...reddened] = shares.map((share) => share * most);
-  return { scattered, reddened: [reddened[0], reddened[1]], rest: addScaled(rgb, sum, -most) };
+  const [scattered, mild, middle, deep] = shares.map((share) => share * most);
+  return { scattered, reddened: [mild, middle, deep], rest: addScaled(rgb, sum, -most) };
 }
 
 /** Light that is darker is none. */
