@@ -1,4 +1,4 @@
-import { int, vec3 } from 'three/tsl';
+import { int } from 'three/tsl';
 import { lerp, type Vec3, ZERO } from '../math/vec3.ts';
 import type { BandColors } from '../shaders/spectrumTable.ts';
 import type * as gpu from '../shaders/types.ts';
@@ -85,14 +85,9 @@ export class DaylightTable {
     return this.layersAt(D)(first).xyz;
   }
 
-  /** What Σ (a_i − a_j)(k_i − k_j) over the pairs of bands rg, gb and br is multiplied with; without D at rest. */
-  overlaps(D?: gpu.Float): Overlaps {
-    const colors = (D: number) => overlaps(DAYLIGHT.temperature * D, D, this.layers);
-    if (!D) {
-      const [rg, gb, br] = colors(1);
-      return [vec3(...rg), vec3(...gb), vec3(...br)];
-    }
-    const first = this.first('overlaps', colors, 3);
+  /** What Σ (a_i − a_j)(k_i − k_j) over the pairs of bands rg, gb and br is multiplied with. */
+  overlaps(D: gpu.Float): Overlaps {
+    const first = this.first('overlaps', (D) => overlaps(DAYLIGHT.temperature * D, D, this.layers), 3);
     const layer = this.layersAt(D);
     return [layer(first).xyz, layer(first + 1).xyz, layer(first + 2).xyz];
   }

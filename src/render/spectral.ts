@@ -14,8 +14,17 @@ import { ENDS } from '../spectrum/bands.ts';
 import { SHIFT_LIMIT } from '../spectrum/dopplerTable.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { SCATTERED_COLOR, SCATTERED_PART } from '../spectrum/scatteredLight.ts';
-import { type DaylightTable, type Overlaps, SKY_LIGHTS } from './daylightTable.ts';
-import { type Filter, type LineSource, NO_SHIFT, type Optics, RADIANCE, type ThermalSource } from './radiance.ts';
+import { type DaylightTable, SKY_LIGHTS } from './daylightTable.ts';
+import { overlapSum } from './overlapSum.ts';
+import {
+  type Filter,
+  type LineSource,
+  NO_SHIFT,
+  type Optics,
+  type Power,
+  RADIANCE,
+  type ThermalSource,
+} from './radiance.ts';
 import { skySums } from './skySums.ts';
 
 /** Shifts that colours follow: beyond the first all is dark, beyond the second they change no more. */
@@ -36,13 +45,15 @@ export interface SceneLight {
   readonly glowing: boolean;
   /** A sky that may be red, and not only blue. */
   readonly dusky: boolean;
+  /** All of the shift reaches colours and brightness. */
+  readonly whole: boolean;
 }
 
 interface Shift {
   /** D, by the share of it that colours follow. */
   readonly mixed: Float;
   /** D^power, by the share that brightness follows. */
-  brightness(power: number): Float;
+  brightness(power: Power): Float;
 }
 
 /**
@@ -55,11 +66,12 @@ interface Shift {
 export const spectral =
   (
     { blackbodies, daylight: ofDay, colored: coloredTables, observer }: SpectralTables,
-    { glowing, dusky }: SceneLight,
+    { glowing, dusky, whole: all }: SceneLight,
   ): Optics =>
   (D, uniforms) => {
     const own = blackbodies.layers === 4;
     const shiftOf = (D: Float): Shift => {
+      if (all) return wholeShift(D);
       const log = log2(max(D, 1e-20)).toVar();
       const mixed = clamp(exp2(log.mul(uniforms.dopplerMix)), ...SHIFTS).toVar();
       return { mixed, brightness: (power) => exp2(log.mul(uniforms.beaming.mul(power))) };
@@ -68,7 +80,7 @@ export const spectral =
     const daylight = vec4(0).toVar();
     const sky = skySums(ofDay, dusky ? SKY_LIGHTS.length : 1);
     const sum = vec3(0).toVar();
-    const overlapping = overlaps();
+    const overlapping = overlapSum();
     const ofColor = (rgb: Vec3, shift: Float): Filter =>
       own ? vec4(rgb, dot(rgb, select(shift.lessThan(1), vec3(...ENDS.uv), vec3(...ENDS.ir)))) : vec4(rgb, 0);
 
@@ -164,7 +176,7 @@ export const spectral =
         const send = () => {
           daylight.addAssign(f.mul(ofColor(k, out.mixed)));
           if (ofSky) sky.send(f, ofSky.luminances);
-          if (typeof colored === 'number') overlapping.add(f.xyz.sub(f.yzx).mul(k.sub(k.yzx)));
+          if (typeof colored === 'number') overlapping.add(k, f);
         };
         const turned = (shift: Float): Vec3 => {
           if (typeof colored === 'number') return filteredTwice(colored, k, f, shift, thermal);
@@ -208,11 +220,11 @@ export const spectral =
       },
       seen: () => {
         const color = daylight.xyz.add(sky.atRest()).toVar();
-        if (overlapping.any) color.subAssign(overlapping.through(ofDay.overlaps()));
+        if (overlapping.any) color.subAssign(overlapping.atRest());
         If(abs(D.sub(1)).greaterThan(NO_SHIFT), () => {
           const { colors, gain } = ofDay.at(out.mixed);
           const banded = filteredColor(colors, daylight).toVar();
-          if (overlapping.any) banded.subAssign(overlapping.through(ofDay.overlaps(out.mixed)));
+          if (overlapping.any) banded.subAssign(overlapping.shifted(() => ofDay.overlaps(out.mixed)));
           color.assign(banded.mul(gain).add(sky.shifted(out.mixed, colors)));
         });
         return color.add(sum).mul(out.brightness(RADIANCE));
@@ -220,30 +232,16 @@ export const spectral =
     };
   };
 
+function wholeShift(D: Float): Shift {
+  const square = D.mul(D).toVar();
+  return {
+    mixed: clamp(D, ...SHIFTS).toVar(),
+    brightness: (power) => (power === RADIANCE ? square.mul(square) : square),
+  };
+}
+
 /** Y(T)/D⁴ of a blackbody that is seen at T, over its luminance at rest: what a shift by D leaves of brightness besides beaming. */
 const gain = (H: Float, T: Float, atRest: Float, D: Float): Float => {
   const square = D.mul(D).toVar();
   return luminanceOf(H, T).div(square.mul(square).mul(atRest));
 };
-
-/** What coloured lights and coloured surfaces make together beyond the products of their bands: Σ (a_i − a_j)(k_i − k_j) of rg, gb and br. */
-interface Overlapping {
-  readonly any: boolean;
-  add(shares: Vec3): void;
-  through(colors: Overlaps): Vec3;
-}
-
-function overlaps(): Overlapping {
-  const sum = vec3(0).toVar();
-  let any = false;
-  return {
-    get any() {
-      return any;
-    },
-    add: (shares) => {
-      any = true;
-      sum.addAssign(shares);
-    },
-    through: ([rg, gb, br]) => rg.mul(sum.x).add(gb.mul(sum.y)).add(br.mul(sum.z)),
-  };
-}
