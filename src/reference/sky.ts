@@ -1,10 +1,17 @@
 import { addScaled, dot, scale, type Vec3 } from '../math/vec3.ts';
-import { domeOf, SUN_DISC, upOf } from '../scene/daylight.ts';
+import { domeOf, maybeDusky, SUN_DISC, upOf } from '../scene/daylight.ts';
 import { domeAxes, placeOnPanorama } from '../scene/panorama.ts';
 import { sampleTexture } from '../scene/sampleTexture.ts';
 import { gradientAt, smoothstep } from '../scene/skyGradient.ts';
 import type { DomeLight, Scene } from '../scene/types.ts';
-import { SCATTERED, SCATTERED_COLOR, scatteredShare } from '../spectrum/scatteredLight.ts';
+import {
+  REDDENED,
+  REDDENED_COLORS,
+  SCATTERED,
+  SCATTERED_COLOR,
+  scatteredShare,
+  skyParts,
+} from '../spectrum/scatteredLight.ts';
 import { type BrightParts, brightParts } from './brightParts.ts';
 import { neutral } from './filters.ts';
 import { DARK, type Light, plus } from './light.ts';
@@ -27,11 +34,14 @@ export interface Sky {
 
 export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
   const dome = domeOf(scene);
+  const dusky = maybeDusky(scene);
   const bright = brightParts(dome);
   const color = domeColor(dome, scene.upAxis);
   return {
-    light: (n, sight) =>
-      dome.spectrum ? sight.shining(shineOf(color(n), dome.spectrum)) : scattering(color(n), sight),
+    light: (n, sight) => {
+      if (dome.spectrum) return sight.shining(shineOf(color(n), dome.spectrum));
+      return dusky ? reddening(color(n), sight) : scattering(color(n), sight);
+    },
     suns: (n, sight) => suns.reduce((sum, sun) => plus(sum, sight.shining(sun.shine), discAndGlow(n, sun)), DARK),
     ...(bright && { bright }),
   };
@@ -41,9 +51,26 @@ export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
 function scattering(color: Vec3, sight: Sight): Light {
   const share = scatteredShare(color);
   if (share === 0) return sight.shining(shineOf(color));
-  const blue = { spectrum: SCATTERED, filter: neutral(share), color: scale(SCATTERED_COLOR, share) };
-  return plus(sight.shining(shineOf(addScaled(color, SCATTERED_COLOR, -share))), sight.shining(blue));
+  return plus(sight.shining(shineOf(addScaled(color, SCATTERED_COLOR, -share))), sight.shining(scatteredShine(share)));
 }
+
+/** The same, and what comes through much air, as at dusk. */
+function reddening(color: Vec3, sight: Sight): Light {
+  const { scattered, reddened, rest } = skyParts(color);
+  let sum = sight.shining(shineOf(rest));
+  if (scattered > 0) sum = plus(sum, sight.shining(scatteredShine(scattered)));
+  reddened.forEach((share, i) => {
+    const shine = { spectrum: REDDENED[i], filter: neutral(share), color: scale(REDDENED_COLORS[i], share) };
+    if (share > 0) sum = plus(sum, sight.shining(shine));
+  });
+  return sum;
+}
+
+const scatteredShine = (share: number): Shine => ({
+  spectrum: SCATTERED,
+  filter: neutral(share),
+  color: scale(SCATTERED_COLOR, share),
+});
 
 function domeColor(dome: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
   const { color, texture, gradient } = dome;

@@ -32,6 +32,9 @@ export const directLights = ({ lights, upAxis }: Pick<Scene, 'lights' | 'upAxis'
 export const domeOf = ({ lights }: Pick<Scene, 'lights'>): DomeLight =>
   lights.find((light) => light.kind === 'dome') ?? (nightSkyOf({ lights }) ? DARKNESS : DAY_SKY);
 
+/** Whether the sky may be red: a scene's own may be one of dusk. */
+export const maybeDusky = ({ lights }: Pick<Scene, 'lights'>): boolean => lights.some(({ kind }) => kind === 'dome');
+
 /** Between the stars. */
 const DARKNESS: DomeLight = { kind: 'dome', path: '', color: [0, 0, 0] };
 
