@@ -35,6 +35,7 @@ export const relativityRasterize = defineNode({
       max: 1,
       step: 0.01,
     },
+    shadows: { kind: 'boolean', title: 'param.shadows', help: 'param.shadows.help', default: true },
     grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },
   },
   inputs: { view: { type: 'view' } },

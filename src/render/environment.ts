@@ -41,7 +41,7 @@ export class Environment {
   readonly lamps: LampTable;
   readonly night: NightSky | undefined;
   /** Those of daylight first. */
-  private readonly suns: readonly DistantLight[];
+  readonly suns: readonly DistantLight[];
   private readonly table = new FloatTable(256);
   private readonly domeTexture: DataTexture | undefined;
 
@@ -61,16 +61,17 @@ export class Environment {
     }
   }
 
-  eachSun(visit: (sun: SunTexels) => void): void {
+  /** `index`: its place among the suns, where that is known before the shader runs. */
+  eachSun(visit: (sun: SunTexels, index?: number) => void): void {
     const day = this.suns.filter(isDaylight).length;
     for (const [start, end] of [
       [0, day],
       [day, this.suns.length],
     ]) {
-      const read = (i: gpu.Int) => visit(this.sun(i, start === day));
+      const read = (i: gpu.Int, index?: number) => visit(this.sun(i, start === day), index);
       if (end - start > WRITTEN_OUT)
         Loop({ start: int(start), end: int(end), type: 'int', condition: '<' }, ({ i }) => read(int(i)));
-      else for (let i = start; i < end; i++) read(int(i));
+      else for (let i = start; i < end; i++) read(int(i), i);
     }
   }
 

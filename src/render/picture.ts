@@ -82,16 +82,22 @@ export class PictureMachine {
   }
 
   /** G-buffer to light, then what is transparent over it. */
-  drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera, colors: ColorMode): void {
+  drawLight(
+    upload: SceneUpload,
+    projection: Projection,
+    camera: PerspectiveCamera,
+    { colors, shadows: shadowed }: Pick<RenderSettings, 'colors' | 'shadows'>,
+  ): void {
     const { buffer, uniforms, light } = this;
     const { environment, bodies } = upload;
     const optics = this.optics(colors, upload);
+    const shadows = shadowed ? upload.shadows : undefined;
     const moving = () => bodies.some(({ object }) => object.motion.kind !== 'static');
     this.run(`sky ${upload.serial} ${colors}`, () => skyLight(environment, uniforms, optics), light, 'sky');
     if (upload.opaque.children.some((mesh) => mesh.visible))
       this.run(
-        `light ${upload.serial} ${colors}`,
-        () => surfaceLight(buffer, environment, uniforms, optics, moving()),
+        `light ${upload.serial} ${colors} ${shadowed}`,
+        () => surfaceLight(buffer, environment, uniforms, optics, moving(), shadows),
         light,
         'surfaces',
       );
@@ -99,8 +105,8 @@ export class PictureMachine {
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawable of upload.drawables)
       if (drawable.batch.transparent)
-        this.dress(drawable, `forward ${projection.event} ${projection.place} ${colors}`, () =>
-          forwardMaterial(drawable, projection, buffer, upload.environment, optics),
+        this.dress(drawable, `forward ${projection.event} ${projection.place} ${colors} ${shadowed}`, () =>
+          forwardMaterial(drawable, projection, buffer, upload.environment, optics, shadows),
         );
     this.drawOver(upload.transparent, camera);
   }

@@ -48,7 +48,7 @@ export class SceneRenderer implements PictureMaker {
     const { upload, drawn, gpu } = this;
     const triangles = upload?.refiner.triangles ?? 0;
     const tolerance = upload?.refiner.toleranceReached ?? 0;
-    const waiting = upload !== undefined && !upload.frame.isComplete;
+    const waiting = upload !== undefined && !(upload.frame.isComplete && upload.shadows.isComplete);
     return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
   }
   get width(): number {
@@ -90,6 +90,7 @@ export class SceneRenderer implements PictureMaker {
       projection.event === 'newton',
     );
     if (!upload.frame.isComplete) return;
+    if (settings.shadows && !upload.shadows.update(sight)) return;
     this.resize();
     this.cut(upload, viewPoint, sight, projection, seen);
     upload.environment.update(sight, settings.colors);
@@ -98,7 +99,7 @@ export class SceneRenderer implements PictureMaker {
     for (let i = 0; i < count; i++) {
       this.jitter(samples, i);
       this.machine.drawGeometry(upload, projection, this.camera);
-      this.machine.drawLight(upload, projection, this.camera, settings.colors);
+      this.machine.drawLight(upload, projection, this.camera, settings);
       this.machine.display(i, count, { ...settings, starry: upload.stars !== undefined });
     }
     if (count > 1) {

@@ -13,6 +13,7 @@ import { PointStore } from './pointStore.ts';
 import { Refiner } from './refine/gpuRefiner.ts';
 import { SampleCourier } from './sampleCourier.ts';
 import type { RendererOptions } from './settings.ts';
+import { ShadowMaps } from './shadows/shadowMaps.ts';
 import { StarPoints } from './starPoints.ts';
 import { type ChannelTexture, MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './surface.ts';
 import { uploadTexture } from './textures.ts';
@@ -37,6 +38,7 @@ export class SceneUpload {
   readonly environment: Environment;
   readonly stars: StarPoints | undefined;
   readonly frame: Frame;
+  readonly shadows: ShadowMaps;
   readonly opaque = new ThreeScene();
   readonly transparent = new ThreeScene();
   /** Half the diagonal of the scene [m]. */
@@ -67,12 +69,15 @@ export class SceneUpload {
     const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
     this.fillInstances(batches);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
+    // Before the refiner: these draw the batches whole.
+    this.shadows = new ShadowMaps(this.bodies, this.drawables, this.environment.suns, this.points, gpu);
     this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), options);
   }
 
   dispose(): void {
     this.drawables.forEach(disposeDrawable);
     this.refiner.dispose();
+    this.shadows.dispose();
     this.courier?.dispose();
     for (const store of this.points.values()) store.dispose();
     for (const image of this.textures.values()) image.dispose();

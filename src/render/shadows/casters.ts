@@ -1,0 +1,105 @@
+import { Discard, Fn, float, If, int, round, varyingProperty, vec4 } from 'three/tsl';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  Mesh,
+  NoBlending,
+  NodeMaterial,
+} from 'three/webgpu';
+import type { Float, Int, Vec2, Vec4 } from '../../shaders/types.ts';
+import type { Batch } from '../batches.ts';
+import type { Drawable } from '../drawable.ts';
+import type { FloatTable } from '../floatTable.ts';
+import { OBJECT_TEXELS } from '../frame.ts';
+import { MATERIAL_TEXELS } from '../surface.ts';
+import { sampled } from '../textures.ts';
+import { shownPoint, vUv } from '../vertexStage.ts';
+import { onLayer, readRows } from './receiver.ts';
+
+/** Height towards the sun, column and row on the tile from 0 to 1, material. */
+const vShadow = varyingProperty('vec4', 'v_shadow');
+
+/** What the shaders of occluders read. */
+export interface CasterSources {
+  /** As frame.ts fills them, for occluders that may be out of sight. */
+  readonly objects: FloatTable;
+  readonly samples: FloatTable;
+  readonly layers: FloatTable;
+  /** The layer on which an object (its id − 1) is drawn; negative: on none. */
+  readonly layerOf: (object: Float) => Int;
+  /** Of the map [texels]. */
+  readonly size: Vec2;
+  /** Clip-space depth of a height. */
+  readonly depthOf: (height: Float) => Float;
+}
+
+/** A batch drawn into shadow maps: whole, not cut, and from both sides, for a sheet throws a shadow from either. */
+export function makeCaster(drawable: Drawable, sources: CasterSources): Mesh {
+  const material = new NodeMaterial();
+  material.name = `shadow ${drawable.batch.kind}`;
+  material.vertexNode = casterStage(drawable, sources);
+  material.fragmentNode = heightOutput(drawable);
+  material.side = DoubleSide;
+  material.blending = NoBlending;
+  const mesh = new Mesh(wholeGeometry(drawable), material);
+  mesh.frustumCulled = false;
+  mesh.matrixAutoUpdate = false;
+  return mesh;
+}
+
+/** Shares the vertices; indices and instances that are drawn in the picture change with it. */
+function wholeGeometry({ batch, mesh }: Drawable): BufferGeometry {
+  const geometry = batch.worn ? instances(batch.worn) : new BufferGeometry();
+  for (const name of ['position', 'normal', 'uv', 'ids', 'color']) {
+    const attribute = mesh.geometry.getAttribute(name);
+    if (attribute) geometry.setAttribute(name, attribute);
+  }
+  geometry.setIndex(new BufferAttribute(batch.arrays.indices, 1));
+  return geometry;
+}
+
+function instances({ first, materials }: NonNullable<Batch['worn']>): InstancedBufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  geometry.instanceCount = materials.length;
+  const numbers = Float32Array.from(materials, (_, i) => first + i);
+  return geometry.setAttribute('instance', new InstancedBufferAttribute(numbers, 1));
+}
+
+function casterStage({ vertex }: Drawable, { objects, samples, layers, layerOf, size, depthOf }: CasterSources): Vec4 {
+  return Fn(() => {
+    const input = vertex.vertex();
+    const clip = vec4(2, 2, 2, 1).toVar();
+    const texel = (k: number) => objects.texel(int(input.object).mul(int(OBJECT_TEXELS)).add(int(k)));
+    const layer = layerOf(input.object).toVar();
+    If(layer.greaterThanEqual(int(0)).and(texel(0).w.greaterThanEqual(0)), () => {
+      const sources = { ...vertex, objects, samples };
+      // As it is at the moment of its centre's event.
+      const { shown } = shownPoint(sources, { event: 'now', place: 'plain' }, input);
+      const rows = readRows(layers, layer);
+      const place = onLayer(rows, shown, texel(2).z.negate()).toVar();
+      const tile = rows[4];
+      vShadow.assign(vec4(place.z, place.xy.sub(tile.xy).div(tile.z), input.material));
+      vUv.assign(input.uv);
+      const at = place.xy.div(size).mul(2).sub(1).toVar();
+      clip.assign(vec4(at.x, at.y.negate(), depthOf(place.z), 1));
+    });
+    return clip;
+  })();
+}
+
+function heightOutput({ surface: { materials, textures } }: Drawable): Vec4 {
+  return Fn(() => {
+    const { y, z } = vShadow;
+    const outside = y.lessThan(0).or(y.greaterThan(1)).or(z.lessThan(0)).or(z.greaterThan(1)).toVar();
+    if (textures.baseColor) {
+      const first = int(round(vShadow.w)).mul(int(MATERIAL_TEXELS)).toVar();
+      const [opacity, threshold] = [0, 1].map((k) => materials.texel(first.add(int(k))).w);
+      outside.assign(outside.or(opacity.mul(sampled(textures.baseColor, vUv).w).lessThan(threshold)));
+    }
+    Discard(outside);
+    return vec4(vShadow.x, float(0), float(0), 1);
+  })();
+}
