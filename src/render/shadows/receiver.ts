@@ -1,4 +1,4 @@
-import { clamp, dot, float, floor, If, int, ivec2, Loop, normalize, sqrt, texture, vec3 } from 'three/tsl';
+import { clamp, dot, float, floor, If, int, ivec2, Loop, max, normalize, sqrt, texture, vec3 } from 'three/tsl';
 import type { Texture } from 'three/webgpu';
 import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { FloatTable } from '../floatTable.ts';
@@ -62,11 +62,13 @@ function passing(map: Texture, place: Vec3): Float {
   const first = ivec2(corner).toVar();
   const weights = (x: Float): readonly Float[] => [x.oneMinus(), float(1), x];
   const [columns, rows] = [weights(part.x), weights(part.y)];
+  // A texel without an occluder is 0.
+  const height = max(place.z, 0).toVar();
   const held = float(0).toVar();
   rows.forEach((down, j) => {
     columns.forEach((along, i) => {
       const found = texture(map).load(first.add(ivec2(i, j))).x;
-      held.addAssign(found.greaterThan(place.z).select(down.mul(along), float(0)));
+      held.addAssign(found.greaterThan(height).select(down.mul(along), float(0)));
     });
   });
   return held.mul(0.25).oneMinus();
