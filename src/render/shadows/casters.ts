@@ -17,6 +17,7 @@ import { OBJECT_TEXELS } from '../frame.ts';
 import { MATERIAL_TEXELS } from '../surface.ts';
 import { sampled } from '../textures.ts';
 import { shownPoint, vUv } from '../vertexStage.ts';
+import type { LayerTable } from './layerTable.ts';
 import { onLayer, readRows } from './receiver.ts';
 
 /** Height towards the sun, column and row on the tile from 0 to 1, material. */
@@ -27,7 +28,7 @@ export interface CasterSources {
   /** As frame.ts fills them, for occluders that may be out of sight. */
   readonly objects: FloatTable;
   readonly samples: FloatTable;
-  readonly layers: FloatTable;
+  readonly layers: LayerTable;
   /** The layer on which an object (its id − 1) is drawn; negative: on none. */
   readonly layerOf: (object: Float) => Int;
   /** Of the map [texels]. */

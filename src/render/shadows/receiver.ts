@@ -1,8 +1,8 @@
 import { clamp, dot, float, floor, If, int, ivec2, Loop, max, normalize, sqrt, texture, vec3 } from 'three/tsl';
 import type { Texture } from 'three/webgpu';
 import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
-import type { FloatTable } from '../floatTable.ts';
 import { LAYER_TEXELS } from './layer.ts';
+import type { LayerTable } from './layerTable.ts';
 
 /** An event on a surface that may be in shadow. */
 export interface Receiver {
@@ -21,8 +21,8 @@ export interface Shadowing {
   share(sun: number | undefined, receiver: Receiver): Float | undefined;
 }
 
-/** How far an event is lifted off its surface [texels]: always, and where light comes along the surface; the filter reaches over 1.5 texels. */
-const LIFT = [0.4, 1.9] as const;
+/** How far an event is lifted off its surface [texels]: always, and where light comes along the surface; the filter reaches over 1 texel. */
+const LIFT = [0.4, 1.5] as const;
 
 /** Normal of the surface as it is at one moment of the world: n∥ → γ n∥ of that of the rest frame. */
 export function sliceNormal({ normal, velocity }: Pick<Receiver, 'normal' | 'velocity'>): Vec3 {
@@ -36,9 +36,9 @@ export function sliceNormal({ normal, velocity }: Pick<Receiver, 'normal' | 'vel
 
 type Rows = readonly [Vec4, Vec4, Vec4, Vec4, Vec4];
 
-export const readRows = (layers: FloatTable, layer: Int): Rows => {
+export const readRows = (layers: LayerTable, layer: Int): Rows => {
   const first = layer.mul(int(LAYER_TEXELS)).toVar();
-  const [across, up, height, time, tile] = [0, 1, 2, 3, 4].map((k) => layers.texel(first.add(int(k))).toVar());
+  const [across, up, height, time, tile] = [0, 1, 2, 3, 4].map((k) => layers.texel(first.add(int(k))));
   return [across, up, height, time, tile];
 };
 
@@ -55,23 +55,26 @@ function isInside([, , , , tile]: Rows, place: Vec3) {
   return local.x.greaterThan(2).and(local.y.greaterThan(2)).and(local.x.lessThan(end)).and(local.y.lessThan(end));
 }
 
-/** The share of light that passes the occluders of a layer: a box of 2 × 2 texels round the place, so that edges are smooth. */
+/** The share of light that passes the occluders of a layer: a box of a texel's size round the place, so that edges are smooth. */
 function passing(map: Texture, place: Vec3): Float {
-  const corner = floor(place.xy.sub(1)).toVar();
-  const part = place.xy.sub(1).sub(corner).toVar();
+  const corner = floor(place.xy.sub(0.5)).toVar();
+  const part = place.xy.sub(0.5).sub(corner).toVar();
   const first = ivec2(corner).toVar();
-  const weights = (x: Float): readonly Float[] => [x.oneMinus(), float(1), x];
+  const weights = (x: Float): readonly Float[] => [x.oneMinus(), x];
   const [columns, rows] = [weights(part.x), weights(part.y)];
   // A texel without an occluder is 0.
   const height = max(place.z, 0).toVar();
   const held = float(0).toVar();
   rows.forEach((down, j) => {
     columns.forEach((along, i) => {
-      const found = texture(map).load(first.add(ivec2(i, j))).x;
+      const texel = texture(map).load(first.add(ivec2(i, j)));
+      // Else three multiplies the whole numbers by the texture's matrix at every fetch.
+      texel.updateMatrix = false;
+      const found = texel.x;
       held.addAssign(found.greaterThan(height).select(down.mul(along), float(0)));
     });
   });
-  return held.mul(0.25).oneMinus();
+  return held.oneMinus();
 }
 
 /** The event off its surface, as far as texels of the layer are wide. */
@@ -84,7 +87,7 @@ function lifted([, , height, time, tile]: Rows, { dx, normal }: { dx: Vec3; norm
 /** The share that passes all that rests: from the finest of `count` layers which holds the event. */
 export function passingResting(
   map: Texture,
-  layers: FloatTable,
+  layers: LayerTable,
   first: number,
   count: number,
   receiver: { dx: Vec3; time: Float; normal: Vec3 },
@@ -109,7 +112,7 @@ export function passingResting(
 /** The share that passes what moves: `count` layers, each of one body. */
 export function passingMoving(
   map: Texture,
-  layers: FloatTable,
+  layers: LayerTable,
   first: Int,
   count: Int,
   receiver: { dx: Vec3; time: Float; normal: Vec3 },

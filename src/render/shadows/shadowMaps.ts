@@ -24,7 +24,8 @@ import { Frame, type FrameTables, OBJECT_TEXELS } from '../frame.ts';
 import { meet, type Sight } from '../sight.ts';
 import { cascadeSizes, cascades, type LitBox, litBox } from './cascades.ts';
 import { type CasterSources, makeCaster } from './casters.ts';
-import { LAYER_TEXELS, type Layer, layerTexels, lightAxes, type Tile, wayToSun } from './layer.ts';
+import { lightAxes, type Tile, wayToSun } from './layer.ts';
+import { LayerTable } from './layerTable.ts';
 import { passingMoving, passingResting, type Receiver, type Shadowing, sliceNormal } from './receiver.ts';
 
 /** So many suns throw shadows: the environment's first. */
@@ -36,7 +37,7 @@ const RESTING_SIDE = [2048, 1024] as const;
 const MOVING_SIDE = 512;
 const MOVERS_A_ROW = 4;
 /** Smaller ones throw none: radius over distance. */
-const LEAST_SIZE = 0.002;
+const LEAST_SIZE = 0.01;
 
 /** Everywhere may be seen. */
 const ALL_ROUND = { sides: [], boosted: false };
@@ -66,7 +67,7 @@ export class ShadowMaps implements Shadowing {
   private readonly gpu: Gpu;
   private readonly movers: readonly Body[];
   private readonly suns: readonly SunMaps[];
-  private readonly layers = new FloatTable(64);
+  private readonly layers: LayerTable;
   private readonly slots = new FloatTable(64);
   private readonly tables = { resting: frameTables(), moving: frameTables() };
   private readonly frames: { readonly moving: Frame };
@@ -103,7 +104,7 @@ export class ShadowMaps implements Shadowing {
     const { resting: tables, moving } = this.tables;
     for (const table of [tables.objects, moving.objects]) table.reserve(bodies.length * OBJECT_TEXELS);
     this.slots.reserve(bodies.length);
-    this.layers.reserve(LAYER_TEXELS * layerCount(this.suns));
+    this.layers = new LayerTable(layerCount(this.suns));
     this.frames = { moving: new Frame({ ...moving, points }) };
     const still: Sight = { t: 0, position: this.origin, u: ZERO, c: 1, surface: 'now' };
     new Frame({ ...tables, points }).fill(resting, still, ALL_ROUND, false);
@@ -128,7 +129,6 @@ export class ShadowMaps implements Shadowing {
     if (this.suns.length === 0) return true;
     this.placeResting(sight);
     const shown = this.placeMoving(sight);
-    this.layers.upload();
     if (!this.isComplete) return false;
     this.gpu.renderer.setMRT(null);
     this.drawResting();
@@ -151,7 +151,6 @@ export class ShadowMaps implements Shadowing {
     this.movingMap.dispose();
     const { resting, moving } = this.tables;
     for (const table of [resting.objects, resting.samples, moving.objects, moving.samples]) table.dispose();
-    this.layers.dispose();
     this.slots.dispose();
   }
 
@@ -179,18 +178,14 @@ export class ShadowMaps implements Shadowing {
     }
   }
 
-  private write(index: number, layer: Layer): void {
-    this.layers.values.set(layerTexels(layer), 4 * LAYER_TEXELS * index);
-  }
-
   private placeResting({ position }: Sight): void {
     this.suns.forEach(({ box, first, firstCaster, cascades: count }, sun) => {
       if (!box) return;
       const side = this.restingSide;
       const tiles = Array.from({ length: count }, (_, k): Tile => ({ x: k * side, y: sun * side, size: side }));
       cascades(box, position, tiles).forEach((layer, k) => {
-        this.write(first + k, { ...layer, centre: sub(layer.centre, position) });
-        this.write(firstCaster + k, { ...layer, centre: sub(layer.centre, this.origin) });
+        this.layers.set(first + k, { ...layer, centre: sub(layer.centre, position) });
+        this.layers.set(firstCaster + k, { ...layer, centre: sub(layer.centre, this.origin) });
       });
     });
   }
@@ -215,7 +210,7 @@ export class ShadowMaps implements Shadowing {
       const v = velocityAt(lineOfCentre(body, sight.c), sight.t + ahead / sight.c, sight.c);
       const beta = scale(v, 1 / sight.c);
       this.suns.forEach(({ direction, firstMover }, sun) => {
-        this.write(firstMover + slot, {
+        this.layers.set(firstMover + slot, {
           axes: lightAxes(wayToSun(direction, beta, timePerMetre(sight, direction))),
           beta,
           centre: addScaled(offset, beta, -ahead),
@@ -235,12 +230,7 @@ export class ShadowMaps implements Shadowing {
   }
 
   private drawResting(): void {
-    const casters = this.suns.map(({ firstCaster, cascades }) =>
-      Array.from(
-        this.layers.values.subarray(4 * LAYER_TEXELS * firstCaster, 4 * LAYER_TEXELS * (firstCaster + cascades)),
-      ).join(),
-    );
-    const key = casters.join();
+    const key = this.suns.map(({ firstCaster, cascades }) => this.layers.keyOf(firstCaster, cascades)).join();
     if (key === this.made || this.restingScene.children.length === 0) return;
     this.made = key;
     const most = Math.max(...this.suns.map(({ cascades }) => cascades));
