@@ -21,11 +21,38 @@ export const frame: Bench = {
       for (const kind of ['static', 'rigid', 'deforming'] as const) rows.push(await row(triangles, kind));
     }
     const { adapterName } = await gpu();
+    const colors: (string | number)[][] = [];
+    for (const kind of ['static', 'rigid'] as const) colors.push(await colorRow(100_000, kind));
     const columns = ['triangles', 'motion', 'stock [ms]', 'plain [ms]', 'relativistic [ms]', '÷ plain', '÷ stock'];
     const table: Table = { columns, rows, remark: `On ${adapterName}.` };
-    return [table];
+    return [table, { columns: COLOR_COLUMNS, rows: colors, remark: COLOR_REMARK }];
   },
 };
+
+const COLOR_COLUMNS = [
+  'triangles',
+  'motion',
+  'off [ms]',
+  'approximate [ms]',
+  'spectral [ms]',
+  'approximate ÷ off',
+  'spectral ÷ off',
+];
+const COLOR_REMARK =
+  'Colour and beaming: *off* is the same picture, Doppler mix and beaming 0, for which their code is left out of the shaders; *approximate* the tint. ' +
+  'Things at rest need one look-up of the table for a pixel, moving ones one more for each direction that light comes from, and one for its colour.';
+
+/** What colours cost. */
+async function colorRow(triangles: number, kind: MotionKind): Promise<(string | number)[]> {
+  console.error(`  colours, ${triangles.toLocaleString('en')} triangles, ${kind}`);
+  const { renderer, frame } = await openRenderer(SIZE.width, SIZE.height);
+  await renderer.setScene(ballScene(triangles, kind));
+  const works = [() => frame({ dopplerMix: 0, beaming: 0 }), () => frame({ colors: 'approximate' }), () => frame()];
+  const [off, approximate, spectral] = await interleaved(works, ROUNDS);
+  const drawn = renderer.info.triangles;
+  renderer.dispose();
+  return [drawn.toLocaleString('en'), kind, off, approximate, spectral, approximate / off, spectral / off];
+}
 
 async function row(triangles: number, kind: MotionKind): Promise<(string | number)[]> {
   console.error(`  ${triangles.toLocaleString('en')} triangles, ${kind}`);

@@ -4,9 +4,11 @@ import { TracerPool } from '../src/cli/tracerPool.ts';
 import { length, scale, type Vec3 } from '../src/math/vec3.ts';
 import { cameraRay } from '../src/reference/camera.ts';
 import { DEFAULT_LIGHT } from '../src/reference/lighting.ts';
+import { renderTile, type TileRequest } from '../src/reference/tile.ts';
 import { nearestHit, traceable } from '../src/reference/trace.ts';
 import type { SpacetimeRay } from '../src/reference/types.ts';
 import type { Scene, SceneObject } from '../src/scene/types.ts';
+import type { ColorMode, RenderSettings } from '../src/scene/view.ts';
 import { type Bench, interleaved, type Table, timed } from './bench.ts';
 import { SETTINGS } from './gpu.ts';
 import { plainBvh } from './plainBvh.ts';
@@ -29,9 +31,9 @@ export const reference: Bench = {
   about:
     `Rays through the pixels of a ${SIZE.width} × ${SIZE.height} picture by an observer at 0.5 c, to the nearest surface; one thread. three-mesh-bvh gets the same rays and meshes, at rest, in one ` +
     'hierarchy built by the same heuristic. With motion a ray also solves for the event: of things at constant speed in their own frame, of sampled ones in spacetime triangles (250 samples). Over threads: ' +
-    'whole pictures of the rigid scene with 2 × 2 samples, light and shadows. Over samples: rays to fewer triangles, with more and more samples in the same ten seconds.',
+    'whole pictures of the rigid scene with 2 × 2 samples, light and shadows; of colours, with one thread. Over samples: rays to fewer triangles, with more and more samples in the same ten seconds.',
   async run() {
-    return [await againstStatic(), await overThreads(), await overSamples()];
+    return [await againstStatic(), await overThreads(), await overColors(), await overSamples()];
   },
 };
 
@@ -122,18 +124,33 @@ async function overThreads(): Promise<Table> {
   return { columns: ['threads', 'picture [s]', 'million samples/s', 'times as fast', 'per thread'], rows };
 }
 
+const request = (settings: RenderSettings): TileRequest => ({
+  view: LOOK,
+  settings,
+  ...SIZE,
+  layers: ['beauty'],
+  samples: 2,
+  seed: 0,
+  light: DEFAULT_LIGHT,
+});
+
+/** What it costs to follow wavelengths instead of three colours: more where rays are cheap, and where every surface has a frame of its own. */
+async function overColors(): Promise<Table> {
+  const rows: (string | number)[][] = [];
+  for (const kind of ['static', 'rigid'] as const) {
+    const scene = traceable(ballScene(FEW_TRIANGLES, kind), C);
+    const draw = (colors: ColorMode) => () => {
+      renderTile(scene, request({ ...SETTINGS, colors }), { x0: 0, y0: 0, x1: SIZE.width, y1: SIZE.height });
+    };
+    const [tint, spectra] = await interleaved([draw('approximate'), draw('spectral')], ROUNDS);
+    rows.push([kind, tint / 1000, spectra / 1000, spectra / tint]);
+  }
+  return { columns: ['motion', 'tint [s]', 'spectra [s]', 'spectra ÷ tint'], rows };
+}
+
 async function timeOfPicture(scene: Scene, threads: number): Promise<number> {
   const pool = new TracerPool(scene, C, { threads });
-  const request = {
-    view: LOOK,
-    settings: SETTINGS,
-    ...SIZE,
-    layers: ['beauty'] as const,
-    samples: 2,
-    seed: 0,
-    light: DEFAULT_LIGHT,
-  };
-  const draw = (): Promise<void> => pool.draw(request, tilesOf(SIZE), () => {});
+  const draw = (): Promise<void> => pool.draw(request(SETTINGS), tilesOf(SIZE), () => {});
   // The first picture compiles, and makes what the motion's samples need.
   await draw();
   const ms = await timed(draw);

@@ -22,6 +22,11 @@ const pictures = [
   ['street', 'street-rest', ['--time', '6.5', '--beta', '0,0,0']],
   ['street', 'street-shape', ['--time', '6.5', '--beta', '0,0,-0.9', ...shape]],
   ['street', 'street-light', ['--time', '6.5', '--beta', '0,0,-0.9']],
+  ...['doppler', 'emission-time', 'radiance', 'band'].map((what) => [
+    'sphere',
+    `false-${what}`,
+    ['--size', '480x270', '--beta=-0.1,0,-0.5', '--false-colour', what, '--legend'],
+  ]),
   ['dice', 'dice-seen', []],
   ['dice', 'dice-there', ['--view', 'simultaneity']],
 ];

@@ -2,6 +2,7 @@ import '@fontsource-variable/inter/wght.css';
 import '@mantine/core/styles.css';
 import 'dockview/dist/styles/dockview.css';
 import './editor.css';
+import './viewport/legend.css';
 import { MantineProvider } from '@mantine/core';
 import { type ReactNode, StrictMode, useEffect } from 'react';
 import type { Root } from 'react-dom/client';

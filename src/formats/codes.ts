@@ -25,7 +25,7 @@ export const CODES = {
   'image.damaged': 'a picture that is damaged or cut off',
   'image.size': 'a picture with too many pixels, or none',
   'image.unknown-format': 'a picture that is neither PNG nor JPEG',
-  'image.unsupported': 'an OpenEXR picture of a kind that is not read',
+  'image.unsupported': 'an OpenEXR or Radiance picture of a kind that is not read',
 
   'zip.damaged': 'an archive that is damaged or cut off',
   'zip.zip64': 'an archive in the form for more than 4 GiB',
@@ -156,6 +156,8 @@ export const CODES = {
   'stl.rest': 'bytes after the last facet',
   'stl.colors': 'colours, which are left out',
   'stl.normals': 'normals that say the opposite of the order of the corners',
+
+  'spectrum.csv': 'a table that is no spectrum: wavelengths in nm, rising, each with a value',
 
   'convert.lifetime': 'the file cannot hold when an object is born or dies',
   'convert.motion': 'the file cannot hold the motion: it is sampled, or left out',

@@ -16,6 +16,9 @@ const UNSUPPORTED_FLAGS: readonly (readonly [number, string])[] = [
   [0x1000, 'multi-part'],
 ];
 
+/** Of one picture: all are held at once. */
+const MOST_CHANNELS = 64;
+
 interface Header {
   readonly width: number;
   readonly height: number;
@@ -26,11 +29,15 @@ interface Header {
   readonly attributes: Readonly<Record<string, string>>;
 }
 
+/** Refuses, by throwing, a picture of a size. */
+type SizeCheck = (width: number, height: number, name: string) => void;
+
 /** Reads what `writeExr` writes, and the like of other programs; throws an InputError that names `name` where it cannot. */
-export function readExr(bytes: Uint8Array, name: string): ExrImage {
+export function readExr(bytes: Uint8Array, name: string, checkSize: SizeCheck = () => undefined): ExrImage {
   try {
     const cursor = new Cursor(bytes);
     const header = readHeader(cursor, name);
+    checkSize(header.width, header.height, name);
     return { ...header, channels: readPixels(cursor, header) };
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
@@ -82,6 +89,7 @@ function readChannels(cursor: Cursor, name: string): Header['channels'] {
     if (!type) throw new Error(`channel ${channel} has no known type`);
     if (xSampling !== 1 || ySampling !== 1) throw unsupported(name, `subsampled channel ${channel}`);
     channels.push({ name: channel, type });
+    if (channels.length > MOST_CHANNELS) throw unsupported(name, `an EXR of more than ${MOST_CHANNELS} channels`);
   }
   return channels;
 }

@@ -27,7 +27,8 @@ export function decodeImage(bytes: Uint8Array, name: string): DecodedImage {
   }
 }
 
-function kindOf(bytes: Uint8Array): string {
+/** What kind of picture the bytes begin as. */
+export function kindOf(bytes: Uint8Array): string {
   const starts = (magic: string, at = 0): boolean => [...magic].every((c, i) => bytes[at + i] === c.charCodeAt(0));
   if (bytes.length === 0) return 'empty';
   if (starts('\x89PNG\r\n\x1a\n')) return 'PNG';
@@ -36,7 +37,7 @@ function kindOf(bytes: Uint8Array): string {
   if (starts('ftypavif', 4)) return 'AVIF';
   if (starts('\xabKTX')) return 'KTX2';
   if (starts('\x76\x2f\x31\x01')) return 'OpenEXR';
-  if (starts('#?RADIANCE')) return 'Radiance HDR';
+  if (starts('#?RADIANCE') || starts('#?RGBE')) return 'Radiance HDR';
   return 'unknown';
 }
 

@@ -8,6 +8,7 @@ export { encodePng } from './png.ts';
 export { formatOf, type ReadOptions, type SceneFormat, sceneFormats } from './registry.ts';
 export { saveScene } from './save.ts';
 export { extensionOf, type FileSource, memorySource, normalizePath, resolvePath } from './source.ts';
+export { readSpectrumCsv } from './spectrumCsv.ts';
 export { parseLayer, readLayer, readUsd, writeTextures, writeUsda, writeUsdz } from './usd/index.ts';
 export type { Written } from './written.ts';
 export type { PartedFile } from './zip/directory.ts';

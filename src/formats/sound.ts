@@ -91,22 +91,26 @@ function isMotionSound({ path, motion }: { path: string; motion: Motion }, say: 
   return false;
 }
 
-/** What was found of arrays that many objects may share. */
-const FINITE = new WeakMap<Float32Array, boolean>();
+/** What was found of lists of arrays that many objects may share. */
+const FINITE = new WeakMap<readonly Float32Array[] | Float32Array, boolean>();
 
-function knownFinite(numbers: Float32Array): boolean {
-  const known = FINITE.get(numbers) ?? allFinite(numbers);
-  FINITE.set(numbers, known);
-  return known;
+/** Whether all numbers of one array, or of all in a list, are finite. */
+function knownFinite(numbers: readonly Float32Array[] | Float32Array): boolean {
+  const known = FINITE.get(numbers);
+  if (known !== undefined) return known;
+  const found = ArrayBuffer.isView(numbers) ? allFinite(numbers) : numbers.every(allFinite);
+  FINITE.set(numbers, found);
+  return found;
 }
+
+const NO_POINTS: readonly Float32Array[] = [];
 
 /** A 1 for each vertex that is nowhere, at rest or at a sample; undefined where all are somewhere. */
 function lostVertices({ mesh, motion }: SceneObject): Uint8Array | undefined {
-  const points = motion.kind === 'sampled-points' ? motion.points : [];
+  const points = motion.kind === 'sampled-points' ? motion.points : NO_POINTS;
   if (isStreamed(points)) return points.facts.lost;
-  const shapes = [mesh.positions, ...points];
-  const broken = shapes.filter((shape) => !knownFinite(shape));
-  if (broken.length === 0) return undefined;
+  if (knownFinite(mesh.positions) && knownFinite(points)) return undefined;
+  const broken = [mesh.positions, ...points].filter((shape) => !allFinite(shape));
   const lost = new Uint8Array(mesh.positions.length / 3);
   for (const shape of broken)
     for (let i = 0; i < shape.length; i++) if (!Number.isFinite(shape[i])) lost[Math.floor(i / 3)] = 1;
@@ -141,7 +145,7 @@ const zeroed = (points: Float32Array, lost: Uint8Array): Float32Array =>
 
 /** Normals of samples that are not all numbers are computed from the points. */
 function withSoundNormals(motion: Motion, mesh: Mesh): Motion {
-  if (motion.kind !== 'sampled-points' || !motion.normals || motion.normals.every(allFinite)) return motion;
+  if (motion.kind !== 'sampled-points' || !motion.normals || knownFinite(motion.normals)) return motion;
   const groups = smoothingGroups(mesh);
   const computed = (k: number): Float32Array => finite(deformedNormals(pointsAt(motion, k), mesh.indices, groups));
   return { ...motion, normals: motion.normals.map((normals, k) => (allFinite(normals) ? normals : computed(k))) };

@@ -30,6 +30,8 @@ export interface NumberParam extends ParamBase {
   /** As written beside the number: `m/s`, `c`, `EV`, `°`. */
   readonly unit?: string;
   readonly integer?: boolean;
+  /** The value that is nature's: at any other the control is marked as not physical. */
+  readonly physical?: number;
   /** False: it has no range that a slider could go through, and is only typed. */
   readonly slider?: boolean;
   /** While the parameter is not set, what the scene suggests under this name comes before the default. */

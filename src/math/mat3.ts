@@ -30,12 +30,15 @@ export const cofactors = (m: Mat3): Mat3 => [
   m[2] * m[3] - m[0] * m[5],
   m[0] * m[4] - m[1] * m[3],
 ];
-export const determinant = (m: Mat3): number => {
-  const c = cofactors(m);
-  return m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
-};
+export const determinant = (m: Mat3): number =>
+  m[0] * (m[4] * m[8] - m[5] * m[7]) + m[1] * (m[5] * m[6] - m[3] * m[8]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
 /** M⁻¹, or undefined where det M = 0. */
 export const invert = (m: Mat3): Mat3 | undefined => {
   const d = determinant(m);
   return d === 0 || !Number.isFinite(d) ? undefined : transpose(cofactors(m)).map((x) => x / d);
 };
+/** Whether M only makes things longer or shorter along its axes, and mirrors none. */
+export function isPositiveDiagonal([xx, xy, xz, yx, yy, yz, zx, zy, zz]: Mat3): boolean {
+  if (xy !== 0 || xz !== 0 || yx !== 0 || yz !== 0 || zx !== 0 || zy !== 0) return false;
+  return xx > 0 && yy > 0 && zz > 0 && xx + yy + zz < Infinity;
+}

@@ -23,6 +23,26 @@ export function multiply(a: Mat4, b: Mat4): Mat4 {
   return m;
 }
 
+/** M, then all enlarged by `s`. */
+export const enlarged = (m: Mat4, s: number): Mat4 => [
+  s * m[0],
+  s * m[1],
+  s * m[2],
+  s * m[3],
+  s * m[4],
+  s * m[5],
+  s * m[6],
+  s * m[7],
+  s * m[8],
+  s * m[9],
+  s * m[10],
+  s * m[11],
+  m[12],
+  m[13],
+  m[14],
+  m[15],
+];
+
 export function transpose(m: Mat4): Mat4 {
   const t = new Array<number>(16);
   for (let i = 0; i < 4; i++) for (let j = 0; j < 4; j++) t[4 * i + j] = m[4 * j + i];
@@ -87,10 +107,13 @@ export const fromPose = (pose: RigidPose): Mat4 => fromParts(quat.toMatrix(pose.
  */
 export function decomposeRigid(m: Mat4): { readonly pose: RigidPose; readonly stretch: mat3.Mat3 } {
   const linear = linearPart(m);
+  const position: Vec3 = [m[3], m[7], m[11]];
+  // Most things are not turned at all.
+  if (mat3.isPositiveDiagonal(linear)) return { pose: { position, orientation: quat.IDENTITY }, stretch: linear };
   const orientation = closestRotation(linear);
   const s = mat3.multiply(mat3.transpose(quat.toMatrix(orientation)), linear);
   const symmetric = s.map((x, i) => (x + s[3 * (i % 3) + Math.floor(i / 3)]) / 2);
-  return { pose: { position: [m[3], m[7], m[11]], orientation }, stretch: symmetric };
+  return { pose: { position, orientation }, stretch: symmetric };
 }
 
 /** The pose with which M = T R S for a stretch S whose inverse is known; undefined where R would be no proper rotation. */
@@ -105,6 +128,8 @@ export function isRigid(m: Mat4, tolerance = 1e-9): boolean {
 }
 
 function isRotation(l: mat3.Mat3, tolerance: number): boolean {
-  const gram = mat3.multiply(mat3.transpose(l), l);
-  return mat3.determinant(l) > 0 && gram.every((x, i) => Math.abs(x - mat3.IDENTITY[i]) <= tolerance);
+  const isGram = (i: number, j: number): boolean =>
+    Math.abs(l[i] * l[j] + l[3 + i] * l[3 + j] + l[6 + i] * l[6 + j] - (i === j ? 1 : 0)) <= tolerance;
+  const areUnit = isGram(0, 0) && isGram(1, 1) && isGram(2, 2);
+  return areUnit && isGram(0, 1) && isGram(0, 2) && isGram(1, 2) && mat3.determinant(l) > 0;
 }

@@ -52,15 +52,12 @@ export function slerp(a: Quat, b: Quat, s: number): Quat {
 /** Of a proper rotation matrix, by the largest component first (Shepperd 1978), so that no root of a small number is divided by. */
 export function fromMatrix(m: Mat3): Quat {
   const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
-  const candidates: readonly Quat[] = [
-    [1 + xx - yy - zz, xy + yx, zx + xz, zy - yz],
-    [xy + yx, 1 - xx + yy - zz, yz + zy, xz - zx],
-    [zx + xz, yz + zy, 1 - xx - yy + zz, yx - xy],
-    [zy - yz, xz - zx, yx - xy, 1 + xx + yy + zz],
-  ];
-  let best = 3;
-  for (let i = 0; i < 3; i++) if (candidates[i][i] > candidates[best][best]) best = i;
-  return normalizeQuat(candidates[best]);
+  const [x, y, z, w] = [1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz, 1 + xx + yy + zz];
+  const most = Math.max(x, y, z, w);
+  if (!(most > w)) return normalizeQuat([zy - yz, xz - zx, yx - xy, w]);
+  if (x === most) return normalizeQuat([x, xy + yx, zx + xz, zy - yz]);
+  if (y === most) return normalizeQuat([xy + yx, y, yz + zy, xz - zx]);
+  return normalizeQuat([zx + xz, yz + zy, z, yx - xy]);
 }
 
 /** The rotation matrix of a unit quaternion. */

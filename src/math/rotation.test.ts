@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { direction, expectClose, offset, uniform } from '../../tests/physicsArbitraries.ts';
 import * as mat3 from './mat3.ts';
 import * as mat4 from './mat4.ts';
+import { closestRotation } from './polar.ts';
 import * as quat from './quat.ts';
 import { cross, dot, length, type Vec3 } from './vec3.ts';
 
@@ -170,6 +171,21 @@ describe('rigid part and stretch', () => {
     ])
       expect(parts(s[0], s[1], s[2]).pose.orientation, s.join(' ')).toEqual(quat.IDENTITY);
     expectClose(parts(-1, 2, 3).stretch, [-1, 0, 0, 0, 2, 0, 0, 0, 3], 1e-15);
+  });
+  it('of what is not turned are the unit quaternion and the matrix itself, to the last bit', () => {
+    const size = element.map(Math.exp);
+    fc.assert(
+      fc.property(size, size, size, offset, (x, y, z, t) => {
+        const linear = [x, 0, 0, 0, y, 0, 0, 0, z];
+        const found = mat4.decomposeRigid(mat4.fromParts(linear, t));
+        expect(found).toEqual({ pose: { position: t, orientation: quat.IDENTITY }, stretch: linear });
+        // As Horn's method has it, to which one part in 10¹⁵ is a turn.
+        sameRotation(closestRotation([x, 1e-15 * x, 0, 0, y, 0, 0, 0, z]), quat.IDENTITY, 1e-14);
+      }),
+    );
+    expect(mat3.isPositiveDiagonal([1, 0, 0, 0, Infinity, 0, 0, 0, 1])).toBe(false);
+    expect(mat3.isPositiveDiagonal([1, 0, 0, 0, 1, 0, 0, 0, Number.NaN])).toBe(false);
+    expect(mat3.isPositiveDiagonal([1, 0, 0, 0, 1, 0, 1e-300, 0, 1])).toBe(false);
   });
 });
 

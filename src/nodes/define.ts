@@ -1,5 +1,6 @@
 import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
 import type { ColorMode, Solver, View } from '../scene/view.ts';
+import type { FalseColor } from '../spectrum/falseColor.ts';
 import type { Tone } from '../spectrum/toneMap.ts';
 import type { Metering } from './metering.ts';
 import type { LoadedScene, Services } from './services.ts';
@@ -43,6 +44,7 @@ export interface Picture extends GBuffer {
   readonly metering: Metering;
   /** What is added to the metered exposure [EV]. */
   readonly exposure: number;
+  readonly falseColor: FalseColor | 'none';
 }
 
 /** What flows through a socket of each type. */

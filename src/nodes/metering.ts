@@ -1,6 +1,4 @@
-import { ZERO } from '../math/vec3.ts';
-import { dopplerFactor } from '../physics/doppler.ts';
-import { directionAt, rayToward } from '../reference/camera.ts';
+import { skyDoppler } from '../reference/falseColor.ts';
 import { GAUGE, type Gauge, luminanceOf } from '../scene/gauge.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view.ts';
 import { dopplerTint } from '../spectrum/dopplerTint.ts';
@@ -18,7 +16,7 @@ const HIGHLIGHTS = [0.98, 0.995] as const;
 /** Luminance that the middle is brought to: what the example scenes have at rest, as their authors lit them. */
 const KEY = 0.4;
 /** Luminance that the highlights are not brought above: a small bright thing before black space is what the picture is of. */
-const WHITE = 1;
+const WHITE = 1.25;
 /** In so long an eye makes all but 1/e of its way to another brightness [s]. */
 const EYE = 0.3;
 
@@ -60,8 +58,8 @@ export function exposureFor(
 function atRest(luminance: Float32Array, view: ViewPoint, settings: RenderSettings, aspect: number): Float32Array {
   if (settings.view !== 'light-cone') return luminance;
   return luminance.map((value, i) => {
-    const n = directionAt(view, aspect * ((i % GAUGE) + 0.5), Math.floor(i / GAUGE) + 0.5, aspect * GAUGE, GAUGE);
-    const D = dopplerFactor(rayToward(view, settings, n).dx, view.u, ZERO);
+    const [x, y] = [aspect * ((i % GAUGE) + 0.5), Math.floor(i / GAUGE) + 0.5];
+    const D = skyDoppler(view, settings, x, y, aspect * GAUGE, GAUGE);
     const white = luminanceOf(...dopplerTint([1, 1, 1], D, settings.dopplerMix));
     return value / (white * D ** (4 * settings.beaming));
   });

@@ -25,6 +25,7 @@ export const relativityRasterize = defineNode({
       min: 0,
       max: 1,
       step: 0.01,
+      physical: 1,
     },
     beaming: {
       kind: 'number',
@@ -34,6 +35,7 @@ export const relativityRasterize = defineNode({
       min: 0,
       max: 1,
       step: 0.01,
+      physical: 1,
     },
     shadows: { kind: 'boolean', title: 'param.shadows', help: 'param.shadows.help', default: true },
     grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },

@@ -32,9 +32,7 @@ export function falseValues(kind: FalseColor, taken: Taken): Float32Array {
   const pixels = width * height;
   switch (kind) {
     case 'doppler':
-      return Float32Array.from({ length: pixels }, (_, i) =>
-        aov('object')[i] ? aov('doppler')[i]! : skyDoppler(taken, i),
-      );
+      return Float32Array.from({ length: pixels }, (_, i) => (aov('object')[i] ? aov('doppler')[i]! : skyAt(taken, i)));
     case 'band':
       return falseValues('doppler', taken).map(emittedWavelength);
     case 'emission-time':
@@ -46,10 +44,20 @@ export function falseValues(kind: FalseColor, taken: Taken): Float32Array {
   }
 }
 
-function skyDoppler({ view, settings, width, height }: Taken, i: number): number {
+const skyAt = ({ view, settings, width, height }: Taken, i: number): number =>
+  skyDoppler(view, settings, (i % width) + 0.5, Math.floor(i / width) + 0.5, width, height);
+
+/** D of what rests in the world, at the point (x, y) of a picture as `cameraRay` has it; 1 in the views that show no light. */
+export function skyDoppler(
+  view: ViewPoint,
+  settings: RenderSettings,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): number {
   if (settings.view !== 'light-cone') return 1;
-  const ray = cameraRay(view, settings, (i % width) + 0.5, Math.floor(i / width) + 0.5, width, height);
-  return dopplerFactor(ray.dx, view.u, ZERO);
+  return dopplerFactor(cameraRay(view, settings, x, y, width, height).dx, view.u, ZERO);
 }
 
 /** The picture: RGBA, sRGB, opaque. */

@@ -7,7 +7,7 @@ const TITLES: Readonly<Record<FalseColor, string>> = {
   doppler: 'DOPPLER FACTOR D',
   'emission-time': 'EMITTED, FROM NOW (S)',
   radiance: 'LUMINANCE BEFORE EXPOSURE',
-  band: 'EMITTED WAVELENGTH OF WHAT IS SEEN AS 550 NM',
+  band: '550 NM WAS EMITTED AT (NM)',
 };
 const BAND_NAMES: Readonly<Record<BandName, string>> = {
   'far-ultraviolet': 'FAR UV',
@@ -47,7 +47,7 @@ function labelsOf({ kind, ...scale }: FalseColors): LegendBar['labels'] {
   });
   // The visible is the one to find the others by.
   const visible = BANDS.findIndex(({ name }) => name === 'visible');
-  return [names[visible]!, ...names, ...ticks.map((value) => at(value, `${plain(value * 1e9)} NM`))];
+  return [names[visible]!, ...names, ...ticks.map((value) => at(value, plain(value * 1e9)))];
 }
 
 const plain = (value: number): string => String(Number(value.toPrecision(2)));

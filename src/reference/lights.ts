@@ -6,9 +6,9 @@ import { simultaneitySlice } from '../physics/simultaneity.ts';
 import { velocityAt } from '../physics/worldLine.ts';
 import { poseAt } from '../scene/motion.ts';
 import type { Departure } from './departure.ts';
-import { largest } from './filters.ts';
+import { dimmed, largest } from './filters.ts';
 import { sampleLamp } from './lampSamples.ts';
-import { DARK, type Light, plus, times } from './light.ts';
+import { DARK, type Light, plus } from './light.ts';
 import { frameOf, type Lighting, type MovingLamp, rayBack } from './lighting.ts';
 import { transmitted } from './passage.ts';
 import { type Look, reflectance } from './reflectance.ts';
@@ -49,7 +49,7 @@ function reflected(lighting: Lighting, at: Departure, look: Look, here: Receiver
   const share = transmitted(lighting.scene, beam, end);
   if (share === 0) return DARK;
   const irradiance = received(here, n, source, IRRADIANCE, ({ sight }) => sight.shining(shine));
-  return here.sight.filtered(times(irradiance, share * weight), filter);
+  return here.sight.filtered(irradiance, dimmed(filter, share * weight));
 }
 
 /** Infinitely far away and always there: E′ = D² E. */

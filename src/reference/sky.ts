@@ -1,6 +1,6 @@
 import { dot, lerp, scale, type Vec3 } from '../math/vec3.ts';
 import { axesOf, DAY, domeOf, SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
-import type { DomeLight, Scene, Texture } from '../scene/types.ts';
+import type { DomeLight, Scene } from '../scene/types.ts';
 import { DARK, type Light, plus } from './light.ts';
 import { type Shine, shineOf } from './shine.ts';
 import type { Sight } from './sight.ts';
@@ -46,7 +46,11 @@ function gradient(height: number, zenith: Vec3, horizon: Vec3, ground: Vec3): Ve
 }
 
 /** A latitude–longitude picture: its top row at the zenith. */
-function domePicture(texture: Texture, color: Vec3, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
+function domePicture(
+  texture: NonNullable<DomeLight['texture']>,
+  color: Vec3,
+  upAxis: Scene['upAxis'],
+): (n: Vec3) => Vec3 {
   const { up, ahead, right } = axesOf(upAxis);
   return (n) => {
     const around = Math.atan2(dot(n, right), dot(n, ahead)) / (2 * Math.PI) + 0.5;

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { direction, properVelocityUpTo, uniform } from '../../tests/physicsArbitraries.ts';
 import { DIRECT, dome, lambert, lit, look, mirror, SPECTRAL, twoSided } from '../../tests/support/lightKit.ts';
 import { fromAxisAngle, IDENTITY } from '../math/quat.ts';
-import { dot, length, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { add, dot, length, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { box, plane } from '../scene/primitives.ts';
 import type { DistantLight, Material } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
@@ -11,6 +11,9 @@ import { bandsOf, WHITE } from '../spectrum/bands.ts';
 import { DAYLIGHT, type LightSpectrum } from '../spectrum/lightSpectrum.ts';
 import { seenColor, whiteOf } from '../spectrum/observerColor.ts';
 import { logLuminance } from '../spectrum/planck.ts';
+import { shineOf } from './shine.ts';
+import { RADIANCE } from './sight.ts';
+import { spectralEye } from './spectral.ts';
 
 const settings = SPECTRAL;
 
@@ -53,6 +56,26 @@ describe('a closed box that glows in daylight’s white', () => {
         expectColor(seen, scale(turned, D ** (4 * beaming)), 3e-3);
       }),
       { numRuns: 60 },
+    );
+  });
+});
+
+describe('an eye', () => {
+  it.each([16, 64])('sums, over all combs of %d wavelengths, to the integral', (count) => {
+    const combs = Array.from({ length: 4096 / count }, (_, k) =>
+      spectralEye(settings, count, ((k + 0.5) * count) / 4096),
+    );
+    fc.assert(
+      fc.property(color, uniform(0.3, 3), (albedo, D) => {
+        const shine = shineOf([1, 1, 1]);
+        const seen = combs.map((eye) => {
+          const there = eye.sight.through(D);
+          return eye.color(eye.sight.arrived(there.filtered(there.shining(shine), bandsOf(albedo)), D, RADIANCE));
+        });
+        const mean = scale(seen.reduce(add), 1 / combs.length);
+        expectColor(mean, scale(seenColor(bandsOf(albedo), WHITE, DAYLIGHT, 1, D), D ** 4), 1e-4);
+      }),
+      { numRuns: 30 },
     );
   });
 });

@@ -1,12 +1,13 @@
-import type { Texture, TextureWrap } from '../scene/types.ts';
+import { fromHalf } from '../math/half.ts';
+import type { RadiancePicture, Texture, TextureWrap } from '../scene/types.ts';
 
 export type Rgba = readonly [r: number, g: number, b: number, a: number];
 
 /**
- * A texture at (u, v), v up: linear RGB and opacity, 0 … 1, from its base level. Texels are decoded first and blended then, as graphics
+ * A texture at (u, v), v up: linear RGB and opacity, 0 … 1 (of radiance: any), from its base level. Texels are decoded first and blended then, as graphics
  * processors do; a texel's middle is at half a texel.
  */
-export function sampleTexture(texture: Texture, u: number, v: number): Rgba {
+export function sampleTexture(texture: Texture | RadiancePicture, u: number, v: number): Rgba {
   const x = u * texture.width;
   const y = (1 - v) * texture.height;
   if (texture.filter === 'nearest') return texel(texture, Math.floor(x), Math.floor(y));
@@ -25,9 +26,12 @@ const blend = (a: Rgba, b: Rgba, s: number): Rgba => [
   a[3] + (b[3] - a[3]) * s,
 ];
 
-function texel({ width, height, data, colorSpace, wrapS, wrapT }: Texture, x: number, y: number): Rgba {
+function texel(texture: Texture | RadiancePicture, x: number, y: number): Rgba {
+  const { width, height, data, colorSpace, wrapS, wrapT } = texture;
   const k = 4 * (wrapped(y, height, wrapT) * width + wrapped(x, width, wrapS));
   if (k < 0) return NOTHING;
+  if (data instanceof Uint16Array)
+    return [fromHalf(data[k]), fromHalf(data[k + 1]), fromHalf(data[k + 2]), fromHalf(data[k + 3])];
   const decoded = colorSpace === 'srgb' ? DECODED : PLAIN;
   return [decoded[data[k]], decoded[data[k + 1]], decoded[data[k + 2]], PLAIN[data[k + 3]]];
 }

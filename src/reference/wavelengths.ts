@@ -1,11 +1,12 @@
 import { type Bands, basisAt } from '../spectrum/bands.ts';
 import { NANOMETRE, VISIBLE } from '../spectrum/cie1931.ts';
-import { type LightSpectrum, spectralRadiance } from '../spectrum/lightSpectrum.ts';
+import { DAYLIGHT, type LightSpectrum, spectralRadiance } from '../spectrum/lightSpectrum.ts';
 
 /** Rising wavelengths of one frame [m], and what spectra and filters are at them. */
 export class Wavelengths {
   readonly values: readonly number[];
-  private readonly spectra = new WeakMap<LightSpectrum, readonly number[]>();
+  /** S(λ) of what nearly everything shines with. */
+  private daylight: readonly number[] | undefined;
   private responses: Responses | undefined;
 
   constructor(values: readonly number[]) {
@@ -22,11 +23,9 @@ export class Wavelengths {
   /** S(λ) [1/m]; lines are between all wavelengths that one may choose. */
   radiance(spectrum: LightSpectrum): readonly number[] {
     if (spectrum.kind === 'lines') return [];
-    const known = this.spectra.get(spectrum);
-    if (known) return known;
-    const found = this.values.map((wavelength) => spectralRadiance(spectrum, wavelength));
-    this.spectra.set(spectrum, found);
-    return found;
+    if (spectrum !== DAYLIGHT) return radiances(this.values, spectrum);
+    this.daylight ??= radiances(this.values, DAYLIGHT);
+    return this.daylight;
   }
 
   /** What a filter leaves of values at these wavelengths. */
@@ -40,6 +39,15 @@ export class Wavelengths {
     for (let i = end; i < result.length; i++) result[i] *= ir;
     return result;
   }
+}
+
+function radiances(
+  wavelengths: readonly number[],
+  spectrum: Exclude<LightSpectrum, { kind: 'lines' }>,
+): readonly number[] {
+  const result = wavelengths.slice();
+  for (let i = 0; i < result.length; i++) result[i] = spectralRadiance(spectrum, result[i]);
+  return result;
 }
 
 /** How the coefficients of a filter act at rising wavelengths: before `begin` `uv` does, from `end` on `ir`, and between them the basis functions. */

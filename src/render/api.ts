@@ -26,7 +26,7 @@ export interface PictureMaker {
   readAov(name: AovName): Promise<Float32Array>;
   /** The last picture at `GAUGE` × `GAUGE` places: what exposure and scales of false colours go by. */
   gauge(): Promise<Gauge>;
-  /** What opaque surface is at a pixel of the last picture (from the top left); undefined: none. */
+  /** What is at a pixel of the last picture (from the top left); undefined outside of it. */
   pick(x: number, y: number): Promise<PickResult | undefined>;
   dispose(): void;
 }

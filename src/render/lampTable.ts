@@ -10,8 +10,9 @@ import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import { FloatTable } from './floatTable.ts';
 import type { LampPath } from './lampEvent.ts';
-import { type ShineKind, shineColor, shineKind, thermalTexel } from './lampShine.ts';
-import type { ThermalSource } from './radiance.ts';
+import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
+import type { LineTable } from './lineTable.ts';
+import type { Source } from './radiance.ts';
 import { shapingValues } from './shaping.ts';
 import { meet, type RelativeEvent, rapidityFactor, type Sight } from './sight.ts';
 
@@ -29,7 +30,7 @@ export interface LampTexels {
   /** Birth, death and the anchor's time after the observer's [m of light]; absent where it rests and always shines. */
   readonly life?: gpu.Vec3;
   /** Absent of daylight. */
-  readonly source?: ThermalSource;
+  readonly source?: Source;
 }
 
 export interface LampShape {
@@ -57,8 +58,8 @@ type TexelName = 'place' | 'color' | 'X' | 'Y' | 'life' | 'motion' | 'source';
 interface KnownLamp {
   readonly lamp: Lamp;
   readonly line: WorldLine;
-  /** Of each way to show colours. */
-  readonly colors: Readonly<Record<ColorMode, Vec3>>;
+  readonly shine: readonly [number, number];
+  readonly colors: ShineColors;
 }
 
 /** A line is drawn as a tube of this part of its length. */
@@ -74,7 +75,10 @@ export class LampTable {
   private readonly table = new FloatTable(256);
   private readonly samples = new FloatTable(1024);
 
-  constructor(lamps: readonly Lamp[]) {
+  private readonly lines: LineTable;
+
+  constructor(lamps: readonly Lamp[], lines: LineTable) {
+    this.lines = lines;
     const alike = new Map<string, Lamp[]>();
     for (const lamp of lamps) {
       const key = [lamp.kind, lamp.motion.kind, shineKind(lamp), ...texelsOf(lamp)].join(' ');
@@ -90,7 +94,7 @@ export class LampTable {
         shine: shineKind(members[0]),
         texels,
         first,
-        lamps: members.map(known),
+        lamps: members.map((lamp) => known(lamp, lines)),
       };
       first += texels.length * members.length;
       return group;
@@ -109,7 +113,7 @@ export class LampTable {
     }
   }
 
-  private read({ kind, motion, texels, first }: Group, index: gpu.Int): LampTexels {
+  private read({ kind, motion, shine, texels, first }: Group, index: gpu.Int): LampTexels {
     const at = index.mul(int(texels.length)).add(int(first)).toVar();
     const texel = (name: TexelName): gpu.Vec4 | undefined => {
       const k = texels.indexOf(name);
@@ -117,6 +121,7 @@ export class LampTable {
     };
     const [place, color] = [texel('place')!, texel('color')!];
     const [X, Y, life, path, source] = (['X', 'Y', 'life', 'motion', 'source'] as const).map(texel);
+    const made = source && sourceOf(shine, [source.x, source.y], this.lines);
     return {
       kind,
       path: { kind: motion, samples: this.samples, ...(path && life && { moving: { motion: path, w: life.w } }) },
@@ -125,7 +130,7 @@ export class LampTable {
       color: color.xyz,
       ...(X && Y && { shape: { X: X.xyz, Y: Y.xyz, inner: X.w, outer: Y.w, focus: color.w } }),
       ...(life && { life: life.xyz }),
-      ...(source && { source: { temperature: source.x, luminance: source.y } }),
+      ...(made && { source: made }),
     };
   }
 
@@ -187,14 +192,15 @@ function texelsOf(lamp: Lamp): readonly TexelName[] {
   ];
 }
 
-const known = (lamp: Lamp): KnownLamp => ({
+const known = (lamp: Lamp, lines: LineTable): KnownLamp => ({
   lamp,
   line: originLine(lamp.motion),
-  colors: { spectral: shineColor(lamp, 'spectral'), approximate: shineColor(lamp, 'approximate') },
+  shine: shineNumbers(lamp, lines),
+  colors: shineColors(lamp),
 });
 
 function valuesOf(
-  { lamp, line, colors }: KnownLamp,
+  { lamp, line, shine, colors }: KnownLamp,
   sight: Sight,
   how: ColorMode,
 ): Readonly<Record<TexelName, readonly number[]>> & { readonly anchor: RelativeEvent } {
@@ -214,7 +220,7 @@ function valuesOf(
     Y: [...axis([0, y, 0]), outer],
     life: [after(lamp.lifetime.birth), after(lamp.lifetime.death), anchor.ahead, w],
     motion,
-    source: [...thermalTexel(lamp), 0, 0],
+    source: [...shine, 0, 0],
   };
 }
 

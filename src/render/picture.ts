@@ -8,23 +8,18 @@ import {
   UnsignedByteType,
 } from 'three/webgpu';
 import type { Gauge } from '../scene/gauge.ts';
-import type { ColorMode, RenderSettings } from '../scene/view.ts';
-import type { SpectrumTable } from '../shaders/spectrumTable.ts';
-import { spectrumTexture } from '../shaders/spectrumTexture.ts';
+import type { RenderSettings } from '../scene/view.ts';
 import type { FalseColors } from '../spectrum/falseColor.ts';
-import { thermalTable } from '../spectrum/thermalTable.ts';
 import type { Gpu } from './device.ts';
 import { addedSample, antialiased, averaged, type Look, singleSample } from './display.ts';
 import type { Drawable } from './drawable.ts';
 import { FalseColorTable, falseColored } from './falseColor.ts';
 import { FullScreen, type Where } from './fullScreen.ts';
 import { GaugeReader } from './gauge.ts';
+import { Palettes, paletteOf } from './palette.ts';
 import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
-import type { Optics } from './radiance.ts';
 import type { SceneUpload } from './sceneUpload.ts';
-import { spectral } from './spectral.ts';
 import { dataTarget, GBuffer } from './targets.ts';
-import { tinted } from './tinted.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
 
@@ -41,8 +36,7 @@ export class PictureMachine {
   private readonly gpu: Gpu;
   private readonly uniforms: Uniforms;
   private readonly passes = new Map<string, FullScreen>();
-  /** By their layers, as they are needed. */
-  private readonly tables = new Map<3 | 4, SpectrumTable>();
+  private readonly palettes = new Palettes();
   private readonly gauge: GaugeReader;
   private readonly falseColors = new FalseColorTable();
   private samples = 1;
@@ -82,21 +76,17 @@ export class PictureMachine {
   }
 
   /** G-buffer to light, then what is transparent over it. */
-  drawLight(
-    upload: SceneUpload,
-    projection: Projection,
-    camera: PerspectiveCamera,
-    { colors, shadows: shadowed }: Pick<RenderSettings, 'colors' | 'shadows'>,
-  ): void {
+  drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera, settings: RenderSettings): void {
     const { buffer, uniforms, light } = this;
-    const { environment, bodies } = upload;
-    const optics = this.optics(colors, upload);
-    const shadows = shadowed ? upload.shadows : undefined;
+    const { environment, bodies, scene } = upload;
+    const palette = paletteOf(settings, scene);
+    const optics = this.palettes.optics(palette, scene);
+    const shadows = settings.shadows ? upload.shadows : undefined;
     const moving = () => bodies.some(({ object }) => object.motion.kind !== 'static');
-    this.run(`sky ${upload.serial} ${colors}`, () => skyLight(environment, uniforms, optics), light, 'sky');
+    this.run(`sky ${upload.serial} ${palette}`, () => skyLight(environment, uniforms, optics), light, 'sky');
     if (upload.opaque.children.some((mesh) => mesh.visible))
       this.run(
-        `light ${upload.serial} ${colors} ${shadowed}`,
+        `light ${upload.serial} ${palette} ${settings.shadows}`,
         () => surfaceLight(buffer, environment, uniforms, optics, moving(), shadows),
         light,
         'surfaces',
@@ -105,7 +95,7 @@ export class PictureMachine {
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawable of upload.drawables)
       if (drawable.batch.transparent)
-        this.dress(drawable, `forward ${projection.event} ${projection.place} ${colors} ${shadowed}`, () =>
+        this.dress(drawable, `forward ${projection.event} ${projection.place} ${palette} ${settings.shadows}`, () =>
           forwardMaterial(drawable, projection, buffer, upload.environment, optics, shadows),
         );
     this.drawOver(upload.transparent, camera);
@@ -183,21 +173,10 @@ export class PictureMachine {
   dispose(): void {
     for (const pass of this.passes.values()) pass.dispose();
     this.buffer.dispose();
-    for (const { texture } of this.tables.values()) texture.dispose();
+    this.palettes.dispose();
     this.gauge.dispose();
     this.falseColors.dispose();
     for (const target of [this.light, this.single, this.screen, ...this.sums]) target.dispose();
-  }
-
-  private optics(colors: ColorMode, { scene }: SceneUpload): Optics {
-    if (colors === 'approximate') return tinted;
-    const layers = scene.materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
-    const table = this.tables.get(layers) ?? spectrumTexture(thermalTable(layers));
-    this.tables.set(layers, table);
-    return spectral(
-      table,
-      scene.materials.some(({ emissionTemperature }) => emissionTemperature !== undefined),
-    );
   }
 
   private run(

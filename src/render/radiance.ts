@@ -14,7 +14,15 @@ export interface Passage {
   /** ν at the surface/ν at the source; absent where it is 1. */
   readonly D?: Float;
   /** Absent of daylight. */
-  readonly source?: ThermalSource;
+  readonly source?: Source;
+}
+
+/** What light is made of, where that is not daylight. */
+export type Source = ThermalSource | LineSource;
+
+/** Light of single wavelengths [m, source's frame], each with its radiance; of luminance 1 in all. */
+export interface LineSource {
+  each(visit: (wavelength: Float, radiance: Float) => void): void;
 }
 
 /** A blackbody [K], and its luminance over that of one of 6504 K. */
@@ -35,7 +43,7 @@ export interface Gathering {
   /** Light that a surface sends on: `light` is the filter of its source, which came brighter by D^power, `share` what the surface makes of it. */
   send(light: Vec3, share: Filter, passage: Passage, power: Power): void;
   /** Light that is sent out here. */
-  emit(light: Vec3, source?: ThermalSource): void;
+  emit(light: Vec3, source?: Source): void;
   /** Light of a blackbody that is sent out here. */
   glow(emission: Pick<Emission, 'luminance' | 'heat'>): void;
   /** Light of a blackbody of T [K], sent out here; `radiance`: of one of 6504 K. However cold it is, D can bring it into sight. */

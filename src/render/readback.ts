@@ -2,7 +2,7 @@ import { DataUtils, type RenderTarget } from 'three/webgpu';
 import type { AovName } from '../scene/view.ts';
 import type { Gpu } from './device.ts';
 import { normalOf } from './packNormal.ts';
-import type { PickResult } from './settings.ts';
+import type { PickedSurface } from './settings.ts';
 import type { Sight } from './sight.ts';
 import type { TargetName } from './surface.ts';
 import type { GBuffer } from './targets.ts';
@@ -91,15 +91,15 @@ export async function readData(
   return out;
 }
 
-/** What is seen in one pixel. */
-export async function readPick(
+/** What surface is seen in one pixel; undefined: none. */
+export async function readSurfaceAt(
   gpu: Gpu,
   buffer: GBuffer,
   sight: Sight,
   pathOf: (objectId: number) => string,
   x: number,
   y: number,
-): Promise<PickResult | undefined> {
+): Promise<PickedSurface | undefined> {
   const region = { x, y, width: 1, height: 1 };
   const read = (name: DataAov) => readData(gpu, buffer, name, sight, region);
   const names = ['object', 'emission_time', 'position', 'velocity', 'doppler', 'depth'] as const;

@@ -9,7 +9,7 @@ import { frustumSides } from './cull.ts';
 import { FAR, NEAR } from './depth.ts';
 import { type Gpu, openGpu } from './device.ts';
 import { PictureMachine } from './picture.ts';
-import { type Region, readBytes, readData, readFloats, readPick } from './readback.ts';
+import { type Region, readBytes, readData, readFloats, readSurfaceAt } from './readback.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import type { PickResult, RendererInfo, RendererOptions } from './settings.ts';
 import type { Sight } from './sight.ts';
@@ -129,7 +129,13 @@ export class SceneRenderer implements PictureMaker {
     const { upload, taken } = this;
     if (!inside || !upload || !taken) return undefined;
     const pathOf = (id: number) => upload.bodies[id - 1].object.path;
-    return readPick(this.gpu, this.machine.buffer, taken, pathOf, Math.floor(x), Math.floor(y));
+    const [column, row] = [Math.floor(x), Math.floor(y)];
+    const { target, index } = this.machine.beauty();
+    const [light, surface] = await Promise.all([
+      readFloats(this.gpu, target, index, { x: column, y: row, width: 1, height: 1 }),
+      readSurfaceAt(this.gpu, this.machine.buffer, taken, pathOf, column, row),
+    ]);
+    return { light: [light[0], light[1], light[2]], ...(surface && { surface }) };
   }
 
   async gauge(): Promise<Gauge> {

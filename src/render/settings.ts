@@ -1,6 +1,14 @@
 import type { Vec3 } from '../math/vec3.ts';
 
+/** What is seen in one pixel. */
 export interface PickResult {
+  /** Linear sRGB radiance before exposure and tone mapping. */
+  readonly light: Vec3;
+  /** Of the opaque surface there; undefined: none. */
+  readonly surface?: PickedSurface;
+}
+
+export interface PickedSurface {
   /** Place in `Scene.objects` plus one. */
   readonly objectId: number;
   readonly path: string;

@@ -1,4 +1,4 @@
-import { Fn, mix, normalize, reflect } from 'three/tsl';
+import { Fn, normalize, reflect } from 'three/tsl';
 import type { Vec3, Vec4 } from '../shaders/types.ts';
 import { type Look, lookOf, mirroredSky, reflectance } from './brdf.ts';
 import type { Environment } from './environment.ts';
@@ -6,7 +6,7 @@ import { lampLight } from './lampLight.ts';
 import { type Filter, type Gathering, IRRADIANCE, type Optics, RADIANCE } from './radiance.ts';
 import { AT_REST, passageBetween, type Rest, restFrame } from './restFrame.ts';
 import type { Shadowing } from './shadows/receiver.ts';
-import { skyLight, skyRadiance } from './sky.ts';
+import { skyLight, skyMirrored } from './sky.ts';
 import type { Surface } from './surface.ts';
 import type { Uniforms } from './uniforms.ts';
 
@@ -55,10 +55,11 @@ function skyReflection(look: Look, rest: Rest, environment: Environment, uniform
   const { zenith } = uniforms;
   const { N, V } = look;
   const soft = (n: Vec3) => skyLight(environment, n, zenith);
-  const sharp = (n: Vec3) => mix(skyRadiance(environment, n, zenith), soft(n), look.roughness.sqrt());
+  const sharp = (n: Vec3) => skyMirrored(environment, n, zenith, look.roughness);
   const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: Filter): void => {
     const n = rest.out(nPrime);
-    eye.send(radiance(n), share, passageBetween(n, rest, AT_REST), RADIANCE);
+    const source = environment.skySource;
+    eye.send(radiance(n), share, { ...passageBetween(n, rest, AT_REST), ...(source && { source }) }, RADIANCE);
   };
   reflected(N, soft, look.diffuse);
   reflected(normalize(reflect(V.negate(), N)).toVar(), sharp, mirroredSky(look));

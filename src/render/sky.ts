@@ -10,7 +10,7 @@ import type { Uniforms } from './uniforms.ts';
 
 /** Radiance of the sky in the world direction `n`: from the horizon to the zenith, and a ground that only closes the sphere. */
 export function skyRadiance(environment: Environment, n: Vec3, zenith: Vec3): Vec3 {
-  if (environment.image) return environment.image(n);
+  if (environment.picture) return environment.picture.radiance(n);
   const { zenithColor, horizonColor, groundColor } = environment.uniforms;
   const { curve, dim, haze, seam } = SKY_SHAPE;
   const height = dot(n, zenith).toVar();
@@ -20,8 +20,17 @@ export function skyRadiance(environment: Environment, n: Vec3, zenith: Vec3): Ve
 }
 
 /** Irradiance/π of the whole sky on a surface whose normal is `n`: between the mean of the lower and of the upper half. */
-export function skyLight({ uniforms }: Environment, n: Vec3, zenith: Vec3): Vec3 {
-  return mix(uniforms.lowerMean, uniforms.upperMean, dot(n, zenith).mul(0.5).add(0.5));
+export function skyLight({ picture, uniforms }: Environment, n: Vec3, zenith: Vec3): Vec3 {
+  return picture
+    ? picture.irradiance(n)
+    : mix(uniforms.lowerMean, uniforms.upperMean, dot(n, zenith).mul(0.5).add(0.5));
+}
+
+/** What a surface of a roughness mirrors of the sky from about `n`. */
+export function skyMirrored(environment: Environment, n: Vec3, zenith: Vec3, roughness: Float): Vec3 {
+  const { picture } = environment;
+  if (picture) return picture.mirrored(n, roughness);
+  return mix(skyRadiance(environment, n, zenith), skyLight(environment, n, zenith), roughness.sqrt());
 }
 
 /** The discs of distant lights, with their glow. */
@@ -44,7 +53,7 @@ export const background = (environment: Environment, uniforms: Uniforms, optics:
       .toVar();
     const D: Float = observerDoppler(n, u, gamma).toVar();
     const eye = optics(D, uniforms);
-    eye.emit(skyRadiance(environment, n, zenith));
+    eye.emit(skyRadiance(environment, n, zenith), environment.skySource);
     suns(environment, n, eye);
     if (environment.night) eye.radiate(COSMIC_TEMPERATURE, float(environment.night.gain * DAYLIGHT_LUMINANCE));
     return eye.seen();

@@ -31,7 +31,7 @@ import { vColor, vEvent, vLife, vMotion, vNormal, vShown, vUv } from './vertexSt
 
 /**
  * Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (scale and bias of roughness, of metallic),
- * (F₀, reflectance below 380 nm and beyond 780 nm, temperature of its emission [K]), (strength of its normals along u and v, 0, 0).
+ * (F₀, reflectance below 360 nm and beyond 830 nm, temperature of its emission [K]), (strength of its normals along u and v, 0, 0).
  */
 export const MATERIAL_TEXELS = 5;
 /** Where the reflectance of invisible light is that of the visible colour's ends. */
@@ -84,7 +84,7 @@ const AT_REST = vec4(0, 0, 0, 1);
 export interface Surface extends Finish {
   /** Linear sRGB and opacity. */
   readonly color: Vec4;
-  /** Reflectance below 380 nm and beyond 780 nm. */
+  /** Reflectance below 360 nm and beyond 830 nm. */
   readonly invisible: Vec2;
   readonly emission: Emission;
   readonly roughness: Float;

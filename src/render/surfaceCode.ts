@@ -9,7 +9,7 @@ import { FINE_STEPS, FINER, LEVELS, MIDDLE } from './packNormal.ts';
  * What the G-buffer holds of a surface, in halves: of 64 bytes that a sample may have none is left.
  *   base      base colour, roughness
  *   emissive  what it emits, and its finish: how metallic it is and what it mirrors
- *   normal    the normal (to 1.3e-4 rad), reflectance below 380 nm and beyond 780 nm
+ *   normal    the normal (to 1.3e-4 rad), reflectance below 360 nm and beyond 830 nm
  */
 
 type Vec2 = Node<'vec2'>;
@@ -101,7 +101,7 @@ export function unpackFinish(code: Float): Finish {
 }
 
 /**
- * The normal, and `invisible`: reflectance below 380 nm and beyond 780 nm. Four whole numbers of 12 bits, which halves hold exactly: the upper
+ * The normal, and `invisible`: reflectance below 360 nm and beyond 830 nm. Four whole numbers of 12 bits, which halves hold exactly: the upper
  * bits of the normal's two, and 9 bits of a reflectance with the lower 3 of one of them (`normalOf` in packNormal.ts reads them, too).
  */
 export function packNormals(normal: Vec3, invisible: Vec2): Vec4 {

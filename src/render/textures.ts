@@ -2,6 +2,7 @@ import { clamp, texture } from 'three/tsl';
 import {
   ClampToEdgeWrapping,
   DataTexture,
+  HalfFloatType,
   LinearFilter,
   LinearMipmapLinearFilter,
   MirroredRepeatWrapping,
@@ -12,7 +13,7 @@ import {
   SRGBColorSpace,
   UnsignedByteType,
 } from 'three/webgpu';
-import type { Texture, TextureWrap } from '../scene/types.ts';
+import type { RadiancePicture, Texture, TextureWrap } from '../scene/types.ts';
 import type { Vec2, Vec4 } from '../shaders/types.ts';
 
 const WRAPS = {
@@ -24,9 +25,12 @@ const WRAPS = {
 const wrap = (w: TextureWrap) => WRAPS[w];
 
 /** An image on the GPU. Its rows run from the top, so it is read at 1 − v. */
-export function uploadTexture(image: Texture): DataTexture {
-  const pixels = new Uint8Array(image.data);
-  const made = new DataTexture(pixels, image.width, image.height, RGBAFormat, UnsignedByteType);
+export function uploadTexture(image: Texture | RadiancePicture): DataTexture {
+  const { data, width, height } = image;
+  const made =
+    data instanceof Uint16Array
+      ? new DataTexture(new Uint16Array(data), width, height, RGBAFormat, HalfFloatType)
+      : new DataTexture(new Uint8Array(data), width, height, RGBAFormat, UnsignedByteType);
   made.colorSpace = image.colorSpace === 'srgb' ? SRGBColorSpace : NoColorSpace;
   made.wrapS = wrap(image.wrapS);
   made.wrapT = wrap(image.wrapT);

@@ -4,32 +4,40 @@ import type { Float, Vec3 } from '../shaders/types.ts';
 import { beamed, NO_SHIFT, type Optics, RADIANCE } from './radiance.ts';
 import type { Uniforms } from './uniforms.ts';
 
-/** The approximate colours: light is linear sRGB everywhere, filters are multiplied channel by channel, and a shift is a tint (spectrum/dopplerTint.ts). */
-export const tinted: Optics = (D, uniforms) => {
-  const sum = vec3(0).toVar();
-  return {
-    filter: (rgb) => vec4(rgb, 0),
-    send: (light, share, { D: shift }, power) => {
-      sum.addAssign(share.xyz.mul(shift ? shifted(light, shift, power, uniforms) : light));
-    },
-    emit: (light) => {
-      sum.addAssign(light);
-    },
-    glow: ({ luminance }) => {
-      sum.addAssign(luminance);
-    },
-    // A tint knows of nothing that is invisible at rest.
-    radiate: () => {},
-    seen: () => shifted(sum, D, RADIANCE, uniforms),
-  };
-};
+/** Light that meets a shift by D, with its D^power of brightness. */
+type Shifted = (rgb: Vec3, D: Float, power: number, uniforms: Uniforms) => Vec3;
 
-/** Light `rgb` that meets a shift by D: colour shifted, and D^power in brightness, each by the settings' share. */
-function shifted(rgb: Vec3, D: Float, power: number, uniforms: Uniforms): Vec3 {
+/** Light is linear sRGB everywhere, and filters are multiplied channel by channel. */
+const inSrgb =
+  (shifted: Shifted): Optics =>
+  (D, uniforms) => {
+    const sum = vec3(0).toVar();
+    return {
+      filter: (rgb) => vec4(rgb, 0),
+      send: (light, share, { D: shift }, power) => {
+        sum.addAssign(share.xyz.mul(shift ? shifted(light, shift, power, uniforms) : light));
+      },
+      emit: (light) => {
+        sum.addAssign(light);
+      },
+      glow: ({ luminance }) => {
+        sum.addAssign(luminance);
+      },
+      // Of what is invisible at rest it knows nothing.
+      radiate: () => {},
+      seen: () => shifted(sum, D, RADIANCE, uniforms),
+    };
+  };
+
+/** No light is shifted. */
+export const plain: Optics = inSrgb((rgb) => rgb);
+
+/** The approximate colours: a shift is a tint (spectrum/dopplerTint.ts). Colour and brightness follow D by the settings' shares. */
+export const tinted: Optics = inSrgb((rgb, D, power, uniforms) => {
   const light = rgb.toVar();
   const factor = D.toVar();
   If(abs(factor.sub(1)).greaterThan(NO_SHIFT), () => {
     light.assign(dopplerTint(light, factor, uniforms.dopplerMix).mul(beamed(factor, power, uniforms)));
   });
   return light;
-}
+});

@@ -1,5 +1,11 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { RefinementBudget, refineTimes } from './refine.ts';
+import { type Closeness, RefinedPath, type RefinedTimes, RefinementBudget } from './refine.ts';
+
+type Shape = (time: number) => ArrayLike<number>;
+
+const refineTimes = (samples: number[], shape: Shape, how: Closeness & { readonly most: number }): RefinedTimes =>
+  new RefinedPath(Float64Array.from(samples), shape, how).within(how.most);
 
 const HOW = { tolerance: 1e-3, looks: [0.118, 0.283, 0.5, 0.691, 0.877], halvings: 14, most: Number.POSITIVE_INFINITY };
 const RADIUS = 2;
@@ -53,9 +59,50 @@ describe('times between samples', () => {
   });
 });
 
+describe('a path that is asked for many times', () => {
+  const times = fc
+    .uniqueArray(fc.integer({ min: 0, max: 40 }), { minLength: 2, maxLength: 8 })
+    .map((list) => list.sort((a, b) => a - b));
+  const bounds = fc.array(fc.oneof(fc.nat(40), fc.constant(Number.POSITIVE_INFINITY)), { minLength: 1, maxLength: 6 });
+  const wild =
+    (speed: number, jump: number): Shape =>
+    (t) => [Math.cos(speed * t * t), t < jump ? 0 : Math.sin(speed * t), t / 7];
+
+  it('says the same as one that is asked once', () => {
+    fc.assert(
+      fc.property(
+        times,
+        bounds,
+        fc.double({ min: 0, max: 3, noNaN: true }),
+        fc.nat(40),
+        (samples, most, speed, jump) => {
+          const how = { tolerance: 0.01, looks: [0.3, 0.5], halvings: 5 };
+          const shared = new RefinedPath(Float64Array.from(samples), wild(speed, jump), how);
+          for (const bound of most)
+            expect(shared.within(bound)).toEqual(refineTimes(samples, wild(speed, jump), { ...how, most: bound }));
+        },
+      ),
+    );
+  });
+
+  it('is looked at once', () => {
+    let looks = 0;
+    const counted: Shape = (t) => {
+      looks++;
+      return turning(1)(t);
+    };
+    const path = new RefinedPath(Float64Array.of(0, 1), counted, HOW);
+    const found = path.within(HOW.most);
+    const once = looks;
+    expect(path.within(1e6)).toBe(found);
+    expect(path.within(10).times).toHaveLength(12);
+    expect(looks).toBe(once);
+  });
+});
+
 describe('a budget', () => {
   const added = (budget: RefinementBudget, cost: number): number =>
-    budget.refine([0, 1], turning(1000.7), HOW, cost).times.length - 2;
+    budget.refine(new RefinedPath(Float64Array.of(0, 1), turning(1000.7), HOW), cost).times.length - 2;
 
   it('gives each motion half of what is left, by what it costs', () => {
     // Ten looks at each added time.
@@ -65,6 +112,8 @@ describe('a budget', () => {
 
   it('leaves alone what needs little', () => {
     const free = refineTimes([0, 1], turning(1), HOW).times;
-    expect(new RefinementBudget(1e6).refine([0, 1], turning(1), HOW, 1).times).toEqual(free);
+    expect(new RefinementBudget(1e6).refine(new RefinedPath(Float64Array.of(0, 1), turning(1), HOW), 1).times).toEqual(
+      free,
+    );
   });
 });

@@ -8,107 +8,203 @@ export interface RefinedTimes {
   readonly wanted: number;
 }
 
-export interface Refinement {
+/** How closely a path is followed. */
+export interface Closeness {
   /** Greatest distance from the chord that a path is left with [m]. */
   readonly tolerance: number;
   /** Where between two times a path is compared with its chord, as fractions; 0.5 among them. */
   readonly looks: readonly number[];
   /** An interval between two given times is halved at most this often. */
   readonly halvings: number;
-  /** At most so many times are added. */
-  readonly most: number;
   /** Times before which a path is a ramp as it is, and not looked at. */
   readonly ramps?: ReadonlySet<number>;
 }
 
-interface Piece {
-  readonly from: number;
-  readonly to: number;
-  readonly atFrom: ArrayLike<number>;
-  readonly atTo: ArrayLike<number>;
-}
-
 /**
- * Adds times between samples until some points (`shape`: 3 numbers each, at a time) move along chords. All intervals are
- * halved alike before any is halved again, so that where `most` ends it, what is left is spread over all of the motion.
+ * How far some points (`shape`: 3 numbers each, at a time) move from the chords between samples. Every piece of the path is
+ * looked at once, however often it is asked for: things that share a path may have different numbers of times.
  */
-export function refineTimes(
-  samples: ArrayLike<number>,
-  shape: (time: number) => ArrayLike<number>,
-  { tolerance, looks, halvings, most, ramps }: Refinement,
-): RefinedTimes {
-  const times = Array.from(samples);
-  let [error, wanted] = [0, 0];
-  let pieces = piecesBetween(times, shape, ramps);
-  for (let left = halvings; pieces.length > 0; left--) {
-    const halves: Piece[] = [];
-    for (const piece of pieces) {
-      const { off, middle } = lookAt(piece, looks, shape);
-      if (
-        off <= tolerance ||
-        !canHalve(piece) ||
-        !Number.isFinite(off) ||
-        left === 0 ||
-        times.length >= samples.length + most
-      ) {
+export class RefinedPath {
+  readonly samples: Float64Array;
+  readonly #shape: (time: number) => ArrayLike<number>;
+  readonly #how: Closeness;
+  readonly #first: number;
+  readonly #pieces = new Pieces();
+  readonly #places: Places;
+  /** Where the points are in the middle of the piece at hand. */
+  readonly #middle: Float64Array;
+  /** By how many times are added. */
+  readonly #known = new Map<number, RefinedTimes>();
+  /** How many are, where nothing but the path itself ends it; once that is known. */
+  #enough: number | undefined;
+
+  /** `samples`: rising; `shape` may write each of its answers into the same array. */
+  constructor(samples: Float64Array, shape: (time: number) => ArrayLike<number>, how: Closeness) {
+    this.samples = samples;
+    this.#shape = shape;
+    this.#how = how;
+    this.#places = new Places(samples, shape);
+    this.#middle = new Float64Array(this.#places.width);
+    for (let i = 1; i < samples.length; i++) if (!how.ramps?.has(samples[i])) this.#pieces.add(i - 1, i);
+    this.#first = this.#pieces.count;
+  }
+
+  /** What one added time takes: it makes two pieces, each to be looked at. */
+  get looksPerTime(): number {
+    return 2 * this.#how.looks.length;
+  }
+
+  /**
+   * The samples and at most so many times between them, until the points move along chords. All intervals are halved alike
+   * before any is halved again, so that where `most` ends it, what is left is spread over all of the motion.
+   */
+  within(most: number): RefinedTimes {
+    const known = this.#known.get(Math.min(most, this.#enough ?? most));
+    if (known) return known;
+    const found = this.#halved(most);
+    const added = found.times.length - this.samples.length;
+    this.#known.set(added, found);
+    if (added < most) {
+      this.#enough = added;
+      this.#places.forgetShapes();
+    }
+    return found;
+  }
+
+  #halved(most: number): RefinedTimes {
+    const { tolerance, halvings } = this.#how;
+    const added: number[] = [];
+    let [error, wanted] = [0, 0];
+    let pieces: number[] = [];
+    for (let piece = 0; piece < this.#first; piece++) pieces.push(piece);
+    for (let left = halvings; pieces.length > 0; left--) {
+      const halves: number[] = [];
+      for (const piece of pieces) {
+        const off = this.#offOf(piece, left);
+        const half = this.#pieces.half[piece];
+        if (half !== NONE && added.length < most) {
+          added.push(this.#places.times[this.#pieces.to[half]]);
+          halves.push(half, half + 1);
+          continue;
+        }
         error = Math.max(error, off);
         // A chord over a part h of a smooth path leaves it by h².
         if (off > tolerance) wanted += Math.ceil(Math.sqrt(off / tolerance)) - 1;
-        continue;
       }
-      const time = (piece.from + piece.to) / 2;
-      times.push(time);
-      halves.push({ ...piece, to: time, atTo: middle }, { ...piece, from: time, atFrom: middle });
+      pieces = halves;
     }
-    pieces = halves;
+    const times = added.length === 0 ? this.samples : joined(this.samples, added).sort();
+    return { times, error, wanted: wanted + times.length };
   }
-  return { times: Float64Array.from(times).sort(), error, wanted: wanted + times.length };
-}
 
-function piecesBetween(
-  times: readonly number[],
-  shape: (time: number) => ArrayLike<number>,
-  ramps?: ReadonlySet<number>,
-) {
-  const shapes = times.map(shape);
-  const pieces: Piece[] = [];
-  for (let i = 1; i < times.length; i++)
-    if (!ramps?.has(times[i]))
-      pieces.push({ from: times[i - 1], to: times[i], atFrom: shapes[i - 1], atTo: shapes[i] });
-  return pieces;
-}
-
-function canHalve({ from, to }: Piece): boolean {
-  const middle = (from + to) / 2;
-  return middle > from && middle < to;
-}
-
-/** How far the points are from the chord, at the worst look, and where they are in the middle. */
-function lookAt(
-  { from, to, atFrom, atTo }: Piece,
-  looks: readonly number[],
-  shape: (time: number) => ArrayLike<number>,
-) {
-  let off = 0;
-  let middle = atFrom;
-  for (const s of looks) {
-    const seen = shape(from + (to - from) * s);
-    if (s === 0.5) middle = seen;
-    off = Math.max(off, chordError(atFrom, atTo, seen, s));
+  #offOf(piece: number, left: number): number {
+    const { off } = this.#pieces;
+    if (off[piece] === UNSEEN) this.#look(piece, left);
+    return off[piece];
   }
-  return { off, middle };
+
+  /** How far the points of a piece are from its chord, at the worst look; it has halves where that is too far. */
+  #look(piece: number, left: number): void {
+    const { from, to, off, half } = this.#pieces;
+    const places = this.#places;
+    const [a, b] = [from[piece], to[piece]];
+    const [start, end] = [places.times[a], places.times[b]];
+    let worst = 0;
+    for (const s of this.#how.looks) {
+      const seen = this.#shape(start + (end - start) * s);
+      worst = Math.max(worst, places.chordError(a, b, seen, s));
+      if (s === 0.5) copy(seen, this.#middle, 0);
+    }
+    off[piece] = worst;
+    const time = (start + end) / 2;
+    if (!(worst > this.#how.tolerance) || !Number.isFinite(worst) || left === 0 || !(time > start && time < end))
+      return;
+    const between = places.add(time, this.#middle);
+    half[piece] = this.#pieces.add(a, between);
+    this.#pieces.add(between, b);
+  }
 }
 
-/** Greatest distance of points from where straight ways from `a` to `b` have them at fraction `s`. */
-function chordError(a: ArrayLike<number>, b: ArrayLike<number>, seen: ArrayLike<number>, s: number): number {
-  let worst = 0;
-  for (let i = 0; i + 2 < seen.length; i += 3) {
-    const x = seen[i] - a[i] - (b[i] - a[i]) * s;
-    const y = seen[i + 1] - a[i + 1] - (b[i + 1] - a[i + 1]) * s;
-    const z = seen[i + 2] - a[i + 2] - (b[i + 2] - a[i + 2]) * s;
-    worst = Math.max(worst, x * x + y * y + z * z);
+function joined(a: ArrayLike<number>, b: ArrayLike<number>): Float64Array {
+  const both = new Float64Array(a.length + b.length);
+  both.set(a);
+  both.set(b, a.length);
+  return both;
+}
+
+/** Of a piece without halves. */
+const NONE = 0;
+/** Of a piece that nobody has looked at. */
+const UNSEEN = -1;
+
+/** Pieces of a path between two of its places; the halves of one follow each other. */
+class Pieces {
+  readonly from: number[] = [];
+  readonly to: number[] = [];
+  /** Distance from the chord [m]. */
+  readonly off: number[] = [];
+  /** The first half. */
+  readonly half: number[] = [];
+
+  get count(): number {
+    return this.from.length;
   }
-  return Math.sqrt(worst);
+
+  add(from: number, to: number): number {
+    this.off.push(UNSEEN);
+    this.half.push(NONE);
+    this.to.push(to);
+    return this.from.push(from) - 1;
+  }
+}
+
+function copy(from: ArrayLike<number>, to: Float64Array, at: number): void {
+  for (let i = 0; i < from.length; i++) to[at + i] = from[i];
+}
+
+/** Where the points are at some times. */
+class Places {
+  readonly times: number[] = [];
+  /** Numbers at one time. */
+  readonly width: number;
+  #shapes: Float64Array;
+
+  /** `times`: at least one. */
+  constructor(times: Float64Array, shape: (time: number) => ArrayLike<number>) {
+    const first = shape(times[0]);
+    this.width = first.length;
+    this.#shapes = new Float64Array(this.width * times.length);
+    for (let i = 0; i < times.length; i++) this.add(times[i], i === 0 ? first : shape(times[i]));
+  }
+
+  add(time: number, shape: ArrayLike<number>): number {
+    const at = this.times.length * this.width;
+    if (at + this.width > this.#shapes.length) {
+      const grown = new Float64Array(2 * at + this.width);
+      grown.set(this.#shapes);
+      this.#shapes = grown;
+    }
+    copy(shape, this.#shapes, at);
+    return this.times.push(time) - 1;
+  }
+
+  /** Once all pieces have been looked at. */
+  forgetShapes(): void {
+    this.#shapes = new Float64Array(0);
+  }
+
+  /** Greatest distance of points from where straight ways from place `a` to `b` have them at fraction `s`. */
+  chordError(a: number, b: number, seen: ArrayLike<number>, s: number): number {
+    const shapes = this.#shapes;
+    let [p, q, worst] = [a * this.width, b * this.width, 0];
+    for (let i = 0; i + 2 < seen.length; i += 3, p += 3, q += 3) {
+      const x = seen[i] - shapes[p] - (shapes[q] - shapes[p]) * s;
+      const y = seen[i + 1] - shapes[p + 1] - (shapes[q + 1] - shapes[p + 1]) * s;
+      const z = seen[i + 2] - shapes[p + 2] - (shapes[q + 2] - shapes[p + 2]) * s;
+      worst = Math.max(worst, x * x + y * y + z * z);
+    }
+    return Math.sqrt(worst);
+  }
 }
 
 /**
@@ -129,18 +225,12 @@ export class RefinementBudget {
     this.error ??= 0;
   }
 
-  /** `refineTimes` within the budget; `cost` [evaluations]: of one call of `shape`. */
-  refine(
-    samples: ArrayLike<number>,
-    shape: (time: number) => ArrayLike<number>,
-    how: Omit<Refinement, 'most'>,
-    cost: number,
-  ): RefinedTimes {
-    // An added time makes two pieces, each to be looked at.
-    const each = 2 * how.looks.length * cost;
-    const refined = refineTimes(samples, shape, { ...how, most: Math.floor(this.#left / 2 / each) });
+  /** As many times of a path as the budget has room for; `cost` [evaluations]: of where its points are at one time. */
+  refine(path: RefinedPath, cost: number): RefinedTimes {
+    const each = path.looksPerTime * cost;
+    const refined = path.within(Math.floor(this.#left / 2 / each));
     this.error = Math.max(this.error ?? 0, refined.error);
-    this.#left -= (refined.times.length - samples.length) * each;
+    this.#left -= (refined.times.length - path.samples.length) * each;
     return refined;
   }
 }

@@ -183,7 +183,7 @@ export interface Material {
   readonly opacityThreshold: number;
   /** Refractive index, where the file gives it; without one a surface reflects as glass of 1.5 does. */
   readonly ior?: number;
-  /** Share that it reflects of light below 380 nm and beyond 780 nm, 0 … 1; where absent, what the visible colour ends at. */
+  /** Share that it reflects of light below 360 nm and beyond 830 nm, 0 … 1; where absent, what the visible colour ends at. */
   readonly uv?: number;
   readonly ir?: number;
   /** [K]: it shines as a blackbody does, and `emissive` tells its luminance at rest alone. */
@@ -220,10 +220,18 @@ export interface Texture {
   readonly wrapS: TextureWrap;
   readonly wrapT: TextureWrap;
 }
+/** A picture of radiance, for what is brighter than white. */
+export interface RadiancePicture extends Omit<Texture, 'data'> {
+  /** RGBA as halves, linear sRGB of 0 … 65504, rows from the top. */
+  readonly data: Uint16Array;
+}
 /** Outside the picture; `black` is transparent too. */
 export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';
 
-export type Light = DistantLight | Lamp | DomeLight | NightSky;
+export type Light = Luminary | NightSky;
+
+/** What shines with one colour and one spectrum. */
+export type Luminary = DistantLight | Lamp | DomeLight;
 
 /** What shines from somewhere, and may move. */
 export type Lamp = SphereLight | AreaLight;
@@ -292,7 +300,7 @@ export interface DomeLight {
   readonly color: Vec3;
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
-  readonly texture?: Texture;
+  readonly texture?: Texture | RadiancePicture;
 }
 /** The fixed stars before the cosmic background. They are seen; on things they shine too faintly to tell. */
 export interface NightSky {

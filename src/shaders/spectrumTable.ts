@@ -52,7 +52,7 @@ export function thermalColors({ texture: data, layers, columns, rows }: Spectrum
 }
 
 /** What is seen through a filter: (r, g, b, and in tables of four layers its ultraviolet where D < 1, else its infrared). */
-export function filteredColor({ red, green, blue, beyond }: BandColors, filter: Vec4): Vec3 {
+export function filteredColor({ red, green, blue, beyond }: Omit<BandColors, 'H'>, filter: Vec4): Vec3 {
   const inside = red.mul(filter.x).add(green.mul(filter.y)).add(blue.mul(filter.z));
   return beyond ? inside.add(beyond.mul(filter.w)) : inside;
 }

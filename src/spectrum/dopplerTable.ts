@@ -27,9 +27,6 @@ export interface DopplerTable {
 /** Beyond these D_out nothing that is seen comes from within `VISIBLE`: only `uv`, or only `ir`, and nothing more changes. */
 export const SHIFT_LIMIT = VISIBLE[1] / VISIBLE[0];
 
-/** 4 nm between two columns in the middle of what an eye sees. Odd, so that D = 1 is one. */
-export const COLUMNS = 193;
-
 /** Of x ≥ 0 on a scale that is nearly logarithmic around 1, has 0 and ∞ at its ends and costs no logarithm; and back. */
 export const ratio = (x: number): number => (x === Number.POSITIVE_INFINITY ? 1 : x / (1 + x));
 export const fromRatio = (s: number): number => s / (1 - s);
@@ -54,10 +51,12 @@ export function doppleredColors(lights: readonly TableRow[], layers: 3 | 4, colu
   const rows = lights.length;
   const data = new Uint16Array(4 * layers * rows * columns);
   const filters = Array.from({ length: columns }, (_, column) => shiftedBands(shiftAt(column, columns)));
+  const found = new Float64Array(12);
   lights.forEach(({ radiance, H }, row) => {
     const light = seenLight(radiance);
     filters.forEach((filter, column) => {
-      store(data, layers, row * columns + column, bandColors(light, filter, layers === 3), H);
+      bandColors(light, filter, layers === 3, found);
+      store(data, layers, row * columns + column, found, H);
     });
   });
   return { data, layers, columns, rows };
@@ -69,10 +68,13 @@ interface SeenLight {
   readonly sums: readonly Float64Array[];
 }
 
-const OBSERVER = WAVELENGTHS.map((wavelength) => toLinearSrgb(colorMatching(wavelength)));
+/** Linear sRGB of light of radiance 1 at each nanometre, channel by channel. */
+const OBSERVER = [0, 1, 2].map(
+  (k) => new Float64Array(WAVELENGTHS.map((wavelength) => toLinearSrgb(colorMatching(wavelength))[k] * NANOMETRE)),
+);
 
 function seenLight(radiance: readonly number[]): SeenLight {
-  const colors = [0, 1, 2].map((k) => Float64Array.from(OBSERVER, (rgb, i) => rgb[k] * radiance[i] * NANOMETRE));
+  const colors = OBSERVER.map((channel) => channel.map((value, i) => value * radiance[i]));
   return { colors, sums: colors.map(runningSum) };
 }
 
@@ -110,17 +112,16 @@ function shiftedBands(D: number): ShiftedBands {
   return {
     from,
     to,
-    red: Float64Array.from(basis, ([red]) => red),
-    green: Float64Array.from(basis, ([, green]) => green),
+    red: new Float64Array(basis.map(([red]) => red)),
+    green: new Float64Array(basis.map(([, green]) => green)),
     ultraviolet: placeOf(VISIBLE[0]) + 0.5,
     infrared: placeOf(VISIBLE[1]) + 0.5,
   };
 }
 
-/** C_r, C_g, C_b and C_x, one after the other; `closed`: with C_x as it is by the ends of the basis already in the three. */
-function bandColors({ colors, sums }: SeenLight, bands: ShiftedBands, closed: boolean): Float64Array {
+/** Finds C_r, C_g, C_b and C_x, one after the other; `closed`: with C_x as it is by the ends of the basis already in the three. */
+function bandColors({ colors, sums }: SeenLight, bands: ShiftedBands, closed: boolean, found: Float64Array): void {
   const { from, to, red, green } = bands;
-  const found = new Float64Array(12);
   for (let k = 0; k < 3; k++) {
     const values = colors[k];
     const total = sums[k][values.length];
@@ -128,7 +129,8 @@ function bandColors({ colors, sums }: SeenLight, bands: ShiftedBands, closed: bo
     const ir = total - sumUpTo(sums[k], bands.infrared);
     const before = sums[k][from] - (closed ? 0 : uv);
     const after = total - sums[k][to] - (closed ? 0 : ir);
-    let [r, g] = [ENDS.uv[0] * before + ENDS.ir[0] * after, ENDS.uv[1] * before + ENDS.ir[1] * after];
+    let r = ENDS.uv[0] * before + ENDS.ir[0] * after;
+    let g = ENDS.uv[1] * before + ENDS.ir[1] * after;
     for (let i = from; i < to; i++) {
       r += red[i - from] * values[i];
       g += green[i - from] * values[i];
@@ -139,7 +141,6 @@ function bandColors({ colors, sums }: SeenLight, bands: ShiftedBands, closed: bo
     // One of them is 0.
     found[9 + k] = uv + ir;
   }
-  return found;
 }
 
 function store(data: Uint16Array, layers: number, texel: number, found: Float64Array, H: number): void {

@@ -8,8 +8,8 @@ export const DAYLIGHT_LENGTH = 1.438777e-2 / 6504;
 export const TINT_RANGE = [0.01, 1e6] as const;
 
 /**
- * The colour of light of linear sRGB `rgb` after a Doppler shift by D, without the D⁴ of beaming: an approximation, until spectra are
- * carried. The light is taken for daylight (a blackbody of 6504 K) reflected by three broad bands: the surface reflects r at and above
+ * The colour of light of linear sRGB `rgb` after a Doppler shift by D, without the D⁴ of beaming, as the *approximate* colours have it,
+ * which spectra (observerColor.ts) can be compared with. The light is taken for daylight (a blackbody of 6504 K) reflected by three broad bands: the surface reflects r at and above
  * 611 nm, g at 549 nm, b at and below 464 nm and smoothly between them in ln λ. Each primary λ then shows what was emitted
  * at Dλ: ρ(Dλ) · D⁵P(Dλ)/P(λ) / D⁴. White so takes exactly the colours of a blackbody at D·6504 K, and all fades where the visible
  * comes from the infrared or the ultraviolet. `mix` in 0…1 raises D to that power. The same at D = 1.

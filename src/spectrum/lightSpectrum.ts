@@ -1,7 +1,7 @@
 import { colorMatching, NANOMETRE, tristimulus, valueAt } from './cie1931.ts';
-import { logLuminance, logPlanck } from './planck.ts';
+import { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
 
-/** A blackbody of a temperature [K]. Shifted by D it is one of T·D. */
+/** A blackbody of a temperature above 0 [K]. Shifted by D it is one of T·D. */
 export interface ThermalSpectrum {
   readonly kind: 'thermal';
   readonly temperature: number;
@@ -79,9 +79,16 @@ export function linesOf(spectrum: LineSpectrum): readonly SpectralLine[] {
 /** A light of 1 K that should be as bright as day would be brighter than numbers can tell when it comes near at half of c. */
 const LARGEST_LOG = 600;
 
+/** Exponents below which Planck's law is a number as it stands, without the logarithms that take three times as long. */
+const PLAIN = 200;
+
 /** B(λ, T)/Y(T) [1/m], for ln Y(T). */
-const thermalRadiance = (T: number, wavelength: number, logY: number): number =>
-  Math.exp(Math.min(logPlanck(wavelength, T) - logY, LARGEST_LOG));
+function thermalRadiance(T: number, wavelength: number, logY: number): number {
+  const x = SECOND_RADIATION / (wavelength * T);
+  const fifth = wavelength * wavelength * wavelength * wavelength * wavelength;
+  if (x < PLAIN && Math.abs(logY) < PLAIN && fifth > 1e-100) return Math.exp(-logY) / (fifth * Math.expm1(x));
+  return Math.exp(Math.min(logPlanck(wavelength, T) - logY, LARGEST_LOG));
+}
 
 /** ln Y of blackbodies, 1/Y of others, and integrals, kept: a path tracer asks again for every ray. */
 const scales = new WeakMap<LightSpectrum, number>();

@@ -1,8 +1,15 @@
 import { IDENTITY, invert, type Mat3, transform, transpose } from '../math/mat3.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { addScaled, type Vec3, ZERO } from '../math/vec3.ts';
 import { type Bands, basisAt, reflectanceAt, WHITE } from './bands.ts';
 import { colorMatching, NANOMETRE, tristimulus } from './cie1931.ts';
-import { DAYLIGHT, type LightSpectrum, linesOf, meanRadiance, spectralRadiance } from './lightSpectrum.ts';
+import {
+  DAYLIGHT,
+  type LightSpectrum,
+  linesOf,
+  meanRadiance,
+  type SpectralLine,
+  spectralRadiance,
+} from './lightSpectrum.ts';
 
 /** XYZ of the basis functions in `DAYLIGHT`, one a column. */
 const DAYLIGHT_XYZ: Mat3 = transpose(
@@ -13,12 +20,11 @@ const DAYLIGHT_XYZ: Mat3 = transpose(
 
 /**
  * N: XYZ → linear sRGB, row by row, such that a surface of linear sRGB (r, g, b) shows (r, g, b) in daylight at rest: the inverse of
- * the XYZ of the three basis functions in `DAYLIGHT`, whose luminance is 1. It differs by up to 0.06
- * from the matrix of IEC 61966-2-1, which is made for CIE D65.
+ * the XYZ of the three basis functions in `DAYLIGHT`, whose luminance is 1. It differs by up to 0.06 from the matrix of IEC 61966-2-1, which is made for CIE D65.
  */
 export const NORMALISER: Mat3 = invert(DAYLIGHT_XYZ) ?? IDENTITY;
 
-/** Y of linear sRGB as the renderers see it: the luminance of the three basis functions in `DAYLIGHT`; near (0.21, 0.72, 0.07), of sum 1. */
+/** Y of linear sRGB as the renderers see it: the luminance of the three basis functions in `DAYLIGHT`; (0.218, 0.711, 0.071), of sum 1. */
 export const LUMINANCE: Vec3 = [DAYLIGHT_XYZ[3], DAYLIGHT_XYZ[4], DAYLIGHT_XYZ[5]];
 
 /** N·XYZ: linear sRGB as the renderers see it, white in `DAYLIGHT`. Negative where a colour lies outside of sRGB: only a display clips. */
@@ -50,19 +56,11 @@ export function seenColor(a: Bands, k: Bands, spectrum: LightSpectrum, Din: numb
 }
 
 /** A line of λ is at λ/Din for the surface and seen at λ/D; its radiance gains D⁴. */
-function seenLines(
-  a: Bands,
-  k: Bands,
-  lines: readonly { wavelength: number; weight: number }[],
-  Din: number,
-  D: number,
-): Vec3 {
-  const xyz = [0, 0, 0];
+function seenLines(a: Bands, k: Bands, lines: readonly SpectralLine[], Din: number, D: number): Vec3 {
+  let xyz = ZERO;
   for (const { wavelength, weight } of lines) {
     const radiance = weight * reflectanceAt(k, wavelength) * reflectanceAt(a, wavelength / Din);
-    colorMatching(wavelength / D).forEach((value, i) => {
-      xyz[i] += value * radiance;
-    });
+    xyz = addScaled(xyz, colorMatching(wavelength / D), radiance);
   }
-  return toLinearSrgb(xyz as unknown as Vec3);
+  return toLinearSrgb(xyz);
 }

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { whiteOf } from './observerColor.ts';
 import { blackbodyColor } from './planckian.ts';
 
 /** UsdLux.BlackbodyTemperatureAsRgb of usd-core 26.11. */
@@ -25,4 +26,14 @@ test('it is red, then white, then blue, always as bright, and no hotter than 10,
   expect(blackbodyColor(1e5)).toEqual(blackbodyColor(1e4));
   expect(blackbodyColor(500)).toEqual(blackbodyColor(1000));
   blackbodyColor(6504).forEach((x) => void expect(Math.abs(x - 1)).toBeLessThan(0.05));
+});
+
+test('beside its own daylight it is the colour of Planck’s law', () => {
+  const day = blackbodyColor(6504);
+  for (const temperature of [1900, 2500, 4000, 6504, 10_000]) {
+    const white = whiteOf({ kind: 'thermal', temperature });
+    blackbodyColor(temperature).forEach((value, k) => {
+      expect(Math.abs(value / day[k] - white[k])).toBeLessThan(0.02 * Math.max(...white));
+    });
+  }
 });

@@ -4,7 +4,9 @@ import type { Vec3 } from '../math/vec3.ts';
 const RANGE = [1000, 10000] as const;
 
 /**
- * Linear sRGB of a blackbody of temperature T [K], scaled to the luminance 1; what lies outside of sRGB is clipped first.
+ * What files mean by a colour temperature T [K]: linear sRGB of a blackbody, scaled to the luminance 1; what lies outside of sRGB is clipped first.
+ * UsdLux defines it so, by a fit and for a display whose white is D65. Light that is computed as light is `whiteOf` a thermal spectrum, where
+ * daylight of 6504 K is white: from 1900 K on blackbodyColor(T)/blackbodyColor(6504 K) is that within 2 % of its brightest part.
  * Source: Krystek 1985, "An algorithm to calculate correlated colour temperature", eq. for u(T), v(T) (CIE 1960); within 1.5e-4 in u and v.
  */
 export function blackbodyColor(T: number): Vec3 {

@@ -1,5 +1,5 @@
 import { NANOMETRE, VISIBLE, WAVELENGTHS } from './cie1931.ts';
-import { COLUMNS, type DopplerTable, doppleredColors } from './dopplerTable.ts';
+import { type DopplerTable, doppleredColors } from './dopplerTable.ts';
 import { meanRadiance, type SampledSpectrum } from './lightSpectrum.ts';
 
 /** The table of one sampled spectrum; its rows are over the whole shift D = D_in·D_out, evenly in log₂ D. */
@@ -10,8 +10,10 @@ export interface SampledTable extends DopplerTable {
   readonly step: number;
 }
 
-/** 2 nm between two rows in the middle of what an eye sees, */
-const ROWS_PER_OCTAVE = 192;
+/** 3 nm between two columns, less than for blackbodies: narrow bands show where the basis bends. */
+const SAMPLED_COLUMNS = 289;
+/** 3 nm between two rows too, */
+const ROWS_PER_OCTAVE = 128;
 /** but for spectra that reach far. */
 const MOST_ROWS = 1024;
 
@@ -23,7 +25,7 @@ export const shiftRowOf = ({ first, step, rows }: SampledTable, D: number): numb
  * The table of a sampled spectrum of luminance 1 over D = D_in·D_out (`shiftRowOf`) and D_out (`columnOf`). Unlike that of blackbodies it
  * holds the luminance that is left, without the D⁴ of beaming: it is `seenColor` itself.
  */
-export function sampledTable(spectrum: SampledSpectrum, layers: 3 | 4, columns = COLUMNS): SampledTable {
+export function sampledTable(spectrum: SampledSpectrum, layers: 3 | 4, columns = SAMPLED_COLUMNS): SampledTable {
   const longest = spectrum.first + spectrum.step * (spectrum.values.length - 1);
   const lowest = Math.log2(spectrum.first / VISIBLE[1]);
   const highest = Math.log2(longest / VISIBLE[0]);

@@ -1,6 +1,6 @@
 import { toHalf } from '../math/half.ts';
 import { WAVELENGTHS } from './cie1931.ts';
-import { COLUMNS, type DopplerTable, doppleredColors, fromRatio, ratio } from './dopplerTable.ts';
+import { type DopplerTable, doppleredColors, fromRatio, ratio } from './dopplerTable.ts';
 import { DAYLIGHT, spectralRadiance, type ThermalSpectrum } from './lightSpectrum.ts';
 import { whiteOf } from './observerColor.ts';
 import { logExpm1, logLuminance, SECOND_RADIATION } from './planck.ts';
@@ -9,6 +9,8 @@ import { logExpm1, logLuminance, SECOND_RADIATION } from './planck.ts';
 export const MIDDLE_TEMPERATURE = DAYLIGHT.temperature / 3;
 
 const ROWS = 129;
+/** 4 nm between two in the middle of what an eye sees. Odd, so that D = 1 is one. */
+const COLUMNS = 193;
 
 /** Row of a temperature T ≥ 0 [K], 0…rows − 1 in the middles of texels: linear in T/(T + `MIDDLE_TEMPERATURE`). */
 export const rowOf = ({ rows }: { readonly rows: number }, T: number): number =>
@@ -58,9 +60,11 @@ const LARGEST_H = 60_000;
 
 /** H(T) = Y(T)/Y(6504 K) · (e^{θ/T} − 1)/(e^{θ/6504 K} − 1): of order 1 above 400 K, with the finite limit of Rayleigh–Jeans' law. */
 function luminanceShape(T: number): number {
-  const log = (t: number) => logLuminance(t) + logExpm1(LUMINANCE_THETA / t);
-  return Math.exp(Math.min(log(T) - log(DAYLIGHT.temperature), Math.log(LARGEST_H)));
+  return Math.exp(Math.min(logShape(T) - DAYLIGHT_LOG_SHAPE, Math.log(LARGEST_H)));
 }
+
+const logShape = (T: number): number => logLuminance(T) + logExpm1(LUMINANCE_THETA / T);
+const DAYLIGHT_LOG_SHAPE = logShape(DAYLIGHT.temperature);
 
 /**
  * Y(T)/Y(6504 K), the luminance of a blackbody of T [K], from the H that a table has at T: H (e^{θ/6504 K} − 1)/(e^{θ/T} − 1).

@@ -4,7 +4,7 @@ import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { decode } from 'fast-png';
+import { type DecodedPng, decode } from 'fast-png';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
 import { expect } from 'vitest';
 import { SOFTWARE_GPU_FLAGS } from '../../src/cli/icd.ts';
@@ -137,9 +137,20 @@ export class Guarded {
 
   /** The pixels of the picture, as they are shown, without what lies over it. */
   async pixels(): Promise<Uint8Array> {
-    const style = '.sl-hint, .sl-caption, .sl-notices, .sl-busy, .sl-picture::after { visibility: hidden !important }';
-    const { data } = decode(await this.page.locator('canvas').screenshot({ style }));
-    return Uint8Array.from(data);
+    return Uint8Array.from((await this.#picture()).data);
+  }
+
+  /** Red, green and blue of the pixel in its middle. */
+  async middle(): Promise<readonly number[]> {
+    const { data, width, height, channels } = await this.#picture();
+    const at = channels * (Math.floor(height / 2) * width + Math.floor(width / 2));
+    return [...data.slice(at, at + 3)];
+  }
+
+  async #picture(): Promise<DecodedPng> {
+    const style =
+      '.sl-hint, .sl-caption, .sl-legend, .sl-crosshair, .sl-notices, .sl-busy, .sl-picture::after { visibility: hidden !important }';
+    return decode(await this.page.locator('canvas').screenshot({ style }));
   }
 }
 

@@ -204,6 +204,16 @@ const lights: Group = {
     read('`KHR_lights_punctual`: directional', 'a distant light', glb(light('directional')), (s) =>
       expect(s.lights).toMatchObject([{ kind: 'distant', direction: [0, 0, -1] }]),
     ),
+    read(
+      'the extra `slowlight:spectrum` of a light: `"2856 K"`, `"sodium"` …',
+      'what its light is made of',
+      glb((kit) => {
+        const lamp = kit.doc.createExtension(KHRLightsPunctual).createLight().setType('point');
+        const spectrum = lamp.setExtras({ 'slowlight:spectrum': '2856 K' });
+        kit.scene.addChild(kit.doc.createNode('Lamp').setExtension('KHR_lights_punctual', spectrum));
+      }),
+      (s) => expect(s.lights[0]).toMatchObject({ spectrum: { kind: 'thermal', temperature: 2856 } }),
+    ),
     leftOut('a range of a light', 'named; light goes on for ever', 'gltf.light', glb(light('point', 7)), (s) =>
       expect(s.lights.length).toBe(1),
     ),

@@ -1,4 +1,6 @@
 import { expect } from 'vitest';
+import { writeExr } from '../../src/formats/exr.ts';
+import { toHalf } from '../../src/math/half.ts';
 import type { Material, Scene } from '../../src/scene/types.ts';
 import { PIXEL, WEBP } from './pictures.ts';
 import { approximated, type Files, type Group, leftOut, read } from './row.ts';
@@ -218,6 +220,18 @@ const materials: Group = {
 
 const shines = (type: string, lines = ''): Files => usd(def(type, lines));
 
+/** One pixel of radiance 16.0625 = 2^(133 − 136) · (128 + ½). */
+const HDR = new Uint8Array([
+  ...new TextEncoder().encode('#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n'),
+  ...[128, 128, 128, 133],
+]);
+const EXR = writeExr({
+  width: 1,
+  height: 1,
+  channels: ['R', 'G', 'B'].map((name) => ({ name, type: 'float', data: Float32Array.of(16.0625) })),
+});
+const HALVES = Uint16Array.from([16.0625, 16.0625, 16.0625, 1], toHalf);
+
 const unread = (type: string): ReturnType<typeof leftOut> =>
   leftOut(`\`${type}\``, 'named', 'usd.unsupported-prim', shines(type), (s) => expect(s.lights).toEqual([]));
 
@@ -246,6 +260,22 @@ const lights: Group = {
       (s) => expect(s.lights).toMatchObject([{ kind: 'stars', gain: expect.closeTo(5, 6) }]),
     ),
     read(
+      'the picture of a `DomeLight` as Radiance (`.hdr`), or OpenEXR (halves or floats; uncompressed, ZIP)',
+      'radiance as bright as it says, up to 65504',
+      [
+        { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.hdr@ }'), 'a.hdr': HDR },
+        { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.exr@ }'), 'a.exr': EXR },
+      ],
+      (s) => expect(s.lights).toMatchObject([{ kind: 'dome', texture: { width: 1, data: HALVES } }]),
+    ),
+    leftOut(
+      'such a picture that is damaged, too large, or of another kind (PIZ, DWA, tiles …)',
+      'named with what it is',
+      'file.unreadable-texture',
+      { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.hdr@ }'), 'a.hdr': HDR.slice(0, -1) },
+      (s) => expect(s.lights).toMatchObject([{ kind: 'dome' }]),
+    ),
+    read(
       '`SphereLight`, `RectLight`, `DiskLight`, `CylinderLight`; color, intensity, exposure, `normalize`, colour temperature, `treatAsPoint`, `treatAsLine`',
       'lamps that move as their transforms or `slowlight:motion` say',
       usd(
@@ -257,6 +287,21 @@ const lights: Group = {
         expect(s.lights).toMatchObject(
           ['sphere', 'rect', 'disk', 'cylinder'].map((kind) => ({ kind, color: [2, 2, 2] })),
         ),
+    ),
+    read(
+      '`slowlight:spectrum` of a light: `"2856 K"`, `"sodium"` …; else its colour temperature',
+      'what its light is made of',
+      shines('SphereLight', 'custom token slowlight:spectrum = "sodium"'),
+      (s) => expect(s.lights).toMatchObject([{ spectrum: { kind: 'lines' } }]),
+    ),
+    leftOut(
+      'a `slowlight:spectrum` that is not known',
+      'named',
+      'usd.slowlight',
+      ['moonshine', '-3 K', '1e99 K'].map((text) =>
+        shines('SphereLight', `custom token slowlight:spectrum = "${text}"`),
+      ),
+      (s) => expect(s.lights[0]).not.toHaveProperty('spectrum'),
     ),
     read(
       '`ShapingAPI`: cone angle, softness, focus',

@@ -4,14 +4,12 @@ import { pumpFrame } from '../../src/cli/node-shim.ts';
 import { fromAxisAngle, IDENTITY } from '../../src/math/quat.ts';
 import { ZERO } from '../../src/math/vec3.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
-import { cameraRay } from '../../src/reference/camera.ts';
-import { radiance } from '../../src/reference/path.ts';
-import { pixelSequence } from '../../src/reference/sequence.ts';
-import { FOREVER, makeScene, restingAt } from '../../src/scene/defaults.ts';
+import { FOREVER, restingAt } from '../../src/scene/defaults.ts';
 import { plane } from '../../src/scene/primitives.ts';
 import type { AreaLight, FrameMotion, Lamp, Material, Motion } from '../../src/scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
-import { area, DIRECT, GREY, lambert, lamp, lit } from '../support/lightKit.ts';
+import { area, GREY, lambert, lamp, lit } from '../support/lightKit.ts';
+import { type Difference, difference } from './agreement.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
 
 const SIZE = 40;
@@ -36,34 +34,18 @@ interface Case {
   readonly samples?: number;
 }
 
-/** How far the rasterizer's light on a floor is from the reference's, pixel by pixel over the brightest pixel: the mean and the greatest. */
-async function difference(
+/** How far the rasterizer's light on a floor is from the reference's. */
+const onFloor = (
   light: Lamp,
   { material = MATT, motion, view = VIEW, settings = SETTINGS, samples = 256 }: Case = {},
-) {
-  const scene = lit([{ mesh: plane(60, 60), material, ...(motion && { motion }) }], [light]);
-  await headless.renderer.setScene(makeScene({ ...scene.scene }));
-  pumpFrame();
-  headless.renderer.render(view, settings, 1);
-  const drawn = await headless.renderer.readAov('beauty');
-  const far: number[] = [];
-  let brightest = 0;
-  for (let y = 2; y < SIZE; y += 4)
-    for (let x = 2; x < SIZE; x += 4) {
-      const ray = cameraRay(view, settings, x + 0.5, y + 0.5, SIZE, SIZE);
-      const numbers = pixelSequence(1, x, y);
-      let sum = 0;
-      for (let i = 0; i < samples; i++) sum += radiance(scene, ray, view, settings, DIRECT, numbers(i))[1];
-      const expected = sum / samples;
-      brightest = Math.max(brightest, expected);
-      far.push(Math.abs(drawn[3 * (y * SIZE + x) + 1] - expected));
-    }
-  expect(brightest).toBeGreaterThan(0);
-  return {
-    mean: far.reduce((a, b) => a + b) / far.length / brightest,
-    most: Math.max(...far) / brightest,
-  };
-}
+): Promise<Difference> =>
+  difference(
+    headless,
+    lit([{ mesh: plane(60, 60), material, ...(motion && { motion }) }], [light]),
+    view,
+    settings,
+    samples,
+  );
 
 const tilted = (x: number, z: number, angle: number): Pick<AreaLight, 'motion'> => ({
   motion: { kind: 'static', pose: { position: [x, 0.3, z], orientation: fromAxisAngle([0.3, 1, 0], angle) } },
@@ -84,7 +66,7 @@ const LAMPS: readonly (readonly [string, Lamp])[] = [
 
 describe('the rasterizer lights as the reference does', () => {
   it.each(LAMPS)('what is matt, with %s', async (_, light) => {
-    const { mean, most } = await difference(light);
+    const { mean, most } = await onFloor(light);
     expect(mean).toBeLessThan(0.004);
     // The arcs at a tube's ends are polygons.
     expect(most).toBeLessThan(light.kind === 'cylinder' ? 0.04 : 0.015);
@@ -94,14 +76,14 @@ describe('the rasterizer lights as the reference does', () => {
     const shaping = { inner: 0.3, outer: 0.8, focus: 2 };
     const turned = { motion: tilted(0.5, 2, 0.3).motion, shaping };
     for (const light of [lamp([0, 0, 0], turned), area('disk', [0, 0, 0], { radius: 0.05, ...turned })]) {
-      const { mean, most } = await difference(light);
+      const { mean, most } = await onFloor(light);
       expect(mean).toBeLessThan(0.003);
       expect(most).toBeLessThan(0.02);
     }
   });
 
   it.each(LAMPS)('what is glossy, roughly, with %s', async (_, light) => {
-    const { mean, most } = await difference(light, { material: { ...MATT, roughness: 0.4 } });
+    const { mean, most } = await onFloor(light, { material: { ...MATT, roughness: 0.4 } });
     expect(mean).toBeLessThan(0.02);
     expect(most).toBeLessThan(0.15);
   });
@@ -111,7 +93,7 @@ describe('the rasterizer lights as the reference does', () => {
     const pose = { position: [2.1, 0, 0], orientation: IDENTITY } as const;
     const motion = { kind: 'uniform', pose, velocity: [0.7, 0, 0] } as const;
     const view = { ...VIEW, u: properVelocity([0, 0.3, -0.2]) };
-    const { mean, most } = await difference(light, { motion, view });
+    const { mean, most } = await onFloor(light, { motion, view });
     expect(mean).toBeLessThan(0.01);
     expect(most).toBeLessThan(0.05);
   });
@@ -152,7 +134,7 @@ function turning(): FrameMotion {
 
 describe('a lamp is where it was when it sent out what meets a surface, as in the reference', () => {
   it.each(COURSES)('a point %s', async (_, motion) => {
-    const { mean, most } = await difference(lamp([0, 0, 0], { motion }), { view: LATER, samples: 1 });
+    const { mean, most } = await onFloor(lamp([0, 0, 0], { motion }), { view: LATER, samples: 1 });
     expect(mean).toBeLessThan(0.002);
     expect(most).toBeLessThan(0.03);
   });
@@ -170,7 +152,7 @@ describe('a lamp is where it was when it sent out what meets a surface, as in th
       velocity: [0, 0.5, 0],
     } as const;
     const view = { ...LATER, u: properVelocity([0.2, 0, 0.3]) };
-    const { mean, most } = await difference(light, { motion: flying, view, samples: 64 });
+    const { mean, most } = await onFloor(light, { motion: flying, view, samples: 64 });
     expect(mean).toBeLessThan(0.01);
     // One Doppler factor for the whole of a lamp that flies close by.
     expect(most).toBeLessThan(0.15);
@@ -180,7 +162,7 @@ describe('a lamp is where it was when it sent out what meets a surface, as in th
     const velocity = [0.6, 0, 0] as const;
     const motion = { kind: 'uniform', pose: { position: [-2.4, 0, 1], orientation: IDENTITY }, velocity } as const;
     const floor = { ...motion, pose: { position: [0, 0, 0], orientation: IDENTITY } } as const;
-    const { mean, most } = await difference(lamp([0, 0, 0], { motion }), { motion: floor, view: LATER, samples: 1 });
+    const { mean, most } = await onFloor(lamp([0, 0, 0], { motion }), { motion: floor, view: LATER, samples: 1 });
     expect(mean).toBeLessThan(0.002);
     expect(most).toBeLessThan(0.03);
   });
@@ -189,7 +171,7 @@ describe('a lamp is where it was when it sent out what meets a surface, as in th
     const light = lamp([0, 0, 0], { motion: COURSES[0][1] });
     const view = { ...VIEW, t: 2, u: properVelocity([0.3, 0.2, 0]) };
     for (const given of [{ lightDelay: false }, { view: 'simultaneity' }, { view: 'galilean' }] as const) {
-      const { mean, most } = await difference(light, { view, settings: { ...SETTINGS, ...given }, samples: 1 });
+      const { mean, most } = await onFloor(light, { view, settings: { ...SETTINGS, ...given }, samples: 1 });
       expect(mean, JSON.stringify(given)).toBeLessThan(0.002);
       expect(most).toBeLessThan(0.03);
     }
@@ -197,7 +179,7 @@ describe('a lamp is where it was when it sent out what meets a surface, as in th
 
   it('its birth and its death spread over the floor at the speed of light', async () => {
     const light = lamp([0.3, 0, 0.5], { lifetime: { birth: -1.2, death: -0.4 } });
-    const { mean } = await difference(light, { view: { ...VIEW, t: 2.6 }, samples: 1 });
+    const { mean } = await onFloor(light, { view: { ...VIEW, t: 2.6 }, samples: 1 });
     expect(mean).toBeLessThan(0.01);
   });
 });

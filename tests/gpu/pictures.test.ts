@@ -107,12 +107,17 @@ describe('the renderer', () => {
   it('picks what is seen, and nothing in the sky', async () => {
     await render(ballAt([0, 0, -5]), look([0, 0, -0.6]));
     const found = await headless.renderer.pick(SIZE / 2, SIZE / 2);
-    expect(found).toMatchObject({ objectId: 1, path: '/ball' });
-    expect(found?.emissionTime).toBeCloseTo(-4, 2);
-    expect(found?.position[2]).toBeCloseTo(-4, 2);
-    expect(found?.doppler).toBeCloseTo(2, 3);
-    expect(found?.depth).toBeCloseTo(8, 1);
-    expect(await headless.renderer.pick(1, 1)).toBeUndefined();
+    expect(found?.surface).toMatchObject({ objectId: 1, path: '/ball' });
+    expect(found?.surface?.emissionTime).toBeCloseTo(-4, 2);
+    expect(found?.surface?.position[2]).toBeCloseTo(-4, 2);
+    expect(found?.surface?.doppler).toBeCloseTo(2, 3);
+    expect(found?.surface?.depth).toBeCloseTo(8, 1);
+    const beauty = await headless.renderer.readAov('beauty');
+    const middle = 3 * ((SIZE / 2) * SIZE + SIZE / 2);
+    expect(found?.light).toEqual([...beauty.subarray(middle, middle + 3)]);
+    const sky = await headless.renderer.pick(1, 1);
+    expect(sky?.surface).toBeUndefined();
+    expect(sky?.light[2]).toBeGreaterThan(0);
     expect(await headless.renderer.pick(-5, 900)).toBeUndefined();
   });
 
@@ -153,7 +158,7 @@ describe('the renderer', () => {
     const red = async () => (await headless.renderer.readAov('beauty'))[3 * ((SIZE / 2) * SIZE + SIZE / 2)];
     await render(glass(-5), look(ZERO));
     expect(await red()).toBeGreaterThan(0.45);
-    expect((await headless.renderer.pick(SIZE / 2, SIZE / 2))?.path).toBe('/wall');
+    expect((await headless.renderer.pick(SIZE / 2, SIZE / 2))?.surface?.path).toBe('/wall');
     await render(glass(-12), look(ZERO));
     expect(await red()).toBeLessThan(0.2);
   });

@@ -6,16 +6,19 @@ import type { Seed } from './seeds.ts';
 export interface Bomb extends Seed {
   /** What is said about it: the codes of the refusal or of remarks, one of which must match. */
   readonly said: RegExp;
+  /** More objects than these are never made of it; 1000 where it does not say. */
+  readonly objects?: number;
 }
 
 const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
 
-const usda = (name: string, said: RegExp, body: string): Bomb => ({
+const usda = (name: string, said: RegExp, body: string, objects?: number): Bomb => ({
   name,
   files: { 'a.usda': bytes(`#usda 1.0\n${body}\n`) },
   entry: 'a.usda',
   text: true,
   said,
+  ...(objects !== undefined && { objects }),
 });
 const gltf = (name: string, said: RegExp, json: object | string): Bomb => ({
   name,
@@ -35,21 +38,36 @@ const times = (count: number, text: (i: number) => string): string =>
   Array.from({ length: count }, (_, i) => text(i)).join('');
 
 const nested = (depth: number, open: string, close: string): string => open.repeat(depth) + close.repeat(depth);
-/** Each level has ten of the one before, by an arc. */
-const levels = (arc: string): string =>
-  times(9, (i) => `def "L${i}"\n{\n${times(10, (k) => `def "C${k}" ( ${arc} = </L${i + 1}> ) {\n}\n`)}}\n`) +
-  'def Cube "L9" {\n}\n';
+/** Each level has ten of the one before, by its arcs. */
+const levels = (...arcs: readonly string[]): string => {
+  const written = (i: number): string => arcs.map((arc) => `${arc} = </L${i + 1}>\n`).join('');
+  const level = (i: number): string => times(10, (k) => `def "C${k}" ( ${written(i)} ) {\n}\n`);
+  return `${times(9, (i) => `def "L${i}"\n{\n${level(i)}}\n`)}def Cube "L9" {\n}\n`;
+};
+/** What the levels of a file of a hundred lines may become. */
+const FROM_LEVELS = 25_000;
+/** Every prim refers to all that come after it, so that each has twice the sites of the next. */
+const web = (count: number): string =>
+  times(count, (i) => `def "L${i}" ( references = [${times(count - i - 1, (k) => `</L${i + k + 1}>, `)}] ) {\n}\n`);
+const manySets = (count: number): string =>
+  `def "A" ( variants = { ${times(count, (i) => `string s${i} = "a"\n`)} }\nprepend variantSets = [${times(count, (i) => `"s${i}", `)}] ) {\n` +
+  `${times(count, (i) => `variantSet "s${i}" = { "a" {\ndef Cube "X" {\n}\n} }\n`)}}`;
+const manyMoves = (count: number): string =>
+  `( relocates = { ${times(count, (i) => `</A/B${i}>: </A/C${i}>, `)} } )\n` +
+  `def "A" ( references = </S> ) {\n}\nclass "K" {\n}\ndef "S" {\n${times(count, (i) => `def "B${i}" ( inherits = </K> ) {\n}\n`)}}`;
 /** Two variants in each of two variants, and so on. */
 const variants = (depth: number): string =>
   depth === 0
     ? 'def Cube "A" {\n}\n'
     : `def "P" ( variants = { string v = "a" }\nprepend variantSets = "v" ) {\nvariantSet "v" = {\n"a" {\n${variants(depth - 1)}}\n"b" {\n}\n}\n}\n`;
-const movedCubes =
-  `def Xform "A" {\ndouble3 xformOp:translate.timeSamples = {\n${times(50_000, (i) => `${i}: (${i % 7}, 0, 0),\n`)}}\n` +
-  `uniform token[] xformOpOrder = ["xformOp:translate"]\n${times(1000, (i) => `def Cube "C${i}" {\n}\n`)}}`;
+const INSTANCERS = 5;
+/** A thousand cubes under a parent with fifty thousand samples of one transform. */
+const movedCubes = (type: string, op: string, sample: (i: number) => string): string =>
+  `def Xform "A" {\n${type} xformOp:${op}.timeSamples = {\n${times(50_000, (i) => `${i}: ${sample(i % 7)},\n`)}}\n` +
+  `uniform token[] xformOpOrder = ["xformOp:${op}"]\n${times(1000, (i) => `def Cube "C${i}" {\n}\n`)}}`;
 const instancers = (depth: number): string =>
   `def PointInstancer "I${depth}" {\npoint3f[] positions = [${times(100, (i) => `(${i}, 0, 0),`)}]\nint[] protoIndices = [${'0,'.repeat(100)}]\n` +
-  `rel prototypes = <${Array.from({ length: depth }, (_, i) => `/I${depth - i}`).join('')}/${depth > 1 ? `I${depth - 1}` : 'Cube'}>\n` +
+  `rel prototypes = <${Array.from({ length: INSTANCERS - depth + 1 }, (_, i) => `/I${INSTANCERS - i}`).join('')}/${depth > 1 ? `I${depth - 1}` : 'Cube'}>\n` +
   `${depth > 1 ? instancers(depth - 1) : 'def Cube "Cube" {\n}\n'}}\n`;
 
 const usdBombs: readonly Bomb[] = [
@@ -60,9 +78,14 @@ const usdBombs: readonly Bomb[] = [
     /syntax|too-deep/,
     `( customLayerData = ${nested(100_000, '{ dictionary a = {', '} }')} )`,
   ),
-  usda('references that multiply', /too-many/, levels('references')),
-  usda('classes that multiply', /too-many/, levels('inherits')),
-  usda('specialized ones that multiply', /too-many/, levels('specializes')),
+  usda('references that multiply', /too-many-prims/, levels('references'), FROM_LEVELS),
+  usda('payloads that multiply', /too-many-prims/, levels('payload'), FROM_LEVELS),
+  usda('classes that multiply', /too-many-prims/, levels('inherits'), FROM_LEVELS),
+  usda('specialized ones that multiply', /too-many-prims/, levels('specializes'), FROM_LEVELS),
+  usda('what multiplies in three ways', /too-many-prims/, levels('references', 'inherits', 'specializes'), FROM_LEVELS),
+  usda('references to all that follow', /too-many-arcs/, web(30)),
+  usda('variant sets without end', /too-many-prims/, manySets(3000)),
+  usda('as many moves as classes', /too-many-prims/, manyMoves(2000)),
   usda('variants in variants', /./, variants(100)),
   usda('a layer in itself', /cycle/, '( subLayers = [@./a.usda@] )\ndef Cube "A" {\n}'),
   usda('a prim in itself', /cycle/, 'def "A" ( references = </A/B> ) {\ndef "B" ( references = </A> ) {\n}\n}'),
@@ -76,8 +99,22 @@ const usdBombs: readonly Bomb[] = [
     /faces/,
     'def Mesh "A" {\nint[] faceVertexCounts = [3, -3]\nint[] faceVertexIndices = [0, -1, 2]\npoint3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]\n}',
   ),
-  usda('samples of a parent of many', /./, movedCubes),
-  usda('instances of instances', /./, instancers(5)),
+  usda(
+    'samples of a parent of many that slide',
+    /sample-budget/,
+    movedCubes('double3', 'translate', (x) => `(${x}, 0, 0)`),
+  ),
+  usda(
+    'samples of a parent of many that turn',
+    /sample-budget/,
+    movedCubes('double', 'rotateX', (x) => `${10 * x}`),
+  ),
+  usda(
+    'samples of a parent of many that are stretched',
+    /sample-budget/,
+    movedCubes('double3', 'scale', (x) => `(${1 + x}, 1, 1)`),
+  ),
+  usda('instances of instances', /too-many-instances/, instancers(INSTANCERS)),
   usda(
     'a million transforms',
     /./,

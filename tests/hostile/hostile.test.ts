@@ -4,7 +4,7 @@ import { damages } from './damage.ts';
 import { Reader } from './reader.ts';
 import { seeds } from './seeds.ts';
 
-/** Memory that the readings of all damaged files may take beyond what there was before [bytes]. */
+/** Memory that a bomb, or the readings of all damaged files of a kind, may take beyond what there was before [bytes]. */
 const MEMORY = 2 ** 30;
 
 const reader = new Reader();
@@ -40,10 +40,13 @@ describe('a small file that asks for much gets little', () => {
   it.each(bombs)('$entry: $name', async (bomb) => {
     await reader.take(bomb);
     const before = process.memoryUsage().rss;
-    const { fault, said = '', milliseconds } = await reader.read(bomb.files[bomb.entry]);
-    const took = `${milliseconds.toFixed(0)} ms, ${((process.memoryUsage().rss - before) / 2 ** 20).toFixed(0)} MiB`;
+    const { fault, said = '', objects = 0, milliseconds } = await reader.read(bomb.files[bomb.entry]);
+    const taken = process.memoryUsage().rss - before;
+    const took = `${milliseconds.toFixed(0)} ms, ${(taken / 2 ** 20).toFixed(0)} MiB`;
     console.log(`${bomb.entry}: ${bomb.name}: ${took}, ${said.slice(0, 80)}`);
     expect(fault).toBeUndefined();
     expect(said).toMatch(bomb.said);
+    expect(objects).toBeLessThanOrEqual(bomb.objects ?? 1000);
+    expect(taken).toBeLessThan(MEMORY);
   });
 });

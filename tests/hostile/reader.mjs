@@ -31,7 +31,8 @@ async function read(bytes) {
 
 function ofScene(scene) {
   const polluted = 'polluted' in {} ? 'every object is polluted' : undefined;
-  return { fault: polluted ?? faultOf(scene), said: scene.diagnostics.map(({ code }) => code).join(' ') };
+  const objects = scene.objects.length;
+  return { fault: polluted ?? faultOf(scene), objects, said: scene.diagnostics.map(({ code }) => code).join(' ') };
 }
 
 /** What no scene may have, however its file looked; undefined where it is sound. */

@@ -8,6 +8,8 @@ export interface Outcome {
   readonly refusal?: string;
   /** The codes of that, or of what is said of the scene. */
   readonly said?: string;
+  /** Of the scene that it makes. */
+  readonly objects?: number;
   /** What must not be: an error of another kind, a scene that is not sound, a reader that hangs. */
   readonly fault?: string;
   readonly milliseconds: number;

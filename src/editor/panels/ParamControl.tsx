@@ -1,5 +1,6 @@
 import {
   ActionIcon,
+  Badge,
   Group,
   NumberInput,
   SegmentedControl,
@@ -100,6 +101,7 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
       <Group gap={4} wrap="nowrap" justify="space-between">
         <Label spec={spec} id={id} />
         <Group gap={2} wrap="nowrap">
+          <Unphysical spec={spec} number={number} />
           <Reset set={set} onChange={onChange} />
           <NumberField {...{ spec, number, onChange }} label={any(spec.title)} precision={precision} />
         </Group>
@@ -119,6 +121,19 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
         />
       )}
     </Stack>
+  );
+}
+
+/** A value that nature does not have is for teaching, and says so. */
+function Unphysical({ spec, number }: { readonly spec: NumberParam; readonly number: number }): ReactNode {
+  const { t } = useTexts();
+  if (spec.physical === undefined || number === spec.physical) return null;
+  return (
+    <Tooltip label={t('param.unphysical.help', { value: spec.physical })} openDelay={400}>
+      <Badge size="xs" variant="light" color="orange" autoContrast className="sl-unphysical">
+        {t('param.unphysical')}
+      </Badge>
+    </Tooltip>
   );
 }
 

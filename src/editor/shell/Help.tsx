@@ -30,6 +30,8 @@ const COLUMNS: readonly (readonly Section[])[] = [
         [['key.space'], 'help.play'],
         [['V'], 'help.view'],
         [['G'], 'help.grid'],
+        [['X'], 'help.falseColor'],
+        [['P'], 'help.crosshair'],
         [['F'], 'help.maximize'],
         [['key.escape'], 'help.leave'],
       ],

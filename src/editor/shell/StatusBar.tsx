@@ -1,6 +1,8 @@
 import { Group, Text, Tooltip, UnstyledButton } from '@mantine/core';
 import { IconEye, IconGauge, IconLockOpen, IconPlane } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
+import type { GraphDocument } from '../../graph/document.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
 import type { Lock } from '../flight/flight.ts';
 import { formatBeta, formatCount, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
@@ -16,6 +18,7 @@ export function StatusBar(): ReactNode {
     <Group component="footer" className="sl-status" gap={0} wrap="nowrap" aria-label={t('status.bar')}>
       <LockButton />
       <CruiseButton />
+      <Unphysical />
       <Speed />
       <div className="sl-spring" />
       <Clock />
@@ -100,6 +103,28 @@ function Speed(): ReactNode {
     </>
   );
 }
+
+/** Names what is not as in nature, as long as it is not. */
+function Unphysical(): ReactNode {
+  const { t, any } = useTexts();
+  const document = useStudioState((state) => state.history.document);
+  const names = unphysical(document).map((title) => any(title));
+  return names.length > 0 ? (
+    <Text size="xs" fw={600} className="sl-status-item sl-unphysical" role="status" data-status="unphysical">
+      {`${t('status.unphysical')}: ${names.join(', ')}`}
+    </Text>
+  ) : null;
+}
+
+/** Titles of the parameters that are set to what nature does not have. */
+const unphysical = ({ nodes }: GraphDocument): string[] =>
+  Object.values(nodes).flatMap(({ type, params }) =>
+    Object.entries(nodeLibrary[type]?.params ?? {}).flatMap(([name, spec]) =>
+      spec.kind === 'number' && spec.physical !== undefined && (params[name] ?? spec.default) !== spec.physical
+        ? [spec.title]
+        : [],
+    ),
+  );
 
 function Clock(): ReactNode {
   const { t } = useTexts();

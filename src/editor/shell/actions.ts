@@ -1,5 +1,6 @@
 import { resolveParams } from '../../graph/nodeType.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
+import { FALSE_COLORS } from '../../spectrum/falseColor.ts';
 import type { Studio } from '../state/studio.ts';
 
 const VIEWS = ['light-cone', 'simultaneity', 'galilean'] as const;
@@ -12,6 +13,12 @@ export function nextView(studio: Studio): void {
 
 export function toggleGrid(studio: Studio): void {
   studio.set('rasterize', 'grid', paramOf(studio, 'rasterize', 'grid') !== true, 'param.grid');
+}
+
+export function nextFalseColor(studio: Studio): void {
+  const kinds = ['none', ...FALSE_COLORS];
+  const now = kinds.indexOf(String(paramOf(studio, 'toneMap', 'falseColor')));
+  studio.set('toneMap', 'falseColor', kinds[(now + 1) % kinds.length], 'param.falseColor');
 }
 
 function paramOf(studio: Studio, node: string, param: string) {

@@ -1,5 +1,6 @@
 import { createContext, useContext } from 'react';
 import { useStore } from 'zustand';
+import { type LegendState, legend } from './legend.ts';
 import type { Studio, StudioState } from './studio.ts';
 import { type Telemetry, telemetry } from './telemetry.ts';
 
@@ -13,4 +14,5 @@ export function useStudio(): Studio {
 }
 
 export const useStudioState = <T,>(select: (state: StudioState) => T): T => useStore(useStudio().store, select);
+export const useLegend = <T,>(select: (state: LegendState) => T): T => useStore(legend, select);
 export const useTelemetry = <T,>(select: (state: Telemetry) => T): T => useStore(telemetry, select);

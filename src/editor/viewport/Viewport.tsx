@@ -6,6 +6,7 @@ import { useSceneWords } from '../i18n/useSceneWords.ts';
 import { sceneName } from '../loading/sceneLoader.ts';
 import { useStudio, useStudioState } from '../state/context.tsx';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
+import { Legend } from './Legend.tsx';
 import { useFlightControls } from './useFlightControls.ts';
 import { useStage } from './useStage.ts';
 
@@ -24,6 +25,7 @@ export function Viewport(): ReactNode {
         <canvas key={life} ref={canvas} className="sl-canvas" />
       </div>
       {!focused && <StartHint />}
+      <Legend />
       <Caption />
       <Busy />
     </div>
@@ -32,7 +34,7 @@ export function Viewport(): ReactNode {
 
 function StartHint(): ReactNode {
   const { t } = useTexts();
-  const open = useStudioState((state) => state.picture !== undefined && !state.loading);
+  const open = useStudioState((state) => state.picture?.falseColor === 'none' && !state.loading);
   return open ? (
     <Text size="xs" className="sl-hint">
       {t('viewport.start')}

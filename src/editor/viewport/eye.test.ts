@@ -5,7 +5,7 @@ import { GAUGE, type Gauge } from '../../scene/gauge.ts';
 import { DEFAULT_SETTINGS } from '../../scene/view.ts';
 import { type Drawn, Eye } from './eye.ts';
 
-const picture = { metering: 'automatic' } as Picture;
+const picture = { metering: 'automatic', falseColor: 'none' } as Picture;
 const viewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 } as const;
 const light = (luminance: number): Gauge => ({
   luminance: new Float32Array(GAUGE * GAUGE).fill(luminance),
@@ -71,6 +71,18 @@ describe('the eye', () => {
     expect(count).toBe(2);
     eye.see(drawn(2, { gauge, settings: { ...DEFAULT_SETTINGS, exposure: 3, tone: 'agx' } }));
     expect(eye.advance(0, 300)).toBeUndefined();
+  });
+
+  it('finds the scale of false colours, also where the exposure is set by hand', async () => {
+    const eye = new Eye(true);
+    const shown = { metering: 'manual', falseColor: 'doppler' } as Picture;
+    const gauge = async (): Promise<Gauge> => ({ ...light(1), doppler: Float32Array.of(0.6, 1.2) });
+    expect(eye.scale(shown)?.to).toBeLessThan(1.1);
+    eye.see(drawn(1, { picture: shown, gauge }));
+    await eye.advance(0, 0);
+    expect(eye.scale(shown)).toEqual({ from: 0.5, to: 2 });
+    expect(eye.exposure(shown)).toBe(0);
+    expect(eye.scale(picture)).toBeUndefined();
   });
 
   it('leaves a manual exposure alone, and survives a device that is lost', async () => {

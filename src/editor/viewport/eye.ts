@@ -2,11 +2,21 @@ import type { Picture } from '../../nodes/define.ts';
 import { eased, exposureFor } from '../../nodes/metering.ts';
 import type { Gauge } from '../../scene/gauge.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
+import type { FalseColor, Scale } from '../../spectrum/falseColor.ts';
+import { scaleFor } from '../../spectrum/falseScale.ts';
 
 /** Between two measurements [ms]: each waits for the GPU, which has pictures to draw. */
 const INTERVAL = 80;
 /** Nobody sees a smaller change [EV]: the eye is there, and nothing more is drawn. */
 const THERE = 0.004;
+
+/** What the places of a picture hold of what false colours can stand for. */
+const MEASURED: Readonly<Record<FalseColor, (gauge: Gauge) => Float32Array>> = {
+  doppler: ({ doppler }) => doppler,
+  'emission-time': ({ time }) => time,
+  radiance: ({ luminance }) => luminance,
+  band: ({ doppler }) => doppler,
+};
 
 /** A picture that was drawn, and the way to measure it. */
 export interface Drawn {
@@ -27,6 +37,9 @@ export class Eye {
   readonly #atOnce: boolean;
   #value: number | undefined;
   #target = 0;
+  #gauge: Gauge | undefined;
+  /** The last scale, and what it was made of. */
+  #scaled: { readonly gauge: Gauge | undefined; readonly kind: FalseColor; readonly scale: Scale } | undefined;
   /** Drawn, and not measured yet. */
   #drawn: Drawn | undefined;
   #known = '';
@@ -42,6 +55,17 @@ export class Eye {
     return metering === 'manual' ? 0 : (this.#value ?? 0);
   }
 
+  /** Of the picture's false colours: round numbers that hold what was measured last. */
+  scale({ falseColor }: Picture): Scale | undefined {
+    if (falseColor === 'none') return undefined;
+    const { gauge, kind } = this.#scaled ?? {};
+    if (gauge !== this.#gauge || kind !== falseColor) {
+      const values = this.#gauge ? MEASURED[falseColor](this.#gauge) : [];
+      this.#scaled = { gauge: this.#gauge, kind: falseColor, scale: scaleFor(falseColor, values) };
+    }
+    return this.#scaled?.scale;
+  }
+
   /** Opens anew: the first measurement is taken as it is. */
   blink(): void {
     this.#value = undefined;
@@ -50,10 +74,11 @@ export class Eye {
 
   /** To be told of every picture. */
   see(drawn: Drawn): void {
-    if (drawn.picture.metering === 'manual') return;
-    // The light does not depend on how it is shown.
-    const { exposure: _, tone: __, ...lit } = drawn.settings;
-    const what = JSON.stringify([drawn.picture.metering, drawn.viewPoint, lit, drawn.aspect]);
+    const { metering, falseColor } = drawn.picture;
+    if (metering === 'manual' && falseColor === 'none') return;
+    // What is measured does not depend on how it is shown.
+    const { exposure: _, tone: __, falseColors: ___, ...lit } = drawn.settings;
+    const what = JSON.stringify([metering, falseColor === 'none', drawn.viewPoint, lit, drawn.aspect]);
     if (what === this.#known) return;
     this.#known = what;
     this.#drawn = drawn;
@@ -75,7 +100,8 @@ export class Eye {
     this.#busy = true;
     this.#drawn = undefined;
     try {
-      this.#target = exposureFor(picture.metering, await gauge(), viewPoint, settings, aspect);
+      this.#gauge = await gauge();
+      this.#target = exposureFor(picture.metering, this.#gauge, viewPoint, settings, aspect);
       this.#value ??= this.#target;
     } finally {
       this.#busy = false;

@@ -5,11 +5,13 @@ import type { Backend } from '../../render/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
 import { sceneName } from '../loading/sceneLoader.ts';
+import { showColors } from '../state/legend.ts';
 import { prefersReducedMotion } from '../state/preferences.ts';
 import type { Studio } from '../state/studio.ts';
 import { report } from '../state/telemetry.ts';
 import { Eye } from './eye.ts';
 import type { Pilot } from './pilot.ts';
+import { Reader } from './reader.ts';
 import { Resolution } from './resolution.ts';
 
 /** Longest step of flight in one frame [s]: after a pause of the page the observer does not leap. */
@@ -30,6 +32,7 @@ export class Stage {
   readonly #observer: ResizeObserver;
   readonly #resolution = new Resolution();
   readonly #eye = new Eye(prefersReducedMotion());
+  readonly #reader = new Reader();
   #scale = 1;
   /** In the renderer now. */
   #scene: Scene | undefined;
@@ -119,7 +122,16 @@ export class Stage {
       this.#scale = this.#resolution.scale;
       this.#resize();
     }
+    this.#read(now);
     report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits }, now);
+  }
+
+  /** For the legend, what is pointed at. */
+  #read(now: number): void {
+    if (!this.#shown || this.#uploading) return;
+    const { width, height } = this.#renderer;
+    const pick = (x: number, y: number) => this.#renderer.pick(x, y);
+    this.#reader.follow({ ...this.#shown, width, height, pick }, now)?.catch(() => {});
   }
 
   /** Takes up a new picture; where its scene is another one, after the upload: until then the last one stays. */
@@ -169,11 +181,12 @@ export class Stage {
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
     const { clientWidth, clientHeight } = this.#canvas;
-    const settings = renderSettings(picture, this.#eye.exposure(picture));
+    const settings = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
     this.#renderer.render(viewPoint, settings);
     if (this.#renderer.info.waiting) return false;
+    showColors(settings.falseColors);
     const aspect = clientWidth / Math.max(1, clientHeight);
     this.#eye.see({ picture, viewPoint, settings, aspect, gauge: () => this.#renderer.gauge() });
     return true;

@@ -1,7 +1,8 @@
 import { type RefObject, useEffect, useState } from 'react';
 import { useServices } from '../services.tsx';
-import { nextView, toggleGrid } from '../shell/actions.ts';
+import { nextFalseColor, nextView, toggleGrid } from '../shell/actions.ts';
 import { useStudio } from '../state/context.tsx';
+import { pointAt, toggleCrosshair } from '../state/legend.ts';
 import type { Studio } from '../state/studio.ts';
 import { isFlightKey, isThrustKey } from './inputs.ts';
 import type { Pilot } from './pilot.ts';
@@ -34,7 +35,9 @@ export function useFlightControls(host: RefObject<HTMLElement | null>): boolean 
     on('pointerdown', (event) => {
       if (event.button === 0) element.setPointerCapture(event.pointerId);
     });
+    on('pointerleave', () => pointAt(undefined));
     on('pointermove', (event) => {
+      pointAt([event.offsetX / element.clientWidth, event.offsetY / element.clientHeight]);
       const held = element.hasPointerCapture(event.pointerId) || document.pointerLockElement === element;
       if (held) pilot.inputs.turn(-event.movementX * TURN, -event.movementY * TURN);
     });
@@ -87,6 +90,12 @@ function act(code: string, element: HTMLElement, pilot: Pilot, studio: Studio): 
       return true;
     case 'KeyG':
       toggleGrid(studio);
+      return true;
+    case 'KeyX':
+      nextFalseColor(studio);
+      return true;
+    case 'KeyP':
+      toggleCrosshair();
       return true;
     case 'KeyF':
       studio.change({ maximized: !maximized });

@@ -4,7 +4,7 @@ import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../math/q
 import { add, scale, type Vec3, ZERO } from '../../math/vec3.ts';
 import { boundingBox } from '../../scene/bounds.ts';
 import { transformMesh } from '../../scene/meshOps.ts';
-import { RefinementBudget } from '../../scene/refine.ts';
+import { RefinedPath, RefinementBudget } from '../../scene/refine.ts';
 import type { Mesh, Motion, Pose, SampledMotion, StaticMotion } from '../../scene/types.ts';
 import { evenly } from '../evenly.ts';
 import { formatBytes } from '../fail.ts';
@@ -139,7 +139,8 @@ export class Baker {
   ): number[] {
     const cost = 1 + curves.length + shape(knots.times[0]).length / 3 / POINTS_PER_CURVE;
     const how = { tolerance, looks: LOOKS, halvings: MAX_HALVINGS, ramps: knots.jumps };
-    const { times, error, wanted } = this.#motionBudget.refine(knots.times, shape, how, cost);
+    const refined = new RefinedPath(Float64Array.from(knots.times), shape, how);
+    const { times, error, wanted } = this.#motionBudget.refine(refined, cost);
     if (error > tolerance) {
       const message = `moves too wildly between its ${knots.times.length} keys to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
       this.#context.notes.add('warning', 'gltf.resampling', path, message);

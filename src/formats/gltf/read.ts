@@ -4,6 +4,7 @@ import { rotate } from '../../math/quat.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
 import { FOREVER, makeObject, makeScene } from '../../scene/defaults.ts';
 import {
+  type DistantLight,
   type FrameMotion,
   InputError,
   type Light,
@@ -19,6 +20,7 @@ import { MAX_OBJECTS } from '../limits.ts';
 import { Notes } from '../notes.ts';
 import type { ReadOptions } from '../registry.ts';
 import { type FileSource, stemOf } from '../source.ts';
+import { SPECTRUM_HINT, spectrumFrom, unknownSpectrum } from '../spectra.ts';
 import { Baker } from './bake.ts';
 import { loadGltf } from './container.ts';
 import { type GltfContext, gltfError } from './context.ts';
@@ -239,12 +241,29 @@ class SceneBuilder {
         `its range of ${range} m is left out: light goes on for ever`,
       );
     if (light.getType() === 'directional') {
-      this.lights.push({ kind: 'distant', path, direction: this.#shining(node, path), color });
+      this.lights.push({
+        kind: 'distant',
+        path,
+        direction: this.#shining(node, path),
+        color,
+        ...this.#spectrum(light, path),
+      });
       return;
     }
-    const lamp = pointLight(path, this.#baker.bakeFrame(this.#tree.frame(node)), color);
+    const motion = this.#baker.bakeFrame(this.#tree.frame(node));
+    const lamp = { ...pointLight(path, motion, color), ...this.#spectrum(light, path) };
     const shaping = { inner: light.getInnerConeAngle(), outer: light.getOuterConeAngle(), focus: 0 };
     this.lights.push(light.getType() === 'spot' ? { ...lamp, shaping } : lamp);
+  }
+
+  /** What the light is made of, where our own extra tells. */
+  #spectrum(light: GltfLight, path: string): Pick<DistantLight, 'spectrum'> {
+    const written = new Map(Object.entries(light.getExtras())).get(SPECTRUM_HINT);
+    if (written === undefined) return {};
+    const spectrum = typeof written === 'string' ? spectrumFrom(written) : undefined;
+    if (spectrum) return { spectrum };
+    this.#context.notes.add('warning', 'gltf.slowlight', path, unknownSpectrum(String(written)));
+    return {};
   }
 
   /** The way a distant light shines, at its start. */

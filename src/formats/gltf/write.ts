@@ -5,6 +5,7 @@ import { scale } from '../../math/vec3.ts';
 import { shownArea } from '../../scene/lamps.ts';
 import type { Lamp, Light, SampledMotion, Scene, StaticMotion } from '../../scene/types.ts';
 import { Notes } from '../notes.ts';
+import { SPECTRUM_HINT, spectrumText } from '../spectra.ts';
 import { type PlainMotion, plainFrame, plainObjects, posesOf, turnedYUp, type Written, yUp } from '../written.ts';
 import { AnimationWriter } from './writeAnimation.ts';
 import { MeshWriter } from './writeMeshes.ts';
@@ -97,6 +98,8 @@ class GltfWriter {
       .setColor([...color])
       .setIntensity(most);
     if (spread) made.setInnerConeAngle(spread.inner).setOuterConeAngle(spread.outer);
+    const spectrum = light.spectrum && spectrumText(light.spectrum);
+    if (spectrum) made.setExtras({ [SPECTRUM_HINT]: spectrum });
     this.placed(light.path, 'Light', motion).setExtension('KHR_lights_punctual', made);
     if (isSun || (light.kind === 'sphere' && light.radius === 0)) return;
     const what = light.kind !== 'sphere' ? `shape, a ${light.kind},` : `radius of ${light.radius} m`;

@@ -20,7 +20,7 @@ export interface StageContext {
   readonly codesPerSecond: number;
   /** The time code at which what cannot change with time is read. */
   readonly startCode: number;
-  /** Greatest distance between a resampled path and the true one, as a fraction of the object's size. */
+  /** Greatest distance between a resampled path and the true one, as a fraction of the object's greatest size. */
   readonly chordTolerance: number;
   /** Along cubics between samples. */
   readonly cubic: boolean;

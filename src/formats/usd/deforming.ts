@@ -7,13 +7,15 @@ import { gatherPoints } from '../../scene/geometry.ts';
 import { pieceAt } from '../../scene/motion.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
 import { surveyPoints } from '../../scene/pointFacts.ts';
+import { RefinedPath } from '../../scene/refine.ts';
 import { readSample } from '../../scene/storedNumbers.ts';
 import { makeNormals, makePoints, type PointRecipe } from '../../scene/streamedPoints.ts';
 import { carryNormals, carryPoints } from '../../scene/transformPoints.ts';
 import type { Mesh, SampledPointsMotion } from '../../scene/types.ts';
 import { report, type StageContext } from './context.ts';
-import { affordedSamples, cornersOf, followedShape, refined, type ShapePath } from './following.ts';
+import { affordedSamples, closenessOf, cornersOf, followedPath, greatest, refined } from './following.ts';
 import type { Frame } from './frame.ts';
+import { Once } from './once.ts';
 import { affordableTimes, boxCorners, bytesOfPoints, carried, vectorsOf } from './sampling.ts';
 import type { DeformedPoints, Placed, Shape, StoredDeformation } from './shape.ts';
 import { unionOfTimes } from './xformOps.ts';
@@ -49,12 +51,12 @@ function withCubicPoints(shape: Shape): Shape {
 function bentTimes(context: StageContext, path: string, { deformation, mesh }: Shape, world: Frame): Float64Array {
   const { times, follow } = deformation!;
   const samples = affordedSamples(context, path, unionOfTimes([times, world.times]), world.cost);
-  const shape = (time: number): number[] => carried(follow!.pointsAt(time), world.matrixAt(time));
-  const size = diagonal(shape(samples[0]));
+  const shape = (time: number): Float64Array => carried(follow!.pointsAt(time), world.matrixAt(time));
+  const size = greatest(samples, (time) => diagonal(shape(time)));
   const most = Math.floor(context.pointBudget.bytes / bytesOfPoints(1, mesh.positions.length / 3, vectorsOf(context)));
-  const way: ShapePath = { times: samples, cost: world.cost + follow!.cost, shape };
   for (let tolerance = context.bendTolerance * size; ; tolerance *= 4) {
-    const found = followedShape(context, path, way, tolerance);
+    const refined = new RefinedPath(samples, shape, closenessOf(context, samples, tolerance));
+    const found = followedPath(context, path, refined, world.cost + follow!.cost, tolerance);
     const isEnough = found.length <= Math.max(most, samples.length) || !(tolerance < size) || tolerance === 0;
     if (isEnough) return found;
   }
@@ -119,6 +121,9 @@ function streamedPoints(
   };
 }
 
+/** The same shape in one frame at the same times is the same. */
+const SAMPLED = new Once<Sampled>();
+
 /** Every vertex at every time. */
 export function sampledPoints(
   context: StageContext,
@@ -132,7 +137,26 @@ export function sampledPoints(
   if (stored && leftInFile(context, wanted.length, mesh.positions.length / 3))
     return streamedPoints(context, path, mesh, stored, world, wanted);
   const times = affordable(context, path, wanted, mesh.positions.length / 3);
-  const shapes = Array.from(times, (time) => deformation?.at(time) ?? copied(mesh));
+  const sampled = SAMPLED.of(shape, [world, times], () => sampledAt(context, shape, world, times));
+  if (sampled.gap) noteGap(context, path, times.length, sampled.gap);
+  return sampled.placed;
+}
+
+interface Sampled {
+  readonly placed: Placed;
+  /** Of what deforms along chords between its samples. */
+  readonly gap?: Gap;
+}
+
+interface Gap {
+  /** How far cubics through its samples are from chords [m]. */
+  readonly most: number;
+  /** How far they may be unsaid [m]. */
+  readonly tolerance: number;
+}
+
+function sampledAt(context: StageContext, { mesh, deformation }: Shape, world: Frame, times: Float64Array): Sampled {
+  const shapes = Array.from(times, (time): DeformedPoints => deformation?.at(time) ?? copied(mesh));
   const groups = shapes.some(({ normals }) => !normals) ? smoothingGroups(mesh) : undefined;
   const origin = originOf((k) => shapes[k].positions, times, world);
   const placed = shapes.map(({ positions, normals }, i) => {
@@ -142,7 +166,6 @@ export function sampledPoints(
   });
   const seconds = times.map((t) => t / context.codesPerSecond);
   const points = placed.map((p) => p.positions);
-  if (deformation && !deformation.follow) noteGap(context, path, seconds, points);
   const given = context.cubic && world.times.length === 0 ? deformation?.velocitiesAt : undefined;
   const turn = mat4.fromParts(mat4.linearPart(world.matrixAt(times[0])), [0, 0, 0]);
   const motion: SampledPointsMotion = {
@@ -157,7 +180,15 @@ export function sampledPoints(
     }),
     normals: placed.map((p) => p.normals),
   };
-  return { mesh: { ...mesh, ...placed[0], indices: facing(mesh.indices, world.matrixAt(times[0])) }, motion };
+  const drawn = { ...mesh, ...placed[0], indices: facing(mesh.indices, world.matrixAt(times[0])) };
+  const hasGap = deformation && !deformation.follow;
+  return { placed: { mesh: drawn, motion }, ...(hasGap && { gap: gapOf(context, seconds, points) }) };
+}
+
+function gapOf(context: StageContext, times: Float64Array, points: readonly Float32Array[]): Gap {
+  const corners = boxCorners(points[0]);
+  const tolerance = context.chordTolerance * distance(corners[0], corners[corners.length - 1]);
+  return { most: chordGap(times, points), tolerance };
 }
 
 const copied = ({ positions, normals }: Mesh): DeformedPoints => ({
@@ -166,12 +197,10 @@ const copied = ({ positions, normals }: Mesh): DeformedPoints => ({
 });
 
 /** Says how much its samples leave open of how a mesh deforms: by how far cubics through them are from chords. */
-function noteGap(context: StageContext, path: string, times: Float64Array, points: readonly Float32Array[]): void {
-  const gap = chordGap(times, points);
-  const corners = boxCorners(points[0]);
-  if (gap <= context.chordTolerance * distance(corners[0], corners[corners.length - 1])) return;
+function noteGap(context: StageContext, path: string, times: number, { most, tolerance }: Gap): void {
+  if (most <= tolerance) return;
   const [shown, other] = context.cubic ? ['cubics', 'straight'] : ['straight', 'along cubics'];
-  const message = `between its ${times.length} samples its points go ${context.cubic ? 'along ' : ''}${shown}; ${other} they would be up to ${gap.toPrecision(2)} m elsewhere`;
+  const message = `between its ${times} samples its points go ${context.cubic ? 'along ' : ''}${shown}; ${other} they would be up to ${most.toPrecision(2)} m elsewhere`;
   report(context, 'info', 'usd.between-samples', path, message);
 }
 
@@ -202,7 +231,7 @@ function originOf(positionsOf: (k: number) => Float32Array, times: Float64Array,
   const corners = Array.from(times.keys()).flatMap((k) => {
     if (k % step !== 0) return [];
     const m = world.matrixAt(times[k]);
-    return carried(boxCorners(positionsOf(k)).flat(), m);
+    return [...carried(boxCorners(positionsOf(k)).flat(), m)];
   });
   const box = boxCorners(corners);
   const [low, high] = [box[0], box[box.length - 1]];

@@ -1,9 +1,12 @@
 import * as mat4 from '../../math/mat4.ts';
+import { type Closeness, RefinedPath } from '../../scene/refine.ts';
 import type { SampledMotion, StaticMotion } from '../../scene/types.ts';
 import { evenly } from '../evenly.ts';
+import type { TimeCode } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import { type Frame, scaledFrame } from './frame.ts';
-import { boxCorners, carried } from './sampling.ts';
+import { Once } from './once.ts';
+import { boxCorners, carried, carriedInto } from './sampling.ts';
 import type { DeformedPoints } from './shape.ts';
 
 /** Turns between samples of what has no size are followed to this angle [rad], paths to as many metres. */
@@ -38,27 +41,47 @@ export function cornersOf(mesh: DeformedPoints): Float64Array {
 }
 
 export function refined(context: StageContext, path: string, world: Frame, corners: Float64Array): Float64Array {
-  const size = farthest(carried(corners, mat4.fromParts(mat4.linearPart(world.matrixAt(world.times[0])), [0, 0, 0])));
+  const about = (time: number): Float64Array =>
+    carried(corners, mat4.fromParts(mat4.linearPart(world.matrixAt(time)), [0, 0, 0]));
+  const size = greatest(world.times, (time) => farthest(about(time)));
   return followed(context, path, world, corners, context.chordTolerance * size);
 }
 
+/** The size of what grows is looked for at so many of its samples. */
+const SIZE_SAMPLES = 32;
+
+/** The greatest of what is measured at some samples, the first and the last among them. */
+export function greatest(samples: Float64Array, measure: (time: number) => number): number {
+  let most = 0;
+  for (const time of evenly(samples, SIZE_SAMPLES)) most = Math.max(most, measure(time));
+  return most;
+}
+
 /** Distance of the farthest of some points, 3 numbers each, from the origin. */
-function farthest(points: readonly number[]): number {
+function farthest(points: ArrayLike<number>): number {
   let most = 0;
   for (let i = 0; i < points.length; i += 3) most = Math.max(most, Math.hypot(points[i], points[i + 1], points[i + 2]));
   return most;
 }
 
+/** What is in one frame and has the same corners goes along one path. */
+const PATHS = new Once<RefinedPath>();
+
 /** Times at which `corners` are followed along the frame's path, as closely as the scene's budget allows. */
 function followed(
   context: StageContext,
   path: string,
-  { times, cost, matrixAt }: Frame,
+  frame: Frame,
   corners: ArrayLike<number>,
   tolerance: number,
 ): Float64Array {
-  const shape = (time: number): number[] => carried(corners, matrixAt(time));
-  return followedShape(context, path, { times: affordedSamples(context, path, times, cost), cost, shape }, tolerance);
+  const samples = affordedSamples(context, path, frame.times, frame.cost);
+  const closeness = closenessOf(context, samples, tolerance);
+  const there = new Float64Array(corners.length);
+  const shape = (time: number): Float64Array => carriedInto(there, corners, frame.matrixAt(time));
+  const make = (): RefinedPath => new RefinedPath(samples, shape, closeness);
+  const refined = PATHS.of(frame, [corners, samples, closeness.looks, tolerance], make);
+  return followedPath(context, path, refined, frame.cost, tolerance);
 }
 
 /** The samples that the scene still has time for. */
@@ -68,62 +91,79 @@ export function affordedSamples(
   written: Float64Array,
   cost: number,
 ): Float64Array {
-  const samples = evenly(written, context.sampleBudget.take(written.length, cost));
-  if (samples.length < written.length) {
-    const message = `it is moved by ${written.length} samples, and all things of the scene together by more than there is room for; ${samples.length} of its samples are used (write out fewer, or move fewer things apart)`;
-    report(context, 'warning', 'usd.sample-budget', path, message);
-  }
+  const most = context.sampleBudget.take(written.length, cost);
+  if (most >= written.length) return written;
+  const samples = THINNED.of(written, [most], () => evenly(written, most));
+  const message = `it is moved by ${written.length} samples, and all things of the scene together by more than there is room for; ${samples.length} of its samples are used (write out fewer, or move fewer things apart)`;
+  report(context, 'warning', 'usd.sample-budget', path, message);
   return samples;
 }
 
-export interface ShapePath {
-  readonly times: Float64Array;
-  readonly cost: number;
-  /** 3 numbers for each point that is followed. */
-  shape(time: number): ArrayLike<number>;
+const THINNED = new Once<Float64Array>();
+
+export function closenessOf(context: StageContext, samples: Float64Array, tolerance: number): Closeness {
+  const looks = context.sampleBudget.looksClosely(samples.length) ? LOOKS : MIDDLE;
+  return { tolerance, looks, halvings: MAX_HALVINGS };
 }
 
-export function followedShape(
+/** Times along a path; `cost`: of where its points are at one time. */
+export function followedPath(
   context: StageContext,
   path: string,
-  { times: samples, cost, shape }: ShapePath,
+  refined: RefinedPath,
+  cost: number,
   tolerance: number,
 ): Float64Array {
-  const looks = context.sampleBudget.looksClosely(samples.length) ? LOOKS : MIDDLE;
-  const how = { tolerance, looks, halvings: MAX_HALVINGS };
-  const { times, error, wanted } = context.motionBudget.refine(samples, shape, how, cost);
+  const { times, error, wanted } = context.motionBudget.refine(refined, cost);
   if (error > tolerance) {
-    const message = `it jumps or turns too fast between its ${samples.length} samples to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
+    const message = `it jumps or turns too fast between its ${refined.samples.length} samples to be followed: about ${wanted.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
     report(context, 'warning', 'usd.resampling', path, message);
   }
   return times;
 }
 
-/** Poses as one motion, static where they are all the same. The signs of neighbouring quaternions agree. */
-export function sampledPoses(
+/**
+ * The pose at each of some times [codes] as one motion, static where they are all the same; undefined where one of them has
+ * none. The signs of neighbouring quaternions agree.
+ */
+export function sampledPoses<P extends mat4.RigidPose | undefined>(
   context: Pick<StageContext, 'codesPerSecond'>,
   times: Float64Array,
-  poses: readonly mat4.RigidPose[],
-): StaticMotion | SampledMotion {
-  const out = new Float64Array(times.length * 7);
-  poses.forEach(({ position, orientation }, i) => {
-    out.set(position, 7 * i);
-    let cosine = 0;
-    for (let k = 0; k < 4; k++) cosine += orientation[k] * (i > 0 ? out[7 * i - 4 + k] : orientation[k]);
-    out.set(cosine < 0 ? orientation.map((x) => -x) : orientation, 7 * i + 3);
-  });
-  const moves = out.some((x, i) => x !== out[i % 7]);
-  if (!moves || times.length < 2) return { kind: 'static', pose: poses[0] };
-  return { kind: 'sampled', times: times.map((t) => t / context.codesPerSecond), poses: out };
+  poseAt: (time: number) => P,
+): StaticMotion | SampledMotion | Extract<P, undefined> {
+  const poses = new Float64Array(times.length * 7);
+  let first: mat4.RigidPose | undefined;
+  for (let i = 0; i < times.length; i++) {
+    const pose = poseAt(times[i]);
+    if (!pose) return undefined as Extract<P, undefined>;
+    first ??= pose;
+    setPose(poses, i, pose);
+  }
+  const moves = poses.some((x, i) => x !== poses[i % 7]);
+  if (!moves || times.length < 2) return { kind: 'static', pose: first! };
+  return { kind: 'sampled', times: times.map((t) => t / context.codesPerSecond), poses };
 }
+
+function setPose(poses: Float64Array, i: number, { position, orientation }: mat4.RigidPose): void {
+  const at = 7 * i;
+  let cosine = 0;
+  for (let k = 0; k < 4; k++) cosine += orientation[k] * (i > 0 ? poses[at - 4 + k] : orientation[k]);
+  for (let k = 0; k < 3; k++) poses[at + k] = position[k];
+  for (let k = 0; k < 4; k++) poses[at + 3 + k] = cosine < 0 ? -orientation[k] : orientation[k];
+}
+
+/** Frames without their stretch. */
+const RIGID = new Once<Frame>();
+const MOTIONS = new Once<StaticMotion | SampledMotion>();
 
 /** How a prim's own axes move: of a camera or a light, which have no size. Their scale does not matter. */
 export function frameMotion(context: StageContext, path: string, frame: Frame): StaticMotion | SampledMotion {
   const world = scaledFrame(frame, context.unit);
+  const { times, cost } = world;
   const poseAt = (time: number): mat4.RigidPose => mat4.decomposeRigid(world.matrixAt(time)).pose;
-  if (world.times.length === 0) return { kind: 'static', pose: poseAt(context.startCode) };
-  const matrixAt = (time: number): mat4.Mat4 => mat4.fromPose(poseAt(time));
-  const rigid = { times: world.times, cost: world.cost + POLAR_COST, matrixAt };
-  const times = followed(context, path, rigid, AXES, FRAME_TOLERANCE);
-  return sampledPoses(context, times, Array.from(times, poseAt));
+  if (times.length === 0) return { kind: 'static', pose: poseAt(context.startCode) };
+  const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.fromPose(poseAt(time ?? 0));
+  const rigid = RIGID.of(world, [], () => ({ times, cost: cost + POLAR_COST, matrixAt }));
+  const found = followed(context, path, rigid, AXES, FRAME_TOLERANCE);
+  return MOTIONS.of(world, [found], () => sampledPoses(context, found, poseAt));
 }

@@ -2,6 +2,8 @@ import * as mat4 from '../../math/mat4.ts';
 import type { TimeCode } from './attributes.ts';
 import { primAt } from './context.ts';
 import type { Layer } from './layer.ts';
+import { MatrixMemory } from './matrixMemory.ts';
+import { Once } from './once.ts';
 import {
   isStraightOp,
   localMatrix,
@@ -32,7 +34,7 @@ export const ROOT_FRAME: Frame = { times: new Float64Array(0), cost: 1, matrixAt
 /** A cubic takes as long as so many ops. */
 const CUBIC_COST = 3;
 
-/** `isShared`: several things will ask for its matrices, mostly at the same times. */
+/** `isShared`: several frames are within it, and ask for its matrices mostly at the same times. */
 export function childFrame(parent: Frame, ops: readonly XformOp[], isShared = false): Frame {
   if (ops.length === 0) return parent;
   const own = opTimes(ops);
@@ -47,23 +49,18 @@ export function childFrame(parent: Frame, ops: readonly XformOp[], isShared = fa
   const each = ops.some((op) => op.cubic) ? CUBIC_COST : 1;
   const cost = parent.cost + Math.max(1, each * steps.length);
   const isStraight = (parent.times.length === 0 || parent.isStraight === true) && ops.every(isStraightOp);
-  const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.multiply(parent.matrixAt(time), local(time));
-  return { times, cost, isStraight, matrixAt: isShared ? remembered(matrixAt) : matrixAt };
+  const within = (time: TimeCode): mat4.Mat4 => mat4.multiply(parent.matrixAt(time), local(time));
+  const matrixAt = parent === ROOT_FRAME ? local : within;
+  return { times, cost, isStraight, matrixAt: isShared ? remembered(matrixAt, times.length) : matrixAt };
 }
 
-/** Frames remember at most so many matrices: 2 MB. */
-const MOST_REMEMBERED = 2 ** 13;
-
 /** Matrices are made once: what is carried along is looked at where its carrier is, mostly at the same times. */
-function remembered(matrixAt: Frame['matrixAt']): Frame['matrixAt'] {
-  const known = new Map<TimeCode, mat4.Mat4>();
+function remembered(matrixAt: Frame['matrixAt'], times: number): Frame['matrixAt'] {
+  let memory: MatrixMemory | undefined;
   return (time) => {
-    const old = known.get(time);
-    if (old) return old;
-    if (known.size >= MOST_REMEMBERED) known.clear();
-    const made = matrixAt(time);
-    known.set(time, made);
-    return made;
+    if (time === undefined) return matrixAt(time);
+    memory ??= new MatrixMemory(times);
+    return memory.at(time, matrixAt);
   };
 }
 
@@ -91,9 +88,13 @@ export function frameOf(layer: Layer, path: string): Frame {
   return transform ? childFrame(parent, transform.ops) : parent;
 }
 
-/** The frame in metres. */
+const IN_METRES = new Once<Frame>();
+
+/** The frame in metres; the same one for one that moves. */
 export function scaledFrame(frame: Frame, unit: number): Frame {
   if (unit === 1) return frame;
-  const scale: mat4.Mat4 = [unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1];
-  return { ...frame, matrixAt: (time) => mat4.multiply(scale, frame.matrixAt(time)) };
+  const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.enlarged(frame.matrixAt(time), unit);
+  const made = (): Frame => ({ ...frame, matrixAt });
+  // What rests is not kept: the root's frame is there for ever.
+  return frame.times.length > 0 ? IN_METRES.of(frame, [unit], made) : made();
 }

@@ -6,7 +6,7 @@ import { isTrue, report, type StageContext } from './context.ts';
 import { frameMotion } from './following.ts';
 import { type Frame, scaledFrame } from './frame.ts';
 import type { PrimSpec } from './layer.ts';
-import { brightnessOf, lightFlag, lightNumber, shapingOf } from './lightInputs.ts';
+import { brightnessOf, lightFlag, lightNumber, shapingOf, spectrumOf } from './lightInputs.ts';
 import { type Directions, directedMotion, lifetimeOf, poseTimeOf } from './slowlight.ts';
 import { meanColor, type TextureLoader, textureOf } from './textures.ts';
 
@@ -32,11 +32,12 @@ export async function lampOf(
     motion: lampMotion(context, prim, frame, directions),
     lifetime: lifetimeOf(directions),
     color: tint ? [color[0] * tint[0], color[1] * tint[1], color[2] * tint[2]] : color,
+    ...spectrumOf(context, prim),
     ...(shaping && { shaping }),
   };
 }
 
-type Part<L> = L extends Lamp ? Omit<L, 'path' | 'motion' | 'lifetime' | 'color' | 'shaping'> : never;
+type Part<L> = L extends Lamp ? Omit<L, 'path' | 'motion' | 'lifetime' | 'color' | 'spectrum' | 'shaping'> : never;
 type LampShape = Part<Lamp>;
 
 /** Kind and sizes [m], stretched as the prim's transform at the start says; a stretch that a shape cannot have by its mean. */

@@ -1,6 +1,7 @@
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import type { LightShaping } from '../../scene/types.ts';
+import type { DistantLight, LightShaping } from '../../scene/types.ts';
 import { blackbodyColor } from '../../spectrum/planckian.ts';
+import { SPECTRUM_HINT, spectrumFrom, thermalSpectrum, unknownSpectrum } from '../spectra.ts';
 import { attributeOf, numberAt, numbersAt, textAt, vec3At } from './attributes.ts';
 import { isTrue, report, type StageContext } from './context.ts';
 import type { PrimSpec } from './layer.ts';
@@ -16,9 +17,8 @@ export const lightFlag = (context: StageContext, prim: PrimSpec, name: string): 
 export function brightnessOf(context: StageContext, prim: PrimSpec, intensity = 1): Vec3 {
   const { startCode } = context;
   const color = vec3At(prim, 'inputs:color', startCode) ?? vec3At(prim, 'color', startCode) ?? [1, 1, 1];
-  const warm = lightFlag(context, prim, 'enableColorTemperature')
-    ? blackbodyColor(lightNumber(context, prim, 'colorTemperature') ?? 6500)
-    : [1, 1, 1];
+  const temperature = temperatureOf(context, prim);
+  const warm = temperature === undefined ? [1, 1, 1] : blackbodyColor(temperature);
   const diffuse = lightNumber(context, prim, 'diffuse') ?? 1;
   if ((lightNumber(context, prim, 'specular') ?? 1) !== diffuse) {
     const message = `its multiplier for diffuse light, ${diffuse}, is taken for specular light too`;
@@ -27,6 +27,22 @@ export function brightnessOf(context: StageContext, prim: PrimSpec, intensity = 
   const gain =
     (lightNumber(context, prim, 'intensity') ?? intensity) * 2 ** (lightNumber(context, prim, 'exposure') ?? 0);
   return scale([color[0] * warm[0], color[1] * warm[1], color[2] * warm[2]], gain * diffuse);
+}
+
+/** Colour temperature [K], where it is asked for. */
+const temperatureOf = (context: StageContext, prim: PrimSpec): number | undefined =>
+  lightFlag(context, prim, 'enableColorTemperature')
+    ? (lightNumber(context, prim, 'colorTemperature') ?? 6500)
+    : undefined;
+
+/** What the light is made of, where our own attribute or its colour temperature tells. */
+export function spectrumOf(context: StageContext, prim: PrimSpec): Pick<DistantLight, 'spectrum'> {
+  const written = textAt(prim, SPECTRUM_HINT, undefined);
+  const named = written === undefined ? undefined : spectrumFrom(written);
+  if (written !== undefined && !named) report(context, 'warning', 'usd.slowlight', prim.path, unknownSpectrum(written));
+  const temperature = temperatureOf(context, prim);
+  const spectrum = named ?? (temperature === undefined ? undefined : thermalSpectrum(temperature));
+  return spectrum ? { spectrum } : {};
 }
 
 /**

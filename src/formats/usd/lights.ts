@@ -8,9 +8,9 @@ import { report, type StageContext } from './context.ts';
 import type { Frame } from './frame.ts';
 import { isLamp, lampOf } from './lamps.ts';
 import type { PrimSpec, PropertySpec } from './layer.ts';
-import { brightnessOf } from './lightInputs.ts';
+import { brightnessOf, spectrumOf } from './lightInputs.ts';
 import { type Directions, poseTimeOf } from './slowlight.ts';
-import { type TextureLoader, textureOf } from './textures.ts';
+import type { TextureLoader } from './textures.ts';
 
 const SKIES = new Set(['DomeLight', 'DomeLight_1']);
 const UNREAD = new Set(['PortalLight', 'PluginLight']);
@@ -32,15 +32,14 @@ export async function lightOf(
   const { path } = prim;
   if (prim.typeName === 'DistantLight') {
     const direction = normalize(mat4.transformVector(frame.matrixAt(context.startCode), [0, 0, -1]), [0, 0, -1]);
-    return { kind: 'distant', path, direction, color: brightnessOf(context, prim, DISTANT_INTENSITY) };
+    const color = brightnessOf(context, prim, DISTANT_INTENSITY);
+    return { kind: 'distant', path, direction, color, ...spectrumOf(context, prim) };
   }
   if (textAt(prim, 'slowlight:sky', undefined) === 'stars') return nightSkyOf(context, prim, frame);
-  const color = brightnessOf(context, prim);
+  const dome = { kind: 'dome', path, color: brightnessOf(context, prim), ...spectrumOf(context, prim) } as const;
   const file = valueAt(attributeOf(prim, 'inputs:texture:file'), context.startCode);
-  const name = textOf(file);
-  const image = name ? await textures.file(file, path) : undefined;
-  if (!image) return { kind: 'dome', path, color };
-  return { kind: 'dome', path, color, texture: { ...textureOf(context, prim, image, false), name: name! } };
+  const texture = textOf(file) ? await textures.sky(file, prim) : undefined;
+  return texture ? { ...dome, texture } : dome;
 }
 
 /** The bright stars as this prim's frame turns them; their colours are their own. */

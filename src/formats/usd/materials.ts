@@ -50,6 +50,13 @@ function contentBelow({ content, children, properties }: PrimSpec, root: string)
   return parts.includes(undefined) ? undefined : `(${parts.join(' ')})`;
 }
 
+/** The material of meshes without one that have these colours. */
+interface PlainMaterial {
+  readonly color: Vec3;
+  readonly opacity: number;
+  readonly bound: Promise<BoundMaterial>;
+}
+
 /** The scene's materials, each read once. */
 export class MaterialTable {
   readonly materials: Material[] = [];
@@ -59,6 +66,7 @@ export class MaterialTable {
   private readonly glows = new Map<string, number>();
   private readonly byKey = new Map<string, Promise<BoundMaterial>>();
   private readonly byColor = new Map<string, number>();
+  private lastPlain: PlainMaterial | undefined;
 
   constructor(context: StageContext, textures: TextureLoader) {
     this.context = context;
@@ -68,9 +76,13 @@ export class MaterialTable {
 
   /** The material of a mesh without one: its displayColor, grey where there is none. */
   plain(color: Vec3, opacity: number): Promise<BoundMaterial> {
+    const last = this.lastPlain;
+    if (last?.opacity === opacity && color.every((x, i) => x === last.color[i])) return last.bound;
     const key = `displayColor ${color.join(' ')} ${opacity}`;
     const material = { ...DEFAULTS, name: key, baseColor: color, opacity };
-    return this.once(key, async () => this.added(material, {}));
+    const bound = this.once(key, async () => this.added(material, {}));
+    this.lastPlain = { color, opacity, bound };
+    return bound;
   }
 
   /** The Material prim at a path; a plain one of the colour `fallback` where it cannot be read. */

@@ -7,6 +7,7 @@ import type { StageContext } from './context.ts';
 import { bentMesh, deforming, sampledPoints } from './deforming.ts';
 import { affordedSamples, cornersOf, refined, sampledPoses } from './following.ts';
 import { type Frame, scaledFrame } from './frame.ts';
+import { Once } from './once.ts';
 import type { Placed, Shape } from './shape.ts';
 import { unionOfTimes } from './xformOps.ts';
 
@@ -22,6 +23,16 @@ interface Still extends Placed {
 /** Stretches that differ by less than this part are one: what an exporter's f32 rounding leaves. */
 const RIGID = 1e-5;
 
+/** A stretch that stays, and how what is stretched by it moves. */
+interface Course {
+  readonly stretch: readonly number[];
+  readonly motion: Placed['motion'];
+}
+
+/** What is in one frame at the same times moves alike. */
+const COURSES = new Once<Course | undefined>();
+const STRAIGHT_COURSES = new Once<Course>();
+
 /**
  * The motion of a mesh. What does not change with time is static, its scale and shear in the mesh. What moves without
  * changing shape gets sampled poses; all else sampled points.
@@ -30,39 +41,39 @@ export function placeShape(context: StageContext, path: string, shape: Shape, fr
   const world = scaledFrame(frame, context.unit);
   if (shape.deformation) return deforming(context, path, shape, world);
   if (world.times.length === 0) return fixed(shape.mesh, world.matrixAt(context.startCode));
-  if (world.isStraight) return straight(context, path, shape.mesh, world);
+  if (world.isStraight) return onCourse(shape.mesh, straightCourse(context, path, world));
   const times = refined(context, path, world, cornersOf(shape.mesh));
-  const rigid = rigidPoses(times, world);
-  if (!rigid) return sampledPoints(context, path, shape, world, times);
-  return { mesh: stretched(shape.mesh, rigid.stretch), motion: sampledPoses(context, times, rigid.poses) };
+  const course = COURSES.of(world, [times], () => rigidCourse(context, times, world));
+  return course ? onCourse(shape.mesh, course) : sampledPoints(context, path, shape, world, times);
 }
 
-/** The poses at some times and the stretch that is the same at all of them; undefined where it is not. */
-function rigidPoses(times: Float64Array, { matrixAt }: Frame) {
+const onCourse = (mesh: Mesh, { stretch, motion }: Course): Placed => ({ mesh: stretched(mesh, stretch), motion });
+
+/** Undefined where the stretch is not the same at all of the times. */
+function rigidCourse(context: StageContext, times: Float64Array, { matrixAt }: Frame): Course | undefined {
   const { stretch } = mat4.decomposeRigid(matrixAt(times[0]));
   const unstretch = invert(stretch);
-  const size = Math.max(...stretch.map(Math.abs));
-  const poses: mat4.RigidPose[] = [];
-  for (const time of times) {
+  const most = RIGID * Math.max(...stretch.map(Math.abs));
+  const motion = sampledPoses(context, times, (time) => {
     const m = matrixAt(time);
     const known = unstretch && mat4.poseOfStretched(m, unstretch);
     const own = known ? { pose: known, stretch } : mat4.decomposeRigid(m);
-    if (!own.stretch.every((x, i) => Math.abs(x - stretch[i]) <= RIGID * size)) return undefined;
-    poses.push(own.pose);
-  }
-  return { poses, stretch };
+    return own.stretch.every((x, i) => Math.abs(x - stretch[i]) <= most) ? own.pose : undefined;
+  });
+  return motion && { stretch, motion };
 }
 
-function straight(context: StageContext, path: string, mesh: Mesh, frame: Frame): Placed {
-  const { matrixAt } = frame;
+function straightCourse(context: StageContext, path: string, frame: Frame): Course {
   const times = frame.isCounted ? frame.times : affordedSamples(context, path, frame.times, frame.cost);
   context.motionBudget.keepExact();
-  const { pose, stretch } = mat4.decomposeRigid(matrixAt(times[0]));
-  const poses = Array.from(times, (time): mat4.RigidPose => {
-    const m = matrixAt(time);
-    return { ...pose, position: [m[3], m[7], m[11]] };
+  return STRAIGHT_COURSES.of(frame, [times], () => {
+    const { pose, stretch } = mat4.decomposeRigid(frame.matrixAt(times[0]));
+    const poseAt = (time: number): mat4.RigidPose => {
+      const m = frame.matrixAt(time);
+      return { ...pose, position: [m[3], m[7], m[11]] };
+    };
+    return { stretch, motion: sampledPoses(context, times, poseAt) };
   });
-  return { mesh: stretched(mesh, stretch), motion: sampledPoses(context, times, poses) };
 }
 
 /** The same without motion, at one time. */
@@ -97,8 +108,14 @@ function fixed(mesh: Mesh, matrix: mat4.Mat4): Still {
   return { mesh: stretched(mesh, stretch), motion: { kind: 'static', pose } };
 }
 
-/** The stretched forms of each mesh: instances of one size share theirs. */
-const STRETCHED = new WeakMap<Mesh, Map<string, Mesh>>();
+/** The stretched forms of a mesh, and the last of them: most meshes have one, and need no keys. */
+interface StretchedForms {
+  last: { readonly stretch: readonly number[]; readonly mesh: Mesh };
+  readonly byKey: Map<string, Mesh>;
+}
+
+/** Instances of one size share theirs. */
+const STRETCHED = new WeakMap<Mesh, StretchedForms>();
 
 /** Parts of the greatest in which stretches are told apart: products of f64 matrices differ by less. */
 const ALIKE = 1e-9;
@@ -106,11 +123,21 @@ const ALIKE = 1e-9;
 function stretched(mesh: Mesh, stretch: readonly number[]): Mesh {
   const identity = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
   if (identity) return mesh;
+  const forms = STRETCHED.get(mesh);
+  if (!forms) {
+    const last = { stretch, mesh: transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0])) };
+    STRETCHED.set(mesh, { last, byKey: new Map() });
+    return last.mesh;
+  }
+  const { last, byKey } = forms;
+  if (stretch.every((x, i) => x === last.stretch[i])) return last.mesh;
+  byKey.set(stretchKey(last.stretch), last.mesh);
+  const key = stretchKey(stretch);
+  forms.last = { stretch, mesh: byKey.get(key) ?? transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0])) };
+  return forms.last.mesh;
+}
+
+function stretchKey(stretch: readonly number[]): string {
   const size = Math.max(...stretch.map(Math.abs));
-  const key = [size.toPrecision(9), ...stretch.map((x) => Math.round(x / (ALIKE * size)))].join(' ');
-  const known = STRETCHED.get(mesh) ?? new Map<string, Mesh>();
-  STRETCHED.set(mesh, known);
-  const made = known.get(key) ?? transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0]));
-  known.set(key, made);
-  return made;
+  return [size.toPrecision(9), ...stretch.map((x) => Math.round(x / (ALIKE * size)))].join(' ');
 }

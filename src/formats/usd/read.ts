@@ -15,7 +15,7 @@ import { SampleBudget } from './sampleBudget.ts';
 import { hintsOf } from './slowlight.ts';
 import { readStage, type StageContents, upAxisOf } from './stage.ts';
 
-/** Distance between a resampled path and the true one, as a fraction of the object's size, where none is asked for. */
+/** Distance between a resampled path and the true one, as a fraction of the object's greatest size, where none is asked for. */
 export const CHORD_TOLERANCE = 1e-4;
 export const BEND_TOLERANCE = 1e-3;
 

@@ -4,8 +4,10 @@ import { boundingBox } from '../../scene/bounds.ts';
 import { evenly } from '../evenly.ts';
 
 /** Where points of 3 numbers each are, carried by a matrix. */
-export function carried(points: ArrayLike<number>, m: Mat4): number[] {
-  const out = new Array<number>(points.length);
+export const carried = (points: ArrayLike<number>, m: Mat4): Float64Array =>
+  carriedInto(new Float64Array(points.length), points, m);
+
+export function carriedInto(out: Float64Array, points: ArrayLike<number>, m: Mat4): Float64Array {
   for (let i = 0; i < points.length; i += 3) {
     const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
     out[i] = m[0] * x + m[1] * y + m[2] * z + m[3];

@@ -17,6 +17,7 @@ export interface Directions {
 }
 
 export function directionsOf(prim: PrimSpec, inherited: Directions): Directions {
+  if (!someKey(prim.properties, (name) => name.startsWith('slowlight:'))) return inherited;
   const number = (name: string) => numberAt(prim, `slowlight:${name}`, undefined);
   const vector = (name: string) => vec3At(prim, `slowlight:${name}`, undefined);
   const text = (name: string) => textAt(prim, `slowlight:${name}`, undefined);
@@ -31,6 +32,11 @@ export function directionsOf(prim: PrimSpec, inherited: Directions): Directions 
   };
   const said = Object.entries(own).filter(([, value]) => value !== undefined);
   return said.length === 0 ? inherited : { ...inherited, ...Object.fromEntries(said) };
+}
+
+function someKey(map: ReadonlyMap<string, unknown>, ask: (key: string) => boolean): boolean {
+  for (const key of map.keys()) if (ask(key)) return true;
+  return false;
 }
 
 export const lifetimeOf = ({ birth, death }: Directions): Lifetime => ({

@@ -19,7 +19,7 @@ import type { Part, Site, Subtree } from './parts.ts';
 import { placeDrifting, placeShape, placeStill } from './placement.ts';
 import type { Shape } from './shape.ts';
 import { remade, SharedShapes } from './sharedShapes.ts';
-import { Skeletons } from './skel/binding.ts';
+import { maybeBound, Skeletons } from './skel/binding.ts';
 import {
   authoredInOf,
   checkDirections,
@@ -38,6 +38,8 @@ interface Inherited {
   readonly frame: Frame;
   readonly binding: Binding | undefined;
   readonly directions: Directions;
+  /** A skeleton may bend it. */
+  readonly maybeBound: boolean;
   /** Of the nearest prim above that says what it is for. */
   readonly purpose: string;
   /** Where what is found goes: into the scene, or into a prototype of instances. */
@@ -51,7 +53,7 @@ interface Found {
   instancer(site: Site): Promise<void>;
 }
 
-const AT_ROOT = { frame: ROOT_FRAME, binding: undefined, directions: {}, purpose: 'default' };
+const AT_ROOT = { frame: ROOT_FRAME, binding: undefined, directions: {}, maybeBound: false, purpose: 'default' };
 
 export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'cameras'>;
 
@@ -124,12 +126,11 @@ class StageReader {
       },
     };
     const parentPath = parentOf(prim.path);
-    const binding = ancestorsOf(this.context.layer, prim.path).reduce<Binding | undefined>(
-      (above, ancestor) => bindingOf(ancestor, above),
-      undefined,
-    );
+    const above = ancestorsOf(this.context.layer, prim.path);
+    const binding = above.reduce<Binding | undefined>((around, ancestor) => bindingOf(ancestor, around), undefined);
+    const bound = above.reduce((around, ancestor) => maybeBound(ancestor, around), false);
     if (isActive(prim) && this.isVisible(prim))
-      await this.read(prim, this.inherit(prim, { ...AT_ROOT, binding, found }));
+      await this.read(prim, this.inherit(prim, { ...AT_ROOT, binding, maybeBound: bound, found }));
     return { parentPath, parts, instancers };
   }
 
@@ -180,9 +181,10 @@ class StageReader {
     const directions = directionsOf(prim, inherited.directions);
     if (directions !== inherited.directions) checkDirections(this.context, prim.path, directions);
     return {
-      frame: childFrame(transform.resetsStack ? ROOT_FRAME : inherited.frame, transform.ops, prim.children.size > 1),
+      frame: childFrame(transform.resetsStack ? ROOT_FRAME : inherited.frame, transform.ops, holdsFrames(prim)),
       binding: bindingOf(prim, inherited.binding),
       directions,
+      maybeBound: maybeBound(prim, inherited.maybeBound),
       purpose: textAt(prim, 'purpose', undefined) ?? inherited.purpose,
       found: inherited.found,
     };
@@ -198,11 +200,12 @@ class StageReader {
     else if (prim.typeName === 'Mesh' || isImplicit(prim.typeName)) await this.readPart(prim, own);
   }
 
-  private async readPart(prim: PrimSpec, { binding, frame, directions, found }: Inherited): Promise<void> {
+  private async readPart(prim: PrimSpec, own: Inherited): Promise<void> {
+    const { binding, frame, directions, found } = own;
     const surface = await surfaceOf(this.context, this.table, prim, binding);
     const make = (): Shape | undefined => this.shapeOf(prim, surface);
     // What is bent has its form from more than its own opinions.
-    const shape = this.skeletons.isBound(prim) ? make() : this.shapes.of(prim, surface, make);
+    const shape = own.maybeBound ? make() : this.shapes.of(prim, surface, make);
     if (!shape) return;
     const place = shape.frame && !found.isScene ? this.inPrototype(prim, frame, shape.frame) : (shape.frame ?? frame);
     const light = lightOn(prim, this.geometryLights);
@@ -270,6 +273,10 @@ class StageReader {
 }
 
 type Made = Pick<SceneObject, 'mesh' | 'motion'>;
+
+/** Whether several of its children have transforms of their own, or children that may have. */
+const holdsFrames = ({ children }: PrimSpec): boolean =>
+  [...children.values()].filter((child) => child.children.size > 0 || child.properties.has('xformOpOrder')).length > 1;
 
 /** What stands for something else, or helps those who edit, is not looked at. */
 const isDrawn = (purpose: string): boolean => purpose !== 'proxy' && purpose !== 'guide';

@@ -1,10 +1,11 @@
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import type { Texture, TextureWrap } from '../../scene/types.ts';
+import type { DomeLight, Texture, TextureWrap } from '../../scene/types.ts';
 import { InputError } from '../../scene/types.ts';
 import { decodeSrgb } from '../../spectrum/srgb.ts';
 import { messageOf } from '../fail.ts';
 import { type DecodedImage, decodeImage, looksLikeColor } from '../images.ts';
 import { missingTexture } from '../missing.ts';
+import { decodeRadiance } from '../radiance.ts';
 import { textAt, textOf } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import type { PrimSpec, Value } from './layer.ts';
@@ -39,43 +40,74 @@ export class TextureLoader {
 
   /** The picture that an asset value leads to. */
   file(value: Value | undefined, user: string): Promise<Picture | undefined> {
-    const asset = textOf(value) ?? '';
-    const anchor = (value?.type === 'asset' && value.anchor) || this.context.layer.name;
-    const [path, ...more] = this.context.files.candidates(anchor, asset);
-    const key = [path, ...more].join('\n');
+    const asked = this.askedFor(value, user);
+    const key = asked.paths.join('\n');
     let image = this.images.get(key);
     if (!image) {
-      image = this.load([path, ...more], asset, anchor, user);
+      image = this.load(asked);
       this.images.set(key, image);
     }
     return image;
   }
 
-  private async load(
-    paths: readonly string[],
-    asset: string,
-    anchor: string,
-    user: string,
-  ): Promise<Picture | undefined> {
+  /** The picture of a dome: of radiance, or as other pictures are. */
+  async sky(value: Value | undefined, prim: PrimSpec): Promise<DomeLight['texture']> {
+    const asked = this.askedFor(value, prim.path);
+    const radiance = await this.unlessUnreadable(asked, async () => {
+      const found = await this.context.files.findBytes(asked.anchor, asked.asset);
+      return found && decodeRadiance(found.bytes, found.id);
+    });
+    if (radiance) return { name: asked.asset, ...radiance, colorSpace: 'linear', filter: 'linear', ...AROUND };
+    if (radiance === null) return undefined;
+    const image = await this.file(value, prim.path);
+    return image && { ...textureOf(this.context, prim, image, false), name: asked.asset, ...AROUND };
+  }
+
+  private askedFor(value: Value | undefined, user: string): Asked {
+    const asset = textOf(value) ?? '';
+    const anchor = (value?.type === 'asset' && value.anchor) || this.context.layer.name;
+    return { asset, anchor, user, paths: this.context.files.candidates(anchor, asset) };
+  }
+
+  private async load(asked: Asked): Promise<Picture | undefined> {
+    const { asset, anchor, user, paths } = asked;
     const { files } = this.context;
-    try {
+    const picture = await this.unlessUnreadable(asked, async () => {
       if (asset.includes('<UDIM>')) {
         const tiles = await readTiles((tile) => files.findBytes(anchor, asset.replaceAll('<UDIM>', tile)));
-        if (tiles.length > 0) return { ...atlasOf(tiles), color: looksLikeColor(tiles[0].bytes) };
-      } else {
-        const found = await files.findBytes(anchor, asset);
-        if (found) return { ...decodeImage(found.bytes, found.id), color: looksLikeColor(found.bytes) };
+        return tiles.length > 0 ? { ...atlasOf(tiles), color: looksLikeColor(tiles[0].bytes) } : undefined;
       }
-      const { code, message, missing } = missingTexture(asset, paths);
-      report(this.context, 'warning', code, user, message, { missing });
-      return undefined;
+      const found = await files.findBytes(anchor, asset);
+      return found && { ...decodeImage(found.bytes, found.id), color: looksLikeColor(found.bytes) };
+    });
+    if (picture !== undefined) return picture ?? undefined;
+    const { code, message, missing } = missingTexture(asset, paths);
+    report(this.context, 'warning', code, user, message, { missing });
+    return undefined;
+  }
+
+  /** What `read` gives; null, with a diagnostic, where it throws. */
+  private async unlessUnreadable<T>({ user }: Asked, read: () => Promise<T>): Promise<T | null> {
+    try {
+      return await read();
     } catch (thrown) {
       const message = thrown instanceof InputError ? thrown.message : messageOf(thrown);
       report(this.context, 'warning', 'file.unreadable-texture', user, message);
-      return undefined;
+      return null;
     }
   }
 }
+
+/** An asset, what names it, and where it may be. */
+interface Asked {
+  readonly asset: string;
+  readonly anchor: string;
+  readonly user: string;
+  readonly paths: readonly string[];
+}
+
+/** A picture of all directions has no rim but at its poles. */
+const AROUND = { wrapS: 'repeat', wrapT: 'clamp' } as const;
 
 /** How a UsdUVTexture reads its picture. `alpha: false`: opacity does not come from it, so that it is opaque. */
 export function textureOf(context: StageContext, shader: PrimSpec, image: Picture, alpha: boolean): Texture {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { toHalf } from '../../math/half.ts';
 import { pointsAt } from '../../scene/points.ts';
 import { sphere } from '../../scene/primitives.ts';
 import type { Material, Mesh, Scene, SceneObject, Texture } from '../../scene/types.ts';
@@ -116,7 +117,13 @@ const scene: Scene = {
     },
   ],
   lights: [
-    { kind: 'distant', path: '/Lights/Sun', direction: [0.6, 0, -0.8], color: [3, 2.5, 2] },
+    {
+      kind: 'distant',
+      path: '/Lights/Sun',
+      direction: [0.6, 0, -0.8],
+      color: [3, 2.5, 2],
+      spectrum: { kind: 'thermal', temperature: 5772.5 },
+    },
     {
       kind: 'sphere',
       path: '/Lights/Lamp',
@@ -265,9 +272,22 @@ describe('what is written reads back the same', async () => {
     });
   });
 
+  it('a dome of radiance, as an EXR beside the text', async () => {
+    const halves = Uint16Array.from([0.5, 2, 4000, 1, 0, 65504, 7, 1], toHalf);
+    const sky = { ...texture('sky.hdr', 255, 1), width: 2, height: 1, data: halves, colorSpace: 'linear' } as const;
+    const lights = [{ kind: 'dome', path: '/Sky', color: [1, 1, 1], texture: sky }] as const;
+    expect([...writeTextures({ ...leafy, lights }).keys()]).toContain('textures/sky.exr');
+    expect((await reread({ ...leafy, lights })).lights).toMatchObject([{ texture: { width: 2, data: halves } }]);
+  });
+
   it('lights, cameras, hints and times', () => {
     expect(back.lights).toMatchObject([
-      { kind: 'distant', direction: [0.6, 0, -0.8].map((x) => expect.closeTo(x, 12)), color: [3, 2.5, 2] },
+      {
+        kind: 'distant',
+        direction: [0.6, 0, -0.8].map((x) => expect.closeTo(x, 12)),
+        color: [3, 2.5, 2],
+        spectrum: { kind: 'thermal', temperature: 5772.5 },
+      },
       ...scene.lights.slice(1, 3),
       { kind: 'dome', color: [0.5, 0.5, 1] },
     ]);

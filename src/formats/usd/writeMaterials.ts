@@ -1,6 +1,7 @@
-import type { Material, Scene, Texture, TextureChannel } from '../../scene/types.ts';
+import type { Material, RadiancePicture, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import { SPECTRAL_HINTS } from '../hints.ts';
 import { encodePng } from '../png.ts';
+import { encodeRadiance } from '../radiance.ts';
 import type { PrimTree } from './primTree.ts';
 import { block, double, float, floats, type Lines, quoted } from './usdaText.ts';
 
@@ -13,17 +14,17 @@ const texturesOf = (m: Material): readonly Texture[] =>
     m.metallicTexture?.texture,
   ].filter((texture) => texture !== undefined);
 
-/** The scene's textures and the files they are written to: one for each picture, `textures/NAME.png`. */
+/** The scene's textures and the files they are written to: one for each picture, `textures/NAME.png`, `.exr` of radiance. */
 export class TextureFiles {
-  private readonly pathOf = new Map<Uint8Array, string>();
-  private readonly textures = new Map<string, Texture>();
+  private readonly pathOf = new Map<object, string>();
+  private readonly textures = new Map<string, Written>();
 
   constructor(scene: Scene) {
     for (const material of scene.materials) for (const texture of texturesOf(material)) this.add(texture);
     for (const light of scene.lights) if (light.kind === 'dome' && light.texture) this.add(light.texture);
   }
 
-  private add(texture: Texture): void {
+  private add(texture: Written): void {
     if (this.pathOf.has(texture.data)) return;
     const base =
       texture.name
@@ -31,21 +32,27 @@ export class TextureFiles {
         .at(-1)!
         .replace(/\.[^.]*$/, '')
         .replaceAll(/[^\w-]/g, '_') || 'texture';
-    let path = `textures/${base}.png`;
-    for (let n = 1; this.textures.has(path); n++) path = `textures/${base}_${n}.png`;
+    const kind = isRadiance(texture) ? 'exr' : 'png';
+    let path = `textures/${base}.${kind}`;
+    for (let n = 1; this.textures.has(path); n++) path = `textures/${base}_${n}.${kind}`;
     this.pathOf.set(texture.data, path);
     this.textures.set(path, texture);
   }
 
-  path(texture: Texture): string {
+  path(texture: Written): string {
     return this.pathOf.get(texture.data)!;
   }
 
-  /** The PNGs by their paths. */
+  /** The PNGs and EXRs by their paths. */
   encoded(): Map<string, Uint8Array> {
-    return new Map([...this.textures].map(([path, t]) => [path, encodePng(t.width, t.height, t.data)]));
+    return new Map([...this.textures].map(([path, texture]) => [path, encode(texture)]));
   }
 }
+
+type Written = Texture | RadiancePicture;
+const isRadiance = (texture: Written): texture is RadiancePicture => texture.data instanceof Uint16Array;
+const encode = (texture: Written): Uint8Array =>
+  isRadiance(texture) ? encodeRadiance(texture) : encodePng(texture.width, texture.height, texture.data);
 
 /**
  * Writes materials as UsdPreviewSurface networks, each when it is first bound. One that is worn with vertex colours is

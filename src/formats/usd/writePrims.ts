@@ -15,6 +15,7 @@ import type {
   SceneCamera,
   SceneObject,
 } from '../../scene/types.ts';
+import { SPECTRUM_HINT, spectrumText } from '../spectra.ts';
 import type { PrimContent } from './primTree.ts';
 import { boxCorners } from './sampling.ts';
 import {
@@ -189,7 +190,12 @@ export function cameraContent(camera: SceneCamera, placement: Placement): PrimCo
 
 export function lightContent(light: Light, placement: Placement, file: string | undefined): PrimContent {
   if (light.kind === 'stars') return nightSkyContent(light, placement);
-  const color = [`color3f inputs:color = ${floats(light.color)}`, 'float inputs:intensity = 1'];
+  const spectrum = light.spectrum && spectrumText(light.spectrum);
+  const color = [
+    `color3f inputs:color = ${floats(light.color)}`,
+    'float inputs:intensity = 1',
+    ...(spectrum ? [`custom token ${SPECTRUM_HINT} = "${spectrum}"`] : []),
+  ];
   if (light.kind === 'distant') {
     const pose: Pose = { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) };
     return { type: 'DistantLight', properties: [...color, ...poseLines(pose, placement)] };

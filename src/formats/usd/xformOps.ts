@@ -68,11 +68,13 @@ const KINDS = /^(translate[XYZ]?|scale[XYZ]?|rotate([XYZ]|XYZ|XZY|YXZ|YZX|ZXY|ZY
 
 /** x_parent = M x_local at a time; an op without a value there is the identity. */
 export function localMatrix(ops: readonly XformOp[], time: TimeCode): mat4.Mat4 {
-  return ops.reduce<mat4.Mat4>((m, op) => {
-    const step = opMatrix(op, opNumbers(op, time));
-    return step ? mat4.multiply(m, step) : m;
-  }, mat4.IDENTITY);
+  let m: mat4.Mat4 | undefined;
+  for (const op of ops) m = then(m, opMatrix(op, opNumbers(op, time)));
+  return m ?? mat4.IDENTITY;
 }
+
+const then = (m: mat4.Mat4 | undefined, step: mat4.Mat4 | undefined): mat4.Mat4 | undefined =>
+  m && step ? mat4.multiply(m, step) : (m ?? step);
 
 /** A step that is the same at all times, or one that is not. */
 type Step = mat4.Mat4 | XformOp;
@@ -93,9 +95,9 @@ const isMatrix = (step: Step | undefined): step is mat4.Mat4 => Array.isArray(st
 
 /** What `localMatrix` is of the ops that the steps were made of, at a time code. */
 export function productOf(steps: readonly Step[], time: TimeCode): mat4.Mat4 {
-  let m = mat4.IDENTITY;
-  for (const step of steps) m = mat4.multiply(m, isMatrix(step) ? step : localMatrix([step], time));
-  return m;
+  let m: mat4.Mat4 | undefined;
+  for (const step of steps) m = then(m, isMatrix(step) ? step : opMatrix(step, opNumbers(step, time)));
+  return m ?? mat4.IDENTITY;
 }
 
 /** Codes at which any of the ops has a sample, rising. */

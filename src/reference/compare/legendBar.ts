@@ -4,6 +4,9 @@ import { type Canvas, canvas, fill, textHeight, textWidth, write } from './canva
 export const GROUND: Color = [24, 24, 27];
 export const INK: Color = [228, 228, 231];
 
+/** Between two labels [dots]: more than between two letters. */
+const GAP = 6;
+
 /** What is drawn under a picture to tell what its colours mean. */
 export interface LegendBar {
   readonly title: string;
@@ -24,7 +27,7 @@ export function legendBar(width: number, size: number, { title, color, labels }:
   for (const { part, text } of labels) {
     const wide = textWidth(text, size);
     const x = Math.round(Math.min(Math.max(part * length - wide / 2, 0), length - wide));
-    if (taken.some(([from, to]) => x < to + 2 * size && x + wide > from - 2 * size)) continue;
+    if (taken.some(([from, to]) => x < to + GAP * size && x + wide > from - GAP * size)) continue;
     taken.push([x, x + wide]);
     write(bar, text, margin + x, top + thick + 2 * size, size, INK);
   }

@@ -1,12 +1,16 @@
 import { select, vec4 } from 'three/tsl';
-import { type Bands, bandsOf, WHITE } from '../../spectrum/bands.ts';
+import { scale } from '../../math/vec3.ts';
+import { type Bands, bandsOf, reflectanceAt, WHITE } from '../../spectrum/bands.ts';
+import { colorMatching, VISIBLE } from '../../spectrum/cie1931.ts';
 import { DAYLIGHT } from '../../spectrum/lightSpectrum.ts';
-import { seenColor } from '../../spectrum/observerColor.ts';
+import { seenColor, toLinearSrgb } from '../../spectrum/observerColor.ts';
 import { logLuminance } from '../../spectrum/planck.ts';
 import { thermalTable } from '../../spectrum/thermalTable.ts';
+import { lineColor, type ObserverTable } from '../lineColor.ts';
+import { observerTexture } from '../observerTexture.ts';
 import { filteredColor, luminanceOf, type SpectrumTable, thermalColors } from '../spectrumTable.ts';
 import { spectrumTexture } from '../spectrumTexture.ts';
-import { always, within } from './checks.ts';
+import { absolute, always, within } from './checks.ts';
 import { draw, logUniform, vec3At } from './domain.ts';
 import type { Twin } from './twin.ts';
 
@@ -66,4 +70,35 @@ const thermal = (own: boolean): Twin => ({
   checks: [within('color, over white', 0, (_, input) => Math.max(...whiteAt(input).map(Math.abs)), always(2e-3))],
 });
 
-export const spectrumTwins: readonly Twin[] = [thermal(false), thermal(true)];
+let observer: ObserverTable | undefined;
+
+/** (r, g, b, uv) · (wavelength at the filter, for the eye [nm], ir, 0) */
+const lines = (own: boolean): Twin => ({
+  name: own ? 'lineColor, own ends' : 'lineColor',
+  parts: ['lineColor', 'observerTexture'],
+  texels: 2,
+  outputs: 1,
+  cases: (random) =>
+    draw([{ name: '300 … 1000 nm', gamma: 1 }], 600, () => {
+      const rgb = [random(), random(), random()] as const;
+      const { uv, ir } = own ? bandsOf(rgb, random(), random()) : bandsOf(rgb);
+      return [...rgb, uv, 300 + 700 * random(), 340 + 500 * random(), ir, 0];
+    }),
+  cpu: (input) => {
+    const [surface, seen, ir] = input.slice(4);
+    const visible = surface * 1e-9 >= VISIBLE[0] && surface * 1e-9 <= VISIBLE[1];
+    // What this eye sees of what is beyond the visible for the surface.
+    const beyond = seen > surface ? input[3] : ir;
+    const share = visible ? reflectanceAt({ rgb: vec3At(input, 0), uv: 0, ir: 0 }, surface * 1e-9) : beyond;
+    return [...scale(toLinearSrgb(colorMatching(seen * 1e-9)), share), 0];
+  },
+  gpu: (texel) => {
+    observer ??= observerTexture();
+    const [band, line] = [texel(0), texel(1)];
+    const filter = vec4(band.xyz, select(line.y.greaterThan(line.x), band.w, line.z));
+    return [vec4(lineColor(observer, line.x.mul(1e-9), line.y.mul(1e-9), filter, own), 0)];
+  },
+  checks: [absolute('color', 0, 3, always(3e-3))],
+});
+
+export const spectrumTwins: readonly Twin[] = [thermal(false), thermal(true), lines(false), lines(true)];

@@ -7,7 +7,8 @@ import { nameOf, parentOf } from './paths.ts';
  * The names of the prims in a prim, in their order: from the weakest site to the strongest, what is new comes last. In
  * an instance is only what its own arcs bring.
  */
-export function childNames(index: Node): string[] {
+export function childNames(index: Node): readonly string[] {
+  if (isLeaf(index)) return NO_NAMES;
   let names = new Set<string>();
   const gone = new Set<string>();
   const visit = (node: Node, isLocal: boolean): void => {
@@ -20,6 +21,11 @@ export function childNames(index: Node): string[] {
   for (const name of gone) names.delete(name);
   return [...names];
 }
+
+const NO_NAMES: readonly string[] = [];
+
+const isLeaf = ({ children, opinions, stack }: Node): boolean =>
+  children.length === 0 && !stack.relocates && opinions.every(({ spec }) => spec.children.size === 0);
 
 function withLocal(node: Node, names: Set<string>): Set<string> {
   let all = names;

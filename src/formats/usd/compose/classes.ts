@@ -12,6 +12,7 @@ import { depthOf, hasPrefix, isPrimPath, parentOf, stripVariants } from './paths
 import type { IndexBuilder } from './primIndex.ts';
 import { mapForArc } from './references.ts';
 import { classesAt } from './sites.ts';
+import { STEPS } from './work.ts';
 
 type ClassKind = 'inherit' | 'specialize';
 
@@ -40,7 +41,7 @@ function addClass(
   if (known) return known;
   // Implied from one node of a layer stack to another it can be the very same site: kept only to be implied further.
   const contributes = path !== parent.path && !origin?.isSite(parent.stack, path);
-  const arc = { kind, origin, map, number, depth: depthOf(parent.path) };
+  const arc = { kind, origin, map, number, depth: parent.depth };
   const ancestral = contributes && depthOf(path) > 1;
   return builder.addArc(parent, parent.stack, path, arc, { contributes, ancestral, skipsDuplicates: contributes });
 }
@@ -75,6 +76,8 @@ function implyTree(builder: IndexBuilder, to: Node, from: Node, transfer: Namesp
     if (!child.isClass) continue;
     // The next class in one chain of classes: it belongs under `from`, not beside it.
     if (isStart && from.isClass && from.depthBelowArc === child.depthBelowArc) continue;
+    // Relocates can make maps of any length, and two are composed with this one.
+    builder.work.spend(2 * STEPS.item * transfer.pairs.length);
     const map = impliedMap(transfer, child.arc.map);
     const known = to.children.find((c) => c.arc.origin === child && sameMaps(c.arc.map, map));
     const implied = known ?? addClass(builder, child.arc.kind as ClassKind, to, child, map, child.arc.number);

@@ -13,7 +13,7 @@ import { contentOf } from './content.ts';
 import type { Opinion, StackLayer } from './layerStack.ts';
 import { composeList } from './listOps.ts';
 import { localSamples, localValue, type Place } from './localValues.ts';
-import { mapToTarget, type NamespaceMap } from './namespaceMap.ts';
+import { mapToTarget } from './namespaceMap.ts';
 import { type Node, strongestFirst } from './node.ts';
 import { nameOf } from './paths.ts';
 import { mapOp } from './sites.ts';
@@ -30,11 +30,6 @@ class Said implements Place {
     this.spec = spec;
     this.node = node;
     this.from = from;
-  }
-
-  /** Made when it is asked for: most opinions hold neither paths nor times. */
-  get map(): NamespaceMap {
-    return this.node.mapToRoot;
   }
 }
 
@@ -174,7 +169,8 @@ function composedPaths(said: readonly { op: ListOp<string> | undefined; place: P
   return ops.length === 0 ? undefined : { explicit: composeList(ops, (path) => path) };
 }
 
-function mappedOp(op: ListOp<string>, { map }: Place): ListOp<string> {
+function mappedOp(op: ListOp<string>, { node }: Place): ListOp<string> {
+  const map = node.mapToRoot;
   const mapped = mapOp(op, (path) => mapToTarget(map, path === '/' ? '' : path));
   const out: ListOp<string> = {};
   for (const [key, items] of Object.entries(mapped) as [keyof ListOp<string>, (string | undefined)[]][])

@@ -106,7 +106,7 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
   };
 
   it.each(Object.entries(bombs))(
-    'get as much as a second or two make of them: %s',
+    'get as much as there is work for: %s',
     async (_, text) => {
       const said = await codes({ 'root.usda': text });
       expect(said.filter((code) => code === 'usd.too-many-prims')).toHaveLength(1);
@@ -120,6 +120,27 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
     });
     expect(said).toEqual([]);
     expect(whole.layer.rootPrims.get('W')?.children.size).toBe(249_999);
+  }, 60_000);
+
+  it('are no match for a street of which every house is written', async () => {
+    const house = numbered(40, (i) => `def "Window${i}" ( references = </Window> ) { double size = ${i + 1} }`);
+    const street = numbered(
+      1000,
+      (i) => `def "House${i}" ( references = </House> ) { double3 xformOp:translate = (${i}, 0, 0) }`,
+    );
+    const { stage: whole, said } = await stage({
+      'root.usda': `def Cube "Window" {}\ndef "House" { ${house} }\ndef "Street" { ${street} }`,
+    });
+    expect(said).toEqual([]);
+    const houses = [...whole.layer.rootPrims.get('Street')!.children.values()];
+    expect(houses.map(({ children }) => children.size)).toEqual(houses.map(() => 40));
+    expect(houses).toHaveLength(1000);
+  }, 60_000);
+
+  it('say where the work ended, and nothing of a prim that it did not reach', async () => {
+    const { stage: cut, said } = await stage({ 'root.usda': bombs['variant sets that nothing selects'] });
+    expect(said).toEqual([expect.stringMatching(/^usd.too-many-prims root.usda<\/A>/)]);
+    expect(cut.layer.rootPrims.size).toBe(0);
   }, 60_000);
 
   it('get as many arcs as there is room for', async () => {

@@ -14,6 +14,8 @@ export interface LayerStack {
   readonly relocates: Relocates | undefined;
   /** What expressions in its layers are made with: those of its root, under those of the stacks that lead to it. */
   readonly variables: Variables;
+  /** By path, what was asked for: one prim can be what many arcs lead to. */
+  readonly opinions: Map<string, readonly Opinion[]>;
 }
 
 export interface StackLayer {
@@ -33,11 +35,16 @@ export interface Opinion {
 export type Note = (code: Code, path: string, message: string) => void;
 
 /** All opinions of a stack on the prim at a path, strongest first. */
-export const opinionsAt = (stack: LayerStack, path: string): Opinion[] =>
-  stack.layers.flatMap((from) => {
+export function opinionsAt({ layers, opinions }: LayerStack, path: string): readonly Opinion[] {
+  const known = opinions.get(path);
+  if (known) return known;
+  const found = layers.flatMap((from) => {
     const spec = specAt(from.source.root, path);
     return spec ? [{ spec, from }] : [];
   });
+  opinions.set(path, found);
+  return found;
+}
 
 /** Sublayers in sublayers, to this depth. */
 const MAX_DEPTH = 64;
@@ -67,6 +74,7 @@ export class LayerStacks {
       layers,
       variables,
       relocates: relocatesOf(layers, complete ? this.note : () => {}),
+      opinions: new Map(),
     };
     if (complete) this.byRoot.set(key, stack);
     return stack;

@@ -6,6 +6,8 @@ import type { ListOp } from '../layer.ts';
  */
 export function applyListOp<T>(list: readonly T[], op: ListOp<T>, keyOf: (item: T) => string): T[] {
   if (op.explicit) return unique(op.explicit, keyOf);
+  const sole = list.length === 0 ? soleList(op) : undefined;
+  if (sole) return unique(sole, keyOf);
   const items = new Map(list.map((item) => [keyOf(item), item]));
   for (const item of op.deleted ?? []) items.delete(keyOf(item));
   for (const item of op.added ?? []) if (!items.has(keyOf(item))) items.set(keyOf(item), item);
@@ -18,7 +20,16 @@ export function applyListOp<T>(list: readonly T[], op: ListOp<T>, keyOf: (item: 
   return op.ordered ? inOrder(all, op.ordered.map(keyOf), keyOf) : all;
 }
 
+/** What an opinion that says one thing only makes of nothing: most say no more. */
+function soleList<T>({ added, prepended, appended, ordered }: ListOp<T>): readonly T[] | undefined {
+  if (ordered) return undefined;
+  if (!added && !appended) return prepended;
+  if (!prepended && !appended) return added;
+  return !prepended && !added ? appended : undefined;
+}
+
 function unique<T>(items: readonly T[], keyOf: (item: T) => string): T[] {
+  if (items.length < 2) return [...items];
   const seen = new Map<string, T>();
   for (const item of items) if (!seen.has(keyOf(item))) seen.set(keyOf(item), item);
   return [...seen.values()];

@@ -1,16 +1,17 @@
 import type { Dictionary, TimeSamples, Value } from '../layer.ts';
 import { expandedOrWritten } from './expressions.ts';
 import type { StackLayer } from './layerStack.ts';
-import type { NamespaceMap } from './namespaceMap.ts';
+import type { Node } from './node.ts';
 import { composeOffsets, isNoOffset, mapTime, type TimeOffset } from './offsets.ts';
 
-/** Where an opinion comes from: the layer, and how paths and times of its stack become those of the stage. */
+/** Where an opinion comes from: the layer, and the site, which knows how paths and times of its stack become the stage's. */
 export interface Place {
   readonly from: StackLayer;
-  readonly map: NamespaceMap;
+  readonly node: Node;
 }
 
-export const timeOf = ({ from, map }: Place): TimeOffset => composeOffsets(map.time, from.time);
+/** From the layer's times to those of the stage. */
+export const timeOf = ({ from, node }: Place): TimeOffset => composeOffsets(node.timeToRoot, from.time);
 
 /** A value as the stage has it: times are the stage's, and an asset knows the layer that its path is relative to. */
 export function localValue(value: Value, place: Place): Value {
@@ -45,6 +46,7 @@ export function localSamples({ times, values }: TimeSamples, place: Place): Time
   const time = timeOf(place);
   const local = /^(asset|timecode)/.test(values[0].type) ? values.map((v) => localValue(v, place)) : values;
   if (isNoOffset(time)) return { times, values: local };
-  const mapped = times.map((t) => mapTime(time, t));
+  const mapped = new Float64Array(times.length);
+  for (let i = 0; i < times.length; i++) mapped[i] = mapTime(time, times[i]);
   return time.scale > 0 ? { times: mapped, values: local } : { times: mapped.reverse(), values: [...local].reverse() };
 }

@@ -130,13 +130,28 @@ function composeSingle([start, target]: Pair, [source, between]: Pair, time: Tim
 }
 
 export const inverseMap = ({ pairs, time }: NamespaceMap): NamespaceMap => ({
-  pairs: pairs.map(([source, target]): Pair => [target, source]),
+  pairs: inversePairs(pairs),
   time: inverseOffset(time),
 });
+
+/** Of long lists, which are asked for once for each class that they are between, and are then indexed. */
+const inverses = new WeakMap<readonly Pair[], readonly Pair[]>();
+
+function inversePairs(pairs: readonly Pair[]): readonly Pair[] {
+  const known = inverses.get(pairs);
+  if (known) return known;
+  const made = pairs.map(([source, target]): Pair => [target, source]);
+  if (pairs.length > FEW_PAIRS) inverses.set(pairs, made);
+  return made;
+}
 
 /** What lies outside of an arc keeps its path: of classes, and of references within one layer. */
 export function withRoot(map: NamespaceMap): NamespaceMap {
   if (map.pairs.some(([source, target]) => source === '' || target === '')) return map;
+  if (map.pairs.length === 1) {
+    const [[source, target]] = map.pairs;
+    return { ...map, pairs: source === target ? IDENTITY.pairs : [ROOT, map.pairs[0]] };
+  }
   return { ...map, pairs: canonical([ROOT, ...map.pairs]) };
 }
 

@@ -1,6 +1,7 @@
 import { type LayerStack, type Opinion, opinionsAt } from './layerStack.ts';
 import { composeMaps, IDENTITY, type NamespaceMap } from './namespaceMap.ts';
-import { depthOf, hasPrefix, parentOf } from './paths.ts';
+import { composeOffsets, NO_OFFSET, type TimeOffset } from './offsets.ts';
+import { aroundBy, depthOf, hasPrefix } from './paths.ts';
 
 /** The arcs of composition, the strongest first. */
 export const ARCS = ['root', 'inherit', 'variant', 'relocate', 'reference', 'payload', 'specialize'] as const;
@@ -42,7 +43,10 @@ export class Node {
   /** Of a complete index's root, once it is asked: whether it is an instance. */
   isShared: boolean | undefined;
   private whole: NamespaceMap | undefined;
+  private time: TimeOffset | undefined;
   private order: readonly Node[] | undefined;
+  private names: number | undefined;
+  private target: string | undefined;
 
   constructor(stack: LayerStack, path: string, opinions: readonly Opinion[] = opinionsAt(stack, path)) {
     this.stack = stack;
@@ -54,6 +58,12 @@ export class Node {
     return !this.isInert && this.opinions.length > 0;
   }
 
+  /** The number of names in its path. */
+  get depth(): number {
+    this.names ??= depthOf(this.path);
+    return this.names;
+  }
+
   get root(): Node {
     let node: Node = this;
     while (node.parent) node = node.parent;
@@ -62,14 +72,13 @@ export class Node {
 
   /** Levels of namespace between the prim that has the arc and this one. */
   get depthBelowArc(): number {
-    return this.parent ? depthOf(this.parent.path) - this.arc.depth : 0;
+    return this.parent ? this.parent.depth - this.arc.depth : 0;
   }
 
   /** Where the arc led. */
   get pathAtArc(): string {
-    let path = this.path;
-    for (let i = this.depthBelowArc; i > 0; i--) path = parentOf(path);
-    return path;
+    this.target ??= aroundBy(this.path, this.depthBelowArc);
+    return this.target;
   }
 
   /** The arc is on this very prim. */
@@ -91,6 +100,12 @@ export class Node {
     return this.whole;
   }
 
+  /** The times of `mapToRoot`, made without its paths: values need no more, and most opinions hold no paths. */
+  get timeToRoot(): TimeOffset {
+    this.time ??= this.parent ? composeOffsets(this.parent.timeToRoot, this.arc.map.time) : NO_OFFSET;
+    return this.time;
+  }
+
   isSite(stack: LayerStack, path: string): boolean {
     return this.stack === stack && this.path === path;
   }
@@ -99,7 +114,7 @@ export class Node {
   adopt(child: Node, arc: Arc): void {
     child.arc = arc;
     child.parent = this;
-    forgetMaps(child);
+    forgetWays(child);
     const { children } = this;
     let [from, to] = [0, children.length];
     while (from < to) {
@@ -115,8 +130,7 @@ export class Node {
    * instance nothing counts but what its own arcs lead to.
    */
   toChild(name: string, isInInstance: boolean): Node {
-    const origins = new Map<Node, Node | undefined>();
-    for (const { arc } of everyNode(this)) if (arc.origin) origins.set(arc.origin, undefined);
+    const origins = originsIn(this);
     const copy = (node: Node, isLocal: boolean): Node | undefined => {
       const child = node.below(name);
       const local = isLocal && !node.isDirect;
@@ -131,17 +145,18 @@ export class Node {
       const needed =
         node.opinions.length > 0 ||
         child.children.length > 0 ||
-        origins.has(node) ||
+        origins?.has(node) ||
         node.stack.relocates ||
         !node.isAncestral;
       if (!needed) return undefined;
-      if (origins.has(node)) origins.set(node, child);
+      if (origins?.has(node)) origins.set(node, child);
+      // What the site's own layers move away is elsewhere.
+      if (node.parent && child.stack.relocates?.bySource.has(child.path)) silence(child);
       return child;
     };
     const root = copy(this, isInInstance)!;
+    if (!origins) return root;
     for (const node of everyNode(root)) {
-      // What the site's own layers move away is elsewhere.
-      if (node.parent && node.stack.relocates?.bySource.has(node.path)) silence(node);
       const { origin } = node.arc;
       if (origin) node.arc = { ...node.arc, origin: origins.get(origin) };
     }
@@ -160,11 +175,16 @@ export class Node {
     child.isAncestral = this.parent !== undefined;
     child.serial = this.serial;
     child.whole = this.whole;
+    child.time = this.time;
+    child.names = this.depth + 1;
+    child.target = this.target;
     return child;
   }
 
   static forget(node: Node): void {
     node.whole = undefined;
+    node.time = undefined;
+    node.target = undefined;
   }
 
   /** `byStrength` of a complete index. */
@@ -174,9 +194,23 @@ export class Node {
   }
 }
 
-function forgetMaps(tree: Node): void {
+/** The nodes of a tree that others in it are implied by; what stands for each is still to be said. */
+function originsIn(tree: Node, found?: Map<Node, Node | undefined>): Map<Node, Node | undefined> | undefined {
+  const { origin } = tree.arc;
+  let origins = found;
+  if (origin) origins = (origins ?? new Map<Node, Node | undefined>()).set(origin, undefined);
+  for (const child of tree.children) origins = originsIn(child, origins);
+  return origins;
+}
+
+/** What is known of the way to the tree's root is another one's now. */
+function forgetWays(tree: Node): void {
   for (const node of everyNode(tree)) Node.forget(node);
 }
+
+/** Whether any opinion that counts has the metadata of a key. */
+export const isSaid = (index: Node, key: string): boolean =>
+  strongestFirst(index).some((node) => !node.isInert && node.opinions.some(({ spec }) => spec.metadata.has(key)));
 
 export const speaksAnywhere = (node: Node): boolean => node.opinions.length > 0 || node.children.some(speaksAnywhere);
 
@@ -277,7 +311,7 @@ function isUnder(node: Node, above: Node): boolean {
 }
 
 /** How deep the prim of the stage is where the arc counts first. */
-const depthInStage = (node: Node): number => depthOf(node.root.path) - node.depthBelowArc;
+const depthInStage = (node: Node): number => node.root.depth - node.depthBelowArc;
 
 /** Whether two paths are one, or one of them is in the other. */
 export const areRelated = (a: string, b: string): boolean => hasPrefix(a, b) || hasPrefix(b, a);

@@ -23,6 +23,13 @@ export function anyAround(path: string, ask: (around: string) => boolean): boole
 /** Where a path is in the namespace of the stage, which knows no variants. */
 export const stripVariants = (path: string): string => (path.includes('{') ? path.replaceAll(/\{[^}]*\}/g, '') : path);
 
+/** The path so many levels around another. */
+export function aroundBy(path: string, levels: number): string {
+  let end = path.length;
+  for (let i = levels; i > 0 && end > 0; i--) end = path.lastIndexOf('/', end - 1);
+  return path.slice(0, end);
+}
+
 /** The number of names in a path. */
 export function depthOf(path: string): number {
   let depth = 0;

@@ -194,7 +194,7 @@ export class IndexBuilder {
     for (const node of everyNode(tree)) {
       if (ownArcs && node.stack.relocates) this.tasks.add({ kind: 'relocate', node });
       if (node.arc.kind === 'relocate') this.tasks.add({ kind: 'impliedRelocate', node });
-      if (!node.contributes) continue;
+      if (!node.contributes || node.opinions.every(({ spec }) => spec.metadata.size === 0)) continue;
       const written = (key: string): boolean => node.opinions.some(({ spec }) => spec.metadata.has(key));
       if (this.evaluatesVariants && written('variantSets')) this.tasks.add({ kind: 'variantSets', node });
       if (!ownArcs) continue;

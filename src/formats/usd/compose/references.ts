@@ -20,7 +20,7 @@ export function addReferences(builder: IndexBuilder, node: Node, kind: 'referenc
     const map = mapForArc(node, path, time);
     // What refers to its own layers sees all of them.
     const whole = arc.asset === '' ? withRoot(map) : map;
-    const written = { kind, map: whole, number, depth: depthOf(node.path) };
+    const written = { kind, map: whole, number, depth: node.depth };
     const added = builder.addArc(node, stack, path, written, { ancestral: depthOf(path) > 1 });
     if (added)
       builder.expect(added, `its ${kind} ${named(arc)} leads to ${path}, which ${stack.root.id} does not have`);

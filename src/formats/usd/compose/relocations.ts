@@ -1,6 +1,5 @@
 import { IDENTITY, mapToTarget } from './namespaceMap.ts';
 import { type Node, silence } from './node.ts';
-import { depthOf } from './paths.ts';
 import type { IndexBuilder } from './primIndex.ts';
 
 /** A prim that a relocate brings here: what arcs say about it where it comes from counts here, and only that. */
@@ -8,7 +7,7 @@ export function addRelocate(builder: IndexBuilder, node: Node): void {
   const source = node.stack.relocates?.byTarget.get(node.path);
   if (source === undefined || (node.isInert && node.depthBelowArc === 0)) return;
   for (const child of node.children) if (child.arc.kind !== 'variant') silence(child);
-  const arc = { kind: 'relocate' as const, map: IDENTITY, number: 0, depth: depthOf(node.path) };
+  const arc = { kind: 'relocate' as const, map: IDENTITY, number: 0, depth: node.depth };
   const added = builder.addArc(node, node.stack, source, arc, { contributes: false, ancestral: true });
   if (!added) return;
   if (added.opinions.length > 0) {
@@ -34,6 +33,6 @@ export function implyRelocate(builder: IndexBuilder, node: Node): void {
   const source = mapToTarget(node.parent.arc.map, node.path);
   if (source === undefined) return;
   if (above.children.some((child) => child.arc.kind === 'relocate' && child.path === source)) return;
-  const arc = { kind: 'relocate' as const, origin: node, map: IDENTITY, number: 0, depth: depthOf(above.path) };
+  const arc = { kind: 'relocate' as const, origin: node, map: IDENTITY, number: 0, depth: above.depth };
   builder.addArc(above, above.stack, source, arc, { contributes: false });
 }

@@ -19,12 +19,16 @@ export function arcsAt(opinions: readonly Opinion[], key: ArcKey): SourcedArc[] 
     opinions,
     ({ spec, from }) => {
       const value = spec.metadata.get(key);
-      return value?.type === 'arcs' ? mapOp(value.op, (arc) => ({ ...arc, from })) : undefined;
+      return value?.type === 'arcs' ? mapOp(value.op, (arc) => sourced(arc, from)) : undefined;
     },
     // Relative to different layers the same words are different files.
     ({ asset, path, offset, scale, from }) => `${asset && from.source.id}\n${asset}\n${path}\n${offset} ${scale}`,
   );
 }
+
+const sourced = ({ asset, path, offset, scale }: WrittenArc, from: StackLayer): SourcedArc => {
+  return { asset, path, offset, scale, from };
+};
 
 export const classesAt = (opinions: readonly Opinion[], key: ClassKey): string[] =>
   fold(

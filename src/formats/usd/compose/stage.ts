@@ -1,14 +1,14 @@
 import type { Code } from '../../codes.ts';
 import type { DiagnosticList } from '../../notes.ts';
 import { report } from '../context.ts';
-import { type Layer, NOTHING, type PrimSpec } from '../layer.ts';
+import type { Layer, PrimSpec } from '../layer.ts';
 import { childNames } from './childNames.ts';
 import { applyClips } from './clips/apply.ts';
 import { type ClipSet, clipSetOf } from './clips/clipSet.ts';
-import { clipSetDefinitions } from './clips/definitions.ts';
+import { type ClipSetDefinition, clipSetDefinitions } from './clips/definitions.ts';
 import { composedPrim } from './composedPrim.ts';
 import { isInstance } from './instances.ts';
-import { type LayerStack, LayerStacks } from './layerStack.ts';
+import { LayerStacks } from './layerStack.ts';
 import { type LayerStore, type LoadedLayer, loadedLayer } from './layerStore.ts';
 import type { Node } from './node.ts';
 import { type Composer, IndexBuilder } from './primIndex.ts';
@@ -41,6 +41,17 @@ interface Noted {
   readonly code: Code;
   readonly path: string;
   readonly message: string;
+}
+
+/** A prim whose children are composed, and what it hands down to them. */
+interface Parent {
+  readonly index: Node;
+  readonly path: string;
+  readonly depth: number;
+  /** It is in an instance. */
+  readonly isShared: boolean;
+  /** Those of the prim and of what is around it, the strongest first. */
+  readonly clips: readonly ClipSet[];
 }
 
 /** Composes the stage of a root layer. Layers are read as they are needed, so that variants not chosen cost nothing. */
@@ -84,7 +95,8 @@ class StageComposer {
     const stack = await this.settled(() => this.composer.stacks.of(this.root, this.session));
     const index = await this.settled(() => IndexBuilder.stagePrim(this.composer, stack, '', undefined));
     const { name, metadata } = this.root.layer;
-    const rootPrims = await this.children(stack, index, '', 0, false, []);
+    const root = { index, path: '', depth: 0, isShared: false, clips: [] };
+    const rootPrims = await this.children(root, childNames(index));
     this.noteUnmetChoices();
     return { layer: { name, metadata, rootPrims }, variantSets: this.variantSets };
   }
@@ -106,48 +118,57 @@ class StageComposer {
     report({ layer: this.root.layer, diagnostics: this.diagnostics }, 'warning', code, path, message);
   }
 
-  private async children(
-    stack: LayerStack,
-    around: Node,
-    path: string,
-    depth: number,
-    isShared: boolean,
-    clipsAround: readonly ClipSet[],
-  ): Promise<ReadonlyMap<string, PrimSpec>> {
-    const names = childNames(around);
-    if (names.length === 0) return NOTHING;
+  private async children(parent: Parent, names: readonly string[]): Promise<ReadonlyMap<string, PrimSpec>> {
+    const { path, depth, isShared } = parent;
     const children = new Map<string, PrimSpec>();
     if (depth >= MAX_DEPTH) {
       this.say('usd.too-deep', path, `prims nested more than ${MAX_DEPTH} deep are left out`);
       return children;
     }
-    const { work } = this.composer;
     for (const name of names) {
-      work.spend(STEPS.prim);
-      if (++this.prims > MAX_PRIMS || work.isTooMuch) {
-        this.sayFull(path);
-        break;
-      }
+      if (!this.hasRoom(path)) break;
       const childPath = `${path}/${name}`;
-      const build = (): Node => IndexBuilder.stagePrim(this.composer, stack, childPath, around);
+      const build = (): Node => IndexBuilder.stagePrim(this.composer, parent.index.stack, childPath, parent.index);
       let index = build();
       if (!this.store.isComplete || this.noted.length > 0) index = await this.settled(build);
-      const prim = composedPrim(index, childPath, work);
+      const prim = composedPrim(index, childPath, this.composer.work);
+      if (this.isCutOff(prim)) break;
       children.set(name, prim);
-      if (work.isTooMuch) this.sayFull(childPath);
-      const clips = await this.clipSets(index, childPath, clipsAround);
+      const definitions = clipSetDefinitions(index);
+      const clips = definitions.length === 0 ? parent.clips : await this.clipSets(definitions, childPath, parent.clips);
       if (clips.length > 0) this.applyClips(prim, index, clips);
       if (!isShared) this.variantSets.push(...variantSetsOf(index, childPath));
       if (!isActive(prim)) continue;
-      prim.children = await this.children(stack, index, childPath, depth + 1, isShared || isInstance(index), clips);
+      const below = childNames(index);
+      if (below.length === 0) continue;
+      const inside = isShared || isInstance(index);
+      prim.children = await this.children({ index, path: childPath, depth: depth + 1, isShared: inside, clips }, below);
     }
     return children;
   }
 
+  /** Counts one more prim in a prim; false, and said, where it is one too many. */
+  private hasRoom(path: string): boolean {
+    const { work } = this.composer;
+    work.spend(STEPS.prim);
+    if (++this.prims <= MAX_PRIMS && !work.isTooMuch) return true;
+    this.sayFull(path);
+    return false;
+  }
+
+  /** Says where the work ended while a prim was composed; true where nothing that defines it was reached. */
+  private isCutOff({ path, specifier }: PrimSpec): boolean {
+    if (!this.composer.work.isTooMuch) return false;
+    this.sayFull(path);
+    return specifier === 'over';
+  }
+
   /** The clip sets of a prim and of those around it, the strongest first. */
-  private async clipSets(index: Node, path: string, around: readonly ClipSet[]): Promise<readonly ClipSet[]> {
-    const definitions = clipSetDefinitions(index);
-    if (definitions.length === 0) return around;
+  private async clipSets(
+    definitions: readonly ClipSetDefinition[],
+    path: string,
+    around: readonly ClipSet[],
+  ): Promise<readonly ClipSet[]> {
     const say = (code: Code, message: string): void => this.composer.note(code, path, message);
     const own = await this.settled(() => definitions.flatMap((d) => clipSetOf(d, this.store, say) ?? []));
     return [...own, ...around];

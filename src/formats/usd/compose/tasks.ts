@@ -67,7 +67,8 @@ export class TaskList {
 
   /** The place of the task that comes first among those of one kind. */
   private firstOf(tasks: readonly Task[]): number {
-    const [{ node, set }] = tasks;
+    const [{ kind, node, set }] = tasks;
+    if (set === undefined && kind !== 'impliedClasses') return 0;
     this.work.spend(tasks.length);
     const order = set === undefined || tasks.every((t) => t.node === node) ? NO_ORDER : placesByStrength(node.root);
     this.work.spend(order.size);

@@ -1,6 +1,7 @@
-import { type Node, strongestFirst } from './node.ts';
-import { selectionOf } from './paths.ts';
-import { selectionAt, variantSetsAt, variantsAt } from './sites.ts';
+import { expandedOrWritten } from './expressions.ts';
+import { isSaid, type Node, strongestFirst } from './node.ts';
+import { isVariantName, selectionOf } from './paths.ts';
+import { variantSetsAt } from './sites.ts';
 
 /** What a prim lets one choose between. */
 export interface OfferedSet {
@@ -13,29 +14,43 @@ export interface OfferedSet {
 
 /** The sets of a prim, those of the strongest site first, with all variants that any site has. */
 export function variantSetsOf(index: Node, path: string): OfferedSet[] {
+  if (!isSaid(index, 'variantSets')) return [];
   const nodes = strongestFirst(index).filter((node) => node.contributes);
-  if (!nodes.some(({ opinions }) => opinions.some(({ spec }) => spec.metadata.has('variantSets')))) return [];
-  const variants = new Map<string, Set<string>>();
-  for (const node of nodes)
-    for (const set of variantSetsAt(node.opinions)) {
-      const names = variants.get(set) ?? new Set();
-      variants.set(set, names);
-      for (const other of nodes) for (const name of variantsAt(other.opinions, set)) names.add(name);
-    }
-  return [...variants].map(([name, names]) => {
-    const selected = selectedIn(nodes, name);
-    return { path, set: name, variants: [...names].sort(), ...(selected ? { selected } : {}) };
+  const [variants, selections] = [variantsIn(nodes), selectionsIn(nodes)];
+  const sets = new Set(nodes.flatMap(({ opinions }) => variantSetsAt(opinions)));
+  return [...sets].map((set) => {
+    const selected = selections.get(set);
+    const names = [...(variants.get(set) ?? [])].filter(isVariantName).sort();
+    return { path, set, variants: names, ...(selected ? { selected } : {}) };
   });
 }
 
-function selectedIn(nodes: readonly Node[], set: string): string | undefined {
+/** The names of all variants that any site has, by set. */
+function variantsIn(nodes: readonly Node[]): ReadonlyMap<string, ReadonlySet<string>> {
+  const found = new Map<string, Set<string>>();
+  for (const { opinions } of nodes)
+    for (const { spec } of opinions)
+      for (const [set, variants] of spec.variantSets) {
+        const names = found.get(set) ?? new Set();
+        found.set(set, names);
+        for (const name of variants.keys()) names.add(name);
+      }
+  return found;
+}
+
+/** By set, the variant that the prim has, else the one that is asked for first. */
+function selectionsIn(nodes: readonly Node[]): ReadonlyMap<string, string> {
+  const found = new Map<string, string>();
   for (const node of nodes) {
-    const [name, variant] = (node.isDirect && node.arc.kind === 'variant' && selectionOf(node.path)) || [];
-    if (name === set) return variant;
+    const [set, variant] = (node.isDirect && node.arc.kind === 'variant' && selectionOf(node.path)) || [];
+    if (set !== undefined && variant !== undefined && !found.has(set)) found.set(set, variant);
   }
-  for (const node of nodes) {
-    const written = selectionAt(node.opinions, set);
-    if (written !== undefined) return written;
-  }
-  return undefined;
+  for (const { opinions } of nodes)
+    for (const { spec, from } of opinions) {
+      const written = spec.metadata.get('variants');
+      if (written?.type !== 'texts-by-name') continue;
+      for (const [set, text] of written.data)
+        if (!found.has(set)) found.set(set, expandedOrWritten(text, from.variables));
+    }
+  return found;
 }

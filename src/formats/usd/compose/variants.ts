@@ -1,7 +1,7 @@
 import { opinionsAt } from './layerStack.ts';
 import { IDENTITY, mapToSource, mapToTarget } from './namespaceMap.ts';
 import { byStrength, everyNode, type Node } from './node.ts';
-import { depthOf, isVariantName, selectionOf, stripVariants, variantPath } from './paths.ts';
+import { isVariantName, selectionOf, stripVariants, variantPath } from './paths.ts';
 import type { IndexBuilder } from './primIndex.ts';
 import { selectionAt, variantSetsAt, variantsAt } from './sites.ts';
 import type { Task } from './tasks.ts';
@@ -22,7 +22,7 @@ export function addVariant(builder: IndexBuilder, task: Task): void {
     return;
   }
   if (!isVariantName(selected)) return;
-  const arc = { kind: 'variant' as const, map: IDENTITY, number, depth: depthOf(node.path) };
+  const arc = { kind: 'variant' as const, map: IDENTITY, number, depth: node.depth };
   if (builder.addArc(node, node.stack, variantPath(node.path, set, selected), arc)) builder.tasks.retryVariants();
 }
 

@@ -1,7 +1,10 @@
 import type { LayerStore } from './layerStore.ts';
 
-/** What any stage may take, and what each prim and property that its layers write adds to that [steps, about 50 ns each]. */
-const FREE_STEPS = 12_000_000;
+/** What any stage may take [steps, about 40 ns each]. */
+const FREE_STEPS = 6_000_000;
+/** What each prim and property that its layers write adds: much as long as they are few, and then as much as a line is worth. */
+const STEPS_PER_EARLY_SPEC = 2000;
+const EARLY_SPECS = 3000;
 const STEPS_PER_SPEC = 100;
 
 /** What things take, in steps: one is to look at one site. */
@@ -9,7 +12,7 @@ export const STEPS = { prim: 20, site: 10, property: 10, item: 10, pair: 60 } as
 
 /**
  * What composing a stage takes. A few lines can ask for any number of prims, sites and comparisons: they get as many as
- * take about a second, and long files more, as they say more.
+ * take about half a second, and longer files more, as they say more.
  */
 export class Work {
   private readonly store: LayerStore;
@@ -24,6 +27,10 @@ export class Work {
   }
 
   get isTooMuch(): boolean {
-    return this.steps > FREE_STEPS + STEPS_PER_SPEC * this.store.specs;
+    return this.steps > stepsFor(this.store.specs);
   }
 }
+
+/** How many steps layers that write so many prims and properties may take. */
+export const stepsFor = (specs: number): number =>
+  FREE_STEPS + STEPS_PER_EARLY_SPEC * Math.min(specs, EARLY_SPECS) + STEPS_PER_SPEC * specs;

@@ -1,6 +1,6 @@
 import type { Influences } from '../../influences.ts';
 import { attributeOf, numberOf, numbersOf, textAt, tokensAt, valueAt } from '../attributes.ts';
-import { metadataText, primAt, report, type StageContext } from '../context.ts';
+import { metadataText, primAt, report, type StageContext, targetsOf } from '../context.ts';
 import type { AttributeSpec, PrimSpec } from '../layer.ts';
 import { nearest, nearestTarget } from './inherited.ts';
 import { columnMatrices, readSkeleton, type Skeleton } from './skeleton.ts';
@@ -25,6 +25,10 @@ interface JointBinding {
   readonly method: 'classicLinear' | 'dualQuaternion';
 }
 
+/** Whether a skeleton may bend the meshes at a prim and below it, given whether one may those around it. */
+export const maybeBound = (prim: PrimSpec, around: boolean): boolean =>
+  prim.properties.has(SKELETON) ? targetsOf(prim, SKELETON).length > 0 : around;
+
 /** The skeletons of one stage, each read once. */
 export class Skeletons {
   private readonly context: StageContext;
@@ -34,16 +38,11 @@ export class Skeletons {
     this.context = context;
   }
 
-  /** Whether a skeleton may bend the mesh. */
-  isBound(mesh: PrimSpec): boolean {
-    return nearestTarget(this.context.layer, mesh.path, 'skel:skeleton') !== undefined;
-  }
-
   /** Undefined where the mesh has none, or, with a diagnostic, where it cannot follow it. */
   bindingOf(mesh: PrimSpec, points: number): Binding | undefined {
     const { layer } = this.context;
     if (!nearest(layer, mesh.path, (prim) => prim.typeName === 'SkelRoot')) return undefined;
-    const path = nearestTarget(layer, mesh.path, 'skel:skeleton');
+    const path = nearestTarget(layer, mesh.path, SKELETON);
     if (path === undefined) return undefined;
     const skeleton = this.skeletonAt(path, mesh);
     if (!skeleton) return undefined;
@@ -66,6 +65,7 @@ export class Skeletons {
   }
 }
 
+const SKELETON = 'skel:skeleton';
 const INDICES = 'primvars:skel:jointIndices';
 const WEIGHTS = 'primvars:skel:jointWeights';
 

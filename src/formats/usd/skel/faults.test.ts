@@ -64,6 +64,18 @@ describe('an elbow that turns by 90° between two samples', () => {
     }
   });
 
+  it('bends the one arm, and not another with the same mesh and a skeleton at rest', async () => {
+    const other = `def SkelRoot "Other" {
+  rel skel:skeleton = </Other/S>
+  def Skeleton "S" ( references = </Rig/S> ) {}
+  def Xform "Body" ( references = </Rig/Body> ) {}
+}`;
+    const { objects } = await read(`${arm()}\n${other}`);
+    const hand = (path: string) => vertexPosition(objects.find((object) => object.path === path)!, 4, 1, 3e8);
+    expect(hand('/Rig/Body/M')).toEqual([expect.closeTo(1, 6), expect.closeTo(1, 6), 0]);
+    expect(hand('/Other/Body/M')).toEqual([2, 0, 0]);
+  });
+
   it('turns what is bound to it rigidly as a whole, in poses', async () => {
     const mesh = `int[] primvars:skel:jointIndices = [1] ( elementSize = 1 )
       float[] primvars:skel:jointWeights = [1] ( elementSize = 1 )`;

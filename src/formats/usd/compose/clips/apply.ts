@@ -42,7 +42,7 @@ export function applyClips(prim: PrimSpec, index: Node, sets: readonly ClipSet[]
       const { spline: _, ...base } = (property ?? plain(declared)) as AttributeSpec;
       prim.properties = withEntry(prim.properties, name, { ...base, timeSamples });
       // Clips make it another thing than what else has its opinions.
-      if (decided.size === 1) prim.content = `${prim.content} clips of ${prim.path}`;
+      if (decided.size === 1) prim.content = `${prim.content ?? ''} clips of ${prim.path}`;
     }
   }
   return true;

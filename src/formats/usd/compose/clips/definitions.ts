@@ -2,7 +2,7 @@ import type { Dictionary, MetadataValue, Value } from '../../layer.ts';
 import type { LayerStack, StackLayer } from '../layerStack.ts';
 import { applyListOp } from '../listOps.ts';
 import { timeOf } from '../localValues.ts';
-import { type Node, strongestFirst } from '../node.ts';
+import { isSaid, type Node, strongestFirst } from '../node.ts';
 import { mapTime, type TimeOffset } from '../offsets.ts';
 
 /** A clip set as all layers together define it, and the strongest of those that name its layers: there its values count. */
@@ -33,14 +33,16 @@ interface Gathered {
  * The clip sets that a prim defines, the strongest first: by the sites that name their layers, and of one site as its
  * `clipSets` orders them, else by their names.
  */
-export function clipSetDefinitions(index: Node): ClipSetDefinition[] {
+export function clipSetDefinitions(index: Node): readonly ClipSetDefinition[] {
+  if (!isSaid(index, 'clips')) return NO_DEFINITIONS;
   const found = new Map<string, Gathered>();
   const nodes = strongestFirst(index).filter((node) => node.contributes);
   for (const node of nodes)
     for (const { spec, from } of node.opinions) gather(spec.metadata.get('clips'), node, from, found);
-  if (found.size === 0) return [];
   return nodes.flatMap((node) => orderedIn(node, found).map((name) => definitionOf(name, found.get(name)!)));
 }
+
+const NO_DEFINITIONS: readonly ClipSetDefinition[] = [];
 
 function gather(clips: MetadataValue | undefined, node: Node, from: StackLayer, into: Map<string, Gathered>): void {
   for (const [name, written] of dictionaryOf(clips)) {
@@ -73,10 +75,10 @@ function definitionOf(name: string, { entries, source }: Gathered): ClipSetDefin
   const onStage = new Map<string, Value>();
   for (const [key, entry] of entries) {
     const isStronger = entry.node === node && layers.indexOf(entry.from) < layers.indexOf(from);
-    const place = { from: isStronger ? entry.from : from, map: node.mapToRoot };
+    const place = { from: isStronger ? entry.from : from, node };
     onStage.set(key, inTime(key, entry.value, timeOf(place)));
   }
-  const time = timeOf({ from, map: node.mapToRoot });
+  const time = timeOf({ from, node });
   return { name, entries: onStage, stack: node.stack, path: node.path, from, time };
 }
 

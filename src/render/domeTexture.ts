@@ -1,0 +1,125 @@
+import {
+  acos,
+  atan,
+  clamp,
+  dot,
+  float,
+  floor,
+  log2,
+  max,
+  min,
+  mix,
+  smoothstep,
+  texture,
+  uniform,
+  vec2,
+} from 'three/tsl';
+import { DataTexture, HalfFloatType, LinearFilter, type Node, RGBAFormat, Vector3 } from 'three/webgpu';
+import { toHalf } from '../math/half.ts';
+import { axesOf } from '../scene/daylight.ts';
+import type { DomeLight, Scene } from '../scene/types.ts';
+import type { Float, Vec3 } from '../shaders/types.ts';
+import { COARSE, domeMaps, LOBES, type Panorama } from './domeMaps.ts';
+import { uploadTexture } from './textures.ts';
+
+type Vec2 = Node<'vec2'>;
+
+/** A dome's picture on the GPU, as it is and as matt and rough surfaces have it. */
+export class DomePicture {
+  private readonly image: DataTexture;
+  private readonly maps: DataTexture;
+  private readonly layers: number;
+  private readonly tint: Node<'vec3'>;
+  private readonly axes: readonly Node<'vec3'>[];
+
+  /** `tint`: what its colours are multiplied with. */
+  constructor(picture: NonNullable<DomeLight['texture']>, upAxis: Scene['upAxis'], tint: Vec3) {
+    this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' });
+    const maps = domeMaps(picture);
+    this.layers = maps.length;
+    this.maps = stacked(maps);
+    this.tint = tint;
+    const { up, ahead, right } = axesOf(upAxis);
+    this.axes = [up, ahead, right].map((axis) => uniform(new Vector3(...axis)));
+  }
+
+  /** Radiance from the direction n of the world. */
+  radiance(n: Vec3): Vec3 {
+    return this.sharp(this.place(n), float(0));
+  }
+
+  /** Irradiance/π on a surface whose normal is n. */
+  irradiance(n: Vec3): Vec3 {
+    return this.map(this.place(n), float(this.layers - 1)).mul(this.tint);
+  }
+
+  /** What a surface of a roughness mirrors from about n. */
+  mirrored(n: Vec3, roughness: Float): Vec3 {
+    const place = this.place(n).toVar();
+    const first = LOBES[0].roughness;
+    // A texel of the picture is as wide as the lobe: 2a, a = roughness².
+    const texels = roughness.mul(roughness).mul(this.image.image.width / Math.PI);
+    const nearly = this.sharp(place, log2(max(texels, 1)));
+    const step = clamp(roughness.div(first).sub(1), 0, LOBES.length - 1).toVar();
+    const lower = floor(step).toVar();
+    const upper = min(lower.add(1), LOBES.length - 1);
+    const rough = mix(this.map(place, lower), this.map(place, upper), step.sub(lower)).mul(this.tint);
+    return mix(nearly, rough, smoothstep(first / 2, first, roughness));
+  }
+
+  dispose(): void {
+    this.image.dispose();
+    this.maps.dispose();
+  }
+
+  /** Of a direction in a latitude–longitude picture: its top row at the zenith, its middle column towards −Z (upAxis Y) or +Y (upAxis Z). */
+  private place(n: Vec3): Vec2 {
+    const [up, ahead, right] = this.axes;
+    const around = atan(dot(n, right), dot(n, ahead))
+      .div(2 * Math.PI)
+      .add(0.5);
+    const down = acos(clamp(dot(n, up), -1, 1)).div(Math.PI);
+    return vec2(around, down);
+  }
+
+  /** At a level that is told: the seam at ±180° has no derivative. */
+  private sharp(place: Vec2, level: Float): Vec3 {
+    return texture(this.image, place).level(level).rgb.mul(this.tint);
+  }
+
+  /** From a layer of the maps, each with a rim that is that of its other side. */
+  private map(place: Vec2, layer: Float): Vec3 {
+    const [width, height] = [COARSE.width + 2, COARSE.height + 2];
+    const u = place.x.mul(COARSE.width).add(1).div(width);
+    const v = place.y
+      .mul(COARSE.height)
+      .add(1)
+      .add(layer.mul(height))
+      .div(this.layers * height);
+    return texture(this.maps, vec2(u, v)).level(float(0)).rgb;
+  }
+}
+
+/** Panoramas one under the other, with a rim of a pixel. */
+function stacked(maps: readonly Panorama[]): DataTexture {
+  const [width, height] = [COARSE.width + 2, COARSE.height + 2];
+  const data = new Uint16Array(4 * width * height * maps.length).fill(toHalf(1));
+  maps.forEach(({ rgb }, layer) => {
+    for (let y = 0; y < height; y++)
+      for (let x = 0; x < width; x++) {
+        const row = Math.min(Math.max(y - 1, 0), COARSE.height - 1);
+        const from = 3 * (row * COARSE.width + ((x - 1 + COARSE.width) % COARSE.width));
+        const to = 4 * ((layer * height + y) * width + x);
+        for (let k = 0; k < 3; k++) data[to + k] = toHalf(Math.min(rgb[from + k], BRIGHTEST));
+      }
+  });
+  const made = new DataTexture(data, width, height * maps.length, RGBAFormat, HalfFloatType);
+  made.minFilter = LinearFilter;
+  made.magFilter = LinearFilter;
+  made.generateMipmaps = false;
+  made.needsUpdate = true;
+  return made;
+}
+
+/** The largest half. */
+const BRIGHTEST = 65504;

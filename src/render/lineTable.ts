@@ -1,0 +1,68 @@
+import { int, Loop } from 'three/tsl';
+import type * as gpu from '../shaders/types.ts';
+import type { SampledSpectrum } from '../spectrum/lightSpectrum.ts';
+import { type LightSpectrum, linesOf, type SpectralLine, spectralRadiance } from '../spectrum/lightSpectrum.ts';
+import { FloatTable } from './floatTable.ts';
+import type { LineSource } from './radiance.ts';
+
+/** More lines of one light than this are gathered to so many. */
+const MOST_LINES = 32;
+
+/** Lines of all lights that shine in lines, one texel each: (wavelength [nm], radiance, 0, 0). Other spectra are taken for close lines. */
+export class LineTable {
+  private readonly table = new FloatTable(256);
+  private readonly places = new Map<LightSpectrum, readonly [first: number, count: number]>();
+  private used = 0;
+
+  /** Where a spectrum's lines are. */
+  add(spectrum: LightSpectrum): readonly [first: number, count: number] {
+    const known = this.places.get(spectrum);
+    if (known) return known;
+    const lines = gathered(spectrum);
+    this.table.reserve(this.used + lines.length);
+    lines.forEach(({ wavelength, weight }, i) => {
+      this.table.values.set([1e9 * wavelength, weight, 0, 0], 4 * (this.used + i));
+    });
+    this.table.upload();
+    const place = [this.used, lines.length] as const;
+    this.used += lines.length;
+    this.places.set(spectrum, place);
+    return place;
+  }
+
+  source(first: gpu.Float, count: gpu.Float): LineSource {
+    return {
+      each: (visit) =>
+        Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => {
+          const line = this.table.texel(int(first).add(int(i))).toVar();
+          visit(line.x.mul(1e-9), line.y);
+        }),
+    };
+  }
+
+  dispose(): void {
+    this.table.dispose();
+  }
+}
+
+/** At most MOST_LINES, each in the middle of the light that it stands for. */
+function gathered(spectrum: LightSpectrum): readonly SpectralLine[] {
+  if (spectrum.kind === 'thermal') return [];
+  const lines = spectrum.kind === 'lines' ? linesOf(spectrum) : samplesOf(spectrum);
+  if (lines.length <= MOST_LINES) return lines;
+  const rising = [...lines].sort((a, b) => a.wavelength - b.wavelength);
+  const [least, most] = [rising[0].wavelength, rising[rising.length - 1].wavelength];
+  const sums = Array.from({ length: MOST_LINES }, () => ({ weight: 0, moment: 0 }));
+  for (const { wavelength, weight } of rising) {
+    const sum = sums[Math.min(MOST_LINES - 1, Math.floor((MOST_LINES * (wavelength - least)) / (most - least)))];
+    sum.weight += weight;
+    sum.moment += weight * wavelength;
+  }
+  return sums.flatMap(({ weight, moment }) => (weight > 0 ? [{ wavelength: moment / weight, weight }] : []));
+}
+
+const samplesOf = (spectrum: SampledSpectrum): readonly SpectralLine[] =>
+  spectrum.values.map((_, i) => {
+    const wavelength = spectrum.first + i * spectrum.step;
+    return { wavelength, weight: spectralRadiance(spectrum, wavelength) * spectrum.step };
+  });

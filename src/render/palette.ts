@@ -1,0 +1,58 @@
+import type { Texture } from 'three/webgpu';
+import type { Scene } from '../scene/types.ts';
+import type { ColorMode, RenderSettings } from '../scene/view.ts';
+import { observerTexture } from '../shaders/observerTexture.ts';
+import { spectrumTexture } from '../shaders/spectrumTexture.ts';
+import { thermalTable } from '../spectrum/thermalTable.ts';
+import { DaylightTable } from './daylightTable.ts';
+import { shineKind } from './lampShine.ts';
+import type { Optics } from './radiance.ts';
+import { type SpectralTables, spectral } from './spectral.ts';
+import { plain, tinted } from './tinted.ts';
+
+/** How passes are compiled to turn colours; `plain`: nothing is shifted, and all light is daylight. */
+export type Palette = ColorMode | 'plain';
+
+/** What the settings ask for. Where no shift is shown its code is left out, for on a software GPU it costs all the same. */
+export function paletteOf(
+  { view, colors, dopplerMix, beaming }: RenderSettings,
+  { lights, materials }: Scene,
+): Palette {
+  const shifted = view === 'light-cone' && (dopplerMix > 0 || beaming > 0);
+  const daylight =
+    lights.every((light) => light.kind === 'stars' || shineKind(light) === 'daylight') && !materials.some(isGlowing);
+  return shifted || (colors === 'spectral' && !daylight) ? colors : 'plain';
+}
+
+const isGlowing = ({ emissionTemperature }: Scene['materials'][number]): boolean => emissionTemperature !== undefined;
+
+interface Tables extends SpectralTables {
+  readonly blackbodies: SpectralTables['blackbodies'] & { readonly texture: Texture };
+}
+
+/** The tables of spectral colours on the GPU, made when they are first asked for. */
+export class Palettes {
+  private readonly tables = new Map<3 | 4, Tables>();
+  private readonly observer = observerTexture();
+
+  optics(palette: Palette, { materials }: Scene): Optics {
+    if (palette !== 'spectral') return palette === 'plain' ? plain : tinted;
+    const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
+    const tables = this.tables.get(layers) ?? this.makeTables(layers);
+    this.tables.set(layers, tables);
+    return spectral(tables, materials.some(isGlowing));
+  }
+
+  private makeTables(layers: 3 | 4): Tables {
+    const table = thermalTable(layers);
+    return { blackbodies: spectrumTexture(table), daylight: new DaylightTable(table), observer: this.observer };
+  }
+
+  dispose(): void {
+    this.observer.texture.dispose();
+    for (const { blackbodies, daylight } of this.tables.values()) {
+      blackbodies.texture.dispose();
+      daylight.dispose();
+    }
+  }
+}

@@ -1,0 +1,32 @@
+import { clamp, dot, float, select, texture, vec2 } from 'three/tsl';
+import type { Texture } from 'three/webgpu';
+import { NANOMETRE, VISIBLE, WAVELENGTHS } from '../spectrum/cie1931.ts';
+import type { Float, Vec3, Vec4 } from './types.ts';
+
+/** Two rows over `WAVELENGTHS`, linearly filtered: the linear sRGB of each, and the basis of filters there (observerTexture.ts). */
+export interface ObserverTable {
+  readonly texture: Texture;
+}
+
+/**
+ * Linear sRGB of a line of radiance 1 that is at the wavelength `surface` [m] where it meets a filter and at `seen` for the eye. The filter:
+ * (r, g, b, what it has beyond the visible where this eye sees that); `own`: the last is its own, else what its basis ends at is taken.
+ */
+export const lineColor = (table: ObserverTable, surface: Float, seen: Float, filter: Vec4, own: boolean): Vec3 => {
+  const row = (k: number, wavelength: Float): Vec3 => {
+    const place = clamp(placeOf(wavelength), 0, WAVELENGTHS.length - 1);
+    // The base level, for neighbours may not have read it; and not times the texture's matrix.
+    const texel = texture(table.texture, vec2(place.add(0.5).div(WAVELENGTHS.length), (k + 0.5) / 2)).level(float(0));
+    texel.updateMatrix = false;
+    return texel.xyz;
+  };
+  const within = dot(row(1, surface), filter.xyz);
+  const share = own ? select(isVisible(surface), within, filter.w) : within;
+  return row(0, seen).mul(select(isVisible(seen), share, 0));
+};
+
+/** 0 at the first of `WAVELENGTHS`, 1 at the next one. */
+const placeOf = (wavelength: Float): Float => wavelength.div(NANOMETRE).sub(WAVELENGTHS[0] / NANOMETRE);
+
+const isVisible = (wavelength: Float) =>
+  wavelength.greaterThanEqual(VISIBLE[0]).and(wavelength.lessThanEqual(VISIBLE[1]));

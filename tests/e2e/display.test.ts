@@ -1,0 +1,139 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { falseColor } from '../../src/spectrum/falseColor.ts';
+import { colours, difference, type Guarded, Program } from './program.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+/** At 0.5 c, looking ahead. */
+const MOVING = '?backend=webgl&scene=examples/sphere.usda';
+
+const choose = (visit: Guarded, group: string, option: string) =>
+  visit.page.getByRole('radiogroup', { name: group }).getByText(option, { exact: true }).click();
+const legendOf = (visit: Guarded) => visit.page.getByRole('figure');
+const reading = async (visit: Guarded) => (await visit.page.locator('[data-reading]').textContent()) ?? '';
+
+/** The colour in the middle of the picture is that of the value that is told, on the scale that is told; both have three digits. */
+function expectColour(shown: readonly number[], told: string, range: string): void {
+  const [D, to] = [/D = ([\d.]+)/.exec(told), /to D = ([\d.]+)/.exec(range)].map((match) => Number(match?.[1]));
+  falseColor({ kind: 'doppler', from: 1 / to!, to: to! }, D!).forEach((value, k) => {
+    expect(Math.abs(value - shown[k]!)).toBeLessThanOrEqual(6);
+  });
+}
+
+async function seriousViolations(visit: Guarded): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page: visit.page }).analyze();
+  return violations
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`);
+}
+
+/** Mean of all channels, 0 … 255. */
+const brightness = (pixels: Uint8Array): number => pixels.reduce((sum, value) => sum + value, 0) / pixels.length;
+
+describe('exposure and tone', () => {
+  it('the metering follows the light, keeps the resting eye’s exposure, or leaves it alone', async () => {
+    const visit = await (await program.open('?backend=webgl&scene=examples/lattice.usda')).ready();
+    const settled = async () => {
+      let [before, now] = [await visit.pixels(), await visit.pixels()];
+      await expect
+        .poll(async () => {
+          [before, now] = [now, await visit.pixels()];
+          return difference(before, now);
+        })
+        .toBeLessThan(0.01);
+      return now;
+    };
+    const automatic = await settled();
+    await choose(visit, 'Metering', 'Manual');
+    const manual = await settled();
+    expect(Math.abs(brightness(manual) - brightness(automatic))).toBeGreaterThan(3);
+    await choose(visit, 'Metering', 'Automatic');
+    await expect.poll(async () => difference(await visit.pixels(), automatic)).toBeLessThan(0.5);
+    await choose(visit, 'Tone curve', 'AgX');
+    await expect.poll(async () => difference(await visit.pixels(), automatic)).toBeGreaterThan(1);
+    await visit.close();
+  });
+});
+
+describe('false colours', () => {
+  it.each(['dark', 'light'] as const)('have a legend that everybody can read, in %s colours', async (colorScheme) => {
+    const options = { colorScheme, viewport: { width: 1280, height: 720 } };
+    const visit = await (await program.open(MOVING, options)).ready();
+    for (const [option, title] of [
+      ['D', 'Doppler factor D'],
+      ['Time', 'Happened, from now'],
+      ['Light', 'Luminance before exposure'],
+      ['Band', 'What is seen at 550 nm was emitted at [µm]'],
+    ] as const) {
+      await choose(visit, 'False colours', option);
+      await legendOf(visit).getByText(title).waitFor();
+      await expect.poll(async () => colours(await visit.pixels())).toBeGreaterThan(5);
+      const box = (await visit.viewport.boundingBox())!;
+      await visit.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+      await expect.poll(() => reading(visit)).toMatch(/\d/);
+      await visit.shot(`false-${option.toLowerCase()}-${colorScheme}`);
+    }
+    expect(await seriousViolations(visit)).toEqual([]);
+    await choose(visit, 'False colours', 'Off');
+    await legendOf(visit).waitFor({ state: 'detached' });
+    await visit.close();
+  });
+
+  it('are reached, and read, by keys alone', async () => {
+    const visit = await (await program.open(MOVING)).ready();
+    await visit.viewport.focus();
+    await visit.page.keyboard.press('x');
+    await legendOf(visit).waitFor();
+    expect(await reading(visit)).toContain('press P');
+    await visit.page.keyboard.press('p');
+    await expect.poll(() => reading(visit)).toMatch(/D = [\d.]+/);
+    const button = visit.page.getByRole('button', { name: 'Value at the crosshair' });
+    expect(await button.getAttribute('aria-pressed')).toBe('true');
+    await visit.shot('false-crosshair');
+    const before = await reading(visit);
+    expectColour(
+      await visit.middle(),
+      before,
+      (await visit.page.locator('.sl-legend-bar').getAttribute('aria-label'))!,
+    );
+    // To the side there is something else.
+    await visit.page.keyboard.press('ArrowRight', { delay: 800 });
+    await expect.poll(() => reading(visit)).not.toBe(before);
+    await visit.close();
+  });
+
+  it('fit a phone', async () => {
+    const visit = await (await program.open(MOVING, { viewport: { width: 390, height: 844 } })).ready();
+    await visit.viewport.focus();
+    for (let i = 0; i < 4; i++) await visit.page.keyboard.press('x');
+    await legendOf(visit).waitFor();
+    await visit.page.waitForTimeout(300);
+    await visit.shot('false-band-phone');
+    expect(await visit.page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+    await visit.close();
+  });
+});
+
+it('what nature does not have is marked where it is set, and in the status bar', async () => {
+  const visit = await (await program.open(MOVING, { viewport: { width: 1280, height: 720 } })).ready();
+  const note = visit.page.locator('[data-status="unphysical"]');
+  expect(await note.count()).toBe(0);
+  const field = visit.page.getByRole('textbox', { name: 'Beaming' });
+  await field.fill('0.5');
+  await field.press('Enter');
+  await expect.poll(() => note.textContent()).toBe('Not physical: Beaming');
+  await visit.page.getByText('not physical', { exact: true }).waitFor();
+  await visit.shot('unphysical-en');
+  expect(await seriousViolations(visit)).toEqual([]);
+  await visit.page.getByRole('button', { name: '切换到中文' }).click();
+  await expect.poll(() => note.textContent()).toBe('非物理: 聚束');
+  await visit.shot('unphysical-zh');
+  await visit.page.keyboard.press('Control+z');
+  await expect.poll(() => note.count()).toBe(0);
+  await visit.close();
+});

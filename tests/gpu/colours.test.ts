@@ -1,0 +1,178 @@
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { IDENTITY } from '../../src/math/quat.ts';
+import { normalize, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { properVelocity } from '../../src/physics/boost.ts';
+import { makeMaterial } from '../../src/scene/defaults.ts';
+import { plane } from '../../src/scene/primitives.ts';
+import type { DistantLight, Light, Material, Motion, SceneObject } from '../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view.ts';
+import { LIGHT_PRESETS } from '../../src/spectrum/lightPresets.ts';
+import type { LightSpectrum } from '../../src/spectrum/lightSpectrum.ts';
+import { whiteOf } from '../../src/spectrum/observerColor.ts';
+import { dome, lamp, lit } from '../support/lightKit.ts';
+import { type Difference, difference } from './agreement.ts';
+import { type HeadlessPictures, openPictures } from './pictures.ts';
+
+const SIZE = 32;
+let headless: HeadlessPictures;
+beforeAll(async () => {
+  headless = await openPictures(SIZE, SIZE);
+});
+afterAll(() => headless?.close());
+
+const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
+/** Straight down to six tiles of different colours, which glow a little. */
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, fovY: 1.2 };
+const COLORS: readonly Vec3[] = [
+  [0.9, 0.9, 0.9],
+  [0.8, 0.1, 0.05],
+  [0.1, 0.6, 0.1],
+  [0.05, 0.1, 0.7],
+  [0.8, 0.7, 0.1],
+  [0.2, 0.2, 0.2],
+];
+
+const tiles = (
+  velocity: Vec3 | undefined,
+  given: Partial<Material> = {},
+): (Partial<SceneObject> & { mesh: SceneObject['mesh']; material: Material })[] =>
+  COLORS.map((baseColor, i) => {
+    const pose = { position: [1.4 * ((i % 3) - 1), 1.9 * ((i < 3 ? 0 : 1) - 0.5), 0] as Vec3, orientation: IDENTITY };
+    const motion: Motion = velocity
+      ? {
+          kind: 'uniform',
+          pose: {
+            ...pose,
+            position: [
+              pose.position[0] + 3 * velocity[0],
+              pose.position[1] + 3 * velocity[1],
+              pose.position[2] + 3 * velocity[2],
+            ],
+          },
+          velocity,
+        }
+      : { kind: 'static', pose };
+    return {
+      mesh: plane(1.4, 1.9),
+      material: makeMaterial({ name: `${i}`, baseColor, roughness: 0.9, ...given }),
+      motion,
+    };
+  });
+
+const sun = (color: Vec3, spectrum?: LightSpectrum): DistantLight => ({
+  kind: 'distant',
+  path: '/sun',
+  direction: normalize([-0.5, 0.2, -1]),
+  color,
+  ...(spectrum && { spectrum }),
+});
+
+interface Case {
+  /** Of the observer and of the tiles [c]. */
+  readonly beta?: Vec3;
+  readonly velocity?: Vec3;
+  readonly material?: Partial<Material>;
+  readonly settings?: Partial<RenderSettings>;
+}
+const compared = (lights: readonly Light[], { beta = ZERO, velocity, material, settings }: Case): Promise<Difference> =>
+  difference(
+    headless,
+    lit(tiles(velocity, material), lights),
+    { ...VIEW, u: properVelocity(beta) },
+    { ...SETTINGS, ...settings },
+    48,
+  );
+
+describe('the rasterizer shows the colours of the spectral reference', () => {
+  const BETAS: readonly Vec3[] = [
+    [0, 0, -0.3],
+    [0, 0, 0.3],
+    [0.4, 0, -0.5],
+  ];
+  it.each(BETAS)('in white daylight, at %f %f %f c', async (...beta) => {
+    const { mean, most } = await compared([sun([3, 3, 3])], { beta });
+    expect(mean).toBeLessThan(0.003);
+    expect(most).toBeLessThan(0.015);
+  });
+
+  it.each([3000, 12_000])('by a lamp of %f K, at 0.3 c', async (temperature) => {
+    const spectrum = { kind: 'thermal', temperature } as const;
+    const light = lamp([0.5, 0.3, 1.5], { color: scale(whiteOf(spectrum), 5), spectrum });
+    const { mean, most } = await compared([light], { beta: [0, 0, 0.3] });
+    expect(mean).toBeLessThan(0.003);
+    expect(most).toBeLessThan(0.015);
+    // Behind a filter that makes it white again the two filters' product is not exact.
+    const white = await compared([{ ...light, color: [5, 5, 5] }], { beta: [0, 0, 0.3] });
+    expect(white.mean).toBeLessThan(0.04);
+  });
+
+  it.each(['sodium', 'mercury', 'led'])('by a lamp of %s that flies past tiles that fly', async (name) => {
+    const spectrum = LIGHT_PRESETS.get(name)!.spectrum;
+    const pose = { position: [-0.4, 0.3, 1.5], orientation: IDENTITY } as const;
+    const motion = { kind: 'uniform', pose, velocity: [0.3, 0, 0] } as const;
+    const light = lamp([0, 0, 0], { color: [5, 5, 5], spectrum, motion });
+    const { mean, most } = await compared([light, sun([1, 1, 1], spectrum)], {
+      velocity: [0.3, 0.2, 0.2],
+      beta: [0.1, 0, 0],
+    });
+    // Reflectances are steep where a line meets the edge of a band.
+    expect(mean).toBeLessThan(0.015);
+    expect(most).toBeLessThan(0.1);
+  });
+
+  it('of tiles that fly, in white daylight exactly', async () => {
+    const { mean, most } = await compared([sun([3, 3, 3])], { velocity: [0.3, 0.2, 0.2], beta: [0.1, 0, 0] });
+    expect(mean).toBeLessThan(0.003);
+    expect(most).toBeLessThan(0.015);
+  });
+
+  it('of tiles that fly, in coloured light nearly', async () => {
+    const { mean, most } = await compared([sun([3, 2, 1])], { velocity: [0.3, 0.2, 0.2], beta: [0.1, 0, 0] });
+    expect(mean).toBeLessThan(0.01);
+    expect(most).toBeLessThan(0.05);
+  });
+
+  it('of what tells of its own ultraviolet and infrared', async () => {
+    for (const z of [-0.4, 0.4]) {
+      const { mean, most } = await compared([sun([3, 3, 3])], { beta: [0, 0, z], material: { uv: 0.05, ir: 0.9 } });
+      expect(mean).toBeLessThan(0.004);
+      expect(most).toBeLessThan(0.02);
+    }
+  });
+
+  it('of what glows by its temperature', async () => {
+    const material = { emissive: [1, 1, 1] as const, emissionTemperature: 2500 };
+    const { mean, most } = await compared([sun([1, 1, 1])], { beta: [0, 0, -0.3], material });
+    expect(mean).toBeLessThan(0.006);
+    expect(most).toBeLessThan(0.02);
+  });
+
+  it.each(['candle', 'mercury'])('of a sky of %s', async (name) => {
+    const spectrum = LIGHT_PRESETS.get(name)!.spectrum;
+    const sky = { ...dome(whiteOf(spectrum)), spectrum };
+    const view = { ...VIEW, u: properVelocity([0.2, 0, 0.3]) };
+    const { mean, most } = await difference(headless, lit([], [sky]), view, SETTINGS, 16);
+    expect(mean).toBeLessThan(0.004);
+    expect(most).toBeLessThan(0.02);
+  });
+
+  it('with shares of the shift', async () => {
+    const { mean, most } = await compared([sun([3, 3, 3])], {
+      beta: [0, 0, -0.5],
+      velocity: [0, 0.4, 0],
+      settings: { dopplerMix: 0.4, beaming: 0.6 },
+    });
+    expect(mean).toBeLessThan(0.004);
+    expect(most).toBeLessThan(0.02);
+  });
+
+  it('and the tint of the reference where colours are approximate', async () => {
+    const { mean, most } = await compared([sun([3, 2, 1])], {
+      beta: [0, 0, -0.3],
+      velocity: [0, 0.4, 0],
+      settings: { colors: 'approximate' },
+    });
+    expect(mean).toBeLessThan(0.002);
+    expect(most).toBeLessThan(0.015);
+  });
+});

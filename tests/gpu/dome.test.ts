@@ -1,0 +1,97 @@
+import '../../src/cli/node-shim.ts';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { pumpFrame } from '../../src/cli/node-shim.ts';
+import { toHalf } from '../../src/math/half.ts';
+import { IDENTITY } from '../../src/math/quat.ts';
+import { dot, normalize, type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { properVelocity } from '../../src/physics/boost.ts';
+import { cameraRay } from '../../src/reference/camera.ts';
+import { radiance } from '../../src/reference/path.ts';
+import { pixelSequence } from '../../src/reference/sequence.ts';
+import { sphere } from '../../src/scene/primitives.ts';
+import type { DomeLight, Material, Motion } from '../../src/scene/types.ts';
+import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
+import { GREY, lambert, lit, mirror } from '../support/lightKit.ts';
+import { type HeadlessPictures, openPictures } from './pictures.ts';
+
+const SIZE = 40;
+let headless: HeadlessPictures;
+beforeAll(async () => {
+  headless = await openPictures(SIZE, SIZE);
+});
+afterAll(() => headless?.close());
+
+const SETTINGS: RenderSettings = { ...GREY, grid: false };
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, fovY: 0.9 };
+
+const [W, H] = [256, 128];
+const BRIGHT = normalize([0.8, 0.6, 0.5]);
+
+/** Dim above, dimmer below, and something 40 times as bright, ten degrees wide, to the upper right. */
+const DOME: DomeLight = {
+  kind: 'dome',
+  path: '/dome',
+  color: [1, 1, 1],
+  texture: {
+    name: 'dome',
+    width: W,
+    height: H,
+    data: Uint16Array.from({ length: 4 * W * H }, (_, i) => {
+      if (i % 4 === 3) return toHalf(1);
+      const [x, y] = [(i >> 2) % W, Math.floor((i >> 2) / W)];
+      const [around, down] = [2 * Math.PI * ((x + 0.5) / W - 0.5), (Math.PI * (y + 0.5)) / H];
+      const n: Vec3 = [Math.sin(down) * Math.sin(around), Math.cos(down), -Math.sin(down) * Math.cos(around)];
+      return toHalf(dot(n, BRIGHT) > Math.cos(0.17) ? 40 : 0.6 + 0.4 * n[1]);
+    }),
+    colorSpace: 'linear',
+    filter: 'linear',
+    wrapS: 'repeat',
+    wrapT: 'clamp',
+  },
+};
+
+/** How far the rasterizer's ball is from the reference's, over its brightest pixel: in the mean. */
+async function difference(material: Material, motion?: Motion, view = VIEW): Promise<number> {
+  const { scene } = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [DOME]);
+  await headless.renderer.setScene(scene);
+  pumpFrame();
+  headless.renderer.render(view, SETTINGS, 1);
+  const drawn = await headless.renderer.readAov('beauty');
+  const traced = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [DOME]);
+  const far: number[] = [];
+  let brightest = 0;
+  for (let y = 6; y < SIZE - 6; y += 3)
+    for (let x = 6; x < SIZE - 6; x += 3) {
+      const ray = cameraRay(view, SETTINGS, x + 0.5, y + 0.5, SIZE, SIZE);
+      const numbers = pixelSequence(1, x, y);
+      const options = { bounces: 1, mirrors: true, glass: false };
+      let sum = 0;
+      for (let i = 0; i < 400; i++) sum += radiance(traced, ray, view, SETTINGS, options, numbers(i))[1];
+      brightest = Math.max(brightest, sum / 400);
+      far.push(Math.abs(drawn[3 * (y * SIZE + x) + 1] - sum / 400));
+    }
+  return far.reduce((a, b) => a + b) / far.length / brightest;
+}
+
+it.each([
+  ['matt', lambert(0.8), 0.03],
+  ['a rough mirror', mirror({ roughness: 0.5 }), 0.06],
+  ['a mirror that is a little rough', mirror({ roughness: 0.2 }), 0.02],
+  ['a mirror', mirror({ roughness: 0.05 }), 0.01],
+] as const)('a ball under a dome of radiance is lit as the reference has it: %s', async (_, material, bound) => {
+  expect(await difference(material)).toBeLessThan(bound);
+});
+
+/** All of a dome's light on a matt surface is taken to come along its normal, and to be shifted as there. */
+it('a ball that flies meets its light aberrated and shifted, nearly', async () => {
+  const motion: Motion = {
+    kind: 'uniform',
+    pose: { position: [1.2, 0, 0], orientation: IDENTITY },
+    velocity: [0.6, 0, 0],
+  };
+  expect(await difference(lambert(0.8), motion)).toBeLessThan(0.2);
+});
+
+it('one who flies sees the ball alike', async () => {
+  expect(await difference(lambert(0.8), undefined, { ...VIEW, u: properVelocity([0, 0, -0.5]) })).toBeLessThan(0.03);
+});

@@ -1,0 +1,81 @@
+import '../../src/cli/node-shim.ts';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { pumpFrame } from '../../src/cli/node-shim.ts';
+import { IDENTITY } from '../../src/math/quat.ts';
+import { addScaled, type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { properVelocity } from '../../src/physics/boost.ts';
+import { cameraRay } from '../../src/reference/camera.ts';
+import { radiance } from '../../src/reference/path.ts';
+import { pixelSequence } from '../../src/reference/sequence.ts';
+import { makeMaterial } from '../../src/scene/defaults.ts';
+import { plane } from '../../src/scene/primitives.ts';
+import type { Material } from '../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view.ts';
+import { DIRECT, dome, lit } from '../support/lightKit.ts';
+import { type HeadlessPictures, openPictures } from './pictures.ts';
+
+const SIZE = 9;
+/** Of the reference, for directions of light, and wavelengths. */
+const SAMPLES = 2000;
+let headless: HeadlessPictures;
+beforeAll(async () => {
+  headless = await openPictures(SIZE, SIZE);
+});
+afterAll(() => headless?.close());
+
+const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
+
+/** The middle pixel of a picture of a wall under an even dome, by the rasterizer and by the reference. */
+async function colors(material: Partial<Material>, sky: Vec3, beta: number): Promise<readonly [Vec3, Vec3]> {
+  const wall = { mesh: plane(40, 40), material: makeMaterial({ name: 'wall', ior: 1, roughness: 1, ...material }) };
+  const scene = lit([wall], [dome(sky)]);
+  await headless.renderer.setScene(scene.scene);
+  const view: ViewPoint = {
+    t: 0,
+    position: [0, 0, 5],
+    u: properVelocity([0, 0, -beta]),
+    orientation: IDENTITY,
+    fovY: 0.1,
+  };
+  pumpFrame();
+  headless.renderer.render(view, SETTINGS, 1);
+  const drawn = await headless.renderer.readAov('beauty');
+  const at = 3 * (4 * SIZE + 4);
+  const ray = cameraRay(view, SETTINGS, 4.5, 4.5, SIZE, SIZE);
+  const numbers = pixelSequence(1, 4, 4);
+  let expected = ZERO;
+  for (let i = 0; i < SAMPLES; i++)
+    expected = addScaled(
+      expected,
+      radiance(scene, ray, view, SETTINGS, { ...DIRECT, bounces: 1 }, numbers(i)),
+      1 / SAMPLES,
+    );
+  return [[drawn[at], drawn[at + 1], drawn[at + 2]], expected];
+}
+
+it.each([-0.6, 0, 0.6])('what glows at 1,800 K is seen as a blackbody of another temperature at %s c', async (beta) => {
+  const [drawn, expected] = await colors(
+    { baseColor: ZERO, emissive: [2, 2, 2], emissionTemperature: 1800 },
+    ZERO,
+    beta,
+  );
+  const most = Math.max(...expected);
+  for (const k of [0, 1, 2]) expect(Math.abs(drawn[k] - expected[k]) / most).toBeLessThan(0.02);
+  // Red at rest: little of its light is blue.
+  if (beta === 0) expect(drawn[2]).toBeLessThan(0.2 * drawn[0]);
+});
+
+it.each([
+  ['infrared', 0.6, { ir: 0.9 }, { ir: 0 }],
+  ['ultraviolet', -0.6, { uv: 0.9 }, { uv: 0 }],
+] as const)('%s comes into sight at %s c', async (_, beta, bright, dark) => {
+  const material = { baseColor: [0.2, 0.3, 0.1] } as const;
+  const [drawn, expected] = await colors({ ...material, ...bright }, [1, 1, 1], beta);
+  const [dim, expectedDim] = await colors({ ...material, ...dark }, [1, 1, 1], beta);
+  const most = Math.max(...expected);
+  for (const k of [0, 1, 2]) {
+    expect(Math.abs(drawn[k] - expected[k]) / most).toBeLessThan(0.01);
+    expect(Math.abs(dim[k] - expectedDim[k]) / most).toBeLessThan(0.01);
+  }
+  expect(most).toBeGreaterThan(1.5 * Math.max(...dim));
+});
