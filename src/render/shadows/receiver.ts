@@ -38,7 +38,7 @@ type Rows = readonly [Vec4, Vec4, Vec4, Vec4, Vec4];
 
 export const readRows = (layers: LayerTable, layer: Int): Rows => {
   const first = layer.mul(int(LAYER_TEXELS)).toVar();
-  const [across, up, height, time, tile] = [0, 1, 2, 3, 4].map((k) => layers.texel(first.add(int(k))));
+  const [across, up, height, time, tile] = [0, 1, 2, 3, 4].map((k) => layers.texel(first.add(int(k))).toVar());
   return [across, up, height, time, tile];
 };
 
