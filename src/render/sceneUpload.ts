@@ -70,7 +70,14 @@ export class SceneUpload {
     this.fillInstances(batches);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
     // Before the refiner: these draw the batches whole.
-    this.shadows = new ShadowMaps(this.bodies, this.drawables, this.environment.suns, this.points, gpu);
+    this.shadows = new ShadowMaps(
+      this.bodies,
+      this.drawables,
+      scene.materials,
+      this.environment.suns,
+      this.points,
+      gpu,
+    );
     this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), options);
   }
 

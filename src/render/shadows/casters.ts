@@ -9,6 +9,7 @@ import {
   NoBlending,
   NodeMaterial,
 } from 'three/webgpu';
+import type { Material } from '../../scene/types.ts';
 import type { Float, Int, Vec2, Vec4 } from '../../shaders/types.ts';
 import type { Batch } from '../batches.ts';
 import type { Drawable } from '../drawable.ts';
@@ -38,11 +39,11 @@ export interface CasterSources {
 }
 
 /** A batch drawn into shadow maps: whole, not cut, and from both sides, for a sheet throws a shadow from either. */
-export function makeCaster(drawable: Drawable, sources: CasterSources): Mesh {
+export function makeCaster(drawable: Drawable, sources: CasterSources, materials: readonly Material[]): Mesh {
   const material = new NodeMaterial();
   material.name = `shadow ${drawable.batch.kind}`;
   material.vertexNode = casterStage(drawable, sources);
-  material.fragmentNode = heightOutput(drawable);
+  material.fragmentNode = heightOutput(drawable, isCutOut(drawable.batch, materials));
   material.side = DoubleSide;
   material.blending = NoBlending;
   const mesh = new Mesh(wholeGeometry(drawable), material);
@@ -91,11 +92,17 @@ function casterStage({ vertex }: Drawable, { objects, samples, layers, layerOf, 
   })();
 }
 
-function heightOutput({ surface: { materials, textures } }: Drawable): Vec4 {
+/** Only then are its pictures looked at: nothing else in these maps is as dear. */
+function isCutOut({ arrays, worn }: Batch, materials: readonly Material[]): boolean {
+  const used = new Set(worn?.materials ?? arrays.ids.filter((_, i) => i % 2 === 1));
+  return [...used].some((material) => materials[material].opacityThreshold > 0);
+}
+
+function heightOutput({ surface: { materials, textures } }: Drawable, cutOut: boolean): Vec4 {
   return Fn(() => {
     const { y, z } = vShadow;
     const outside = y.lessThan(0).or(y.greaterThan(1)).or(z.lessThan(0)).or(z.greaterThan(1)).toVar();
-    if (textures.baseColor) {
+    if (cutOut && textures.baseColor) {
       const first = int(round(vShadow.w)).mul(int(MATERIAL_TEXELS)).toVar();
       const [opacity, threshold] = [0, 1].map((k) => materials.texel(first.add(int(k))).w);
       outside.assign(outside.or(opacity.mul(sampled(textures.baseColor, vUv).w).lessThan(threshold)));

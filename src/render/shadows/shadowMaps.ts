@@ -14,7 +14,7 @@ import {
 import { addScaled, dot, length, normalize, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { velocity } from '../../physics/boost.ts';
 import { velocityAt } from '../../physics/worldLine.ts';
-import type { DistantLight } from '../../scene/types.ts';
+import type { DistantLight, Material } from '../../scene/types.ts';
 import type { Float } from '../../shaders/types.ts';
 import { type Body, lineOfCentre } from '../bodies.ts';
 import type { Gpu } from '../device.ts';
@@ -89,6 +89,7 @@ export class ShadowMaps implements Shadowing {
   constructor(
     bodies: readonly Body[],
     drawables: readonly Drawable[],
+    materials: readonly Material[],
     suns: readonly DistantLight[],
     points: FrameTables['points'],
     gpu: Gpu,
@@ -110,7 +111,7 @@ export class ShadowMaps implements Shadowing {
     new Frame({ ...tables, points }).fill(resting, still, ALL_ROUND, false);
     this.restingMap = heightMap();
     this.movingMap = heightMap();
-    this.addCasters(drawables);
+    this.addCasters(drawables, materials);
   }
 
   share(sun: number | undefined, receiver: Receiver): Float | undefined {
@@ -154,7 +155,7 @@ export class ShadowMaps implements Shadowing {
     this.slots.dispose();
   }
 
-  private addCasters(drawables: readonly Drawable[]): void {
+  private addCasters(drawables: readonly Drawable[], materials: readonly Material[]): void {
     const { layers, at, slots } = this;
     const common = { layers, size: at.size, depthOf: depthOf(this.gpu) };
     const onTile: CasterSources = { ...common, ...this.tables.resting, layerOf: () => at.layer };
@@ -169,10 +170,10 @@ export class ShadowMaps implements Shadowing {
     for (const drawable of drawables) {
       const { bodies, transparent } = drawable.batch;
       if (transparent) continue;
-      if (bodies.some(throwsAlways)) this.restingScene.add(makeCaster(drawable, onTile));
+      if (bodies.some(throwsAlways)) this.restingScene.add(makeCaster(drawable, onTile, materials));
       const moving = bodies.filter((body) => !throwsAlways(body));
       if (moving.length === 0) continue;
-      const mesh = makeCaster(drawable, onOwn);
+      const mesh = makeCaster(drawable, onOwn, materials);
       this.movingScene.add(mesh);
       this.casters.push({ mesh, bodies: moving });
     }
