@@ -20,8 +20,8 @@ function unknown(name: string): never {
   throw new Error(`no scene ${name}; there are ${scenes.map((scene) => scene.name).join(', ')}`);
 }
 
-function write({ name, make }: ExampleScene): void {
-  const scene = named(make(), name);
+function write({ name, make, texturesOf = name }: ExampleScene): void {
+  const scene = named(make(), texturesOf);
   const faults = validate(scene, scene.hints.speedOfLight ?? 299_792_458).filter((d) => d.severity === 'error');
   if (faults.length > 0) throw new Error(faults.map((d) => `${name}: ${d.place}: ${d.message}`).join('\n'));
   const text = writeUsda(scene);

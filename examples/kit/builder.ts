@@ -1,6 +1,6 @@
 import { fromParts, type Mat4, multiply } from '../../src/math/mat4.ts';
 import { fromAxisAngle, IDENTITY, type Quat, toMatrix } from '../../src/math/quat.ts';
-import type { Vec3 } from '../../src/math/vec3.ts';
+import { scale, type Vec3 } from '../../src/math/vec3.ts';
 import { mergeMeshes, transformMesh, withMaterial } from '../../src/scene/meshOps.ts';
 import type {
   Light,
@@ -11,8 +11,12 @@ import type {
   SceneCamera,
   SceneHints,
   SceneObject,
+  StaticMotion,
   Texture,
 } from '../../src/scene/types.ts';
+import type { LightSpectrum } from '../../src/spectrum/lightSpectrum.ts';
+import { MATERIAL_PRESETS, type MaterialPreset } from '../../src/spectrum/materialPresets.ts';
+import { whiteOf } from '../../src/spectrum/observerColor.ts';
 import { linear } from './paint.ts';
 import { tidy } from './tidy.ts';
 
@@ -31,9 +35,19 @@ export interface Look {
   readonly emissive?: string;
   readonly texture?: Texture;
   readonly opacity?: number;
+  /** Name of a surface of src/spectrum/materialPresets.ts that it is like where eyes do not see: in ultraviolet and infrared. */
+  readonly like?: string;
+  /** [K]: it shines as a blackbody, and `emissive` tells how brightly. */
+  readonly emissionTemperature?: number;
 }
 
-export const at = (position: Vec3, orientation: Quat = IDENTITY): Motion => ({
+function presetNamed(name: string): MaterialPreset {
+  const preset = MATERIAL_PRESETS.get(name);
+  if (!preset) throw new Error(`no surface ${name}; there are ${[...MATERIAL_PRESETS.keys()].join(', ')}`);
+  return preset;
+}
+
+export const at = (position: Vec3, orientation: Quat = IDENTITY): StaticMotion => ({
   kind: 'static',
   pose: { position, orientation },
 });
@@ -45,7 +59,8 @@ export class SceneBuilder {
 
   /** A material by colour; the number is what meshes refer to. With a texture the colour tints it (white leaves it). */
   material(name: string, color: string, look: Look = {}): number {
-    const { roughness = 0.8, metallic = 0, emissive, texture, opacity = 1 } = look;
+    const { roughness = 0.8, metallic = 0, emissive, texture, opacity = 1, like, emissionTemperature } = look;
+    const { uv, ir } = like ? presetNamed(like).bands : {};
     this.materials.push({
       name,
       baseColor: linear(color),
@@ -55,7 +70,19 @@ export class SceneBuilder {
       metallic,
       opacity,
       opacityThreshold: 0,
+      ...(uv !== undefined && { uv }),
+      ...(ir !== undefined && { ir }),
+      ...(emissionTemperature !== undefined && { emissionTemperature }),
     });
+    return this.materials.length - 1;
+  }
+
+  /** A surface of src/spectrum/materialPresets.ts as it is there. */
+  preset(name: string): number {
+    const { bands, metallic, roughness } = presetNamed(name);
+    const finish = { roughness, metallic: metallic ? 1 : 0, opacity: 1, opacityThreshold: 0 };
+    const { rgb: baseColor, uv, ir } = bands;
+    this.materials.push({ name, baseColor, emissive: [0, 0, 0], ...finish, uv, ir });
     return this.materials.length - 1;
   }
 
@@ -111,3 +138,9 @@ export function daylight(from: Vec3, sun = '#fff1d8', intensity = 3.2): Light[] 
     { kind: 'dome', path: '/World/Sky', color: linear('#b9cfe8') },
   ];
 }
+
+/** Light of a spectrum, as bright as white daylight of this value is. */
+export const shine = (spectrum: LightSpectrum, luminance: number): { color: Vec3; spectrum: LightSpectrum } => ({
+  color: scale(whiteOf(spectrum), luminance),
+  spectrum,
+});

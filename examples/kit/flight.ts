@@ -20,11 +20,21 @@ export function sampled(
   at: (t: number) => { position: Vec3; orientation: Quat },
 ): SampledMotion {
   const count = Math.round((to - from) * rate) + 1;
-  const times = new Float64Array(count);
-  const poses = new Float64Array(count * 7);
+  return sampledAt(
+    Array.from({ length: count }, (_, k) => from + ((to - from) * k) / (count - 1)),
+    at,
+  );
+}
+
+/** The same at moments of one's own [s], rising. */
+export function sampledAt(
+  moments: readonly number[],
+  at: (t: number) => { position: Vec3; orientation: Quat },
+): SampledMotion {
+  const times = Float64Array.from(moments);
+  const poses = new Float64Array(times.length * 7);
   let before: Quat | undefined;
-  for (let k = 0; k < count; k++) {
-    times[k] = from + ((to - from) * k) / (count - 1);
+  for (let k = 0; k < times.length; k++) {
     const { position, orientation } = at(times[k]);
     // Of the two quaternions of a rotation the one nearer to the last, so that nothing spins between samples.
     const q =
@@ -45,6 +55,15 @@ export function cruise(s: number, ramp = 0.3): number {
   if (x < ramp) return rise(x / ramp) / total;
   if (x > 1 - ramp) return 1 - rise((1 - x) / ramp) / total;
   return (x - ramp / 2) / total;
+}
+
+/** Of a shuttle's way, what it takes to reach its speed. */
+export const TURN = 0.12;
+
+/** 0 → 1 → 0 … in turn, each way in a time of 1 at one speed but for a short turn at the ends, at rest where s is whole. */
+export function shuttle(s: number, ramp = TURN): number {
+  const way = s - 2 * Math.floor(s / 2);
+  return way <= 1 ? cruise(way, ramp) : 1 - cruise(way - 1, ramp);
 }
 
 export interface Flight {

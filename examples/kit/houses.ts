@@ -1,4 +1,6 @@
+import { random } from '../../src/math/random.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
+import type { Mesh } from '../../src/scene/types.ts';
 import type { Part, SceneBuilder } from './builder.ts';
 import { paint } from './builder.ts';
 import { Canvas, tone } from './paint.ts';
@@ -47,9 +49,35 @@ function facade({ width, floors, bays, scheme }: House, seed: number): Canvas {
       const middle = (i + 0.5) * bay * SCALE;
       const base = floor === 0 ? 0 : GROUND + (floor - 1) * FLOOR;
       if (floor === 0 && i === doorBay) door(canvas, middle, y, scheme);
-      else window(canvas, middle, y, base + 0.95, Math.min(1.1, bay * 0.5), floor === 0 ? 1.75 : 1.6, scheme);
+      else window(canvas, middle, y, base + SILL, windowWidth(bay), windowHeight(floor), scheme);
     }
   return canvas;
+}
+
+/** Of windows [m]. */
+const SILL = 0.95;
+const windowWidth = (bay: number): number => Math.min(1.1, bay * 0.5);
+const windowHeight = (floor: number): number => (floor === 0 ? 1.75 : 1.6);
+
+/** Panes of the windows behind which somebody is at home, just before the front; bars of the window stay between them. */
+function litPanes({ width, floors, bays }: House, seed: number): Mesh[] {
+  const next = random(seed + 7);
+  const bay = width / bays;
+  const panes: Mesh[] = [];
+  for (let floor = 0; floor < floors; floor++)
+    for (let i = 0; i < bays; i++) {
+      const isDoor = floor === 0 && i === Math.floor(bays / 2);
+      if (isDoor || next() > 0.5) continue;
+      const base = (floor === 0 ? 0 : GROUND + (floor - 1) * FLOOR) + SILL;
+      const [w, h] = [windowWidth(bay) / 2, windowHeight(floor) / 3];
+      for (const side of [0, 1])
+        for (const row of [0, 1, 2]) {
+          const x = (i + 0.5) * bay - width / 2 + (side - 1) * w;
+          const [x0, x1, y0, y1] = [x + 0.05, x + w - 0.04, base + row * h + 0.03, base + (row + 1) * h - 0.05];
+          panes.push(quad([x0, y0, 0.012], [x1, y0, 0.012], [x1, y1, 0.012], [x0, y1, 0.012]));
+        }
+    }
+  return panes;
 }
 
 function window(
@@ -126,6 +154,8 @@ export interface HouseMaterials {
   readonly roof: number;
   readonly stone: number;
   readonly chimney: number;
+  /** Of the panes behind which there is light; where absent, all are dark. */
+  readonly glow?: number;
 }
 
 /**
@@ -192,6 +222,7 @@ export function house(
   );
   return [
     ...walls,
+    ...(materials.glow === undefined ? [] : litPanes(style, seed).map((m) => paint(m, materials.glow!))),
     ...cornice,
     ...roof(w, h, depth, rise).map((m) => paint(m, materials.roof)),
     chimney,

@@ -161,3 +161,10 @@ export function bar(from: Vec3, to: Vec3, thickness: number): Mesh {
 export const moved = (mesh: Mesh, by: Vec3): Mesh => transformMesh(mesh, fromParts([1, 0, 0, 0, 1, 0, 0, 0, 1], by));
 export const sized = (mesh: Mesh, k: Vec3): Mesh =>
   transformMesh(mesh, fromParts([k[0], 0, 0, 0, k[1], 0, 0, 0, k[2]], scale(k, 0)));
+
+/** A closed mesh seen from within: of a globe, the far half of its inside. */
+export const insideOut = (mesh: Mesh): Mesh => ({
+  ...mesh,
+  normals: mesh.normals.map((x) => -x),
+  indices: mesh.indices.map((_, i, all) => all[i % 3 === 0 ? i : i % 3 === 1 ? i + 1 : i - 1]),
+});

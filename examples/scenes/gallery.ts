@@ -96,7 +96,7 @@ function room(builder: SceneBuilder): void {
   const dado = builder.material('dado', '#3b2a26', { roughness: 0.6 });
   const plaster = builder.material('plaster', '#ffffff', { texture: coffers(), roughness: 0.95 });
   const stone = builder.material('stone', '#d9cfbd', { roughness: 0.7 });
-  const gilt = builder.material('gilt', '#c59a4a', { roughness: 0.35, metallic: 0.8 });
+  const gilt = builder.material('gilt', '#c59a4a', { roughness: 0.35, metallic: 0.8, like: 'gold' });
   builder.object('/World/Floor', [paint(quad([-W, 0, L], [W, 0, L], [W, 0, -L], [-W, 0, -L], W, L), floor)]);
   const sides = [
     quad([-W, 0, L], [-W, 0, -L], [-W, H, -L], [-W, H, L]),
@@ -157,7 +157,7 @@ function coffers(): Texture {
 
 /** One picture in each bay on both walls, each of its own kind. */
 function pictures(builder: SceneBuilder): void {
-  const frame = builder.material('frame', '#b58a3f', { roughness: 0.4, metallic: 0.7 });
+  const frame = builder.material('frame', '#b58a3f', { roughness: 0.4, metallic: 0.7, like: 'gold' });
   const mat = builder.material('mat', '#efe8da', { roughness: 0.9 });
   const kinds = [sunset, grid, waves, circles, spectrum, stripes];
   for (const side of [-1, 1])
@@ -257,7 +257,7 @@ function stripes(name: string, seed: number): Texture {
 /** Plinths down the middle line of the room, off the way. */
 function sculptures(builder: SceneBuilder): void {
   const stone = builder.material('plinth', '#cfc7b8', { roughness: 0.7 });
-  const bronze = builder.material('bronze', '#8c5a32', { roughness: 0.3, metallic: 0.9 });
+  const bronze = builder.material('bronze', '#8c5a32', { roughness: 0.3, metallic: 0.9, like: 'copper' });
   const marble = builder.material('marble', '#efebe3', { roughness: 0.4 });
   const enamel = builder.material('enamel', '#2f6f73', { roughness: 0.25 });
   const plinth = turned(

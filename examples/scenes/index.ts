@@ -3,11 +3,14 @@ import { scene as dice } from './dice.ts';
 import { scene as gallery } from './gallery.ts';
 import { scene as hall } from './hall.ts';
 import { scene as ladder } from './ladder.ts';
+import { scene as lamps } from './lamps.ts';
 import { scene as lattice } from './lattice.ts';
+import { scene as prism } from './prism.ts';
 import { scene as saturn } from './saturn.ts';
 import { scene as sphere } from './sphere.ts';
 import { scene as starfield } from './starfield.ts';
 import { scene as street } from './street.ts';
+import { scene as sunset } from './sunset.ts';
 import { scene as wheel } from './wheel.ts';
 
 /** All scenes, in the order in which the gallery shows them. */
@@ -18,6 +21,9 @@ export const scenes: readonly ExampleScene[] = [
   lattice,
   sphere,
   hall,
+  lamps,
+  prism,
+  sunset,
   starfield,
   saturn,
   gallery,

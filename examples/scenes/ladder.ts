@@ -222,6 +222,7 @@ function hay(builder: SceneBuilder): void {
 function meadow(builder: SceneBuilder): void {
   const grass = builder.material('grass', '#ffffff', {
     texture: new Canvas(128, 128, '#86994f').grain(0.1, 2, 4).texture('grass'),
+    like: 'leaf',
     roughness: 1,
   });
   const dirt = builder.material('dirt', '#ffffff', {
@@ -243,7 +244,7 @@ function meadow(builder: SceneBuilder): void {
   const rails = [0.45, 0.95].map((y) => block(2 * long, 0.1, 0.05, 0.5, [0, y, z]));
   const posts = Array.from({ length: 31 }, (_, i) => block(0.13, 1.25, 0.13, 1, [3 * (i - 15), -0.05, z - 0.08]));
   const bark = builder.material('bark', '#6a5340', { roughness: 1 });
-  const leaf = builder.material('leaf', '#5b8141', { roughness: 0.95 });
+  const leaf = builder.material('leaf', '#5b8141', { roughness: 0.95, like: 'leaf' });
   for (let k = 0; k < 11; k++) {
     const tree = broadTree(5.5 + 2.5 * ((k * 0.618) % 1), bark, leaf, k + 3);
     builder.object(

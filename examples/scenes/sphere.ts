@@ -129,7 +129,7 @@ function terrace(builder: SceneBuilder): void {
   const lane = builder.material('lane', '#5b6f78', { roughness: 0.5 });
   const border = builder.material('border', '#e8e1d1', { roughness: 0.7 });
   const marble = builder.material('marble', '#ece6da', { roughness: 0.55 });
-  const lawn = builder.material('lawn', '#7f955f', { roughness: 1 });
+  const lawn = builder.material('lawn', '#7f955f', { roughness: 1, like: 'leaf' });
   const long = 60;
   const strip = (z0: number, z1: number, y: number, x = long): Mesh =>
     quad([-x, y, z0], [x, y, z0], [x, y, z1], [-x, y, z1], x / 2, (z0 - z1) / 4);
@@ -143,7 +143,7 @@ function terrace(builder: SceneBuilder): void {
   const beam = [block(2 * long, 0.5, 1.1, 0.5, [0, 5.86, -21]), block(2 * long, 0.24, 1.5, 0.5, [0, 6.36, -21])];
   builder.object('/World/Steps', [paint(join([...steps, ...beam]), marble)]);
   const bark = builder.material('bark', '#6a5340', { roughness: 1 });
-  const leaf = builder.material('leaf', '#4f7448', { roughness: 0.95 });
+  const leaf = builder.material('leaf', '#4f7448', { roughness: 0.95, like: 'leaf' });
   for (let k = 0; k < 15; k++) {
     const part = placePart(
       poplar(8.5 + 1.5 * ((k * 0.618) % 1), bark, leaf, k),

@@ -172,7 +172,11 @@ function stand(builder: SceneBuilder, wheel: Part, iron: number): void {
 /** A country road with milestones, a wall of old bricks, and poplars. */
 function road(builder: SceneBuilder): void {
   const dirt = builder.material('dirt', '#ffffff', { texture: gravel('#b9a486', 'dirt'), roughness: 1 });
-  const grass = builder.material('grass', '#ffffff', { texture: gravel('#7c9358', 'grass'), roughness: 1 });
+  const grass = builder.material('grass', '#ffffff', {
+    texture: gravel('#7c9358', 'grass'),
+    roughness: 1,
+    like: 'leaf',
+  });
   const stone = builder.material('stone', '#d9d4c7', { roughness: 0.85 });
   const red = builder.material('band', '#b5412f', { roughness: 0.7 });
   const wall = builder.material('wall', '#ffffff', { texture: bricks('#a5654c', '#c6b9a6', 'wall'), roughness: 0.95 });
@@ -229,7 +233,7 @@ const pillars = (long: number, z: number): Mesh[] =>
 
 function trees(builder: SceneBuilder, z: number): void {
   const bark = builder.material('bark', '#6a5340', { roughness: 1 });
-  const leaf = builder.material('leaf', '#55803f', { roughness: 0.95 });
+  const leaf = builder.material('leaf', '#55803f', { roughness: 0.95, like: 'leaf' });
   const next = random(17);
   for (let k = 0; k < 12; k++) {
     const [x, depth] = [6 * (k - 7) + next(), z - 3 * next()];

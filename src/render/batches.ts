@@ -3,6 +3,7 @@ import { sub, type Vec3 } from '../math/vec3.ts';
 import { isTransparent } from '../scene/transparency.ts';
 import type { Material, Motion, Scene, Texture, TextureChannel } from '../scene/types.ts';
 import type { Body } from './bodies.ts';
+import { textureKey } from './textures.ts';
 
 /** Objects with more triangles than this are drawn alone, so that culling them saves their work. */
 const ALONE = 20_000;
@@ -66,18 +67,13 @@ interface Part {
 
 export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
   const transparent = scene.materials.map(isTransparent);
-  const textures = new Map<Texture, number>();
-  const number = (t: Texture | undefined): number => {
-    if (!t) return -1;
-    if (!textures.has(t)) textures.set(t, textures.size);
-    return textures.get(t) ?? -1;
-  };
-  const channel = (from: TextureChannel | undefined): string => `${number(from?.texture)}/${from?.channel}`;
+  const nameOf = (texture: Texture | undefined): string => (texture ? `(${textureKey(texture)})` : '');
+  const channel = (from: TextureChannel | undefined): string => `${nameOf(from?.texture)}/${from?.channel}`;
   const pictures = scene.materials.map((m) =>
     [
-      number(m.baseColorTexture),
-      number(m.emissiveTexture),
-      number(m.normalTexture?.texture),
+      nameOf(m.baseColorTexture),
+      nameOf(m.emissiveTexture),
+      nameOf(m.normalTexture?.texture),
       channel(m.roughnessTexture),
       channel(m.metallicTexture),
     ].join(' '),

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { toHalf } from '../math/half.ts';
 import type { RadiancePicture } from '../scene/types.ts';
-import { COARSE, domeMaps, LOBES, type Panorama } from './domeMaps.ts';
+import { COARSE, domeMaps, LOBES, type Panorama, placeOf } from './domeMaps.ts';
 
 const [W, H] = [256, 128];
 
@@ -41,6 +41,13 @@ describe('what matt and rough surfaces have of a dome', () => {
     const matt = domeMaps(dome((y) => (y < H / 2 ? 1 : 0))).at(-1)!;
     for (let y = 0; y < COARSE.height; y += 5)
       expect(Math.abs(at(matt, y, 17) - (1 + Math.cos(angle(y))) / 2)).toBeLessThan(0.01);
+  });
+
+  it('is one value at a pole, whatever the column: what is halfway to the other side', () => {
+    const matt = domeMaps(dome((y, x) => (y === 30 && x === 60 ? 1000 : 0))).at(-1)!;
+    const pole = (column: number): number =>
+      (matt.rgb[placeOf(matt, -1, column)] + matt.rgb[placeOf(matt, 0, column)]) / 2;
+    for (let column = 0; column < COARSE.width; column += 9) expect(pole(column) / pole(0)).toBeCloseTo(1, 2);
   });
 
   it('of one bright point is the lobe of the roughness, GGX about half of the angle', () => {

@@ -153,19 +153,25 @@ function addRow(
   }
 }
 
+/** Where a pixel's numbers begin: columns go on around, and rows beyond a pole on its other side. */
+export function placeOf({ width, height }: Panorama, row: number, column: number): number {
+  const beyond = row < 0 || row >= height;
+  const y = row < 0 ? -1 - row : row >= height ? 2 * height - 1 - row : row;
+  return 3 * (y * width + ((column + (beyond ? width / 2 : 0) + width) % width));
+}
+
 /** At the size of `COARSE`, linear between. */
 function spread(map: Panorama): Panorama {
   const { width, height } = COARSE;
   if (map.width === width) return map;
   const rgb = new Float32Array(3 * width * height);
   for (let y = 0; y < height; y++) {
-    const v = Math.min(Math.max(((y + 0.5) * map.height) / height - 0.5, 0), map.height - 1);
-    const row = Math.min(Math.floor(v), map.height - 2);
+    const v = ((y + 0.5) * map.height) / height - 0.5;
+    const row = Math.floor(v);
     for (let x = 0; x < width; x++) {
-      const u = ((x + 0.5) * map.width) / width - 0.5 + map.width;
+      const u = ((x + 0.5) * map.width) / width - 0.5;
       const column = Math.floor(u);
-      const at = (j: number, i: number, k: number): number =>
-        map.rgb[3 * ((row + j) * map.width + ((column + i) % map.width)) + k];
+      const at = (j: number, i: number, k: number): number => map.rgb[placeOf(map, row + j, column + i) + k];
       const [s, t] = [u - column, v - row];
       for (let k = 0; k < 3; k++)
         rgb[3 * (y * width + x) + k] =

@@ -19,7 +19,7 @@ import { toHalf } from '../math/half.ts';
 import { axesOf } from '../scene/daylight.ts';
 import type { DomeLight, Scene } from '../scene/types.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
-import { COARSE, domeMaps, LOBES, type Panorama } from './domeMaps.ts';
+import { COARSE, domeMaps, LOBES, type Panorama, placeOf } from './domeMaps.ts';
 import { uploadTexture } from './textures.ts';
 
 type Vec2 = Node<'vec2'>;
@@ -104,13 +104,12 @@ export class DomePicture {
 function stacked(maps: readonly Panorama[]): DataTexture {
   const [width, height] = [COARSE.width + 2, COARSE.height + 2];
   const data = new Uint16Array(4 * width * height * maps.length).fill(toHalf(1));
-  maps.forEach(({ rgb }, layer) => {
+  maps.forEach((map, layer) => {
     for (let y = 0; y < height; y++)
       for (let x = 0; x < width; x++) {
-        const row = Math.min(Math.max(y - 1, 0), COARSE.height - 1);
-        const from = 3 * (row * COARSE.width + ((x - 1 + COARSE.width) % COARSE.width));
+        const from = placeOf(map, y - 1, x - 1);
         const to = 4 * ((layer * height + y) * width + x);
-        for (let k = 0; k < 3; k++) data[to + k] = toHalf(Math.min(rgb[from + k], BRIGHTEST));
+        for (let k = 0; k < 3; k++) data[to + k] = toHalf(Math.min(map.rgb[from + k], BRIGHTEST));
       }
   });
   const made = new DataTexture(data, width, height * maps.length, RGBAFormat, HalfFloatType);

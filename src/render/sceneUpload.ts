@@ -16,7 +16,7 @@ import type { RendererOptions } from './settings.ts';
 import { ShadowMaps } from './shadows/shadowMaps.ts';
 import { StarPoints } from './starPoints.ts';
 import { type ChannelTexture, MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './surface.ts';
-import { uploadTexture } from './textures.ts';
+import { textureKey, uploadTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 import { indexedVertex } from './vertexInput.ts';
 import { isSampledAtRest, radiusOf, worldObjects } from './worldObjects.ts';
@@ -49,7 +49,7 @@ export class SceneUpload {
   /** Of meshes that many wear (vertexInput.ts). */
   private readonly instances = new FloatTable(256);
   private readonly points = new Map<number, PointStore>();
-  private readonly textures = new Map<Texture, DataTexture>();
+  private readonly textures = new Map<string, DataTexture>();
   private courier: SampleCourier | undefined;
 
   constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms, gpu: Gpu, options: RendererOptions) {
@@ -172,8 +172,9 @@ export class SceneUpload {
   }
 
   private texture(image: Texture): DataTexture {
-    const made = this.textures.get(image) ?? uploadTexture(image);
-    this.textures.set(image, made);
+    const key = textureKey(image);
+    const made = this.textures.get(key) ?? uploadTexture(image);
+    this.textures.set(key, made);
     return made;
   }
 }

@@ -24,6 +24,16 @@ const WRAPS = {
 } as const;
 const wrap = (w: TextureWrap) => WRAPS[w];
 
+const numbers = new WeakMap<object, number>();
+let numbered = 0;
+
+/** The same for textures that show the same picture in the same way: readers make one for each material. */
+export function textureKey({ data, colorSpace, filter, wrapS, wrapT }: Texture): string {
+  const number = numbers.get(data) ?? numbered++;
+  numbers.set(data, number);
+  return `${number} ${colorSpace} ${filter} ${wrapS} ${wrapT}`;
+}
+
 /** An image on the GPU. Its rows run from the top, so it is read at 1 − v. */
 export function uploadTexture(image: Texture | RadiancePicture): DataTexture {
   const { data, width, height } = image;

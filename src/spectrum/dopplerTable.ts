@@ -13,14 +13,14 @@ import { toLinearSrgb } from './observerColor.ts';
  *
  * Of three layers: for filters whose ultraviolet and infrared are what their basis ends at (`bandsOf` a colour); seen =
  * r C_r + g C_g + b C_b. Of four: for any filter, add x C_x, where x is its `uv` for D_out < 1 and its `ir` for D_out > 1: no eye sees both.
- * H is the luminance of a blackbody (`luminanceOf`), and 0 in the table of a sampled spectrum.
+ * H is the luminance of a blackbody (`luminanceOf`).
  */
 export interface DopplerTable {
   readonly data: Uint16Array;
   readonly layers: 3 | 4;
   /** Along D_out, the shift from the filter to the eye: `columnOf`. */
   readonly columns: number;
-  /** Along what light is seen, filtered or not: `rowOf` a temperature, `shiftRowOf` a sampled spectrum's whole shift. */
+  /** Along the temperature at which light is seen, filtered or not: `rowOf`. */
   readonly rows: number;
 }
 

@@ -3,7 +3,7 @@ export { colorMatching, NANOMETRE, tristimulus, VISIBLE, WAVELENGTHS } from './c
 export { daylightSpectrum } from './daylight.ts';
 export { columnOf, type DopplerTable, SHIFT_LIMIT, tableColor, tableTexel } from './dopplerTable.ts';
 export { dopplerTint } from './dopplerTint.ts';
-export { lightFilter, shiftedFilter } from './lightFilter.ts';
+export { lightFilter } from './lightFilter.ts';
 export { LIGHT_PRESETS, type LightPreset } from './lightPresets.ts';
 export {
   DAYLIGHT,
@@ -19,7 +19,6 @@ export { MATERIAL_PRESETS, type MaterialPreset } from './materialPresets.ts';
 export { LUMINANCE, NORMALISER, seenColor, toLinearSrgb, whiteOf } from './observerColor.ts';
 export { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
 export { P3_TO_XYZ, SRGB_TO_P3, SRGB_TO_XYZ, XYZ_TO_P3, XYZ_TO_SRGB } from './rgbSpaces.ts';
-export { type SampledTable, sampledTable, shiftRowOf } from './sampledTable.ts';
 export {
   type BlackbodyCurve,
   blackbodyCurve,

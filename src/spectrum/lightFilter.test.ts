@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { anyBands, anyShift, logarithmic, thermal } from '../../tests/support/spectra.ts';
+import { logarithmic, thermal } from '../../tests/support/spectra.ts';
 import { dot, type Vec3 } from '../math/vec3.ts';
-import { bandsOf, reflectanceAt, WHITE } from './bands.ts';
-import { lightFilter, shiftedFilter } from './lightFilter.ts';
+import { WHITE } from './bands.ts';
+import { lightFilter } from './lightFilter.ts';
 import { DAYLIGHT } from './lightSpectrum.ts';
 import { LUMINANCE, seenColor, whiteOf } from './observerColor.ts';
 import { blackbodyColor } from './planckian.ts';
@@ -45,32 +45,5 @@ describe('the filter of a light', () => {
     const luminance = dot(LUMINANCE, [0.9, 0.2, 0.4]);
     close(k.rgb, [luminance, luminance, luminance], 12);
     expect(dot(LUMINANCE, seenColor(WHITE, k, lines, 1, 1))).toBeCloseTo(luminance, 9);
-  });
-});
-
-describe('the filter of a light that is met shifted', () => {
-  test('is itself at D = 1, and neutral where it is neutral', () => {
-    fc.assert(
-      fc.property(anyBands, anyShift, (k, Din) => {
-        const same = shiftedFilter(k, 1);
-        close(same.rgb, k.rgb, 9);
-        expect([same.uv, same.ir]).toEqual([k.uv, k.ir]);
-        close(shiftedFilter(bandsOf([0.4, 0.4, 0.4]), Din).rgb, [0.4, 0.4, 0.4], 9);
-      }),
-      { numRuns: 30 },
-    );
-  });
-
-  test('ends in what has come there', () => {
-    const k = bandsOf([1, 0.1, 0.1], 0.2, 0.7);
-    expect(shiftedFilter(k, 1.5).uv).toBeCloseTo(reflectanceAt(k, 1.5 * 359.5e-9), 9);
-    expect(shiftedFilter(k, 1.5).ir).toBe(0.7);
-    expect(shiftedFilter(k, 0.7).ir).toBeCloseTo(reflectanceAt(k, 0.7 * 830.5e-9), 9);
-    expect(shiftedFilter(k, 3).rgb[0]).toBeCloseTo(0.7, 5);
-  });
-
-  test('turns a green filter red for who flees from it', () => {
-    const { rgb } = shiftedFilter(bandsOf([0, 1, 0]), 545 / 620);
-    expect(rgb[0]).toBeGreaterThan(2 * Math.max(rgb[1], rgb[2]));
   });
 });

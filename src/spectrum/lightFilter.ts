@@ -1,8 +1,7 @@
 import { IDENTITY, invert, type Mat3, multiply, transform, transpose } from '../math/mat3.ts';
 import { add, dot, sub, type Vec3 } from '../math/vec3.ts';
-import { type Bands, bandsOf, reflectanceAt, WHITE } from './bands.ts';
-import { VISIBLE } from './cie1931.ts';
-import { DAYLIGHT, type LightSpectrum } from './lightSpectrum.ts';
+import { type Bands, bandsOf, WHITE } from './bands.ts';
+import type { LightSpectrum } from './lightSpectrum.ts';
 import { LUMINANCE, seenColor } from './observerColor.ts';
 
 /**
@@ -43,16 +42,4 @@ function solveNearGrey(C: Mat3, color: Vec3, grey: number): Vec3 {
   let k: Vec3 = [grey, grey, grey];
   for (let i = 0; i < 4; i++) k = add(k, transform(step, sub(color, transform(C, k))));
   return [Math.max(k[0], 0), Math.max(k[1], 0), Math.max(k[2], 0)];
-}
-
-/**
- * The filter k of a light as a surface knows it that meets the light shifted by `Din`: what k(Din·λ) looks like in daylight, and its
- * own ends. The fast renderer's one approximation: exact for neutral filters; of others it keeps the colour, not every wavelength.
- */
-export function shiftedFilter(k: Bands, Din: number): Bands {
-  return {
-    rgb: seenColor(k, WHITE, DAYLIGHT, 1 / Din, Din),
-    uv: Din > 1 ? reflectanceAt(k, Din * VISIBLE[0]) : k.uv,
-    ir: Din < 1 ? reflectanceAt(k, Din * VISIBLE[1]) : k.ir,
-  };
 }

@@ -1,0 +1,101 @@
+import { describe, expect, it } from 'vitest';
+import { dot, length, normalize, sub, type Vec3 } from '../../src/math/vec3.ts';
+import { fastest } from '../../src/scene/fastest.ts';
+import type { FrameMotion, Material, SphereLight } from '../../src/scene/types.ts';
+import { bandsOf, WHITE } from '../../src/spectrum/bands.ts';
+import { LUMINANCE, seenColor } from '../../src/spectrum/observerColor.ts';
+import { objectAt, openExample, ridden, speedOfLight } from './open.ts';
+
+const scene = await openExample('prism');
+const c = speedOfLight(scene);
+const lamps = scene.lights.filter((light): light is SphereLight => light.kind === 'sphere');
+const lampOf = (name: string): SphereLight => lamps.find(({ path }) => path.includes(name))!;
+
+const material = (name: string): Material => scene.materials.find((m) => m.name.endsWith(name))!;
+const bands = ({ baseColor, uv, ir }: Material) => bandsOf(baseColor, uv, ir);
+
+/** Where a chart is, and how it moves, when what is seen at openAt leaves it: 0 = t − t_e − |x(t_e) − eye|/c, by bisection. */
+function seen(name: string): { beta: number; D: number } {
+  const { motion } = objectAt(scene, `/World/${name}`);
+  if (motion.kind === 'sampled-points') throw new Error('charts are rigid');
+  const t = scene.hints.openAt!;
+  const eye = ridden(scene).reduce((a, b) => (Math.abs(b.t - t) < Math.abs(a.t - t) ? b : a)).position;
+  let [early, late] = [t - 12, t];
+  for (let i = 0; i < 60; i++) {
+    const middle = (early + late) / 2;
+    if (t - middle > length(sub(place(motion, middle), eye)) / c) early = middle;
+    else late = middle;
+  }
+  const [a, b] = [place(motion, early - 0.02), place(motion, early + 0.02)];
+  const v = sub(b, a).map((x) => x / (0.04 * c)) as unknown as Vec3;
+  const beta = dot(v, normalize(sub(eye, a)));
+  // Towards the eye nearly: D = √(1−v²)/(1−v·n).
+  return { beta, D: Math.sqrt(1 - dot(v, v)) / (1 - beta) };
+}
+
+function place(motion: FrameMotion, t: number): Vec3 {
+  if (motion.kind !== 'sampled') return 'pose' in motion ? motion.pose.position : [0, 0, 0];
+  const { times, poses } = motion;
+  const k = Math.max(0, Math.min(times.length - 2, times.findIndex((x) => x > t) - 1));
+  const s = (t - times[k]) / (times[k + 1] - times[k]);
+  const at = (i: number): number => poses[7 * k + i] + s * (poses[7 * k + 7 + i] - poses[7 * k + i]);
+  return [at(0), at(1), at(2)];
+}
+
+const [left, still, right] = ['Left', 'Still', 'Right'].map(seen);
+
+/** A surface in the light of a chart's own lamp, at rest with it. */
+const light = lampOf('Left').spectrum!;
+const color = (name: string, D: number): Vec3 => seenColor(bands(material(name)), WHITE, light, 1, D);
+const red = ([r, g, b]: Vec3): boolean => r > 1.5 * g && r > 1.5 * b;
+const blue = ([r, g, b]: Vec3): boolean => b > 1.5 * r && b > 1.2 * g;
+
+describe('prism', () => {
+  it('has one chart coming at 0.34 c, one at rest, one going when it opens', () => {
+    for (const name of ['Left', 'Right'])
+      expect(fastest(objectAt(scene, `/World/${name}`), c).speed / c).toBeCloseTo(0.34, 2);
+    expect(left.beta).toBeGreaterThan(0.29);
+    expect(still).toEqual({ beta: 0, D: 1 });
+    expect(right.beta).toBeLessThan(-0.29);
+  });
+
+  it('carries a lamp of the same light with each chart', () => {
+    for (const name of ['Left', 'Still', 'Right']) {
+      const chart = objectAt(scene, `/World/${name}`).motion;
+      if (chart.kind === 'sampled-points') throw new Error('charts are rigid');
+      const offset = (t: number) => sub(place(lampOf(name).motion, t), place(chart, t));
+      for (const t of [0, 4, 9, 20]) expect(length(sub(offset(t), offset(1)))).toBeLessThan(1e-6);
+      expect(lampOf(name).spectrum).toEqual(light);
+    }
+  });
+
+  it('turns red and orange fields that come blue', () => {
+    for (const field of ['field22', 'field10']) {
+      expect(red(color(field, 1)), field).toBe(true);
+      expect(blue(color(field, left.D)), field).toBe(true);
+    }
+  });
+
+  it('turns the blue field that goes red, and the red one a dark teal', () => {
+    expect(blue(color('field20', 1))).toBe(true);
+    expect(red(color('field20', right.D))).toBe(true);
+    const [r, g, b] = color('field22', right.D);
+    expect(Math.min(g, b)).toBeGreaterThan(2 * r);
+    expect(Math.max(g, b)).toBeLessThan(0.3 * color('field22', 1)[0]);
+  });
+
+  // The D⁴ of beaming, times what the shift takes or gives in the visible.
+  it('is brighter coming and darker going', () => {
+    const white = (D: number) => D ** 4 * dot(LUMINANCE, color('field30', D));
+    expect(white(left.D) / white(1)).toBeGreaterThan(2);
+    expect(white(right.D) / white(1)).toBeLessThan(0.5);
+  });
+
+  it('turns the green leaf that comes red by its infrared alone', () => {
+    const leaf = material('leaf');
+    const [r, g] = color('leaf', 1);
+    expect(g).toBeGreaterThan(r);
+    expect(red(color('leaf', left.D))).toBe(true);
+    expect(red(seenColor(bandsOf(leaf.baseColor), WHITE, light, 1, left.D))).toBe(false);
+  });
+});
