@@ -11,7 +11,21 @@ process.env.NODE_ENV = 'production';
 const root = fileURLToPath(new URL('.', import.meta.url));
 const examplesFolder = join(root, 'examples');
 /** The order of the gallery: from what everybody knows to what needs a thought. Others follow by name. */
-const GALLERY = ['street', 'dice', 'wheel', 'sphere', 'lattice', 'hall', 'saturn', 'gallery', 'ladder'];
+const GALLERY = [
+  'street',
+  'dice',
+  'wheel',
+  'starfield',
+  'lamps',
+  'sphere',
+  'lattice',
+  'prism',
+  'sunset',
+  'hall',
+  'saturn',
+  'gallery',
+  'ladder',
+];
 const SCENES = ['.usda', '.usdz', '.glb'];
 const SHIPPED = [...SCENES, '.png', '.jpg', '.gltf', '.bin'];
 

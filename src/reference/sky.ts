@@ -1,6 +1,8 @@
-import { dot, lerp, scale, type Vec3 } from '../math/vec3.ts';
+import { addScaled, dot, lerp, scale, type Vec3 } from '../math/vec3.ts';
 import { axesOf, DAY, domeOf, SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
 import type { DomeLight, Scene } from '../scene/types.ts';
+import { SCATTERED, SCATTERED_COLOR, scatteredShare } from '../spectrum/scatteredLight.ts';
+import { neutral } from './filters.ts';
 import { DARK, type Light, plus } from './light.ts';
 import { type Shine, shineOf } from './shine.ts';
 import type { Sight } from './sight.ts';
@@ -26,9 +28,18 @@ export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
     ? domeColor(dome, scene.upAxis)
     : (n: Vec3) => gradient(dot(n, up), DAY.zenith, DAY.horizon, DAY.ground);
   return {
-    light: (n, sight) => sight.shining(shineOf(color(n), dome?.spectrum)),
+    light: (n, sight) =>
+      dome?.spectrum ? sight.shining(shineOf(color(n), dome.spectrum)) : scattering(color(n), sight),
     suns: (n, sight) => suns.reduce((sum, sun) => plus(sum, sight.shining(sun.shine), discAndGlow(n, sun)), DARK),
   };
+}
+
+/** Daylight of which air scatters the blue part: the rest is a filter that is nearly grey. */
+function scattering(color: Vec3, sight: Sight): Light {
+  const share = scatteredShare(color);
+  if (share === 0) return sight.shining(shineOf(color));
+  const blue = { spectrum: SCATTERED, filter: neutral(share), color: scale(SCATTERED_COLOR, share) };
+  return plus(sight.shining(shineOf(addScaled(color, SCATTERED_COLOR, -share))), sight.shining(blue));
 }
 
 function domeColor({ color, texture }: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {

@@ -1,8 +1,12 @@
 import { int } from 'three/tsl';
+import { lerp, type Vec3 } from '../math/vec3.ts';
 import type { BandColors } from '../shaders/spectrumTable.ts';
 import type * as gpu from '../shaders/types.ts';
-import { columnOf, type DopplerTable, fromRatio, tableTexel } from '../spectrum/dopplerTable.ts';
+import { WHITE } from '../spectrum/bands.ts';
+import { columnOf, type DopplerTable, fromRatio, ratio, tableColor, tableTexel } from '../spectrum/dopplerTable.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
+import { seenColor } from '../spectrum/observerColor.ts';
+import { SCATTERED } from '../spectrum/scatteredLight.ts';
 import { luminanceOf, rowOf } from '../spectrum/thermalTable.ts';
 import { FloatTable } from './floatTable.ts';
 
@@ -10,6 +14,14 @@ import { FloatTable } from './floatTable.ts';
 export interface DaylightColors {
   readonly colors: Omit<BandColors, 'H'>;
   readonly gain: gpu.Float;
+}
+
+/** What is seen of the scattered light of a sky. */
+export interface ScatteredColors {
+  /** Linear sRGB, D⁴ left out, of luminance 1 at rest. */
+  readonly seen: gpu.Vec3;
+  /** The same over white daylight of luminance 1 that is shifted alike: what a filter's `DaylightColors` are multiplied with. */
+  readonly ofDaylight: gpu.Vec3;
 }
 
 /** Odd, so that D = 1 is one. From one to the next D changes by 5e-4 at D = 1. */
@@ -25,7 +37,8 @@ export class DaylightTable {
 
   constructor(blackbodies: DopplerTable) {
     this.layers = blackbodies.layers;
-    this.table.reserve(this.layers * STEPS);
+    this.table.reserve((this.layers + 2) * STEPS);
+    const scattered = scatteredColors();
     for (let i = 0; i < STEPS; i++) {
       const D = Math.min(Math.max(fromRatio(i / (STEPS - 1)), 1e-4), 1e7);
       const T = DAYLIGHT.temperature * D;
@@ -35,23 +48,53 @@ export class DaylightTable {
         const gain = layer === 0 ? luminanceOf(H, T) / D ** 4 : 0;
         this.table.values.set([r, g, b, gain], 4 * (layer * STEPS + i));
       }
+      const white = tableColor(blackbodies, row, column, WHITE);
+      const seen = scattered(D);
+      // Channels in which daylight is gone (blue of embers) tell nothing.
+      const ofDaylight = seen.map((value, k) => (value * white[k]) / (white[k] ** 2 + 1e-4));
+      this.table.values.set([...seen, 0], 4 * (this.layers * STEPS + i));
+      this.table.values.set([...ofDaylight, 0], 4 * ((this.layers + 1) * STEPS + i));
     }
     this.table.upload();
   }
 
   at(D: gpu.Float): DaylightColors {
-    const step = int(
-      D.div(D.add(1))
-        .mul(STEPS - 1)
-        .add(0.5),
-    ).toVar();
-    const layer = (k: number): gpu.Vec4 => this.table.texel(step.add(int(k * STEPS))).toVar();
+    const layer = this.layersAt(D);
     const red = layer(0);
     const colors = { red: red.xyz, green: layer(1).xyz, blue: layer(2).xyz };
     return { colors: this.layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors, gain: red.w };
   }
 
+  scattered(D: gpu.Float): ScatteredColors {
+    const layer = this.layersAt(D);
+    return { seen: layer(this.layers).xyz, ofDaylight: layer(this.layers + 1).xyz };
+  }
+
+  private layersAt(D: gpu.Float): (layer: number) => gpu.Vec4 {
+    const step = int(
+      D.div(D.add(1))
+        .mul(STEPS - 1)
+        .add(0.5),
+    ).toVar();
+    return (layer) => this.table.texel(step.add(int(layer * STEPS))).toVar();
+  }
+
   dispose(): void {
     this.table.dispose();
   }
+}
+
+/** Of how many shifts scattered light is integrated; between them it goes straight, within 2e-3. */
+const NODES = 513;
+
+function scatteredColors(): (D: number) => Vec3 {
+  const nodes = Array.from({ length: NODES }, (_, i): Vec3 => {
+    const D = fromRatio(i / (NODES - 1));
+    return D > 0 && Number.isFinite(D) ? seenColor(WHITE, WHITE, SCATTERED, 1, D) : [0, 0, 0];
+  });
+  return (D) => {
+    const place = (NODES - 1) * ratio(D);
+    const i = Math.min(Math.floor(place), NODES - 2);
+    return lerp(nodes[i], nodes[i + 1], place - i);
+  };
 }

@@ -10,7 +10,7 @@ import { FloatTable } from './floatTable.ts';
 import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
 import { LampTable } from './lampTable.ts';
 import { LineTable } from './lineTable.ts';
-import type { Source } from './radiance.ts';
+import { SKY, type Source } from './radiance.ts';
 import type { Sight } from './sight.ts';
 
 /** A distant light on the GPU. */
@@ -21,6 +21,11 @@ export interface SunTexels {
   readonly color: gpu.Vec3;
   /** Absent of daylight. */
   readonly source?: Source;
+}
+
+interface KnownSun extends DistantLight {
+  readonly shine: readonly [number, number];
+  readonly colors: ShineColors;
 }
 
 /** Texels per distant light: (direction, x), (colour, y), with (x, y) of `shineNumbers`. */
@@ -43,9 +48,9 @@ export class Environment {
   readonly lamps: LampTable;
   readonly night: NightSky | undefined;
   /** Those of a kind of light together. */
-  readonly suns: readonly (DistantLight & { readonly colors: ShineColors })[];
-  /** What the sky's light is made of; absent of daylight. */
-  readonly skySource: Source | undefined;
+  readonly suns: readonly KnownSun[];
+  /** What the sky's light is made of. */
+  readonly skySource: Source = SKY;
   private readonly skyColors: ShineColors | undefined;
   private readonly table = new FloatTable(256);
   private readonly lines = new LineTable();
@@ -57,6 +62,7 @@ export class Environment {
     const suns = direct.filter((light) => light.kind === 'distant');
     this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind)).map((sun) => ({
       ...sun,
+      shine: shineNumbers(sun, this.lines),
       colors: shineColors(sun),
     }));
     this.table.reserve(SUN_TEXELS * this.suns.length);
@@ -66,7 +72,7 @@ export class Environment {
     );
     if (dome) {
       const [x, y] = shineNumbers(dome, this.lines);
-      this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines);
+      this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines) ?? SKY;
       this.skyColors = shineColors(dome);
     } else this.setDay();
     if (dome?.texture) this.picture = new DomePicture(dome.texture, scene.upAxis, this.uniforms.zenithColor.rgb);
@@ -95,7 +101,7 @@ export class Environment {
   /** Places are uploaded relative to the observer's event. */
   update(sight: Sight, colors: ColorMode): void {
     this.suns.forEach((sun, i) => {
-      const [x, y] = shineNumbers(sun, this.lines);
+      const [x, y] = sun.shine;
       const texels = [...normalize(scale(sun.direction, -1)), x, ...sun.colors[colors], y];
       this.table.values.set(texels, 4 * SUN_TEXELS * i);
     });

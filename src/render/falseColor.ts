@@ -1,6 +1,5 @@
-import { clamp, dot, Fn, float, floor, int, log2, max, min, mix, select, uniform, vec3, vec4 } from 'three/tsl';
+import { clamp, Fn, float, floor, int, log2, max, min, mix, select, uniform, vec3, vec4 } from 'three/tsl';
 import type { Texture } from 'three/webgpu';
-import { luminanceOf } from '../scene/gauge.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import { observerDoppler } from '../shaders/observerDoppler.ts';
 import { toneMaps } from '../shaders/toneMap.ts';
@@ -20,12 +19,12 @@ import { encode } from './display.ts';
 import { FloatTable } from './floatTable.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';
 import { gridOver } from './grid.ts';
+import { luminance } from './luminance.ts';
 import { depthHere } from './passes.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 
 const STEPS = 256;
-export const LUMINANCE = vec3(luminanceOf(1, 0, 0), luminanceOf(0, 1, 0), luminanceOf(0, 0, 1));
 
 /** The colours of one scale on the GPU: what a pixel's number is looked up in. */
 export class FalseColorTable {
@@ -74,7 +73,7 @@ export const falseColored = (
     if (kind === 'emission-time') color.assign(select(there, color, vec3(...NOTHING).div(255)));
     if (kind === 'band') {
       const shown = toneMaps[tone](texelHere(light).rgb, uniforms.exposure);
-      const grey = encode(vec3(dot(shown, LUMINANCE))).x;
+      const grey = encode(vec3(luminance(shown))).x;
       color.mulAssign(mix(float(LEAST_SHADE), float(1), grey));
     }
     if (!grid) return vec4(color, 1);
@@ -93,7 +92,7 @@ interface Sources {
 const VALUES: Readonly<Record<FalseColor, (sources: Sources) => Float>> = {
   doppler: dopplerHere,
   'emission-time': ({ buffer, uniforms }) => texelHere(buffer.texture('event')).w.mul(uniforms.secondsPerMetre),
-  radiance: ({ light }) => dot(texelHere(light).rgb, LUMINANCE),
+  radiance: ({ light }) => luminance(texelHere(light).rgb),
   band: (sources) => dopplerHere(sources).mul(MIDDLE),
 };
 

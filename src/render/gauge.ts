@@ -1,10 +1,11 @@
-import { dot, Fn, floor, ivec2, screenCoordinate, select, textureLoad, uniform, vec2, vec4 } from 'three/tsl';
+import { Fn, floor, ivec2, screenCoordinate, select, textureLoad, uniform, vec2, vec4 } from 'three/tsl';
 import { FloatType, type Texture, Vector2 } from 'three/webgpu';
 import { GAUGE, type Gauge } from '../scene/gauge.ts';
 import type { Vec4 } from '../shaders/types.ts';
 import type { Gpu } from './device.ts';
-import { LUMINANCE, skyDoppler } from './falseColor.ts';
+import { skyDoppler } from './falseColor.ts';
 import { FullScreen } from './fullScreen.ts';
+import { luminance } from './luminance.ts';
 import { readFloats } from './readback.ts';
 import { dataTarget, type GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -51,7 +52,7 @@ export class GaugeReader {
       const at = (of: Texture): Vec4 => textureLoad(of, pixel);
       const there = at(buffer.texture('object')).x.greaterThan(0.5).toVar();
       return vec4(
-        dot(at(light).rgb, LUMINANCE),
+        luminance(at(light).rgb),
         select(there, at(buffer.texture('motion')).w, skyDoppler(this.uniforms)),
         at(buffer.texture('event')).w,
         select(there, 1, 0),

@@ -3,17 +3,21 @@ import type { Vec3 } from '../math/vec3.ts';
 /** Steps per octahedral axis; their square is exact in f32. */
 export const NORMAL_STEPS = 4096;
 
-/** A unit normal on the octahedron as one exact f32 integer. */
-export function packNormal(x: number, y: number, z: number): number {
-  const [p, q] = toOctahedron(x, y, z);
-  return step(p) * NORMAL_STEPS + step(q);
-}
+/** A unit normal on the octahedron as one exact f32 integer. Every point of every sample comes through here: so without a pair for each. */
+export const packNormal = (x: number, y: number, z: number): number =>
+  step(octahedral(x, y, z)) * NORMAL_STEPS + step(octahedral(y, x, z));
 
 /** A unit vector as a point of the square −1 … 1: on the octahedron |x| + |y| + |z| = 1, the lower half folded out (Meyer et al. 2010). */
-export function toOctahedron(x: number, y: number, z: number): readonly [p: number, q: number] {
-  const l = Math.abs(x) + Math.abs(y) + Math.abs(z) || 1;
-  const [a, b] = [x / l, y / l];
-  return z >= 0 ? [a, b] : [(1 - Math.abs(b)) * Math.sign(a || 1), (1 - Math.abs(a)) * Math.sign(b || 1)];
+export const toOctahedron = (x: number, y: number, z: number): readonly [p: number, q: number] => [
+  octahedral(x, y, z),
+  octahedral(y, x, z),
+];
+
+/** The place along the axis of `along`. */
+function octahedral(along: number, across: number, z: number): number {
+  const l = Math.abs(along) + Math.abs(across) + Math.abs(z) || 1;
+  const place = along / l;
+  return z >= 0 ? place : (1 - Math.abs(across / l)) * Math.sign(place || 1);
 }
 
 export function fromOctahedron(p: number, q: number): Vec3 {

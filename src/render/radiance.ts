@@ -18,7 +18,10 @@ export interface Passage {
 }
 
 /** What light is made of, where that is not daylight. */
-export type Source = ThermalSource | LineSource;
+export type Source = ThermalSource | LineSource | typeof SKY;
+
+/** Daylight of which air scatters the blue part (spectrum/scatteredLight.ts). */
+export const SKY = { scatters: true } as const;
 
 /** Light of single wavelengths [m, source's frame], each with its radiance; of luminance 1 in all. */
 export interface LineSource {

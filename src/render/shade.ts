@@ -58,8 +58,8 @@ function skyReflection(look: Look, rest: Rest, environment: Environment, uniform
   const sharp = (n: Vec3) => skyMirrored(environment, n, zenith, look.roughness);
   const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: Filter): void => {
     const n = rest.out(nPrime);
-    const source = environment.skySource;
-    eye.send(radiance(n), share, { ...passageBetween(n, rest, AT_REST), ...(source && { source }) }, RADIANCE);
+    const passage = { ...passageBetween(n, rest, AT_REST), source: environment.skySource };
+    eye.send(radiance(n), share, passage, RADIANCE);
   };
   reflected(N, soft, look.diffuse);
   reflected(normalize(reflect(V.negate(), N)).toVar(), sharp, mirroredSky(look));

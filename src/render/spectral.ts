@@ -4,6 +4,7 @@ import { filteredColor, luminanceOf, type SpectrumTable, thermalColors } from '.
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { ENDS } from '../spectrum/bands.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
+import { SCATTERED_COLOR, SCATTERED_PART } from '../spectrum/scatteredLight.ts';
 import type { DaylightTable } from './daylightTable.ts';
 import { type Filter, type LineSource, NO_SHIFT, type Optics, RADIANCE, type ThermalSource } from './radiance.ts';
 
@@ -28,7 +29,7 @@ interface Shift {
  * Colours by spectra, from the table of blackbodies. Daylight that met a resting surface is summed in bands, and turned into what is seen of it once.
  * Light that came shifted is turned by itself: it is a blackbody of T·D_in·D_out seen through two filters, the surface's shifted by D_out and its own by both.
  * Their product is taken channel by channel of what is seen, relative to the bare blackbody: exact where either is neutral (docs/adr/0010-spectra.md).
- * Light of lines is turned line by line, exactly. The table has four layers where some surface tells of its ultraviolet or infrared; `glowing`: some shines by its temperature.
+ * Light of lines is turned line by line, exactly; of that of a sky the scattered part has a table of its own. The table has four layers where some surface tells of its ultraviolet or infrared; `glowing`: some shines by its temperature.
  */
 export const spectral =
   ({ blackbodies, daylight: ofDay, observer }: SpectralTables, glowing: boolean): Optics =>
@@ -41,6 +42,9 @@ export const spectral =
     };
     const out = shiftOf(D);
     const daylight = vec4(0).toVar();
+    /** What is scattered, as surfaces send it, and as the sky itself is seen. */
+    const scattered = vec4(0).toVar();
+    const blue = float(0).toVar();
     const turned = vec3(0).toVar();
     const ofColor = (rgb: Vec3, shift: Float): Filter =>
       own ? vec4(rgb, dot(rgb, select(shift.lessThan(1), vec3(...ENDS.uv), vec3(...ENDS.ir)))) : vec4(rgb, 0);
@@ -51,7 +55,19 @@ export const spectral =
       return filteredColor(colors, filter).mul(gain(colors.H, T, luminance, out.mixed));
     };
 
-    const shifted = (light: Vec3, share: Filter, shift: Float, from: ThermalSource | undefined): Vec3 => {
+    /** Of the light of a sky. */
+    const parts = (light: Vec3): { readonly rest: Vec3; readonly scattered: Float } => {
+      const share = max(dot(light, vec3(...SCATTERED_PART)), 0).toVar();
+      return { rest: light.sub(vec3(...SCATTERED_COLOR).mul(share)).toVar(), scattered: share };
+    };
+
+    const shifted = (
+      light: Vec3,
+      share: Filter,
+      shift: Float,
+      from: ThermalSource | undefined,
+      ofSky?: Float,
+    ): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFTS).toVar();
       const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
       const surface = thermalColors(blackbodies, T, out.mixed);
@@ -63,7 +79,10 @@ export const spectral =
       // No channel lets through more than the brightest band.
       const most = max(light.x, max(light.y, light.z));
       const passed = clamp(through.mul(bare).div(bare.mul(bare).add(1e-9)), 0, most);
-      return filteredColor(surface, share).mul(passed).mul(source.gain);
+      const arrived = passed.mul(source.gain);
+      return filteredColor(surface, share).mul(
+        ofSky ? arrived.add(ofDay.scattered(whole).ofDaylight.mul(ofSky)) : arrived,
+      );
     };
 
     /** Of light that came to a filter shifted by `D`. */
@@ -86,25 +105,29 @@ export const spectral =
           turned.addAssign(shift ? seen.mul(shift.brightness(power)) : seen);
           return;
         }
-        if (!D || !shift) {
-          const sent = share.mul(ofColor(light, out.mixed));
-          if (source) turned.addAssign(unshifted(sent, source));
+        const thermal = source && 'temperature' in source ? source : undefined;
+        const sky = source && 'scatters' in source ? parts(light) : undefined;
+        const [k, f] = [(sky?.rest ?? light).toVar(), share.toVar()];
+        const send = () => {
+          const sent = f.mul(ofColor(k, out.mixed));
+          if (thermal) turned.addAssign(unshifted(sent, thermal));
           else daylight.addAssign(sent);
-          return;
-        }
-        const [k, f] = [light.toVar(), share.toVar()];
-        const turn = () => {
-          turned.addAssign(shifted(k, f, shift.mixed, source).mul(shift.brightness(power)));
+          if (sky) scattered.addAssign(f.mul(sky.scattered));
         };
-        if (source) turn();
-        else
-          If(abs(D.sub(1)).greaterThan(NO_SHIFT), turn).Else(() => {
-            daylight.addAssign(f.mul(ofColor(k, out.mixed)));
-          });
+        if (!D || !shift) return send();
+        const turn = () => {
+          turned.addAssign(shifted(k, f, shift.mixed, thermal, sky?.scattered).mul(shift.brightness(power)));
+        };
+        if (thermal) turn();
+        else If(abs(D.sub(1)).greaterThan(NO_SHIFT), turn).Else(send);
       },
       emit: (light, source) => {
         if (!source) daylight.addAssign(ofColor(light, out.mixed));
-        else if ('each' in source) turned.addAssign(lines(source, vec4(light, light.y), undefined));
+        else if ('scatters' in source) {
+          const sky = parts(light);
+          daylight.addAssign(ofColor(sky.rest, out.mixed));
+          blue.addAssign(sky.scattered);
+        } else if ('each' in source) turned.addAssign(lines(source, vec4(light, light.y), undefined));
         else turned.addAssign(unshifted(ofColor(light, out.mixed), source));
       },
       glow: ({ luminance, heat }) => {
@@ -122,10 +145,12 @@ export const spectral =
         turned.addAssign(filteredColor(colors, vec4(1)).mul(brightness).mul(radiance));
       },
       seen: () => {
-        const color = daylight.xyz.toVar();
+        const color = daylight.xyz.add(scattered.xyz.add(blue).mul(vec3(...SCATTERED_COLOR))).toVar();
         If(abs(D.sub(1)).greaterThan(NO_SHIFT), () => {
           const { colors, gain } = ofDay.at(out.mixed);
-          color.assign(filteredColor(colors, daylight).mul(gain));
+          const sky = ofDay.scattered(out.mixed);
+          const sent = filteredColor(colors, scattered).mul(sky.ofDaylight).add(sky.seen.mul(blue));
+          color.assign(filteredColor(colors, daylight).mul(gain).add(sent));
         });
         return color.add(turned).mul(out.brightness(RADIANCE));
       },

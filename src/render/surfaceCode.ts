@@ -1,7 +1,8 @@
-import { abs, clamp, dot, exp2, floor, log2, max, min, round, select, sqrt, vec3, vec4 } from 'three/tsl';
+import { abs, clamp, exp2, floor, log2, max, min, round, select, sqrt, vec3, vec4 } from 'three/tsl';
 import type { Node } from 'three/webgpu';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
+import { luminance } from './luminance.ts';
 import { offOctahedron, ontoOctahedron } from './octahedral.ts';
 import { FINE_STEPS, FINER, LEVELS, MIDDLE } from './packNormal.ts';
 
@@ -24,15 +25,12 @@ export interface Emission {
   readonly heat: Float;
 }
 
-/** Luminance of linear sRGB (IEC 61966-2-1). */
-const LUMINANCE = [0.2126, 0.7152, 0.0722] as const;
-
 /** Emission of this colour, or of a blackbody of its luminance where `temperature` [K] is not 0. */
 export function emissionOf(rgb: Vec3, temperature: Float): Emission {
   const thermal = temperature.greaterThan(0);
   return {
     rgb: select(thermal, vec3(0), rgb),
-    luminance: select(thermal, dot(rgb, vec3(...LUMINANCE)), 0),
+    luminance: select(thermal, luminance(rgb), 0),
     heat: log2(max(temperature, 1).div(DAYLIGHT.temperature)),
   };
 }

@@ -71,7 +71,8 @@ describe('scenes', () => {
     kit.scene.addChild(kit.meshNode('Square', square.setIndices(kit.ints('SCALAR', [0, 1, 2, 2, 1, 3]))));
     const buffer = Buffer.from(await write(kit));
     const visit = await (await program.open(SMALL)).ready();
-    expect(pinkShare(await visit.pixels())).toBe(0);
+    // Globes that fly are a little pink themselves.
+    expect(pinkShare(await visit.pixels())).toBeLessThan(0.01);
     const file = { name: 'square.glb', mimeType: 'model/gltf-binary', buffer };
     await visit.page.locator('input[type=file]').first().setInputFiles(file);
     await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.03);

@@ -12,7 +12,7 @@ const sky = nightSkyOf(scene)!;
 const [camera] = scene.cameras;
 const c = speedOfLight(scene);
 
-/** Whole turns of the picture are wider than high so that all that is ahead is in it. */
+/** With a field of view of 172° nearly all that is ahead is in it. */
 const [WIDTH, HEIGHT] = [1000, 1000];
 
 interface Seen {
@@ -38,7 +38,7 @@ const fastest = topOfFlight(scene);
 const beta = length(velocity(fastest.u));
 const angle = (a: Seen, b: Seen): number => Math.acos(Math.min(dot(a.n, b.n), 1));
 
-/** The stars of a patch around the middle at rest that are brighter than an illuminance [lx]. */
+/** So many stars, the brightest first, within an angle [rad] of the middle. */
 function brightest(stars: readonly Seen[], count: number, within: number): Seen[] {
   return stars.filter(({ n }) => -n[2] > Math.cos(within)).slice(0, count);
 }

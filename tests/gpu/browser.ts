@@ -41,7 +41,13 @@ async function bundle(entry: string): Promise<string> {
   const result = await build({
     configFile: false,
     logLevel: 'error',
-    build: { write: false, target: 'esnext', lib: { entry, formats: ['es'] } },
+    // All in one, for the page that runs it has no address to load more from.
+    build: {
+      write: false,
+      target: 'esnext',
+      lib: { entry, formats: ['es'] },
+      rolldownOptions: { output: { codeSplitting: false } },
+    },
   });
   const output = Array.isArray(result) ? result[0] : result;
   if (!('output' in output)) throw new Error('vite gave a watcher instead of a bundle');

@@ -1,6 +1,7 @@
 import * as mat4 from '../../math/mat4.ts';
 import { multiply } from '../../math/quat.ts';
 import { normalize } from '../../math/vec3.ts';
+import { luminanceOf } from '../../scene/gauge.ts';
 import { EQUATORIAL } from '../../scene/stars/equatorial.ts';
 import type { Light, NightSky } from '../../scene/types.ts';
 import { attributeOf, sampleTimes, textAt, textOf, valueAt } from './attributes.ts';
@@ -47,13 +48,12 @@ async function nightSkyOf(context: StageContext, prim: PrimSpec, frame: Frame): 
   // Loaded with the first scene that has stars: the page is light without them.
   const { brightStars } = await import('../../scene/stars/brightStars.ts');
   const { orientation } = mat4.decomposeRigid(frame.matrixAt(context.startCode)).pose;
-  const [r, g, b] = brightnessOf(context, prim);
   return {
     kind: 'stars',
     path: prim.path,
     stars: brightStars(),
     orientation: multiply(orientation, EQUATORIAL),
-    gain: 0.2126 * r + 0.7152 * g + 0.0722 * b,
+    gain: luminanceOf(...brightnessOf(context, prim)),
   };
 }
 

@@ -34,7 +34,7 @@ const whiteAt = ([, , , , temperature, Din, Dout]: readonly number[]) =>
 /** Against sums over every nanometre: the table's error is in it. `own`: filters tell of their ultraviolet and infrared. */
 const thermal = (own: boolean): Twin => ({
   name: own ? 'thermalColors, four layers' : 'thermalColors',
-  parts: ['thermalColors', 'filteredColor', 'luminanceOf', 'spectrumTexture'],
+  parts: ['thermalColors', 'filteredColor', 'luminanceOf', 'spectrumTexture', 'halfTexture'],
   texels: 3,
   outputs: 1,
   cases: (random) => {
