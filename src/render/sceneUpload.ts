@@ -13,6 +13,7 @@ import { PointStore } from './pointStore.ts';
 import { Refiner } from './refine/gpuRefiner.ts';
 import { SampleCourier } from './sampleCourier.ts';
 import type { RendererOptions } from './settings.ts';
+import { DETAILS } from './shadows/detail.ts';
 import { ShadowMaps } from './shadows/shadowMaps.ts';
 import { StarPoints } from './starPoints.ts';
 import { type ChannelTexture, MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './surface.ts';
@@ -70,14 +71,10 @@ export class SceneUpload {
     this.fillInstances(batches);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
     // Before the refiner: these draw the batches whole.
-    this.shadows = new ShadowMaps(
-      this.bodies,
-      this.drawables,
-      scene.materials,
-      this.environment.suns,
-      this.points,
-      gpu,
-    );
+    const { bodies, drawables, points } = this;
+    const detail = DETAILS[options.shadowDetail ?? 'fine'];
+    const occluders = { bodies, drawables: [...drawables], materials: scene.materials, points, detail };
+    this.shadows = new ShadowMaps(occluders, this.environment.suns, gpu);
     this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), options);
   }
 

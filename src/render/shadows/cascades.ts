@@ -2,7 +2,7 @@ import { addScaled, dot, sub, type Vec3 } from '../../math/vec3.ts';
 import { boundingBox } from '../../scene/bounds.ts';
 import { placed } from '../../scene/motion.ts';
 import type { Body } from '../bodies.ts';
-import type { Layer, LightAxes } from './layer.ts';
+import type { Layer, LightAxes, Tile } from './layer.ts';
 
 /** What a sun's maps of all that rests have to hold: a box along the light's axes, in the world. */
 export interface LitBox {
@@ -65,7 +65,11 @@ export function cascadeSizes({ half }: LitBox): readonly number[] {
 }
 
 /** Cascades round the observer, in steps, but not beyond the box. */
-export function cascades(box: LitBox, observer: Vec3, tiles: readonly Layer['tile'][]): readonly Layer[] {
+export function cascades(
+  box: LitBox,
+  observer: Vec3,
+  { tiles, spread }: { readonly tiles: readonly Tile[]; readonly spread: number },
+): readonly Layer[] {
   const { axes, depth } = box;
   const off = sub(observer, box.centre);
   return cascadeSizes(box).map((half, k) => {
@@ -73,6 +77,6 @@ export function cascades(box: LitBox, observer: Vec3, tiles: readonly Layer['til
     const step = STEP * half;
     const place = (axis: Vec3) => Math.max(-reach, Math.min(reach, step * Math.round(dot(off, axis) / step)));
     const centre = addScaled(addScaled(box.centre, axes.across, place(axes.across)), axes.up, place(axes.up));
-    return { axes, beta: [0, 0, 0], centre, half, depth, tile: tiles[k] };
+    return { axes, beta: [0, 0, 0], centre, half, depth, spread, tile: tiles[k] };
   });
 }

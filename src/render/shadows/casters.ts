@@ -10,39 +10,41 @@ import {
   NodeMaterial,
 } from 'three/webgpu';
 import type { Material } from '../../scene/types.ts';
-import type { Float, Int, Vec2, Vec4 } from '../../shaders/types.ts';
+import type { Int, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { Batch } from '../batches.ts';
 import type { Drawable } from '../drawable.ts';
-import type { FloatTable } from '../floatTable.ts';
-import { OBJECT_TEXELS } from '../frame.ts';
 import { MATERIAL_TEXELS } from '../surface.ts';
 import { sampled } from '../textures.ts';
-import { shownPoint, vUv } from '../vertexStage.ts';
+import type { VertexInput } from '../vertexInput.ts';
+import { vUv } from '../vertexStage.ts';
+import type { HeightMap } from './heightMap.ts';
 import type { LayerTable } from './layerTable.ts';
-import { onLayer, readRows } from './receiver.ts';
+import { onLayer, readRows, readTile } from './receiver.ts';
 
 /** Height towards the sun, column and row on the tile from 0 to 1, material. */
 const vShadow = varyingProperty('vec4', 'v_shadow');
 
-/** What the shaders of occluders read. */
-export interface CasterSources {
-  /** As frame.ts fills them, for occluders that may be out of sight. */
-  readonly objects: FloatTable;
-  readonly samples: FloatTable;
-  readonly layers: LayerTable;
-  /** The layer on which an object (its id − 1) is drawn; negative: on none. */
-  readonly layerOf: (object: Float) => Int;
-  /** Of the map [texels]. */
-  readonly size: Vec2;
-  /** Clip-space depth of a height. */
-  readonly depthOf: (height: Float) => Float;
+/** On which layer a vertex is drawn, negative: on none; and where it is [m], from where the layer's places are measured. */
+export type Placing = (input: VertexInput) => { readonly layer: Int; readonly x: () => Vec3 };
+
+/** Where occluders are drawn. */
+export interface CasterTarget {
+  readonly map: HeightMap;
+  readonly table: LayerTable;
+  /** Of a tile [texels]. */
+  readonly side: number;
 }
 
 /** A batch drawn into shadow maps: whole, not cut, and from both sides, for a sheet throws a shadow from either. */
-export function makeCaster(drawable: Drawable, sources: CasterSources, materials: readonly Material[]): Mesh {
+export function makeCaster(
+  drawable: Drawable,
+  placing: Placing,
+  target: CasterTarget,
+  materials: readonly Material[],
+): Mesh {
   const material = new NodeMaterial();
   material.name = `shadow ${drawable.batch.kind}`;
-  material.vertexNode = casterStage(drawable, sources);
+  material.vertexNode = casterStage(drawable, placing, target);
   material.fragmentNode = heightOutput(drawable, isCutOut(drawable.batch, materials));
   material.side = DoubleSide;
   material.blending = NoBlending;
@@ -70,23 +72,18 @@ function instances({ first, materials }: NonNullable<Batch['worn']>): InstancedB
   return geometry.setAttribute('instance', new InstancedBufferAttribute(numbers, 1));
 }
 
-function casterStage({ vertex }: Drawable, { objects, samples, layers, layerOf, size, depthOf }: CasterSources): Vec4 {
+function casterStage({ vertex }: Drawable, placing: Placing, { map, table, side }: CasterTarget): Vec4 {
   return Fn(() => {
     const input = vertex.vertex();
     const clip = vec4(2, 2, 2, 1).toVar();
-    const texel = (k: number) => objects.texel(int(input.object).mul(int(OBJECT_TEXELS)).add(int(k)));
-    const layer = layerOf(input.object).toVar();
-    If(layer.greaterThanEqual(int(0)).and(texel(0).w.greaterThanEqual(0)), () => {
-      const sources = { ...vertex, objects, samples };
-      // As it is at the moment of its centre's event.
-      const { shown } = shownPoint(sources, { event: 'now', place: 'plain' }, input);
-      const rows = readRows(layers, layer);
-      const place = onLayer(rows, shown, texel(2).z.negate()).toVar();
-      const tile = rows[4];
-      vShadow.assign(vec4(place.z, place.xy.sub(tile.xy).div(tile.z), input.material));
+    const { layer, x } = placing(input);
+    If(layer.greaterThanEqual(int(0)), () => {
+      const place = onLayer(readRows(table, layer), x(), float(0)).toVar();
+      const tile = readTile(table, layer);
+      vShadow.assign(vec4(place.z, place.xy.sub(tile.xy).div(side), input.material));
       vUv.assign(input.uv);
-      const at = place.xy.div(size).mul(2).sub(1).toVar();
-      clip.assign(vec4(at.x, at.y.negate(), depthOf(place.z), 1));
+      const at = place.xy.div(map.at.size).mul(2).sub(1).toVar();
+      clip.assign(vec4(at.x, at.y.negate(), map.depthOf(place.z.div(tile.w)), 1));
     });
     return clip;
   })();

@@ -1,4 +1,4 @@
-import { addScaled, cross, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import { addScaled, cross, dot, length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 
 // A shadow map is a parallel projection in coordinates that move with the occluder, ξ = x − β·ct: there light from a sun comes straight along s + β.
 
@@ -23,14 +23,18 @@ export interface Layer {
   readonly beta: Vec3;
   /** What falls on the middle of the tile at time 0 [m]. Times are in metres of light, both from the event that all places are measured from. */
   readonly centre: Vec3;
-  /** Half of the tile's side, and how far along the light occluders may be from the centre [m]. */
+  /** Half of the side of what the tile holds besides its margin, and how far along the light occluders may be from the centre [m]. */
   readonly half: number;
   readonly depth: number;
+  /** Half width of a penumbra over how far above the shaded the edge is that throws it. */
+  readonly spread: number;
   readonly tile: Tile;
 }
 
 /** Texels of a layer in the table of layers. */
 export const LAYER_TEXELS = 5;
+/** So many texels along the sides of a tile are left to what its filter reads [texels]. */
+export const MARGIN = 12;
 
 /**
  * The way back along the light in co-moving coordinates, s − kβ, for a ray whose time goes on by k for each metre towards the sun (unit s): −1 of
@@ -47,25 +51,34 @@ export function lightAxes(way: Vec3): LightAxes {
   return { across, up: cross(towards, across), towards };
 }
 
+/**
+ * Half width of a penumbra per metre along the way, of a sun of this radius [rad] towards s. Its disc, as wide as it is distant, is seen along the
+ * way as an ellipse, foreshortened by the cosine between s and the way; this is the radius of the circle of its area.
+ */
+export function spreadOf(radius: number, s: Vec3, way: Vec3): number {
+  const size = length(way);
+  return (Math.tan(radius) / size) * Math.sqrt(Math.max(0, dot(s, way) / size));
+}
+
 /** Width of a texel on a surface across the light [m]. */
-export const texelOf = ({ half, tile }: Layer): number => (2 * half) / tile.size;
+export const texelOf = ({ half, tile }: Layer): number => (2 * half) / (tile.size - 2 * MARGIN);
 
 /**
- * An event (Δx, ct) → texel (column, row) and height (0 … 1 for occluders, more is nearer to the sun), linear, as three rows (∂/∂x, ∂/∂y, ∂/∂z, constant);
- * (∂/∂ct of the three, width of a texel [m]); tile (x, y, side) and ∂height/∂m.
+ * An event (Δx, ct) → column, row and height towards the sun, all in widths of a texel, linear, as three rows (∂/∂x, ∂/∂y, ∂/∂z, constant);
+ * (∂/∂ct of the three, width of a texel [m]); tile (x, y), spread, and the height of the highest occluders; the lowest have height 0.
  */
 export function layerTexels(layer: Layer): readonly number[] {
-  const { axes, beta, centre, tile, depth } = layer;
+  const { axes, beta, centre, tile, depth, spread } = layer;
   const texel = texelOf(layer);
-  const row = (axis: Vec3, unit: number, middle: number): readonly [...Vec3, number] => {
-    const along = scale(axis, 1 / unit);
+  const row = (axis: Vec3, middle: number): readonly [...Vec3, number] => {
+    const along = scale(axis, 1 / texel);
     return [...along, middle - dot(along, centre)];
   };
   const rows = [
-    row(axes.across, texel, tile.x + tile.size / 2),
-    row(axes.up, texel, tile.y + tile.size / 2),
-    row(axes.towards, 2 * depth, 0.5),
+    row(axes.across, tile.x + tile.size / 2),
+    row(axes.up, tile.y + tile.size / 2),
+    row(axes.towards, depth / texel),
   ];
   const perTime = rows.map(([x, y, z]) => -dot([x, y, z], beta));
-  return [...rows.flat(), ...perTime, texel, tile.x, tile.y, tile.size, 1 / (2 * depth)];
+  return [...rows.flat(), ...perTime, texel, tile.x, tile.y, spread, (2 * depth) / texel];
 }

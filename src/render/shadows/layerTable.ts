@@ -1,4 +1,4 @@
-import { uniformArray } from 'three/tsl';
+import { int, uniformArray } from 'three/tsl';
 import { Vector4 } from 'three/webgpu';
 import type { Int, Vec4 } from '../../shaders/types.ts';
 import { LAYER_TEXELS, type Layer, layerTexels } from './layer.ts';
@@ -19,13 +19,20 @@ export class LayerTable {
     for (let k = 0; k < LAYER_TEXELS; k++) this.vectors[LAYER_TEXELS * index + k].fromArray([...numbers], 4 * k);
   }
 
+  /** Nothing is behind it. */
+  clear(index: number): void {
+    for (let k = 0; k < LAYER_TEXELS; k++) this.vectors[LAYER_TEXELS * index + k].set(0, 0, 0, -1);
+  }
+
   /** The numbers of some layers, to tell whether they are those of before. */
-  keyOf(first: number, count: number): string {
+  keyOf(first = 0, count = this.vectors.length / LAYER_TEXELS): string {
     const of = this.vectors.slice(LAYER_TEXELS * first, LAYER_TEXELS * (first + count));
     return of.map((vector) => vector.toArray().join()).join();
   }
 
-  texel(index: Int): Vec4 {
+  /** `layer`: best a number, where it is known before the shader runs. */
+  texel(layer: Int | number, k: number): Vec4 {
+    const index = typeof layer === 'number' ? int(LAYER_TEXELS * layer + k) : layer.mul(int(LAYER_TEXELS)).add(int(k));
     return this.node.element(index);
   }
 }
