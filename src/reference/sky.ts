@@ -8,9 +8,11 @@ import { type Shine, shineOf } from './shine.ts';
 import type { Sight } from './sight.ts';
 import { sampleTexture } from './texture.ts';
 
-/** A distant light: the unit direction in which it travels, and what it shines with. */
+/** A distant light: the unit direction in which it travels, how large it is, and what it shines with. */
 export interface Sun {
   readonly direction: Vec3;
+  /** Of its disc [rad]. */
+  readonly radius: number;
   readonly shine: Shine;
 }
 

@@ -1,14 +1,20 @@
 import '../../src/cli/node-shim.ts';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { openSceneFile } from '../../src/cli/files.ts';
 import { pumpFrame } from '../../src/cli/node-shim.ts';
-import { dot, length, normalize, scale, type Vec3 } from '../../src/math/vec3.ts';
+import { rotate } from '../../src/math/quat.ts';
+import { dot, length, normalize, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { properVelocity } from '../../src/physics/boost.ts';
 import { cameraRay } from '../../src/reference/camera.ts';
 import { departureAt } from '../../src/reference/departure.ts';
 import { DEFAULT_LIGHT, lightingOf, rayBack } from '../../src/reference/lighting.ts';
 import { transmitted } from '../../src/reference/passage.ts';
 import { type TracedScene, traceable } from '../../src/reference/trace.ts';
 import { visibleHit } from '../../src/reference/visible.ts';
+import { observerFromCamera } from '../../src/scene/camera.ts';
+import type { Scene } from '../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
 import { type ModulePage, openModulePage } from './browser.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
 import { SHADOW_SCENES, type ShadowScene, SIZE, takeShares } from './shadowScenes.ts';
@@ -27,6 +33,9 @@ function litAt(traced: TracedScene, { view, settings, scene }: ShadowScene, x: n
     return transmitted(traced, { ray, begin: start.clear / 1e3, from: hit }, 1) > 0.5;
   });
 }
+
+/** Of a sun beside which nothing shines. */
+const BRIGHT: Vec3 = [3e3, 3e3, 3e3];
 
 /** Half of what is lost where the weaker sun is hidden is on the edge of its shadow. */
 const full = ({ scene }: ShadowScene): number => (scene.lights.length > 2 ? 0.82 : 0.5);
@@ -61,12 +70,37 @@ function expectSame(scene: ShadowScene, shares: ArrayLike<number>): void {
   expect(wrong / all).toBeLessThan(1e-3);
 }
 
+/** An example without sky light, from where its film is taken, with the velocity that an observer has there. */
+async function exampleScene(name: string, beta: number): Promise<ShadowScene> {
+  const file = fileURLToPath(new URL(`../../examples/${name}.usda`, import.meta.url));
+  const opened = await openSceneFile(file);
+  const lights = opened.lights.flatMap((light) => (light.kind === 'distant' ? [{ ...light, color: BRIGHT }] : []));
+  const scene: Scene = { ...opened, lights: [...lights, { kind: 'dome', path: '/Dark', color: ZERO }] };
+  const c = opened.hints.speedOfLight ?? 1;
+  const t = opened.hints.openAt ?? opened.startTime;
+  const view = { t, ...observerFromCamera(opened.cameras[0], t, c) };
+  const u = properVelocity(scale(rotate(view.orientation, [0, 0, -1]), beta));
+  const settings: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: c, colors: 'approximate' };
+  return { name, scene, view: { ...view, u }, settings };
+}
+
+const EXAMPLES = ['street', 'dice', 'sunset'].flatMap((name) => [0, 0.5, 0.9].map((beta) => ({ name, beta })));
+
 describe('shadows of suns are where the reference has them, on WebGPU', () => {
   let headless: HeadlessPictures;
   beforeAll(async () => {
     headless = await openPictures(SIZE, SIZE);
   });
   afterAll(() => headless?.close());
+  it.each(EXAMPLES)('in the example $name at $beta c', async ({ name, beta }) => {
+    pumpFrame();
+    const scene = await exampleScene(name, beta);
+    const { all, shadow, otherwise, wrong } = differences(scene, await takeShares(headless.renderer, scene));
+    if (process.env.REPORT) console.log(name, beta, { all, shadow, otherwise, wrong });
+    expect(shadow / all).toBeGreaterThan(0.02);
+    expect(otherwise / all).toBeLessThan(0.05);
+    expect(wrong / all).toBeLessThan(0.01);
+  });
   it.each(SHADOW_SCENES)('$name', async (scene) => {
     pumpFrame();
     expectSame(scene, await takeShares(headless.renderer, scene));
