@@ -56,7 +56,11 @@ function lightsOf(traced: TracedScene): Pick<Lighting, 'sky' | 'suns' | 'lamps'>
   const lights = directLights(traced.scene);
   const suns = lights
     .filter((light) => light.kind === 'distant')
-    .map((light) => ({ direction: light.direction, radius: sunRadius(light), shine: shineOf(light.color, light.spectrum) }));
+    .map((light) => ({
+      direction: light.direction,
+      radius: sunRadius(light),
+      shine: shineOf(light.color, light.spectrum),
+    }));
   const lamps = lights
     .filter((light) => light.kind !== 'distant')
     .map((light) => ({ light, line: originLine(light.motion), shine: shineOf(light.color, light.spectrum) }));

@@ -99,6 +99,16 @@ export const SHADOW_SCENES: readonly ShadowScene[] = [
   shadowScene('at one instant of the world', [{ mesh: BOX, motion: flying(fast, 0) }], { lightDelay: false }),
 ];
 
+/** A sheet of which one edge is over x = 0, under a sun overhead, whose disc, seen past it from the floor, is so wide there [m]. */
+export function penumbraScene(radius: number, height: number): ShadowScene {
+  const sun: DistantLight = { ...SUN, direction: [0, -1, 0], angle: 2 * Math.atan(radius / height) };
+  const sheet = { mesh: plane(4, 4, 'Y'), motion: restingAt([2, height, 0]) };
+  const made = shadowScene('a penumbra', [sheet], { lights: [sun] });
+  const position: Vec3 = [0, 0.8, 0.6];
+  const orientation = lookAtOrientation(sub(ZERO, position), [0, 1, 0]);
+  return { ...made, view: { ...made.view, position, orientation, fovY: 0.6 } };
+}
+
 /** Share of the sunlight that is left of each pixel; −1 where without shadows there is none. */
 export async function takeShares(renderer: PictureMaker, { scene, view, settings }: ShadowScene): Promise<number[]> {
   await renderer.setScene(scene);
