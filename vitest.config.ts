@@ -19,7 +19,14 @@ export default defineConfig({
           testTimeout: 30_000,
         },
       },
-      { test: { name: 'oracle', include: ['src/**/*.oracle.test.ts'], setupFiles: seeded, testTimeout: 120_000 } },
+      {
+        test: {
+          name: 'oracle',
+          include: ['src/**/*.oracle.test.ts', 'tests/formats/**/*.oracle.test.ts'],
+          setupFiles: seeded,
+          testTimeout: 120_000,
+        },
+      },
       {
         test: {
           name: 'hostile',

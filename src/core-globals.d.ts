@@ -9,3 +9,5 @@ declare class TextEncoder {
 }
 /** base64 → one character per byte. */
 declare function atob(data: string): string;
+/** One character per byte → base64. */
+declare function btoa(data: string): string;

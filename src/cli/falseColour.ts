@@ -15,7 +15,7 @@ export interface FalseColourFlags {
 
 /** Of the files that are written, with the legend where there is one. */
 export const writtenSize = ({ size, falseColour, legend }: FalseColourFlags): Size =>
-  falseColour && legend ? { ...size, height: size.height + legendRoom(size.width) } : size;
+  falseColour && legend ? { ...size, height: size.height + legendRoom(size.width, falseColour) } : size;
 
 /** Makes pictures whose colours stand for numbers, from the data of whatever draws. All of a film have the scale of its first. */
 export class FalseColourPainter {

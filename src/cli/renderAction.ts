@@ -68,7 +68,7 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
         exposures.push(request.settings.exposure + metered);
         const settings = { ...request.settings, exposure: exposures.at(-1)! };
         const picture = await (falsely ?? painter).paint({ ...request, settings }, onPart);
-        await sink.add(picture, { number, view, speedOfLight: c });
+        await sink.add(picture, { number, view, settings: { ...settings, falseColors: falsely?.colors } });
       }
     } finally {
       await painter.close();

@@ -1,8 +1,9 @@
 import { extname } from 'node:path';
 import { encodePng } from '../formats/png.ts';
-import { velocity } from '../physics/boost.ts';
+import { withPngText } from '../formats/pngText.ts';
+import { aboutObserver, aboutPicture } from '../scene/about.ts';
 import type { Scene } from '../scene/types.ts';
-import type { ViewPoint } from '../scene/view.ts';
+import type { RenderSettings, ViewPoint } from '../scene/view.ts';
 import { usageError } from './exit.ts';
 import { checkWritable, writeWhole } from './output.ts';
 import type { Picture } from './painter.ts';
@@ -14,7 +15,8 @@ import { VideoWriter } from './video.ts';
 export interface FrameNotes {
   readonly number?: number;
   readonly view: ViewPoint;
-  readonly speedOfLight: number;
+  /** With the exposure and the false colours that it was shown with. */
+  readonly settings: RenderSettings;
 }
 
 /** Where finished frames go. */
@@ -31,9 +33,13 @@ export async function openSink(flags: RenderFlags, scene: Scene, frames: number)
   const { output, size } = flags;
   switch (extname(output).toLowerCase()) {
     case '.png':
-      return fileSink(output, frames, ({ pixels }) => encodePng(size.width, size.height, pixels));
+      return fileSink(output, frames, ({ pixels }, { view, settings }) =>
+        withPngText(encodePng(size.width, size.height, pixels), aboutPicture(view, settings)),
+      );
     case '.exr':
-      return fileSink(output, frames, ({ aovs }, notes) => encodeExr(size, aovs, scene, aboutFrame(scene, notes)));
+      return fileSink(output, frames, ({ aovs }, { view, settings }) =>
+        encodeExr(size, aovs, scene, { scene: scene.name, ...aboutObserver(view, settings.speedOfLight) }),
+      );
     case '.mp4':
       return videoSink(flags, flags.fps ?? scene.timeCodesPerSecond);
     default:
@@ -80,16 +86,5 @@ async function videoSink({ output, size }: RenderFlags, fps: number): Promise<Si
       files.push(output);
     },
     discard: () => video.discard(),
-  };
-}
-
-/** For the header: what one must know to make sense of the channels. */
-function aboutFrame(scene: Scene, { view, speedOfLight }: FrameNotes): Record<string, string> {
-  return {
-    scene: scene.name,
-    worldTime: `${view.t} s`,
-    speedOfLight: `${speedOfLight} m/s`,
-    observerPosition: `${view.position.join(' ')} m`,
-    observerBeta: velocity(view.u).join(' '),
   };
 }

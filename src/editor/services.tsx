@@ -2,6 +2,7 @@ import { createContext, useContext } from 'react';
 import type { Backend } from '../render/settings.ts';
 import type { LocalFiles } from './loading/sceneLoader.ts';
 import type { Pilot } from './viewport/pilot.ts';
+import type { Captured } from './viewport/stage.ts';
 
 /** What the components share besides the studio's state. */
 export interface EditorServices {
@@ -9,7 +10,7 @@ export interface EditorServices {
   readonly localFiles: LocalFiles;
   readonly backend: Backend | 'auto';
   /** The stage on show, as long as there is one: for saving its picture. */
-  readonly stage: { capture?: () => Promise<Blob> };
+  readonly stage: { capture?: () => Promise<Captured | undefined> };
 }
 
 const ServicesContext = createContext<EditorServices | undefined>(undefined);

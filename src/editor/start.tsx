@@ -13,6 +13,7 @@ import { LocalFiles, sceneReader } from './loading/sceneLoader.ts';
 import { type EditorServices, ServicesProvider } from './services.tsx';
 import { Unsupported } from './shell/Unsupported.tsx';
 import { StudioProvider } from './state/context.tsx';
+import { legend } from './state/legend.ts';
 import { loadPreferences, prefersReducedMotion } from './state/preferences.ts';
 import { createStudio } from './state/studio.ts';
 import { theme } from './theme.ts';
@@ -27,7 +28,9 @@ export interface StartOptions {
 
 /** Puts the program on a page. */
 export async function startEditor(root: Root, { source, backend: wanted }: StartOptions): Promise<void> {
-  await startTranslation(loadPreferences().language);
+  const { language, legend: withLegend } = loadPreferences();
+  await startTranslation(language);
+  legend.setState({ shown: withLegend });
   const backend = await chooseGraphics(wanted);
   if (!backend) {
     root.render(

@@ -1,44 +1,115 @@
 import { z } from 'zod';
-import { CURRENT_VERSION, migrate } from './migrations.ts';
+import { CURRENT_VERSION } from './migrations.ts';
 
 /**
  * The document: the whole state of a project that a person can edit, save and undo. What changes by itself (the time,
  * the observer in flight) is not in it. It is plain JSON; keys are sorted when written, so that files compare well.
  */
-const identifier = z.string().regex(/^[A-Za-z][A-Za-z0-9_-]{0,63}$/);
+/** How many nodes a project may hold, and how many what is made of it when its groups are opened out. */
+export const MOST_NODES = 10_000;
+/** How deep groups may lie in groups. */
+export const DEEPEST_GROUP = 16;
+const MOST_NUMBERS = 100_000;
+const LONGEST_TEXT = 100_000;
+
+/** What nodes, sockets, parameters and groups are called in a document. */
+export const IDENTIFIER = /^[A-Za-z][A-Za-z0-9_-]{0,63}$/;
+/** A socket; `name.2` is the second edge of one that takes many. */
+const INPUT = /^[A-Za-z][A-Za-z0-9_-]{0,63}(\.[1-9][0-9]{0,3})?$/;
+const identifier = z.string().regex(IDENTIFIER);
+const text = z.string().max(LONGEST_TEXT);
+const title = z.string().max(200);
+const color = z.string().regex(/^#[0-9a-f]{6}$/);
+const point = z.tuple([z.number(), z.number()]).readonly();
+
 const paramValueSchema = z.union([
   z.number(),
   z.boolean(),
-  z.string(),
-  z.array(z.number()).readonly(),
-  z.array(z.string()).readonly(),
+  text,
+  z.array(z.number()).max(MOST_NUMBERS).readonly(),
+  z.array(text).max(MOST_NUMBERS).readonly(),
 ]);
 
 const nodeSchema = z.strictObject({
-  type: z.string().min(1),
+  type: z.string().min(1).max(64),
   /** Only what differs from the node's defaults. */
-  params: z.record(z.string(), paramValueSchema),
+  params: z.record(identifier, paramValueSchema),
+  /** What a person calls it; else it goes by the title of its type. */
+  title: title.optional(),
+  /** Passes on what it gets instead of doing its work. */
+  muted: z.literal(true).optional(),
+  /** Shown without its parameters. */
+  collapsed: z.literal(true).optional(),
 });
 
 const edgeSchema = z.strictObject({
-  from: z.strictObject({ node: identifier, output: z.string().min(1) }),
-  to: z.strictObject({ node: identifier, input: z.string().min(1) }),
+  from: z.strictObject({ node: identifier, output: identifier }),
+  to: z.strictObject({ node: identifier, input: z.string().regex(INPUT) }),
 });
 
-const documentSchema = z.strictObject({
-  format: z.literal('slowlight'),
-  version: z.literal(CURRENT_VERSION),
+const noteSchema = z.strictObject({ text, at: point, size: point, color: color.optional() });
+const frameSchema = z.strictObject({
+  title,
+  nodes: z.array(identifier).max(MOST_NODES).readonly(),
+  color: color.optional(),
+});
+
+/** Nodes and what joins them: the document itself, and the inside of each group. */
+const graphShape = {
   nodes: z.record(identifier, nodeSchema),
   /** Keyed by the input that the edge feeds (`node.input`): an input has at most one source. */
-  edges: z.record(z.string(), edgeSchema),
+  edges: z.record(z.string().max(140), edgeSchema),
   /** Where each node stands on the canvas [px]. */
-  layout: z.record(identifier, z.tuple([z.number(), z.number()])),
+  layout: z.record(identifier, point),
+  notes: z.record(identifier, noteSchema),
+  /** Nodes that are shown with a frame around them. */
+  frames: z.record(identifier, frameSchema),
+};
+
+const groupSocketSchema = z.strictObject({
+  name: identifier,
+  type: z.string().min(1).max(64),
+  title: title.optional(),
+});
+const groupSchema = z.strictObject({
+  title,
+  ...graphShape,
+  /** In the order in which they are shown. Inside, nodes of the types `group-input` and `group-output` carry them. */
+  inputs: z.array(groupSocketSchema).max(256).readonly(),
+  outputs: z.array(groupSocketSchema).max(256).readonly(),
+});
+
+const fileSchema = z.strictObject({
+  /** SHA-256 of its content, where it is known. */
+  hash: z
+    .string()
+    .regex(/^[0-9a-f]{64}$/)
+    .optional(),
+  /** [bytes] */
+  size: z.number().int().nonnegative().optional(),
+});
+
+export const documentSchema = z.strictObject({
+  format: z.literal('slowlight'),
+  version: z.literal(CURRENT_VERSION),
+  ...graphShape,
+  /** Subgraphs, each used by any number of nodes of the type `group` by its key. */
+  groups: z.record(identifier, groupSchema),
+  /** Scene files that the project refers to, by the name under which nodes read them. */
+  files: z.record(z.string().min(1).max(1000), fileSchema),
 });
 
 export type ParamValue = z.infer<typeof paramValueSchema>;
 export type GraphNode = z.infer<typeof nodeSchema>;
 export type GraphEdge = z.infer<typeof edgeSchema>;
+export type Note = z.infer<typeof noteSchema>;
+export type Frame = z.infer<typeof frameSchema>;
+export type FileReference = z.infer<typeof fileSchema>;
+export type GroupSocket = z.infer<typeof groupSocketSchema>;
+export type Group = z.infer<typeof groupSchema>;
 export type GraphDocument = z.infer<typeof documentSchema>;
+/** One level of a document: its own, or a group's. */
+export type Graph = Pick<GraphDocument, keyof typeof graphShape>;
 
 /** A document that cannot be read, with the place in it. */
 export class DocumentError extends Error {
@@ -48,40 +119,22 @@ export class DocumentError extends Error {
   }
 }
 
+export const emptyGraph = (): Graph => ({ nodes: {}, edges: {}, layout: {}, notes: {}, frames: {} });
+
 export const emptyDocument = (): GraphDocument => ({
   format: 'slowlight',
   version: CURRENT_VERSION,
-  nodes: {},
-  edges: {},
-  layout: {},
+  ...emptyGraph(),
+  groups: {},
+  files: {},
 });
 
 export const edgeKey = (to: GraphEdge['to']): string => `${to.node}.${to.input}`;
 
-/** Reads parsed JSON of any version. */
-export function readDocument(data: unknown): GraphDocument {
-  const result = documentSchema.safeParse(migrate(data));
-  if (result.success) return result.data;
-  const issue = result.error.issues[0];
-  throw new DocumentError(`${issue?.path.join('.') || 'the file'}: ${issue?.message ?? 'not a Slowlight project'}`);
-}
+/** What a table holds under a key of its own; a name such as `constructor` is no entry unless it was made one. */
+export const own = <T>(table: Readonly<Record<string, T>>, key: string): T | undefined =>
+  Object.hasOwn(table, key) ? table[key] : undefined;
 
-export function parseDocument(text: string): GraphDocument {
-  let data: unknown;
-  try {
-    data = JSON.parse(text);
-  } catch (error) {
-    throw new DocumentError(`not JSON: ${error instanceof Error ? error.message : String(error)}`);
-  }
-  return readDocument(data);
-}
-
-/** The same document always gives the same text, however it was edited. */
-export const serializeDocument = (document: GraphDocument): string => `${JSON.stringify(sorted(document), null, 2)}\n`;
-
-function sorted(value: unknown): unknown {
-  if (Array.isArray(value)) return value.map(sorted);
-  if (typeof value !== 'object' || value === null) return value;
-  const entries = Object.entries(value).sort(([a], [b]) => (a < b ? -1 : 1));
-  return Object.fromEntries(entries.map(([key, item]) => [key, sorted(item)]));
-}
+/** The level of a document that a group is, or the document's own. */
+export const graphIn = (document: GraphDocument, group?: string): Graph | undefined =>
+  group === undefined ? document : own(document.groups, group);

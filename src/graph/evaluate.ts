@@ -1,25 +1,13 @@
-import type { GraphDocument, GraphNode } from './document.ts';
-import {
-  type Cancellation,
-  NodeRefusal,
-  type NodeType,
-  type Problem,
-  type Progress,
-  type Registry,
-  resolveParams,
-  type Work,
-} from './nodeType.ts';
-import { reaches } from './validate.ts';
-
-export type NodeResult =
-  | { readonly status: 'done'; readonly outputs: Readonly<Record<string, unknown>> }
-  | { readonly status: 'failed'; readonly problem: Problem }
-  /** A node before it failed. */
-  | { readonly status: 'blocked'; readonly by: string };
+import { DocumentError, type GraphDocument } from './document.ts';
+import { type FlatGraph, flatten } from './flatten.ts';
+import { type Cancellation, NodeRefusal, type Problem, type Progress, type Registry } from './nodeType.ts';
+import { at, failure, type NodeResult, Results } from './results.ts';
+import { type Call, Run } from './run.ts';
 
 export interface Evaluation {
+  /** Of the first node that was asked for. */
   readonly target: NodeResult;
-  /** Of every node that the target needs. */
+  /** Of every node that the targets need; in groups by `outer/inner`. */
   readonly results: ReadonlyMap<string, NodeResult>;
 }
 
@@ -31,153 +19,161 @@ export class CancelledError extends Error {
   }
 }
 
-interface Run<Services> {
-  readonly document: GraphDocument;
-  readonly work: Omit<Work<Services>, 'progress'>;
-  readonly progress: (node: string, ...report: Parameters<Progress>) => void;
-  readonly settled: Map<string, Promise<Keyed>>;
+export interface EvaluateOptions {
+  readonly signal?: Cancellation;
+  readonly progress?: (node: string, ...report: Parameters<Progress>) => void;
 }
 
-interface Keyed {
-  readonly key: number;
-  readonly result: NodeResult;
+/** A heavy node's work, in words that can be sent to another thread. */
+export interface HeavyOrder {
+  readonly type: string;
+  readonly node: string;
+  readonly inputs: Readonly<Record<string, unknown>>;
+  readonly params: Call<never>['params'];
+}
+
+/** Has heavy nodes evaluated elsewhere. */
+export type RunHeavy = (
+  order: HeavyOrder,
+  work: { readonly signal?: Cancellation; readonly progress: Progress },
+) => Promise<Readonly<Record<string, unknown>>>;
+
+export interface EvaluatorOptions {
+  /** How many results are kept beside those of the latest evaluation, for an undo to find. */
+  readonly capacity?: number;
+  /** Without: heavy nodes are evaluated where all others are. */
+  readonly heavy?: RunHeavy;
+}
+
+/** What an evaluation brings along. */
+interface Errand<Services> {
+  readonly services: Services;
+  readonly signal?: Cancellation;
+  readonly progress: NonNullable<EvaluateOptions['progress']>;
 }
 
 /**
- * Evaluates what a node needs and nothing else. A result is kept under the content that made it (type, parameters and the
- * keys of its inputs), so that an edit re-evaluates only what depends on it, and an undo finds the old result again.
+ * Evaluates what nodes need and nothing else. A result is kept under the content that made it, so that an edit re-evaluates only what
+ * depends on it, and an undo finds the old result again.
  */
 export class Evaluator<Services> {
   readonly #registry: Registry<Services>;
-  readonly #capacity: number;
-  /** Content → a small number that stands for it: exact, where a hash might collide. */
-  readonly #keys = new Map<string, number>();
-  /** Least recently used first. */
-  readonly #cache = new Map<number, NodeResult>();
+  readonly #heavy: RunHeavy | undefined;
+  readonly #results: Results;
   /** Work under way: a second evaluation that needs the same content waits for the first one's. */
-  readonly #pending = new Map<number, Promise<NodeResult>>();
+  readonly #pending = new Map<string, { readonly node: string; readonly result: Promise<NodeResult> }>();
+  readonly #flat = new WeakMap<GraphDocument, FlatGraph>();
 
-  constructor(registry: Registry<Services>, capacity = 16) {
+  constructor(registry: Registry<Services>, { capacity = 16, heavy }: EvaluatorOptions = {}) {
     this.#registry = registry;
-    this.#capacity = capacity;
+    this.#heavy = heavy;
+    this.#results = new Results(capacity);
   }
 
+  /** `targets`: a node, or several whose results stay in reach together; in groups by `outer/inner`. */
   async evaluate(
     document: GraphDocument,
-    target: string,
+    targets: string | readonly string[],
     services: Services,
-    options: { signal?: Cancellation; progress?: Run<Services>['progress'] } = {},
+    { signal, progress = () => {} }: EvaluateOptions = {},
   ): Promise<Evaluation> {
-    const run: Run<Services> = {
-      document,
-      work: { services, signal: options.signal },
-      progress: options.progress ?? (() => {}),
-      settled: new Map(),
-    };
-    const { result } = await this.#settle(run, target);
-    const results = new Map<string, NodeResult>();
-    for (const [id, settled] of run.settled) results.set(id, (await settled).result);
-    return { target: result, results };
+    const wanted = typeof targets === 'string' ? [targets] : targets;
+    const [first = ''] = wanted;
+    const flat = this.#flattened(document);
+    if ('status' in flat) return { target: flat, results: new Map(wanted.map((id) => [id, flat])) };
+    const errand = { services, signal, progress };
+    const run = new Run(flat, this.#registry, (call: Call<Services>) => this.#perform(call, errand));
+    const results = await run.reach(wanted);
+    this.#results.trim(results.size);
+    return { target: results.get(first) ?? failure('graph.unknown-node', first, 'nothing was asked for'), results };
   }
 
-  #settle(run: Run<Services>, id: string): Promise<Keyed> {
-    const known = run.settled.get(id);
+  #flattened(document: GraphDocument): FlatGraph | NodeResult {
+    const known = this.#flat.get(document);
     if (known) return known;
-    const settled = this.#compute(run, id);
-    run.settled.set(id, settled);
-    return settled;
-  }
-
-  async #compute(run: Run<Services>, id: string): Promise<Keyed> {
-    const node = run.document.nodes[id];
-    const type = node && this.#registry[node.type];
-    if (!node || !type) return failure('graph.unknown-node', id, `there is no node "${node?.type ?? id}"`);
-    if (inCycle(run.document, id)) return failure('graph.cycle', id, 'the node feeds itself: remove one of the edges');
-    const sources = await this.#inputs(run, id, type);
-    if ('result' in sources) return sources;
-    const key = this.#keyOf(node, sources.keys);
-    const known = this.#recall(key);
-    if (known) return { key, result: known };
-    const pending = this.#pending.get(key) ?? this.#run(run, id, node, type, sources.values, key);
-    this.#pending.set(key, pending);
     try {
-      return { key, result: await pending };
-    } finally {
-      this.#pending.delete(key);
-    }
-  }
-
-  async #inputs(run: Run<Services>, id: string, type: NodeType<Services>) {
-    const keys: [string, number, string][] = [];
-    const values: Record<string, unknown> = {};
-    for (const [name, socket] of Object.entries(type.inputs)) {
-      const edge = run.document.edges[`${id}.${name}`];
-      if (!edge && socket.optional) continue;
-      if (!edge) return failure('graph.input', id, `connect something to "${name}" (${socket.type})`);
-      const { key, result } = await this.#settle(run, edge.from.node);
-      if (result.status !== 'done') {
-        return { key: -1, result: { status: 'blocked', by: edge.from.node } as const };
-      }
-      keys.push([name, key, edge.from.output]);
-      values[name] = result.outputs[edge.from.output];
-    }
-    return { keys, values };
-  }
-
-  async #run(
-    run: Run<Services>,
-    id: string,
-    node: GraphNode,
-    type: NodeType<Services>,
-    inputs: Record<string, unknown>,
-    key: number,
-  ): Promise<NodeResult> {
-    if (run.work.signal?.aborted) throw new CancelledError();
-    const progress: Progress = (part, what) => run.progress(id, part, what);
-    try {
-      const outputs = await type.evaluate(inputs, resolveParams(type, node.params), {
-        ...run.work,
-        node: id,
-        progress,
-      });
-      return this.#remember(key, { status: 'done', outputs });
+      const flat = flatten(document, this.#registry);
+      this.#flat.set(document, flat);
+      return flat;
     } catch (error) {
-      if (run.work.signal?.aborted || error instanceof CancelledError) throw new CancelledError();
-      const result: NodeResult = { status: 'failed', problem: problemOf(error, id) };
-      // A refusal follows from the content; anything else (a network that is down) may go better next time.
-      return error instanceof NodeRefusal ? this.#remember(key, result) : result;
+      if (error instanceof DocumentError) return failure('graph.document', 'the project', error.message);
+      throw error;
     }
   }
 
-  #keyOf(node: GraphNode, inputs: readonly [string, number, string][]): number {
-    const params = Object.entries(node.params).sort(([a], [b]) => (a < b ? -1 : 1));
-    const content = JSON.stringify([node.type, params, inputs]);
-    const key = this.#keys.get(content) ?? this.#keys.size;
-    this.#keys.set(content, key);
-    return key;
-  }
-
-  #recall(key: number): NodeResult | undefined {
-    const result = this.#cache.get(key);
-    if (result) this.#remember(key, result);
+  #perform(call: Call<Services>, errand: Errand<Services>): NodeResult | Promise<NodeResult> {
+    const content = this.#results.content(call.type.id, call.paramsKey, valuesOf(call));
+    const known = this.#results.recall(content, call.id);
+    if (known) return known;
+    const pending = this.#pending.get(content);
+    if (pending) return this.#join(pending, call, errand);
+    if (errand.signal?.aborted) throw new CancelledError();
+    const work = this.#start(call, errand);
+    if (!(work instanceof Promise)) return this.#finish(content, call.id, work);
+    const result = work
+      .then((outcome) => this.#finish(content, call.id, outcome))
+      .finally(() => this.#pending.delete(content));
+    this.#pending.set(content, { node: call.id, result });
     return result;
   }
 
-  #remember(key: number, result: NodeResult): NodeResult {
-    this.#cache.delete(key);
-    this.#cache.set(key, result);
-    for (const oldest of this.#cache.keys()) {
-      if (this.#cache.size <= this.#capacity) break;
-      this.#cache.delete(oldest);
+  /** Waits for the same work of another evaluation; where that is cancelled, does it. */
+  async #join(
+    { node, result }: { readonly node: string; readonly result: Promise<NodeResult> },
+    call: Call<Services>,
+    errand: Errand<Services>,
+  ): Promise<NodeResult> {
+    try {
+      return at(await result, node, call.id);
+    } catch (error) {
+      if (!(error instanceof CancelledError) || errand.signal?.aborted) throw error;
+      return this.#perform(call, errand);
     }
+  }
+
+  #start(call: Call<Services>, errand: Errand<Services>): Outcome | Promise<Outcome> {
+    const { id: node, type, inputs, params } = call;
+    const progress: Progress = (part, what) => errand.progress(node, part, what);
+    const { services, signal } = errand;
+    const failed = (error: unknown): Outcome => {
+      if (signal?.aborted || error instanceof CancelledError) throw new CancelledError();
+      // A refusal follows from the content; anything else (a network that is down) may go better next time.
+      return { result: { status: 'failed', problem: problemOf(error, node) }, lasts: error instanceof NodeRefusal };
+    };
+    const done = (outputs: Readonly<Record<string, unknown>>): Outcome => ({
+      result: { status: 'done', outputs },
+      lasts: true,
+    });
+    try {
+      const outputs =
+        type.heavy && this.#heavy
+          ? this.#heavy({ type: type.id, node, inputs, params }, { signal, progress })
+          : type.evaluate(inputs, params, { services, signal, progress, node });
+      return outputs instanceof Promise ? outputs.then(done, failed) : done(outputs);
+    } catch (error) {
+      return failed(error);
+    }
+  }
+
+  #finish(content: string, node: string, { result, lasts }: Outcome): NodeResult {
+    if (lasts) this.#results.keep(content, node, result);
     return result;
   }
 }
 
-const failure = (code: string, place: string, message: string): Keyed => ({
-  key: -1,
-  result: { status: 'failed', problem: { severity: 'error', code, place, message } },
-});
+interface Outcome {
+  readonly result: NodeResult;
+  /** Whether the same content will give it again. */
+  readonly lasts: boolean;
+}
+
+/** Every value that flows in by itself: each of an input that takes many. */
+const valuesOf = ({ type, inputs }: Call<never>): (readonly [string, unknown])[] =>
+  Object.entries(inputs).flatMap(([name, value]) =>
+    type.inputs[name]?.many && Array.isArray(value)
+      ? value.map((item) => [name, item] as const)
+      : [[name, value] as const],
+  );
 
 const problemOf = (error: unknown, node: string): Problem =>
   error instanceof NodeRefusal
@@ -188,7 +184,3 @@ const problemOf = (error: unknown, node: string): Problem =>
         place: node,
         message: error instanceof Error ? error.message : String(error),
       };
-
-/** Whether the node is one of its own ancestors. */
-const inCycle = (document: GraphDocument, id: string): boolean =>
-  Object.values(document.edges).some((edge) => edge.from.node === id && reaches(document, edge.to.node, id));

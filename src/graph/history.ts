@@ -28,12 +28,23 @@ export function execute(history: History, command: Command, label: string, gestu
   const { document, patches, inverse } = applyCommand(history.document, command);
   if (document === history.document) return history;
   const last = history.past.at(-1);
-  if (gesture && last?.gesture === gesture && history.future.length === 0) {
-    const joined = { ...last, patches: [...last.patches, ...patches], inverse: [...inverse, ...last.inverse] };
-    return { document, past: [...history.past.slice(0, -1), joined], future: [] };
-  }
+  if (gesture && last?.gesture === gesture && history.future.length === 0)
+    return { document, past: [...history.past.slice(0, -1), joined(last, patches, inverse)], future: [] };
   return { document, past: [...history.past, { label, gesture, patches, inverse }], future: [] };
 }
+
+/** A step with a further edit; what that sets where the last one did takes its place, so that a long drag is no long step. */
+function joined(step: Step, patches: readonly Patch[], inverse: readonly Patch[]): Step {
+  const before = step.patches.length - patches.length;
+  const replaces =
+    before >= 0 &&
+    patches.every((patch, i) => patch.op === 'replace' && sets(step.patches[before + i]!, patch.path.join('.')));
+  if (!replaces) return { ...step, patches: [...step.patches, ...patches], inverse: [...inverse, ...step.inverse] };
+  const latest = patches.map(({ value }, i) => ({ ...step.patches[before + i]!, value }));
+  return { ...step, patches: [...step.patches.slice(0, before), ...latest] };
+}
+
+const sets = ({ op, path }: Patch, place: string): boolean => op !== 'remove' && path.join('.') === place;
 
 /** Ends the running gesture: the next edit is a step of its own. */
 export function endGesture(history: History): History {

@@ -5,11 +5,20 @@ import type { ParamValue } from './document.ts';
  * so that a new node is one file.
  */
 export interface Socket<Type extends string = string> {
-  /** Two sockets connect where their types are the same. */
+  /**
+   * Two sockets connect where their types are the same, or one converts to the other (convert.ts). `any`: whatever is connected; all
+   * sockets of a node that are `any` are of one type.
+   */
   readonly type: Type;
+  /** Key of the catalogue of messages; else it is shown by its name. */
+  readonly title?: string;
   /** An input without a source is an error, unless it is optional. */
   readonly optional?: boolean;
+  /** An input of any number of edges, in the order of their numbers: `name.1`, `name.2`. The node's code gets an array. */
+  readonly many?: boolean;
 }
+/** The type of a socket that takes its type from what is connected. */
+export const ANY = 'any';
 
 interface ParamBase {
   /** Key of the catalogue of messages. */
@@ -57,12 +66,17 @@ export interface VectorParam extends ParamBase {
   readonly kind: 'vector';
   readonly default: readonly [number, number, number];
 }
+/** Linear sRGB. */
+export interface ColorParam extends ParamBase {
+  readonly kind: 'color';
+  readonly default: readonly [number, number, number];
+}
 /** Texts of which there may be any number; a special control of the program sets them. */
 export interface ListParam extends ParamBase {
   readonly kind: 'list';
   readonly default: readonly string[];
 }
-export type ParamSpec = NumberParam | BooleanParam | ChoiceParam | TextParam | VectorParam | ListParam;
+export type ParamSpec = NumberParam | BooleanParam | ChoiceParam | TextParam | VectorParam | ColorParam | ListParam;
 
 /** The value that a node's code gets for a parameter. */
 export type ParamOf<Spec> =
@@ -74,7 +88,7 @@ export type ParamOf<Spec> =
         ? number
         : Spec extends BooleanParam
           ? boolean
-          : Spec extends VectorParam
+          : Spec extends VectorParam | ColorParam
             ? readonly [number, number, number]
             : Spec extends ListParam
               ? readonly string[]
@@ -125,6 +139,10 @@ export interface NodeType<Services = unknown> {
   readonly params: Readonly<Record<string, ParamSpec>>;
   readonly inputs: Readonly<Record<string, Socket>>;
   readonly outputs: Readonly<Record<string, Socket>>;
+  /** The inputs that matter with these parameters; the others are not evaluated. Without: all. */
+  needs?(params: Readonly<Record<string, ParamValue | undefined>>): readonly string[];
+  /** Takes long: it is evaluated in a worker, without services. */
+  readonly heavy?: boolean;
   evaluate(
     inputs: Readonly<Record<string, unknown>>,
     params: Readonly<Record<string, ParamValue | undefined>>,
@@ -154,7 +172,8 @@ export function refuseValue(spec: ParamSpec, value: ParamValue): string | undefi
     return spec.options.some((option) => option.value === value)
       ? undefined
       : `${String(value)} is none of the choices`;
-  if (spec.kind === 'vector') return isVector(value) ? undefined : `${String(value)} is not three numbers`;
+  if (spec.kind === 'vector' || spec.kind === 'color')
+    return isVector(value) ? undefined : `${String(value)} is not three numbers`;
   if (spec.kind === 'list') return isList(value) ? undefined : `${String(value)} is no list of texts`;
   const wanted = spec.kind === 'boolean' ? 'boolean' : 'string';
   return typeof value === wanted ? undefined : `${String(value)} is not a ${wanted}`;

@@ -1,66 +1,138 @@
-import type { GraphDocument, GraphEdge } from './document.ts';
+import { circlesIn } from './circles.ts';
+import { DocumentError, edgeKey, type GraphDocument, type GraphEdge, type GraphNode, own } from './document.ts';
+import { edgesInto, flatten } from './flatten.ts';
+import { typesIn } from './infer.ts';
+import { faultIn } from './integrity.ts';
 import { type NodeType, type Problem, type Registry, refuseValue } from './nodeType.ts';
+import { inputName, inputSocket, type Level, levelOf, levelsOf, socketsOf } from './sockets.ts';
+import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupOf } from './structure.ts';
 
-/** Everything that is wrong with a document as it stands, each at its node. */
+/** Everything that is wrong with a document as it stands, each at its node (`group/node` in the definition of a group). */
 export function validateDocument(document: GraphDocument, registry: Registry): Problem[] {
-  const problems: Problem[] = [];
-  for (const [id, node] of Object.entries(document.nodes)) {
-    const type = registry[node.type];
-    if (!type) {
-      problems.push(error('graph.unknown-node', id, `there is no node type "${node.type}"`));
-      continue;
-    }
-    problems.push(...checkParams(id, node.params, type), ...checkInputs(id, type, document));
+  const fault = faultIn(document) ?? faultWhenFlat(document, registry);
+  if (fault) return [error('graph.document', 'the project', fault)];
+  return levelsOf(document).flatMap((level) => checkLevel(level, registry));
+}
+
+function faultWhenFlat(document: GraphDocument, registry: Registry): string | undefined {
+  try {
+    flatten(document, registry);
+    return undefined;
+  } catch (thrown) {
+    if (thrown instanceof DocumentError) return thrown.message;
+    throw thrown;
   }
-  for (const edge of Object.values(document.edges)) {
-    const refusal = refuseEdge(document, edge, registry);
-    if (refusal) problems.push(error('graph.edge', edge.to.node, refusal));
+}
+
+function checkLevel(level: Level, registry: Registry): Problem[] {
+  const place = (id: string) => (level.group === undefined ? id : `${level.group}/${id}`);
+  const connected = new Set(Object.values(level.graph.edges).map(({ to }) => `${to.node}.${inputName(to.input).base}`));
+  const problems = Object.entries(level.graph.nodes).flatMap(([id, node]) =>
+    checkNode(level, node, registry, place(id), (input) => connected.has(`${id}.${input}`)),
+  );
+  for (const edge of Object.values(level.graph.edges)) {
+    const refusal = refuseSockets(level, edge, registry);
+    if (refusal) problems.push(error('graph.edge', place(edge.to.node), refusal));
   }
+  for (const { edge, message } of typesIn(level, registry).conflicts)
+    problems.push(error('graph.edge', place(edge.to.node), message));
+  for (const id of circular(level)) problems.push(error('graph.cycle', place(id), CIRCLE));
   return problems;
 }
 
-/** Why the edge cannot be in the document, or undefined where it can. It need not be there yet. */
-export function refuseEdge(document: GraphDocument, edge: GraphEdge, registry: Registry): string | undefined {
-  const from = socketAt(document, registry, edge.from.node, 'outputs', edge.from.output);
-  const to = socketAt(document, registry, edge.to.node, 'inputs', edge.to.input);
-  if (!from) return `${edge.from.node} has no output "${edge.from.output}"`;
-  if (!to) return `${edge.to.node} has no input "${edge.to.input}"`;
-  if (from.type !== to.type) return `${from.type} does not fit ${to.type}`;
-  return reaches(document, edge.to.node, edge.from.node) ? 'this would close a circle' : undefined;
+export const CIRCLE = 'the node feeds itself: remove one of the edges';
+
+function checkNode(
+  level: Level,
+  node: GraphNode,
+  registry: Registry,
+  place: string,
+  isConnected: (input: string) => boolean,
+): Problem[] {
+  if (node.type === GROUP && !own(level.document.groups, groupOf(node)))
+    return [error('graph.group', place, `there is no group "${groupOf(node)}"; choose one, or remove the node`)];
+  if ((node.type === GROUP_INPUT || node.type === GROUP_OUTPUT) && level.group === undefined)
+    return [error('graph.group', place, 'it stands in no group; remove it')];
+  if (node.type === GROUP_OUTPUT && exitOf(level) !== node)
+    return [error('graph.group', place, 'a group has one group output; remove this one')];
+  const type = own(registry, node.type);
+  if (!type) return [error('graph.unknown-node', place, `there is no node type "${node.type}"`)];
+  return [...checkParams(place, node.params, type), ...(node.muted ? [] : checkInputs(place, type, isConnected))];
+}
+
+const exitOf = ({ graph }: Level) => Object.values(graph.nodes).find(({ type }) => type === GROUP_OUTPUT);
+
+/**
+ * Why the edge cannot be in a level of the document, or undefined where it can. It need not be there yet; what feeds its input now
+ * gives way to it.
+ */
+export function refuseEdge(
+  document: GraphDocument,
+  edge: GraphEdge,
+  registry: Registry,
+  group?: string,
+): string | undefined {
+  const level = levelOf(document, group);
+  if (!level) return `there is no group "${group}"`;
+  const sockets = refuseSockets(level, edge, registry);
+  if (sockets) return sockets;
+  const key = edgeKey(edge.to);
+  const old = new Set(typesIn(level, registry).conflicts.map(({ edge: { to } }) => edgeKey(to)));
+  const conflict = typesIn(level, registry, edge).conflicts.find(({ edge: { to } }) => {
+    const at = edgeKey(to);
+    return at === key || !old.has(at);
+  });
+  if (conflict) return conflict.message;
+  return reaches(level.graph, edge.to.node, edge.from.node) ? 'this would close a circle' : undefined;
+}
+
+function refuseSockets(level: Level, { from, to }: GraphEdge, registry: Registry): string | undefined {
+  const [source, target] = [own(level.graph.nodes, from.node), own(level.graph.nodes, to.node)];
+  const outputs = source && socketsOf(level, source, registry)?.outputs;
+  const sockets = target && socketsOf(level, target, registry);
+  if (!outputs || !own(outputs, from.output)) return `${from.node} has no output "${from.output}"`;
+  return sockets && inputSocket(sockets, to.input) ? undefined : `${to.node} has no input "${to.input}"`;
 }
 
 /** Whether data flows from one node to another, over any number of edges; a node reaches itself. */
-export function reaches(document: GraphDocument, from: string, to: string): boolean {
-  const seen = new Set<string>();
-  const open = [from];
-  for (let node = open.pop(); node !== undefined; node = open.pop()) {
-    if (node === to) return true;
-    if (seen.has(node)) continue;
-    seen.add(node);
-    for (const edge of Object.values(document.edges)) if (edge.from.node === node) open.push(edge.to.node);
+export const reaches = (graph: Pick<GraphDocument, 'edges'>, from: string, to: string): boolean =>
+  reachedFrom(graph, [from]).has(to);
+
+/** All that data flows to from some nodes, with these. */
+export function reachedFrom({ edges }: Pick<GraphDocument, 'edges'>, starts: Iterable<string>): ReadonlySet<string> {
+  const after = new Map<string, string[]>();
+  for (const { from, to } of Object.values(edges)) {
+    const list = after.get(from.node);
+    if (list) list.push(to.node);
+    else after.set(from.node, [to.node]);
   }
-  return false;
+  const reached = new Set(starts);
+  // What a set is given while it is gone through comes too.
+  for (const node of reached) for (const next of after.get(node) ?? []) reached.add(next);
+  return reached;
 }
 
-function checkParams(id: string, params: GraphDocument['nodes'][string]['params'], type: NodeType): Problem[] {
+function checkParams(id: string, params: GraphNode['params'], type: NodeType): Problem[] {
   return Object.entries(params).flatMap(([name, value]) => {
-    const spec = type.params[name];
+    const spec = own(type.params, name);
     const refusal = spec ? refuseValue(spec, value) : 'there is no such parameter';
     return refusal ? [error('graph.param', `${id}.${name}`, refusal)] : [];
   });
 }
 
-function checkInputs(id: string, type: NodeType, document: GraphDocument): Problem[] {
+function checkInputs(place: string, type: NodeType, isConnected: (input: string) => boolean): Problem[] {
   return Object.entries(type.inputs).flatMap(([name, socket]) =>
-    socket.optional || document.edges[`${id}.${name}`]
+    socket.optional || isConnected(name)
       ? []
-      : [error('graph.input', id, `connect something to "${name}" (${socket.type})`)],
+      : [error('graph.input', place, `connect something to "${name}" (${socket.type})`)],
   );
 }
 
-function socketAt(document: GraphDocument, registry: Registry, node: string, side: 'inputs' | 'outputs', name: string) {
-  const type = registry[document.nodes[node]?.type ?? ''];
-  return type?.[side][name];
+function circular({ graph }: Level): ReadonlySet<string> {
+  const into = edgesInto(graph);
+  return circlesIn(
+    new Map(Object.keys(graph.nodes).map((id) => [id, (into.get(id) ?? []).map(({ from }) => from.node)])),
+  );
 }
 
 const error = (code: string, place: string, message: string): Problem => ({ severity: 'error', code, place, message });

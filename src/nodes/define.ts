@@ -1,6 +1,10 @@
 import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { Course } from '../scene/compose/paths.ts';
+import type { Light } from '../scene/types.ts';
 import type { ColorMode, Solver, View } from '../scene/view.ts';
 import type { FalseColor } from '../spectrum/falseColor.ts';
+import type { LightSpectrum } from '../spectrum/lightSpectrum.ts';
 import type { Tone } from '../spectrum/toneMap.ts';
 import type { Metering } from './metering.ts';
 import type { LoadedScene, Services } from './services.ts';
@@ -47,17 +51,44 @@ export interface Picture extends GBuffer {
   readonly falseColor: FalseColor | 'none';
 }
 
+/** From when to when a scene's animation is shown [s]. */
+export interface TimeRange {
+  readonly start: number;
+  readonly end: number;
+  /** World time that it opens at; absent: its start. */
+  readonly openAt?: number;
+}
+
 /** What flows through a socket of each type. */
 interface SocketValues {
+  /** Things, lamps and cameras that are to be part of a scene. */
+  readonly geometry: LoadedScene;
+  readonly motion: Course;
+  readonly lights: readonly Light[];
+  /** The observer's velocity at the start, in units of c. */
+  readonly observer: Vec3;
+  readonly time: TimeRange;
+  readonly spectrum: LightSpectrum;
   readonly scene: LoadedScene;
   readonly relativity: Relativity;
   readonly view: CameraView;
   readonly gbuffer: GBuffer;
   readonly image: Picture;
+  readonly number: number;
+  readonly vector: Vec3;
+  /** Linear sRGB. */
+  readonly color: Vec3;
+  readonly text: string;
+  readonly any: unknown;
 }
 type SocketType = keyof SocketValues;
 type Sockets = Readonly<Record<string, Socket<SocketType>>>;
-type ValuesOf<S extends Sockets> = { readonly [K in keyof S]: SocketValues[S[K]['type']] };
+type ValueOf<S extends Socket<SocketType>> = S extends { readonly many: true }
+  ? readonly SocketValues[S['type']][]
+  : S extends { readonly optional: true }
+    ? SocketValues[S['type']] | undefined
+    : SocketValues[S['type']];
+type ValuesOf<S extends Sockets> = { readonly [K in keyof S]: ValueOf<S[K]> };
 type Params = Readonly<Record<string, ParamSpec>>;
 type ParamsOf<P extends Params> = { readonly [K in keyof P]: ParamOf<P[K]> };
 

@@ -1,16 +1,79 @@
 import type { Registry } from '../graph/nodeType.ts';
-import { sceneCamera } from './camera.ts';
-import { relativityConsole } from './console.ts';
-import { flyNode } from './fly.ts';
-import { output } from './output.ts';
-import { relativityRasterize } from './rasterize.ts';
-import { read } from './read.ts';
-import { retimeNode } from './retime.ts';
-import { scene } from './scene.ts';
+import { cameraNode } from './composition/cameraAt.ts';
+import { relativityConsole } from './composition/console.ts';
+import { lampNode } from './composition/lamp.ts';
+import { observerNode } from './composition/observer.ts';
+import { scene } from './composition/scene.ts';
+import { skyNode } from './composition/sky.ts';
+import { spectrumNode } from './composition/spectrum.ts';
+import { sunNode } from './composition/sun.ts';
+import { timeNode } from './composition/time.ts';
+import { boxNode } from './geometry/box.ts';
+import { cylinderNode } from './geometry/cylinder.ts';
+import { flyNode } from './geometry/fly.ts';
+import { gridNode } from './geometry/grid.ts';
+import { instancesNode } from './geometry/instances.ts';
+import { latticeNode } from './geometry/lattice.ts';
+import { lifetimeNode } from './geometry/lifetime.ts';
+import { materialNode } from './geometry/material.ts';
+import { mergeNode } from './geometry/merge.ts';
+import { moveNode } from './geometry/move.ts';
+import { read } from './geometry/read.ts';
+import { retimeNode } from './geometry/retime.ts';
+import { sphereNode } from './geometry/sphere.ts';
+import { subdivideNode } from './geometry/subdivide.ts';
+import { torusNode } from './geometry/torus.ts';
+import { transformNode } from './geometry/transform.ts';
+import { circularNode } from './motion/circular.ts';
+import { hyperbolicNode } from './motion/hyperbolic.ts';
+import { keyframesNode } from './motion/keyframes.ts';
+import { pathNode } from './motion/path.ts';
+import { spinNode } from './motion/spin.ts';
+import { uniformNode } from './motion/uniform.ts';
+import { sceneCamera } from './render/camera.ts';
+import { output } from './render/output.ts';
+import { relativityRasterize } from './render/rasterize.ts';
+import { toneMap } from './render/toneMap.ts';
 import type { Services } from './services.ts';
-import { toneMap } from './toneMap.ts';
 
-const types = [read, retimeNode, scene, relativityConsole, flyNode, sceneCamera, relativityRasterize, toneMap, output];
+/** In the order in which menus show them. */
+const types = [
+  read,
+  boxNode,
+  sphereNode,
+  cylinderNode,
+  torusNode,
+  gridNode,
+  latticeNode,
+  transformNode,
+  instancesNode,
+  materialNode,
+  subdivideNode,
+  mergeNode,
+  lifetimeNode,
+  moveNode,
+  uniformNode,
+  hyperbolicNode,
+  circularNode,
+  spinNode,
+  pathNode,
+  keyframesNode,
+  retimeNode,
+  flyNode,
+  scene,
+  sunNode,
+  lampNode,
+  skyNode,
+  spectrumNode,
+  cameraNode,
+  observerNode,
+  timeNode,
+  relativityConsole,
+  sceneCamera,
+  relativityRasterize,
+  toneMap,
+  output,
+];
 
 /** Every node type, by id: a new one is added here and nowhere else. */
 export const nodeLibrary: Registry<Services> = Object.fromEntries(types.map((type) => [type.id, type]));

@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { applyCommand, type Command } from '../graph/commands.ts';
-import { type ParamValue, parseDocument, serializeDocument } from '../graph/document.ts';
+import type { ParamValue } from '../graph/document.ts';
 import { Evaluator } from '../graph/evaluate.ts';
 import { refuseValue, resolveParams } from '../graph/nodeType.ts';
+import { parseDocument } from '../graph/read.ts';
+import { serializeDocument } from '../graph/serialize.ts';
 import { validateDocument } from '../graph/validate.ts';
 import { makeMaterial, makeObject, restingAt } from '../scene/defaults.ts';
 import { box } from '../scene/primitives.ts';

@@ -12,14 +12,22 @@ const CHAIN = [
   ['toneMap', 'tone-map'],
   ['output', 'output'],
 ] as const;
-/** The socket that joins each node of the chain to the next. */
-const JOINTS = ['scene', 'scene', 'scene', 'relativity', 'view', 'gbuffer', 'image'] as const;
+/** The output and the input that join each node of the chain to the next. */
+const JOINTS = [
+  ['geometry', 'geometry'],
+  ['geometry', 'geometry.1'],
+  ['scene', 'scene'],
+  ['relativity', 'relativity'],
+  ['view', 'view'],
+  ['gbuffer', 'gbuffer'],
+  ['image', 'image'],
+] as const;
 
 /** Read → Retime → Scene → Relativity Console → Scene Camera → Relativity Rasterize → Tone Map → Output. */
 export function newProject(source = ''): GraphDocument {
   const nodes = CHAIN.map(([node, type], i): Command => ({ kind: 'add-node', node, type, at: [i * 240, 0] }));
-  const edges = JOINTS.map((socket, i): Command => {
-    const edge = { from: { node: CHAIN[i]![0], output: socket }, to: { node: CHAIN[i + 1]![0], input: socket } };
+  const edges = JOINTS.map(([output, input], i): Command => {
+    const edge = { from: { node: CHAIN[i]![0], output }, to: { node: CHAIN[i + 1]![0], input } };
     return { kind: 'connect', edge };
   });
   const file: Command[] = source ? [{ kind: 'set-param', node: 'read', param: 'source', value: source }] : [];
@@ -98,7 +106,7 @@ function landings(document: GraphDocument, landed: readonly string[]): Command[]
   const left = flightsIn(document).filter((node) => !landed.includes(node));
   const chain = [BEFORE, ...left];
   return [
-    ...landed.map((node): Command => ({ kind: 'remove-node', node })),
+    ...landed.map((node): Command => ({ kind: 'remove-nodes', nodes: [node] })),
     ...left.map((node, i) => connect(chain[i]!, { node, input: 'relativity' })),
     connect(chain.at(-1)!, AFTER),
   ];

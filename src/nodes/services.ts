@@ -1,5 +1,6 @@
 import type { ReadOptions } from '../formats/registry.ts';
 import type { Cancellation, Progress } from '../graph/nodeType.ts';
+import type { FastestInScene } from '../scene/fastestIn.ts';
 import type { Scene } from '../scene/types.ts';
 
 /** A scene as read, with what the checks need that is dear to compute: done where the file is read, off the main thread. */
@@ -9,14 +10,7 @@ export interface LoadedScene {
   readonly fastest?: FastestPoint;
 }
 
-export interface FastestPoint {
-  /** Prim path. */
-  readonly path: string;
-  /** World time [s]. */
-  readonly time: number;
-  /** [m/s] */
-  readonly speed: number;
-}
+export type FastestPoint = FastestInScene;
 
 /** How a scene is to be read. */
 export interface ReadRequest extends Pick<ReadOptions, 'variants' | 'interpolation'> {

@@ -2,6 +2,21 @@ import { add, addScaled, dot, normalize, scale, type Vec3 } from '../math/vec3.t
 
 export type Random = () => number;
 
+/** Whether the first of two cases, which has a chance, has come; and numbers for it, the one that decided among them. */
+export function either(chance: number, random: Random): { readonly isFirst: boolean; readonly rest: Random } {
+  const p = random();
+  const isFirst = p < chance;
+  let decided: number | undefined = isFirst ? p / chance : (p - chance) / (1 - chance);
+  return {
+    isFirst,
+    rest: () => {
+      const number = decided ?? random();
+      decided = undefined;
+      return number;
+    },
+  };
+}
+
 /** r = d − 2(d·n) n */
 export const mirrored = (d: Vec3, n: Vec3): Vec3 => {
   const twice = 2 * dot(d, n);

@@ -40,8 +40,8 @@ describe('false colours', () => {
     expect(falsePicture(colors, values, taken).pixels).toHaveLength(8);
     for (const width of [40, 200, 1280]) {
       const whole = withLegend(canvas(width, 20, [255, 0, 0]), colors);
-      expect(whole.height).toBe(20 + legendRoom(width));
-      expect(legendRoom(width) % 2).toBe(0);
+      expect(whole.height).toBe(20 + legendRoom(width, kind));
+      expect(legendRoom(width, kind) % 2).toBe(0);
       const shown = new Set<number>();
       for (let i = 4 * width * 20; i < whole.pixels.length; i += 4)
         shown.add((whole.pixels[i]! << 16) | (whole.pixels[i + 1]! << 8) | whole.pixels[i + 2]!);

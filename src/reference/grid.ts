@@ -1,6 +1,6 @@
 import { add, dot, lerp, type Vec3 } from '../math/vec3.ts';
 import { boundingSphere, halfDiagonal, type Sphere, sphereAt } from '../scene/bounds.ts';
-import { axesOf } from '../scene/daylight.ts';
+import { upOf } from '../scene/daylight.ts';
 import { placed, samplePose } from '../scene/motion.ts';
 import type { SceneObject } from '../scene/types.ts';
 import type { ViewPoint } from '../scene/view.ts';
@@ -28,7 +28,8 @@ export function groundGrid(
   height: number,
 ): (x: number, y: number, depth: number) => Overlay {
   const { upAxis } = traced.scene;
-  const { up, right: east } = axesOf(upAxis);
+  const up = upOf(upAxis);
+  const east: Vec3 = [1, 0, 0];
   const north: Vec3 = upAxis === 'Y' ? [0, 0, 1] : [0, 1, 0];
   const step = stepOf(traced);
   const altitude = dot(view.position, up);

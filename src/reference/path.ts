@@ -1,16 +1,17 @@
 import { negate, normalize, type Vec3, ZERO } from '../math/vec3.ts';
 import { simultaneousPosition } from '../physics/simultaneity.ts';
 import type { RenderSettings } from '../scene/view.ts';
+import type { Bands } from '../spectrum/bands.ts';
 import { type Departure, departureAt } from './departure.ts';
-import { cosineDirection, type Random, turnedTo } from './directions.ts';
+import { either, type Random, turnedTo } from './directions.ts';
 import { eyesOf } from './eye.ts';
-import { dimmed, largest } from './filters.ts';
+import { dimmed, largest, neutral } from './filters.ts';
 import { type Glass, isGlass, throughGlass } from './glass.ts';
 import { DARK, type Light, plus, times } from './light.ts';
 import { frameOf, type Lighting, type LightOptions, lightingOf, rayBack } from './lighting.ts';
 import { directLight } from './lights.ts';
 import { type Beam, coverage, isElsewhere } from './passage.ts';
-import { type Look, lookOf, sampleMirrored } from './reflectance.ts';
+import { diffuseLobe, type Lobe, type Look, lookOf, mirrorLobe } from './reflectance.ts';
 import { restFrame, WORLD } from './restFrame.ts';
 import { emissionOf } from './shine.ts';
 import { type Eye, RADIANCE, type Receiver, received } from './sight.ts';
@@ -126,21 +127,21 @@ function solidLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, 
 
 /**
  * Light of the sky and of other surfaces. Of what is seen directly both parts of the reflectance are followed, the faint mirroring
- * of a plastic now and then and all the more; further on one of the parts, by chance, stands for both.
+ * of a plastic now and then and all the more, where the sky is not bright; further on one of the parts, by chance, stands for both.
  */
 function scattered(lighting: Lighting, at: Departure, look: Look, roughness: number, here: Path): Light {
   const { options, random } = lighting;
   const eye = here.eye && options.mirrors && here.mirrors > 0;
   const scatters = here.bounces > 0;
-  const { L, share } = sampleMirrored(look, roughness, random);
+  const lead = leadOf(lighting, mirrorLobe(look, roughness), here);
   const d = scatters ? largest(look.diffuse) : 0;
-  const m = eye || scatters ? largest(share) : 0;
+  const m = eye || scatters ? largest(lead.share) : 0;
   const diffuse = (): Light => diffuselyFrom(lighting, at, look, here);
-  const mirror = (): Light => here.sight.filtered(lightFrom(lighting, at, L, mirrorPath(here, eye)), share);
+  const mirror = (): Light => lightAlong(lighting, at, lead, mirrorPath(here, eye), here);
   if (here.eye && here.mirrors === MOST_MIRRORS) {
     let sum = DARK;
     if (d > 0) for (let k = 0; k < FIRST_RAYS; k++) sum = plus(sum, diffuse(), 1 / FIRST_RAYS);
-    const chance = Math.min(1, MIRROR_CHANCE * m);
+    const chance = lead.isBright && m > 0 ? 1 : Math.min(1, MIRROR_CHANCE * m);
     return random() < chance ? plus(sum, mirror(), 1 / chance) : sum;
   }
   if (d + m === 0) return DARK;
@@ -153,9 +154,43 @@ const mirrorPath = (here: Path, eye: boolean): Path =>
     : { ...here, suns: false, eye: false, bounces: here.bounces - 1 };
 
 function diffuselyFrom(lighting: Lighting, at: Departure, look: Look, here: Path): Light {
-  const L = cosineDirection(look.N, lighting.random);
   const onward = { ...here, eye: false, suns: false, bounces: here.bounces - 1 };
-  return here.sight.filtered(lightFrom(lighting, at, L, onward), look.diffuse);
+  return lightAlong(lighting, at, leadOf(lighting, diffuseLobe(look), here), onward, here);
+}
+
+/** A direction of the rest frame from which light is looked for. */
+interface Lead {
+  readonly L: Vec3;
+  /** What the surface sends of light from there towards V, over the density with which it looks there; and that density over the one with which it is looked for. */
+  readonly share: Bands;
+  readonly weight: number;
+  /** It was chosen because the sky is bright there. */
+  readonly isBright: boolean;
+}
+
+/**
+ * Where the surface itself looks, or now and then where the sky is bright, as if both were one density (Veach 1997, §9.2.4): so no weight is more than 2.
+ * dΩ′ = dΩ/D² of the sky's directions.
+ */
+function leadOf({ sky: { bright }, random }: Lighting, lobe: Lobe, { frame }: Path): Lead {
+  const { density } = lobe;
+  if (!bright || !density) {
+    const L = lobe.direction(random);
+    return { L, share: lobe.share(L), weight: 1, isBright: false };
+  }
+  const { isFirst: isBright, rest } = either(bright.chance, random);
+  const L = isBright ? frame.into(bright.direction(rest)) : lobe.direction(rest);
+  const own = density(L);
+  if (own === 0) return { L, share: neutral(0), weight: 0, isBright };
+  const n = frame.out(L);
+  const all = (1 - bright.chance) * own + bright.chance * bright.density(n) * frame.doppler(n) ** 2;
+  return { L, share: lobe.share(L), weight: own / all, isBright };
+}
+
+/** What is sent on `here` of the light along a lead. */
+function lightAlong(lighting: Lighting, at: Departure, { L, share, weight }: Lead, path: Path, here: Path): Light {
+  if (weight === 0) return DARK;
+  return here.sight.filtered(lightFrom(lighting, at, L, path), dimmed(share, weight));
 }
 
 /** Radiance from the direction L of the rest frame, as it arrives there. Directions below the triangle count as their mirror images above it. */

@@ -1,6 +1,6 @@
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../math/vec3.ts';
 import type { Bands } from '../spectrum/bands.ts';
-import { inFrameOf, mirrored, type Random, tangents } from './directions.ts';
+import { cosineDirection, inFrameOf, mirrored, type Random, tangents } from './directions.ts';
 import { dimmed, mixed, neutral } from './filters.ts';
 import type { SurfacePoint } from './surface.ts';
 
@@ -48,9 +48,7 @@ function ggx(look: Look, L: Vec3, NL: number): { readonly share: number; readonl
   const { N, V, NV, roughness } = look;
   const H = normalize(add(L, V));
   const a2 = roughness ** 4;
-  const NH = Math.min(Math.max(dot(N, H), 0), 1);
-  const spread = NH * NH * (a2 - 1) + 1;
-  const distribution = a2 / (spread * spread * Math.PI);
+  const distribution = facets(Math.min(dot(N, H), 1), a2);
   const visibility = 0.5 / Math.max(NL * lambda(NV, a2) + NV * lambda(NL, a2), 1e-4);
   return { share: Math.min(distribution * visibility, 1e4), F: fresnel(look, dot(V, H)) };
 }
@@ -67,23 +65,45 @@ function fresnel({ F0, F90 }: Look, VH: number): Bands {
 /** Below this a surface mirrors as if it were perfectly smooth. */
 const SMOOTH = 0.05;
 
-/** A direction from which mirrored light comes, and what share of it goes towards V. */
-export interface Mirrored {
-  readonly L: Vec3;
-  readonly share: Bands;
+/** A part of the reflectance, and how its light is looked for. */
+export interface Lobe {
+  /** A direction towards light; the more light of there goes towards V, the more likely. */
+  direction(random: Random): Vec3;
+  /** How densely such directions lie about L [1/sr]; absent where there is only one. */
+  readonly density?: (L: Vec3) => number;
+  /** Of light from L, BRDF · cos over the density. */
+  share(L: Vec3): Bands;
 }
 
-/** Chosen by the facets that are seen from V, so that `share` is F · G₂/G₁ and never great. */
-export function sampleMirrored(look: Look, roughness: number, random: Random): Mirrored {
+export const diffuseLobe = ({ N, diffuse }: Look): Lobe => ({
+  direction: (random) => cosineDirection(N, random),
+  density: (L) => Math.max(dot(N, L), 0) / Math.PI,
+  share: () => diffuse,
+});
+
+/** GGX. Directions are chosen by the facets that are seen from V, so that the share is F · G₂/G₁ and never great. */
+export function mirrorLobe(look: Look, roughness: number): Lobe {
   const { N, V, NV } = look;
-  const H = roughness < SMOOTH ? N : visibleFacet(N, V, roughness * roughness, random);
-  const L = mirrored(scale(V, -1), H);
-  const NL = dot(N, L);
-  if (roughness < SMOOTH) return { L, share: fresnel(look, NV) };
-  if (NL <= 0) return { L, share: neutral(0) };
+  const toward = (H: Vec3): Vec3 => mirrored(scale(V, -1), H);
+  if (roughness < SMOOTH) return { direction: () => toward(N), share: () => fresnel(look, NV) };
   const a2 = roughness ** 4;
-  const [v, l] = [NL * lambda(NV, a2), NV * lambda(NL, a2)];
-  return { L, share: dimmed(fresnel(look, dot(V, H)), (NL * (NV + lambda(NV, a2))) / (v + l)) };
+  const hidden = NV + lambda(NV, a2);
+  const share = (L: Vec3): Bands => {
+    const NL = dot(N, L);
+    if (NL <= 0) return neutral(0);
+    const [v, l] = [NL * lambda(NV, a2), NV * lambda(NL, a2)];
+    return dimmed(fresnel(look, dot(V, normalize(add(L, V)))), (NL * hidden) / (v + l));
+  };
+  const direction = (random: Random): Vec3 => toward(visibleFacet(N, V, roughness * roughness, random));
+  // Who looks from below the normal's horizon sees other facets than the formula has.
+  if (dot(N, V) < NV) return { direction, share };
+  return { direction, share, density: (L) => facets(dot(N, normalize(add(L, V))), a2) / (2 * hidden) };
+}
+
+/** Trowbridge and Reitz's distribution of facets, by the cosine to the normal. */
+function facets(cosine: number, a2: number): number {
+  const spread = cosine * cosine * (a2 - 1) + 1;
+  return cosine > 0 ? a2 / (spread * spread * Math.PI) : 0;
 }
 
 /** Source: Heitz 2018, "Sampling the GGX distribution of visible normals", JCGT 7(4). */

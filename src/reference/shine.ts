@@ -1,12 +1,13 @@
-import { dot, type Vec3 } from '../math/vec3.ts';
+import { dot, scale, type Vec3 } from '../math/vec3.ts';
 import { type Bands, bandsOf } from '../spectrum/bands.ts';
 import { lightFilter } from '../spectrum/lightFilter.ts';
 import { DAYLIGHT, type LightSpectrum, type ThermalSpectrum } from '../spectrum/lightSpectrum.ts';
 import { LUMINANCE } from '../spectrum/observerColor.ts';
+import { glowColor } from '../spectrum/planckian.ts';
 import { neutral } from './filters.ts';
 import type { SurfacePoint } from './surface.ts';
 
-/** What shines: a spectrum of luminance 1 behind a filter; and what a white surface shows of it at rest, linear sRGB. */
+/** What shines: a spectrum of luminance 1 behind a filter; and the linear sRGB that the approximate colours take it for. */
 export interface Shine {
   readonly spectrum: LightSpectrum;
   readonly filter: Bands;
@@ -23,7 +24,12 @@ export const shineOf = (color: Vec3, spectrum: LightSpectrum = DAYLIGHT): Shine 
 /** What a surface shines with by itself: its colour in daylight, or a blackbody of its luminance. */
 export function emissionOf({ emissive: color, temperature }: SurfacePoint): Shine {
   if (temperature === undefined) return shineOf(color);
-  return { spectrum: blackbody(temperature), filter: neutral(dot(LUMINANCE, color)), color };
+  const luminance = dot(LUMINANCE, color);
+  return {
+    spectrum: blackbody(temperature),
+    filter: neutral(luminance),
+    color: scale(glowColor(temperature), luminance),
+  };
 }
 
 /** One for each temperature [K] of a material, for what is found out about spectra is kept with them. */

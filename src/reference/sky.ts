@@ -1,12 +1,14 @@
 import { addScaled, dot, lerp, scale, type Vec3 } from '../math/vec3.ts';
-import { axesOf, DAY, domeOf, SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
+import { DAY, domeOf, SKY_SHAPE, SUN_DISC, upOf } from '../scene/daylight.ts';
+import { domeAxes, placeOnPanorama } from '../scene/panorama.ts';
+import { sampleTexture } from '../scene/sampleTexture.ts';
 import type { DomeLight, Scene } from '../scene/types.ts';
 import { SCATTERED, SCATTERED_COLOR, scatteredShare } from '../spectrum/scatteredLight.ts';
+import { type BrightParts, brightParts } from './brightParts.ts';
 import { neutral } from './filters.ts';
 import { DARK, type Light, plus } from './light.ts';
 import { type Shine, shineOf } from './shine.ts';
 import type { Sight } from './sight.ts';
-import { sampleTexture } from './texture.ts';
 
 /** A distant light: the unit direction in which it travels, how large it is, and what it shines with. */
 export interface Sun {
@@ -21,11 +23,13 @@ export interface Sky {
   light(n: Vec3, sight: Sight): Light;
   /** The discs of distant lights and their glow, which are in the sky for the eye alone: as light they have no size. */
   suns(n: Vec3, sight: Sight): Light;
+  readonly bright?: BrightParts;
 }
 
 export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
-  const { up } = axesOf(scene.upAxis);
+  const up = upOf(scene.upAxis);
   const dome = domeOf(scene);
+  const bright = dome && brightParts(dome);
   const color = dome
     ? domeColor(dome, scene.upAxis)
     : (n: Vec3) => gradient(dot(n, up), DAY.zenith, DAY.horizon, DAY.ground);
@@ -33,6 +37,7 @@ export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
     light: (n, sight) =>
       dome?.spectrum ? sight.shining(shineOf(color(n), dome.spectrum)) : scattering(color(n), sight),
     suns: (n, sight) => suns.reduce((sum, sun) => plus(sum, sight.shining(sun.shine), discAndGlow(n, sun)), DARK),
+    ...(bright && { bright }),
   };
 }
 
@@ -44,9 +49,10 @@ function scattering(color: Vec3, sight: Sight): Light {
   return plus(sight.shining(shineOf(addScaled(color, SCATTERED_COLOR, -share))), sight.shining(blue));
 }
 
-function domeColor({ color, texture }: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
-  if (texture) return domePicture(texture, color, upAxis);
-  const { up } = axesOf(upAxis);
+function domeColor(dome: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
+  const { color, texture } = dome;
+  if (texture) return domePicture(texture, dome);
+  const up = upOf(upAxis);
   return (n) => gradient(dot(n, up), color, color, color);
 }
 
@@ -58,17 +64,12 @@ function gradient(height: number, zenith: Vec3, horizon: Vec3, ground: Vec3): Ve
   return lerp(below, above, smoothstep(-seam, seam, height));
 }
 
-/** A latitude–longitude picture: its top row at the zenith. */
-function domePicture(
-  texture: NonNullable<DomeLight['texture']>,
-  color: Vec3,
-  upAxis: Scene['upAxis'],
-): (n: Vec3) => Vec3 {
-  const { up, ahead, right } = axesOf(upAxis);
+function domePicture(texture: NonNullable<DomeLight['texture']>, dome: DomeLight): (n: Vec3) => Vec3 {
+  const { color } = dome;
+  const [x, y, z] = domeAxes(dome);
   return (n) => {
-    const around = Math.atan2(dot(n, right), dot(n, ahead)) / (2 * Math.PI) + 0.5;
-    const above = 1 - Math.acos(Math.min(Math.max(dot(n, up), -1), 1)) / Math.PI;
-    const [r, g, b] = sampleTexture(texture, around, above);
+    const [u, v] = placeOnPanorama([dot(n, x), dot(n, y), dot(n, z)]);
+    const [r, g, b] = sampleTexture(texture, u, v);
     return [r * color[0], g * color[1], b * color[2]];
   };
 }

@@ -27,6 +27,8 @@ export function starField(scene: TracedScene, request: TileRequest, tile: Tile):
   const stars = starsNear(sky, request, tile);
   const { view, settings } = request;
   const behind = (ray: SpacetimeRay): Vec3 => {
+    // Of what is invisible at rest approximate colours know nothing.
+    if (settings.colors === 'approximate') return ZERO;
     const D = settings.view === 'light-cone' ? observerDoppler(ray.dx, view.u) : 1;
     return scale(cosmicBackground(D, settings), sky.gain);
   };

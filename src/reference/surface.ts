@@ -3,11 +3,11 @@ import { boost, properVelocity } from '../physics/boost.ts';
 import { fourVector, spatial } from '../physics/fourVector.ts';
 import { contraction } from '../physics/simultaneity.ts';
 import { pointAt } from '../scene/polygons.ts';
+import { type Rgba, sampleTexture } from '../scene/sampleTexture.ts';
 import type { Material, NormalTexture, SceneObject, TextureChannel } from '../scene/types.ts';
 import { type Bands, bandsOf } from '../spectrum/bands.ts';
 import { materialOf } from './material.ts';
 import { normalsAt, placesAt } from './places.ts';
-import { type Rgba, sampleTexture } from './texture.ts';
 import type { TracedScene } from './trace.ts';
 import type { Hit } from './types.ts';
 

@@ -1,64 +1,72 @@
 import { clamp, dot, float, If, length, max, min, normalize, reflect, select, sqrt } from 'three/tsl';
-import type { Lamp } from '../scene/types.ts';
+import type { AreaLight } from '../scene/types.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { mirroredLight } from './brdf.ts';
 import type { Receiver } from './lampLight.ts';
 import type { SeenLamp } from './lampSeen.ts';
-import type { LampShape, LampTexels } from './lampTable.ts';
-import { faceOutline, type Outline, outlineIrradiance, tubeOutline } from './outline.ts';
-import { beamed, type Gathering, IRRADIANCE, type Passage, RADIANCE } from './radiance.ts';
+import type { LampShape } from './lampTable.ts';
+import { meanLight, meetingOf, type Sending, shiftFrom } from './meeting.ts';
+import { faceOutline, type Outline, outlineFlux, tubeOutline } from './outline.ts';
 import { frontOf, shaped } from './shaping.ts';
 
 /** A lamp with a size: half axes and radius [m]. */
 interface Shape extends Pick<LampShape, 'X' | 'Y'> {
-  readonly kind: Lamp['kind'];
+  readonly kind: AreaLight['kind'];
   readonly radius: Float;
 }
 
 /**
- * What a surface sends on of the light of a lamp with a size, unhidden. The matt part is exact but for the Doppler factor, which is that of the lamp's
- * middle: the outline that the lamp has in its own frame, every corner aberrated into the surface's. The glossy part has all light come from the
- * point of the lamp that is nearest to the mirrored ray, on a surface that is rougher by the lamp's size.
+ * What a surface sends on of the light of a lamp with a size, unhidden, all in the lamp's own frame, where its outline is one of straight edges.
+ * The matt part is exact in its irradiance, over which D varies: that is a moment of second order of the outline. Its colour is that of the mean D, its
+ * shape that of the mean direction. The glossy part has all light come from the point of the lamp that is nearest to the mirrored ray, with the D of that
+ * point, on a surface that is rougher by the lamp's size.
  * Source: Karis 2013, "Real shading in Unreal Engine 4", SIGGRAPH course notes, "Area lights".
  */
 export function areaLight(
-  { look, rest, uniforms }: Receiver,
-  { kind, radius, color }: LampTexels,
+  { look, rest }: Receiver,
+  { kind, radius }: Pick<Shape, 'kind' | 'radius'>,
   { frame, centre, shape, shining }: SeenLamp,
-  passage: Passage,
-  eye: Gathering,
+  send: Sending,
 ): void {
   if (!shape) return;
   const { N, V } = look;
   const lamp = { kind, radius, X: shape.X, Y: shape.Y };
   const toCentre = normalize(centre).toVar();
   const front = frontOf(shape);
-  const before = kind === 'cylinder' ? dot(centre, centre).greaterThan(0) : dot(centre, front).lessThan(0);
-  const arriving = (corner: Vec3): Vec3 => rest.into(frame.out(normalize(corner)));
-  If(shining ? before.and(shining.greaterThan(0.5)) : before, () => {
-    const share = shaped({ ...shape, front }, toCentre.negate());
-    const matt = outlineIrradiance(seenOutline(outlineOf(lamp, centre), arriving), N);
+  const met = meetingOf(N, rest, frame);
+  const shares = (to: Vec3): Float => shaped({ ...shape, front }, to.negate());
+  If(kind === 'cylinder' ? dot(centre, centre).greaterThan(0) : dot(centre, front).lessThan(0), () => {
+    const { amount, toward } = outlineFlux(seenOutline(outlineOf(lamp, centre)), met.N, toCentre, met.U !== undefined);
+    const { D, irradiance } = meanLight(met, amount, toward);
+    const mean = toward.div(length(toward).max(1e-12)).toVar();
+    const alive = shining?.(mean.mul(distanceAlong(mean, lamp, centre, front)));
+    const matt = look.diffuse.mul(irradiance.mul(shares(mean)).div(Math.PI));
     const ray = frame.into(rest.out(normalize(reflect(V.negate(), N)))).toVar();
-    const toward = arriving(nearestTo(ray, lamp, centre, front)).toVar();
+    const nearest = normalize(nearestTo(ray, lamp, centre, front)).toVar();
     const facing = facingFactor(lamp, centre, toCentre, front).toVar();
     // A mirror shows the lamp's own radiance: so the widening across times that along is Ω/4π.
     const widening = sqrt(facing.div(4 * Math.PI)).toVar();
     const stretch = sqrt(slenderness(lamp, toCentre)).toVar();
-    const glossy = mirroredLight(look, toward, widening.div(stretch), widening.mul(stretch)).mul(facing);
-    // The outline is that of the surface's frame; the facing factor the lamp's own, which D² belongs to.
-    const ofFacing = passage.D ? glossy.mul(beamed(passage.D, IRRADIANCE - RADIANCE, uniforms)) : glossy;
-    const ofOutline = look.diffuse.mul(matt.div(Math.PI));
-    eye.send(color, ofOutline.add(ofFacing).mul(share), passage, RADIANCE);
+    const L = rest.into(frame.out(nearest)).toVar();
+    const glossy = mirroredLight(look, L, widening.div(stretch), widening.mul(stretch)).mul(
+      facing.mul(shares(nearest)),
+    );
+    const shift = shiftFrom(met, nearest);
+    send(
+      { share: alive ? matt.mul(alive) : matt, ...(D && { D }) },
+      { share: alive ? glossy.mul(alive) : glossy, ...(shift && { D: shift }) },
+    );
   });
 }
+
+/** How far away [m] the lamp is in a direction within its outline; of a tube its middle. */
+const distanceAlong = (n: Vec3, { kind }: Shape, centre: Vec3, front: Vec3): Float =>
+  kind === 'cylinder' ? length(centre) : dot(centre, front).div(dot(n, front).min(-1e-6));
 
 const outlineOf = ({ kind, X, Y, radius }: Shape, centre: Vec3): Outline =>
   kind === 'cylinder' ? tubeOutline(centre, X, radius) : faceOutline(kind === 'rect' ? 'rect' : 'disk', centre, X, Y);
 
-const seenOutline = ({ count, corner }: Outline, arriving: (corner: Vec3) => Vec3): Outline => ({
-  count,
-  corner: (k) => arriving(corner(k)),
-});
+const seenOutline = ({ count, corner }: Outline): Outline => ({ count, corner: (k) => normalize(corner(k)) });
 
 /** Length over breadth, as it is seen. */
 function slenderness({ kind, X, Y, radius }: Shape, toCentre: Vec3): Float {

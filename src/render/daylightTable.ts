@@ -1,9 +1,10 @@
-import { int } from 'three/tsl';
-import { lerp, type Vec3 } from '../math/vec3.ts';
+import { int, vec3 } from 'three/tsl';
+import { lerp, type Vec3, ZERO } from '../math/vec3.ts';
 import type { BandColors } from '../shaders/spectrumTable.ts';
 import type * as gpu from '../shaders/types.ts';
 import { WHITE } from '../spectrum/bands.ts';
 import { columnOf, type DopplerTable, fromRatio, ratio, tableColor, tableTexel } from '../spectrum/dopplerTable.ts';
+import { overlaps } from '../spectrum/filterPairs.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { seenColor } from '../spectrum/observerColor.ts';
 import { SCATTERED } from '../spectrum/scatteredLight.ts';
@@ -24,6 +25,9 @@ export interface ScatteredColors {
   readonly ofDaylight: gpu.Vec3;
 }
 
+/** What is seen of two filters' overlaps (spectrum/filterPairs.ts). */
+export type Overlaps = readonly [rg: gpu.Vec3, gb: gpu.Vec3, br: gpu.Vec3];
+
 /** Odd, so that D = 1 is one. From one to the next D changes by 5e-4 at D = 1. */
 const STEPS = 8193;
 
@@ -34,13 +38,15 @@ const STEPS = 8193;
 export class DaylightTable {
   private readonly layers: 3 | 4;
   private readonly table = new FloatTable(1024);
+  /** Those at D = 1; only scenes with coloured lights ask for any. */
+  private overlapsAtRest: readonly Vec3[] | undefined;
 
   constructor(blackbodies: DopplerTable) {
     this.layers = blackbodies.layers;
-    this.table.reserve((this.layers + 2) * STEPS);
-    const scattered = scatteredColors();
+    this.table.reserve((this.layers + 5) * STEPS);
+    const scattered = overShifts((D) => [seenColor(WHITE, WHITE, SCATTERED, 1, D)]);
     for (let i = 0; i < STEPS; i++) {
-      const D = Math.min(Math.max(fromRatio(i / (STEPS - 1)), 1e-4), 1e7);
+      const D = shiftOf(i);
       const T = DAYLIGHT.temperature * D;
       const [row, column] = [rowOf(blackbodies, T), columnOf(blackbodies, D)];
       for (let layer = 0; layer < this.layers; layer++) {
@@ -49,7 +55,7 @@ export class DaylightTable {
         this.table.values.set([r, g, b, gain], 4 * (layer * STEPS + i));
       }
       const white = tableColor(blackbodies, row, column, WHITE);
-      const seen = scattered(D);
+      const [seen] = scattered(D);
       // Channels in which daylight is gone (blue of embers) tell nothing.
       const ofDaylight = seen.map((value, k) => (value * white[k]) / (white[k] ** 2 + 1e-4));
       this.table.values.set([...seen, 0], 4 * (this.layers * STEPS + i));
@@ -70,6 +76,25 @@ export class DaylightTable {
     return { seen: layer(this.layers).xyz, ofDaylight: layer(this.layers + 1).xyz };
   }
 
+  /** What Σ (a_i − a_j)(k_i − k_j) over the pairs of bands rg, gb and br is multiplied with; without D at rest. */
+  overlaps(D?: gpu.Float): Overlaps {
+    const atRest = this.overlapsAtRest ?? this.addOverlaps();
+    const layer = D && this.layersAt(D);
+    const color = (k: number): gpu.Vec3 => layer?.(this.layers + 2 + k).xyz ?? vec3(...atRest[k]);
+    return [color(0), color(1), color(2)];
+  }
+
+  private addOverlaps(): readonly Vec3[] {
+    const found = overShifts((D) => overlaps(DAYLIGHT.temperature * D, D, this.layers));
+    for (let i = 0; i < STEPS; i++)
+      found(shiftOf(i)).forEach((color, k) => {
+        this.table.values.set([...color, 0], 4 * ((this.layers + 2 + k) * STEPS + i));
+      });
+    this.table.upload();
+    this.overlapsAtRest = found(1);
+    return this.overlapsAtRest;
+  }
+
   private layersAt(D: gpu.Float): (layer: number) => gpu.Vec4 {
     const step = int(
       D.div(D.add(1))
@@ -84,17 +109,21 @@ export class DaylightTable {
   }
 }
 
-/** Of how many shifts scattered light is integrated; between them it goes straight, within 2e-3. */
+const shiftOf = (step: number): number => Math.min(Math.max(fromRatio(step / (STEPS - 1)), 1e-4), 1e7);
+
+/** Of how many shifts colours are integrated; between them they go straight, within 2e-3. Odd, so that D = 1 is one. */
 const NODES = 513;
 
-function scatteredColors(): (D: number) => Vec3 {
-  const nodes = Array.from({ length: NODES }, (_, i): Vec3 => {
+function overShifts(colors: (D: number) => readonly Vec3[]): (D: number) => readonly Vec3[] {
+  const nodes = Array.from({ length: NODES }, (_, i) => {
     const D = fromRatio(i / (NODES - 1));
-    return D > 0 && Number.isFinite(D) ? seenColor(WHITE, WHITE, SCATTERED, 1, D) : [0, 0, 0];
+    return D > 0 && Number.isFinite(D) ? colors(D) : undefined;
   });
+  const dark = nodes[1]!.map(() => ZERO);
   return (D) => {
     const place = (NODES - 1) * ratio(D);
     const i = Math.min(Math.floor(place), NODES - 2);
-    return lerp(nodes[i], nodes[i + 1], place - i);
+    const [a, b] = [nodes[i] ?? dark, nodes[i + 1] ?? dark];
+    return a.map((color, k) => lerp(color, b[k], place - i));
   };
 }

@@ -1,6 +1,5 @@
-import { fromHalf } from '../math/half.ts';
+import { linearValues } from '../scene/sampleTexture.ts';
 import type { DomeLight } from '../scene/types.ts';
-import { decodeSrgb } from '../spectrum/srgb.ts';
 
 /** Linear sRGB of all directions: rows from the zenith down, columns once around. 3 numbers a pixel. */
 export interface Panorama {
@@ -40,7 +39,7 @@ const mirrorLobe = (roughness: number) => {
 /** Means over blocks of the picture; one that is smaller repeats its pixels. */
 function reduced(picture: NonNullable<DomeLight['texture']>, width: number, height: number): Panorama {
   const { data } = picture;
-  const linear = linearOf(picture);
+  const linear = linearValues(picture);
   const rgb = new Float32Array(3 * width * height);
   for (let y = 0; y < height; y++) {
     const [top, bottom] = blockOf(y, height, picture.height);
@@ -64,12 +63,6 @@ function reduced(picture: NonNullable<DomeLight['texture']>, width: number, heig
 function blockOf(i: number, to: number, from: number): readonly [number, number] {
   const first = Math.floor((i * from) / to);
   return [first, Math.max(first + 1, Math.floor(((i + 1) * from) / to))];
-}
-
-/** What a byte, or the bits of a half, stands for. */
-function linearOf({ data, colorSpace }: NonNullable<DomeLight['texture']>): Float32Array {
-  if (data instanceof Uint16Array) return Float32Array.from({ length: 2 ** 16 }, (_, bits) => fromHalf(bits));
-  return Float32Array.from({ length: 256 }, (_, byte) => (colorSpace === 'srgb' ? decodeSrgb(byte / 255) : byte / 255));
 }
 
 /** With so many columns, half as often as it takes; rows of the sphere count by their width. */

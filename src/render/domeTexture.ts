@@ -16,8 +16,8 @@ import {
 } from 'three/tsl';
 import { DataTexture, HalfFloatType, LinearFilter, type Node, RGBAFormat, Vector3 } from 'three/webgpu';
 import { toHalf } from '../math/half.ts';
-import { axesOf } from '../scene/daylight.ts';
-import type { DomeLight, Scene } from '../scene/types.ts';
+import { domeAxes } from '../scene/panorama.ts';
+import type { DomeLight } from '../scene/types.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { COARSE, domeMaps, LOBES, type Panorama, placeOf } from './domeMaps.ts';
 import { uploadTexture } from './textures.ts';
@@ -33,14 +33,13 @@ export class DomePicture {
   private readonly axes: readonly Node<'vec3'>[];
 
   /** `tint`: what its colours are multiplied with. */
-  constructor(picture: NonNullable<DomeLight['texture']>, upAxis: Scene['upAxis'], tint: Vec3) {
+  constructor(picture: NonNullable<DomeLight['texture']>, dome: DomeLight, tint: Vec3) {
     this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' });
     const maps = domeMaps(picture);
     this.layers = maps.length;
     this.maps = stacked(maps);
     this.tint = tint;
-    const { up, ahead, right } = axesOf(upAxis);
-    this.axes = [up, ahead, right].map((axis) => uniform(new Vector3(...axis)));
+    this.axes = domeAxes(dome).map((axis) => uniform(new Vector3(...axis)));
   }
 
   /** Radiance from the direction n of the world. */
@@ -72,14 +71,12 @@ export class DomePicture {
     this.maps.dispose();
   }
 
-  /** Of a direction in a latitude–longitude picture: its top row at the zenith, its middle column towards −Z (upAxis Y) or +Y (upAxis Z). */
+  /** Where a direction of the world is (panorama.ts), u to the right and v down. */
   private place(n: Vec3): Vec2 {
-    const [up, ahead, right] = this.axes;
-    const around = atan(dot(n, right), dot(n, ahead))
-      .div(2 * Math.PI)
-      .add(0.5);
-    const down = acos(clamp(dot(n, up), -1, 1)).div(Math.PI);
-    return vec2(around, down);
+    const [x, y, z] = this.axes;
+    const right = float(0.5).sub(atan(dot(n, x), dot(n, z)).div(2 * Math.PI));
+    const down = acos(clamp(dot(n, y), -1, 1)).div(Math.PI);
+    return vec2(right, down);
   }
 
   /** At a level that is told: the seam at ±180° has no derivative. */

@@ -5,9 +5,19 @@ import { DAY, directLights, domeOf, nightSkyOf } from '../scene/daylight.ts';
 import type { DistantLight, NightSky, Scene } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
+import type { ColoredLight } from '../spectrum/filterPairs.ts';
 import { DomePicture } from './domeTexture.ts';
 import { FloatTable } from './floatTable.ts';
-import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
+import {
+  coloredIndex,
+  coloredLights,
+  type ShineColors,
+  type ShineKind,
+  shineColors,
+  shineKind,
+  shineNumbers,
+  sourceOf,
+} from './lampShine.ts';
 import { LampTable } from './lampTable.ts';
 import { LineTable } from './lineTable.ts';
 import { SKY, type Source } from './radiance.ts';
@@ -21,6 +31,8 @@ export interface SunTexels {
   readonly color: gpu.Vec3;
   /** Absent of daylight. */
   readonly source?: Source;
+  /** As a passage's. */
+  readonly colored?: number;
 }
 
 interface KnownSun extends DistantLight {
@@ -28,9 +40,15 @@ interface KnownSun extends DistantLight {
   readonly colors: ShineColors;
 }
 
+/** Distant lights that one piece of code stands for. */
+interface SunGroup {
+  readonly shine: ShineKind;
+  readonly colored: number | undefined;
+  readonly suns: readonly KnownSun[];
+}
+
 /** Texels per distant light: (direction, x), (colour, y), with (x, y) of `shineNumbers`. */
 const SUN_TEXELS = 2;
-const SHINES = ['daylight', 'thermal', 'lines'] as const satisfies readonly ShineKind[];
 /** So many lights are written out one by one: a software GPU goes through the body of a loop once more than it need. */
 const WRITTEN_OUT = 4;
 
@@ -47,8 +65,7 @@ export class Environment {
   readonly picture: DomePicture | undefined;
   readonly lamps: LampTable;
   readonly night: NightSky | undefined;
-  /** Those of a kind of light together. */
-  readonly suns: readonly KnownSun[];
+  private readonly suns: readonly SunGroup[];
   /** What the sky's light is made of. */
   readonly skySource: Source = SKY;
   private readonly skyColors: ShineColors | undefined;
@@ -59,15 +76,15 @@ export class Environment {
     const dome = domeOf(scene);
     this.night = nightSkyOf(scene);
     const direct = directLights(scene);
-    const suns = direct.filter((light) => light.kind === 'distant');
-    this.suns = SHINES.flatMap((kind) => suns.filter((sun) => shineKind(sun) === kind)).map((sun) => ({
-      ...sun,
-      shine: shineNumbers(sun, this.lines),
-      colors: shineColors(sun),
-    }));
-    this.table.reserve(SUN_TEXELS * this.suns.length);
+    const known = coloredLights(scene);
+    this.suns = this.grouped(
+      direct.filter((light) => light.kind === 'distant'),
+      known,
+    );
+    this.table.reserve(SUN_TEXELS * this.suns.reduce((count, { suns }) => count + suns.length, 0));
     this.lamps = new LampTable(
       direct.filter((light) => light.kind !== 'distant'),
+      known,
       this.lines,
     );
     if (dome) {
@@ -75,32 +92,57 @@ export class Environment {
       this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines) ?? SKY;
       this.skyColors = shineColors(dome);
     } else this.setDay();
-    if (dome?.texture) this.picture = new DomePicture(dome.texture, scene.upAxis, this.uniforms.zenithColor.rgb);
+    if (dome?.texture) this.picture = new DomePicture(dome.texture, dome, this.uniforms.zenithColor.rgb);
+  }
+
+  /** In the order in which `eachSun` counts them. */
+  get distantLights(): readonly DistantLight[] {
+    return this.suns.flatMap(({ suns }) => suns);
+  }
+
+  private grouped(suns: readonly DistantLight[], known: readonly ColoredLight[]): readonly SunGroup[] {
+    const alike = new Map<string, DistantLight[]>();
+    for (const sun of suns) {
+      const key = `${shineKind(sun)} ${coloredIndex(sun, known)}`;
+      alike.set(key, [...(alike.get(key) ?? []), sun]);
+    }
+    return [...alike.values()].map((members) => ({
+      shine: shineKind(members[0]),
+      colored: coloredIndex(members[0], known),
+      suns: members.map((sun) => ({ ...sun, shine: shineNumbers(sun, this.lines), colors: shineColors(sun) })),
+    }));
   }
 
   /** `index`: its place among the suns, where that is known before the shader runs. */
   eachSun(visit: (sun: SunTexels, index?: number) => void): void {
-    for (const kind of SHINES) {
-      const start = this.suns.findIndex((sun) => shineKind(sun) === kind);
-      const end = start + this.suns.filter((sun) => shineKind(sun) === kind).length;
-      if (end - start > WRITTEN_OUT)
-        Loop({ start: int(start), end: int(end), type: 'int', condition: '<' }, ({ i }) =>
-          visit(this.sun(int(i), kind)),
+    let start = 0;
+    for (const group of this.suns) {
+      const [begin, end] = [start, start + group.suns.length];
+      if (end - begin > WRITTEN_OUT)
+        Loop({ start: int(begin), end: int(end), type: 'int', condition: '<' }, ({ i }) =>
+          visit(this.sun(int(i), group)),
         );
-      else for (let i = start; i < end; i++) visit(this.sun(int(i), kind), i);
+      else for (let i = begin; i < end; i++) visit(this.sun(int(i), group), i);
+      start = end;
     }
   }
 
-  private sun(index: gpu.Int, kind: ShineKind): SunTexels {
+  private sun(index: gpu.Int, { shine, colored }: SunGroup): SunTexels {
     const at = index.mul(int(SUN_TEXELS));
     const [direction, color] = [0, 1].map((k) => this.table.texel(at.add(int(k))).toVar());
-    const source = sourceOf(kind, [direction.w, color.w], this.lines);
-    return { direction: direction.xyz, color: color.xyz, ...(source && { source }) };
+    const source = sourceOf(shine, [direction.w, color.w], this.lines);
+    return {
+      direction: direction.xyz,
+      color: color.xyz,
+      ...(source && { source }),
+      ...(colored !== undefined && { colored }),
+    };
   }
 
   /** Places are uploaded relative to the observer's event. */
   update(sight: Sight, colors: ColorMode): void {
-    this.suns.forEach((sun, i) => {
+    const suns = this.suns.flatMap((group) => group.suns);
+    suns.forEach((sun, i) => {
       const [x, y] = sun.shine;
       const texels = [...normalize(scale(sun.direction, -1)), x, ...sun.colors[colors], y];
       this.table.values.set(texels, 4 * SUN_TEXELS * i);

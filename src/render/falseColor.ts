@@ -11,10 +11,10 @@ import {
   type FalseColors,
   isLogarithmic,
   LEAST_SHADE,
-  MIDDLE,
   NOTHING,
   stepped,
 } from '../spectrum/falseColor.ts';
+import { MIDDLE } from '../spectrum/spectralBands.ts';
 import { encode } from './display.ts';
 import { FloatTable } from './floatTable.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';

@@ -1,9 +1,11 @@
 import { dot, normalize } from 'three/tsl';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { areaLight } from './areaShade.ts';
+import { ballLight } from './ballShade.ts';
 import { type Look, reflectance } from './brdf.ts';
-import { lampSeen } from './lampSeen.ts';
+import { lampSeen, type SeenLamp } from './lampSeen.ts';
 import type { LampTexels } from './lampTable.ts';
+import type { Part, Sending } from './meeting.ts';
 import { type Gathering, IRRADIANCE } from './radiance.ts';
 import { passageBetween, type Rest } from './restFrame.ts';
 import { frontOf, shaped } from './shaping.ts';
@@ -18,18 +20,35 @@ export interface Receiver {
   readonly uniforms: Uniforms;
 }
 
-/** What a surface sends on of a lamp's light, unhidden. Spheres are points in their middle: E = D² I/d² with d in the lamp's frame. */
+/** What a surface sends on of a lamp's light, unhidden. */
 export function lampLight(receiver: Receiver, lamp: LampTexels, eye: Gathering): void {
-  const { look, dx, time, rest, uniforms } = receiver;
+  const { dx, time, uniforms } = receiver;
   const seen = lampSeen(lamp, dx, time, uniforms);
-  const passage = { ...passageBetween(seen.n, rest, seen.frame), ...(lamp.source && { source: lamp.source }) };
-  if (lamp.kind !== 'sphere') {
-    areaLight(receiver, lamp, seen, passage, eye);
-    return;
-  }
-  const { centre, shape, shining } = seen;
-  const open = shape ? shaped({ ...shape, front: frontOf(shape) }, normalize(centre).negate()) : undefined;
+  const { source, colored } = lamp;
+  const sent = ({ share, D }: Part): void =>
+    eye.send(
+      lamp.color,
+      share,
+      { ...(D && { D }), ...(source && { source }), ...(colored !== undefined && { colored }) },
+      IRRADIANCE,
+    );
+  const send: Sending = (matt, glossy) => {
+    if (!matt.D && !glossy.D) return sent({ share: matt.share.add(glossy.share) });
+    sent(matt);
+    sent(glossy);
+  };
+  if (lamp.kind === 'point') sent(pointLight(receiver, seen));
+  else if (lamp.kind === 'sphere') ballLight(receiver, lamp.radius, seen, send);
+  else areaLight(receiver, { kind: lamp.kind, radius: lamp.radius }, seen, send);
+}
+
+/** E = D² I/d² with d in the lamp's frame. */
+function pointLight({ look, rest }: Receiver, { n, frame, centre, shape, shining }: SeenLamp): Part {
+  const open = shape && shaped({ ...shape, front: frontOf(shape) }, normalize(centre).negate());
   const fall = dot(centre, centre).max(1e-12).reciprocal();
-  const share = [open, shining].reduce<Float>((product, factor) => (factor ? product.mul(factor) : product), fall);
-  eye.send(lamp.color, reflectance(look, rest.into(seen.n)).mul(share), passage, IRRADIANCE);
+  const share = [open, shining?.(centre)].reduce<Float>(
+    (product, factor) => (factor ? product.mul(factor) : product),
+    fall,
+  );
+  return { share: reflectance(look, rest.into(n)).mul(share), ...passageBetween(n, rest, frame) };
 }

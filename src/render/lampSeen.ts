@@ -1,5 +1,5 @@
-import { length, normalize, select } from 'three/tsl';
-import type { Float, Vec3 } from '../shaders/types.ts';
+import { length, normalize, select, vec4 } from 'three/tsl';
+import type { Bool, Float, Vec3 } from '../shaders/types.ts';
 import { lampEvent } from './lampEvent.ts';
 import type { LampShape, LampTexels } from './lampTable.ts';
 import { AT_REST, type Rest, restFrame } from './restFrame.ts';
@@ -16,8 +16,8 @@ export interface SeenLamp {
   readonly centre: Vec3;
   /** Absent of what shines alike to all sides. */
   readonly shape?: LampShape;
-  /** Whether it shines then. */
-  readonly shining?: Float;
+  /** 1 where it shone when what meets the surface left it: its middle, or a place of it [m from the surface, its frame]. */
+  readonly shining?: (place?: Vec3) => Float;
 }
 
 /**
@@ -39,15 +39,35 @@ export function lampSeen(lamp: LampTexels, dx: Vec3, time: Float, uniforms: Unif
         .toVar()
     : offset;
   const { shape, life } = lamp;
-  const when = life && elapsed && life.z.add(elapsed).toVar();
-  const alive = life && when?.greaterThanEqual(life.x).and(when.lessThanEqual(life.y));
   const turned = orientation &&
     shape && { ...shape, X: turn(orientation, shape.X).toVar(), Y: turn(orientation, shape.Y).toVar() };
+  const alive = life && elapsed && { life, exists, middle: life.z.add(elapsed).toVar() };
   return {
     n,
     frame,
     centre,
     ...(shape && { shape: turned ?? shape }),
-    ...(alive && { shining: select(exists ? alive.and(exists) : alive, 1, 0) }),
+    ...(alive && {
+      shining: (place?: Vec3) => shiningAt(alive, place && laterThan(centre, place, frame).mul(uniforms.lightTravels)),
+    }),
   };
+}
+
+interface Alive {
+  readonly life: Vec3;
+  readonly exists: Bool | undefined;
+  /** When the light of its middle was sent out. */
+  readonly middle: Float;
+}
+
+function shiningAt({ life, exists, middle }: Alive, later: Float | undefined): Float {
+  const when = (later ? middle.add(later) : middle).toVar();
+  const alive = when.greaterThanEqual(life.x).and(when.lessThanEqual(life.y));
+  return select(exists ? alive.and(exists) : alive, 1, 0);
+}
+
+/** How much later [m of light, world] light left `place` than it left `centre`, to meet a surface at one event. */
+function laterThan(centre: Vec3, place: Vec3, frame: Rest): Float {
+  const sentOut = (x: Vec3): Float => frame.carriedOut(vec4(x, length(x).negate())).w;
+  return sentOut(place).sub(sentOut(centre));
 }

@@ -3,27 +3,38 @@ import { rotate } from '../math/quat.ts';
 import { length, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { oneMinusSquare } from '../physics/boost.ts';
 import { type PolylineLine, positionAt, samplesUntil, velocityAt, type WorldLine } from '../physics/worldLine.ts';
-import { shownArea } from '../scene/lamps.ts';
 import { originLine, poseAt, samplePose } from '../scene/motion.ts';
 import type { Lamp } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
+import type { ColoredLight } from '../spectrum/filterPairs.ts';
 import { FloatTable } from './floatTable.ts';
 import type { LampPath } from './lampEvent.ts';
-import { type ShineColors, type ShineKind, shineColors, shineKind, shineNumbers, sourceOf } from './lampShine.ts';
+import {
+  coloredIndex,
+  type ShineColors,
+  type ShineKind,
+  shineColors,
+  shineKind,
+  shineNumbers,
+  sourceOf,
+} from './lampShine.ts';
 import type { LineTable } from './lineTable.ts';
 import type { Source } from './radiance.ts';
 import { shapingValues } from './shaping.ts';
 import { meet, type RelativeEvent, rapidityFactor, type Sight } from './sight.ts';
 
+/** A ball without a size is a point. */
+type LampKind = Lamp['kind'] | 'point';
+
 /** A lamp on the GPU, relative to one event of it, its anchor: where the observer sees it, if he does. */
 export interface LampTexels {
-  readonly kind: Lamp['kind'];
+  readonly kind: LampKind;
   readonly path: LampPath;
   /** Observer → anchor [m]. */
   readonly place: gpu.Vec3;
   readonly radius: gpu.Float;
-  /** The filter of its radiance; of a sphere that of its intensity. */
+  /** The filter of its radiance; of a point that of its intensity. */
   readonly color: gpu.Vec3;
   /** Absent of what shines alike to all sides. */
   readonly shape?: LampShape;
@@ -31,6 +42,8 @@ export interface LampTexels {
   readonly life?: gpu.Vec3;
   /** Absent of daylight. */
   readonly source?: Source;
+  /** As a passage's. */
+  readonly colored?: number;
 }
 
 export interface LampShape {
@@ -44,9 +57,10 @@ export interface LampShape {
 
 /** Lamps that one piece of code stands for. */
 interface Group {
-  readonly kind: Lamp['kind'];
+  readonly kind: LampKind;
   readonly motion: Lamp['motion']['kind'];
   readonly shine: ShineKind;
+  readonly colored: number | undefined;
   readonly texels: readonly TexelName[];
   /** Texel of the first. */
   readonly first: number;
@@ -65,7 +79,7 @@ interface KnownLamp {
 /** A line is drawn as a tube of this part of its length. */
 const LINE = 5e-4;
 /** So many are written out one by one: a software GPU goes through the body of a loop once more than it need. */
-const WRITTEN_OUT = { sphere: 4, rect: 1, disk: 1, cylinder: 1 } as const;
+const WRITTEN_OUT = { point: 4, sphere: 2, rect: 1, disk: 1, cylinder: 1 } as const;
 /** Longest table that is searched. */
 const MOST_SAMPLES = 4096;
 
@@ -77,21 +91,27 @@ export class LampTable {
 
   private readonly lines: LineTable;
 
-  constructor(lamps: readonly Lamp[], lines: LineTable) {
+  constructor(lamps: readonly Lamp[], colored: readonly ColoredLight[], lines: LineTable) {
     this.lines = lines;
     const alike = new Map<string, Lamp[]>();
     for (const lamp of lamps) {
-      const key = [lamp.kind, lamp.motion.kind, shineKind(lamp), ...texelsOf(lamp)].join(' ');
+      const key = [
+        kindOf(lamp),
+        lamp.motion.kind,
+        shineKind(lamp),
+        coloredIndex(lamp, colored),
+        ...texelsOf(lamp),
+      ].join(' ');
       alike.set(key, [...(alike.get(key) ?? []), lamp]);
     }
     let first = 0;
     this.groups = [...alike.values()].map((members) => {
-      const [{ kind, motion }] = members;
       const texels = texelsOf(members[0]);
       const group = {
-        kind,
-        motion: motion.kind,
+        kind: kindOf(members[0]),
+        motion: members[0].motion.kind,
         shine: shineKind(members[0]),
+        colored: coloredIndex(members[0], colored),
         texels,
         first,
         lamps: members.map((lamp) => known(lamp, lines)),
@@ -113,7 +133,7 @@ export class LampTable {
     }
   }
 
-  private read({ kind, motion, shine, texels, first }: Group, index: gpu.Int): LampTexels {
+  private read({ kind, motion, shine, colored, texels, first }: Group, index: gpu.Int): LampTexels {
     const at = index.mul(int(texels.length)).add(int(first)).toVar();
     const texel = (name: TexelName): gpu.Vec4 | undefined => {
       const k = texels.indexOf(name);
@@ -131,6 +151,7 @@ export class LampTable {
       ...(X && Y && { shape: { X: X.xyz, Y: Y.xyz, inner: X.w, outer: Y.w, focus: color.w } }),
       ...(life && { life: life.xyz }),
       ...(made && { source: made }),
+      ...(colored !== undefined && { colored }),
     };
   }
 
@@ -192,6 +213,8 @@ function texelsOf(lamp: Lamp): readonly TexelName[] {
   ];
 }
 
+const kindOf = (lamp: Lamp): LampKind => (lamp.kind === 'sphere' && lamp.radius === 0 ? 'point' : lamp.kind);
+
 const known = (lamp: Lamp, lines: LineTable): KnownLamp => ({
   lamp,
   line: originLine(lamp.motion),
@@ -245,11 +268,11 @@ function motionOf(
   return [[...normalize(a, [1, 0, 0]), length(a) / (sight.c * sight.c)], w];
 }
 
-/** Half sizes along X and Y and the radius [m], and what the colour is multiplied with: to be a radiance, or of a sphere an intensity. */
+/** Half sizes along X and Y and the radius [m], and what the colour is multiplied with: to be a radiance, or of a point an intensity. */
 function extents(light: Lamp): { x: number; y: number; radius: number; gain: number } {
   switch (light.kind) {
     case 'sphere':
-      return { x: 1, y: 1, radius: light.radius, gain: shownArea(light) };
+      return { x: 1, y: 1, radius: light.radius, gain: 1 };
     case 'rect':
       return { x: light.width / 2, y: light.height / 2, radius: 0, gain: 1 };
     case 'disk':

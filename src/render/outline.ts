@@ -14,10 +14,12 @@ import {
   mix,
   normalize,
   select,
+  sign,
   sin,
+  vec2,
   vec3,
 } from 'three/tsl';
-import type { Float, Int, Vec3 } from '../shaders/types.ts';
+import type { Float, Int, Vec3, Vec4 } from '../shaders/types.ts';
 
 /** What a lamp covers of the sky above a place: `count` corners, one after the other, relative to that place. */
 export interface Outline {
@@ -68,42 +70,64 @@ export function tubeOutline(centre: Vec3, X: Vec3, radius: Float): Outline {
   };
 }
 
-/**
- * Irradiance on a surface with the unit normal N, over the radiance of all that is within an outline of unit directions: ½ Σ θ (a × b)·N/sin θ
- * over its edges, cut off at the horizon. Source: Lambert 1760, Photometria; Baum et al. 1989, "Improving radiosity solutions", SIGGRAPH, eq. 3.
- */
-export function outlineIrradiance({ count, corner }: Outline, N: Vec3): Float {
-  const sum = float(0).toVar();
-  const [rises, sets] = [vec3(0).toVar(), vec3(0).toVar()];
-  const a = corner(int(count - 1)).toVar();
-  Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => {
-    const b = corner(int(i)).toVar();
-    const [ha, hb] = [dot(a, N).toVar(), dot(b, N).toVar()];
-    const crossing = normalize(mix(a, b, clamp(ha.div(ha.sub(hb)), 0, 1))).toVar();
-    const [up, down] = [ha.greaterThanEqual(0).toVar(), hb.lessThan(0).toVar()];
-    If(up.and(down), () => {
-      sum.addAssign(edge(a, crossing, N));
-      sets.assign(crossing);
-    })
-      .ElseIf(up, () => {
-        sum.addAssign(edge(a, b, N));
-      })
-      .ElseIf(down.not(), () => {
-        sum.addAssign(edge(crossing, b, N));
-        rises.assign(crossing);
-      });
-    a.assign(b);
-  });
-  return sum
-    .add(edge(sets, rises, N))
-    .abs()
-    .mul(0.5);
+/** How much light of radiance 1 comes through an outline to a surface, and from where on average. */
+export interface Flux {
+  /** ∫ N·(n, 1) dΩ: of a surface at rest its irradiance. */
+  readonly amount: Float;
+  /** ∫ n N·(n, 1) dΩ; without `weighted` ∫ n dΩ. */
+  readonly toward: Vec3;
 }
 
-/** θ (a × b)·N/sin θ; 0 where there is no edge. */
-function edge(a: Vec3, b: Vec3, N: Vec3): Float {
-  const turn = cross(a, b).toVar();
-  const sine = length(turn).toVar();
-  const rate = select(sine.greaterThan(1e-4), atan(sine, dot(a, b)).div(sine.max(1e-6)), float(1));
-  return rate.mul(dot(turn, N));
+/**
+ * Of all directions n within an outline of unit directions, cut off where N·(n, 1) < 0. `apex`: unit, about in its middle.
+ * With Γ = a × b of an edge of length θ: ∫ n dΩ = ½ Σ θ Γ/sin θ; ∫ n nᵀ dΩ = ⅓ [Ω + Σ (a + b) Γᵀ/(1 + a·b)]; and Ω by triangles with the apex.
+ * Source: Lambert 1760, Photometria; Arvo 1995, "Applications of irradiance tensors to the simulation of non-Lambertian phenomena", SIGGRAPH, eq. 7;
+ * Van Oosterom and Strackee 1983, "The solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30.
+ */
+export function outlineFlux({ count, corner }: Outline, N: Vec4, apex: Vec3, weighted: boolean): Flux {
+  const [vector, second, angle] = [vec3(0).toVar(), vec3(0).toVar(), vec2(1, 0).toVar()];
+  const along = (a: Vec3, b: Vec3): void => {
+    // Not a × b: of small outlines rounding would leave nothing.
+    const turn = cross(a, b.sub(a)).toVar();
+    const cosine = dot(a, b).toVar();
+    const sine = length(turn).toVar();
+    const rate = select(sine.greaterThan(1e-4), atan(sine, cosine).div(sine.max(1e-6)), float(1));
+    vector.addAssign(turn.mul(rate.mul(0.5)));
+    if (!weighted) return;
+    second.addAssign(turn.mul(dot(N.xyz, a.add(b)).div(cosine.add(1))));
+    const half = vec2(cosine.add(1).add(dot(apex, a.add(b))), dot(apex, turn)).toVar();
+    angle.assign(vec2(angle.x.mul(half.x).sub(angle.y.mul(half.y)), angle.x.mul(half.y).add(angle.y.mul(half.x))));
+  };
+  eachEdge({ count, corner }, N, along);
+  const solidAngle = weighted ? atan(angle.y, angle.x).mul(2).toVar() : float(0);
+  const amount = dot(N.xyz, vector).add(N.w.mul(solidAngle)).toVar();
+  const toward = weighted ? vector.mul(N.w).add(N.xyz.mul(solidAngle).add(second).div(3)) : vector;
+  // Corners may go round either way.
+  const way = sign(amount).toVar();
+  return { amount: amount.mul(way).toVar(), toward: toward.mul(way).toVar() };
+}
+
+/** The edges of what of an outline is above the horizon, N·(n, 1) ≥ 0, with that which the horizon makes. */
+function eachEdge({ count, corner }: Outline, N: Vec4, visit: (a: Vec3, b: Vec3) => void): void {
+  const [rises, sets] = [vec3(0).toVar(), vec3(0).toVar()];
+  const height = (n: Vec3): Float => dot(N.xyz, n).add(N.w);
+  const a = corner(int(count - 1)).toVar();
+  const ha = height(a).toVar();
+  Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => {
+    const b = corner(int(i)).toVar();
+    const hb = height(b).toVar();
+    const [up, down] = [ha.greaterThanEqual(0).toVar(), hb.lessThan(0).toVar()];
+    If(up.or(down.not()), () => {
+      const crossing = normalize(mix(a, b, clamp(ha.div(ha.sub(hb)), 0, 1))).toVar();
+      If(up.and(down), () => {
+        sets.assign(crossing);
+      }).ElseIf(up.not(), () => {
+        rises.assign(crossing);
+      });
+      visit(select(up, a, crossing).toVar(), select(down, crossing, b).toVar());
+    });
+    a.assign(b);
+    ha.assign(hb);
+  });
+  visit(sets, rises);
 }

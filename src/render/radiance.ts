@@ -15,6 +15,8 @@ export interface Passage {
   readonly D?: Float;
   /** Absent of daylight. */
   readonly source?: Source;
+  /** Where a blackbody shines through a filter with a colour: the number of its table (spectrum/filterPairs.ts), or a picture, of which each direction has its own. */
+  readonly colored?: number | 'picture';
 }
 
 /** What light is made of, where that is not daylight. */

@@ -1,5 +1,6 @@
 import { clamp, dot, If, inverseSqrt, vec3 } from 'three/tsl';
 import { aberrate } from '../shaders/aberrate.ts';
+import { boost } from '../shaders/boost.ts';
 import { observerDoppler } from '../shaders/observerDoppler.ts';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { unaberrate } from '../shaders/unaberrate.ts';
@@ -10,11 +11,14 @@ import type { Uniforms } from './uniforms.ts';
 export interface Rest {
   into: (n: Vec3) => Vec3;
   out: (n: Vec3) => Vec3;
+  /** The same of four-vectors (x, ct). */
+  carriedInto: (X: Vec4) => Vec4;
+  carriedOut: (X: Vec4) => Vec4;
   /** ν there/ν in the world of light from `n`; absent of what rests in the world. */
   doppler?: (n: Vec3) => Float;
 }
 
-export const AT_REST: Rest = { into: (n) => n, out: (n) => n };
+export const AT_REST: Rest = { into: (n) => n, out: (n) => n, carriedInto: (X) => X, carriedOut: (X) => X };
 
 /** Of the velocity (v, 1 − v²); of the world in the views that show no light. Most surfaces rest: then nothing is computed. */
 export function restFrame(velocity: Vec4, uniforms: Uniforms): Rest {
@@ -31,6 +35,8 @@ export function restFrame(velocity: Vec4, uniforms: Uniforms): Rest {
   return {
     into: (n) => where(n, () => aberrate(n, u, gamma)),
     out: (n) => where(n, () => unaberrate(n, u, gamma)),
+    carriedInto: (X) => boost(X, u, gamma),
+    carriedOut: (X) => boost(X, u.negate(), gamma),
     doppler: (n) => where(vec3(1), () => vec3(observerDoppler(n, u, gamma))).x,
   };
 }

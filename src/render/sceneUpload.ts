@@ -74,7 +74,7 @@ export class SceneUpload {
     const { bodies, drawables, points } = this;
     const detail = DETAILS[options.shadowDetail ?? 'fine'];
     const occluders = { bodies, drawables: [...drawables], materials: scene.materials, points, detail };
-    this.shadows = new ShadowMaps(occluders, this.environment.suns, gpu);
+    this.shadows = new ShadowMaps(occluders, this.environment.distantLights, gpu);
     this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), options);
   }
 

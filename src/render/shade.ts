@@ -38,8 +38,12 @@ export const shade = (
     const albedo = eye.filter(surface.color.rgb, surface.invisible).toVar();
     const look = lookOf(albedo, surface, N, V);
     const { dx, time } = surface;
-    environment.eachSun(({ direction, color, source }, index) => {
-      const passage = { ...passageBetween(direction, rest, AT_REST), ...(source && { source }) };
+    environment.eachSun(({ direction, color, source, colored }, index) => {
+      const passage = {
+        ...passageBetween(direction, rest, AT_REST),
+        ...(source && { source }),
+        ...(colored !== undefined && { colored }),
+      };
       const share = shadows?.share(index, { dx, time, normal: N, velocity: surface.velocity });
       eye.send(share ? color.mul(share) : color, reflectance(look, rest.into(direction)), passage, IRRADIANCE);
     });
@@ -58,7 +62,7 @@ function skyReflection(look: Look, rest: Rest, environment: Environment, uniform
   const sharp = (n: Vec3) => skyMirrored(environment, n, zenith, look.roughness);
   const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: Filter): void => {
     const n = rest.out(nPrime);
-    const passage = { ...passageBetween(n, rest, AT_REST), source: environment.skySource };
+    const passage = { ...passageBetween(n, rest, AT_REST), source: environment.skySource, colored: 'picture' } as const;
     eye.send(radiance(n), share, passage, RADIANCE);
   };
   reflected(N, soft, look.diffuse);

@@ -1,11 +1,19 @@
 import { abs, clamp, dot, exp2, float, If, log2, max, select, vec3, vec4 } from 'three/tsl';
+import { type ColoredTables, coloredColors } from '../shaders/coloredTable.ts';
 import { lineColor, type ObserverTable } from '../shaders/lineColor.ts';
-import { filteredColor, luminanceOf, type SpectrumTable, thermalColors } from '../shaders/spectrumTable.ts';
+import {
+  type BandColors,
+  filteredColor,
+  luminanceOf,
+  type SpectrumTable,
+  thermalColors,
+} from '../shaders/spectrumTable.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { ENDS } from '../spectrum/bands.ts';
+import { SHIFT_LIMIT } from '../spectrum/dopplerTable.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { SCATTERED_COLOR, SCATTERED_PART } from '../spectrum/scatteredLight.ts';
-import type { DaylightTable } from './daylightTable.ts';
+import type { DaylightTable, Overlaps } from './daylightTable.ts';
 import { type Filter, type LineSource, NO_SHIFT, type Optics, RADIANCE, type ThermalSource } from './radiance.ts';
 
 /** Shifts that colours follow: beyond the first all is dark, beyond the second they change no more. */
@@ -15,6 +23,8 @@ export interface SpectralTables {
   readonly blackbodies: SpectrumTable;
   /** The same for light that was daylight at rest, where light and filter are shifted together. */
   readonly daylight: DaylightTable;
+  /** Of lights that have a colour. */
+  readonly colored: () => ColoredTables;
   readonly observer: ObserverTable;
 }
 
@@ -26,13 +36,14 @@ interface Shift {
 }
 
 /**
- * Colours by spectra, from the table of blackbodies. Daylight that met a resting surface is summed in bands, and turned into what is seen of it once.
- * Light that came shifted is turned by itself: it is a blackbody of T·D_in·D_out seen through two filters, the surface's shifted by D_out and its own by both.
- * Their product is taken channel by channel of what is seen, relative to the bare blackbody: exact where either is neutral (docs/adr/0010-spectra.md).
- * Light of lines is turned line by line, exactly; of that of a sky the scattered part has a table of its own. The table has four layers where some surface tells of its ultraviolet or infrared; `glowing`: some shines by its temperature.
+ * Colours by spectra, from the table of blackbodies. Daylight that met a resting surface is summed in bands, and turned into what is seen of it once; of coloured
+ * lights the overlaps of the bands are summed, too, for two filters are no filter. Light that came shifted is turned by itself: it is a blackbody of T·D_in·D_out, seen through
+ * the surface's filter shifted by D_out; coloured lights have tables of their own. Light of lines is turned line by line.
+ * The light of a sky, of which each direction has its own colour, is taken channel by channel of what is seen, relative to bare daylight (docs/adr/0010-spectra.md).
+ * The table has four layers where some surface tells of its ultraviolet or infrared; `glowing`: some shines by its temperature.
  */
 export const spectral =
-  ({ blackbodies, daylight: ofDay, observer }: SpectralTables, glowing: boolean): Optics =>
+  ({ blackbodies, daylight: ofDay, colored: coloredTables, observer }: SpectralTables, glowing: boolean): Optics =>
   (D, uniforms) => {
     const own = blackbodies.layers === 4;
     const shiftOf = (D: Float): Shift => {
@@ -45,7 +56,8 @@ export const spectral =
     /** What is scattered, as surfaces send it, and as the sky itself is seen. */
     const scattered = vec4(0).toVar();
     const blue = float(0).toVar();
-    const turned = vec3(0).toVar();
+    const sum = vec3(0).toVar();
+    const overlapping = overlaps();
     const ofColor = (rgb: Vec3, shift: Float): Filter =>
       own ? vec4(rgb, dot(rgb, select(shift.lessThan(1), vec3(...ENDS.uv), vec3(...ENDS.ir)))) : vec4(rgb, 0);
 
@@ -61,13 +73,35 @@ export const spectral =
       return { rest: light.sub(vec3(...SCATTERED_COLOR).mul(share)).toVar(), scattered: share };
     };
 
-    const shifted = (
-      light: Vec3,
-      share: Filter,
-      shift: Float,
-      from: ThermalSource | undefined,
-      ofSky?: Float,
-    ): Vec3 => {
+    /** Of a blackbody behind a filter with a colour of its own, that came shifted. */
+    const filteredTwice = (light: number, k: Vec3, share: Filter, shift: Float, from?: ThermalSource): Vec3 => {
+      const whole = clamp(out.mixed.mul(shift), ...SHIFTS).toVar();
+      const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
+      const [seen, H] = [vec3(0).toVar(), float(0).toVar()];
+      const add = (colors: BandColors, level: Float): void => {
+        seen.assign(filteredColor(colors, share).mul(level));
+        H.assign(colors.H);
+      };
+      If(whole.greaterThan(1 / SHIFT_LIMIT).and(whole.lessThan(SHIFT_LIMIT)), () => {
+        add(coloredColors(coloredTables(), light, whole, out.mixed), max(k.x, max(k.y, k.z)));
+      }).Else(() => {
+        // Beyond, all that is seen of its own filter is one of its ends.
+        const end = select(whole.lessThan(1), dot(k, vec3(...ENDS.uv)), dot(k, vec3(...ENDS.ir)));
+        add(thermalColors(blackbodies, T, out.mixed), end);
+      });
+      return seen.mul(gain(H, T, from?.luminance ?? float(1), whole));
+    };
+
+    /** Of neutral light that came shifted. */
+    const neutral = (level: Float, share: Filter, shift: Float, from: ThermalSource | undefined): Vec3 => {
+      const whole = clamp(out.mixed.mul(shift), ...SHIFTS).toVar();
+      const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
+      const colors = thermalColors(blackbodies, T, out.mixed);
+      return filteredColor(colors, share).mul(gain(colors.H, T, from?.luminance ?? float(1), whole).mul(level));
+    };
+
+    /** Of light of any colour that came shifted: `blue` of it is scattered. */
+    const pictured = (light: Vec3, share: Filter, shift: Float, from?: ThermalSource, scattered?: Float): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFTS).toVar();
       const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
       const surface = thermalColors(blackbodies, T, out.mixed);
@@ -81,7 +115,7 @@ export const spectral =
       const passed = clamp(through.mul(bare).div(bare.mul(bare).add(1e-9)), 0, most);
       const arrived = passed.mul(source.gain);
       return filteredColor(surface, share).mul(
-        ofSky ? arrived.add(ofDay.scattered(whole).ofDaylight.mul(ofSky)) : arrived,
+        scattered ? arrived.add(ofDay.scattered(whole).ofDaylight.mul(scattered)) : arrived,
       );
     };
 
@@ -98,28 +132,37 @@ export const spectral =
     return {
       filter: (rgb, invisible) =>
         own && invisible ? vec4(rgb, select(D.lessThan(1), invisible.x, invisible.y)) : ofColor(rgb, D),
-      send: (light, share, { D, source }, power) => {
+      send: (light, share, { D, source, colored }, power) => {
         const shift = D && shiftOf(D);
         if (source && 'each' in source) {
           const seen = lines(source, share.mul(vec4(light, light.y)), shift?.mixed);
-          turned.addAssign(shift ? seen.mul(shift.brightness(power)) : seen);
+          sum.addAssign(shift ? seen.mul(shift.brightness(power)) : seen);
           return;
         }
         const thermal = source && 'temperature' in source ? source : undefined;
         const sky = source && 'scatters' in source ? parts(light) : undefined;
         const [k, f] = [(sky?.rest ?? light).toVar(), share.toVar()];
         const send = () => {
-          const sent = f.mul(ofColor(k, out.mixed));
-          if (thermal) turned.addAssign(unshifted(sent, thermal));
-          else daylight.addAssign(sent);
+          daylight.addAssign(f.mul(ofColor(k, out.mixed)));
           if (sky) scattered.addAssign(f.mul(sky.scattered));
+          if (typeof colored === 'number') overlapping.add(f.xyz.sub(f.yzx).mul(k.sub(k.yzx)));
         };
-        if (!D || !shift) return send();
-        const turn = () => {
-          turned.addAssign(shifted(k, f, shift.mixed, thermal, sky?.scattered).mul(shift.brightness(power)));
+        const turned = (shift: Float): Vec3 => {
+          if (typeof colored === 'number') return filteredTwice(colored, k, f, shift, thermal);
+          return colored ? pictured(k, f, shift, thermal, sky?.scattered) : neutral(k.x, f, shift, thermal);
         };
-        if (thermal) turn();
-        else If(abs(D.sub(1)).greaterThan(NO_SHIFT), turn).Else(send);
+        if (thermal && !shift)
+          sum.addAssign(
+            typeof colored === 'number' ? turned(float(1)) : unshifted(f.mul(ofColor(k, out.mixed)), thermal),
+          );
+        else if (!D || !shift) send();
+        else {
+          const turn = () => {
+            sum.addAssign(turned(shift.mixed).mul(shift.brightness(power)));
+          };
+          if (thermal) turn();
+          else If(abs(D.sub(1)).greaterThan(NO_SHIFT), turn).Else(send);
+        }
       },
       emit: (light, source) => {
         if (!source) daylight.addAssign(ofColor(light, out.mixed));
@@ -127,32 +170,35 @@ export const spectral =
           const sky = parts(light);
           daylight.addAssign(ofColor(sky.rest, out.mixed));
           blue.addAssign(sky.scattered);
-        } else if ('each' in source) turned.addAssign(lines(source, vec4(light, light.y), undefined));
-        else turned.addAssign(unshifted(ofColor(light, out.mixed), source));
+        } else if ('each' in source) sum.addAssign(lines(source, vec4(light, light.y), undefined));
+        else sum.addAssign(unshifted(ofColor(light, out.mixed), source));
       },
       glow: ({ luminance, heat }) => {
         if (!glowing) return;
         If(luminance.greaterThan(0), () => {
           const temperature = exp2(heat).mul(DAYLIGHT.temperature).toVar();
           const atRest = luminanceOf(thermalColors(blackbodies, temperature, float(1)).H, temperature);
-          turned.addAssign(unshifted(ofColor(vec3(luminance), out.mixed), { temperature, luminance: atRest }));
+          sum.addAssign(unshifted(ofColor(vec3(luminance), out.mixed), { temperature, luminance: atRest }));
         });
       },
       radiate: (T, radiance) => {
         const seenAt = out.mixed.mul(T).toVar();
         const colors = thermalColors(blackbodies, seenAt, float(1));
         const brightness = gain(colors.H, seenAt, float(1), out.mixed);
-        turned.addAssign(filteredColor(colors, vec4(1)).mul(brightness).mul(radiance));
+        sum.addAssign(filteredColor(colors, vec4(1)).mul(brightness).mul(radiance));
       },
       seen: () => {
         const color = daylight.xyz.add(scattered.xyz.add(blue).mul(vec3(...SCATTERED_COLOR))).toVar();
+        if (overlapping.any) color.subAssign(overlapping.through(ofDay.overlaps()));
         If(abs(D.sub(1)).greaterThan(NO_SHIFT), () => {
           const { colors, gain } = ofDay.at(out.mixed);
           const sky = ofDay.scattered(out.mixed);
           const sent = filteredColor(colors, scattered).mul(sky.ofDaylight).add(sky.seen.mul(blue));
-          color.assign(filteredColor(colors, daylight).mul(gain).add(sent));
+          const banded = filteredColor(colors, daylight).toVar();
+          if (overlapping.any) banded.subAssign(overlapping.through(ofDay.overlaps(out.mixed)));
+          color.assign(banded.mul(gain).add(sent));
         });
-        return color.add(turned).mul(out.brightness(RADIANCE));
+        return color.add(sum).mul(out.brightness(RADIANCE));
       },
     };
   };
@@ -162,3 +208,25 @@ const gain = (H: Float, T: Float, atRest: Float, D: Float): Float => {
   const square = D.mul(D).toVar();
   return luminanceOf(H, T).div(square.mul(square).mul(atRest));
 };
+
+/** What coloured lights and coloured surfaces make together beyond the products of their bands: Σ (a_i − a_j)(k_i − k_j) of rg, gb and br. */
+interface Overlapping {
+  readonly any: boolean;
+  add(shares: Vec3): void;
+  through(colors: Overlaps): Vec3;
+}
+
+function overlaps(): Overlapping {
+  const sum = vec3(0).toVar();
+  let any = false;
+  return {
+    get any() {
+      return any;
+    },
+    add: (shares) => {
+      any = true;
+      sum.addAssign(shares);
+    },
+    through: ([rg, gb, br]) => rg.mul(sum.x).add(gb.mul(sum.y)).add(br.mul(sum.z)),
+  };
+}

@@ -1,15 +1,17 @@
-import { abs, If, vec3, vec4 } from 'three/tsl';
+import { abs, exp2, If, vec3, vec4 } from 'three/tsl';
 import { dopplerTint } from '../shaders/dopplerTint.ts';
+import { glowColor } from '../shaders/glowColor.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
+import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { beamed, NO_SHIFT, type Optics, RADIANCE } from './radiance.ts';
 import type { Uniforms } from './uniforms.ts';
 
 /** Light that meets a shift by D, with its D^power of brightness. */
 type Shifted = (rgb: Vec3, D: Float, power: number, uniforms: Uniforms) => Vec3;
 
-/** Light is linear sRGB everywhere, and filters are multiplied channel by channel. */
+/** Light is linear sRGB everywhere, and filters are multiplied channel by channel. `glowing`: something shines by its temperature. */
 const inSrgb =
-  (shifted: Shifted): Optics =>
+  (shifted: Shifted, glowing: boolean): Optics =>
   (D, uniforms) => {
     const sum = vec3(0).toVar();
     return {
@@ -20,8 +22,8 @@ const inSrgb =
       emit: (light) => {
         sum.addAssign(light);
       },
-      glow: ({ luminance }) => {
-        sum.addAssign(luminance);
+      glow: ({ luminance, heat }) => {
+        if (glowing) sum.addAssign(glowColor(exp2(heat).mul(DAYLIGHT.temperature)).mul(luminance));
       },
       // Of what is invisible at rest it knows nothing.
       radiate: () => {},
@@ -30,14 +32,15 @@ const inSrgb =
   };
 
 /** No light is shifted. */
-export const plain: Optics = inSrgb((rgb) => rgb);
+export const plain = (glowing: boolean): Optics => inSrgb((rgb) => rgb, glowing);
 
 /** The approximate colours: a shift is a tint (spectrum/dopplerTint.ts). Colour and brightness follow D by the settings' shares. */
-export const tinted: Optics = inSrgb((rgb, D, power, uniforms) => {
-  const light = rgb.toVar();
-  const factor = D.toVar();
-  If(abs(factor.sub(1)).greaterThan(NO_SHIFT), () => {
-    light.assign(dopplerTint(light, factor, uniforms.dopplerMix).mul(beamed(factor, power, uniforms)));
-  });
-  return light;
-});
+export const tinted = (glowing: boolean): Optics =>
+  inSrgb((rgb, D, power, uniforms) => {
+    const light = rgb.toVar();
+    const factor = D.toVar();
+    If(abs(factor.sub(1)).greaterThan(NO_SHIFT), () => {
+      light.assign(dopplerTint(light, factor, uniforms.dopplerMix).mul(beamed(factor, power, uniforms)));
+    });
+    return light;
+  }, glowing);

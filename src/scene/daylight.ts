@@ -57,8 +57,5 @@ function defaultSun(upAxis: Scene['upAxis']): DistantLight {
   return { kind: 'distant', path: '', direction: normalize(direction), color: DAY.sun };
 }
 
-/** Axes of a world: up, where a dome's picture has its middle column, and the side its columns run to. */
-export const axesOf = (upAxis: Scene['upAxis']): { readonly up: Vec3; readonly ahead: Vec3; readonly right: Vec3 } =>
-  upAxis === 'Y'
-    ? { up: [0, 1, 0], ahead: [0, 0, -1], right: [1, 0, 0] }
-    : { up: [0, 0, 1], ahead: [0, 1, 0], right: [1, 0, 0] };
+/** Towards the zenith. */
+export const upOf = (upAxis: Scene['upAxis']): Vec3 => (upAxis === 'Y' ? [0, 1, 0] : [0, 0, 1]);

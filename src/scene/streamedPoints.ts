@@ -1,4 +1,4 @@
-import type { Mat4 } from '../math/mat4.ts';
+import { type Mat4, multiply } from '../math/mat4.ts';
 import { gatherPoints } from './geometry.ts';
 import { deformedNormals } from './normals.ts';
 import { readSample, type StoredSample } from './storedNumbers.ts';
@@ -133,6 +133,30 @@ export const streamedPoints = (points: StreamedPoints, k: number): Float32Array 
 
 /** As `makeNormals`, kept for a while. */
 export const streamedNormals = (points: StreamedPoints, k: number): Float32Array => made.get(points, k, makeNormals);
+
+/** All samples turned and enlarged alike, by a matrix that does not shear. A box is that of the box that is turned. */
+export function carriedStream(points: StreamedPoints, linear: Mat4): StreamedPoints {
+  const { samples, facts } = points;
+  const s = Math.hypot(linear[0], linear[4], linear[8]);
+  const boxes = new Float64Array(facts.boxes.length);
+  for (let k = 0; k < samples.length; k++) boxes.set(carriedBox(facts.boxes.subarray(6 * k, 6 * k + 6), linear), 6 * k);
+  const [radii, ways] = [facts.radii.map((r) => s * r), facts.ways.map((way) => s * way)];
+  return {
+    ...points,
+    samples: samples.map((sample) => ({ ...sample, matrix: multiply(linear, sample.matrix) })),
+    facts: { ...facts, boxes, radii, ways },
+  };
+}
+
+/** Least and greatest corner of a box that has been turned. */
+function carriedBox(box: Float64Array, m: Mat4): number[] {
+  const rows = [0, 1, 2].map((row) =>
+    [0, 1, 2].map((k) => [m[4 * row + k] * box[k], m[4 * row + k] * box[3 + k]] as const),
+  );
+  const ends = (pick: (a: number, b: number) => number) =>
+    rows.map((row) => row.reduce((sum, [a, b]) => sum + pick(a, b), 0));
+  return [...ends(Math.min), ...ends(Math.max)];
+}
 
 /** Carried along: the samples of `order`, each moved by its own shift [m], three numbers each. */
 export function shiftedPoints(

@@ -302,7 +302,10 @@ export interface DomeLight {
   readonly color: Vec3;
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
+  /** Of all directions, by latitude and longitude (panorama.ts); without one they are all alike. */
   readonly texture?: Texture | RadiancePicture;
+  /** The picture's axes → world axes; the same where absent. */
+  readonly orientation?: Quat;
 }
 /** The fixed stars before the cosmic background. They are seen; on things they shine too faintly to tell. */
 export interface NightSky {

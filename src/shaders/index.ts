@@ -1,11 +1,15 @@
 export { aberrate } from './aberrate.ts';
 export { apparentPosition } from './apparentPosition.ts';
+export { boost } from './boost.ts';
+export { type ColoredTables, coloredColors } from './coloredTable.ts';
+export { coloredTexture } from './coloredTexture.ts';
 export { cubicEmission } from './cubicEmission.ts';
 export { cubicPlace } from './cubicPlace.ts';
 export { cubicSlice } from './cubicSlice.ts';
 export { dopplerFactor } from './dopplerFactor.ts';
 export { dopplerTint } from './dopplerTint.ts';
 export { emitterDoppler } from './emitterDoppler.ts';
+export { glowColor } from './glowColor.ts';
 export { hyperbolicEmission } from './hyperbolicEmission.ts';
 export { hyperbolicPlace } from './hyperbolicPlace.ts';
 export { hyperbolicSlice } from './hyperbolicSlice.ts';

@@ -24,7 +24,8 @@ export interface BandColors {
   readonly H: Float;
 }
 
-const FARTHEST = SHIFT_LIMIT / (1 + SHIFT_LIMIT) - 0.5;
+/** Half of what D/(1 + D) spans. */
+export const FARTHEST = SHIFT_LIMIT / (1 + SHIFT_LIMIT) - 0.5;
 
 /** The colours of the bands of a filter that is seen shifted by D, of a blackbody that is seen at T [K]: `tableTexel` at `rowOf` and `columnOf`. */
 export function thermalColors({ texture: data, layers, columns, rows }: SpectrumTable, T: Float, D: Float): BandColors {

@@ -34,10 +34,11 @@ export const fromRatio = (s: number): number => s / (1 - s);
 const FARTHEST = ratio(SHIFT_LIMIT) - 0.5;
 
 /** Column of a shift D_out, 0…columns − 1 in the middles of texels: linear in D/(1 + D); the middle one is D = 1. */
-export const columnOf = ({ columns }: DopplerTable, Dout: number): number =>
+export const columnOf = ({ columns }: Pick<DopplerTable, 'columns'>, Dout: number): number =>
   (columns - 1) * Math.min(Math.max(0.5 + (ratio(Dout) - 0.5) / (2 * FARTHEST), 0), 1);
 
-const shiftAt = (column: number, columns: number): number =>
+/** The shift of a column. */
+export const shiftAt = (column: number, columns: number): number =>
   fromRatio(0.5 + ((2 * column) / (columns - 1) - 1) * FARTHEST);
 
 /** A row of a table: light as radiance [1/m] at each of `WAVELENGTHS`, and its H. */
@@ -69,7 +70,7 @@ interface SeenLight {
 }
 
 /** Linear sRGB of light of radiance 1 at each nanometre, channel by channel. */
-const OBSERVER = [0, 1, 2].map(
+export const OBSERVER = [0, 1, 2].map(
   (k) => new Float64Array(WAVELENGTHS.map((wavelength) => toLinearSrgb(colorMatching(wavelength))[k] * NANOMETRE)),
 );
 

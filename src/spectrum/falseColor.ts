@@ -1,4 +1,5 @@
 import { type Color, coolWarm, magma, viridis } from './colorMaps.ts';
+import { bandColor, MIDDLE } from './spectralBands.ts';
 
 /**
  * What colours can stand for instead of light. `doppler`: D, of the surface or of the sky behind it; `emission-time`: how long before the
@@ -24,23 +25,6 @@ interface Kind {
   /** At a share 0 … 1 of the way between the ends. */
   readonly color: (part: number, scale: Scale) => Color;
 }
-
-/** Of the middle of the visible [m]: light that is seen at it was emitted at 550 nm · D. */
-export const MIDDLE = 550e-9;
-/** The wavelength that is seen as the middle of the visible [m]. */
-export const emittedWavelength = (D: number): number => MIDDLE * D;
-/** The visible [m]. */
-const VISIBLE = [380e-9, 780e-9] as const;
-
-/** Parts of the spectrum, each from its shortest wavelength on [m], with the colour that tells it. */
-export const BANDS = [
-  { name: 'far-ultraviolet', from: 0, color: [96, 24, 150] },
-  { name: 'near-ultraviolet', from: 200e-9, color: [167, 108, 255] },
-  { name: 'visible', from: VISIBLE[0], color: [236, 240, 236] },
-  { name: 'near-infrared', from: VISIBLE[1], color: [255, 150, 70] },
-  { name: 'thermal-infrared', from: 3e-6, color: [196, 32, 48] },
-] as const satisfies readonly { name: string; from: number; color: Color }[];
-export type BandName = (typeof BANDS)[number]['name'];
 
 /** Where a pixel has no such value. */
 export const NOTHING: Color = [44, 47, 52];
@@ -77,25 +61,6 @@ export const colorAt = (kind: FalseColor, part: number, scale: Scale): Color => 
 /** The colour of a value; not a number: that there is nothing. */
 export const falseColor = ({ kind, ...scale }: FalseColors, value: number): Color =>
   Number.isNaN(value) ? NOTHING : colorAt(kind, partOf(kind, value, scale), scale);
-
-/** The band of a wavelength [m]. */
-export const bandOf = (wavelength: number): BandName =>
-  BANDS.findLast(({ from }) => wavelength >= from)?.name ?? 'far-ultraviolet';
-
-/**
- * The visible shows what was emitted from 380 nm · D to 780 nm · D: the colours of the bands that this window lies in, each with its share of
- * ln λ.
- */
-function bandColor(D: number): Color {
-  const [low, high] = VISIBLE.map((end) => Math.log(end * D)) as [number, number];
-  const sum: [number, number, number] = [0, 0, 0];
-  BANDS.forEach(({ from, color }, i) => {
-    const end = BANDS[i + 1]?.from ?? Number.POSITIVE_INFINITY;
-    const share = Math.max(0, Math.min(high, Math.log(end)) - Math.max(low, Math.log(from))) / (high - low);
-    for (let k = 0; k < 3; k++) sum[k]! += share * color[k]!;
-  });
-  return [Math.round(sum[0]), Math.round(sum[1]), Math.round(sum[2])];
-}
 
 /** How much of a tint is left in the dark: what a band's colour is laid over can be recognised, and the dark still tells its band. */
 export const LEAST_SHADE = 0.35;

@@ -1,4 +1,5 @@
-import { BANDS, type FalseColor, type Scale } from './falseColor.ts';
+import type { FalseColor, Scale } from './falseColor.ts';
+import { BANDS } from './spectralBands.ts';
 
 /** What a false-colour picture would show, at places spread over it; not a number where there is nothing. */
 type Values = ArrayLike<number>;

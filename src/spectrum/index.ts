@@ -18,6 +18,7 @@ export {
 export { MATERIAL_PRESETS, type MaterialPreset } from './materialPresets.ts';
 export { LUMINANCE, NORMALISER, seenColor, toLinearSrgb, whiteOf } from './observerColor.ts';
 export { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
+export { blackbodyColor, glowColor } from './planckian.ts';
 export { P3_TO_XYZ, SRGB_TO_P3, SRGB_TO_XYZ, XYZ_TO_P3, XYZ_TO_SRGB } from './rgbSpaces.ts';
 export {
   type BlackbodyCurve,

@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
-import { whiteOf } from './observerColor.ts';
-import { blackbodyColor } from './planckian.ts';
+import { dot } from '../math/vec3.ts';
+import { LUMINANCE, whiteOf } from './observerColor.ts';
+import { blackbodyColor, glowColor } from './planckian.ts';
 
 /** UsdLux.BlackbodyTemperatureAsRgb of usd-core 26.11. */
 const USD: readonly (readonly [T: number, r: number, g: number, b: number])[] = [
@@ -36,4 +37,11 @@ test('beside its own daylight it is the colour of Planck’s law', () => {
       expect(Math.abs(value / day[k] - white[k])).toBeLessThan(0.02 * Math.max(...white));
     });
   }
+});
+
+test('the glow of approximate colours is the same with daylight white, as bright as any', () => {
+  for (const temperature of [700, 1900, 4000, 6504, 10_000]) {
+    expect(dot(LUMINANCE, glowColor(temperature))).toBeCloseTo(1, 12);
+  }
+  glowColor(6504).forEach((value) => void expect(value).toBeCloseTo(1, 12));
 });

@@ -59,7 +59,7 @@ export const LUMINANCE_THETA = SECOND_RADIATION / 600e-9;
 const LARGEST_H = 60_000;
 
 /** H(T) = Y(T)/Y(6504 K) · (e^{θ/T} − 1)/(e^{θ/6504 K} − 1): of order 1 above 400 K, with the finite limit of Rayleigh–Jeans' law. */
-function luminanceShape(T: number): number {
+export function luminanceShape(T: number): number {
   return Math.exp(Math.min(logShape(T) - DAYLIGHT_LOG_SHAPE, Math.log(LARGEST_H)));
 }
 

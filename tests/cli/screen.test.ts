@@ -83,6 +83,17 @@ describe('false colours', () => {
     expect(off / a.data.length).toBeLessThan(0.01);
   });
 
+  test('are told in the file beside who looked', async () => {
+    const flags = [...still, '--beta', '0,0,-0.5', '--false-colour', 'doppler', '--false-range', '0.5:2'];
+    await render('told.png', ...flags, '--pipeline', 'reference');
+    const { text } = pictureOf('told.png');
+    expect(text).toMatchObject({ falseColors: 'doppler from 0.5 to 2', worldTime: '1 s', view: 'light-cone' });
+    expect(Number.parseFloat(text!.observerSpeed!)).toBeCloseTo(0.5, 12);
+    const { speedOfLight, ...rest } = text!;
+    expect(speedOfLight).toMatch(/^[\d.]+ m\/s$/);
+    expect(Object.values(rest).join(' '), 'no paths').not.toContain('/');
+  });
+
   test('of any range', async () => {
     const flags = [...still, '--false-colour', 'emission-time', '--false-range', '-0.5:0', '--pipeline', 'reference'];
     expect((await render('time.png', ...flags)).falseColours).toEqual({ kind: 'emission-time', from: -0.5, to: 0 });

@@ -268,6 +268,35 @@ const lights: Group = {
       ],
       (s) => expect(s.lights).toMatchObject([{ kind: 'dome', texture: { width: 1, data: HALVES } }]),
     ),
+    read(
+      'how a `DomeLight` is turned, the `poleAxis` of a `DomeLight_1`; a mirror ball or light probe by `texture:format`',
+      'where UsdLux puts it',
+      {
+        ...usd(
+          'def DomeLight_1 "B" { uniform token poleAxis = "Z"\nasset inputs:texture:file = @a.exr@\ntoken inputs:texture:format = "angular" }',
+        ),
+        'a.exr': EXR,
+      },
+      (s) =>
+        expect(s.lights).toMatchObject([
+          {
+            texture: { width: 2, height: 1 },
+            orientation: [expect.closeTo(Math.SQRT1_2), 0, 0, expect.closeTo(Math.SQRT1_2)],
+          },
+        ]),
+    ),
+    leftOut(
+      'a `texture:format` of `cubeMapVerticalCross`',
+      'named; the dome shines in its colour',
+      'usd.light-input',
+      {
+        ...usd(
+          'def DomeLight "B" { asset inputs:texture:file = @a.exr@\ntoken inputs:texture:format = "cubeMapVerticalCross" }',
+        ),
+        'a.exr': EXR,
+      },
+      (s) => expect(s.lights).toEqual([{ kind: 'dome', path: '/B', color: [1, 1, 1] }]),
+    ),
     leftOut(
       'such a picture that is damaged, too large, or of another kind (PIZ, DWA, tiles …)',
       'named with what it is',

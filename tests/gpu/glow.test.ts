@@ -2,7 +2,7 @@ import '../../src/cli/node-shim.ts';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { pumpFrame } from '../../src/cli/node-shim.ts';
 import { IDENTITY } from '../../src/math/quat.ts';
-import { addScaled, type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { addScaled, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
 import { cameraRay } from '../../src/reference/camera.ts';
 import { radiance } from '../../src/reference/path.ts';
@@ -11,6 +11,8 @@ import { makeMaterial } from '../../src/scene/defaults.ts';
 import { plane } from '../../src/scene/primitives.ts';
 import type { Material } from '../../src/scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view.ts';
+import { dopplerTint } from '../../src/spectrum/dopplerTint.ts';
+import { blackbodyColor } from '../../src/spectrum/planckian.ts';
 import { DIRECT, dome, lit } from '../support/lightKit.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
 
@@ -26,7 +28,12 @@ afterAll(() => headless?.close());
 const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
 
 /** The middle pixel of a picture of a wall under an even dome, by the rasterizer and by the reference. */
-async function colors(material: Partial<Material>, sky: Vec3, beta: number): Promise<readonly [Vec3, Vec3]> {
+async function colors(
+  material: Partial<Material>,
+  sky: Vec3,
+  beta: number,
+  settings = SETTINGS,
+): Promise<readonly [Vec3, Vec3]> {
   const wall = { mesh: plane(40, 40), material: makeMaterial({ name: 'wall', ior: 1, roughness: 1, ...material }) };
   const scene = lit([wall], [dome(sky)]);
   await headless.renderer.setScene(scene.scene);
@@ -38,16 +45,16 @@ async function colors(material: Partial<Material>, sky: Vec3, beta: number): Pro
     fovY: 0.1,
   };
   pumpFrame();
-  headless.renderer.render(view, SETTINGS, 1);
+  headless.renderer.render(view, settings, 1);
   const drawn = await headless.renderer.readAov('beauty');
   const at = 3 * (4 * SIZE + 4);
-  const ray = cameraRay(view, SETTINGS, 4.5, 4.5, SIZE, SIZE);
+  const ray = cameraRay(view, settings, 4.5, 4.5, SIZE, SIZE);
   const numbers = pixelSequence(1, 4, 4);
   let expected = ZERO;
   for (let i = 0; i < SAMPLES; i++)
     expected = addScaled(
       expected,
-      radiance(scene, ray, view, SETTINGS, { ...DIRECT, bounces: 1 }, numbers(i)),
+      radiance(scene, ray, view, settings, { ...DIRECT, bounces: 1 }, numbers(i)),
       1 / SAMPLES,
     );
   return [[drawn[at], drawn[at + 1], drawn[at + 2]], expected];
@@ -63,6 +70,19 @@ it.each([-0.6, 0, 0.6])('what glows at 1,800 K is seen as a blackbody of another
   for (const k of [0, 1, 2]) expect(Math.abs(drawn[k] - expected[k]) / most).toBeLessThan(0.02);
   // Red at rest: little of its light is blue.
   if (beta === 0) expect(drawn[2]).toBeLessThan(0.2 * drawn[0]);
+});
+
+it.each([-0.2, 0, 0.6])('with approximate colours it has the colour of 1,800 K, tinted, at %s c', async (beta) => {
+  const glow = { baseColor: ZERO, emissive: [2, 2, 2], emissionTemperature: 1800 } as const;
+  const [drawn, expected] = await colors(glow, ZERO, beta, { ...SETTINGS, colors: 'approximate' });
+  const most = Math.max(...expected);
+  for (const k of [0, 1, 2]) expect(Math.abs(drawn[k] - expected[k]) / most).toBeLessThan(0.01);
+  const ofT = scale(blackbodyColor(1800), 2);
+  const D = Math.sqrt((1 + beta) / (1 - beta));
+  // The wall is met head on, so the shift is that of the observer alone.
+  dopplerTint(ofT, D, 1).forEach((value, k) => {
+    expect(Math.abs(value * D ** 4 - drawn[k]) / most).toBeLessThan(0.06);
+  });
 });
 
 it.each([

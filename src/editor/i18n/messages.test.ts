@@ -18,7 +18,7 @@ describe('the catalogue of messages', () => {
 
   it('has no text that nobody shows', () => {
     const sources = Object.values(
-      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/messages.ts'], {
+      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,nodeMessages}.ts'], {
         query: '?raw',
         import: 'default',
         eager: true,
@@ -26,7 +26,7 @@ describe('the catalogue of messages', () => {
     ).join('\n');
     // Keys that are put together: `lock.${lock}.help`.
     const composed =
-      /^(lock|loading|header)\.(free|look|fly|fetch|parse|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^band\./;
+      /^(lock|loading|header)\.(free|look|fly|fetch|parse|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^(band|preset|light)\./;
     const unused = Object.keys(messages).filter((key) => !sources.includes(`'${key}'`) && !composed.test(key));
     expect(unused).toEqual([]);
   });

@@ -1,5 +1,8 @@
+import { nodeMessages } from './nodeMessages.ts';
+
 /** Every text of the page, in English and Chinese; `{{name}}` is filled in. One catalogue, so that neither can lack a key. */
 export const messages = {
+  ...nodeMessages,
   'app.title': ['Slowlight', 'Slowlight 慢光'],
   'app.skip': ['Skip to the picture', '跳到画面'],
 
@@ -182,10 +185,11 @@ export const messages = {
   'falseColor.emissionTime': ['Time', '时间'],
   'falseColor.radiance': ['Light', '亮度'],
   'falseColor.band': ['Band', '波段'],
+  'legend.show': ['Legend', '图例'],
   'legend.doppler': ['Doppler factor D', '多普勒因子 D'],
   'legend.emission-time': ['Happened, from now', '发生时间（相对现在）'],
   'legend.radiance': ['Luminance before exposure', '曝光前的亮度'],
-  'legend.band': ['What is seen at 550 nm was emitted at [µm]', '550 nm 处所见光的发射波长 [µm]'],
+  'legend.band': ['What is seen at 550 nm was emitted at [nm]', '550 nm 处所见光的发射波长 [nm]'],
   'legend.range': ['Colours from {{from}} to {{to}}', '颜色范围：{{from}} 至 {{to}}'],
   'legend.crosshair': ['Value at the crosshair', '十字线处的数值'],
   'legend.point': ['Point at the picture, or press P', '指向画面，或按 P 键'],

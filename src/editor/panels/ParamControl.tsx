@@ -49,6 +49,7 @@ export function ParamControl(props: ParamProps): ReactNode {
       return (
         <VectorControl spec={spec} value={vectorOf(spec, props.value)} onChange={(value) => props.onChange(value)} />
       );
+    case 'color':
     case 'list':
       return null;
   }

@@ -1,5 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { FalseColors } from '../../spectrum/falseColor.ts';
+import { loadPreferences, savePreferences } from './preferences.ts';
 
 /** A place of the picture, 0 … 1 from its left and from its top. */
 export type Place = readonly [x: number, y: number];
@@ -20,9 +21,11 @@ export interface LegendState {
   /** The value in the middle is told, whatever is pointed at: for those without a pointer, and to read while flying. */
   readonly crosshair: boolean;
   readonly reading?: Reading;
+  /** Whether it lies over the picture, and so is in saved ones. */
+  readonly shown: boolean;
 }
 
-export const legend = createStore<LegendState>(() => ({ crosshair: false }));
+export const legend = createStore<LegendState>(() => ({ crosshair: false, shown: true }));
 
 /** Says what the colours of the picture mean now. */
 export function showColors(colors: FalseColors | undefined): void {
@@ -32,8 +35,16 @@ export function showColors(colors: FalseColors | undefined): void {
 }
 
 export const pointAt = (pointer: Place | undefined): void => legend.setState({ pointer });
-export const toggleCrosshair = (): void => legend.setState(({ crosshair }) => ({ crosshair: !crosshair }));
+/** Where the legend is hidden it comes with the crosshair, whose value it tells. */
+export const toggleCrosshair = (): void =>
+  legend.setState(({ crosshair, shown }) => ({ crosshair: !crosshair || !shown, shown: true }));
+
+/** Kept for the next visit. */
+export function showLegend(shown: boolean): void {
+  legend.setState({ shown, ...(!shown && { crosshair: false }) });
+  savePreferences({ ...loadPreferences(), legend: shown });
+}
 
 /** Where a value is to be read; undefined: nowhere. */
-export const placeToRead = ({ colors, pointer, crosshair }: LegendState): Place | undefined =>
-  colors && (crosshair ? [0.5, 0.5] : pointer);
+export const placeToRead = ({ colors, pointer, crosshair, shown }: LegendState): Place | undefined =>
+  colors && shown ? (crosshair ? [0.5, 0.5] : pointer) : undefined;

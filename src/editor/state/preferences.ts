@@ -4,6 +4,8 @@ import { type Language, preferredLanguage } from '../i18n/i18n.ts';
 export interface Preferences {
   readonly language: Language;
   readonly captions: boolean;
+  /** Of false colours. */
+  readonly legend: boolean;
 }
 
 const KEY = 'slowlight.preferences';
@@ -13,7 +15,7 @@ export function loadPreferences(): Preferences {
   const kept = readKept();
   const language =
     kept.language === 'en' || kept.language === 'zh' ? kept.language : preferredLanguage(navigator.languages);
-  return { language, captions: kept.captions !== false };
+  return { language, captions: kept.captions !== false, legend: kept.legend !== false };
 }
 
 export function savePreferences(preferences: Preferences): void {

@@ -1,77 +1,101 @@
-import { ActionIcon, Text, Tooltip } from '@mantine/core';
-import { IconCrosshair } from '@tabler/icons-react';
+import { ActionIcon, Text, Tooltip, UnstyledButton } from '@mantine/core';
+import { IconCrosshair, IconX } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
-import { BANDS, bandOf, colorRow, type FalseColor, type FalseColors, partOf } from '../../spectrum/falseColor.ts';
-import { ticksOf } from '../../spectrum/falseScale.ts';
-import { formatLength, formatNumber } from '../format.ts';
-import { type Translate, useTexts } from '../i18n/i18n.ts';
+import type { FalseColor, FalseColors } from '../../spectrum/falseColor.ts';
+import { useTexts } from '../i18n/i18n.ts';
 import { useLegend } from '../state/context.tsx';
-import { type Reading, toggleCrosshair } from '../state/legend.ts';
-
-/** Colours of the bar: enough that nobody sees steps. */
-const STOPS = 33;
+import { showLegend, toggleCrosshair } from '../state/legend.ts';
+import { type LegendWords, legendWords, readingPart, readingWords } from './legendWords.ts';
 
 /** What false colours mean, and the value that is pointed at. */
 export function Legend(): ReactNode {
   const { t } = useTexts();
   const colors = useLegend((state) => state.colors);
   const crosshair = useLegend((state) => state.crosshair);
+  const shown = useLegend((state) => state.shown);
   if (!colors) return null;
+  if (!shown)
+    return (
+      <UnstyledButton className="sl-legend sl-legend-closed" onClick={() => showLegend(true)}>
+        <Text size="xs">{t('legend.show')}</Text>
+      </UnstyledButton>
+    );
+  const words = legendWords(colors, t);
   return (
     <>
       {crosshair && <div className="sl-crosshair" aria-hidden />}
       <figure className="sl-legend" data-legend={colors.kind}>
         <figcaption className="sl-legend-title">
-          <Text size="xs" fw={600}>
-            {t(`legend.${colors.kind}`)}
+          <Text size="xs" fw={600} mr="auto">
+            {words.title}
           </Text>
-          <Tooltip label={`${t('legend.crosshair')} (P)`} openDelay={400}>
-            <ActionIcon
-              size="sm"
-              variant={crosshair ? 'light' : 'subtle'}
-              color={crosshair ? undefined : 'gray'}
-              aria-label={t('legend.crosshair')}
-              aria-pressed={crosshair}
-              onClick={toggleCrosshair}
-            >
-              <IconCrosshair size={15} />
-            </ActionIcon>
-          </Tooltip>
+          <CrosshairButton pressed={crosshair} />
+          <ActionIcon
+            size="sm"
+            variant="subtle"
+            color="gray"
+            aria-label={t('viewport.hide')}
+            onClick={() => showLegend(false)}
+          >
+            <IconX size={14} />
+          </ActionIcon>
         </figcaption>
-        <Bar colors={colors} />
+        <Bar colors={colors} words={words} />
         <Value kind={colors.kind} spoken={crosshair} />
       </figure>
     </>
   );
 }
 
-/** The colours from end to end, what they mean under them, and a mark at the value that is pointed at. */
-function Bar({ colors: { kind, ...scale } }: { readonly colors: FalseColors }): ReactNode {
+function CrosshairButton({ pressed }: { readonly pressed: boolean }): ReactNode {
   const { t } = useTexts();
-  const value = useLegend((state) => state.reading?.value);
-  const percent = (of: number) => `${100 * Math.min(1, Math.max(0, partOf(kind, of, scale)))}%`;
-  const stops = colorRow(kind, scale, STOPS).map((rgb) => `rgb(${rgb.join(' ')})`);
-  const range = { from: valueText(kind, scale.from), to: valueText(kind, scale.to) };
+  return (
+    <Tooltip label={`${t('legend.crosshair')} (P)`} openDelay={400}>
+      <ActionIcon
+        size="sm"
+        variant={pressed ? 'light' : 'subtle'}
+        color={pressed ? undefined : 'gray'}
+        aria-label={t('legend.crosshair')}
+        aria-pressed={pressed}
+        onClick={toggleCrosshair}
+      >
+        <IconCrosshair size={15} />
+      </ActionIcon>
+    </Tooltip>
+  );
+}
+
+/** The colours from end to end, what they mean under them, and a mark at the value that is pointed at. */
+function Bar({ colors, words }: { readonly colors: FalseColors; readonly words: LegendWords }): ReactNode {
+  const reading = useLegend((state) => state.reading);
+  const mark = reading && readingPart(colors, reading);
   return (
     <>
       <div
         className="sl-legend-bar"
         role="img"
-        aria-label={t('legend.range', range)}
-        style={{ background: `linear-gradient(to right, ${stops.join(', ')})` }}
+        aria-label={words.range}
+        style={{ background: `linear-gradient(to right, ${words.stops.join(', ')})` }}
       >
-        {value !== undefined && !Number.isNaN(value) && (
-          <span className="sl-legend-mark" style={{ left: percent(value) }} />
-        )}
+        {mark !== undefined && <span className="sl-legend-mark" style={{ left: `${100 * mark}%` }} />}
       </div>
       <div className="sl-legend-ticks" aria-hidden>
-        {ticksOf(kind, scale).map((tick) => (
-          <span key={tick} className={endClass(partOf(kind, tick, scale))} style={{ left: percent(tick) }}>
-            {shortText(kind, tick)}
+        {words.ticks.map(({ part, text }) => (
+          <span key={part} className={endClass(part)} style={{ left: `${100 * part}%` }}>
+            {text}
           </span>
         ))}
       </div>
-      {kind === 'band' && <BandNames />}
+      {words.bands.length > 0 && (
+        <ul className="sl-legend-bands">
+          {words.bands.map(({ name, color }) => (
+            <li key={name}>
+              <span className="sl-legend-swatch" style={{ background: color }} />
+              {name}
+            </li>
+          ))}
+        </ul>
+      )}
     </>
   );
 }
@@ -79,31 +103,18 @@ function Bar({ colors: { kind, ...scale } }: { readonly colors: FalseColors }): 
 /** Numbers at the ends stay inside. */
 const endClass = (part: number): string | undefined => (part < 0.02 ? 'sl-first' : part > 0.98 ? 'sl-last' : undefined);
 
-function BandNames(): ReactNode {
-  const { t } = useTexts();
-  return (
-    <ul className="sl-legend-bands">
-      {BANDS.map(({ name, color }) => (
-        <li key={name}>
-          <span className="sl-legend-swatch" style={{ background: `rgb(${color.join(' ')})` }} />
-          {t(`band.${name}`)}
-        </li>
-      ))}
-    </ul>
-  );
-}
-
 /** `spoken`: changes are told by screen readers; what the pointer passes is not. */
 function Value({ kind, spoken }: { readonly kind: FalseColor; readonly spoken: boolean }): ReactNode {
   const { t } = useTexts();
   const reading = useLegend((state) => state.reading);
+  const words = reading && readingWords(kind, reading, t);
   return (
     <Text component="output" size="xs" className="sl-legend-value" aria-live={spoken ? 'polite' : 'off'} data-reading>
-      {reading ? (
+      {words ? (
         <>
-          <b className="sl-figure">{readingText(kind, reading, t)}</b>
+          <b className="sl-figure">{words.value}</b>
           <span className="sl-legend-path">
-            <bdi>{reading.path ?? t('legend.sky')}</bdi>
+            <bdi>{words.of}</bdi>
           </span>
         </>
       ) : (
@@ -111,23 +122,4 @@ function Value({ kind, spoken }: { readonly kind: FalseColor; readonly spoken: b
       )}
     </Text>
   );
-}
-
-function readingText(kind: FalseColor, { value }: Reading, t: Translate): string {
-  if (Number.isNaN(value)) return t('legend.nothing');
-  return kind === 'band' ? `${valueText(kind, value)} · ${t(`band.${bandOf(value)}`)}` : valueText(kind, value);
-}
-
-/** With its unit. */
-function valueText(kind: FalseColor, value: number): string {
-  if (kind === 'doppler') return `D = ${formatNumber(value)}`;
-  if (kind === 'emission-time') return `${formatNumber(value)} s`;
-  return kind === 'band' ? formatLength(value) : formatNumber(value);
-}
-
-/** Beside the bar there is little room. */
-function shortText(kind: FalseColor, value: number): string {
-  const text = formatNumber(kind === 'band' ? value * 1e6 : value, 2);
-  const short = text.includes('.') ? text.replace(/\.?0+$/, '') : text;
-  return kind === 'emission-time' ? `${short} s` : short;
 }

@@ -2,7 +2,8 @@ import { skyDoppler } from '../../reference/falseColor.ts';
 import type { PickResult } from '../../render/settings.ts';
 import { luminanceOf } from '../../scene/gauge.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
-import { emittedWavelength, type FalseColor } from '../../spectrum/falseColor.ts';
+import type { FalseColor } from '../../spectrum/falseColor.ts';
+import { emittedWavelength } from '../../spectrum/spectralBands.ts';
 import { legend, type Place, placeToRead, type Reading } from '../state/legend.ts';
 
 /** Between two readings [ms]. */

@@ -23,6 +23,11 @@ interface Shown {
   readonly settings: RenderSettings;
 }
 
+/** A picture to be kept: its pixels as it was shown, and of what. */
+export interface Captured extends Shown {
+  readonly image: ImageData;
+}
+
 /** One canvas with its renderer, from start to loss: draws a frame wherever something has changed. */
 export class Stage {
   readonly #studio: Studio;
@@ -88,15 +93,15 @@ export class Stage {
     this.#renderer.dispose();
   }
 
-  /** The picture as it is now, as a PNG file. */
-  async capture(): Promise<Blob> {
+  /** The picture as it is now, with all its pixels; undefined where there is none. */
+  async capture(): Promise<Captured | undefined> {
     this.#scale = 1;
     this.#resize();
+    if (!this.#shown) return undefined;
+    const shown = this.#shown;
     const { width, height } = this.#renderer;
     const pixels = new Uint8ClampedArray(await this.#renderer.readPixels());
-    const canvas = new OffscreenCanvas(width, height);
-    canvas.getContext('2d')?.putImageData(new ImageData(pixels, width, height), 0, 0);
-    return canvas.convertToBlob({ type: 'image/png' });
+    return { ...shown, image: new ImageData(pixels, width, height) };
   }
 
   #resize(): void {

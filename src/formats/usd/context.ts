@@ -109,3 +109,7 @@ export function metadataText(metadata: ReadonlyMap<string, MetadataValue>, key: 
 /** Whether an attribute says `true` at the stage's start. */
 export const isTrue = (context: StageContext, prim: PrimSpec, name: string): boolean =>
   boolAt(prim, name, context.startCode) === true;
+
+/** The layer's up axis; USD's own fallback is Y. */
+export const upAxisOf = (context: Pick<StageContext, 'layer'>): 'Y' | 'Z' =>
+  metadataText(context.layer.metadata, 'upAxis') === 'Z' ? 'Z' : 'Y';

@@ -4,8 +4,9 @@ import { normalize } from '../../math/vec3.ts';
 import { luminanceOf } from '../../scene/gauge.ts';
 import { EQUATORIAL } from '../../scene/stars/equatorial.ts';
 import type { DistantLight, Light, NightSky } from '../../scene/types.ts';
-import { attributeOf, sampleTimes, textAt, textOf, valueAt } from './attributes.ts';
+import { sampleTimes, textAt } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
+import { domePicture } from './domes.ts';
 import type { Frame } from './frame.ts';
 import { isLamp, lampOf } from './lamps.ts';
 import type { PrimSpec, PropertySpec } from './layer.ts';
@@ -38,9 +39,7 @@ export async function lightOf(
   }
   if (textAt(prim, 'slowlight:sky', undefined) === 'stars') return nightSkyOf(context, prim, frame);
   const dome = { kind: 'dome', path, color: brightnessOf(context, prim), ...spectrumOf(context, prim) } as const;
-  const file = valueAt(attributeOf(prim, 'inputs:texture:file'), context.startCode);
-  const texture = textOf(file) ? await textures.sky(file, prim) : undefined;
-  return texture ? { ...dome, texture } : dome;
+  return { ...dome, ...(await domePicture(context, textures, prim, frame)) };
 }
 
 /** Diameter of a distant light's disc, which a file has in degrees, where it is written. */

@@ -8,12 +8,12 @@ import { AssetFiles } from './compose/assets.ts';
 import { LayerStore } from './compose/layerStore.ts';
 import type { VariantChoice } from './compose/session.ts';
 import { type ComposedStage, composeStage } from './compose/stage.ts';
-import { metadataNumber, report, type StageContext } from './context.ts';
+import { metadataNumber, report, type StageContext, upAxisOf } from './context.ts';
 import type { Layer } from './layer.ts';
 import { readLayer } from './readLayer.ts';
 import { SampleBudget } from './sampleBudget.ts';
 import { hintsOf } from './slowlight.ts';
-import { readStage, type StageContents, upAxisOf } from './stage.ts';
+import { readStage, type StageContents } from './stage.ts';
 
 /** Distance between a resampled path and the true one, as a fraction of the object's greatest size, where none is asked for. */
 export const CHORD_TOLERANCE = 1e-4;

@@ -5,7 +5,7 @@ import { attributeOf, sampleTimes, type TimeCode, textAt } from './attributes.ts
 import { cameraOf } from './cameras.ts';
 import { parentOf } from './compose/paths.ts';
 import { isActive } from './compose/stage.ts';
-import { ancestorsOf, metadataText, report, type StageContext } from './context.ts';
+import { ancestorsOf, report, type StageContext } from './context.ts';
 import { noteUnreadValues, UNREAD_TYPES } from './coverage.ts';
 import { childFrame, type Frame, frameOf, nestedFrame, ROOT_FRAME } from './frame.ts';
 import { implicitShape, isImplicit } from './gprims.ts';
@@ -280,7 +280,3 @@ const holdsFrames = ({ children }: PrimSpec): boolean =>
 
 /** What stands for something else, or helps those who edit, is not looked at. */
 const isDrawn = (purpose: string): boolean => purpose !== 'proxy' && purpose !== 'guide';
-
-/** The layer's up axis; USD's own fallback is Y. */
-export const upAxisOf = (context: Pick<StageContext, 'layer'>): 'Y' | 'Z' =>
-  metadataText(context.layer.metadata, 'upAxis') === 'Z' ? 'Z' : 'Y';

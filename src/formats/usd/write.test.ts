@@ -145,7 +145,13 @@ const scene: Scene = {
       radius: 0,
       color: [1, 2, 3],
     },
-    { kind: 'dome', path: '/Lights/Sky', color: [0.5, 0.5, 1], texture: texture('sky.png', 255, 5) },
+    {
+      kind: 'dome',
+      path: '/Lights/Sky',
+      color: [0.5, 0.5, 1],
+      texture: texture('sky.png', 255, 5),
+      orientation: pose.orientation,
+    },
   ],
   cameras: [
     { path: '/Cameras/Main', motion: { kind: 'static', pose }, fovY: 0.8 },

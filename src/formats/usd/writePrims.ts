@@ -1,8 +1,9 @@
-import { conjugate, multiply, shortestTurn } from '../../math/quat.ts';
+import { conjugate, IDENTITY, multiply, shortestTurn } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { normalsAt, pointsAt } from '../../scene/points.ts';
 import { EQUATORIAL } from '../../scene/stars/equatorial.ts';
 import type {
+  DomeLight,
   Lamp,
   Light,
   LightShaping,
@@ -218,9 +219,14 @@ export function lightContent(light: Light, placement: Placement, file: string | 
       ],
     };
   }
-  const texture = file ? [`asset inputs:texture:file = @${file}@`] : [];
-  return { type: 'DomeLight', properties: [...color, ...texture] };
+  return { type: 'DomeLight', properties: [...color, ...(file ? domeLines(light, file, placement) : [])] };
 }
+
+const domeLines = ({ orientation = IDENTITY }: DomeLight, file: string, placement: Placement): Lines => [
+  `asset inputs:texture:file = @${file}@`,
+  'token inputs:texture:format = "latlong"',
+  ...poseLines({ position: [0, 0, 0], orientation }, placement),
+];
 
 function nightSkyContent({ gain, orientation }: NightSky, placement: Placement): PrimContent {
   const turn = multiply(orientation, conjugate(EQUATORIAL));

@@ -48,7 +48,7 @@ const errorBar = (width: number, size: number, { title, max }: Legend): Canvas =
   legendBar(width, size, {
     title,
     color: magma,
-    labels: ticks(width - 8 * size, size, max).map((part) => ({ part, text: number(part * max) })),
+    rows: [ticks(width - 8 * size, size, max).map((part) => ({ part, text: number(part * max) }))],
   });
 
 const PARTS = [0, 0.25, 0.5, 0.75, 1];

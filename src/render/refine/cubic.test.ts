@@ -11,8 +11,9 @@ import type { View } from '../../scene/view.ts';
 import { makeBatches } from '../batches.ts';
 import { makeBody } from '../bodies.ts';
 import type { Surface } from '../sight.ts';
-import { Clusters, DeformingLumps } from './clusters.ts';
+import { Clusters } from './clusters.ts';
 import { DeformingCubic } from './cubic.ts';
+import { DeformingLumps } from './deformingLumps.ts';
 
 const C = 10;
 const mesh = grid(3, 3, 2, 2);

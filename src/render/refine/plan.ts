@@ -1,6 +1,7 @@
 import type { MovingBody } from '../bodies.ts';
-import { Clusters, DeformingLumps, lumpsOf, type Run, together } from './clusters.ts';
+import { Clusters, lumpsOf, type Run, together } from './clusters.ts';
 import { Coarse } from './coarse.ts';
+import { DeformingLumps } from './deformingLumps.ts';
 import { Fine } from './fine.ts';
 import { LEAF_FLOATS, LeafList, WEARER_AT } from './leaf.ts';
 import { type Gauge, gaugeOf, type Look } from './look.ts';

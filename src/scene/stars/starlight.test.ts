@@ -4,7 +4,8 @@ import { WHITE } from '../../spectrum/bands.ts';
 import { seenColor } from '../../spectrum/observerColor.ts';
 import { starlight } from './starlight.ts';
 
-const FULL = { dopplerMix: 1, beaming: 1 };
+const FULL = { colors: 'spectral', dopplerMix: 1, beaming: 1 } as const;
+const TINTED = { ...FULL, colors: 'approximate' } as const;
 const temperature = fc.double({ min: 1500, max: 40_000, noNaN: true });
 const shift = fc.double({ min: 1 / 8, max: 8, noNaN: true });
 const luminance = ([r, g, b]: readonly number[]): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
@@ -26,10 +27,25 @@ describe('starlight', () => {
   test('is the star’s own at rest, and wherever its motion is not to be seen', () => {
     for (const T of [3000, 5800, 20_000]) {
       expect(luminance(starlight(T, 1, FULL))).toBeCloseTo(1, 1);
-      starlight(T, 7, { dopplerMix: 0, beaming: 0 }).forEach((value, k) => {
+      starlight(T, 7, { ...FULL, dopplerMix: 0, beaming: 0 }).forEach((value, k) => {
         expect(value).toBeCloseTo(starlight(T, 1, FULL)[k], 9);
       });
     }
+  });
+
+  test('approximate colours have the star’s own colour at rest, and the tint’s after a shift', () => {
+    for (const T of [3000, 5800, 9000]) {
+      const [exact, tinted] = [starlight(T, 1, FULL), starlight(T, 1, TINTED)];
+      // Both are of luminance 1; spectra's white has the CIE's own curve, the tint's a fit.
+      tinted.forEach((value, k) => {
+        expect(Math.abs(value - exact[k])).toBeLessThan(0.03 * Math.max(...exact));
+      });
+    }
+    // Daylight's own shift is what the tint is made for; a red star's is not: its blue comes from a band that has little.
+    const [r, g, b] = starlight(6504, 1.3, TINTED);
+    expect(b).toBeGreaterThan(r);
+    expect(luminance([r, g, b]) / luminance(starlight(6504, 1.3, FULL))).toBeCloseTo(1, 1);
+    expect(luminance(starlight(3000, 2, TINTED))).toBeLessThan(0.5 * luminance(starlight(3000, 2, FULL)));
   });
 
   test('stars ahead turn blue and bright, and behind they go out', () => {

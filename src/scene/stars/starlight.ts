@@ -1,12 +1,21 @@
-import type { Vec3 } from '../../math/vec3.ts';
+import { scale, type Vec3 } from '../../math/vec3.ts';
+import { dopplerTint } from '../../spectrum/dopplerTint.ts';
+import { glowColor } from '../../spectrum/planckian.ts';
 import type { RenderSettings } from '../view.ts';
 import { blackbody } from './blackbody.ts';
 
 /**
  * Radiance of a blackbody of T [K] that is shifted by D, as linear sRGB over its luminance at rest: a blackbody of T·D, so Y(TD)/Y(T) times its colour.
- * Each by the settings' shares, as everything is: `dopplerMix` of the shift in colour and `beaming` of the D⁴ in brightness.
+ * Each by the settings' shares, as everything is: `dopplerMix` of the shift in colour and `beaming` of the D⁴ in brightness. Approximate colours tint
+ * the star's own.
  */
-export function starlight(T: number, D: number, settings: Pick<RenderSettings, 'dopplerMix' | 'beaming'>): Vec3 {
+export function starlight(
+  T: number,
+  D: number,
+  settings: Pick<RenderSettings, 'colors' | 'dopplerMix' | 'beaming'>,
+): Vec3 {
+  if (settings.colors === 'approximate')
+    return scale(dopplerTint(glowColor(T), D, settings.dopplerMix), D ** (4 * settings.beaming));
   const shift = D ** settings.dopplerMix;
   const seen = blackbody(T * shift);
   const gain = (seen.luminance / (blackbody(T).luminance * shift ** 4)) * D ** (4 * settings.beaming);

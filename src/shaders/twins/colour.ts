@@ -2,6 +2,7 @@ import { vec4 } from 'three/tsl';
 import * as spectrum from '../../spectrum/index.ts';
 import type { Tone } from '../../spectrum/toneMap.ts';
 import { dopplerTint } from '../dopplerTint.ts';
+import { glowColor } from '../glowColor.ts';
 import { toneMapAgx, toneMapLinear, toneMapNeutral } from '../toneMap.ts';
 import { absolute, always } from './checks.ts';
 import { draw, logUniform, vec3At } from './domain.ts';
@@ -39,6 +40,17 @@ const dopplerTintTwin: Twin = {
   checks: [absolute('rgb', 0, 3, always(5e-5))],
 };
 
+const glowColorTwin: Twin = {
+  name: 'glowColor',
+  texels: 1,
+  outputs: 1,
+  cases: (random) =>
+    draw([{ name: '300 … 40,000 K', gamma: 1 }], 300, () => [logUniform(random, 300, 40_000), 0, 0, 0]),
+  cpu: (input) => [...spectrum.glowColor(input[0]), 0],
+  gpu: (texel) => [vec4(glowColor(texel(0).x), 0)],
+  checks: [absolute('rgb', 0, 3, always(2e-5))],
+};
+
 const toneMapTwin = (name: string, tone: Tone, gpu: typeof toneMapNeutral): Twin => ({
   name,
   texels: 2,
@@ -55,6 +67,7 @@ const toneMapTwin = (name: string, tone: Tone, gpu: typeof toneMapNeutral): Twin
 
 export const colour: readonly Twin[] = [
   dopplerTintTwin,
+  glowColorTwin,
   toneMapTwin('toneMapNeutral', 'neutral', toneMapNeutral),
   toneMapTwin('toneMapAgx', 'agx', toneMapAgx),
   toneMapTwin('toneMapLinear', 'linear', toneMapLinear),

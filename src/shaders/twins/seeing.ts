@@ -3,6 +3,7 @@ import { add, cross, dot, length, normalize, scale } from '../../math/vec3.ts';
 import * as physics from '../../physics/index.ts';
 import { aberrate } from '../aberrate.ts';
 import { apparentPosition } from '../apparentPosition.ts';
+import { boost } from '../boost.ts';
 import { closing } from '../closing.ts';
 import { coneOffset } from '../coneOffset.ts';
 import { dopplerFactor } from '../dopplerFactor.ts';
@@ -78,6 +79,25 @@ const unaberrateTwin: Twin = {
   cpu: (input) => [...physics.unaberrate(vec3At(input, 0), vec3At(input, 1)), 0],
   gpu: (texel) => [vec4(unaberrate(texel(0).xyz, texel(1).xyz, texel(1).w), 0)],
   checks: [direction(0, upTo100(0.05, 0.5))],
+};
+
+const boostTwin: Twin = {
+  ...observed,
+  name: 'boost',
+  cases: (random) =>
+    draw(observers, EACH, (stratum) => {
+      const { dx, u } = lookOut(random, stratum);
+      return [...dx, (2 * random() - 1) * length(dx), ...u, gammaOf(u)];
+    }),
+  cpu: (input) => {
+    const [ct, ...x] = physics.boost([input[3], ...vec3At(input, 0)], vec3At(input, 1));
+    return [...x, ct];
+  },
+  gpu: (texel) => [boost(texel(0), texel(1).xyz, texel(1).w)],
+  // (x, y, z), and (y, z, ct).
+  checks: [0, 1].map((at) =>
+    within(`from ${at}, over γ²|x|`, at, (_, input) => input[7] ** 2 * (length(vec3At(input, 0)) + 1e-3), always(1e-6)),
+  ),
 };
 
 const simultaneousPositionTwin: Twin = {
@@ -187,6 +207,7 @@ export const seeing: readonly Twin[] = [
   apparentPositionTwin,
   aberrateTwin,
   unaberrateTwin,
+  boostTwin,
   simultaneousPositionTwin,
   recessionTwin,
   closingTwin,

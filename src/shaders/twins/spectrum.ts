@@ -1,11 +1,13 @@
 import { select, vec4 } from 'three/tsl';
-import { scale } from '../../math/vec3.ts';
+import { dot, scale } from '../../math/vec3.ts';
 import { type Bands, bandsOf, reflectanceAt, WHITE } from '../../spectrum/bands.ts';
 import { colorMatching, VISIBLE } from '../../spectrum/cie1931.ts';
 import { DAYLIGHT } from '../../spectrum/lightSpectrum.ts';
-import { seenColor, toLinearSrgb } from '../../spectrum/observerColor.ts';
+import { LUMINANCE, seenColor, toLinearSrgb } from '../../spectrum/observerColor.ts';
 import { logLuminance } from '../../spectrum/planck.ts';
 import { thermalTable } from '../../spectrum/thermalTable.ts';
+import { type ColoredTables, coloredColors } from '../coloredTable.ts';
+import { coloredTexture } from '../coloredTexture.ts';
 import { lineColor, type ObserverTable } from '../lineColor.ts';
 import { observerTexture } from '../observerTexture.ts';
 import { filteredColor, luminanceOf, type SpectrumTable, thermalColors } from '../spectrumTable.ts';
@@ -70,6 +72,40 @@ const thermal = (own: boolean): Twin => ({
   checks: [within('color, over white', 0, (_, input) => Math.max(...whiteAt(input).map(Math.abs)), always(2e-3))],
 });
 
+const COLORED = [
+  { temperature: DAYLIGHT.temperature, filter: [1, 0.4, 0.1] },
+  { temperature: 3000, filter: [0.2, 0.5, 1] },
+] as const;
+let coloredTables: ColoredTables | undefined;
+
+/** (r, g, b, 0) · (light, D_in, D_out, 0), against sums over every nanometre. */
+const colored: Twin = {
+  name: 'coloredColors',
+  parts: ['coloredTexture'],
+  texels: 2,
+  outputs: 1,
+  cases: (random) =>
+    draw([{ name: 'D 0.7 … 1.4', gamma: 1 }], 300, () => {
+      const shift = () => logUniform(random, 0.7, 1.4);
+      return [random(), random(), random(), 0, random() < 0.5 ? 0 : 1, shift(), shift(), 0];
+    }),
+  cpu: (input) => {
+    const [light, Din, Dout] = input.slice(4);
+    const { temperature, filter } = COLORED[light];
+    const seen = (a: Bands, k: Bands) => seenColor(a, k, { kind: 'thermal', temperature }, Din, Dout);
+    const level = dot(LUMINANCE, seen(WHITE, WHITE));
+    return [...scale(seen(bandsOf(vec3At(input, 0)), bandsOf(filter)), 1 / level), 0];
+  },
+  gpu: (texel) => {
+    coloredTables ??= coloredTexture(COLORED, 3);
+    const tables = coloredTables;
+    const [filter, { x, y, z }] = [vec4(texel(0).xyz, 0), texel(1)];
+    const [first, second] = [0, 1].map((light) => filteredColor(coloredColors(tables, light, y.mul(z), z), filter));
+    return [vec4(select(x.lessThan(0.5), first, second), 0)];
+  },
+  checks: [absolute('color, over white', 0, 3, always(1e-2))],
+};
+
 let observer: ObserverTable | undefined;
 
 /** (r, g, b, uv) · (wavelength at the filter, for the eye [nm], ir, 0) */
@@ -101,4 +137,4 @@ const lines = (own: boolean): Twin => ({
   checks: [absolute('color', 0, 3, always(3e-3))],
 });
 
-export const spectrumTwins: readonly Twin[] = [thermal(false), thermal(true), lines(false), lines(true)];
+export const spectrumTwins: readonly Twin[] = [thermal(false), thermal(true), colored, lines(false), lines(true)];

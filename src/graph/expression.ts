@@ -1,0 +1,285 @@
+/**
+ * What people type into a number field: `0.9*c`, `30deg`, `5 km/h`, `2*pi/3`. It is worked out when it is typed, to the number in the
+ * field's own unit; the document holds that number. A small parser by recursive descent, with a value's dimensions beside it.
+ */
+export type Expression =
+  | { readonly value: number }
+  /** `at`: where in the text [characters from its start]. */
+  | { readonly problem: string; readonly at: number };
+
+export interface ExpressionContext {
+  /** Of the field: a number without a unit is taken as so many of it. */
+  readonly unit?: string;
+  /** [m/s]; without it there is no `c`. */
+  readonly speedOfLight?: number;
+}
+
+const LONGEST = 200;
+const DEEPEST = 32;
+
+/** Exponents of metre, second, kelvin and radian. */
+type Dimensions = readonly [length: number, time: number, temperature: number, angle: number];
+interface Quantity {
+  readonly value: number;
+  readonly of: Dimensions;
+}
+
+const NONE: Dimensions = [0, 0, 0, 0];
+const LENGTH: Dimensions = [1, 0, 0, 0];
+const TIME: Dimensions = [0, 1, 0, 0];
+const SPEED: Dimensions = [1, -1, 0, 0];
+const ANGLE: Dimensions = [0, 0, 0, 1];
+
+/** In SI. */
+const UNITS: Readonly<Record<string, Quantity>> = {
+  m: { value: 1, of: LENGTH },
+  km: { value: 1e3, of: LENGTH },
+  cm: { value: 1e-2, of: LENGTH },
+  mm: { value: 1e-3, of: LENGTH },
+  um: { value: 1e-6, of: LENGTH },
+  µm: { value: 1e-6, of: LENGTH },
+  nm: { value: 1e-9, of: LENGTH },
+  au: { value: 149_597_870_700, of: LENGTH },
+  ly: { value: 9_460_730_472_580_800, of: LENGTH },
+  s: { value: 1, of: TIME },
+  ms: { value: 1e-3, of: TIME },
+  us: { value: 1e-6, of: TIME },
+  µs: { value: 1e-6, of: TIME },
+  ns: { value: 1e-9, of: TIME },
+  min: { value: 60, of: TIME },
+  h: { value: 3600, of: TIME },
+  K: { value: 1, of: [0, 0, 1, 0] },
+  Hz: { value: 1, of: [0, -1, 0, 0] },
+  rad: { value: 1, of: ANGLE },
+  deg: { value: Math.PI / 180, of: ANGLE },
+  '°': { value: Math.PI / 180, of: ANGLE },
+  turn: { value: 2 * Math.PI, of: ANGLE },
+  '%': { value: 0.01, of: NONE },
+  pi: { value: Math.PI, of: NONE },
+  π: { value: Math.PI, of: NONE },
+};
+
+type Call = { readonly arity: number; readonly of: (...values: number[]) => number };
+const one = (of: (value: number) => number): Call => ({ arity: 1, of });
+
+/** Of numbers; angles are taken in radians. */
+const FUNCTIONS: Readonly<Record<string, Call>> = {
+  sin: one(Math.sin),
+  cos: one(Math.cos),
+  tan: one(Math.tan),
+  asin: one(Math.asin),
+  acos: one(Math.acos),
+  atan: one(Math.atan),
+  sqrt: one(Math.sqrt),
+  exp: one(Math.exp),
+  ln: one(Math.log),
+  log10: one(Math.log10),
+  abs: one(Math.abs),
+  /** γ of a speed β. */
+  gamma: one((beta) => 1 / Math.sqrt((1 - beta) * (1 + beta))),
+  /** β of a γ. */
+  beta: one((gamma) => Math.sqrt((1 - 1 / gamma) * (1 + 1 / gamma))),
+};
+
+export function evaluateExpression(text: string, { unit, speedOfLight }: ExpressionContext = {}): Expression {
+  if (text.length > LONGEST) return { problem: `longer than ${LONGEST} characters`, at: LONGEST };
+  try {
+    const parser = new Parser(tokens(text), speedOfLight);
+    return { value: inUnit(parser.whole(), unit, speedOfLight) };
+  } catch (error) {
+    if (error instanceof Fault) return { problem: error.message, at: error.at };
+    throw error;
+  }
+}
+
+class Fault extends Error {
+  readonly at: number;
+  constructor(message: string, at: number) {
+    super(message);
+    this.at = at;
+  }
+}
+
+/** A quantity as a number of the field's unit. */
+function inUnit({ value, of }: Quantity, unit: string | undefined, speedOfLight: number | undefined): number {
+  const field = unit === undefined ? undefined : unitOf(unit, speedOfLight);
+  const result = same(of, NONE) ? value : value / (field?.value ?? 1);
+  // Without a unit of its own a field takes angles in radians.
+  const fits = same(of, NONE) || same(of, field?.of ?? NONE) || (!field && same(of, ANGLE));
+  if (!fits) throw new Fault(`a value in ${unitName(of)} where ${unit ?? 'a plain number'} is wanted`, 0);
+  if (!Number.isFinite(result)) throw new Fault('this is no finite number', 0);
+  return result;
+}
+
+/** A field's unit, `m/s` or `c`; undefined of those that are no quantities here, as EV. */
+function unitOf(unit: string, speedOfLight: number | undefined): Quantity | undefined {
+  try {
+    return new Parser(tokens(unit), speedOfLight).whole();
+  } catch (error) {
+    if (error instanceof Fault) return undefined;
+    throw error;
+  }
+}
+
+const same = (a: Dimensions, b: Dimensions): boolean => a.every((power, i) => power === b[i]);
+
+function unitName(of: Dimensions): string {
+  const parts = ['m', 's', 'K', 'rad'].flatMap((name, i) =>
+    of[i] === 0 ? [] : [of[i] === 1 ? name : `${name}^${of[i]}`],
+  );
+  return parts.join('·') || 'no unit';
+}
+
+interface Token {
+  readonly kind: 'number' | 'name' | 'sign' | 'end';
+  readonly text: string;
+  readonly at: number;
+}
+
+const TOKEN = /\s*(?:(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|(°|%|[\p{L}µ][\p{L}\d]*)|([-+*/^(),·×÷−]))/uy;
+const SIGNS: Readonly<Record<string, string>> = { '·': '*', '×': '*', '÷': '/', '−': '-' };
+
+function tokens(text: string): Token[] {
+  const found: Token[] = [];
+  const end = text.trimEnd().length;
+  TOKEN.lastIndex = 0;
+  while (TOKEN.lastIndex < end) {
+    const at = TOKEN.lastIndex;
+    const match = TOKEN.exec(text);
+    if (!match) throw new Fault(`"${text.slice(at).trim()[0]}" is not understood`, at);
+    const [, number, name, sign] = match;
+    if (number !== undefined) found.push({ kind: 'number', text: number, at });
+    else if (name !== undefined) found.push({ kind: 'name', text: name, at });
+    else found.push({ kind: 'sign', text: SIGNS[sign!] ?? sign!, at });
+  }
+  return [...found, { kind: 'end', text: 'the end', at: end }];
+}
+
+/** sum = product {± product}; product = signed {(×|÷) signed}; signed = [±] power {power}; power = factor [^ [±] factor]. */
+class Parser {
+  readonly #tokens: readonly Token[];
+  readonly #speedOfLight: number | undefined;
+  #at = 0;
+  #depth = 0;
+
+  constructor(list: readonly Token[], speedOfLight: number | undefined) {
+    this.#tokens = list;
+    this.#speedOfLight = speedOfLight;
+  }
+
+  whole(): Quantity {
+    const result = this.#sum();
+    if (this.#next.kind !== 'end') throw this.#unexpected();
+    return result;
+  }
+
+  get #next(): Token {
+    return this.#tokens[this.#at]!;
+  }
+
+  #unexpected(): Fault {
+    const { text, at, kind } = this.#next;
+    return new Fault(kind === 'end' ? 'something is missing at the end' : `"${text}" does not belong here`, at);
+  }
+
+  #sign(...wanted: readonly string[]): string | undefined {
+    const { kind, text } = this.#next;
+    if (kind !== 'sign' || !wanted.includes(text)) return undefined;
+    this.#at++;
+    return text;
+  }
+
+  #sum(): Quantity {
+    let sum = this.#product();
+    for (let at = this.#next.at, sign = this.#sign('+', '-'); sign; at = this.#next.at, sign = this.#sign('+', '-')) {
+      const term = this.#product();
+      if (!same(sum.of, term.of)) throw new Fault(`${unitName(sum.of)} and ${unitName(term.of)} do not add`, at);
+      sum = { value: sign === '+' ? sum.value + term.value : sum.value - term.value, of: sum.of };
+    }
+    return sum;
+  }
+
+  #product(): Quantity {
+    let product = this.#signed();
+    for (let sign = this.#sign('*', '/'); sign; sign = this.#sign('*', '/'))
+      product = multiplied(product, this.#signed(), sign === '*' ? 1 : -1);
+    return product;
+  }
+
+  #signed(): Quantity {
+    return this.#deeper(() => {
+      const sign = this.#sign('+', '-');
+      if (!sign) return this.#measured();
+      const { value, of } = this.#signed();
+      return { value: sign === '-' ? -value : value, of };
+    });
+  }
+
+  /** A factor with the units or brackets that follow it: `5 km`, `2pi`, `3(1 + 2)`. */
+  #measured(): Quantity {
+    let value = this.#power();
+    while (this.#next.kind === 'name' || (this.#next.kind === 'sign' && this.#next.text === '('))
+      value = multiplied(value, this.#power(), 1);
+    return value;
+  }
+
+  #power(): Quantity {
+    const base = this.#factor();
+    const { at } = this.#next;
+    if (!this.#sign('^')) return base;
+    const sign = this.#sign('+', '-') === '-' ? -1 : 1;
+    const { value, of } = this.#factor();
+    if (!same(of, NONE)) throw new Fault('an exponent is a plain number', at);
+    if (!same(base.of, NONE) && !Number.isInteger(value))
+      throw new Fault('what has a unit is raised to whole numbers only', at);
+    return { value: base.value ** (sign * value), of: scaled(base.of, sign * value) };
+  }
+
+  #factor(): Quantity {
+    const token = this.#next;
+    if (token.kind === 'number') {
+      this.#at++;
+      return { value: Number(token.text), of: NONE };
+    }
+    if (token.kind === 'name') return this.#named(token);
+    if (this.#sign('(') === undefined) throw this.#unexpected();
+    const inner = this.#deeper(() => this.#sum());
+    if (this.#sign(')') === undefined) throw new Fault('a bracket is not closed', token.at);
+    return inner;
+  }
+
+  #named({ text, at }: Token): Quantity {
+    this.#at++;
+    const bracket = this.#next.kind === 'sign' && this.#next.text === '(';
+    if (bracket && Object.hasOwn(FUNCTIONS, text)) return this.#called(FUNCTIONS[text]!, text, at);
+    if (text === 'c' && this.#speedOfLight !== undefined) return { value: this.#speedOfLight, of: SPEED };
+    if (Object.hasOwn(UNITS, text)) return UNITS[text]!;
+    throw new Fault(`"${text}" is neither a unit nor a function`, at);
+  }
+
+  #called({ arity, of }: Call, name: string, at: number): Quantity {
+    this.#sign('(');
+    const values = [this.#deeper(() => this.#sum())];
+    while (this.#sign(',')) values.push(this.#deeper(() => this.#sum()));
+    if (this.#sign(')') === undefined) throw new Fault('a bracket is not closed', at);
+    if (values.length !== arity) throw new Fault(`${name} takes ${arity === 1 ? 'one value' : `${arity} values`}`, at);
+    if (values.some((value) => !same(value.of, NONE) && !same(value.of, ANGLE)))
+      throw new Fault(`${name} is of plain numbers and angles`, at);
+    return { value: of(...values.map(({ value }) => value)), of: NONE };
+  }
+
+  #deeper(parse: () => Quantity): Quantity {
+    if (++this.#depth > DEEPEST) throw new Fault('too many brackets in one another', this.#next.at);
+    const result = parse();
+    this.#depth--;
+    return result;
+  }
+}
+
+const multiplied = (a: Quantity, b: Quantity, power: 1 | -1): Quantity => ({
+  value: power === 1 ? a.value * b.value : a.value / b.value,
+  of: [0, 1, 2, 3].map((i) => a.of[i]! + power * b.of[i]!) as unknown as Dimensions,
+});
+
+const scaled = (of: Dimensions, power: number): Dimensions =>
+  same(of, NONE) ? NONE : (of.map((p) => p * power) as unknown as Dimensions);

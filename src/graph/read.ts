@@ -1,0 +1,40 @@
+import type { z } from 'zod';
+import { DocumentError, documentSchema, type GraphDocument } from './document.ts';
+import { faultIn } from './integrity.ts';
+import { migrate } from './migrations.ts';
+
+/** A project is words, not data: what is longer is none [characters]. */
+const LONGEST_PROJECT = 2 ** 24;
+/** What of a place is told: a damaged file may have keys of any length [characters]. */
+const LONGEST_PLACE = 200;
+
+/** Reads parsed JSON of any version. Throws a DocumentError with the place of the first fault. */
+export function readDocument(data: unknown): GraphDocument {
+  const document = checked(documentSchema, migrate(data), 'not a Slowlight project');
+  const fault = faultIn(document);
+  if (fault) throw new DocumentError(fault);
+  return document;
+}
+
+export const parseDocument = (text: string): GraphDocument => readDocument(parseJson(text));
+
+/** What a schema makes of data, or a DocumentError with the place. */
+export function checked<T>(schema: z.ZodType<T>, data: unknown, otherwise: string): T {
+  const result = schema.safeParse(data);
+  if (result.success) return result.data;
+  const issue = result.error.issues[0];
+  const place = issue?.path.join('.').slice(0, LONGEST_PLACE);
+  throw new DocumentError(`${place || 'the file'}: ${issue?.message ?? otherwise}`);
+}
+
+export function parseJson(text: string): unknown {
+  if (text.length > LONGEST_PROJECT) {
+    const size = (text.length / 2 ** 20).toFixed(0);
+    throw new DocumentError(`the file: ${size} MiB is more than the ${LONGEST_PROJECT / 2 ** 20} MiB of a project`);
+  }
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    throw new DocumentError(`not JSON: ${error instanceof Error ? error.message : String(error)}`);
+  }
+}

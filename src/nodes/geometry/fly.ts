@@ -1,0 +1,112 @@
+import { NodeRefusal, type Problem } from '../../graph/nodeType.ts';
+import { length, normalize, scale } from '../../math/vec3.ts';
+import { fastest } from '../../scene/fastest.ts';
+import { fly, isAt, tooLargeToFly } from '../../scene/fly.ts';
+import type { Scene } from '../../scene/types.ts';
+import { defineNode, type Relativity } from '../define.ts';
+import type { FastestPoint } from '../services.ts';
+
+/** Makes a thing fly along a straight line, whatever moved it before. */
+export const flyNode = defineNode({
+  id: 'fly',
+  title: 'node.fly',
+  help: 'node.fly.help',
+  category: 'geometry',
+  params: {
+    object: { kind: 'text', title: 'param.flyObject', help: 'param.flyObject.help', default: '' },
+    speed: {
+      kind: 'number',
+      title: 'param.flySpeed',
+      help: 'param.flySpeed.help',
+      unit: 'c',
+      default: 0.8,
+      min: 0,
+      max: 0.999999,
+      step: 0.000001,
+      scale: 'approach',
+    },
+    direction: {
+      kind: 'vector',
+      title: 'param.flyDirection',
+      help: 'param.flyDirection.help',
+      default: [1, 0, 0],
+    },
+    at: {
+      kind: 'number',
+      title: 'param.flyAt',
+      help: 'param.flyAt.help',
+      unit: 's',
+      default: 0,
+      min: -1e9,
+      max: 1e9,
+      step: 0.001,
+      slider: false,
+    },
+    authoredIn: {
+      kind: 'choice',
+      title: 'param.flyShape',
+      help: 'param.flyShape.help',
+      default: 'rest',
+      options: [
+        { value: 'rest', title: 'fly.rest' },
+        { value: 'world', title: 'fly.world' },
+      ],
+    },
+  },
+  inputs: { relativity: { type: 'relativity' } },
+  outputs: { relativity: { type: 'relativity' } },
+  evaluate({ relativity }, { object: path, speed, direction, at, authoredIn }, { node }) {
+    if (path === '') return { relativity };
+    const { scene, speedOfLight: c } = relativity;
+    refuseFlight(scene, path, direction, node);
+    const flown = fly(
+      scene,
+      { path, beta: scale(normalize(direction), speed), at, authoredIn: authoredIn as 'rest' },
+      c,
+    );
+    const fast = fastestAfter(relativity, flown, path);
+    if (fast && fast.speed >= c) throw refusal(tooFast(fast, c, node));
+    return { relativity: { ...relativity, scene: flown, fastest: fast } };
+  },
+});
+
+const refusal = (problem: Omit<Problem, 'severity'>) => new NodeRefusal({ severity: 'error', ...problem });
+
+function refuseFlight(scene: Scene, path: string, direction: readonly [number, number, number], node: string): void {
+  const [large] = tooLargeToFly(scene, path);
+  if (!scene.objects.some((object) => isAt(object.path, path))) {
+    throw refusal({
+      code: 'fly.missing',
+      place: path,
+      message: 'the scene has no such object; choose another',
+    });
+  }
+  if (length(direction) === 0) {
+    const remedy = { node, param: 'direction', value: [1, 0, 0] };
+    throw refusal({ code: 'fly.direction', place: path, message: 'the direction 0, 0, 0 leads nowhere', remedy });
+  }
+  if (large !== undefined) {
+    const message = 'it deforms, and has too many samples to be carried along; let the file move it';
+    throw refusal({ code: 'fly.too-large', place: large, message });
+  }
+}
+
+/** The fastest of what flies and of the rest; of the rest it is known, unless it was one of those that fly now. */
+function fastestAfter({ fastest: before, scene, speedOfLight: c }: Relativity, flown: Scene, path: string) {
+  const known = before && !isAt(before.path, path) ? before : undefined;
+  const changed = new Set(scene.objects);
+  let best: FastestPoint | undefined = known;
+  for (const object of flown.objects) {
+    const isLookedAt = isAt(object.path, path) || (before && !known && changed.has(object));
+    if (!isLookedAt) continue;
+    const { speed, from } = fastest(object, c, [flown.startTime, flown.endTime], best?.speed);
+    if (speed > (best?.speed ?? 0))
+      best = { path: object.path, speed, time: Number.isFinite(from) ? from : flown.startTime };
+  }
+  return best;
+}
+
+function tooFast({ path, speed, time }: FastestPoint, c: number, node: string): Omit<Problem, 'severity'> {
+  const message = `with its own motion the flight makes it ${(speed / c).toPrecision(3)} c at t = ${time.toFixed(2)} s; fly slower, or raise the speed of light`;
+  return { code: 'motion.superluminal', place: path, message, remedy: { node, param: 'speed', value: 0.5 } };
+}

@@ -1,0 +1,81 @@
+import { dress } from '../../scene/compose/dress.ts';
+import { makeMaterial } from '../../scene/defaults.ts';
+import type { Material } from '../../scene/types.ts';
+import { MATERIAL_PRESETS } from '../../spectrum/materialPresets.ts';
+import { defineNode } from '../define.ts';
+import { checkPath, whichParam } from './shared.ts';
+
+const share = (title: string, value: number) =>
+  ({ kind: 'number', title, default: value, min: 0, max: 1, step: 0.01 }) as const;
+const OWN = { param: 'preset', is: 'own' } as const;
+
+/** What a surface is of. */
+export const materialNode = defineNode({
+  id: 'material',
+  title: 'node.material',
+  help: 'node.material.help',
+  category: 'geometry',
+  params: {
+    which: whichParam,
+    preset: {
+      kind: 'choice',
+      title: 'param.preset',
+      help: 'param.preset.help',
+      default: 'own',
+      options: [
+        { value: 'own', title: 'preset.own' },
+        ...[...MATERIAL_PRESETS.keys()].map((name) => ({ value: name, title: `preset.${name}` })),
+      ],
+    },
+    color: { kind: 'color', title: 'param.color', default: [0.5, 0.5, 0.5], onlyWhen: OWN },
+    roughness: { ...share('param.roughness', 0.6), onlyWhen: OWN },
+    metallic: { ...share('param.metallic', 0), onlyWhen: OWN },
+    opacity: share('param.opacity', 1),
+    glow: {
+      kind: 'number',
+      title: 'param.glow',
+      help: 'param.glow.help',
+      default: 0,
+      min: 0,
+      max: 1e6,
+      step: 0.1,
+      slider: false,
+    },
+    temperature: {
+      kind: 'number',
+      title: 'param.temperature',
+      help: 'param.temperature.help',
+      unit: 'K',
+      default: 6504,
+      min: 500,
+      max: 100_000,
+      step: 1,
+      scale: 'log',
+    },
+  },
+  inputs: { geometry: { type: 'geometry' } },
+  outputs: { geometry: { type: 'geometry' } },
+  evaluate({ geometry }, { which, ...how }, { node }) {
+    checkPath(geometry.scene, which, node);
+    return { geometry: { ...geometry, scene: dress(geometry.scene, which, materialOf(node, how)) } };
+  },
+});
+
+interface Looks {
+  readonly preset: string;
+  readonly color: Material['baseColor'];
+  readonly roughness: number;
+  readonly metallic: number;
+  readonly opacity: number;
+  readonly glow: number;
+  readonly temperature: number;
+}
+
+function materialOf(name: string, { preset, color, roughness, metallic, opacity, glow, temperature }: Looks): Material {
+  const known = MATERIAL_PRESETS.get(preset);
+  const shine = glow > 0 ? { emissive: [glow, glow, glow] as const, emissionTemperature: temperature } : {};
+  if (!known) return makeMaterial({ name, baseColor: color, roughness, metallic, opacity, ...shine });
+  const { rgb, uv, ir } = known.bands;
+  const surface = { baseColor: rgb, uv, ir, roughness: known.roughness, metallic: known.metallic ? 1 : 0 };
+  return makeMaterial({ name, ...surface, opacity, ...shine });
+}

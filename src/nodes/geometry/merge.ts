@@ -1,0 +1,15 @@
+import { mergeScenes } from '../../scene/compose/merge.ts';
+import { defineNode } from '../define.ts';
+import { surveyed } from './surveyed.ts';
+
+/** Several things together; the first has the say where there can be only one. */
+export const mergeNode = defineNode({
+  id: 'merge',
+  title: 'node.merge',
+  help: 'node.merge.help',
+  category: 'geometry',
+  params: {},
+  inputs: { geometry: { type: 'geometry', many: true } },
+  outputs: { geometry: { type: 'geometry' } },
+  evaluate: ({ geometry }) => ({ geometry: surveyed(mergeScenes(geometry.map(({ scene }) => scene))) }),
+});

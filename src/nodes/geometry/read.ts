@@ -1,0 +1,43 @@
+import { parseChoice } from '../../formats/choices.ts';
+import { NodeRefusal } from '../../graph/nodeType.ts';
+import { InputError } from '../../scene/types.ts';
+import { defineNode } from '../define.ts';
+
+/** Reads a scene file of any kind that `formats/` knows. */
+export const read = defineNode({
+  id: 'read',
+  title: 'node.read',
+  help: 'node.read.help',
+  category: 'geometry',
+  params: {
+    source: { kind: 'text', title: 'node.read.source', default: '' },
+    /** `set=option`, as `Scene.variants` names them: `/World/Car{paint}=red`. */
+    variants: { kind: 'list', title: 'node.read.variants', default: [] },
+    interpolation: {
+      kind: 'choice',
+      title: 'node.read.interpolation',
+      help: 'node.read.interpolation.help',
+      default: 'linear',
+      options: [
+        { value: 'linear', title: 'interpolation.linear' },
+        { value: 'cubic', title: 'interpolation.cubic' },
+      ],
+    },
+  },
+  inputs: {},
+  outputs: { geometry: { type: 'geometry' } },
+  async evaluate(_inputs, { source, variants, interpolation }, { node, services, signal, progress }) {
+    if (!source) throw refusal('read.none', node, 'no file is chosen; open one, or take one of the examples');
+    try {
+      const chosen = new Map(variants.flatMap((text) => [parseChoice(text)].filter((choice) => choice !== undefined)));
+      return { geometry: await services.readScene(source, { variants: chosen, interpolation, signal, progress }) };
+    } catch (error) {
+      if (!(error instanceof InputError)) throw error;
+      const { code, place, message } = error.diagnostic;
+      throw refusal(code, place, message);
+    }
+  },
+});
+
+const refusal = (code: string, place: string, message: string) =>
+  new NodeRefusal({ severity: 'error', code, place, message });

@@ -1,0 +1,58 @@
+import { fastest } from '../../scene/fastest.ts';
+import { retime } from '../../scene/retime.ts';
+import { defineNode } from '../define.ts';
+import type { LoadedScene } from '../services.ts';
+
+/** When and how fast a scene's animation runs. */
+export const retimeNode = defineNode({
+  id: 'retime',
+  title: 'node.retime',
+  help: 'node.retime.help',
+  category: 'geometry',
+  params: {
+    speed: {
+      kind: 'number',
+      title: 'param.animationSpeed',
+      help: 'param.animationSpeed.help',
+      unit: '×',
+      default: 1,
+      min: 0.01,
+      max: 100,
+      step: 0.01,
+      scale: 'log',
+    },
+    offset: {
+      kind: 'number',
+      title: 'param.animationOffset',
+      help: 'param.animationOffset.help',
+      unit: 's',
+      default: 0,
+      min: -1e9,
+      max: 1e9,
+      step: 0.001,
+      slider: false,
+    },
+  },
+  inputs: { geometry: { type: 'geometry' } },
+  outputs: { geometry: { type: 'geometry' } },
+  evaluate({ geometry: loaded }, timing) {
+    const scene = retime(loaded.scene, timing);
+    return {
+      geometry: scene === loaded.scene ? loaded : { ...loaded, scene, ...fastestIn(scene, loaded, timing.speed) },
+    };
+  },
+});
+
+/** The fastest point goes by as much faster, at its new time; of hyperbolic motion, which nears c, it is looked for again. */
+function fastestIn(scene: LoadedScene['scene'], before: LoadedScene, speed: number): Pick<LoadedScene, 'fastest'> {
+  const point = before.fastest;
+  const object = point && scene.objects.find(({ path }) => path === point.path);
+  if (!point || !object) return {};
+  const { startTime, endTime, hints } = scene;
+  if (object.motion.kind === 'hyperbolic') {
+    const found = fastest(object, hints.speedOfLight ?? 299_792_458, [startTime, endTime]);
+    return { fastest: { path: object.path, time: found.from, speed: found.speed } };
+  }
+  const time = startTime + (point.time - before.scene.startTime) / speed;
+  return { fastest: { ...point, time, speed: point.speed * speed } };
+}

@@ -1,0 +1,49 @@
+import { NodeRefusal, type NumberParam, type TextParam, type VectorParam } from '../../graph/nodeType.ts';
+import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../math/quat.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { isChosen } from '../../scene/compose/merge.ts';
+import type { Scene } from '../../scene/types.ts';
+
+/** Which of the things that come in a node is about. */
+export const whichParam: TextParam = { kind: 'text', title: 'param.which', help: 'param.which.help', default: '' };
+
+export const vector = (title: string, value: Vec3, unit?: string): VectorParam => ({
+  kind: 'vector',
+  title,
+  default: value,
+  ...(unit && { unit }),
+});
+
+/** A world time [s]. */
+export const seconds = (title: string, value: number): NumberParam => ({
+  kind: 'number',
+  title,
+  unit: 's',
+  default: value,
+  min: -1e9,
+  max: 1e9,
+  step: 0.001,
+  slider: false,
+});
+
+export const refusal = (code: string, place: string, message: string, remedy?: NodeRefusal['problem']['remedy']) =>
+  new NodeRefusal({ severity: 'error', code, place, message, ...(remedy && { remedy }) });
+
+/** Refuses a path at which the scene has nothing, before a node changes nothing without a word. */
+export function checkPath(scene: Scene, path: string, node: string): void {
+  const paths = [...scene.objects, ...scene.lights].map((thing) => thing.path);
+  if (path === '' || paths.some((each) => isChosen(each, path))) return;
+  const few = paths.slice(0, 8).join(', ') + (paths.length > 8 ? ', …' : '');
+  const message = `there is nothing at "${path}"; there is ${few || 'nothing at all'}`;
+  throw refusal('geometry.path', `${node}.which`, message, { node, param: 'which', value: '' });
+}
+
+const DEGREE = Math.PI / 180;
+
+/** Turns about x, then y, then z, by angles in degrees: as USD's rotateXYZ. */
+export const rotation = ([x, y, z]: Vec3): Quat =>
+  [
+    fromAxisAngle([0, 0, 1], z * DEGREE),
+    fromAxisAngle([0, 1, 0], y * DEGREE),
+    fromAxisAngle([1, 0, 0], x * DEGREE),
+  ].reduce(multiply, IDENTITY);

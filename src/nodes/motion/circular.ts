@@ -1,0 +1,40 @@
+import { normalize } from '../../math/vec3.ts';
+import { defineNode } from '../define.ts';
+import { metres } from '../geometry/primitive.ts';
+import { seconds, vector } from '../geometry/shared.ts';
+import { checkSpan, checkTurns } from './span.ts';
+
+/** Round a circle at one speed. */
+export const circularNode = defineNode({
+  id: 'motion-circular',
+  title: 'node.circular',
+  help: 'node.circular.help',
+  category: 'geometry',
+  params: {
+    center: vector('param.center', [0, 0, 0], 'm'),
+    axis: vector('param.axisVector', [0, 1, 0]),
+    radius: metres('param.radius', 4),
+    speed: {
+      kind: 'number',
+      title: 'param.speed',
+      help: 'param.speedRound.help',
+      unit: 'm/s',
+      default: 1,
+      min: -1e9,
+      max: 1e9,
+      step: 0.01,
+      slider: false,
+    },
+    facing: { kind: 'boolean', title: 'param.facing', help: 'param.facing.help', default: true },
+    from: seconds('param.from', 0),
+    to: seconds('param.to', 60),
+  },
+  inputs: {},
+  outputs: { motion: { type: 'motion' } },
+  evaluate(_inputs, { speed, axis, ...circle }, { node }) {
+    const rate = speed / circle.radius;
+    checkSpan(circle, node);
+    checkTurns(rate, circle, node);
+    return { motion: { kind: 'circle', ...circle, axis: normalize(axis, [0, 1, 0]), rate } };
+  },
+});

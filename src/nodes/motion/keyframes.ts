@@ -1,0 +1,19 @@
+import { keyed } from '../../scene/compose/paths.ts';
+import { defineNode } from '../define.ts';
+import { readKeys } from '../geometry/readPlaces.ts';
+
+/** From place to place at given times, straight, turning evenly. */
+export const keyframesNode = defineNode({
+  id: 'motion-keyframes',
+  title: 'node.keyframes',
+  help: 'node.keyframes.help',
+  category: 'geometry',
+  params: {
+    keys: { kind: 'list', title: 'param.keys', help: 'param.keys.help', default: ['0 0 0 0', '2 4 0 0 0 90 0'] },
+  },
+  inputs: {},
+  outputs: { motion: { type: 'motion' } },
+  evaluate: (_inputs, { keys }, { node }) => ({
+    motion: { kind: 'frame', motion: keyed(readKeys(keys, node)) },
+  }),
+});

@@ -1,0 +1,59 @@
+import { defineNode } from '../define.ts';
+
+/** Brings linear light to what a screen can show. */
+export const toneMap = defineNode({
+  id: 'tone-map',
+  title: 'node.toneMap',
+  help: 'node.toneMap.help',
+  category: 'render',
+  params: {
+    tone: {
+      kind: 'choice',
+      title: 'param.tone',
+      help: 'param.tone.help',
+      default: 'neutral',
+      options: [
+        { value: 'neutral', title: 'tone.neutral' },
+        { value: 'agx', title: 'tone.agx' },
+        { value: 'linear', title: 'tone.linear' },
+      ],
+    },
+    metering: {
+      kind: 'choice',
+      title: 'param.metering',
+      help: 'param.metering.help',
+      default: 'automatic',
+      options: [
+        { value: 'automatic', title: 'metering.automatic' },
+        { value: 'resting-eye', title: 'metering.restingEye' },
+        { value: 'manual', title: 'metering.manual' },
+      ],
+    },
+    exposure: {
+      kind: 'number',
+      title: 'param.exposure',
+      help: 'param.exposure.help',
+      unit: 'EV',
+      default: 0,
+      min: -10,
+      max: 10,
+      step: 0.1,
+    },
+    falseColor: {
+      kind: 'choice',
+      title: 'param.falseColor',
+      help: 'param.falseColor.help',
+      default: 'none',
+      options: [
+        { value: 'none', title: 'falseColor.none' },
+        { value: 'doppler', title: 'falseColor.doppler' },
+        { value: 'emission-time', title: 'falseColor.emissionTime' },
+        { value: 'radiance', title: 'falseColor.radiance' },
+        { value: 'band', title: 'falseColor.band' },
+      ],
+    },
+  },
+  inputs: { gbuffer: { type: 'gbuffer' } },
+  outputs: { image: { type: 'image' } },
+  evaluate: ({ gbuffer }, params) => ({ image: { ...gbuffer, ...params } }),
+});

@@ -1,0 +1,257 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { direction, expectClose, uniform } from '../../../tests/physicsArbitraries.ts';
+import { fromAxisAngle, rotate } from '../../math/quat.ts';
+import { add, cross, distance, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../defaults.ts';
+import { poseAt, vertexPosition } from '../motion.ts';
+import { pointAt } from '../polygons.ts';
+import { box, sphere } from '../primitives.ts';
+import type { Lamp, Mesh, Motion, SceneObject } from '../types.ts';
+import { dress, livingIn } from './dress.ts';
+import { smooth, split } from './finer.ts';
+import { block, copies, ring } from './instances.ts';
+import { mergeScenes } from './merge.ts';
+import { moved, movingAt } from './moved.ts';
+import { keyed, motionOf } from './paths.ts';
+import { type Placement, placeScene } from './place.ts';
+
+const C = 30;
+const mesh = box([1, 2, 3]);
+const turn = fromAxisAngle([0, 0, 1], 0.7);
+const points = [0, 1, 2].map((k) => mesh.positions.map((x, i) => x * (1 + 0.1 * k) + (i % 3 === 0 ? 0.2 * k : 0)));
+const MOTIONS: readonly Motion[] = [
+  restingAt([1, 2, 3]),
+  { kind: 'uniform', pose: { position: [0, 1, 0], orientation: turn }, velocity: [3, -1, 2] },
+  {
+    kind: 'sampled',
+    times: Float64Array.of(0, 1, 3),
+    poses: Float64Array.of(0, 0, 0, 0, 0, 0, 1, 1, 2, 0, ...turn, 4, 2, 1, 0, 0, 0, 1),
+  },
+  { kind: 'sampled-points', times: Float64Array.of(0, 1, 2), origin: [5, 0, 0], points },
+  {
+    kind: 'sampled-points',
+    times: Float64Array.of(0, 1, 2),
+    origin: [5, 0, 0],
+    points,
+    velocities: points.map((p) => p.map((x) => x / 4)),
+  },
+];
+const where = (by: Placement, x: Vec3): Vec3 => add(by.position, rotate(by.orientation, scale(x, by.scale)));
+const placement = fc.record({
+  position: fc.tuple(uniform(-9, 9), uniform(-9, 9), uniform(-9, 9)),
+  orientation: fc.tuple(direction, uniform(-3, 3)).map(([axis, angle]) => fromAxisAngle(axis, angle)),
+  scale: uniform(0.2, 3),
+});
+
+describe('a placed scene', () => {
+  it.each(MOTIONS.map((motion, i) => [i, motion.kind, motion] as const))(
+    'has every vertex where the placement takes it, at all times (%i: %s)',
+    (_i, _kind, motion) => {
+      const object = makeObject({ path: '/It', mesh, motion });
+      fc.assert(
+        fc.property(placement, uniform(-1, 4), fc.nat(23), (by, t, v) => {
+          const [placed] = placeScene(makeScene({ name: 'it', objects: [object] }), by).objects;
+          expectClose([...vertexPosition(placed!, v, t, C)], where(by, vertexPosition(object, v, t, C)), 1e-5);
+        }),
+        { numRuns: 60 },
+      );
+    },
+  );
+
+  it('a lamp lights a placed wall as it lit the wall before', () => {
+    const lamp = (radius: number): Lamp => ({
+      kind: 'sphere',
+      path: '/L',
+      radius,
+      motion: restingAt([0, 2, 0]),
+      lifetime: FOREVER,
+      color: [1, 2, 3],
+    });
+    for (const radius of [0, 0.5]) {
+      const { lights } = placeScene(makeScene({ name: 'l', lights: [lamp(radius)] }), {
+        position: [0, 0, 0],
+        orientation: turn,
+        scale: 4,
+      });
+      const [light] = lights as [Lamp & { radius: number }];
+      // E = I/d² of a point, π L (r/d)² of a ball.
+      const E = (l: { radius: number; color: Vec3 }, d: number) =>
+        (l.radius === 0 ? l.color[1] : Math.PI * l.color[1] * l.radius ** 2) / d ** 2;
+      expect(E(light, 8)).toBeCloseTo(E(lamp(radius) as never, 2), 12);
+      expect(distance(poseAt(light.motion, 0, C).position, rotate(turn, [0, 8, 0]))).toBeLessThan(1e-12);
+    }
+  });
+});
+
+describe('merged scenes', () => {
+  const red = makeMaterial({ name: 'red', baseColor: [1, 0, 0] });
+  const blue = makeMaterial({ name: 'blue', baseColor: [0, 0, 1] });
+  const one = makeScene({ name: 'one', materials: [red], objects: [makeObject({ path: '/Ball/Skin', mesh })] });
+  const other = makeScene({
+    name: 'other',
+    materials: [blue],
+    startTime: 2,
+    endTime: 5,
+    objects: [makeObject({ path: '/Ball/Skin', mesh }), makeObject({ path: '/Ball2', mesh })],
+  });
+
+  it('keep every material on what wore it, and every path once', () => {
+    const merged = mergeScenes([one, other, one]);
+    const worn = merged.objects.map((o) => [o.path, merged.materials[o.mesh.groups[0]!.material]!.name]);
+    expect(worn).toEqual([
+      ['/Ball/Skin', 'red'],
+      ['/Ball2/Skin', 'blue'],
+      ['/Ball22', 'blue'],
+      ['/Ball3/Skin', 'red'],
+    ]);
+    expect([merged.startTime, merged.endTime]).toEqual([2, 5]);
+  });
+
+  it('what is dressed or born is what was chosen', () => {
+    const merged = mergeScenes([one, other]);
+    const green = makeMaterial({ name: 'green' });
+    const dressed = dress(merged, '/Ball2', green);
+    expect(dressed.objects.map((o) => dressed.materials[o.mesh.groups[0]!.material]!.name)).toEqual([
+      'red',
+      'green',
+      'blue',
+    ]);
+    const born = livingIn(merged, '/Ball', { birth: 1, death: 2 });
+    expect(born.objects.map(({ lifetime }) => lifetime.birth)).toEqual([1, -Infinity, -Infinity]);
+  });
+});
+
+describe('moved things', () => {
+  const object = makeObject({
+    path: '/It',
+    mesh,
+    motion: { kind: 'static', pose: { position: [2, 0, 1], orientation: turn } },
+  });
+  const scene = makeScene({ name: 'it', objects: [object] });
+  const at = (o: SceneObject, v: number, t: number) => vertexPosition(o, v, t, C);
+
+  it('keep their places in a frame that circles: the radius, the speed and the time of a turn are those asked for', () => {
+    const circle = {
+      kind: 'circle',
+      center: [1, 0, 0],
+      axis: [0, 1, 0],
+      radius: 4,
+      rate: 1.5,
+      facing: true,
+      from: 1,
+      to: 9,
+    } as const;
+    const frame = motionOf(circle, 5);
+    const [carried] = moved(scene, '', frame, 'world').objects;
+    const period = (2 * Math.PI) / circle.rate;
+    for (const t of [1, 2.3, 3.9]) {
+      const origin = poseAt(frame, t, C).position;
+      expect(distance(origin, circle.center)).toBeCloseTo(4, 2);
+      const speed = distance(poseAt(frame, t + 0.05, C).position, origin) / 0.05;
+      expect(speed).toBeCloseTo(4 * circle.rate, 1);
+      for (const v of [0, 7, 20]) {
+        expectClose([...at(carried!, v, t)], at(carried!, v, t + period), 4e-3);
+        // A body that faces its way keeps its distance to the centre.
+        expect(distance(at(carried!, v, t), circle.center)).toBeCloseTo(distance(at(carried!, v, 1), circle.center), 2);
+      }
+    }
+  });
+
+  it('spin about their axis: what is on it rests, all else goes round at ω r', () => {
+    const frame = motionOf({ kind: 'spin', center: [2, 0, 1], axis: [0, 1, 0], rate: -2, from: 0, to: 5 }, 4);
+    const [spun] = moved(scene, '', frame, 'world').objects;
+    const p = (v: number, t: number) => sub(at(spun!, v, t), [2, 0, 1]);
+    for (const v of [0, 5, 11, 23]) {
+      const axial = cross([0, 1, 0], p(v, 2));
+      const speed = scale(sub(p(v, 2.01), p(v, 1.99)), 1 / 0.02);
+      expectClose([...speed], scale(axial, -2), 0.05);
+      expect(p(v, 3)[1]).toBeCloseTo(p(v, 0)[1], 3);
+    }
+  });
+
+  it('on a path they pass all its places at one speed', () => {
+    const places: Vec3[] = [
+      [0, 0, 0],
+      [4, 0, 0],
+      [4, 3, 0],
+      [0, 3, 5],
+    ];
+    const frame = motionOf({ kind: 'path', places, facing: false, from: 2, to: 12 }, 1);
+    const trail = Array.from({ length: 2001 }, (_, k) => poseAt(frame, 2 + k / 200, C).position);
+    for (const place of places) expect(Math.min(...trail.map((x) => distance(x, place)))).toBeLessThan(0.02);
+    const speeds = trail.slice(1).map((x, k) => 200 * distance(x, trail[k]!));
+    expect(Math.max(...speeds) / Math.min(...speeds)).toBeLessThan(1.03);
+    expectClose([...poseAt(frame, 99, C).position], [0, 3, 5], 1e-9);
+  });
+
+  it('with keys they are where the keys say, and what moves already is named', () => {
+    const keys = [
+      { time: 0, position: [0, 0, 0] as Vec3, orientation: turn },
+      { time: 2, position: [4, 0, 0] as Vec3, orientation: turn },
+    ];
+    const carried = moved(scene, '/It', keyed(keys), 'world');
+    expectClose([...at(carried.objects[0]!, 3, 1)], add([2, 0, 0], rotate(turn, at(object, 3, 0))), 1e-12);
+    expect(movingAt(carried, '')).toEqual(['/It']);
+    expect(movingAt(scene, '')).toEqual([]);
+  });
+});
+
+describe('finer meshes', () => {
+  const area = ({ positions, indices }: Mesh) => {
+    let sum = 0;
+    for (let i = 0; i < indices.length; i += 3) {
+      const [a, b, c] = [0, 1, 2].map((k) => pointAt(positions, indices[i + k]!)) as [Vec3, Vec3, Vec3];
+      sum += length(cross(sub(b, a), sub(c, a))) / 2;
+    }
+    return sum;
+  };
+  const deforming = makeObject({ path: '/It', mesh, motion: MOTIONS[3]! });
+
+  it('that keep their shape have its area, four times the triangles a level, and deform as it does', () => {
+    const finer = split(deforming, 2);
+    expect(finer.mesh.indices.length).toBe(16 * mesh.indices.length);
+    expect(finer.mesh.groups.reduce((n, { count }) => n + count, 0)).toBe(finer.mesh.indices.length);
+    expect(area(finer.mesh)).toBeCloseTo(area(mesh), 4);
+    for (const t of [0, 0.4, 1.7])
+      for (let v = 0; v < mesh.positions.length / 3; v++)
+        expectClose([...vertexPosition(finer, v, t, C)], vertexPosition(deforming, v, t, C), 1e-12);
+  });
+
+  it('that are smooth are between the ball inside and the mesh, and at each sample what the shape at that sample becomes', () => {
+    const cage = sphere(1, { segments: 8, rings: 4 });
+    const { mesh: round } = smooth(makeObject({ path: '/S', mesh: cage }), 2);
+    const radii = Array.from({ length: round.positions.length / 3 }, (_, v) => length(pointAt(round.positions, v)));
+    expect(Math.max(...radii)).toBeLessThan(1);
+    expect(Math.min(...radii)).toBeGreaterThan(0.6);
+    expect(round.indices.length).toBe(16 * cage.indices.length);
+    const moving = smooth(deforming, 1);
+    const still = smooth(makeObject({ path: '/S', mesh: { ...mesh, positions: points[1]! } }), 1);
+    for (let v = 0; v < moving.mesh.positions.length / 3; v++)
+      expectClose([...sub(vertexPosition(moving, v, 1, C), [5, 0, 0])], pointAt(still.mesh.positions, v), 1e-5);
+  });
+});
+
+describe('copies', () => {
+  const scene = makeScene({ name: 'it', objects: [makeObject({ path: '/It', mesh, motion: MOTIONS[1]! })] });
+
+  it('in rows are a step apart round the origin, share the mesh, and have names of their own', () => {
+    const rows = copies(scene, block([2, 1, 3], [2, 9, 4]));
+    expect(rows.objects).toHaveLength(6);
+    expect(new Set(rows.objects.map(({ mesh: worn }) => worn)).size).toBe(1);
+    expect(new Set(rows.objects.map(({ path }) => path)).size).toBe(6);
+    const places = block([2, 1, 3], [2, 9, 4]).map(({ position }) => position);
+    expect(places).toContainEqual([1, 0, -4]);
+    expectClose([...places.reduce(add)], [0, 0, 0], 1e-12);
+  });
+
+  it('on a circle are as far from its axis as asked, evenly, each carried with the turn', () => {
+    const spots = ring(5, 3, [0, 0, 1]);
+    for (const [k, { position, orientation }] of spots.entries()) {
+      expect(Math.hypot(position[0], position[1])).toBeCloseTo(3, 12);
+      expect(position[2]).toBeCloseTo(0, 12);
+      expectClose([...position], rotate(orientation, spots[0]!.position), 1e-12);
+      expect(distance(position, spots[(k + 1) % 5]!.position)).toBeCloseTo(6 * Math.sin(Math.PI / 5), 12);
+    }
+  });
+});

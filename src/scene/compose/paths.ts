@@ -1,0 +1,160 @@
+import { fromAxisAngle, IDENTITY, type Quat, rotate, shortestTurn } from '../../math/quat.ts';
+import { add, addScaled, cross, distance, lerp, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { pieceAt } from '../motion.ts';
+import { type Samples, sampleMotion } from '../resample.ts';
+import type { FrameMotion, Pose, SampledMotion } from '../types.ts';
+import { across } from './instances.ts';
+
+/** How a frame is to move, before it is known how far what it carries reaches. Places in the frame of the scene [m]; between two world times [s]. */
+export type Course =
+  | { readonly kind: 'frame'; readonly motion: FrameMotion }
+  | (Circle & Span & { readonly kind: 'circle' })
+  | (Spin & Span & { readonly kind: 'spin' })
+  | (Path & Span & { readonly kind: 'path' });
+
+/** When a course begins and ends; before and after it what it carries rests. */
+export interface Span {
+  readonly from: number;
+  readonly to: number;
+}
+export interface Circle {
+  readonly center: Vec3;
+  /** Unit. */
+  readonly axis: Vec3;
+  readonly radius: number;
+  /** [rad/s] */
+  readonly rate: number;
+  /** It turns as it goes round. */
+  readonly facing: boolean;
+}
+export interface Spin {
+  readonly center: Vec3;
+  /** Unit. */
+  readonly axis: Vec3;
+  /** [rad/s] */
+  readonly rate: number;
+}
+export interface Path {
+  /** At least two. */
+  readonly places: readonly Vec3[];
+  /** Its −Z turns the way it goes. */
+  readonly facing: boolean;
+}
+
+/** A course as a motion; `reach` [m]: how far from the frame's origin anything is that it carries. */
+export function motionOf(course: Course, reach: number): FrameMotion {
+  switch (course.kind) {
+    case 'frame':
+      return course.motion;
+    case 'circle':
+      return circling(course, { ...course, reach });
+    case 'spin':
+      return spinning(course, { ...course, reach });
+    case 'path':
+      return alongPath(course, { ...course, reach });
+  }
+}
+
+interface Following extends Span {
+  readonly reach: number;
+}
+
+/** Share of a path's size that a vertex may be beside its way. */
+const CLOSENESS = 1e-4;
+
+/** A path as rigid samples, close enough that a vertex is nowhere seen beside its way. */
+function followed(at: (t: number) => Pose, { from, to, reach }: Following, size: number, steps: number): SampledMotion {
+  const times = Float64Array.from({ length: steps + 1 }, (_, k) => from + ((to - from) * k) / steps);
+  const samples: Samples = sampleMotion(at, times, reach, CLOSENESS * (size + reach));
+  return { kind: 'sampled', ...samples };
+}
+
+function circling({ center, axis, radius, rate, facing }: Circle, how: Following): SampledMotion {
+  const x = across(axis);
+  const y = cross(axis, x);
+  const at = (t: number): Pose => {
+    const angle = rate * (t - how.from);
+    const out = add(scale(x, Math.cos(angle)), scale(y, Math.sin(angle)));
+    return { position: addScaled(center, out, radius), orientation: facing ? fromAxisAngle(axis, angle) : IDENTITY };
+  };
+  return followed(at, how, radius, eighths(rate, how));
+}
+
+function spinning({ center, axis, rate }: Spin, how: Following): SampledMotion {
+  const at = (t: number): Pose => {
+    const orientation = fromAxisAngle(axis, rate * (t - how.from));
+    return { position: sub(center, rotate(orientation, center)), orientation };
+  };
+  return followed(at, how, how.reach, eighths(rate, how));
+}
+
+/** Pieces of an eighth of a turn: what two samples have between them goes the shorter way. */
+const eighths = (rate: number, { from, to }: Following): number =>
+  Math.max(1, Math.ceil((Math.abs(rate) * (to - from)) / (Math.PI / 4)));
+
+/** A place to be at a time, and the way the thing is turned there. */
+export interface Key {
+  /** [s] */
+  readonly time: number;
+  readonly position: Vec3;
+  readonly orientation: Quat;
+}
+
+/** Straight from key to key, turning evenly. */
+export function keyed(keys: readonly Key[]): SampledMotion {
+  const poses = new Float64Array(7 * keys.length);
+  keys.forEach(({ position, orientation }, k) => void poses.set([...position, ...orientation], 7 * k));
+  return { kind: 'sampled', times: Float64Array.from(keys, ({ time }) => time), poses };
+}
+
+/**
+ * Along a smooth curve through places at one speed, from the first to the last (centripetal Catmull–Rom, Yuksel et al. 2011: no cusps,
+ * no loops).
+ */
+function alongPath({ places, facing }: Path, how: Following): SampledMotion {
+  const { point, length } = curveThrough(places);
+  const part = (t: number): number => Math.min(1, Math.max(0, (t - how.from) / (how.to - how.from)));
+  const at = (t: number): Pose => {
+    const s = part(t);
+    const [behind, ahead] = [point(Math.max(0, s - STEP)), point(Math.min(1, s + STEP))];
+    return { position: point(s), orientation: facing ? shortestTurn([0, 0, -1], sub(ahead, behind)) : IDENTITY };
+  };
+  return followed(at, how, length, 8 * places.length);
+}
+
+/** Of the whole curve: over so much of it the direction is taken. */
+const STEP = 1e-4;
+/** Chords for each piece of a curve by which its length is known. */
+const CHORDS = 64;
+
+/** A curve through places, by the share of its length. */
+function curveThrough(places: readonly Vec3[]) {
+  const chain = places
+    .slice(1)
+    .flatMap((_, i) => Array.from({ length: CHORDS }, (_, k) => catmullRom(places, i, k / CHORDS)));
+  chain.push(places[places.length - 1]);
+  const lengths = new Float64Array(chain.length);
+  for (let i = 1; i < chain.length; i++) lengths[i] = lengths[i - 1] + distance(chain[i - 1], chain[i]);
+  const length = lengths[lengths.length - 1];
+  const point = (share: number): Vec3 => {
+    const { before, after, s } = pieceAt(lengths, share * length);
+    return after === before ? chain[before] : lerp(chain[before], chain[after], s);
+  };
+  return { point, length };
+}
+
+/** Between place i and the next, by Barry and Goldman's pyramid with knots √distance apart. */
+function catmullRom(places: readonly Vec3[], i: number, s: number): Vec3 {
+  const [b, c] = [places[i], places[i + 1]];
+  const a = places[i - 1] ?? sub(scale(b, 2), c);
+  const d = places[i + 2] ?? sub(scale(c, 2), b);
+  const knots = [0, 0, 0, 0];
+  [a, b, c].forEach((from, k) => {
+    knots[k + 1] = knots[k] + Math.max(Math.sqrt(distance(from, [b, c, d][k])), 1e-9);
+  });
+  const t = knots[1] + s * (knots[2] - knots[1]);
+  const mix = (p: Vec3, q: Vec3, from: number, to: number): Vec3 =>
+    lerp(p, q, (t - knots[from]) / (knots[to] - knots[from]));
+  const [ab, bc, cd] = [mix(a, b, 0, 1), mix(b, c, 1, 2), mix(c, d, 2, 3)];
+  return mix(mix(ab, bc, 0, 2), mix(bc, cd, 1, 3), 1, 2);
+}
