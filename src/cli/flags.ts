@@ -60,6 +60,7 @@ export interface SettingFlags {
   readonly colors: ColorMode;
   readonly dopplerMix: number;
   readonly beaming: number;
+  readonly shadows: boolean;
   readonly exposure: number;
   readonly metering: Metering;
   readonly tone: Tone;
@@ -94,6 +95,7 @@ export function addSettingFlags(command: Command): Command {
     )
     .option('--doppler-mix <0…1>', 'how much of the Doppler shift reaches the colours', parseFraction, dopplerMix)
     .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
+    .option('--no-shadows', 'suns throw none, for comparison')
     .option(
       '--exposure <EV>',
       'added to what the metering sets: the picture is 2^EV times as bright',
@@ -124,7 +126,7 @@ export function addSettingFlags(command: Command): Command {
 
 /** The settings before metering, as the page has them. */
 export function renderSettings(flags: SettingFlags, speedOfLight: number): RenderSettings {
-  const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure } = flags;
+  const { view, lightDelay, aberration, colors, dopplerMix, beaming, shadows, exposure } = flags;
   const { tone, solver, iterations, damping, grid } = flags;
   return {
     view,
@@ -133,6 +135,7 @@ export function renderSettings(flags: SettingFlags, speedOfLight: number): Rende
     colors,
     dopplerMix,
     beaming,
+    shadows,
     exposure,
     tone,
     solver,

@@ -166,6 +166,11 @@ export const nodeWords = {
   'param.dopplerMix.help': ['How much of the Doppler shift reaches the colours.', '多普勒频移对颜色的影响程度。'],
   'param.beaming': ['Beaming', '聚束'],
   'param.beaming.help': ['How much brighter things get ahead, and darker behind.', '前方变亮、后方变暗的程度。'],
+  'param.shadows': ['Shadows', '阴影'],
+  'param.shadows.help': [
+    'Suns throw shadows, each from where its thing was when the light passed it.',
+    '太阳投下阴影：每个物体的阴影取自光经过它时它所在的位置。',
+  ],
   'param.grid.help': ['A grid on the ground that relativity does not bend.', '不受相对论变形影响的地面网格。'],
   'param.exposure': ['Exposure', '曝光'],
   'param.exposure.help': [

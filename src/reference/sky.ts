@@ -18,9 +18,11 @@ import { DARK, type Light, plus } from './light.ts';
 import { type Shine, shineOf } from './shine.ts';
 import type { Sight } from './sight.ts';
 
-/** A distant light: the unit direction in which it travels, and what it shines with. */
+/** A distant light: the unit direction in which it travels, how large it is, and what it shines with. */
 export interface Sun {
   readonly direction: Vec3;
+  /** Of its disc [rad]. */
+  readonly radius: number;
   readonly shine: Shine;
 }
 

@@ -100,6 +100,11 @@ export class Environment {
     if (dome.texture) this.picture = new DomePicture(dome.texture, dome, this.uniforms.zenithColor.rgb);
   }
 
+  /** In the order in which `eachSun` counts them. */
+  get distantLights(): readonly DistantLight[] {
+    return this.suns.flatMap(({ suns }) => suns);
+  }
+
   private grouped(suns: readonly DistantLight[], known: readonly ColoredLight[]): readonly SunGroup[] {
     const alike = new Map<string, DistantLight[]>();
     for (const sun of suns) {
@@ -113,7 +118,8 @@ export class Environment {
     }));
   }
 
-  eachSun(visit: (sun: SunTexels) => void): void {
+  /** `index`: its place among the suns, where that is known before the shader runs. */
+  eachSun(visit: (sun: SunTexels, index?: number) => void): void {
     let start = 0;
     for (const group of this.suns) {
       const [begin, end] = [start, start + group.suns.length];
@@ -121,7 +127,7 @@ export class Environment {
         Loop({ start: int(begin), end: int(end), type: 'int', condition: '<' }, ({ i }) =>
           visit(this.sun(int(i), group)),
         );
-      else for (let i = begin; i < end; i++) visit(this.sun(int(i), group));
+      else for (let i = begin; i < end; i++) visit(this.sun(int(i), group), i);
       start = end;
     }
   }

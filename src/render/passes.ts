@@ -7,6 +7,7 @@ import type { Environment } from './environment.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';
 import type { Optics } from './radiance.ts';
 import { type ShadedSurface, shade } from './shade.ts';
+import type { Shadowing } from './shadows/receiver.ts';
 import { background } from './sky.ts';
 import { readSurface, surfaceOutputs, type TargetName } from './surface.ts';
 import { roughnessAndOcclusion, unpackEmission, unpackFinish, unpackNormals } from './surfaceCode.ts';
@@ -47,7 +48,8 @@ export const surfaceLight = (
   uniforms: Uniforms,
   optics: Optics,
   moving: boolean,
-): Vec4 => Fn(() => kept(shade(surfaceHere(buffer, moving), environment, uniforms, optics)))();
+  shadows?: Shadowing,
+): Vec4 => Fn(() => kept(shade(surfaceHere(buffer, moving), environment, uniforms, optics, shadows)))();
 
 function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
   const [base, emissive, normal, event, motion] = (['base', 'emissive', 'normal', 'event', 'motion'] as const).map(
@@ -75,6 +77,7 @@ export function forwardMaterial(
   buffer: GBuffer,
   environment: Environment,
   optics: Optics,
+  shadows?: Shadowing,
 ): NodeMaterial {
   const { uniforms } = drawable.surface;
   const material = new NodeMaterial();
@@ -84,7 +87,8 @@ export function forwardMaterial(
     const surface = readSurface(drawable.surface);
     const velocity = drawable.batch.kind === 'static' ? undefined : surface.velocity;
     Discard(surface.distance.greaterThan(depthHere(buffer)));
-    return vec4(min(shade({ ...surface, velocity }, environment, uniforms, optics), MOST_LIGHT), surface.color.w);
+    const light = shade({ ...surface, velocity }, environment, uniforms, optics, shadows);
+    return vec4(min(light, MOST_LIGHT), surface.color.w);
   })();
   material.side = sideOf(drawable.batch);
   material.transparent = true;

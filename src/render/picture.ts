@@ -81,12 +81,13 @@ export class PictureMachine {
     const { environment, bodies, scene } = upload;
     const palette = paletteOf(settings, scene);
     const optics = this.palettes.optics(palette, scene);
+    const shadows = settings.shadows ? upload.shadows : undefined;
     const moving = () => bodies.some(({ object }) => object.motion.kind !== 'static');
     this.run(`sky ${upload.serial} ${palette}`, () => skyLight(environment, uniforms, optics), light, 'sky');
     if (upload.opaque.children.some((mesh) => mesh.visible))
       this.run(
-        `light ${upload.serial} ${palette}`,
-        () => surfaceLight(buffer, environment, uniforms, optics, moving()),
+        `light ${upload.serial} ${palette} ${settings.shadows}`,
+        () => surfaceLight(buffer, environment, uniforms, optics, moving(), shadows),
         light,
         'surfaces',
       );
@@ -94,8 +95,8 @@ export class PictureMachine {
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawable of upload.drawables)
       if (drawable.batch.transparent)
-        this.dress(drawable, `forward ${projection.event} ${projection.place} ${palette}`, () =>
-          forwardMaterial(drawable, projection, buffer, upload.environment, optics),
+        this.dress(drawable, `forward ${projection.event} ${projection.place} ${palette} ${settings.shadows}`, () =>
+          forwardMaterial(drawable, projection, buffer, upload.environment, optics, shadows),
         );
     this.drawOver(upload.transparent, camera);
   }

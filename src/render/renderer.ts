@@ -53,7 +53,7 @@ export class SceneRenderer implements PictureMaker {
     const { upload, drawn, gpu } = this;
     const triangles = upload?.refiner.triangles ?? 0;
     const tolerance = upload?.refiner.toleranceReached ?? 0;
-    const waiting = upload !== undefined && !upload.frame.isComplete;
+    const waiting = upload !== undefined && !(upload.frame.isComplete && upload.shadows.isComplete);
     return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
   }
   get width(): number {
@@ -142,6 +142,7 @@ export class SceneRenderer implements PictureMaker {
     const gaze = this.gaze(viewPoint, projection);
     const seen = upload.frame.fill(upload.bodies, sight, gaze, projection.event === 'newton');
     if (!upload.frame.isComplete) return undefined;
+    if (settings.shadows && !upload.shadows.update(sight)) return undefined;
     beforeCutting();
     this.cut(upload, viewPoint, sight, projection, seen);
     upload.environment.update(sight, settings.colors);

@@ -5,6 +5,7 @@ import type { Environment } from './environment.ts';
 import { lampLight } from './lampLight.ts';
 import { type Filter, type Gathering, IRRADIANCE, type Optics, RADIANCE } from './radiance.ts';
 import { AT_REST, passageBetween, type Rest, restFrame } from './restFrame.ts';
+import type { Shadowing } from './shadows/receiver.ts';
 import { skyLight, skyMirrored } from './sky.ts';
 import type { Surface } from './surface.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -22,7 +23,13 @@ export type ShadedSurface = Omit<Surface, 'velocity' | 'object' | 'distance'> & 
  * to light and eye are aberrated into it, and the light arrives with E′ = D_in² E (physics.md, "Shading").
  * Lambert and GGX with Schlick's Fresnel; sky light is taken as if all of it came along the normal and the mirrored ray.
  */
-export const shade = (surface: ShadedSurface, environment: Environment, uniforms: Uniforms, optics: Optics): Vec3 =>
+export const shade = (
+  surface: ShadedSurface,
+  environment: Environment,
+  uniforms: Uniforms,
+  optics: Optics,
+  shadows?: Shadowing,
+): Vec3 =>
   Fn(() => {
     const rest = surface.velocity ? restFrame(surface.velocity, uniforms) : AT_REST;
     const N = surface.normal.toVar();
@@ -31,13 +38,14 @@ export const shade = (surface: ShadedSurface, environment: Environment, uniforms
     const albedo = eye.filter(surface.color.rgb, surface.invisible).toVar();
     const look = lookOf(albedo, surface, N, V);
     const { dx, time } = surface;
-    environment.eachSun(({ direction, color, source, colored }) => {
+    environment.eachSun(({ direction, color, source, colored }, index) => {
       const passage = {
         ...passageBetween(direction, rest, AT_REST),
         ...(source && { source }),
         ...(colored !== undefined && { colored }),
       };
-      eye.send(color, reflectance(look, rest.into(direction)), passage, IRRADIANCE);
+      const share = shadows?.share(index, { dx, time, normal: N, velocity: surface.velocity });
+      eye.send(share ? color.mul(share) : color, reflectance(look, rest.into(direction)), passage, IRRADIANCE);
     });
     environment.lamps.each((lamp) => lampLight({ look, dx, time, rest, uniforms }, lamp, eye));
     skyReflection(look, surface.occlusion, rest, environment, uniforms, eye);

@@ -22,6 +22,12 @@ export const SUN_DISC = {
   ],
 } as const;
 
+/** Diameter of the sun as it is seen from the earth, and UsdLux's default: 0.53° [rad]. */
+const SUN_ANGLE = (0.53 * Math.PI) / 180;
+
+/** Radius of the disc that a distant light is [rad]. */
+export const sunRadius = ({ angle }: Pick<DistantLight, 'angle'>): number => (angle ?? SUN_ANGLE) / 2;
+
 export type DirectLight = DistantLight | Lamp;
 
 /** Lights that come from somewhere; the day's sun where the scene brings no light at all. */

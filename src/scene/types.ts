@@ -249,6 +249,8 @@ export interface DistantLight {
   readonly direction: Vec3;
   /** Linear sRGB times intensity and exposure: irradiance on a facing surface. */
   readonly color: Vec3;
+  /** Diameter of its disc [rad], as wide as which edges of shadows are blurred; the sun's where absent. */
+  readonly angle?: number;
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
 }

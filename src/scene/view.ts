@@ -21,6 +21,8 @@ export interface RenderSettings {
   readonly dopplerMix: number;
   /** 0 … 1: how much of log D⁴ reaches the brightness. */
   readonly beaming: number;
+  /** Suns throw shadows. The reference renderer always has them. */
+  readonly shadows: boolean;
   readonly solver: Solver;
   /** Newton steps per vertex. */
   readonly iterations: number;
@@ -45,6 +47,7 @@ export const DEFAULT_SETTINGS: RenderSettings = {
   colors: 'spectral',
   dopplerMix: 1,
   beaming: 1,
+  shadows: true,
   solver: 'exact',
   iterations: 8,
   damping: 1,

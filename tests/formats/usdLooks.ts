@@ -238,17 +238,17 @@ const lights: Group = {
   title: 'Lights and cameras',
   rows: [
     read(
-      '`DistantLight`, `DomeLight` with its picture',
+      '`DistantLight` with its angle, `DomeLight` with its picture',
       'lights',
       {
         ...usd(
-          'def DistantLight "A" { float inputs:intensity = 3 }\ndef DomeLight "B" { asset inputs:texture:file = @a.png@ }',
+          'def DistantLight "A" { float inputs:intensity = 3\n float inputs:angle = 0 }\ndef DomeLight "B" { asset inputs:texture:file = @a.png@ }',
         ),
         'a.png': PIXEL,
       },
       (s) =>
         expect(s.lights).toMatchObject([
-          { kind: 'distant', color: [3, 3, 3], direction: [0, 0, -1] },
+          { kind: 'distant', color: [3, 3, 3], direction: [0, 0, -1], angle: 0 },
           { kind: 'dome', texture: { width: 1 } },
         ]),
     ),

@@ -10,6 +10,7 @@ import { prefersReducedMotion } from '../state/preferences.ts';
 import type { Studio } from '../state/studio.ts';
 import { report } from '../state/telemetry.ts';
 import { Eye } from './eye.ts';
+import { drawsInSoftware } from './graphics.ts';
 import type { Pilot } from './pilot.ts';
 import { Reader } from './reader.ts';
 import { Resolution } from './resolution.ts';
@@ -65,6 +66,7 @@ export class Stage {
       canvas,
       backend,
       onLost,
+      shadowDetail: drawsInSoftware() ? 'coarse' : 'fine',
       planWorker: () => new Worker(new URL('./plan.worker.ts', import.meta.url), { type: 'module' }),
       sampleWorker: () => new Worker(new URL('./samples.worker.ts', import.meta.url), { type: 'module' }),
       onBetterPlan: again,

@@ -122,6 +122,7 @@ const scene: Scene = {
       path: '/Lights/Sun',
       direction: [0.6, 0, -0.8],
       color: [3, 2.5, 2],
+      angle: 0.02,
       spectrum: { kind: 'thermal', temperature: 5772.5 },
     },
     {
@@ -302,6 +303,7 @@ describe('what is written reads back the same', async () => {
         kind: 'distant',
         direction: [0.6, 0, -0.8].map((x) => expect.closeTo(x, 12)),
         color: [3, 2.5, 2],
+        angle: expect.closeTo(0.02, 7),
         spectrum: { kind: 'thermal', temperature: 5772.5 },
       },
       ...scene.lights.slice(1, 3),

@@ -200,7 +200,8 @@ export function lightContent(light: Light, placement: Placement, file: string | 
   ];
   if (light.kind === 'distant') {
     const pose: Pose = { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) };
-    return { type: 'DistantLight', properties: [...color, ...poseLines(pose, placement)] };
+    const angle = light.angle === undefined ? [] : [`float inputs:angle = ${float((light.angle * 180) / Math.PI)}`];
+    return { type: 'DistantLight', properties: [...color, ...angle, ...poseLines(pose, placement)] };
   }
   if (light.kind !== 'dome') {
     const sizes = sizesOf(light).map(
