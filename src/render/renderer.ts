@@ -118,7 +118,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   async readAov(name: AovName): Promise<Float32Array> {
-    if (name !== 'beauty') return readData(this.gpu, this.machine.buffer, name, this.picture(), this.whole());
+    if (name !== 'beauty') return readData(this.gpu, this.machine, name, this.picture(), this.whole());
     const { target, index } = this.machine.beauty();
     return withoutAlpha(await readFloats(this.gpu, target, index, this.whole()));
   }
@@ -132,7 +132,7 @@ export class SceneRenderer implements PictureMaker {
     const { target, index } = this.machine.beauty();
     const [light, surface] = await Promise.all([
       readFloats(this.gpu, target, index, { x: column, y: row, width: 1, height: 1 }),
-      readSurfaceAt(this.gpu, this.machine.buffer, taken, pathOf, column, row),
+      readSurfaceAt(this.gpu, this.machine, taken, pathOf, column, row),
     ]);
     return { light: [light[0], light[1], light[2]], ...(surface && { surface }) };
   }
