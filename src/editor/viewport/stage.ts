@@ -181,7 +181,8 @@ export class Stage {
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
     const { clientWidth, clientHeight } = this.#canvas;
-    const settings = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
+    const wanted = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
+    const settings = this.#resolution.hasTime ? wanted : { ...wanted, occlusionRadius: 0 };
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
     this.#renderer.render(viewPoint, settings);
