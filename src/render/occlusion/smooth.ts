@@ -2,7 +2,6 @@ import {
   abs,
   clamp,
   Fn,
-  float,
   floor,
   ivec2,
   max,
@@ -48,7 +47,7 @@ export const smoothed = (from: Texture, step: readonly [number, number], view: O
       const away = k - MIDDLE;
       if (away === 0) return;
       const off = abs(near[k].sub(near[MIDDLE]).sub(slope.mul(away))).div(texel.mul(Math.abs(away)));
-      const share = clamp(float(2).sub(off), 0, 1).mul(select(texels[k].y.greaterThan(0), weight, 0));
+      const share = select(texels[k].y.greaterThan(0), weight, 0).div(off.mul(off).mul(4).add(1));
       sum.addAssign(vec2(texels[k].x, 1).mul(share));
     });
     return vec4(sum.x.div(sum.y), texels[MIDDLE].y, 0, 1);
