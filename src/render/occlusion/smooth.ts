@@ -1,17 +1,4 @@
-import {
-  abs,
-  clamp,
-  Fn,
-  floor,
-  ivec2,
-  max,
-  min,
-  screenCoordinate,
-  select,
-  textureLoad,
-  vec2,
-  vec4,
-} from 'three/tsl';
+import { abs, clamp, Fn, floor, ivec2, max, min, screenCoordinate, select, textureLoad, vec2, vec4 } from 'three/tsl';
 import type { Texture } from 'three/webgpu';
 import type { Float, Vec2, Vec4 } from '../../shaders/types.ts';
 import type { GBuffer } from '../targets.ts';
