@@ -55,9 +55,8 @@ export class Occlusion {
     const view = { uniforms, size, radius: this.radius, place, moving };
     this.radius.value = radius;
     this.run(`visibility ${place} ${moving}`, first, () => visibility(buffer, view));
-    this.run('across', second, () => smoothed(first.texture, [1, 0], view));
-    this.run('down', first, () => smoothed(second.texture, [0, 1], view));
-    this.run('spread', target, () => spread(first.texture, buffer, view));
+    this.run('smoothed', second, () => smoothed(first.texture, view));
+    this.run('spread', target, () => spread(second.texture, buffer, view));
   }
 
   dispose(): void {
