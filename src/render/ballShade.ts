@@ -41,7 +41,8 @@ export function ballLight({ look, rest }: Receiver, radius: Float, lamp: SeenLam
   const own = capOf(centre, radius);
   const seen = frame.doppler || rest.doppler ? carriedCap(own, frame, rest) : own;
   const height = dot(N, seen.axis).toVar();
-  const matt = capIrradiance(seen, height).toVar();
+  // Who is inside has it all round.
+  const matt = select(own.sine2.lessThan(MOST_SINE2), capIrradiance(seen, height), Math.PI).toVar();
   If(matt.greaterThan(0), () => {
     const open = shape && shaped({ ...shape, front: frontOf(shape) }, own.axis.negate());
     const share = (open && shining ? open.mul(shining(centre)) : (open ?? shining?.(centre) ?? float(1))).toVar();
@@ -60,9 +61,12 @@ export function ballLight({ look, rest }: Receiver, radius: Float, lamp: SeenLam
   });
 }
 
+/** Of what is touched. */
+const MOST_SINE2 = 0.9999;
+
 function capOf(centre: Vec3, radius: Float): Cap {
   const d2 = dot(centre, centre).max(1e-12).toVar();
-  const sine2 = radius.mul(radius).div(d2).min(0.9999).toVar();
+  const sine2 = radius.mul(radius).div(d2).min(MOST_SINE2).toVar();
   return { axis: centre.mul(inverseSqrt(d2)).toVar(), sine2, cosine: sqrt(sine2.oneMinus()).toVar() };
 }
 
