@@ -14,6 +14,7 @@ export const CODES = {
   'file.forgotten': 'the page no longer has the files of this scene',
   'file.missing-texture': 'a picture is not there; it is told where it was looked for',
   'file.unreadable-texture': 'a picture that cannot be read; it is told why',
+  'file.missing-spectrum': 'a table of a spectrum is not there; it is told where it was looked for',
   'file.missing-materials': 'a file of materials is not there; it is told where it was looked for',
   'file.not-finite': 'NaN, or a number too large; what depends on it is left out',
   'file.units': 'the format tells neither unit nor up axis: metres and Y are taken',

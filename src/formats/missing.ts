@@ -9,3 +9,12 @@ export function missingTexture(
   const message = `the texture ${name} is not there (looked for ${lookedFor.join(', ')}); shown without it`;
   return { code: 'file.missing-texture', message, missing: { name, lookedFor } };
 }
+
+/** The same of a table of a light's spectrum. */
+export function missingSpectrum(
+  name: string,
+  lookedFor: readonly string[],
+): Pick<Diagnostic, 'message'> & { code: Code; missing: MissingFile } {
+  const message = `the spectrum ${name} is not there (looked for ${lookedFor.join(', ')}); its light is taken for daylight`;
+  return { code: 'file.missing-spectrum', message, missing: { name, lookedFor } };
+}

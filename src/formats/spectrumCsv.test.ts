@@ -4,7 +4,7 @@ import { InputError } from '../scene/types.ts';
 import { LIGHT_PRESETS } from '../spectrum/lightPresets.ts';
 import type { SampledSpectrum } from '../spectrum/lightSpectrum.ts';
 import { whiteOf } from '../spectrum/observerColor.ts';
-import { readSpectrumCsv } from './spectrumCsv.ts';
+import { readSpectrumCsv, writeSpectrumCsv } from './spectrumCsv.ts';
 
 const read = (text: string): SampledSpectrum => readSpectrumCsv(new TextEncoder().encode(text), 'lamp.csv');
 const close = (values: readonly number[]) => values.map((value) => expect.closeTo(value, 9));
@@ -24,6 +24,13 @@ describe('a spectrum from CSV', () => {
       step: expect.closeTo(10e-9, 15),
       values: close([1, 2.5, 0]),
     });
+  });
+
+  test('that was written is the same again', () => {
+    const led = LIGHT_PRESETS.get('led')!.spectrum as SampledSpectrum;
+    const { first, step, values } = readSpectrumCsv(writeSpectrumCsv(led), 'led.csv');
+    expect([first, step]).toEqual([expect.closeTo(led.first, 15), expect.closeTo(led.step, 15)]);
+    expect(values).toEqual(led.values);
   });
 
   test('of a lamp of ours is that lamp', () => {

@@ -36,6 +36,12 @@ export function readSpectrumCsv(bytes: Uint8Array, name: string): SampledSpectru
   return evenlySampled(rows);
 }
 
+/** As `readSpectrumCsv` reads it. */
+export function writeSpectrumCsv({ first, step, values }: SampledSpectrum): Uint8Array {
+  const rows = values.map((value, i) => `${Number(((first + i * step) * 1e9).toPrecision(9))}, ${value}`);
+  return new TextEncoder().encode(['# wavelength [nm], relative radiance', ...rows, ''].join('\n'));
+}
+
 const damaged = (place: string, message: string) =>
   inputError('spectrum.csv', place, `${message}; a spectrum is lines such as "550, 0.87", wavelengths in nm rising`);
 

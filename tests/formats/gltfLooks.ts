@@ -222,6 +222,17 @@ const lights: Group = {
       }),
       (s) => expect(s.lights[0]).toMatchObject({ spectrum: { kind: 'thermal', temperature: 2856 } }),
     ),
+    leftOut(
+      'the extra `slowlight:spectrum` of a light as `"lamp.csv"`, a table beside the scene, that is not there',
+      'named; where it is there, the light is what it says',
+      'file.missing-spectrum',
+      glb((kit) => {
+        const lamp = kit.doc.createExtension(KHRLightsPunctual).createLight().setType('point');
+        const spectrum = lamp.setExtras({ 'slowlight:spectrum': 'lamp.csv' });
+        kit.scene.addChild(kit.doc.createNode('Lamp').setExtension('KHR_lights_punctual', spectrum));
+      }),
+      (s) => expect(s.lights[0]).not.toHaveProperty('spectrum'),
+    ),
     leftOut('a range of a light', 'named; light goes on for ever', 'gltf.light', glb(light('point', 7)), (s) =>
       expect(s.lights.length).toBe(1),
     ),

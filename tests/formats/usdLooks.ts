@@ -334,6 +334,37 @@ const lights: Group = {
       shines('SphereLight', 'custom token slowlight:spectrum = "sodium"'),
       (s) => expect(s.lights).toMatchObject([{ spectrum: { kind: 'lines' } }]),
     ),
+    read(
+      'an `asset slowlight:spectrum` of a light, a CSV of wavelengths in nm and values',
+      'its light is what the table says; only the brightness of its colour counts',
+      {
+        ...shines('SphereLight', 'custom asset slowlight:spectrum = @./lamps/warm.csv@'),
+        'lamps/warm.csv': '# nm, W\n400, 1\n500, 2\n600, 4\n',
+      },
+      (s) => expect(s.lights).toMatchObject([{ spectrum: { kind: 'sampled', values: [1, 2, 4] } }]),
+    ),
+    leftOut(
+      'such a table that is not there',
+      'named with where it was looked for; it can be dropped on the page',
+      'file.missing-spectrum',
+      shines('SphereLight', 'custom asset slowlight:spectrum = @./warm.csv@'),
+      (s) => expect(s.diagnostics.find(({ missing }) => missing)?.missing?.name).toBe('./warm.csv'),
+    ),
+    leftOut(
+      'one that is no spectrum',
+      'named with its line',
+      'spectrum.csv',
+      {
+        ...shines('DomeLight', 'custom asset slowlight:spectrum = @warm.csv@'),
+        'warm.csv': '400, 1\n390, 2\n',
+      },
+      (s) => {
+        expect(s.lights[0]).not.toHaveProperty('spectrum');
+        expect(s.diagnostics.map(({ message }) => message).join()).toContain(
+          'warm.csv: line 2: 390 nm comes after 400 nm',
+        );
+      },
+    ),
     leftOut(
       'a `slowlight:spectrum` that is not known',
       'named',

@@ -1,5 +1,6 @@
 import type { Document, GLTF } from '@gltf-transform/core';
 import type { VariantSet } from '../../scene/types.ts';
+import type { SampledSpectrum } from '../../spectrum/lightSpectrum.ts';
 import type { Code } from '../codes.ts';
 import { inputError } from '../fail.ts';
 import type { Notes } from '../notes.ts';
@@ -16,6 +17,8 @@ export interface GltfContext {
   /** Of its materials, with the one to show. */
   readonly variants: VariantSet | undefined;
   readonly notes: Notes;
+  /** Tables of spectra that its lights name. */
+  readonly spectra: ReadonlyMap<string, SampledSpectrum | undefined>;
 }
 
 /** Bytes of buffers and images, by uri. */

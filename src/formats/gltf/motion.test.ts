@@ -191,7 +191,7 @@ describe('glTF motion', () => {
     const bake = async (budget: number): Promise<[number[], string[]]> => {
       const notes = new Notes('a.glb');
       const file = await loadGltf(await kit.files(), 'a.glb', notes);
-      const context = { entry: 'a.glb', options: {}, variants: undefined, notes, ...file };
+      const context = { entry: 'a.glb', options: {}, variants: undefined, spectra: new Map(), notes, ...file };
       const root = context.document.getRoot();
       const tree = new NodeTree(context, root.listAnimations()[0]);
       const [jelly] = root.listNodes();

@@ -26,6 +26,7 @@ import { loadGltf } from './container.ts';
 import { type GltfContext, gltfError } from './context.ts';
 import { makeDeformer, settleMorphs } from './deform.ts';
 import { readInstances } from './instances.ts';
+import { lightSpectra } from './lightSpectra.ts';
 import { MaterialLibrary } from './materials.ts';
 import { type Frame, NodeTree, type Placement } from './nodes.ts';
 import { type Geometry, readGeometry } from './primitives.ts';
@@ -45,7 +46,8 @@ export async function readGltf(source: FileSource, entry: string, options: ReadO
     const notes = new Notes(entry);
     const file = await loadGltf(source, entry, notes);
     const variants = variantSet({ entry, json: file.json, options });
-    const context: GltfContext = { entry, options, notes, variants, ...file };
+    const spectra = await lightSpectra(source, entry, file.json, notes);
+    const context: GltfContext = { entry, options, notes, variants, spectra, ...file };
     return buildScene(context);
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
@@ -260,9 +262,12 @@ class SceneBuilder {
   #spectrum(light: GltfLight, path: string): Pick<DistantLight, 'spectrum'> {
     const written = new Map(Object.entries(light.getExtras())).get(SPECTRUM_HINT);
     if (written === undefined) return {};
-    const spectrum = typeof written === 'string' ? spectrumFrom(written) : undefined;
+    const { notes, spectra } = this.#context;
+    const name = String(written);
+    const spectrum = spectra.get(name) ?? (typeof written === 'string' ? spectrumFrom(written) : undefined);
     if (spectrum) return { spectrum };
-    this.#context.notes.add('warning', 'gltf.slowlight', path, unknownSpectrum(String(written)));
+    // What a file lacks was told when it was looked for.
+    if (!spectra.has(name)) notes.add('warning', 'gltf.slowlight', path, unknownSpectrum(name));
     return {};
   }
 

@@ -100,6 +100,7 @@ class GltfWriter {
     if (spread) made.setInnerConeAngle(spread.inner).setOuterConeAngle(spread.outer);
     const spectrum = light.spectrum && spectrumText(light.spectrum);
     if (spectrum) made.setExtras({ [SPECTRUM_HINT]: spectrum });
+    else if (light.spectrum) this.losses.add('warning', 'convert.light', light.path, NO_TABLES);
     this.placed(light.path, 'Light', motion).setExtension('KHR_lights_punctual', made);
     if (isSun || (light.kind === 'sphere' && light.radius === 0)) return;
     const what = light.kind !== 'sphere' ? `shape, a ${light.kind},` : `radius of ${light.radius} m`;
@@ -146,3 +147,6 @@ function spreadOf(lamp: Lamp): { inner: number; outer: number } | undefined {
   const outer = Math.min(Math.max(lamp.shaping.outer, 1e-3), Math.PI / 2);
   return { inner: Math.min(Math.max(face && outer > 1.5 ? 0 : lamp.shaping.inner, 0), outer - 1e-4), outer };
 }
+
+/** Said of a spectrum that has no name. */
+const NO_TABLES = 'its spectrum is lost: a table of it is written beside USD alone';

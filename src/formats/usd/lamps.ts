@@ -32,7 +32,7 @@ export async function lampOf(
     motion: lampMotion(context, prim, frame, directions),
     lifetime: lifetimeOf(directions),
     color: tint ? [color[0] * tint[0], color[1] * tint[1], color[2] * tint[2]] : color,
-    ...spectrumOf(context, prim),
+    ...(await spectrumOf(context, prim)),
     ...(shaping && { shaping }),
   };
 }

@@ -2,9 +2,10 @@ import { scale, type Vec3 } from '../../math/vec3.ts';
 import type { DistantLight, LightShaping } from '../../scene/types.ts';
 import { blackbodyColor } from '../../spectrum/planckian.ts';
 import { SPECTRUM_HINT, spectrumFrom, thermalSpectrum, unknownSpectrum } from '../spectra.ts';
-import { attributeOf, numberAt, numbersAt, textAt, vec3At } from './attributes.ts';
+import { attributeOf, numberAt, numbersAt, textAt, textOf, valueAt, vec3At } from './attributes.ts';
 import { isTrue, report, type StageContext } from './context.ts';
 import type { PrimSpec } from './layer.ts';
+import { spectrumOfFile } from './spectrumFiles.ts';
 
 /** An input of a light: `inputs:name`, or `name` as files before USD 21 wrote it. */
 export const lightNumber = (context: StageContext, prim: PrimSpec, name: string): number | undefined =>
@@ -41,9 +42,11 @@ const temperatureOf = (context: StageContext, prim: PrimSpec): number | undefine
     ? (lightNumber(context, prim, 'colorTemperature') ?? 6500)
     : undefined;
 
-/** What the light is made of, where our own attribute or its colour temperature tells. */
-export function spectrumOf(context: StageContext, prim: PrimSpec): Pick<DistantLight, 'spectrum'> {
-  const written = textAt(prim, SPECTRUM_HINT, undefined);
+/** What the light is made of, where our own attribute, a name or a file, or its colour temperature tells. */
+export async function spectrumOf(context: StageContext, prim: PrimSpec): Promise<Pick<DistantLight, 'spectrum'>> {
+  const value = valueAt(attributeOf(prim, SPECTRUM_HINT), undefined);
+  if (value?.type === 'asset') return spectrumOfFile(context, prim, value);
+  const written = textOf(value);
   const named = written === undefined ? undefined : spectrumFrom(written);
   if (written !== undefined && !named) report(context, 'warning', 'usd.slowlight', prim.path, unknownSpectrum(written));
   const temperature = temperatureOf(context, prim);

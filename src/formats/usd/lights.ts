@@ -35,10 +35,15 @@ export async function lightOf(
   if (prim.typeName === 'DistantLight') {
     const direction = normalize(mat4.transformVector(frame.matrixAt(context.startCode), [0, 0, -1]), [0, 0, -1]);
     const color = brightnessOf(context, prim, DISTANT_INTENSITY);
-    return { kind: 'distant', path, direction, color, ...angleOf(context, prim), ...spectrumOf(context, prim) };
+    return { kind: 'distant', path, direction, color, ...angleOf(context, prim), ...(await spectrumOf(context, prim)) };
   }
   if (textAt(prim, 'slowlight:sky', undefined) === 'stars') return nightSkyOf(context, prim, frame);
-  const dome = { kind: 'dome', path, color: brightnessOf(context, prim), ...spectrumOf(context, prim) } as const;
+  const dome = {
+    kind: 'dome',
+    path,
+    color: brightnessOf(context, prim),
+    ...(await spectrumOf(context, prim)),
+  } as const;
   return { ...dome, ...skyGradient(context, prim, dome.color), ...(await domePicture(context, textures, prim, frame)) };
 }
 

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { toHalf } from '../../math/half.ts';
 import { pointsAt } from '../../scene/points.ts';
 import { sphere } from '../../scene/primitives.ts';
-import type { Material, Mesh, Scene, SceneObject, Texture } from '../../scene/types.ts';
+import type { DistantLight, Material, Mesh, Scene, SceneObject, Texture } from '../../scene/types.ts';
 import { bytesOf } from '../rangedFile.ts';
 import { memorySource } from '../source.ts';
 import { readUsd } from './read.ts';
@@ -295,6 +295,16 @@ describe('what is written reads back the same', async () => {
     const lights = [{ kind: 'dome', path: '/Sky', color: [1, 1, 1], texture: sky }] as const;
     expect([...writeTextures({ ...leafy, lights }).keys()]).toContain('textures/sky.exr');
     expect((await reread({ ...leafy, lights })).lights).toMatchObject([{ texture: { width: 2, data: halves } }]);
+  });
+
+  it('a spectrum without a name, as a table beside the text', async () => {
+    const spectrum = { kind: 'sampled', first: 4e-7, step: 1e-8, values: [0.25, 1, 3.5] } as const;
+    const light = { kind: 'distant', direction: [0, 0, -1], color: [1, 1, 1], spectrum } as const;
+    const lights = ['/A', '/B'].map((path) => ({ ...light, path }));
+    expect([...writeTextures({ ...leafy, lights }).keys()]).toContain('spectra/spectrum.csv');
+    const [a, b] = (await reread({ ...leafy, lights })).lights as readonly DistantLight[];
+    expect(a.spectrum).toMatchObject({ kind: 'sampled', first: expect.closeTo(4e-7, 15), values: spectrum.values });
+    expect(b.spectrum).toBe(a.spectrum);
   });
 
   it('lights, cameras, hints and times', () => {

@@ -32,8 +32,9 @@ export function writeUsda(scene: Scene): string {
   }
   for (const { item, path } of cameras) tree.set(path, cameraContent(item, placement(path)));
   for (const { item, path } of lights) {
-    const texture = item.kind === 'dome' && item.texture ? files.path(item.texture) : undefined;
-    tree.set(path, lightContent(item, placement(path), texture));
+    const picture = item.kind === 'dome' && item.texture ? files.path(item.texture) : undefined;
+    const spectrum = item.kind !== 'stars' && item.spectrum ? files.spectrum(item.spectrum) : undefined;
+    tree.set(path, lightContent(item, placement(path), { picture, spectrum }));
   }
   return `${[...headerLines(scene, tree), ...tree.lines()].join('\n')}\n`;
 }
@@ -44,7 +45,7 @@ function ancestors(path: string): string[] {
   return end > 0 ? [path.slice(0, end), ...ancestors(path.slice(0, end))] : [];
 }
 
-/** The textures that `writeUsda` names, as PNG files by their paths. */
+/** The textures and spectra that `writeUsda` names, as files by their paths. */
 export const writeTextures = (scene: Scene): Map<string, Uint8Array> => new TextureFiles(scene).encoded();
 
 /** A scene and its textures as one package. The same scene gives the same bytes. */

@@ -1,7 +1,10 @@
 import type { Material, RadiancePicture, Scene, Texture, TextureChannel } from '../../scene/types.ts';
+import type { LightSpectrum, SampledSpectrum } from '../../spectrum/lightSpectrum.ts';
 import { SPECTRAL_HINTS, UNSEEN } from '../hints.ts';
 import { encodePng } from '../png.ts';
 import { encodeRadiance } from '../radiance.ts';
+import { spectrumText } from '../spectra.ts';
+import { writeSpectrumCsv } from '../spectrumCsv.ts';
 import type { PrimTree } from './primTree.ts';
 import { block, double, float, floats, type Lines, quoted } from './usdaText.ts';
 
@@ -17,14 +20,30 @@ const texturesOf = (m: Material): readonly Texture[] =>
     m.irTexture?.texture,
   ].filter((texture) => texture !== undefined);
 
-/** The scene's textures and the files they are written to: one for each picture, `textures/NAME.png`, `.exr` of radiance. */
+/** The scene's textures and spectra, and the files they are written to: one for each picture, `textures/NAME.png`, `.exr` of radiance, `spectra/spectrum.csv`. */
 export class TextureFiles {
   private readonly pathOf = new Map<object, string>();
   private readonly textures = new Map<string, Written>();
+  private readonly spectra = new Map<string, SampledSpectrum>();
 
   constructor(scene: Scene) {
     for (const material of scene.materials) for (const texture of texturesOf(material)) this.add(texture);
-    for (const light of scene.lights) if (light.kind === 'dome' && light.texture) this.add(light.texture);
+    for (const light of scene.lights) {
+      if (light.kind === 'dome' && light.texture) this.add(light.texture);
+      if (light.kind !== 'stars' && light.spectrum && isTable(light.spectrum)) this.addSpectrum(light.spectrum);
+    }
+  }
+
+  private addSpectrum(spectrum: SampledSpectrum): void {
+    if (this.pathOf.has(spectrum)) return;
+    const path = `spectra/spectrum${this.spectra.size === 0 ? '' : `_${this.spectra.size}`}.csv`;
+    this.pathOf.set(spectrum, path);
+    this.spectra.set(path, spectrum);
+  }
+
+  /** The table of a spectrum that has no name of its own. */
+  spectrum(spectrum: LightSpectrum): string | undefined {
+    return isTable(spectrum) ? this.pathOf.get(spectrum) : undefined;
   }
 
   private add(texture: Written): void {
@@ -46,11 +65,16 @@ export class TextureFiles {
     return this.pathOf.get(texture.data)!;
   }
 
-  /** The PNGs and EXRs by their paths. */
+  /** The PNGs, EXRs and tables by their paths. */
   encoded(): Map<string, Uint8Array> {
-    return new Map([...this.textures].map(([path, texture]) => [path, encode(texture)]));
+    const pictures = [...this.textures].map(([path, texture]) => [path, encode(texture)] as const);
+    const tables = [...this.spectra].map(([path, spectrum]) => [path, writeSpectrumCsv(spectrum)] as const);
+    return new Map([...pictures, ...tables]);
   }
 }
+
+const isTable = (spectrum: LightSpectrum): spectrum is SampledSpectrum =>
+  spectrum.kind === 'sampled' && spectrumText(spectrum) === undefined;
 
 type Written = Texture | RadiancePicture;
 const isRadiance = (texture: Written): texture is RadiancePicture => texture.data instanceof Uint16Array;

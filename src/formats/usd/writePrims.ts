@@ -190,13 +190,21 @@ export function cameraContent(camera: SceneCamera, placement: Placement): PrimCo
   };
 }
 
-export function lightContent(light: Light, placement: Placement, file: string | undefined): PrimContent {
+/** Files that a light names, by the paths that they are written to. */
+export interface LightFiles {
+  readonly picture?: string | undefined;
+  readonly spectrum?: string | undefined;
+}
+
+export function lightContent(light: Light, placement: Placement, files: LightFiles): PrimContent {
   if (light.kind === 'stars') return nightSkyContent(light, placement);
   const spectrum = light.spectrum && spectrumText(light.spectrum);
+  const { picture: file, spectrum: table } = files;
   const color = [
     `color3f inputs:color = ${floats(light.color)}`,
     'float inputs:intensity = 1',
     ...(spectrum ? [`custom token ${SPECTRUM_HINT} = "${spectrum}"`] : []),
+    ...(table ? [`custom asset ${SPECTRUM_HINT} = @${table}@`] : []),
   ];
   if (light.kind === 'distant') {
     const pose: Pose = { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) };
