@@ -198,7 +198,7 @@ export const nodeWords = {
     '用颜色表示数值：多普勒因子 D；所见事件的发生时间；曝光前的亮度；看到的是发射光谱的哪一部分。',
   ],
   'falseColor.none': ['Off', '关'],
-  'falseColor.doppler': ['D', 'D'],
+  'falseColor.doppler': ['Doppler', '多普勒'],
   'falseColor.emissionTime': ['Time', '时间'],
   'falseColor.radiance': ['Light', '亮度'],
   'falseColor.band': ['Band', '波段'],

@@ -65,7 +65,7 @@ describe('false colours', () => {
     const options = { colorScheme, viewport: { width: 1280, height: 720 } };
     const visit = await (await program.open(MOVING, options)).ready();
     for (const [option, title] of [
-      ['D', 'Doppler factor D'],
+      ['Doppler', 'Doppler factor D'],
       ['Time', 'Happened, from now'],
       ['Light', 'Luminance before exposure'],
       ['Band', 'Seen at 550 nm, emitted at [nm]'],

@@ -43,7 +43,10 @@ export class Stage {
   /** In the renderer now. */
   #scene: Scene | undefined;
   #uploading = false;
+  /** On the canvas; undefined while there is nothing of this scene. */
   #shown: Shown | undefined;
+  /** The same would not look the same any more. */
+  #stale = false;
   #frame = 0;
   #before: number | undefined;
   /** Samples of this scene cannot be read any more. */
@@ -132,7 +135,8 @@ export class Stage {
       this.#resize();
     }
     this.#read(now);
-    report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits, preparing: this.#prepares }, now);
+    const drawn = { ...this.#renderer.info, waiting: this.#waits, preparing: this.#prepares };
+    report(this.#pilot.observer, this.#shown ? drawn : { ...drawn, triangles: 0 }, now);
   }
 
   /** For the legend, what is pointed at. */
@@ -178,7 +182,7 @@ export class Stage {
 
   /** The next tick draws, also where nothing has changed. */
   #again(): void {
-    this.#shown = undefined;
+    this.#stale = true;
   }
 
   /** For samples that are to come. */
@@ -203,8 +207,9 @@ export class Stage {
     // What was shown before goes on until what is wanted can be drawn at once.
     const settings = this.#isPrepared(viewPoint, affordable) ? affordable : this.#shown?.settings;
     if (!settings) return false;
-    if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
+    if (!always && !this.#stale && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
+    this.#stale = false;
     this.#renderer.render(viewPoint, settings);
     if (this.#renderer.info.waiting) return false;
     showColors(settings.falseColors);
