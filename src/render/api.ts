@@ -16,6 +16,11 @@ export interface PictureMaker {
   /** Size of the picture in device pixels. */
   setSize(width: number, height: number): void;
   /**
+   * Compiles, between the frames of others, the shaders of a picture that would be the first of its kind; undefined: it can be made at once.
+   * While something else is being compiled: its end, after which is to be asked again. Rejects where the device is lost.
+   */
+  prepare(viewPoint: ViewPoint, settings: RenderSettings): Promise<void> | undefined;
+  /**
    * Makes one picture, and shows it where there is a canvas. `samples`: n × n ordered samples per pixel; 1 is antialiased
    * by FXAA instead. Synchronous: the GPU may still be at work when it returns.
    */

@@ -10,7 +10,7 @@ import { type ShadedSurface, shade } from './shade.ts';
 import type { Shadowing } from './shadows/receiver.ts';
 import { background } from './sky.ts';
 import { readSurface, surfaceOutputs, type TargetName } from './surface.ts';
-import { unpackEmission, unpackFinish, unpackNormals } from './surfaceCode.ts';
+import { roughnessAndOcclusion, unpackEmission, unpackFinish, unpackNormals } from './surfaceCode.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import { type Projection, vertexStage, vShown } from './vertexStage.ts';
@@ -59,7 +59,7 @@ function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
   const velocity = vec4(motion.xyz, speed.oneMinus().mul(speed.add(1)));
   return {
     color: vec4(base.rgb, 1),
-    roughness: base.w,
+    ...roughnessAndOcclusion(base.w),
     emission: unpackEmission(emissive.xyz),
     ...unpackFinish(emissive.w),
     ...unpackNormals(normal),

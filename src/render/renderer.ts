@@ -8,8 +8,10 @@ import type { PictureMaker } from './api.ts';
 import { frustumSides } from './cull.ts';
 import { FAR, NEAR } from './depth.ts';
 import { type Gpu, openGpu } from './device.ts';
+import { paletteOf } from './palette.ts';
 import { PictureMachine } from './picture.ts';
 import { type Region, readBytes, readData, readFloats, readSurfaceAt } from './readback.ts';
+import { rehearse } from './rehearsal.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import type { PickResult, RendererInfo, RendererOptions } from './settings.ts';
 import type { Sight } from './sight.ts';
@@ -25,6 +27,9 @@ export class SceneRenderer implements PictureMaker {
   private readonly toCanvas: boolean;
   private readonly options: RendererOptions;
   private upload: SceneUpload | undefined;
+  /** What pictures have been drawn with, or can be at once. */
+  private readonly compiled = new Set<string>();
+  private preparing: Promise<void> | undefined;
   private taken: Sight | undefined;
   /** Of the last picture, and of the next one: the size changes when that is made, for a canvas of a new size is empty. */
   private size = { width: 1, height: 1 };
@@ -76,31 +81,41 @@ export class SceneRenderer implements PictureMaker {
     this.taken = undefined;
   }
 
+  prepare(viewPoint: ViewPoint, settings: RenderSettings): Promise<void> | undefined {
+    const { upload } = this;
+    // With another speed of light it may be another upload's turn.
+    if (upload?.speedOfLight !== settings.speedOfLight && upload?.dependsOnSpeedOfLight) return undefined;
+    if (!upload || this.compiled.has(shadersOf(settings, upload))) return undefined;
+    this.preparing ??= this.compile(upload, viewPoint, settings).finally(() => {
+      this.preparing = undefined;
+    });
+    return this.preparing;
+  }
+
+  private async compile(upload: SceneUpload, viewPoint: ViewPoint, settings: RenderSettings): Promise<void> {
+    const projection = projectionOf(settings);
+    const stage = this.stage(upload, viewPoint, settings, projection);
+    if (!stage) return;
+    const draw = (): void => {
+      this.draw(upload, settings, projection, 0, 1);
+      if (this.toCanvas) this.machine.present('canvas');
+    };
+    // Whatever comes of it: a shader that cannot be compiled is told of when it is to be drawn with.
+    await rehearse(this.gpu.renderer, draw).finally(() => this.compiled.add(shadersOf(settings, upload)));
+  }
+
   render(viewPoint: ViewPoint, settings: RenderSettings, samples = 1): void {
     const began = performance.now();
     const upload = this.uploadFor(settings.speedOfLight);
     if (!upload) return;
     const projection = projectionOf(settings);
-    const sight = sightOf(viewPoint, settings, projection);
-    this.look(viewPoint, sight, settings, projection, upload);
-    const seen = upload.frame.fill(
-      upload.bodies,
-      sight,
-      this.gaze(viewPoint, projection),
-      projection.event === 'newton',
-    );
-    if (!upload.frame.isComplete) return;
-    if (settings.shadows && !upload.shadows.update(sight)) return;
-    this.resize();
-    this.cut(upload, viewPoint, sight, projection, seen);
-    upload.environment.update(sight, settings.colors);
-    upload.stars?.update(viewPoint, settings, this.width, this.height);
+    const stage = this.stage(upload, viewPoint, settings, projection, () => this.resize());
+    if (!stage) return;
+    const { sight, seen } = stage;
     const count = samples * samples;
     for (let i = 0; i < count; i++) {
       this.jitter(samples, i);
-      this.machine.drawGeometry(upload, projection, this.camera);
-      this.machine.drawLight(upload, projection, this.camera, settings);
-      this.machine.display(i, count, { ...settings, starry: upload.stars !== undefined });
+      this.draw(upload, settings, projection, i, count);
     }
     if (count > 1) {
       // Data are of the pixels' centres, not of the last sample.
@@ -110,7 +125,42 @@ export class SceneRenderer implements PictureMaker {
     if (this.toCanvas) this.machine.present('canvas');
     this.taken = sight;
     this.drawn = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
+    this.compiled.add(shadersOf(settings, upload));
     if (this.toCanvas) upload.refiner.countSometimes();
+  }
+
+  /** Puts everything in its place for a picture; undefined where samples of it are still to come. */
+  private stage(
+    upload: SceneUpload,
+    viewPoint: ViewPoint,
+    settings: RenderSettings,
+    projection: Projection,
+    beforeCutting = () => {},
+  ): { readonly sight: Sight; readonly seen: readonly boolean[] } | undefined {
+    const sight = sightOf(viewPoint, settings, projection);
+    this.look(viewPoint, sight, settings, projection, upload);
+    const gaze = this.gaze(viewPoint, projection);
+    const seen = upload.frame.fill(upload.bodies, sight, gaze, projection.event === 'newton');
+    if (!upload.frame.isComplete) return undefined;
+    if (settings.shadows && !upload.shadows.update(sight)) return undefined;
+    beforeCutting();
+    this.cut(upload, viewPoint, sight, projection, seen);
+    upload.environment.update(sight, settings.colors);
+    upload.stars?.update(viewPoint, settings, this.width, this.height);
+    return { sight, seen };
+  }
+
+  /** Sample `index` of `count`. */
+  private draw(
+    upload: SceneUpload,
+    settings: RenderSettings,
+    projection: Projection,
+    index: number,
+    count: number,
+  ): void {
+    this.machine.drawGeometry(upload, projection, this.camera);
+    this.machine.drawLight(upload, projection, this.camera, settings);
+    this.machine.display(index, count, { ...settings, starry: upload.stars !== undefined });
   }
 
   async readPixels(): Promise<Uint8Array> {
@@ -258,6 +308,13 @@ function lookAtGround(uniforms: Uniforms, { position }: ViewPoint, { scene, radi
   uniforms.gridNorth.value.set(0, north === 1 ? 1 : 0, north === 2 ? 1 : 0);
   uniforms.gridStep.value = step;
   uniforms.ground.value.set(position[up], wrap(position[0]), wrap(position[north]));
+}
+
+/** Names all the shaders that a picture takes. */
+function shadersOf(settings: RenderSettings, { serial, scene }: SceneUpload): string {
+  const { tone, grid, falseColors } = settings;
+  const { event, place } = projectionOf(settings);
+  return [serial, event, place, paletteOf(settings, scene), tone, grid, falseColors?.kind].join(' ');
 }
 
 function withoutAlpha(rgba: Float32Array): Float32Array {

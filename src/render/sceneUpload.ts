@@ -155,6 +155,7 @@ export class SceneUpload {
 
   private pictures(of: BatchTextures): SurfaceTextures {
     const { baseColorTexture, emissiveTexture, normalTexture, roughnessTexture, metallicTexture } = of;
+    const { occlusionTexture, uvTexture, irTexture } = of;
     const channel = ({ texture, channel }: TextureChannel): ChannelTexture => ({
       texture: this.texture(texture),
       channel,
@@ -165,6 +166,9 @@ export class SceneUpload {
       ...(normalTexture && { normal: this.texture(normalTexture.texture) }),
       ...(roughnessTexture && { roughness: channel(roughnessTexture) }),
       ...(metallicTexture && { metallic: channel(metallicTexture) }),
+      ...(occlusionTexture && { occlusion: channel(occlusionTexture) }),
+      ...(uvTexture && { uv: channel(uvTexture) }),
+      ...(irTexture && { ir: channel(irTexture) }),
     };
   }
 

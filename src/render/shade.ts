@@ -1,5 +1,5 @@
 import { Fn, normalize, reflect } from 'three/tsl';
-import type { Vec3, Vec4 } from '../shaders/types.ts';
+import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { type Look, lookOf, mirroredSky, reflectance } from './brdf.ts';
 import type { Environment } from './environment.ts';
 import { lampLight } from './lampLight.ts';
@@ -48,14 +48,21 @@ export const shade = (
       eye.send(share ? color.mul(share) : color, reflectance(look, rest.into(direction)), passage, IRRADIANCE);
     });
     environment.lamps.each((lamp) => lampLight({ look, dx, time, rest, uniforms }, lamp, eye));
-    skyReflection(look, rest, environment, uniforms, eye);
+    skyReflection(look, surface.occlusion, rest, environment, uniforms, eye);
     eye.emit(surface.emission.rgb);
     eye.glow(surface.emission);
     return eye.seen();
   })();
 
-/** Sky light, and its mirror image. */
-function skyReflection(look: Look, rest: Rest, environment: Environment, uniforms: Uniforms, eye: Gathering): void {
+/** Sky light, and its mirror image; `occlusion`: how much of both gets to the surface. */
+function skyReflection(
+  look: Look,
+  occlusion: Float,
+  rest: Rest,
+  environment: Environment,
+  uniforms: Uniforms,
+  eye: Gathering,
+): void {
   const { zenith } = uniforms;
   const { N, V } = look;
   const soft = (n: Vec3) => skyLight(environment, n, zenith);
@@ -63,7 +70,7 @@ function skyReflection(look: Look, rest: Rest, environment: Environment, uniform
   const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: Filter): void => {
     const n = rest.out(nPrime);
     const passage = { ...passageBetween(n, rest, AT_REST), source: environment.skySource, colored: 'picture' } as const;
-    eye.send(radiance(n), share, passage, RADIANCE);
+    eye.send(radiance(n), share.mul(occlusion), passage, RADIANCE);
   };
   reflected(N, soft, look.diffuse);
   reflected(normalize(reflect(V.negate(), N)).toVar(), sharp, mirroredSky(look));

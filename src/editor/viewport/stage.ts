@@ -48,6 +48,8 @@ export class Stage {
   #before: number | undefined;
   /** Samples of this scene cannot be read any more. */
   #lost = false;
+  /** Shaders of the picture that is wanted are being compiled. */
+  #prepares = false;
 
   static async start(
     canvas: HTMLCanvasElement,
@@ -130,7 +132,7 @@ export class Stage {
       this.#resize();
     }
     this.#read(now);
-    report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits }, now);
+    report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits, preparing: this.#prepares }, now);
   }
 
   /** For the legend, what is pointed at. */
@@ -166,6 +168,14 @@ export class Stage {
     }
   }
 
+  #isPrepared(viewPoint: ViewPoint, settings: RenderSettings): boolean {
+    const preparing = this.#renderer.prepare(viewPoint, settings);
+    this.#prepares = preparing !== undefined;
+    // What a lost device cannot compile the next life does.
+    preparing?.catch(() => {});
+    return !preparing;
+  }
+
   /** The next tick draws, also where nothing has changed. */
   #again(): void {
     this.#shown = undefined;
@@ -188,7 +198,10 @@ export class Stage {
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
     const { clientWidth, clientHeight } = this.#canvas;
-    const settings = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
+    const wanted = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
+    // What was shown before goes on until what is wanted can be drawn at once.
+    const settings = this.#isPrepared(viewPoint, wanted) ? wanted : this.#shown?.settings;
+    if (!settings) return false;
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
     this.#renderer.render(viewPoint, settings);

@@ -6,7 +6,7 @@ import { EQUATORIAL } from '../../scene/stars/equatorial.ts';
 import type { DistantLight, Light, NightSky } from '../../scene/types.ts';
 import { sampleTimes, textAt } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
-import { domePicture } from './domes.ts';
+import { domePicture, skyGradient } from './domes.ts';
 import type { Frame } from './frame.ts';
 import { isLamp, lampOf } from './lamps.ts';
 import type { PrimSpec, PropertySpec } from './layer.ts';
@@ -39,7 +39,7 @@ export async function lightOf(
   }
   if (textAt(prim, 'slowlight:sky', undefined) === 'stars') return nightSkyOf(context, prim, frame);
   const dome = { kind: 'dome', path, color: brightnessOf(context, prim), ...spectrumOf(context, prim) } as const;
-  return { ...dome, ...(await domePicture(context, textures, prim, frame)) };
+  return { ...dome, ...skyGradient(context, prim, dome.color), ...(await domePicture(context, textures, prim, frame)) };
 }
 
 /** Diameter of a distant light's disc, which a file has in degrees, where it is written. */

@@ -16,6 +16,7 @@ import type {
   SceneCamera,
   SceneObject,
 } from '../../scene/types.ts';
+import { SKY_HINTS } from '../hints.ts';
 import { SPECTRUM_HINT, spectrumText } from '../spectra.ts';
 import type { PrimContent } from './primTree.ts';
 import { boxCorners } from './sampling.ts';
@@ -219,7 +220,11 @@ export function lightContent(light: Light, placement: Placement, file: string | 
       ],
     };
   }
-  return { type: 'DomeLight', properties: [...color, ...(file ? domeLines(light, file, placement) : [])] };
+  const { gradient } = light;
+  const sky = gradient
+    ? [gradient.horizon, gradient.ground].map((part, k) => `custom color3f ${SKY_HINTS[k]} = ${floats(part)}`)
+    : [];
+  return { type: 'DomeLight', properties: [...color, ...sky, ...(file ? domeLines(light, file, placement) : [])] };
 }
 
 const domeLines = ({ orientation = IDENTITY }: DomeLight, file: string, placement: Placement): Lines => [
