@@ -26,12 +26,15 @@ export const frame: Bench = {
     const shadows: (string | number)[][] = [];
     for (const kind of ['static', 'rigid'] as const)
       for (const detail of ['coarse', 'fine'] as const) shadows.push(await shadowRow(100_000, kind, detail));
+    const skies: (string | number)[][] = [];
+    for (const kind of ['static', 'rigid'] as const) skies.push(await occlusionRow(100_000, kind));
     const columns = ['triangles', 'motion', 'stock [ms]', 'plain [ms]', 'relativistic [ms]', '÷ plain', '÷ stock'];
     const table: Table = { columns, rows, remark: `On ${adapterName}.` };
     return [
       table,
       { columns: COLOR_COLUMNS, rows: colors, remark: COLOR_REMARK },
       { columns: SHADOW_COLUMNS, rows: shadows, remark: SHADOW_REMARK },
+      { columns: OCCLUSION_COLUMNS, rows: skies, remark: OCCLUSION_REMARK },
     ];
   },
 };
@@ -83,6 +86,22 @@ async function shadowRow(
   const drawn = renderer.info.triangles;
   renderer.dispose();
   return [drawn.toLocaleString('en'), kind, shadowDetail, off, on, on / off];
+}
+
+const OCCLUSION_COLUMNS = ['triangles', 'motion', 'off [ms]', 'on [ms]', 'on ÷ off'];
+const OCCLUSION_REMARK =
+  'Ambient occlusion: *off* is the same picture with a radius of 0, for which none of it runs. Where things move, each neighbour is followed to the event at which the ' +
+  "point's light passed it. The page leaves it out while a slow machine flies at its lowest resolution.";
+
+/** What it costs that things hide the sky from each other. */
+async function occlusionRow(triangles: number, kind: MotionKind): Promise<(string | number)[]> {
+  console.error(`  occlusion, ${triangles.toLocaleString('en')} triangles, ${kind}`);
+  const { renderer, frame } = await openRenderer(SIZE.width, SIZE.height);
+  await renderer.setScene(ballScene(triangles, kind));
+  const [off, on] = await interleaved([() => frame({ occlusionRadius: 0 }), () => frame()], ROUNDS);
+  const drawn = renderer.info.triangles;
+  renderer.dispose();
+  return [drawn.toLocaleString('en'), kind, off, on, on / off];
 }
 
 async function row(triangles: number, kind: MotionKind): Promise<(string | number)[]> {

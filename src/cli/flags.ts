@@ -11,6 +11,7 @@ import {
   parseFov,
   parseFraction,
   parseIterations,
+  parseNotNegative,
   parseNumber,
   parsePositive,
   parseVec3,
@@ -68,6 +69,7 @@ export interface SettingFlags {
   readonly iterations: number;
   readonly damping: number;
   readonly grid: boolean;
+  readonly occlusionRadius?: number;
 }
 
 const views: readonly View[] = ['light-cone', 'simultaneity', 'galilean'];
@@ -121,13 +123,18 @@ export function addSettingFlags(command: Command): Command {
     .addOption(new Option('--solver <name>', 'how emission events are found').choices(solvers).default('exact'))
     .option('--iterations <n>', 'steps of the Newton solver', parseIterations, iterations)
     .option('--damping <k>', 'step length of the Newton solver, 0 < k ≤ 1', parseDamping, damping)
-    .option('--grid', 'draw the reference grid on the ground, which relativity does not bend', false);
+    .option('--grid', 'draw the reference grid on the ground, which relativity does not bend', false)
+    .option(
+      '--occlusion-radius <m>',
+      "of raster: how far from a point something can hide its sky; 0: nothing does (default: a quarter of the scene's size)",
+      parseNotNegative,
+    );
 }
 
 /** The settings before metering, as the page has them. */
 export function renderSettings(flags: SettingFlags, speedOfLight: number): RenderSettings {
   const { view, lightDelay, aberration, colors, dopplerMix, beaming, shadows, exposure } = flags;
-  const { tone, solver, iterations, damping, grid } = flags;
+  const { tone, solver, iterations, damping, grid, occlusionRadius } = flags;
   return {
     view,
     lightDelay,
@@ -142,6 +149,7 @@ export function renderSettings(flags: SettingFlags, speedOfLight: number): Rende
     iterations,
     damping,
     grid,
+    ...(occlusionRadius !== undefined && { occlusionRadius }),
     speedOfLight,
   };
 }

@@ -1,5 +1,5 @@
 import { Discard, Fn, float, length, min, select, vec4 } from 'three/tsl';
-import { NoBlending, NodeMaterial, NormalBlending } from 'three/webgpu';
+import { NoBlending, NodeMaterial, NormalBlending, type Texture } from 'three/webgpu';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { logarithmicDepth } from './depth.ts';
 import { type Drawable, sideOf } from './drawable.ts';
@@ -41,17 +41,18 @@ const kept = (light: Vec3): Vec4 => vec4(min(light, MOST_LIGHT), 1);
 export const skyLight = (environment: Environment, uniforms: Uniforms, optics: Optics): Vec4 =>
   Fn(() => kept(background(environment, uniforms, optics, pixelDirection(uniforms))))();
 
-/** The G-buffer shaded, for pixels in which something is. `moving`: not all of it rests. */
+/** The G-buffer shaded, for pixels in which something is. `moving`: not all of it rests; `openness`: of each to the sky, where that is to count. */
 export const surfaceLight = (
   buffer: GBuffer,
   environment: Environment,
   uniforms: Uniforms,
   optics: Optics,
   moving: boolean,
-  shadows?: Shadowing,
-): Vec4 => Fn(() => kept(shade(surfaceHere(buffer, moving), environment, uniforms, optics, shadows)))();
+  shadows: Shadowing | undefined,
+  openness: Texture | undefined,
+): Vec4 => Fn(() => kept(shade(surfaceHere(buffer, moving, openness), environment, uniforms, optics, shadows)))();
 
-function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
+function surfaceHere(buffer: GBuffer, moving: boolean, openness: Texture | undefined): ShadedSurface {
   const [base, emissive, normal, event, motion] = (['base', 'emissive', 'normal', 'event', 'motion'] as const).map(
     (name) => texelHere(buffer.texture(name)).toVar(),
   );
@@ -67,6 +68,7 @@ function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
     time: event.w,
     velocity: moving ? velocity : undefined,
     D: motion.w,
+    ...(openness && { openness: texelHere(openness).x.toVar() }),
   };
 }
 

@@ -169,7 +169,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   async readAov(name: AovName): Promise<Float32Array> {
-    if (name !== 'beauty') return readData(this.gpu, this.machine.buffer, name, this.picture(), this.whole());
+    if (name !== 'beauty') return readData(this.gpu, this.machine, name, this.picture(), this.whole());
     const { target, index } = this.machine.beauty();
     return withoutAlpha(await readFloats(this.gpu, target, index, this.whole()));
   }
@@ -183,7 +183,7 @@ export class SceneRenderer implements PictureMaker {
     const { target, index } = this.machine.beauty();
     const [light, surface] = await Promise.all([
       readFloats(this.gpu, target, index, { x: column, y: row, width: 1, height: 1 }),
-      readSurfaceAt(this.gpu, this.machine.buffer, taken, pathOf, column, row),
+      readSurfaceAt(this.gpu, this.machine, taken, pathOf, column, row),
     ]);
     return { light: [light[0], light[1], light[2]], ...(surface && { surface }) };
   }
@@ -312,9 +312,10 @@ function lookAtGround(uniforms: Uniforms, { position }: ViewPoint, { scene, radi
 
 /** Names all the shaders that a picture takes. */
 function shadersOf(settings: RenderSettings, { serial, scene }: SceneUpload): string {
-  const { tone, grid, falseColors } = settings;
+  const { tone, grid, falseColors, shadows, occlusionRadius } = settings;
   const { event, place } = projectionOf(settings);
-  return [serial, event, place, paletteOf(settings, scene), tone, grid, falseColors?.kind].join(' ');
+  const palette = paletteOf(settings, scene);
+  return [serial, event, place, palette, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind].join(' ');
 }
 
 function withoutAlpha(rgba: Float32Array): Float32Array {

@@ -199,8 +199,9 @@ export class Stage {
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
     const { clientWidth, clientHeight } = this.#canvas;
     const wanted = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
+    const affordable = this.#resolution.hasTime ? wanted : { ...wanted, occlusionRadius: 0 };
     // What was shown before goes on until what is wanted can be drawn at once.
-    const settings = this.#isPrepared(viewPoint, wanted) ? wanted : this.#shown?.settings;
+    const settings = this.#isPrepared(viewPoint, affordable) ? affordable : this.#shown?.settings;
     if (!settings) return false;
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
