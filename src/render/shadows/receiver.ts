@@ -1,4 +1,5 @@
 import {
+  abs,
   Break,
   clamp,
   dot,
@@ -61,6 +62,8 @@ export interface Event {
 const LIFT = [0.4, 1.1] as const;
 /** Steepest surface across the light that is followed under the filter. */
 const STEEPEST = 8;
+/** What rises beside the surface no steeper than so, as the floor at the foot of a wall does, is not above it. */
+const RISE = 1.5;
 /** The sun's disc on the map is taken to have at least this radius [texels], and at most a cell of edges.ts. */
 const LEAST_RADIUS = 0.8;
 /** From each lookup to the next: the golden angle. */
@@ -148,8 +151,10 @@ function passing({ map, table, taps }: LayerMaps, layer: Int, { dx, time, normal
   times(count, (i) => {
     const away = sqrt(float(i).add(0.5).div(taps)).mul(radius);
     const at = floor(place.xy.add(direction.mul(away))).toVar();
-    const plane = max(dot(slope, at.add(0.5).sub(place.xy)).add(place.z), 0);
-    held.addAssign(load(map.heights, at).greaterThan(plane).select(float(1), float(0)));
+    const off = at.add(0.5).sub(place.xy).toVar();
+    const aside = max(abs(off.x), abs(off.y)).mul(RISE);
+    const clear = max(max(dot(slope, off), aside).add(place.z), 0);
+    held.addAssign(load(map.heights, at).greaterThan(clear).select(float(1), float(0)));
     direction.assign(turned(direction));
   });
   return held.div(float(count)).oneMinus();
