@@ -101,7 +101,7 @@ async function standsOut(material: Material, u: Vec3): Promise<number> {
   const sky: Vec3 = [0.5, 0.75, 0.25];
   await headless.renderer.setScene(lit([{ mesh: sphere(1, { segments: 24 }), material }], [dome(sky)]).scene);
   pumpFrame();
-  headless.renderer.render({ ...VIEW, u }, { ...SETTINGS, beaming: 0 }, 1);
+  headless.renderer.render({ ...VIEW, u }, { ...SETTINGS, beaming: 0, occlusionRadius: 0 }, 1);
   const drawn = await headless.renderer.readAov('beauty');
   return drawn.reduce((most, value, i) => Math.max(most, Math.abs(value / sky[i % 3] - 1)), 0);
 }
