@@ -9,6 +9,9 @@ import { DEFAULT_SETTINGS, type RenderSettings, type View, type ViewPoint } from
 import { type ExampleName, speedOfLight } from '../examples/open.ts';
 import type { ExtraScene } from './extraScenes.ts';
 
+/** Data are compared: what only lights them would take time. */
+export const DATA_SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, shadows: false, occlusionRadius: 0 };
+
 export const BETAS = [0, 0.5, 0.9, 0.99] as const;
 
 /** Which way the observer goes, in the camera's axes: into the picture, or where a scene has its things beside the way, aslant. */
@@ -32,7 +35,7 @@ export function exampleFrame(name: ExampleName, scene: Scene, view: View, beta: 
   const { position, orientation, fovY } = observerFromCamera(scene.cameras[0] ?? framingCamera(scene), t, c);
   const course = rotate(orientation, normalize(COURSES[name] ?? [0, 0, -1]));
   const u = properVelocity(scale(course, beta));
-  return { view: { t, position, u, orientation, fovY }, settings: { ...DEFAULT_SETTINGS, view, speedOfLight: c } };
+  return { view: { t, position, u, orientation, fovY }, settings: { ...DATA_SETTINGS, view, speedOfLight: c } };
 }
 
 /** The subject in the middle of the picture, which shows `extent` metres at its apparent distance: lengths across the line of sight are seen as they are. */
@@ -45,6 +48,6 @@ export function extraFrame({ scene, t, eye, subject, extent, towards }: ExtraSce
   const orientation = lookAtOrientation(shown, [0, 1, 0]);
   return {
     view: { t, position: eye, u, orientation, fovY },
-    settings: { ...DEFAULT_SETTINGS, view, speedOfLight: speedOfLight(scene) },
+    settings: { ...DATA_SETTINGS, view, speedOfLight: speedOfLight(scene) },
   };
 }

@@ -6,8 +6,9 @@ import { simultaneousPosition } from '../../src/physics/simultaneity.ts';
 import { lookAtOrientation } from '../../src/scene/camera.ts';
 import { probeVertices } from '../../src/scene/probe.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
+import type { RenderSettings } from '../../src/scene/view.ts';
 import type { Frame } from './frames.ts';
+import { DATA_SETTINGS } from './frames.ts';
 import { REACH } from './judge.ts';
 import { C, EYE, LATE_SCENES, T } from './lateScenes.ts';
 import { allPixels } from './pixels.ts';
@@ -32,7 +33,7 @@ const LOOKS: readonly (readonly [string, Partial<RenderSettings>, beta: number, 
 
 /** Looks where the first object's middle is in this view; it fills most of the picture, however small or large the speed makes it. */
 function frameOf(scene: Scene, change: Partial<RenderSettings>, beta: number): Frame {
-  const settings = { ...DEFAULT_SETTINGS, ...change, speedOfLight: C };
+  const settings = { ...DATA_SETTINGS, ...change, speedOfLight: C };
   const u = properVelocity(scale(FORWARD, beta));
   const places = placesOf(scene, u, settings);
   const middle = scale(places.reduce(add, ZERO), 1 / places.length);
