@@ -20,7 +20,11 @@ export async function openModulePage(entry: string): Promise<ModulePage> {
     if (message.type() === 'error') errors.push(message.text());
   });
   await page.setContent('<!doctype html><title>Slowlight: shader tests</title>');
-  await page.addScriptTag({ content: code, type: 'module' });
+  // A module runs when the page comes to it, not when it is added.
+  await page.addScriptTag({ content: `${code}\nwindow.hasRun = true;`, type: 'module' });
+  await page.waitForFunction('window.hasRun').catch((error) => {
+    throw new Error(`the page's module did not run: ${errors.join('\n') || error}`);
+  });
   return {
     page,
     assertHealthy: () => {
