@@ -1,3 +1,4 @@
+import { RAISED_LIMITS } from '../render/limits.ts';
 import { unavailable } from './exit.ts';
 import { findSwiftShader, hasVulkanDriver } from './icd.ts';
 
@@ -26,14 +27,6 @@ const optionalFeatures: readonly GPUFeatureName[] = [
   'depth32float-stencil8',
   'indirect-first-instance',
 ];
-/** Where the adapter can do more than WebGPU promises, ask for it: the G-buffer needs 52 bytes a sample, big scenes big buffers. */
-const raisedLimits = [
-  'maxBufferSize',
-  'maxStorageBufferBindingSize',
-  'maxColorAttachmentBytesPerSample',
-  'maxTextureDimension2D',
-] as const;
-
 /** Opens a GPU without a window: the one that is there, else SwiftShader out of Chromium. */
 export async function openDevice(): Promise<HeadlessDevice> {
   const dawn = await loadDawn();
@@ -41,7 +34,7 @@ export async function openDevice(): Promise<HeadlessDevice> {
   const { gpu, adapter } = await findAdapter(dawn);
   const device = await adapter.requestDevice({
     requiredFeatures: optionalFeatures.filter((feature) => adapter.features.has(feature)),
-    requiredLimits: Object.fromEntries(raisedLimits.map((name) => [name, adapter.limits[name]])),
+    requiredLimits: Object.fromEntries(RAISED_LIMITS.map((name) => [name, adapter.limits[name]])),
   });
   held.add(gpu).add(adapter).add(device);
   const errors = collectErrors(device);

@@ -1,4 +1,5 @@
 import { LinearSRGBColorSpace, NoToneMapping, WebGPURenderer } from 'three/webgpu';
+import { RAISED_LIMITS } from './limits.ts';
 import type { Backend, RendererOptions } from './settings.ts';
 
 /** three's renderer, and what of its device decides how the passes are laid out. */
@@ -12,9 +13,6 @@ export interface Gpu {
 }
 
 type Adapter = Awaited<ReturnType<GPU['requestAdapter']>>;
-
-/** Limits that are raised to what the adapter has: bytes per sample for the G-buffer, sizes for large scenes. */
-const RAISED = ['maxColorAttachmentBytesPerSample', 'maxTextureDimension2D', 'maxBufferSize'] as const;
 
 export async function openGpu(options: RendererOptions): Promise<Gpu> {
   const wanted = options.backend ?? 'auto';
@@ -30,7 +28,9 @@ export async function openGpu(options: RendererOptions): Promise<Gpu> {
     forceWebGL: webgl,
     powerPreference: 'high-performance',
     ...(options.device ? { device: options.device } : {}),
-    ...(adapter ? { requiredLimits: Object.fromEntries(RAISED.map((name) => [name, adapter.limits[name]])) } : {}),
+    ...(adapter
+      ? { requiredLimits: Object.fromEntries(RAISED_LIMITS.map((name) => [name, adapter.limits[name]])) }
+      : {}),
   });
   watchLoss(renderer, options.onLost);
   await renderer.init();
