@@ -7,10 +7,10 @@ import { type ParamSpec, type Problem, refuseValue } from '../graph/nodeType.ts'
 import { parseDocument } from '../graph/read.ts';
 import { validateDocument } from '../graph/validate.ts';
 import type { Picture } from '../nodes/define.ts';
+import { surveyed } from '../nodes/geometry/surveyed.ts';
 import { nodeLibrary } from '../nodes/library.ts';
 import { pictureOf } from '../nodes/picture.ts';
 import type { Services } from '../nodes/services.ts';
-import { fastestIn } from '../scene/fastestIn.ts';
 import type { Scene } from '../scene/types.ts';
 import { inputProblem, usageError } from './exit.ts';
 import { openSceneFile } from './files.ts';
@@ -117,9 +117,9 @@ const problemsIn = ({ results }: Evaluation): readonly Problem[] =>
 const servicesAt = (project: string): Services => ({
   async readScene(source, { variants, interpolation }) {
     const path = isAbsolute(source) ? source : join(dirname(project), source);
-    const scene = await openSceneFile(path, { ...(variants && { variants }), ...(interpolation && { interpolation }) });
-    const fastest = fastestIn(scene);
-    return fastest ? { scene, fastest } : { scene };
+    return surveyed(
+      await openSceneFile(path, { ...(variants && { variants }), ...(interpolation && { interpolation }) }),
+    );
   },
 });
 

@@ -1,5 +1,6 @@
+import { surveyed } from '../../nodes/geometry/surveyed.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
-import { fastestIn, REAL_C } from '../../scene/fastestIn.ts';
+import { REAL_C } from '../../scene/fastestIn.ts';
 import type { Diagnostic, Scene } from '../../scene/types.ts';
 import { validate } from '../../scene/validate.ts';
 
@@ -9,9 +10,7 @@ export function loadedScene(read: Scene): LoadedScene {
   const broken = new Set(found.flatMap((one) => (one.severity === 'error' ? [placeOf(one)] : [])));
   const objects = read.objects.filter(({ path }) => !broken.has(path));
   const cameras = read.cameras.filter(({ path }) => !broken.has(path));
-  const scene = { ...read, objects, cameras, diagnostics: [...read.diagnostics, ...found] };
-  const fast = fastestIn(scene);
-  return fast ? { scene, fastest: fast } : { scene };
+  return surveyed({ ...read, objects, cameras, diagnostics: [...read.diagnostics, ...found] });
 }
 
 const placeOf = ({ place }: Diagnostic): string => place.replace(/^motion of /, '');

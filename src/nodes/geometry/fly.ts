@@ -5,6 +5,7 @@ import { fly, isAt, tooLargeToFly } from '../../scene/fly.ts';
 import type { Scene } from '../../scene/types.ts';
 import { defineNode, type Relativity } from '../define.ts';
 import type { FastestPoint } from '../services.ts';
+import { seconds } from './shared.ts';
 
 /** Makes a thing fly along a straight line, whatever moved it before. */
 export const flyNode = defineNode({
@@ -31,17 +32,7 @@ export const flyNode = defineNode({
       help: 'param.flyDirection.help',
       default: [1, 0, 0],
     },
-    at: {
-      kind: 'number',
-      title: 'param.flyAt',
-      help: 'param.flyAt.help',
-      unit: 's',
-      default: 0,
-      min: -1e9,
-      max: 1e9,
-      step: 0.001,
-      slider: false,
-    },
+    at: { ...seconds('param.flyAt', 0), help: 'param.flyAt.help' },
     authoredIn: {
       kind: 'choice',
       title: 'param.flyShape',

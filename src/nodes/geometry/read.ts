@@ -1,7 +1,7 @@
 import { parseChoice } from '../../formats/choices.ts';
-import { NodeRefusal } from '../../graph/nodeType.ts';
 import { InputError } from '../../scene/types.ts';
 import { defineNode } from '../define.ts';
+import { refusal } from './shared.ts';
 
 /** Reads a scene file of any kind that `formats/` knows. */
 export const read = defineNode({
@@ -38,6 +38,3 @@ export const read = defineNode({
     }
   },
 });
-
-const refusal = (code: string, place: string, message: string) =>
-  new NodeRefusal({ severity: 'error', code, place, message });

@@ -2,6 +2,7 @@ import { fastest } from '../../scene/fastest.ts';
 import { retime } from '../../scene/retime.ts';
 import { defineNode } from '../define.ts';
 import type { LoadedScene } from '../services.ts';
+import { seconds } from './shared.ts';
 
 /** When and how fast a scene's animation runs. */
 export const retimeNode = defineNode({
@@ -21,17 +22,7 @@ export const retimeNode = defineNode({
       step: 0.01,
       scale: 'log',
     },
-    offset: {
-      kind: 'number',
-      title: 'param.animationOffset',
-      help: 'param.animationOffset.help',
-      unit: 's',
-      default: 0,
-      min: -1e9,
-      max: 1e9,
-      step: 0.001,
-      slider: false,
-    },
+    offset: { ...seconds('param.animationOffset', 0), help: 'param.animationOffset.help' },
   },
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
