@@ -72,6 +72,8 @@ export default defineConfig({
           pool: 'forks',
           fileParallelism: false,
           testTimeout: 180_000,
+          // A new scene's shaders are compiled between frames: its picture comes a second or more after its name.
+          expect: { poll: { timeout: 30_000 } },
         },
       },
     ],

@@ -125,7 +125,7 @@ describe('bringing a scene', () => {
       document.querySelector('[data-open-source]')?.getAttribute('data-open-source'),
     );
     await drop(visit, [CHECKER]);
-    await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.01);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.01);
     await expect.poll(() => item.count()).toBe(0);
     expect(own).toMatch(/^local:1\//);
     await visit.page.getByRole('button', { name: /^Undo: add missing files/ }).click();
@@ -142,7 +142,7 @@ describe('bringing a scene', () => {
     await visit.page.goto(`${program.url}/?backend=webgl&scene=examples/asked.usda`);
     await visit.page.getByText('The square wears the picture').waitFor();
     await drop(visit, [CHECKER]);
-    await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.01);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.01);
     await visit.close();
   });
 
@@ -153,11 +153,11 @@ describe('bringing a scene', () => {
     const grey = await visit.pixels();
     expect(pinkShare(grey)).toBe(0);
     await choose(visit.page, 'paint', 'pink');
-    await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.02);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.02);
     await visit.shot('bring-variants');
     await visit.page.getByRole('button', { name: /^Undo: choose a variant/ }).click();
     await visit.page.mouse.move(0, 0); // The button's own tip lies over the picture.
-    await expect.poll(async () => difference(await visit.pixels(), grey), { timeout: 20_000 }).toBeLessThan(0.5);
+    await expect.poll(async () => difference(await visit.pixels(), grey)).toBeLessThan(0.5);
     await visit.close();
   });
 

@@ -23,12 +23,10 @@ describe('flight', () => {
     await withKeys(visit, ['w'], async () => {
       await expect.poll(() => visit.speed()).toBeGreaterThan(0.05);
       await expect.poll(async () => Number(/[\d.]+/.exec(await visit.status('gamma'))?.[0])).toBeGreaterThan(1);
-      await withKeys(visit, ['Shift'], () =>
-        expect.poll(() => visit.speed(), { timeout: 30_000 }).toBeGreaterThan(0.8),
-      );
+      await withKeys(visit, ['Shift'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.8));
       await visit.shot('flight-fast');
     });
-    await expect.poll(() => visit.speed(), { timeout: 30_000 }).toBe(0);
+    await expect.poll(() => visit.speed()).toBe(0);
     expect(difference(await visit.pixels(), before)).toBeGreaterThan(1);
     await visit.close();
   });
@@ -54,15 +52,13 @@ describe('flight', () => {
     await visit.viewport.click();
     await visit.page.keyboard.press('Tab');
     await visit.page.keyboard.press('c');
-    await withKeys(visit, ['Shift', 'w'], () =>
-      expect.poll(() => visit.speed(), { timeout: 30_000 }).toBeGreaterThan(0.8),
-    );
+    await withKeys(visit, ['Shift', 'w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.8));
     await visit.shot('flight-look');
     expect(difference(await visit.pixels(), before)).toBeGreaterThan(2);
     await visit.page.keyboard.press('r');
     await visit.page.keyboard.press('Escape');
     await expect.poll(() => visit.speed()).toBe(0);
-    await expect.poll(async () => difference(await visit.pixels(), before), { timeout: 10_000 }).toBeLessThan(2);
+    await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(2);
     await visit.close();
   });
 

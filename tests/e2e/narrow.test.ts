@@ -72,7 +72,7 @@ describe('a narrow page', () => {
     await visit.page.keyboard.press('c');
     await visit.page.keyboard.down('Shift');
     await visit.page.keyboard.down('w');
-    await expect.poll(() => visit.speed(), { timeout: 20_000 }).toBeGreaterThan(0.9);
+    await expect.poll(() => visit.speed()).toBeGreaterThan(0.9);
     await visit.page.keyboard.up('w');
     await visit.page.keyboard.up('Shift');
     for (let i = 0; i < 4; i++) await visit.page.keyboard.press('x');

@@ -114,7 +114,7 @@ describe('the page', () => {
       canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
     });
     await visit.page.getByText('was lost and started again').waitFor();
-    await expect.poll(async () => difference(await visit.pixels(), before), { timeout: 30_000 }).toBeLessThan(1);
+    await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(1);
     expect(await visit.status('backend')).toBe('WebGL 2');
     visit.expectComplaint(/Device Lost/);
     await visit.close();
@@ -127,7 +127,7 @@ describe('the page', () => {
     expect(colours(before)).toBeGreaterThan(50);
     await program.crashGraphics();
     await visit.page.getByText('was lost and started again').waitFor({ timeout: 30_000 });
-    await expect.poll(async () => difference(await visit.pixels(), before), { timeout: 30_000 }).toBeLessThan(1);
+    await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(1);
     visit.expectComplaint(/Device Lost/);
     await visit.close();
   });

@@ -105,7 +105,7 @@ export class Guarded {
   /** The scene is open, drawn and at rest. */
   async ready(): Promise<this> {
     await this.page.locator('[data-status="backend"]', { hasText: 'Web' }).waitFor();
-    await expect.poll(() => this.triangles(), { timeout: 30_000 }).toBeGreaterThan(0);
+    await expect.poll(() => this.triangles()).toBeGreaterThan(0);
     return this;
   }
 

@@ -30,7 +30,7 @@ describe('scenes', () => {
       await expect
         .poll(() => visit.page.locator('[data-open-source]').getAttribute('data-open-source'), { timeout: 60_000 })
         .toContain(`/${name}.`);
-      await expect.poll(async () => colours(await visit.pixels()), { timeout: 30_000 }).toBeGreaterThan(50);
+      await expect.poll(async () => colours(await visit.pixels())).toBeGreaterThan(50);
       await visit.shot(`scene-${name}`);
     }
     await visit.close();
@@ -47,7 +47,7 @@ describe('scenes', () => {
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
     await visit.shot('dropped');
     await visit.page.getByRole('button', { name: /^Undo/ }).click();
-    await expect.poll(async () => difference(await visit.pixels(), before), { timeout: 20_000 }).toBeLessThan(1);
+    await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(1);
     await visit.close();
   });
 
@@ -75,7 +75,7 @@ describe('scenes', () => {
     expect(pinkShare(await visit.pixels())).toBeLessThan(0.01);
     const file = { name: 'square.glb', mimeType: 'model/gltf-binary', buffer };
     await visit.page.locator('input[type=file]').first().setInputFiles(file);
-    await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.03);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
     await visit.close();
   });
 
@@ -86,7 +86,7 @@ describe('scenes', () => {
       { name: 'square.mtl', content: Buffer.from('newmtl pink\nKd 0 0 0\nKs 0 0 0\nKe 1 0 1\n') },
       { name: 'square.obj', content: Buffer.from(obj) },
     ]);
-    await expect.poll(async () => pinkShare(await visit.pixels()), { timeout: 20_000 }).toBeGreaterThan(0.03);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
     await visit.close();
   });
 
