@@ -22,6 +22,16 @@ export class Resolution {
     return this.#moving ? LEVELS[this.#level]! : 1;
   }
 
+  /** Whether the picture rests. */
+  get resting(): boolean {
+    return !this.#moving;
+  }
+
+  /** Whether this machine has time for more than it must do while the picture moves. */
+  get quick(): boolean {
+    return this.#level === 0;
+  }
+
   /** After each frame: whether the picture changed, the time now and since the frame before [ms]. */
   note(changed: boolean, now: number, interval: number): void {
     if (!changed) {

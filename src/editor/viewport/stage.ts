@@ -28,7 +28,7 @@ export interface Captured extends Shown {
   readonly image: ImageData;
 }
 
-/** One canvas with its renderer, from start to loss: draws a frame wherever something has changed. */
+/** One canvas with its renderer, from start to loss: draws a frame wherever something has changed, and refines what rests. */
 export class Stage {
   readonly #studio: Studio;
   readonly #pilot: Pilot;
@@ -95,8 +95,10 @@ export class Stage {
 
   /** The picture as it is now, with all its pixels; undefined where there is none. */
   async capture(): Promise<Captured | undefined> {
-    this.#scale = 1;
-    this.#resize();
+    if (this.#scale !== 1 || !this.#shown) {
+      this.#scale = 1;
+      this.#resize();
+    }
     if (!this.#shown) return undefined;
     const shown = this.#shown;
     const { width, height } = this.#renderer;
@@ -126,7 +128,7 @@ export class Stage {
     if (this.#resolution.scale !== this.#scale) {
       this.#scale = this.#resolution.scale;
       this.#resize();
-    }
+    } else if (this.#resolution.resting && !this.#uploading) this.#renderer.refine();
     this.#read(now);
     report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits }, now);
   }
@@ -189,7 +191,7 @@ export class Stage {
     const settings = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
-    this.#renderer.render(viewPoint, settings);
+    this.#renderer.render(viewPoint, settings, this.#resolution.quick ? 'temporal' : 1);
     if (this.#renderer.info.waiting) return false;
     showColors(settings.falseColors);
     const aspect = clientWidth / Math.max(1, clientHeight);
