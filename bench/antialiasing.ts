@@ -1,9 +1,11 @@
+import { fileURLToPath } from 'node:url';
+import { openSceneFile } from '../src/cli/files.ts';
 import { pumpFrame } from '../src/cli/node-shim.ts';
 import { addScaled } from '../src/math/vec3.ts';
 import { velocity } from '../src/physics/boost.ts';
 import type { Sampling } from '../src/render/settings.ts';
 import type { ViewPoint } from '../src/scene/view.ts';
-import { openExample, speedOfLight } from '../tests/examples/open.ts';
+import { speedOfLight } from '../tests/examples/open.ts';
 import { filmOf } from '../tests/support/film.ts';
 import { type Flight, passing, STEP, turning, unrestOf } from '../tests/support/flights.ts';
 import { exampleFrame } from '../tests/visual/frames.ts';
@@ -28,20 +30,21 @@ export const antialiasing: Bench = {
     'between two pictures and not in the truth. *Worst*: one channel in a thousand is farther off. A head that turns by a third of a pixel a picture over slats and posts finer than pixels, balls that pass before a fence, and the ' +
     'street, forward: as bad as it comes, for what is near grows by a tenth between two pictures and changes its D. Time: 100,000 triangles at rest, 640 × 360, both in turns.',
   async run() {
+    const times = await cost();
     const rows: (string | number)[][] = [];
     for (const flight of [turning(0), turning(0.5), passing(), await street(0.5), await street(0.9)])
       rows.push(...(await rowsOf(flight)));
     const columns = ['flight', 'antialiasing', 'error', 'flicker', 'worst'];
     return [
       { columns, rows },
-      { columns: ['edges (FXAA) [ms]', 'temporal [ms]', 'temporal ÷ edges'], rows: [await cost()] },
+      { columns: ['edges (FXAA) [ms]', 'temporal [ms]', 'temporal ÷ edges'], rows: [times] },
     ];
   },
 };
 
 /** Coasting from where the command line looks at the example. */
 async function street(beta: number): Promise<Flight> {
-  const scene = await openExample('street');
+  const scene = await openSceneFile(fileURLToPath(new URL('../../../examples/street.usda', import.meta.url)));
   const { view, settings } = exampleFrame('street', scene, 'light-cone', beta);
   const c = speedOfLight(scene);
   const at = (index: number): ViewPoint => ({
