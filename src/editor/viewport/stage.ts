@@ -128,9 +128,15 @@ export class Stage {
     if (this.#resolution.scale !== this.#scale) {
       this.#scale = this.#resolution.scale;
       this.#resize();
-    } else if (this.#resolution.resting && !this.#uploading) this.#renderer.refine();
+    } else if (this.#resolution.resting && !this.#uploading) this.#refine();
     this.#read(now);
     report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits }, now);
+  }
+
+  /** A sample more of what rests; the canvas tells when it has them all. */
+  #refine(): void {
+    const more = this.#renderer.refine();
+    this.#canvas.toggleAttribute('data-finest', !more && this.#shown !== undefined);
   }
 
   /** For the legend, what is pointed at. */
@@ -191,6 +197,7 @@ export class Stage {
     const settings = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
+    this.#canvas.removeAttribute('data-finest');
     this.#renderer.render(viewPoint, settings, this.#resolution.quick ? 'temporal' : 1);
     if (this.#renderer.info.waiting) return false;
     showColors(settings.falseColors);
