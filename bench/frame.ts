@@ -1,7 +1,7 @@
 import type { Bench, Table } from './bench.ts';
 import { interleaved } from './bench.ts';
 import { gpu, openRenderer } from './gpu.ts';
-import { ballScene, type MotionKind } from './scenes.ts';
+import { ballScene, type MotionKind, VIEW } from './scenes.ts';
 import { openStock } from './stock.ts';
 
 const SIZE = { width: 640, height: 360 };
@@ -23,9 +23,19 @@ export const frame: Bench = {
     const { adapterName } = await gpu();
     const colors: (string | number)[][] = [];
     for (const kind of ['static', 'rigid'] as const) colors.push(await colorRow(100_000, kind));
+    const shadows: (string | number)[][] = [];
+    for (const kind of ['static', 'rigid'] as const)
+      for (const detail of ['coarse', 'fine'] as const) shadows.push(await shadowRow(100_000, kind, detail));
+    const skies: (string | number)[][] = [];
+    for (const kind of ['static', 'rigid'] as const) skies.push(await occlusionRow(100_000, kind));
     const columns = ['triangles', 'motion', 'stock [ms]', 'plain [ms]', 'relativistic [ms]', '÷ plain', '÷ stock'];
     const table: Table = { columns, rows, remark: `On ${adapterName}.` };
-    return [table, { columns: COLOR_COLUMNS, rows: colors, remark: COLOR_REMARK }];
+    return [
+      table,
+      { columns: COLOR_COLUMNS, rows: colors, remark: COLOR_REMARK },
+      { columns: SHADOW_COLUMNS, rows: shadows, remark: SHADOW_REMARK },
+      { columns: OCCLUSION_COLUMNS, rows: skies, remark: OCCLUSION_REMARK },
+    ];
   },
 };
 
@@ -52,6 +62,46 @@ async function colorRow(triangles: number, kind: MotionKind): Promise<(string | 
   const drawn = renderer.info.triangles;
   renderer.dispose();
   return [drawn.toLocaleString('en'), kind, off, approximate, spectral, approximate / off, spectral / off];
+}
+
+const SHADOW_COLUMNS = ['triangles', 'motion', 'detail', 'off [ms]', 'on [ms]', 'on ÷ off'];
+const SHADOW_REMARK =
+  'Shadows of one sun; *coarse* is what the page has on a software GPU, *fine* all else. From picture to picture 0.02 s pass, so that what moves is drawn into its shadow map for each; the map of what rests is drawn once.';
+
+/** What shadows cost. */
+async function shadowRow(
+  triangles: number,
+  kind: MotionKind,
+  shadowDetail: 'coarse' | 'fine',
+): Promise<(string | number)[]> {
+  console.error(`  shadows, ${triangles.toLocaleString('en')} triangles, ${kind}, ${shadowDetail}`);
+  const { renderer, frame } = await openRenderer(SIZE.width, SIZE.height, { shadowDetail });
+  await renderer.setScene(ballScene(triangles, kind));
+  let t = VIEW.t;
+  const works = [false, true].map((shadows) => () => {
+    t += 0.02;
+    return frame({ shadows }, { t });
+  });
+  const [off, on] = await interleaved(works, 2 * ROUNDS);
+  const drawn = renderer.info.triangles;
+  renderer.dispose();
+  return [drawn.toLocaleString('en'), kind, shadowDetail, off, on, on / off];
+}
+
+const OCCLUSION_COLUMNS = ['triangles', 'motion', 'off [ms]', 'on [ms]', 'on ÷ off'];
+const OCCLUSION_REMARK =
+  'Ambient occlusion: *off* is the same picture with a radius of 0, for which none of it runs. Where things move, each neighbour is followed to the event at which the ' +
+  "point's light passed it. The page leaves it out while a slow machine flies at its lowest resolution.";
+
+/** What it costs that things hide the sky from each other. */
+async function occlusionRow(triangles: number, kind: MotionKind): Promise<(string | number)[]> {
+  console.error(`  occlusion, ${triangles.toLocaleString('en')} triangles, ${kind}`);
+  const { renderer, frame } = await openRenderer(SIZE.width, SIZE.height);
+  await renderer.setScene(ballScene(triangles, kind));
+  const [off, on] = await interleaved([() => frame({ occlusionRadius: 0 }), () => frame()], ROUNDS);
+  const drawn = renderer.info.triangles;
+  renderer.dispose();
+  return [drawn.toLocaleString('en'), kind, off, on, on / off];
 }
 
 async function row(triangles: number, kind: MotionKind): Promise<(string | number)[]> {

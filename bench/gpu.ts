@@ -1,5 +1,6 @@
 import { type HeadlessDevice, openDevice } from '../src/cli/device.ts';
 import { pumpFrame } from '../src/cli/node-shim.ts';
+import type { RendererOptions } from '../src/render/settings.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../src/scene/view.ts';
 import { C, VIEW } from './scenes.ts';
 
@@ -14,10 +15,10 @@ export const gpu = (): Promise<HeadlessDevice> => {
 export const releaseGpu = async (): Promise<void> => (await opened)?.release();
 
 /** A renderer without a window. Loaded here, after the shim that three needs. */
-export async function openRenderer(width: number, height: number) {
+export async function openRenderer(width: number, height: number, options: RendererOptions = {}) {
   const { device } = await gpu();
   const { SceneRenderer } = await import('../src/render/renderer.ts');
-  const renderer = await SceneRenderer.create({ device, backend: 'webgpu' });
+  const renderer = await SceneRenderer.create({ ...options, device, backend: 'webgpu' });
   renderer.setSize(width, height);
   const frame = async (change: Partial<RenderSettings> = {}, view: Partial<ViewPoint> = {}): Promise<void> => {
     pumpFrame();

@@ -10,6 +10,7 @@ import { emission } from './emission.ts';
 import { formats } from './formats.ts';
 import { frame } from './frame.ts';
 import { gpu, releaseGpu } from './gpu.ts';
+import { graph } from './graph.ts';
 import { instances } from './instances.ts';
 import { memory } from './memory.ts';
 import { page } from './page.ts';
@@ -28,6 +29,7 @@ const benches: readonly Bench[] = [
   instances,
   cache,
   reference,
+  graph,
   page,
   bundle,
 ];

@@ -2,22 +2,29 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { writeTextures, writeUsda } from '../src/formats/usd/index.ts';
+import type { GraphDocument } from '../src/graph/document.ts';
+import { serializeDocument } from '../src/graph/serialize.ts';
 import type { Scene, Texture } from '../src/scene/types.ts';
 import { validate } from '../src/scene/validate.ts';
 import type { ExampleScene } from './kit/example.ts';
+import { projects } from './projects/index.ts';
 import { scenes } from './scenes/index.ts';
 
 /** This file runs from dist/examples/examples. */
 const folder = fileURLToPath(new URL('../../../examples/', import.meta.url));
 
-for (const name of chosen(process.argv.slice(2))) write(scenes.find((scene) => scene.name === name) ?? unknown(name));
+for (const name of chosen(process.argv.slice(2))) {
+  const project = projects[name];
+  if (project) writeProject(name, project());
+  else write(scenes.find((scene) => scene.name === name) ?? unknown(name));
+}
 
 function chosen(names: readonly string[]): readonly string[] {
-  return names.length > 0 ? names : scenes.map(({ name }) => name);
+  return names.length > 0 ? names : [...scenes.map(({ name }) => name), ...Object.keys(projects)];
 }
 
 function unknown(name: string): never {
-  throw new Error(`no scene ${name}; there are ${scenes.map((scene) => scene.name).join(', ')}`);
+  throw new Error(`no scene ${name}; there are ${chosen([]).join(', ')}`);
 }
 
 function write({ name, make, texturesOf = name }: ExampleScene): void {
@@ -34,6 +41,11 @@ function write({ name, make, texturesOf = name }: ExampleScene): void {
   console.log(
     `${name}.usda  ${(text.length / 1024).toFixed(0)} KiB, ${triangles} triangles, ${scene.objects.length} objects`,
   );
+}
+
+function writeProject(name: string, document: GraphDocument): void {
+  writeFileSync(join(folder, `${name}.slowlight.json`), serializeDocument(document));
+  console.log(`${name}.slowlight.json  ${Object.keys(document.nodes).length} nodes`);
 }
 
 /** The scenes share a folder of textures, so each one's carry its name. */

@@ -36,6 +36,8 @@ const pictures = [
     `colors-${colors}`,
     ['--size', '480x270', '--time', '5', '--beta', '0,0,-0.35', '--colors', colors],
   ]),
+  ['dice', 'occlusion-off', ['--size', '480x270', '--occlusion-radius', '0']],
+  ['dice', 'occlusion-on', ['--size', '480x270']],
   ['dice', 'dice-seen', []],
   ['dice', 'dice-there', ['--view', 'simultaneity']],
 ];

@@ -3,6 +3,7 @@ import { fromAxisAngle, IDENTITY, type Quat, toMatrix } from '../../src/math/qua
 import { scale, type Vec3 } from '../../src/math/vec3.ts';
 import { mergeMeshes, transformMesh, withMaterial } from '../../src/scene/meshOps.ts';
 import type {
+  DomeLight,
   Light,
   Material,
   Mesh,
@@ -124,6 +125,14 @@ export class SceneBuilder {
 
 export const paint = (mesh: Mesh, material: number): Mesh => withMaterial(mesh, material);
 
+/** A sky that is one colour above, another at the horizon, and closed by a ground. */
+export const sky = (zenith: string, horizon: string, ground: string): DomeLight => ({
+  kind: 'dome',
+  path: '/World/Sky',
+  color: linear(zenith),
+  gradient: { horizon: linear(horizon), ground: linear(ground) },
+});
+
 /** A late-morning sun and the sky's own light. `from`: direction towards the sun. */
 export function daylight(from: Vec3, sun = '#fff1d8', intensity = 3.2): Light[] {
   const l = Math.hypot(...from);
@@ -135,7 +144,7 @@ export function daylight(from: Vec3, sun = '#fff1d8', intensity = 3.2): Light[] 
       direction: [-from[0] / l, -from[1] / l, -from[2] / l],
       color: [r * intensity, g * intensity, b * intensity],
     },
-    { kind: 'dome', path: '/World/Sky', color: linear('#b9cfe8') },
+    sky('#9fc0ea', '#dfe9ee', '#8f8d86'),
   ];
 }
 

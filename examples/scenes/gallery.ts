@@ -4,7 +4,7 @@ import type { Vec3 } from '../../src/math/vec3.ts';
 import { makeMesh } from '../../src/scene/geometry.ts';
 import { sphere, torus } from '../../src/scene/primitives.ts';
 import type { Light, Mesh, Scene, Texture } from '../../src/scene/types.ts';
-import { at, type Part, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
+import { at, type Part, paint, place, placePart, SceneBuilder, sky } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, cruise } from '../kit/flight.ts';
 import { Canvas, linear, tone } from '../kit/paint.ts';
@@ -42,7 +42,7 @@ function make(): Scene {
   const [r, g, b] = linear('#fff3e0');
   const lights: Light[] = [
     { kind: 'distant', path: '/World/Skylight', direction: [0.28, -0.9, -0.33], color: [r * 1.7, g * 1.7, b * 1.7] },
-    { kind: 'dome', path: '/World/Sky', color: linear('#d8dde6') },
+    sky('#c3cfe4', '#eceef0', '#a7a49c'),
   ];
   return builder.finish('gallery', hints, [from, to], [flight], lights);
 }

@@ -1,7 +1,7 @@
 import { fromAxisAngle, multiply } from '../../src/math/quat.ts';
 import { sphere } from '../../src/scene/primitives.ts';
 import type { Light, Scene, Texture } from '../../src/scene/types.ts';
-import { type Part, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
+import { type Part, paint, place, placePart, SceneBuilder, sky } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, cruise, sampled } from '../kit/flight.ts';
 import { Canvas, checker, linear } from '../kit/paint.ts';
@@ -38,7 +38,7 @@ function make(): Scene {
   const [r, g, b] = linear('#fff0da');
   const lights: Light[] = [
     { kind: 'distant', path: '/World/Sun', direction: [-0.35, -0.82, -0.45], color: [r * 1.9, g * 1.9, b * 1.9] },
-    { kind: 'dome', path: '/World/Sky', color: linear('#cfd8e4') },
+    sky('#b4c8e6', '#e8ecee', '#a09c92'),
   ];
   return builder.finish('hall', hints, [from, to], [flight], lights);
 }

@@ -2,7 +2,7 @@ import { normalize, type Vec3 } from '../../src/math/vec3.ts';
 import { makeMesh } from '../../src/scene/geometry.ts';
 import { box } from '../../src/scene/primitives.ts';
 import type { Light, Mesh, Scene } from '../../src/scene/types.ts';
-import { paint, SceneBuilder } from '../kit/builder.ts';
+import { paint, SceneBuilder, sky } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, cruise } from '../kit/flight.ts';
 import { checker, linear } from '../kit/paint.ts';
@@ -49,7 +49,7 @@ function make(): Scene {
       direction: normalize([-0.5, -0.6, -0.62]),
       color: [2 * r, 2 * g, 2 * b],
     },
-    { kind: 'dome', path: '/World/Sky', color: linear('#33425f') },
+    sky('#2c3d60', '#4a5872', '#2b323f'),
   ];
   const flight = camera({ from, to, fovY: 66, eye, target });
   return builder.finish('lattice', hints, [from, to], [flight], lights);

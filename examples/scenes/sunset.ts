@@ -1,9 +1,8 @@
-import { normalize, scale } from '../../src/math/vec3.ts';
+import { normalize } from '../../src/math/vec3.ts';
 import type { Light, Scene } from '../../src/scene/types.ts';
-import { SceneBuilder, shine } from '../kit/builder.ts';
+import { SceneBuilder, shine, sky } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, cruise } from '../kit/flight.ts';
-import { linear } from '../kit/paint.ts';
 import { street } from '../kit/street.ts';
 
 /** Of the low sun, and of gaslight [K]. */
@@ -36,7 +35,7 @@ function make(): Scene {
   };
   const lights: Light[] = [
     { kind: 'distant', path: '/World/Sun', direction: normalize([-0.42, -0.24, -0.87]), ...shine(sun, 1.8) },
-    { kind: 'dome', path: '/World/Sky', color: scale(linear('#a99ccb'), 0.6) },
+    sky('#7f7fa6', '#c98f78', '#5d5557'),
   ];
   return builder.finish('sunset', hints, [from, to], [flight], lights);
 }

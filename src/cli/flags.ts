@@ -11,6 +11,7 @@ import {
   parseFov,
   parseFraction,
   parseIterations,
+  parseNotNegative,
   parseNumber,
   parsePositive,
   parseVec3,
@@ -60,6 +61,7 @@ export interface SettingFlags {
   readonly colors: ColorMode;
   readonly dopplerMix: number;
   readonly beaming: number;
+  readonly shadows: boolean;
   readonly exposure: number;
   readonly metering: Metering;
   readonly tone: Tone;
@@ -67,6 +69,7 @@ export interface SettingFlags {
   readonly iterations: number;
   readonly damping: number;
   readonly grid: boolean;
+  readonly occlusionRadius?: number;
 }
 
 const views: readonly View[] = ['light-cone', 'simultaneity', 'galilean'];
@@ -94,6 +97,7 @@ export function addSettingFlags(command: Command): Command {
     )
     .option('--doppler-mix <0…1>', 'how much of the Doppler shift reaches the colours', parseFraction, dopplerMix)
     .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
+    .option('--no-shadows', 'suns throw none, for comparison')
     .option(
       '--exposure <EV>',
       'added to what the metering sets: the picture is 2^EV times as bright',
@@ -119,13 +123,18 @@ export function addSettingFlags(command: Command): Command {
     .addOption(new Option('--solver <name>', 'how emission events are found').choices(solvers).default('exact'))
     .option('--iterations <n>', 'steps of the Newton solver', parseIterations, iterations)
     .option('--damping <k>', 'step length of the Newton solver, 0 < k ≤ 1', parseDamping, damping)
-    .option('--grid', 'draw the reference grid on the ground, which relativity does not bend', false);
+    .option('--grid', 'draw the reference grid on the ground, which relativity does not bend', false)
+    .option(
+      '--occlusion-radius <m>',
+      "of raster: how far from a point something can hide its sky; 0: nothing does (default: a quarter of the scene's size)",
+      parseNotNegative,
+    );
 }
 
 /** The settings before metering, as the page has them. */
 export function renderSettings(flags: SettingFlags, speedOfLight: number): RenderSettings {
-  const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure } = flags;
-  const { tone, solver, iterations, damping, grid } = flags;
+  const { view, lightDelay, aberration, colors, dopplerMix, beaming, shadows, exposure } = flags;
+  const { tone, solver, iterations, damping, grid, occlusionRadius } = flags;
   return {
     view,
     lightDelay,
@@ -133,12 +142,14 @@ export function renderSettings(flags: SettingFlags, speedOfLight: number): Rende
     colors,
     dopplerMix,
     beaming,
+    shadows,
     exposure,
     tone,
     solver,
     iterations,
     damping,
     grid,
+    ...(occlusionRadius !== undefined && { occlusionRadius }),
     speedOfLight,
   };
 }

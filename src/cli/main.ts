@@ -4,6 +4,7 @@ import { InputError } from '../scene/types.ts';
 import { compareCommand } from './compare.ts';
 import { convertCommand } from './convert.ts';
 import { CliError, EXIT } from './exit.ts';
+import { graphCommand } from './graph.ts';
 import { inspectCommand } from './inspect.ts';
 import { stoppedWith } from './output.ts';
 import { probeCommand } from './probe.ts';
@@ -35,7 +36,15 @@ function program(): Command {
     .description('Shows what a fast observer sees, and what is really there.')
     .version(version())
     .addHelpText('after', exitCodes);
-  for (const add of [renderCommand, probeCommand, inspectCommand, compareCommand, convertCommand, serveCommand])
+  for (const add of [
+    renderCommand,
+    probeCommand,
+    inspectCommand,
+    compareCommand,
+    convertCommand,
+    graphCommand,
+    serveCommand,
+  ])
     program.addCommand(add());
   for (const command of [program, ...program.commands]) {
     command

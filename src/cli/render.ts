@@ -25,6 +25,8 @@ export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, Pi
   readonly aov?: readonly AovName[];
   readonly samples?: number;
   readonly json?: boolean;
+  /** Of a project: `node.param=value`. */
+  readonly set?: readonly string[];
 }
 
 const examples = `
@@ -34,12 +36,13 @@ Examples:
   slowlight render street.usda -o street.mp4 --frames 1:96 --fps 24
   slowlight render street.usda -o 'street.####.png' --frames 1:96
   slowlight render street.usda -o truth.png --pipeline reference --samples 8
-  slowlight render street.usda -o shift.png --false-colour doppler --legend --beta 0,0,-0.5`;
+  slowlight render street.usda -o shift.png --false-colour doppler --legend --beta 0,0,-0.5
+  slowlight render workshop.slowlight.json -o workshop.png --set console.speedOfLight=10`;
 
 export function renderCommand(): Command {
   const command = new Command('render')
-    .description('Makes pictures of a scene: .png, .exr with data channels, or .mp4.')
-    .argument('<scene>', SCENE_ARGUMENT)
+    .description('Makes pictures of a scene, or of a project: .png, .exr with data channels, or .mp4.')
+    .argument('<scene>', `${SCENE_ARGUMENT}; or a project, .slowlight.json`)
     .requiredOption('-o, --output <file>', 'file to write; #### in the name of a .png or .exr becomes the frame')
     .addOption(sizeOption('in pixels'))
     .option(
@@ -78,9 +81,20 @@ export function renderCommand(): Command {
     );
   return (
     addPipelineFlags(command)
+      .option(
+        '--set <node.param=value>',
+        'of a project: a parameter of a node; several times for several; vectors as x,y,z',
+        (text: string, before: readonly string[] = []) => [...before, text],
+      )
       .option('--json', 'print what was made as JSON')
       .addHelpText('after', examples)
       // Loaded when it is needed: the renderer is large.
-      .action(async (scene: string, flags: RenderFlags) => (await import('./renderAction.ts')).render(scene, flags))
+      .action(async (scene: string, flags: RenderFlags) =>
+        (await import('./renderAction.ts')).render(scene, flags, givenTo(command)),
+      )
   );
 }
+
+/** The flags that somebody wrote, by name. */
+const givenTo = (command: Command): ReadonlySet<string> =>
+  new Set(Object.keys(command.opts()).filter((name) => command.getOptionValueSource(name) === 'cli'));

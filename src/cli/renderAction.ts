@@ -15,6 +15,7 @@ import { endIfStopped } from './output.ts';
 import { openPainter, type Painter } from './painter.ts';
 import { checkPipeline } from './pipeline.ts';
 import { Progress } from './progress.ts';
+import { isProject, projectFlags } from './project.ts';
 import type { RenderFlags } from './render.ts';
 import { openChangedScene } from './scene.ts';
 import { openSink, type Sink } from './sinks.ts';
@@ -36,14 +37,15 @@ interface Made {
   readonly falseColours?: FalseColors;
 }
 
-export async function render(path: string, flags: RenderFlags): Promise<void> {
-  checkPipeline(flags);
-  const aovs = chooseAovs(flags);
+export async function render(path: string, written: RenderFlags, given: ReadonlySet<string>): Promise<void> {
+  checkPipeline(written);
+  const aovs = chooseAovs(written);
   const progress = new Progress();
   progress.show('reading …');
-  const scene = await openChangedScene(path, flags);
-  const c = speedOfLight(scene, flags.c);
+  const { scene, flags } = await opened(path, written, given, progress);
   progress.clear();
+  checkPipeline(flags);
+  const c = speedOfLight(scene, flags.c);
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   const frames = frameTimes(scene, flags);
   const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
@@ -88,6 +90,16 @@ export async function render(path: string, flags: RenderFlags): Promise<void> {
     progress.clear();
     sink.discard();
   }
+}
+
+/** A scene file as the flags would have it, or what a project makes, with what it says of the picture. */
+async function opened(path: string, flags: RenderFlags, given: ReadonlySet<string>, progress: Progress) {
+  if (isProject(path))
+    return projectFlags(path, flags, given, (node, part) =>
+      progress.show(part === undefined ? `${node} …` : `${node}: ${Math.round(100 * part)} %`),
+    );
+  if (flags.set) throw usageError('--set is for projects, .slowlight.json; of a scene file there are no nodes to set');
+  return { scene: await openChangedScene(path, flags), flags };
 }
 
 /** Data channels need a format that can hold them; without a wish an EXR holds the picture in linear light. */

@@ -9,6 +9,7 @@ import { findScene } from './files.ts';
 import { speedOfLight } from './flags.ts';
 import { findChromium } from './icd.ts';
 import type { Painter, Picture, PictureRequest } from './painter.ts';
+import { isProject } from './project.ts';
 import type { RenderFlags } from './render.ts';
 import { motionChange, readOptions } from './scene.ts';
 import { serveApp } from './staticServer.ts';
@@ -38,6 +39,8 @@ type HeadlessWindow = { readonly slowlight: HeadlessPage };
 
 /** Draws with the page's renderer on WebGL2, in a Chromium without a window. */
 export async function openWebGlPainter(path: string, scene: Scene, flags: RenderFlags): Promise<Painter> {
+  if (isProject(path))
+    throw unavailable('WebGL2 in a browser draws scene files, not projects: take webgpu, or --pipeline reference');
   const { source, folder, entry } = await findScene(path);
   const { animation, subdivision, variants = [] } = readOptions(flags);
   const motion = { ...motionChange(flags), speedOfLight: speedOfLight(scene, flags.c) };

@@ -37,6 +37,7 @@ export const CODES = {
   'zip.bomb': 'an archive that claims to hold far more than it can',
   'zip.too-large': 'an archive that unpacks to more than is read',
   'zip.no-scene': 'no file of the archive is a scene',
+  'zip.no-project': 'an archive that was to hold a project holds none',
 
   'usd.syntax': 'text that is not USD',
   'usd.crate': 'a binary layer that is damaged, or holds what is not read',
@@ -124,7 +125,6 @@ export const CODES = {
   'gltf.vertex-alpha': 'the opacity of vertex colours, which is left out',
   'gltf.slowlight': 'extras of our own that mean nothing',
   'gltf.second-uvs': 'a second set of uvs, or transform: the first is used for both',
-  'gltf.ignored-texture': 'a texture of a kind that is not drawn',
   'gltf.camera': 'a camera that is orthographic, or has no field of view',
   'gltf.light': 'a range of a light, or a turning sun',
   'gltf.instances': 'instances of a skinned mesh, which are in one place',

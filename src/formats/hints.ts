@@ -19,6 +19,12 @@ export function hintsFrom(get: (name: keyof SceneHints) => unknown): SceneHints 
   return Object.fromEntries(Object.entries(hints).filter(([, value]) => value !== undefined));
 }
 
+/** Reflectances that a picture may tell, too; `shader`: what reads it where that is a USD material. */
+export const UNSEEN = [
+  { of: 'uv', texture: 'uvTexture', name: 'slowlight:albedo:uv', shader: 'Ultraviolet' },
+  { of: 'ir', texture: 'irTexture', name: 'slowlight:albedo:ir', shader: 'Infrared' },
+] as const;
+
 /** What a material says of light that eyes do not see at rest. */
 type Spectral = Pick<Material, 'uv' | 'ir' | 'emissionTemperature'>;
 
@@ -28,6 +34,9 @@ export const SPECTRAL_HINTS = [
   { of: 'ir', name: 'slowlight:albedo:ir', least: 0, most: 1, range: '0 to 1' },
   { of: 'emissionTemperature', name: 'slowlight:emission:temperature', least: 1, most: 1e9, range: '1 to 1e9 K' },
 ] as const;
+
+/** Our own attributes of a dome: the colours of its horizon and of the ground. */
+export const SKY_HINTS = ['slowlight:sky:horizon', 'slowlight:sky:ground'] as const;
 
 /** The hints of a material; `refuse` is told of each that is no number of its range, which is passed over. */
 export function spectralHints(get: (name: string) => unknown, refuse: (message: string) => void): Spectral {

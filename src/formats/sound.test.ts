@@ -72,6 +72,7 @@ describe('a scene as read', () => {
       materials: [makeMaterial({ name: 'odd', roughness: NaN32 })],
       lights: [
         { kind: 'dome', path: '/Sky', color: [1, Number.POSITIVE_INFINITY, 1] },
+        { kind: 'dome', path: '/Dusk', color: [1, 1, 1], gradient: { horizon: [NaN32, 0, 0], ground: [0, 0, 0] } },
         { ...lamp, path: '/Wide', radius: NaN32 },
         { ...lamp, path: '/Bent', shaping: { inner: 0, outer: NaN32, focus: 0 } },
       ],
@@ -81,6 +82,6 @@ describe('a scene as read', () => {
     expect(sound.lights).toEqual([]);
     expect(sound.materials[0].roughness).toBe(0.6);
     expect(sound.endTime).toBe(0);
-    expect(sound.diagnostics).toHaveLength(6);
+    expect(sound.diagnostics).toHaveLength(7);
   });
 });

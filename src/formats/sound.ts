@@ -4,6 +4,7 @@ import { isStreamed, pointsAt } from '../scene/points.ts';
 import { withoutLost } from '../scene/streamedPoints.ts';
 import type {
   Diagnostic,
+  DomeLight,
   Lamp,
   Light,
   Material,
@@ -187,8 +188,13 @@ function soundMaterial(material: Material, say: Say): Material {
 
 function isSound(thing: Light | SceneCamera, say: Say): boolean {
   if ('motion' in thing && !isMotionSound(thing, say)) return false;
-  const { lifetime: _, shaping, ...rest }: Partial<Lamp> = thing as Partial<Lamp>;
-  const numbers = [...Object.values(rest), ...Object.values(shaping ?? {})].flat();
+  const {
+    lifetime: _,
+    shaping,
+    gradient,
+    ...rest
+  }: Partial<Lamp> & Pick<DomeLight, 'gradient'> = thing as Partial<Lamp>;
+  const numbers = [rest, shaping ?? {}, gradient ?? {}].flatMap((part) => Object.values(part)).flat();
   if (allFinite(numbers.filter((value) => typeof value === 'number'))) return true;
   say(thing.path, `a number of it is ${NOT}; it is left out`);
   return false;

@@ -62,7 +62,8 @@ export class Evaluator<Services> {
   readonly #results: Results;
   /** Work under way: a second evaluation that needs the same content waits for the first one's. */
   readonly #pending = new Map<string, { readonly node: string; readonly result: Promise<NodeResult> }>();
-  readonly #flat = new WeakMap<GraphDocument, FlatGraph>();
+  #flat: { readonly of: GraphDocument; readonly graph: FlatGraph } | undefined;
+  #latest: Latest<Services> | undefined;
 
   constructor(registry: Registry<Services>, { capacity = 16, heavy }: EvaluatorOptions = {}) {
     this.#registry = registry;
@@ -81,19 +82,27 @@ export class Evaluator<Services> {
     const [first = ''] = wanted;
     const flat = this.#flattened(document);
     if ('status' in flat) return { target: flat, results: new Map(wanted.map((id) => [id, flat])) };
+    const asked = wanted.join(' ');
+    const latest = this.#latest;
+    if (latest?.flat === flat && latest.services === services && latest.asked === asked) return latest.evaluation;
     const errand = { services, signal, progress };
     const run = new Run(flat, this.#registry, (call: Call<Services>) => this.#perform(call, errand));
     const results = await run.reach(wanted);
     this.#results.trim(results.size);
-    return { target: results.get(first) ?? failure('graph.unknown-node', first, 'nothing was asked for'), results };
+    const target = results.get(first) ?? failure('graph.unknown-node', first, 'nothing was asked for');
+    const evaluation = { target, results };
+    this.#latest = [...results.values()].every(lasts) ? { flat, services, asked, evaluation } : undefined;
+    return evaluation;
   }
 
+  /** Where nodes stand, and notes, change nothing: then it is the same one as before. */
   #flattened(document: GraphDocument): FlatGraph | NodeResult {
-    const known = this.#flat.get(document);
-    if (known) return known;
+    const { of, graph } = this.#flat ?? {};
+    if (graph && of?.nodes === document.nodes && of.edges === document.edges && of.groups === document.groups)
+      return graph;
     try {
       const flat = flatten(document, this.#registry);
-      this.#flat.set(document, flat);
+      this.#flat = { of: document, graph: flat };
       return flat;
     } catch (error) {
       if (error instanceof DocumentError) return failure('graph.document', 'the project', error.message);
@@ -131,19 +140,15 @@ export class Evaluator<Services> {
     }
   }
 
-  #start(call: Call<Services>, errand: Errand<Services>): Outcome | Promise<Outcome> {
+  #start(call: Call<Services>, errand: Errand<Services>): NodeResult | Promise<NodeResult> {
     const { id: node, type, inputs, params } = call;
     const progress: Progress = (part, what) => errand.progress(node, part, what);
     const { services, signal } = errand;
-    const failed = (error: unknown): Outcome => {
+    const failed = (error: unknown): NodeResult => {
       if (signal?.aborted || error instanceof CancelledError) throw new CancelledError();
-      // A refusal follows from the content; anything else (a network that is down) may go better next time.
-      return { result: { status: 'failed', problem: problemOf(error, node) }, lasts: error instanceof NodeRefusal };
+      return { status: 'failed', problem: problemOf(error, node) };
     };
-    const done = (outputs: Readonly<Record<string, unknown>>): Outcome => ({
-      result: { status: 'done', outputs },
-      lasts: true,
-    });
+    const done = (outputs: Readonly<Record<string, unknown>>): NodeResult => ({ status: 'done', outputs });
     try {
       const outputs =
         type.heavy && this.#heavy
@@ -155,17 +160,23 @@ export class Evaluator<Services> {
     }
   }
 
-  #finish(content: string, node: string, { result, lasts }: Outcome): NodeResult {
-    if (lasts) this.#results.keep(content, node, result);
+  #finish(content: string, node: string, result: NodeResult): NodeResult {
+    if (lasts(result)) this.#results.keep(content, node, result);
     return result;
   }
 }
 
-interface Outcome {
-  readonly result: NodeResult;
-  /** Whether the same content will give it again. */
-  readonly lasts: boolean;
+/** The last evaluation, of which all would come out the same. */
+interface Latest<Services> {
+  readonly flat: FlatGraph;
+  readonly services: Services;
+  readonly asked: string;
+  readonly evaluation: Evaluation;
 }
+
+/** What is neither done nor refused: a network that is down may be up the next time. */
+const UNFORESEEN = 'graph.evaluation';
+const lasts = (result: NodeResult): boolean => result.status !== 'failed' || result.problem.code !== UNFORESEEN;
 
 /** Every value that flows in by itself: each of an input that takes many. */
 const valuesOf = ({ type, inputs }: Call<never>): (readonly [string, unknown])[] =>
@@ -180,7 +191,7 @@ const problemOf = (error: unknown, node: string): Problem =>
     ? error.problem
     : {
         severity: 'error',
-        code: 'graph.evaluation',
+        code: UNFORESEEN,
         place: node,
         message: error instanceof Error ? error.message : String(error),
       };

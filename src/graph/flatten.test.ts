@@ -130,6 +130,25 @@ describe('a generic socket', () => {
     expect(codes(edited(wanted, connect('t.text', 'p.b')))).toEqual(['graph.edge s']);
   });
 
+  it('is of what all that flows in can become, in whatever order it is connected', () => {
+    const base = edited(two, add('k', 'paint'), add('l', 'length'), add('s', 'sum'));
+    for (const links of [
+      ['v.number>p.a', 'k.color>q.b'],
+      ['k.color>q.b', 'v.number>p.a'],
+    ]) {
+      const joined = edited(base, ...links.map((link) => connect(...(link.split('>') as [string, string]))));
+      expect(codes(joined)).toEqual([]);
+      expect(typeOf(joined, 'q', 'outputs', 'out')).toBe('color');
+      expect(refuseEdge(joined, edge('q.out', 'l.vector'), toys)).toBeUndefined();
+      expect(refuseEdge(joined, edge('q.out', 's.a'), toys)).toBe('color (k.color) does not fit number (s.a)');
+    }
+    for (const sinks of [
+      ['l.vector', 's.a'],
+      ['s.a', 'l.vector'],
+    ])
+      expect(codes(edited(base, ...sinks.map((sink) => connect('q.out', sink))))).toEqual([]);
+  });
+
   it('takes only the branch that it needs', async () => {
     const document = build(
       add('p', 'pick'),

@@ -263,4 +263,89 @@ describe('evaluation', () => {
     expect((await at(1)).ran).toEqual([]);
     expect((await at(2)).ran).toEqual(['x']);
   });
+
+  it('equal numbers lead to the same work, whatever made them', async () => {
+    const evaluator = new Evaluator(registry);
+    const sums = (a: number, b: number) => {
+      const inner = { ...example(), edges: { 's.a': edge('x', 's', 'a'), 's.b': edge('y', 's', 'b') } };
+      return applyCommand(inner, {
+        kind: 'batch',
+        commands: [set('x', a), set('y', b), add('t', 'sum'), { kind: 'connect', edge: edge('s', 't', 'a') }],
+      }).document;
+    };
+    expect((await evaluate(evaluator, sums(2, 3), 't')).ran).toEqual(['s', 't', 'x', 'y']);
+    expect(await evaluate(evaluator, sums(4, 1), 't')).toEqual({
+      result: { status: 'done', outputs: { number: 5 } },
+      ran: ['s', 'x', 'y'],
+    });
+  });
+
+  it('what the latest evaluation needed is kept, however much it is', async () => {
+    const evaluator = new Evaluator(registry, { capacity: 1 });
+    const count = 200;
+    const chain = build(
+      add('n0', 'value'),
+      ...Array.from({ length: count }, (_, i): Command[] => [
+        add(`n${i + 1}`, 'sum'),
+        { kind: 'connect', edge: edge(`n${i}`, `n${i + 1}`, 'a') },
+        { kind: 'connect', edge: edge(`n${Math.max(0, i - 1)}`, `n${i + 1}`, 'b') },
+      ]).flat(),
+    );
+    expect((await evaluate(evaluator, chain, `n${count}`)).ran).toHaveLength(count + 1);
+    expect((await evaluate(evaluator, chain, `n${count}`)).ran).toEqual([]);
+  });
+
+  it('where nodes stand is no reason to evaluate anything; another target is, and so are other services', async () => {
+    const evaluator = new Evaluator(registry);
+    const services = {};
+    const before = await evaluator.evaluate(example(), 's', services);
+    const { document } = applyCommand(example(), { kind: 'batch', commands: [] });
+    expect(await evaluator.evaluate(document, 's', services)).not.toBe(before);
+    const again = await evaluator.evaluate(document, 's', services);
+    const moved = applyCommand(document, { kind: 'move-nodes', to: { x: [5, 5] } }).document;
+    expect(await evaluator.evaluate(moved, 's', services)).toBe(again);
+    expect((await evaluator.evaluate(moved, 'x', services)).target).toEqual({ status: 'done', outputs: { number: 1 } });
+    expect(await evaluator.evaluate(moved, 'x', {})).not.toBe(await evaluator.evaluate(moved, 'x', services));
+  });
+
+  it('a refusal stands at each node that has it', async () => {
+    const evaluator = new Evaluator(registry);
+    const both = applyCommand(applyCommand(example(), set('x', 13)).document, set('y', 13)).document;
+    const { results } = await evaluator.evaluate(both, ['x', 'y'], {});
+    for (const node of ['x', 'y']) expect(results.get(node)).toMatchObject({ problem: { place: node } });
+  });
+
+  it('to cancel one evaluation is not to cancel another that waits for the same work', async () => {
+    let started = 0;
+    const slow: NodeType = {
+      ...value,
+      evaluate: (_inputs, _params, { signal }) =>
+        new Promise((done, fail) => {
+          if (++started > 1) done({ number: 7 });
+          signal?.addEventListener('abort', () => fail(new CancelledError()));
+        }),
+    };
+    const evaluator = new Evaluator({ value: slow });
+    const abort = new AbortController();
+    const first = evaluator.evaluate(build(add('x', 'value')), 'x', {}, { signal: abort.signal });
+    const second = evaluator.evaluate(build(add('x', 'value')), 'x', {});
+    abort.abort();
+    await expect(first).rejects.toThrow(CancelledError);
+    expect((await second).target).toEqual({ status: 'done', outputs: { number: 7 } });
+  });
+
+  it('what went wrong by chance is tried again', async () => {
+    let tries = 0;
+    const flaky: NodeType = {
+      ...value,
+      evaluate: async () => {
+        if (++tries === 1) throw new Error('the network is down');
+        return { number: tries };
+      },
+    };
+    const evaluator = new Evaluator({ value: flaky });
+    const target = async () => (await evaluator.evaluate(build(add('x', 'value')), 'x', {})).target;
+    expect(await target()).toMatchObject({ problem: { code: 'graph.evaluation', message: 'the network is down' } });
+    expect(await target()).toMatchObject({ outputs: { number: 2 } });
+  });
 });

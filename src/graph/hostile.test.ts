@@ -79,11 +79,20 @@ async function use(document: GraphDocument): Promise<void> {
 describe('a project', () => {
   it('that is damaged is refused with the place, or can be used', () =>
     fc.assert(
-      fc.asyncProperty(documents(25), fc.array(damage, { minLength: 1, maxLength: 3 }), async (document, list) => {
-        const text = list.reduce(damaged, serializeDocument(document));
-        const read = readOrRefuse(() => parseDocument(text));
-        if (read) await use(read);
-      }),
+      fc.asyncProperty(
+        documents(25),
+        fc.array(damage, { minLength: 1, maxLength: 3 }),
+        fc.integer({ min: 1, max: 4 }),
+        async (document, list, version) => {
+          const { format, nodes, edges, layout } = document;
+          // Of an earlier version, which is migrated first, or of this one.
+          const old =
+            version < 3 ? JSON.stringify({ format, version, nodes, edges, layout }) : serializeDocument(document);
+          const text = list.reduce(damaged, old);
+          const read = readOrRefuse(() => parseDocument(text));
+          if (read) await use(read);
+        },
+      ),
       { numRuns: 300 },
     ));
 

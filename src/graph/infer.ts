@@ -63,12 +63,14 @@ function inferred(level: Level, registry: Registry, more?: GraphEdge): LevelType
   // What flows in tells the type; only where nothing does, what it flows to.
   for (const { edge, from, to } of typed) {
     if (from.variable || !to.variable) continue;
-    const held = variables.tell(to.variable, from);
-    if (held.type !== from.type) conflicts.push({ edge, message: misfit(from, held) });
+    // Of what flows in, that which the rest can become.
+    const held = variables.tell(to.variable, from, (other) => conversion(other.type, from.type) !== undefined);
+    if (!conversion(from.type, held.type)) conflicts.push({ edge, message: misfit(from, held) });
   }
+  const sourced = variables.told();
   for (const { edge, from, to } of typed) {
     if (to.variable) continue;
-    const source = from.variable ? variables.tell(from.variable, to) : from;
+    const source = from.variable ? wanted(variables, sourced, from.variable, to) : from;
     if (!conversion(source.type, to.type)) conflicts.push({ edge, message: misfit(source, to) });
   }
   return {
@@ -78,6 +80,13 @@ function inferred(level: Level, registry: Registry, more?: GraphEdge): LevelType
       return end?.variable ? (variables.of(end.variable)?.type ?? ANY) : end?.type;
     },
   };
+}
+
+/** What flows out of a generic socket: what flows in, or else what can become all that is wanted of it. */
+function wanted(variables: Variables, sourced: ReadonlySet<string>, variable: string, to: End): End {
+  const held = variables.of(variable);
+  if (held && sourced.has(variables.root(variable))) return held;
+  return variables.tell(variable, to, (other) => conversion(to.type, other.type) !== undefined);
 }
 
 const misfit = (from: End, to: End): string => `${from.type} (${from.place}) does not fit ${to.type} (${to.place})`;
@@ -116,23 +125,29 @@ class Variables {
   readonly #known = new Map<string, End>();
 
   join(a: string, b: string): void {
-    const [first, second] = [this.#root(a), this.#root(b)];
+    const [first, second] = [this.root(a), this.root(b)];
     if (first !== second) this.#parents.set(first, second);
   }
 
-  /** Says what a variable is, where nothing has before; returns what holds. */
-  tell(variable: string, end: End): End {
-    const root = this.#root(variable);
-    const held = this.#known.get(root) ?? end;
-    this.#known.set(root, held);
-    return held;
+  /** Says what a variable is, where nothing has before, or where what has gives way; returns what holds. */
+  tell(variable: string, end: End, givesWay: (held: End) => boolean): End {
+    const root = this.root(variable);
+    const held = this.#known.get(root);
+    if (held && !givesWay(held)) return held;
+    this.#known.set(root, end);
+    return end;
   }
 
   of(variable: string): End | undefined {
-    return this.#known.get(this.#root(variable));
+    return this.#known.get(this.root(variable));
   }
 
-  #root(variable: string): string {
+  /** The roots of all of which something is known. */
+  told(): ReadonlySet<string> {
+    return new Set(this.#known.keys());
+  }
+
+  root(variable: string): string {
     let root = variable;
     for (let up = this.#parents.get(root); up !== undefined; up = this.#parents.get(root)) root = up;
     // Next time the way is short.

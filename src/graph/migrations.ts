@@ -54,11 +54,14 @@ function withGroupsAndGeometry(data: Record<string, unknown>): Record<string, un
   };
   const keyed = (edge: unknown): readonly [string, unknown] => {
     const to = isRecord(edge) && isRecord(edge.to) ? edge.to : {};
-    return [`${String(to.node)}.${String(to.input)}`, edge];
+    return [`${nameIn(to.node)}.${nameIn(to.input)}`, edge];
   };
   const all = isRecord(edges) ? Object.fromEntries(Object.values(edges).map(renamed).map(keyed)) : edges;
   return { ...data, edges: all, notes: {}, frames: {}, groups: {}, files: {} };
 }
+
+/** What is no text is left to the schema to refuse. */
+const nameIn = (value: unknown): string => (typeof value === 'string' ? value : '');
 
 const MAKES_GEOMETRY: ReadonlySet<unknown> = new Set(['read', 'retime']);
 

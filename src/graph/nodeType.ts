@@ -25,8 +25,8 @@ interface ParamBase {
   readonly title: string;
   /** Key of the sentence that explains it. */
   readonly help?: string;
-  /** Matters only while another parameter of the node has this value. */
-  readonly onlyWhen?: { readonly param: string; readonly is: ParamValue };
+  /** Matters only while another parameter of the node has this value, or one of these. */
+  readonly onlyWhen?: { readonly param: string; readonly is: ParamValue | readonly ParamValue[] };
 }
 export interface NumberParam extends ParamBase {
   readonly kind: 'number';
@@ -60,11 +60,15 @@ export interface TextParam extends ParamBase {
   readonly default: string;
   /** Where its values come from: `cameras` of the scene. Without, a special control of the program sets it (the opened file). */
   readonly choices?: 'cameras';
+  /** It names a file of the project. */
+  readonly file?: true;
 }
 /** Three numbers: a direction, a place. */
 export interface VectorParam extends ParamBase {
   readonly kind: 'vector';
   readonly default: readonly [number, number, number];
+  /** Of each of them, as written beside the number. */
+  readonly unit?: string;
 }
 /** Linear sRGB. */
 export interface ColorParam extends ParamBase {
@@ -164,6 +168,10 @@ export function resolveParams(
     }),
   );
 }
+
+/** Whether a parameter matters, by the values of the others. */
+export const matters = ({ onlyWhen }: ParamSpec, params: Readonly<Record<string, ParamValue | undefined>>): boolean =>
+  onlyWhen === undefined || [onlyWhen.is].flat().includes(params[onlyWhen.param] ?? '');
 
 /** Why a value cannot stand for a parameter, or undefined where it can. */
 export function refuseValue(spec: ParamSpec, value: ParamValue): string | undefined {

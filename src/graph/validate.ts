@@ -3,7 +3,7 @@ import { DocumentError, edgeKey, type GraphDocument, type GraphEdge, type GraphN
 import { edgesInto, flatten } from './flatten.ts';
 import { typesIn } from './infer.ts';
 import { faultIn } from './integrity.ts';
-import { type NodeType, type Problem, type Registry, refuseValue } from './nodeType.ts';
+import { type NodeType, type Problem, type Registry, refuseValue, resolveParams } from './nodeType.ts';
 import { inputName, inputSocket, type Level, levelOf, levelsOf, socketsOf } from './sockets.ts';
 import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupOf } from './structure.ts';
 
@@ -57,7 +57,10 @@ function checkNode(
     return [error('graph.group', place, 'a group has one group output; remove this one')];
   const type = own(registry, node.type);
   if (!type) return [error('graph.unknown-node', place, `there is no node type "${node.type}"`)];
-  return [...checkParams(place, node.params, type), ...(node.muted ? [] : checkInputs(place, type, isConnected))];
+  return [
+    ...checkParams(place, node.params, type),
+    ...(node.muted ? [] : checkInputs(place, node.params, type, isConnected)),
+  ];
 }
 
 const exitOf = ({ graph }: Level) => Object.values(graph.nodes).find(({ type }) => type === GROUP_OUTPUT);
@@ -120,12 +123,20 @@ function checkParams(id: string, params: GraphNode['params'], type: NodeType): P
   });
 }
 
-function checkInputs(place: string, type: NodeType, isConnected: (input: string) => boolean): Problem[] {
-  return Object.entries(type.inputs).flatMap(([name, socket]) =>
-    socket.optional || isConnected(name)
-      ? []
-      : [error('graph.input', place, `connect something to "${name}" (${socket.type})`)],
-  );
+function checkInputs(
+  place: string,
+  params: GraphNode['params'],
+  type: NodeType,
+  isConnected: (input: string) => boolean,
+): Problem[] {
+  // What edges drive is not known yet, and so not which inputs matter.
+  const isDriven = Object.keys(type.params).some(isConnected);
+  const needed = isDriven && type.needs ? [] : (type.needs?.(resolveParams(type, params)) ?? Object.keys(type.inputs));
+  return needed.flatMap((name) => {
+    const socket = type.inputs[name];
+    if (!socket || socket.optional || isConnected(name)) return [];
+    return [error('graph.input', place, `connect something to "${name}" (${socket.type})`)];
+  });
 }
 
 function circular({ graph }: Level): ReadonlySet<string> {

@@ -38,6 +38,7 @@ export interface GBuffer extends CameraView {
   readonly colors: ColorMode;
   readonly dopplerMix: number;
   readonly beaming: number;
+  readonly shadows: boolean;
   readonly grid: boolean;
 }
 

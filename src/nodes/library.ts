@@ -35,6 +35,18 @@ import { output } from './render/output.ts';
 import { relativityRasterize } from './render/rasterize.ts';
 import { toneMap } from './render/toneMap.ts';
 import type { Services } from './services.ts';
+import { colorNode } from './utility/color.ts';
+import { compareNode } from './utility/compare.ts';
+import { groupNode } from './utility/group.ts';
+import { groupInputNode } from './utility/groupInput.ts';
+import { groupOutputNode } from './utility/groupOutput.ts';
+import { mathNode } from './utility/math.ts';
+import { numberNode } from './utility/number.ts';
+import { rerouteNode } from './utility/reroute.ts';
+import { separateNode } from './utility/separate.ts';
+import { switchNode } from './utility/switch.ts';
+import { textNode } from './utility/text.ts';
+import { vectorNode } from './utility/vector.ts';
 
 /** In the order in which menus show them. */
 const types = [
@@ -73,6 +85,18 @@ const types = [
   relativityRasterize,
   toneMap,
   output,
+  numberNode,
+  vectorNode,
+  separateNode,
+  colorNode,
+  textNode,
+  mathNode,
+  compareNode,
+  switchNode,
+  rerouteNode,
+  groupNode,
+  groupInputNode,
+  groupOutputNode,
 ];
 
 /** Every node type, by id: a new one is added here and nowhere else. */

@@ -1,4 +1,6 @@
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { utilityProject } from '../../tests/support/exampleGraphs.ts';
 import { applyCommand, type Command } from '../graph/commands.ts';
 import type { ParamValue } from '../graph/document.ts';
 import { Evaluator } from '../graph/evaluate.ts';
@@ -15,6 +17,7 @@ import { pictureOf, renderSettings } from './picture.ts';
 import { flightsIn, flyCommand, landCommand, newProject, openCommand } from './project.ts';
 import type { LoadedScene, Services } from './services.ts';
 
+const folder = new URL('../../examples/', import.meta.url);
 const scene: Scene = {
   name: 'test',
   upAxis: 'Y',
@@ -54,10 +57,12 @@ describe('the library', () => {
     }
   });
 
-  it('every node is exercised by the project that the page opens with, and by a flight', () => {
-    const { document } = applyCommand(newProject(), flyCommand(newProject(), '/a', 0));
-    const used = new Set(Object.values(document.nodes).map((node) => node.type));
-    expect([...used].sort()).toEqual(Object.keys(nodeLibrary).sort());
+  it('every node is exercised by an example project, a flight, or the example of the utilities', () => {
+    const examples = readdirSync(folder).filter((name) => name.endsWith('.slowlight.json'));
+    const projects = examples.map((name) => parseDocument(readFileSync(new URL(name, folder), 'utf8')));
+    const levels = [utilityProject(), ...projects].flatMap((project) => [project, ...Object.values(project.groups)]);
+    const used = levels.flatMap(({ nodes }) => Object.values(nodes).map(({ type }) => type));
+    expect([...new Set(used)].sort()).toEqual(Object.keys(nodeLibrary).sort());
   });
 
   it("the nodes' defaults are the renderer's", async () => {

@@ -15,6 +15,7 @@ export const renderSettings = (picture: Picture, metered: number, scale?: Scale)
   colors: picture.colors,
   dopplerMix: picture.dopplerMix,
   beaming: picture.beaming,
+  shadows: picture.shadows,
   solver: picture.solver,
   iterations: picture.iterations,
   damping: picture.damping,

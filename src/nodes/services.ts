@@ -23,3 +23,8 @@ export interface Services {
   /** Throws an `InputError` where the file cannot be read. */
   readScene(source: string, how: ReadRequest): Promise<LoadedScene>;
 }
+
+/** In the threads of heavy nodes nothing is read: what they work on comes with their orders. */
+export const threadServices: Services = {
+  readScene: () => Promise.reject(new Error('a heavy node reads no files; give it what it needs as inputs')),
+};

@@ -1,7 +1,9 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { dopplerFactor } from '../physics/doppler.ts';
-import type { AovName, View } from '../scene/view.ts';
+import type { AovName, RenderSettings } from '../scene/view.ts';
+import { DEFAULT_LIGHT, lightingOf } from './lighting.ts';
+import { openness } from './openness.ts';
 import { surfaceAt } from './surface.ts';
 import type { TracedScene } from './trace.ts';
 import type { Hit, SpacetimeRay } from './types.ts';
@@ -11,8 +13,11 @@ export type DataAov = Exclude<AovName, 'beauty'>;
 /** What a picture's data say of a hit: as many numbers as `AOVS` has channels. */
 export type DataReader = (hit: Hit, ray: SpacetimeRay) => readonly number[];
 
+/** The same numbers for the same picture. */
+const NO_CHANCE = (): number => 0;
+
 /** Reads of a camera ray's hit, for an observer with proper velocity u. Without light there is no shift: D = 1. */
-export function dataReader(name: DataAov, scene: TracedScene, u: Vec3, view: View): DataReader {
+export function dataReader(name: DataAov, scene: TracedScene, u: Vec3, settings: RenderSettings): DataReader {
   switch (name) {
     case 'albedo':
       return (hit) => surfaceAt(scene, hit).albedo;
@@ -21,11 +26,15 @@ export function dataReader(name: DataAov, scene: TracedScene, u: Vec3, view: Vie
     case 'emission_time':
       return ({ time }) => [time];
     case 'doppler':
-      return view === 'light-cone' ? (hit, ray) => [dopplerOf(hit, ray, u)] : () => [1];
+      return settings.view === 'light-cone' ? (hit, ray) => [dopplerOf(hit, ray, u)] : () => [1];
     case 'position':
       return ({ position }) => position;
     case 'normal':
       return (hit) => surfaceAt(scene, hit).normal;
+    case 'occlusion': {
+      const lighting = lightingOf(scene, settings, DEFAULT_LIGHT, u, NO_CHANCE);
+      return (hit) => [openness(lighting, hit)];
+    }
     case 'velocity':
       return ({ velocity }) => velocity;
     case 'object':

@@ -136,7 +136,10 @@ describe('a small sun in a picture', () => {
       ior: material.ior ?? 1.5,
       normal: [0, 1, 0],
     } as const;
-    const seenFrom = lookOf({ ...surface, albedo: material.baseColor, opacity: 1, emissive: ZERO, uv: [0, 0] }, V);
+    const seenFrom = lookOf(
+      { ...surface, albedo: material.baseColor, opacity: 1, occlusion: 1, emissive: ZERO, uv: [0, 0] },
+      V,
+    );
     const sent = integral((local) => {
       const n = rotate(turn, local);
       // L′ dΩ′ = D⁴ L dΩ/D².

@@ -1,7 +1,7 @@
 import { dot, length, type Vec3, ZERO } from '../math/vec3.ts';
 import { gamma, inverseBoost, properVelocity } from '../physics/boost.ts';
 import type { WorldLine } from '../physics/worldLine.ts';
-import { directLights } from '../scene/daylight.ts';
+import { directLights, sunRadius } from '../scene/daylight.ts';
 import { originLine } from '../scene/motion.ts';
 import type { Lamp } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
@@ -56,7 +56,11 @@ function lightsOf(traced: TracedScene): Pick<Lighting, 'sky' | 'suns' | 'lamps'>
   const lights = directLights(traced.scene);
   const suns = lights
     .filter((light) => light.kind === 'distant')
-    .map(({ direction, color, spectrum }) => ({ direction, shine: shineOf(color, spectrum) }));
+    .map((light) => ({
+      direction: light.direction,
+      radius: sunRadius(light),
+      shine: shineOf(light.color, light.spectrum),
+    }));
   const lamps = lights
     .filter((light) => light.kind !== 'distant')
     .map((light) => ({ light, line: originLine(light.motion), shine: shineOf(light.color, light.spectrum) }));

@@ -106,6 +106,19 @@ describe('light takes its time', () => {
   });
 });
 
+it.each([-0.7, -0.2, 0.4, 0.9])('of a sun the part is seen that an edge leaves: %d of its radius to the side', (d) => {
+  const [height, radius] = [5, 0.2];
+  const sheet = { mesh: twoSided(plane(50, 50)), material: lambert(0) };
+  const pose = { ...origin, position: [25, 0, height] } as const;
+  const sun = { kind: 'distant', path: '/Sun', direction: [0, 0, -1], color: [2, 2, 2] } as const;
+  const wide = { ...sun, angle: 2 * Math.atan(radius / height) };
+  const scene = lit([floor, { ...sheet, motion: { kind: 'static', pose } }], [wide]);
+  const part = 0.5 + (d * Math.sqrt(1 - d * d) + Math.asin(d)) / Math.PI;
+  expect(above(scene, 0, [-d * radius, 0, 0], 4096) / (2 / Math.PI)).toBeCloseTo(part, 1);
+  const point = lit([floor, { ...sheet, motion: { kind: 'static', pose } }], [{ ...sun, angle: 0 }]);
+  expect(above(point, 0, [-d * radius, 0, 0])).toBeCloseTo(d > 0 ? 2 / Math.PI : 0, 9);
+});
+
 describe('a shadow travels at c', () => {
   const [H, h, v, x0] = [3, 1.2, 0.8, -6];
   const point = lamp([0, 0, H]);

@@ -6,6 +6,7 @@ import { simultaneitySlice } from '../physics/simultaneity.ts';
 import { velocityAt } from '../physics/worldLine.ts';
 import { poseAt } from '../scene/motion.ts';
 import type { Departure } from './departure.ts';
+import { coneDirection } from './directions.ts';
 import { dimmed, largest } from './filters.ts';
 import { sampleLamp } from './lampSamples.ts';
 import { DARK, type Light, plus } from './light.ts';
@@ -20,7 +21,7 @@ import type { Sun } from './sky.ts';
 /** What a surface, at rest `here`, reflects of suns and lamps: radiance, in its rest frame. */
 export function directLight(lighting: Lighting, at: Departure, look: Look, here: Receiver): Light {
   let sum = DARK;
-  for (const sun of lighting.suns) sum = plus(sum, reflected(lighting, at, look, here, sunlight(sun)));
+  for (const sun of lighting.suns) sum = plus(sum, reflected(lighting, at, look, here, sunlight(lighting, sun)));
   for (const lamp of lighting.lamps) {
     const light = lamplight(lighting, lamp, at);
     if (light) sum = plus(sum, reflected(lighting, at, look, here, light));
@@ -32,6 +33,8 @@ export function directLight(lighting: Lighting, at: Departure, look: Look, here:
 interface Arriving {
   /** Surface → where it was sent out [m, world]; of suns only the direction. */
   readonly dx: Vec3;
+  /** The same of what tells whether it arrives. */
+  readonly past: Vec3;
   /** Part of dx that is free of the light itself. */
   readonly end: number;
   /** What sends it out, at rest in that frame: `weight` times its light is the irradiance there of a surface that faces it. */
@@ -41,25 +44,23 @@ interface Arriving {
 }
 
 function reflected(lighting: Lighting, at: Departure, look: Look, here: Receiver, arriving: Arriving): Light {
-  const { dx, end, shine, source, weight } = arriving;
+  const { dx, past, end, shine, source, weight } = arriving;
   const n = normalize(dx);
   const filter = reflectance(look, here.frame.into(n));
   if (!filter || largest(filter) === 0) return DARK;
-  const beam = { ray: rayBack(lighting, at, dx), begin: at.clear / length(dx), from: at.hit };
+  const beam = { ray: rayBack(lighting, at, past), begin: at.clear / length(past), from: at.hit };
   const share = transmitted(lighting.scene, beam, end);
   if (share === 0) return DARK;
   const irradiance = received(here, n, source, IRRADIANCE, ({ sight }) => sight.shining(shine));
   return here.sight.filtered(irradiance, dimmed(filter, share * weight));
 }
 
-/** Infinitely far away and always there: E′ = D² E. */
-const sunlight = ({ direction, shine }: Sun): Arriving => ({
-  dx: normalize(negate(direction)),
-  end: Number.POSITIVE_INFINITY,
-  shine,
-  source: WORLD,
-  weight: 1,
-});
+/** Infinitely far away and always there: E′ = D² E. It shines as from its middle; what hides it hides points of its disc. */
+function sunlight({ random }: Lighting, { direction, radius, shine }: Sun): Arriving {
+  const dx = normalize(negate(direction));
+  const past = radius > 0 ? coneDirection(dx, 1 - Math.cos(radius), random) : dx;
+  return { dx, past, end: Number.POSITIVE_INFINITY, shine, source: WORLD, weight: 1 };
+}
 
 /**
  * A lamp where it was when it sent out what arrives. In its own frame it rests at a distance d′ and is seen within a solid angle Ω′ (of a
@@ -76,7 +77,7 @@ function lamplight(lighting: Lighting, lamp: MovingLamp, at: Departure): Arrivin
   const dx = inverseApparentPosition(sample.toward, seen.frame.u);
   const time = at.t + rayBack(lighting, at, dx).dt / lighting.scene.c;
   if (time < light.lifetime.birth || time > light.lifetime.death) return undefined;
-  return { dx, end: 1 - 1e-9, shine, source: seen.frame, weight: sample.weight };
+  return { dx, past: dx, end: 1 - 1e-9, shine, source: seen.frame, weight: sample.weight };
 }
 
 interface SeenLamp {

@@ -122,7 +122,7 @@ function solidLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, 
   const look = lookOf(point, V);
   const at = departureAt(lighting.scene, hit);
   const direct = plus(emitted, directLight(lighting, at, look, here));
-  return plus(direct, scattered(lighting, at, look, point.roughness, here));
+  return plus(direct, scattered(lighting, at, look, point.roughness, here), point.occlusion);
 }
 
 /**
@@ -216,5 +216,5 @@ function glassLight(lighting: Lighting, hit: Hit, point: SurfacePoint, V: Vec3, 
     along: (beam) => gather(lighting, { ...beam, toward: normalize(beam.ray.dx) }, onward),
   };
   const clear = here.mirrors > 0 ? throughGlass(lighting, hit, at, V, glass) : DARK;
-  return plus(plus(own, diffuse), clear);
+  return plus(plus(own, diffuse, point.occlusion), clear);
 }

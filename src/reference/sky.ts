@@ -1,18 +1,28 @@
-import { addScaled, dot, lerp, scale, type Vec3 } from '../math/vec3.ts';
-import { DAY, domeOf, SKY_SHAPE, SUN_DISC, upOf } from '../scene/daylight.ts';
+import { addScaled, dot, scale, type Vec3 } from '../math/vec3.ts';
+import { domeOf, maybeDusky, SUN_DISC, upOf } from '../scene/daylight.ts';
 import { domeAxes, placeOnPanorama } from '../scene/panorama.ts';
 import { sampleTexture } from '../scene/sampleTexture.ts';
+import { gradientAt, smoothstep } from '../scene/skyGradient.ts';
 import type { DomeLight, Scene } from '../scene/types.ts';
-import { SCATTERED, SCATTERED_COLOR, scatteredShare } from '../spectrum/scatteredLight.ts';
+import {
+  REDDENED,
+  REDDENED_COLORS,
+  SCATTERED,
+  SCATTERED_COLOR,
+  scatteredShare,
+  skyParts,
+} from '../spectrum/scatteredLight.ts';
 import { type BrightParts, brightParts } from './brightParts.ts';
 import { neutral } from './filters.ts';
 import { DARK, type Light, plus } from './light.ts';
 import { type Shine, shineOf } from './shine.ts';
 import type { Sight } from './sight.ts';
 
-/** A distant light: the unit direction in which it travels, and what it shines with. */
+/** A distant light: the unit direction in which it travels, how large it is, and what it shines with. */
 export interface Sun {
   readonly direction: Vec3;
+  /** Of its disc [rad]. */
+  readonly radius: number;
   readonly shine: Shine;
 }
 
@@ -25,15 +35,15 @@ export interface Sky {
 }
 
 export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
-  const up = upOf(scene.upAxis);
   const dome = domeOf(scene);
-  const bright = dome && brightParts(dome);
-  const color = dome
-    ? domeColor(dome, scene.upAxis)
-    : (n: Vec3) => gradient(dot(n, up), DAY.zenith, DAY.horizon, DAY.ground);
+  const dusky = maybeDusky(scene);
+  const bright = brightParts(dome);
+  const color = domeColor(dome, scene.upAxis);
   return {
-    light: (n, sight) =>
-      dome?.spectrum ? sight.shining(shineOf(color(n), dome.spectrum)) : scattering(color(n), sight),
+    light: (n, sight) => {
+      if (dome.spectrum) return sight.shining(shineOf(color(n), dome.spectrum));
+      return dusky ? reddening(color(n), sight) : scattering(color(n), sight);
+    },
     suns: (n, sight) => suns.reduce((sum, sun) => plus(sum, sight.shining(sun.shine), discAndGlow(n, sun)), DARK),
     ...(bright && { bright }),
   };
@@ -43,23 +53,33 @@ export function skyOf(scene: Scene, suns: readonly Sun[]): Sky {
 function scattering(color: Vec3, sight: Sight): Light {
   const share = scatteredShare(color);
   if (share === 0) return sight.shining(shineOf(color));
-  const blue = { spectrum: SCATTERED, filter: neutral(share), color: scale(SCATTERED_COLOR, share) };
-  return plus(sight.shining(shineOf(addScaled(color, SCATTERED_COLOR, -share))), sight.shining(blue));
+  return plus(sight.shining(shineOf(addScaled(color, SCATTERED_COLOR, -share))), sight.shining(scatteredShine(share)));
 }
+
+/** The same, and what comes through much air, as at dusk. */
+function reddening(color: Vec3, sight: Sight): Light {
+  const { scattered, reddened, rest } = skyParts(color);
+  let sum = sight.shining(shineOf(rest));
+  if (scattered > 0) sum = plus(sum, sight.shining(scatteredShine(scattered)));
+  reddened.forEach((share, i) => {
+    const shine = { spectrum: REDDENED[i], filter: neutral(share), color: scale(REDDENED_COLORS[i], share) };
+    if (share > 0) sum = plus(sum, sight.shining(shine));
+  });
+  return sum;
+}
+
+const scatteredShine = (share: number): Shine => ({
+  spectrum: SCATTERED,
+  filter: neutral(share),
+  color: scale(SCATTERED_COLOR, share),
+});
 
 function domeColor(dome: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {
-  const { color, texture } = dome;
+  const { color, texture, gradient } = dome;
   if (texture) return domePicture(texture, dome);
-  const up = upOf(upAxis);
-  return (n) => gradient(dot(n, up), color, color, color);
-}
-
-/** From the horizon to the zenith, and a ground that only closes the sphere. */
-function gradient(height: number, zenith: Vec3, horizon: Vec3, ground: Vec3): Vec3 {
-  const { curve, dim, haze, seam } = SKY_SHAPE;
-  const above = lerp(horizon, zenith, Math.max(height, 0) ** curve);
-  const below = lerp(scale(horizon, dim), ground, smoothstep(0, haze, -height));
-  return lerp(below, above, smoothstep(-seam, seam, height));
+  if (!gradient) return () => color;
+  const [up, sky] = [upOf(upAxis), { zenith: color, ...gradient }];
+  return (n) => gradientAt(dot(n, up), sky);
 }
 
 function domePicture(texture: NonNullable<DomeLight['texture']>, dome: DomeLight): (n: Vec3) => Vec3 {
@@ -76,9 +96,4 @@ function discAndGlow(n: Vec3, { direction }: Sun): number {
   const away = 1 + dot(n, direction);
   const disc = SUN_DISC.radiance * (1 - smoothstep(...SUN_DISC.rim, away));
   return SUN_DISC.glows.reduce((sum, [strength, rate]) => sum + strength * Math.exp(-rate * away), disc);
-}
-
-function smoothstep(from: number, to: number, x: number): number {
-  const s = Math.min(Math.max((x - from) / (to - from), 0), 1);
-  return s * s * (3 - 2 * s);
 }

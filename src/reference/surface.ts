@@ -23,6 +23,8 @@ export interface SurfacePoint {
   readonly temperature?: number;
   readonly roughness: number;
   readonly metallic: number;
+  /** Share of the light of the sky and of other surfaces that gets to it. */
+  readonly occlusion: number;
   /** Refractive index; 1.5 where the scene does not tell. */
   readonly ior: number;
   /** Interpolated unit normal in the rest frame, on the world axes that the pure boost carries there; towards the side that is looked at. */
@@ -42,12 +44,13 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   const { ior = 1.5, emissionTemperature: temperature } = material;
   return {
     albedo,
-    bands: bandsOf(albedo, material.uv, material.ir),
+    bands: bandsOf(albedo, told(material.uv, material.uvTexture, uv), told(material.ir, material.irTexture, uv)),
     opacity,
     emissive: emission(material, uv),
     ...(temperature !== undefined && { temperature }),
     roughness: numberAt(material.roughness, material.roughnessTexture, uv),
     metallic: numberAt(material.metallic, material.metallicTexture, uv),
+    occlusion: numberAt(1, material.occlusionTexture, uv),
     ior,
     normal: normalAt(scene, hit, corners, material.normalTexture, uv),
     uv,
@@ -60,6 +63,10 @@ function numberAt(value: number, from: TextureChannel | undefined, uv: Uv): numb
   if (!from) return value;
   return Math.min(1, Math.max(0, from.scale * sampleTexture(from.texture, ...uv)[from.channel] + from.bias));
 }
+
+/** Reflectance of invisible light, where the material or a picture tells. */
+const told = (value: number | undefined, from: TextureChannel | undefined, uv: Uv): number | undefined =>
+  from ? numberAt(0, from, uv) : value;
 
 /** Opacity alone: all that a ray which only passes by needs to know. */
 export function opacityAt(scene: TracedScene, hit: Hit): number {

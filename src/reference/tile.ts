@@ -50,7 +50,7 @@ function fillData(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: 
   const { view, settings, width, height, layers } = request;
   const named = layers.filter((layer): layer is DataAov => layer !== 'beauty' && layer !== 'picture');
   if (named.length === 0) return;
-  const readers = named.map((name) => ({ read: dataReader(name, scene, view.u, settings.view), out: data[name] }));
+  const readers = named.map((name) => ({ read: dataReader(name, scene, view.u, settings), out: data[name] }));
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
       const ray = cameraRay(view, settings, x + 0.5, y + 0.5, width, height);

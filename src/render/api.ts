@@ -22,6 +22,11 @@ export interface PictureMaker {
    * Data are of the pixels' centres all the while, and so is the light.
    */
   refine(): boolean;
+  /**
+   * Compiles, between the frames of others, the shaders of a picture that would be the first of its kind; undefined: it can be made at once.
+   * While something else is being compiled: its end, after which is to be asked again. Rejects where the device is lost.
+   */
+  prepare(viewPoint: ViewPoint, settings: RenderSettings): Promise<void> | undefined;
   /** The last picture, sRGB, RGBA8. Also the way to wait for the GPU. */
   readPixels(): Promise<Uint8Array>;
   /** Of the last picture; as many values per pixel as the AOV has channels. */

@@ -32,19 +32,14 @@ export interface Batch {
   readonly arrays: BatchArrays;
 }
 
-/** Through which pictures it is looked at. */
-export type BatchTextures = Pick<
-  Material,
-  'baseColorTexture' | 'emissiveTexture' | 'normalTexture' | 'roughnessTexture' | 'metallicTexture'
->;
+const CHANNELS = ['roughnessTexture', 'metallicTexture', 'occlusionTexture', 'uvTexture', 'irTexture'] as const;
+const PICTURES = ['baseColorTexture', 'emissiveTexture', 'normalTexture', ...CHANNELS] as const;
 
-const texturesOf = (m: Material): BatchTextures => ({
-  ...(m.baseColorTexture && { baseColorTexture: m.baseColorTexture }),
-  ...(m.emissiveTexture && { emissiveTexture: m.emissiveTexture }),
-  ...(m.normalTexture && { normalTexture: m.normalTexture }),
-  ...(m.roughnessTexture && { roughnessTexture: m.roughnessTexture }),
-  ...(m.metallicTexture && { metallicTexture: m.metallicTexture }),
-});
+/** Through which pictures it is looked at. */
+export type BatchTextures = Pick<Material, (typeof PICTURES)[number]>;
+
+const texturesOf = (m: Material): BatchTextures =>
+  Object.fromEntries(PICTURES.flatMap((name) => (m[name] ? [[name, m[name]]] : [])));
 
 export interface BatchArrays {
   /** Relative to the body's centre, turned to the world's axes where the motion has one orientation and the mesh is not worn by many [m]. */
@@ -74,8 +69,7 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
       nameOf(m.baseColorTexture),
       nameOf(m.emissiveTexture),
       nameOf(m.normalTexture?.texture),
-      channel(m.roughnessTexture),
-      channel(m.metallicTexture),
+      ...CHANNELS.map((name) => channel(m[name])),
     ].join(' '),
   );
   const runs = new Map<string, Part[]>();

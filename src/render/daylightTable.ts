@@ -1,4 +1,4 @@
-import { int, vec3 } from 'three/tsl';
+import { int } from 'three/tsl';
 import { lerp, type Vec3, ZERO } from '../math/vec3.ts';
 import type { BandColors } from '../shaders/spectrumTable.ts';
 import type * as gpu from '../shaders/types.ts';
@@ -7,7 +7,7 @@ import { columnOf, type DopplerTable, fromRatio, ratio, tableColor, tableTexel }
 import { overlaps } from '../spectrum/filterPairs.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { seenColor } from '../spectrum/observerColor.ts';
-import { SCATTERED } from '../spectrum/scatteredLight.ts';
+import { REDDENED, REDDENED_COLORS, SCATTERED, SCATTERED_COLOR } from '../spectrum/scatteredLight.ts';
 import { luminanceOf, rowOf } from '../spectrum/thermalTable.ts';
 import { FloatTable } from './floatTable.ts';
 
@@ -17,13 +17,11 @@ export interface DaylightColors {
   readonly gain: gpu.Float;
 }
 
-/** What is seen of the scattered light of a sky. */
-export interface ScatteredColors {
-  /** Linear sRGB, D⁴ left out, of luminance 1 at rest. */
-  readonly seen: gpu.Vec3;
-  /** The same over white daylight of luminance 1 that is shifted alike: what a filter's `DaylightColors` are multiplied with. */
-  readonly ofDaylight: gpu.Vec3;
-}
+/** What skies are made of besides white daylight, and what each shows at rest, of luminance 1. */
+export const SKY_LIGHTS = [
+  { spectrum: SCATTERED, color: SCATTERED_COLOR },
+  ...REDDENED.map((spectrum, i) => ({ spectrum, color: REDDENED_COLORS[i] })),
+] as const;
 
 /** What is seen of two filters' overlaps (spectrum/filterPairs.ts). */
 export type Overlaps = readonly [rg: gpu.Vec3, gb: gpu.Vec3, br: gpu.Vec3];
@@ -36,30 +34,25 @@ const STEPS = 8193;
  * ask for. Over D/(1 + D), layer after layer, with the gain beside the first one.
  */
 export class DaylightTable {
+  private readonly blackbodies: DopplerTable;
   private readonly layers: 3 | 4;
   private readonly table = new FloatTable(1024);
-  /** Those at D = 1; only scenes with coloured lights ask for any. */
-  private overlapsAtRest: readonly Vec3[] | undefined;
+  /** The layers that only some scenes ask for: where each group of them begins. */
+  private readonly begins = new Map<string, number>();
+  private used: number;
 
   constructor(blackbodies: DopplerTable) {
+    this.blackbodies = blackbodies;
     this.layers = blackbodies.layers;
-    this.table.reserve((this.layers + 5) * STEPS);
-    const scattered = overShifts((D) => [seenColor(WHITE, WHITE, SCATTERED, 1, D)]);
+    this.used = this.layers;
+    this.table.reserve(this.layers * STEPS);
     for (let i = 0; i < STEPS; i++) {
-      const D = shiftOf(i);
-      const T = DAYLIGHT.temperature * D;
-      const [row, column] = [rowOf(blackbodies, T), columnOf(blackbodies, D)];
+      const { D, T, row, column } = this.place(i);
       for (let layer = 0; layer < this.layers; layer++) {
         const [r, g, b, H] = tableTexel(blackbodies, layer, row, column);
         const gain = layer === 0 ? luminanceOf(H, T) / D ** 4 : 0;
         this.table.values.set([r, g, b, gain], 4 * (layer * STEPS + i));
       }
-      const white = tableColor(blackbodies, row, column, WHITE);
-      const [seen] = scattered(D);
-      // Channels in which daylight is gone (blue of embers) tell nothing.
-      const ofDaylight = seen.map((value, k) => (value * white[k]) / (white[k] ** 2 + 1e-4));
-      this.table.values.set([...seen, 0], 4 * (this.layers * STEPS + i));
-      this.table.values.set([...ofDaylight, 0], 4 * ((this.layers + 1) * STEPS + i));
     }
     this.table.upload();
   }
@@ -71,28 +64,65 @@ export class DaylightTable {
     return { colors: this.layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors, gain: red.w };
   }
 
-  scattered(D: gpu.Float): ScatteredColors {
+  /** Linear sRGB, D⁴ left out, of one of the lights of skies (`SKY_LIGHTS`), of luminance 1 at rest. */
+  skySeen(light: number, D: gpu.Float): gpu.Vec3 {
+    const { spectrum } = SKY_LIGHTS[light];
+    const first = this.first(`sky ${light}`, (D) => [seenColor(WHITE, WHITE, spectrum, 1, D)], 1);
+    return this.layersAt(D)(first).xyz;
+  }
+
+  /** The same over white daylight of luminance 1 that is shifted alike: what a filter's `DaylightColors` are multiplied with. */
+  skyOfDaylight(light: number, D: gpu.Float): gpu.Vec3 {
+    const { spectrum } = SKY_LIGHTS[light];
+    const colors = (D: number) => [seenColor(WHITE, WHITE, spectrum, 1, D)];
+    const first = this.first(`sent ${light}`, colors, 1, ([seen], i) => {
+      const { row, column } = this.place(i);
+      const white = tableColor(this.blackbodies, row, column, WHITE);
+      // Channels in which daylight is gone (blue of embers) tell nothing.
+      const over = (k: number) => (seen[k] * white[k]) / (white[k] ** 2 + 1e-4);
+      return [[over(0), over(1), over(2)]];
+    });
+    return this.layersAt(D)(first).xyz;
+  }
+
+  /** What Σ (a_i − a_j)(k_i − k_j) over the pairs of bands rg, gb and br is multiplied with. */
+  overlaps(D: gpu.Float): Overlaps {
+    const first = this.first('overlaps', (D) => overlaps(DAYLIGHT.temperature * D, D, this.layers), 3);
     const layer = this.layersAt(D);
-    return { seen: layer(this.layers).xyz, ofDaylight: layer(this.layers + 1).xyz };
+    return [layer(first).xyz, layer(first + 1).xyz, layer(first + 2).xyz];
   }
 
-  /** What Σ (a_i − a_j)(k_i − k_j) over the pairs of bands rg, gb and br is multiplied with; without D at rest. */
-  overlaps(D?: gpu.Float): Overlaps {
-    const atRest = this.overlapsAtRest ?? this.addOverlaps();
-    const layer = D && this.layersAt(D);
-    const color = (k: number): gpu.Vec3 => layer?.(this.layers + 2 + k).xyz ?? vec3(...atRest[k]);
-    return [color(0), color(1), color(2)];
-  }
-
-  private addOverlaps(): readonly Vec3[] {
-    const found = overShifts((D) => overlaps(DAYLIGHT.temperature * D, D, this.layers));
+  /** The first of some layers, integrated when they are asked for. */
+  private first(
+    name: string,
+    colors: (D: number) => readonly Vec3[],
+    count: number,
+    held: (colors: readonly Vec3[], step: number) => readonly Vec3[] = (colors) => colors,
+  ): number {
+    const known = this.begins.get(name);
+    if (known !== undefined) return known;
+    const first = this.used;
+    this.used += count;
+    this.begins.set(name, first);
+    this.table.reserve(this.used * STEPS);
+    const found = overShifts(colors);
     for (let i = 0; i < STEPS; i++)
-      found(shiftOf(i)).forEach((color, k) => {
-        this.table.values.set([...color, 0], 4 * ((this.layers + 2 + k) * STEPS + i));
+      held(found(this.place(i).D), i).forEach((color, k) => {
+        this.table.values.set([...color, 0], 4 * ((first + k) * STEPS + i));
       });
     this.table.upload();
-    this.overlapsAtRest = found(1);
-    return this.overlapsAtRest;
+    return first;
+  }
+
+  private place(step: number): {
+    readonly D: number;
+    readonly T: number;
+    readonly row: number;
+    readonly column: number;
+  } {
+    const D = Math.min(Math.max(fromRatio(step / (STEPS - 1)), 1e-4), 1e7);
+    const T = DAYLIGHT.temperature * D;
+    return { D, T, row: rowOf(this.blackbodies, T), column: columnOf(this.blackbodies, D) };
   }
 
   private layersAt(D: gpu.Float): (layer: number) => gpu.Vec4 {
@@ -108,8 +138,6 @@ export class DaylightTable {
     this.table.dispose();
   }
 }
-
-const shiftOf = (step: number): number => Math.min(Math.max(fromRatio(step / (STEPS - 1)), 1e-4), 1e7);
 
 /** Of how many shifts colours are integrated; between them they go straight, within 2e-3. Odd, so that D = 1 is one. */
 const NODES = 513;

@@ -1,8 +1,9 @@
 import { float, int, Loop, uniform } from 'three/tsl';
 import { Color } from 'three/webgpu';
 import { normalize, scale, type Vec3 } from '../math/vec3.ts';
-import { DAY, directLights, domeOf, nightSkyOf } from '../scene/daylight.ts';
-import type { DistantLight, NightSky, Scene } from '../scene/types.ts';
+import { directLights, domeOf, nightSkyOf } from '../scene/daylight.ts';
+import { skyIrradiance } from '../scene/skyGradient.ts';
+import type { DistantLight, DomeLight, NightSky, Scene } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import type { ColoredLight } from '../spectrum/filterPairs.ts';
@@ -58,8 +59,10 @@ export class Environment {
     zenithColor: uniform(new Color()),
     horizonColor: uniform(new Color()),
     groundColor: uniform(new Color()),
-    upperMean: uniform(new Color()),
-    lowerMean: uniform(new Color()),
+    /** Of `SkyIrradiance`. */
+    skyLevel: uniform(new Color()),
+    skyRise: uniform(new Color()),
+    skyBend: uniform(new Color()),
   };
   /** The dome's, where it has one. */
   readonly picture: DomePicture | undefined;
@@ -67,8 +70,11 @@ export class Environment {
   readonly night: NightSky | undefined;
   private readonly suns: readonly SunGroup[];
   /** What the sky's light is made of. */
-  readonly skySource: Source = SKY;
-  private readonly skyColors: ShineColors | undefined;
+  readonly skySource: Source;
+  /** Whether it changes with height. */
+  readonly hasGradient: boolean;
+  private readonly dome: DomeLight;
+  private skyMode: ColorMode | undefined;
   private readonly table = new FloatTable(256);
   private readonly lines = new LineTable();
 
@@ -87,12 +93,16 @@ export class Environment {
       known,
       this.lines,
     );
-    if (dome) {
-      const [x, y] = shineNumbers(dome, this.lines);
-      this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines) ?? SKY;
-      this.skyColors = shineColors(dome);
-    } else this.setDay();
-    if (dome?.texture) this.picture = new DomePicture(dome.texture, dome, this.uniforms.zenithColor.rgb);
+    const [x, y] = shineNumbers(dome, this.lines);
+    this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines) ?? SKY;
+    this.dome = dome;
+    this.hasGradient = dome.gradient !== undefined;
+    if (dome.texture) this.picture = new DomePicture(dome.texture, dome, this.uniforms.zenithColor.rgb);
+  }
+
+  /** In the order in which `eachSun` counts them. */
+  get distantLights(): readonly DistantLight[] {
+    return this.suns.flatMap(({ suns }) => suns);
   }
 
   private grouped(suns: readonly DistantLight[], known: readonly ColoredLight[]): readonly SunGroup[] {
@@ -108,7 +118,8 @@ export class Environment {
     }));
   }
 
-  eachSun(visit: (sun: SunTexels) => void): void {
+  /** `index`: its place among the suns, where that is known before the shader runs. */
+  eachSun(visit: (sun: SunTexels, index?: number) => void): void {
     let start = 0;
     for (const group of this.suns) {
       const [begin, end] = [start, start + group.suns.length];
@@ -116,7 +127,7 @@ export class Environment {
         Loop({ start: int(begin), end: int(end), type: 'int', condition: '<' }, ({ i }) =>
           visit(this.sun(int(i), group)),
         );
-      else for (let i = begin; i < end; i++) visit(this.sun(int(i), group));
+      else for (let i = begin; i < end; i++) visit(this.sun(int(i), group), i);
       start = end;
     }
   }
@@ -143,7 +154,7 @@ export class Environment {
     });
     this.table.upload();
     this.lamps.update(sight, colors);
-    if (this.skyColors) this.setDome(this.skyColors[colors]);
+    this.setSky(colors);
   }
 
   dispose(): void {
@@ -153,21 +164,19 @@ export class Environment {
     this.picture?.dispose();
   }
 
-  private setDay(): void {
-    this.setSky(DAY.zenith, DAY.horizon, DAY.ground);
-    this.uniforms.upperMean.value.setRGB(0.36, 0.48, 0.7);
-    this.uniforms.lowerMean.value.setRGB(0.24, 0.22, 0.2);
-  }
-
-  private setDome(color: Vec3): void {
-    this.setSky(color, color, color);
-    this.uniforms.upperMean.value.setRGB(...color);
-    this.uniforms.lowerMean.value.setRGB(...color);
-  }
-
-  private setSky(zenith: Vec3, horizon: Vec3, ground: Vec3): void {
-    this.uniforms.zenithColor.value.setRGB(...zenith);
-    this.uniforms.horizonColor.value.setRGB(...horizon);
-    this.uniforms.groundColor.value.setRGB(...ground);
+  private setSky(mode: ColorMode): void {
+    if (mode === this.skyMode) return;
+    this.skyMode = mode;
+    const shown = (color: Vec3): Vec3 => shineColors({ ...this.dome, color })[mode];
+    const { color, gradient = { horizon: color, ground: color } } = this.dome;
+    const sky = { zenith: shown(color), horizon: shown(gradient.horizon), ground: shown(gradient.ground) };
+    const { level, rise, bend } = skyIrradiance(sky);
+    const { zenithColor, horizonColor, groundColor, skyLevel, skyRise, skyBend } = this.uniforms;
+    zenithColor.value.setRGB(...sky.zenith);
+    horizonColor.value.setRGB(...sky.horizon);
+    groundColor.value.setRGB(...sky.ground);
+    skyLevel.value.setRGB(...level);
+    skyRise.value.setRGB(...rise);
+    skyBend.value.setRGB(...bend);
   }
 }

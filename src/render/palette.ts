@@ -1,6 +1,7 @@
 import type { Texture } from 'three/webgpu';
+import { maybeDusky } from '../scene/daylight.ts';
 import type { Scene } from '../scene/types.ts';
-import type { ColorMode, RenderSettings } from '../scene/view.ts';
+import type { RenderSettings } from '../scene/view.ts';
 import type { ColoredTables } from '../shaders/coloredTable.ts';
 import { coloredTexture } from '../shaders/coloredTexture.ts';
 import { observerTexture } from '../shaders/observerTexture.ts';
@@ -10,20 +11,23 @@ import { DaylightTable } from './daylightTable.ts';
 import { coloredLights, shineKind } from './lampShine.ts';
 import type { Optics } from './radiance.ts';
 import { type SpectralTables, spectral } from './spectral.ts';
-import { plain, tinted } from './tinted.ts';
+import { plain, resting, tinted } from './tinted.ts';
 
-/** How passes are compiled to turn colours; `plain`: nothing is shifted, and all light is white daylight, or the sky's. */
-export type Palette = ColorMode | 'plain';
+/**
+ * How passes are compiled to turn colours: by spectra, `physical` where all of the shift reaches colours and brightness, which needs no powers, and `resting` where
+ * nothing is shifted and all light is daylight; or by a tint, `plain` where nothing is shifted.
+ */
+export type Palette = 'spectral' | 'physical' | 'resting' | 'approximate' | 'plain';
 
 /** What the settings ask for. Where no shift is shown its code is left out, for on a software GPU it costs all the same. */
 export function paletteOf({ view, colors, dopplerMix, beaming }: RenderSettings, scene: Scene): Palette {
   const shifted = view === 'light-cone' && (dopplerMix > 0 || beaming > 0);
+  if (colors === 'approximate') return shifted ? 'approximate' : 'plain';
+  if (shifted) return dopplerMix === 1 && beaming === 1 ? 'physical' : 'spectral';
   const { lights, materials } = scene;
   const daylight =
-    lights.every((light) => light.kind === 'stars' || shineKind(light) === 'daylight') &&
-    coloredLights(scene).length === 0 &&
-    !materials.some(isGlowing);
-  return shifted || (colors === 'spectral' && !daylight) ? colors : 'plain';
+    lights.every((light) => light.kind === 'stars' || shineKind(light) === 'daylight') && !materials.some(isGlowing);
+  return daylight ? 'resting' : 'spectral';
 }
 
 const isGlowing = ({ emissionTemperature }: Scene['materials'][number]): boolean => emissionTemperature !== undefined;
@@ -41,11 +45,19 @@ export class Palettes {
   optics(palette: Palette, scene: Scene): Optics {
     const { materials } = scene;
     const glowing = materials.some(isGlowing);
-    if (palette !== 'spectral') return palette === 'plain' ? plain(glowing) : tinted(glowing);
+    if (palette === 'approximate') return tinted(glowing);
+    if (palette === 'plain' || palette === 'resting') return palette === 'plain' ? plain(glowing) : resting;
     const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
     const tables = this.tables.get(layers) ?? this.makeTables(layers);
     this.tables.set(layers, tables);
-    return spectral({ ...tables, colored: () => this.coloredOf(scene, layers) }, glowing);
+    return spectral(
+      { ...tables, colored: () => this.coloredOf(scene, layers) },
+      {
+        glowing,
+        dusky: maybeDusky(scene),
+        whole: palette === 'physical',
+      },
+    );
   }
 
   /** Only shaders of scenes with coloured lights ask. */

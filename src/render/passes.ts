@@ -1,5 +1,5 @@
 import { Discard, Fn, float, length, min, select, vec4 } from 'three/tsl';
-import { NoBlending, NodeMaterial, NormalBlending } from 'three/webgpu';
+import { NoBlending, NodeMaterial, NormalBlending, type Texture } from 'three/webgpu';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { logarithmicDepth } from './depth.ts';
 import { type Drawable, sideOf } from './drawable.ts';
@@ -7,9 +7,10 @@ import type { Environment } from './environment.ts';
 import { pixelDirection, texelHere } from './fullScreen.ts';
 import type { Optics } from './radiance.ts';
 import { type ShadedSurface, shade } from './shade.ts';
+import type { Shadowing } from './shadows/receiver.ts';
 import { background } from './sky.ts';
 import { readSurface, surfaceOutputs, type TargetName } from './surface.ts';
-import { unpackEmission, unpackFinish, unpackNormals } from './surfaceCode.ts';
+import { roughnessAndOcclusion, unpackEmission, unpackFinish, unpackNormals } from './surfaceCode.ts';
 import type { GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import { type Projection, vertexStage, vShown } from './vertexStage.ts';
@@ -40,16 +41,18 @@ const kept = (light: Vec3): Vec4 => vec4(min(light, MOST_LIGHT), 1);
 export const skyLight = (environment: Environment, uniforms: Uniforms, optics: Optics): Vec4 =>
   Fn(() => kept(background(environment, uniforms, optics, pixelDirection(uniforms))))();
 
-/** The G-buffer shaded, for pixels in which something is. `moving`: not all of it rests. */
+/** The G-buffer shaded, for pixels in which something is. `moving`: not all of it rests; `openness`: of each to the sky, where that is to count. */
 export const surfaceLight = (
   buffer: GBuffer,
   environment: Environment,
   uniforms: Uniforms,
   optics: Optics,
   moving: boolean,
-): Vec4 => Fn(() => kept(shade(surfaceHere(buffer, moving), environment, uniforms, optics)))();
+  shadows: Shadowing | undefined,
+  openness: Texture | undefined,
+): Vec4 => Fn(() => kept(shade(surfaceHere(buffer, moving, openness), environment, uniforms, optics, shadows)))();
 
-function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
+function surfaceHere(buffer: GBuffer, moving: boolean, openness: Texture | undefined): ShadedSurface {
   const [base, emissive, normal, event, motion] = (['base', 'emissive', 'normal', 'event', 'motion'] as const).map(
     (name) => texelHere(buffer.texture(name)).toVar(),
   );
@@ -57,7 +60,7 @@ function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
   const velocity = vec4(motion.xyz, speed.oneMinus().mul(speed.add(1)));
   return {
     color: vec4(base.rgb, 1),
-    roughness: base.w,
+    ...roughnessAndOcclusion(base.w),
     emission: unpackEmission(emissive.xyz),
     ...unpackFinish(emissive.w),
     ...unpackNormals(normal),
@@ -65,6 +68,7 @@ function surfaceHere(buffer: GBuffer, moving: boolean): ShadedSurface {
     time: event.w,
     velocity: moving ? velocity : undefined,
     D: motion.w,
+    ...(openness && { openness: texelHere(openness).x.toVar() }),
   };
 }
 
@@ -75,6 +79,7 @@ export function forwardMaterial(
   buffer: GBuffer,
   environment: Environment,
   optics: Optics,
+  shadows?: Shadowing,
 ): NodeMaterial {
   const { uniforms } = drawable.surface;
   const material = new NodeMaterial();
@@ -84,7 +89,8 @@ export function forwardMaterial(
     const surface = readSurface(drawable.surface);
     const velocity = drawable.batch.kind === 'static' ? undefined : surface.velocity;
     Discard(surface.distance.greaterThan(depthHere(buffer)));
-    return vec4(min(shade({ ...surface, velocity }, environment, uniforms, optics), MOST_LIGHT), surface.color.w);
+    const light = shade({ ...surface, velocity }, environment, uniforms, optics, shadows);
+    return vec4(min(light, MOST_LIGHT), surface.color.w);
   })();
   material.side = sideOf(drawable.batch);
   material.transparent = true;

@@ -8,6 +8,7 @@ import type { Drawable } from './drawable.ts';
 import { FalseColorTable, falseColored } from './falseColor.ts';
 import { FullScreen, type Where } from './fullScreen.ts';
 import { GaugeReader } from './gauge.ts';
+import { Occlusion, type OcclusionRequest } from './occlusion/occlusion.ts';
 import { Palettes, paletteOf } from './palette.ts';
 import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
 import type { SceneUpload } from './sceneUpload.ts';
@@ -15,6 +16,9 @@ import { Smoothing } from './smoothing.ts';
 import { dataTarget, GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
+
+/** What is within this part of the scene's size from a point hides its sky, where nobody says how far that goes. */
+const HIDING = 1 / 4;
 
 /** How a picture is shown. */
 type Shown = Look & Pick<RenderSettings, 'falseColors'>;
@@ -30,6 +34,8 @@ export class PictureMachine {
   private readonly passes = new Map<string, FullScreen>();
   private readonly palettes = new Palettes();
   private readonly gauge: GaugeReader;
+  private readonly occlusion: Occlusion;
+  private hiding: OcclusionRequest | undefined;
   private readonly falseColors = new FalseColorTable();
   /** How the picture that is there is to be shown; of how many samples its light is. */
   look: Shown = { tone: 'neutral', grid: false, starry: false };
@@ -39,6 +45,7 @@ export class PictureMachine {
     this.gpu = gpu;
     this.uniforms = uniforms;
     this.buffer = new GBuffer(gpu.bytesPerSample, gpu.attachments);
+    this.occlusion = new Occlusion(gpu, this.buffer, uniforms);
     this.light = dataTarget(1, gpu.floatBlending ? FloatType : HalfFloatType, this.buffer.depth);
     const run = this.run.bind(this);
     this.smoothing = new Smoothing({ light: this.light, buffer: this.buffer, uniforms, run });
@@ -47,6 +54,7 @@ export class PictureMachine {
 
   setSize(width: number, height: number): void {
     this.buffer.setSize(width, height);
+    this.occlusion.setSize(width, height);
     for (const target of [this.light, this.screen, this.smoothing]) target.setSize(width, height);
     // Three clears the depth of a target of a new size when it first draws to it. That of `light` is the G-buffer's: after the scene it would be too late.
     this.gpu.renderer.setRenderTarget(this.light);
@@ -73,23 +81,34 @@ export class PictureMachine {
     const { environment, bodies, scene } = upload;
     const palette = paletteOf(settings, scene);
     const optics = this.palettes.optics(palette, scene);
-    const moving = () => bodies.some(({ object }) => object.motion.kind !== 'static');
+    const shadows = settings.shadows ? upload.shadows : undefined;
+    const moving = bodies.some(({ object }) => object.motion.kind !== 'static');
     this.run(`sky ${upload.serial} ${palette}`, () => skyLight(environment, uniforms, optics), light, 'sky');
-    if (upload.opaque.children.some((mesh) => mesh.visible))
+    const radius = settings.occlusionRadius ?? upload.radius * HIDING;
+    this.hiding = { place: projection.place, moving, radius };
+    if (upload.opaque.children.some((mesh) => mesh.visible)) {
+      const openness = radius > 0 ? this.openness().texture : undefined;
       this.run(
-        `light ${upload.serial} ${palette}`,
-        () => surfaceLight(buffer, environment, uniforms, optics, moving()),
+        `light ${upload.serial} ${palette} ${settings.shadows} ${openness !== undefined}`,
+        () => surfaceLight(buffer, environment, uniforms, optics, moving, shadows, openness),
         light,
         'surfaces',
       );
+    }
     if (upload.stars) this.drawOver(upload.stars.scene, camera);
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawable of upload.drawables)
       if (drawable.batch.transparent)
-        this.dress(drawable, `forward ${projection.event} ${projection.place} ${palette}`, () =>
-          forwardMaterial(drawable, projection, buffer, upload.environment, optics),
+        this.dress(drawable, `forward ${projection.event} ${projection.place} ${palette} ${settings.shadows}`, () =>
+          forwardMaterial(drawable, projection, buffer, upload.environment, optics, shadows),
         );
     this.drawOver(upload.transparent, camera);
+  }
+
+  /** The share of the sky that each point of what is in the G-buffer sees. */
+  openness(): RenderTarget {
+    if (this.hiding) this.occlusion.draw(this.hiding);
+    return this.occlusion.target;
   }
 
   /** Onto the light that is there. */
@@ -144,6 +163,7 @@ export class PictureMachine {
     this.buffer.dispose();
     this.palettes.dispose();
     this.gauge.dispose();
+    this.occlusion.dispose();
     this.falseColors.dispose();
     for (const target of [this.light, this.screen, this.smoothing]) target.dispose();
   }

@@ -51,16 +51,23 @@ function flipRows(pixels: Raw, rows: number): void {
 
 type DataAov = Exclude<AovName, 'beauty'>;
 
+/** Where data are: in the G-buffer, and the share of the sky that each point sees beside it. */
+export interface DataTargets {
+  readonly buffer: GBuffer;
+  openness(): RenderTarget;
+}
+
 /** Which target an AOV is in, and its values from the four floats of a pixel; times and places become the world's in f64, then f32. */
 const SOURCES: Record<
   DataAov,
-  { target: TargetName; values: (texel: Float32Array, sight: Sight) => readonly number[] }
+  { target: TargetName | 'openness'; values: (texel: Float32Array, sight: Sight) => readonly number[] }
 > = {
   albedo: { target: 'base', values: ([r, g, b]) => [r, g, b] },
   depth: { target: 'object', values: ([, distance]) => [distance] },
   emission_time: { target: 'event', values: ([, , , w], sight) => [sight.t + w / sight.c] },
   position: { target: 'event', values: ([x, y, z], { position: p }) => [p[0] + x, p[1] + y, p[2] + z] },
   doppler: { target: 'motion', values: ([, , , w]) => [w] },
+  occlusion: { target: 'openness', values: ([share]) => [share] },
   velocity: { target: 'motion', values: ([x, y, z]) => [x, y, z] },
   normal: { target: 'normal', values: normalOf },
   object: { target: 'object', values: ([x]) => [x] },
@@ -69,14 +76,15 @@ const SOURCES: Record<
 /** A data AOV of a region; 0 where nothing is. */
 export async function readData(
   gpu: Gpu,
-  buffer: GBuffer,
+  targets: DataTargets,
   name: DataAov,
   sight: Sight,
   region: Region,
 ): Promise<Float32Array> {
   const { target, values } = SOURCES[name];
-  const read = (which: TargetName) => {
-    const { target: at, index } = buffer.find(which);
+  const read = (which: TargetName | 'openness') => {
+    if (which === 'openness') return readFloats(gpu, targets.openness(), 0, region);
+    const { target: at, index } = targets.buffer.find(which);
     return readFloats(gpu, at, index, region);
   };
   const [ids, texels] = await Promise.all([read('object'), read(target)]);
@@ -94,14 +102,14 @@ export async function readData(
 /** What surface is seen in one pixel; undefined: none. */
 export async function readSurfaceAt(
   gpu: Gpu,
-  buffer: GBuffer,
+  targets: DataTargets,
   sight: Sight,
   pathOf: (objectId: number) => string,
   x: number,
   y: number,
 ): Promise<PickedSurface | undefined> {
   const region = { x, y, width: 1, height: 1 };
-  const read = (name: DataAov) => readData(gpu, buffer, name, sight, region);
+  const read = (name: DataAov) => readData(gpu, targets, name, sight, region);
   const names = ['object', 'emission_time', 'position', 'velocity', 'doppler', 'depth'] as const;
   const [object, time, position, velocity, doppler, depth] = await Promise.all(names.map(read));
   const objectId = object[0];

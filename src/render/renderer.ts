@@ -8,8 +8,10 @@ import type { PictureMaker } from './api.ts';
 import { frustumSides } from './cull.ts';
 import { FAR, NEAR } from './depth.ts';
 import { type Gpu, openGpu } from './device.ts';
+import { paletteOf } from './palette.ts';
 import { PictureMachine } from './picture.ts';
 import { type Region, readBytes, readData, readFloats, readSurfaceAt } from './readback.ts';
+import { rehearse } from './rehearsal.ts';
 import { gridPlaces, type SamplePlace, wanderingPlace } from './samplePlaces.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
@@ -39,6 +41,9 @@ export class SceneRenderer implements PictureMaker {
   private readonly toCanvas: boolean;
   private readonly options: RendererOptions;
   private upload: SceneUpload | undefined;
+  /** What pictures have been drawn with, or can be at once. */
+  private readonly compiled = new Set<string>();
+  private preparing: Promise<void> | undefined;
   private taken: Sight | undefined;
   /** Of the last picture, and of the next one: the size changes when that is made, for a canvas of a new size is empty. */
   private size = { width: 1, height: 1 };
@@ -68,7 +73,7 @@ export class SceneRenderer implements PictureMaker {
     const { upload, drawn, gpu } = this;
     const triangles = upload?.refiner.triangles ?? 0;
     const tolerance = upload?.refiner.toleranceReached ?? 0;
-    const waiting = upload !== undefined && !upload.frame.isComplete;
+    const waiting = upload !== undefined && !(upload.frame.isComplete && upload.shadows.isComplete);
     return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
   }
   get width(): number {
@@ -96,24 +101,39 @@ export class SceneRenderer implements PictureMaker {
     this.taken = undefined;
   }
 
+  prepare(viewPoint: ViewPoint, settings: RenderSettings): Promise<void> | undefined {
+    const { upload } = this;
+    // With another speed of light it may be another upload's turn.
+    if (upload?.speedOfLight !== settings.speedOfLight && upload?.dependsOnSpeedOfLight) return undefined;
+    if (!upload || this.compiled.has(shadersOf(settings, upload))) return undefined;
+    this.preparing ??= this.compile(upload, viewPoint, settings).finally(() => {
+      this.preparing = undefined;
+    });
+    return this.preparing;
+  }
+
+  private async compile(upload: SceneUpload, viewPoint: ViewPoint, settings: RenderSettings): Promise<void> {
+    const projection = projectionOf(settings);
+    const stage = this.stage(upload, viewPoint, settings, projection);
+    if (!stage) return;
+    const draw = (): void => {
+      this.machine.look = { ...settings, starry: upload.stars !== undefined };
+      this.sampleAt(CENTRE, { upload, projection, settings });
+      this.machine.smoothing.smoothEdges(this.machine.look);
+      if (this.toCanvas) this.machine.present('canvas');
+    };
+    // Whatever comes of it: a shader that cannot be compiled is told of when it is to be drawn with.
+    await rehearse(this.gpu.renderer, draw).finally(() => this.compiled.add(shadersOf(settings, upload)));
+  }
+
   render(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): void {
     const began = performance.now();
     const upload = this.uploadFor(settings.speedOfLight);
     if (!upload) return;
     const projection = projectionOf(settings);
-    const sight = sightOf(viewPoint, settings, projection);
-    this.look(viewPoint, sight, settings, projection, upload);
-    const seen = upload.frame.fill(
-      upload.bodies,
-      sight,
-      this.gaze(viewPoint, projection),
-      projection.event === 'newton',
-    );
-    if (!upload.frame.isComplete) return;
-    this.resize();
-    this.cut(upload, viewPoint, sight, projection, seen);
-    upload.environment.update(sight, settings.colors);
-    upload.stars?.update(viewPoint, settings, this.width, this.height);
+    const stage = this.stage(upload, viewPoint, settings, projection, () => this.resize());
+    if (!stage) return;
+    const { sight, seen } = stage;
     this.made = { upload, projection, settings };
     this.machine.look = { ...settings, starry: upload.stars !== undefined };
     this.added = 0;
@@ -123,7 +143,29 @@ export class SceneRenderer implements PictureMaker {
     if (this.toCanvas) this.machine.present('canvas');
     this.taken = sight;
     this.drawn = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
+    this.compiled.add(shadersOf(settings, upload));
     if (this.toCanvas) upload.refiner.countSometimes();
+  }
+
+  /** Puts everything in its place for a picture; undefined where samples of it are still to come. */
+  private stage(
+    upload: SceneUpload,
+    viewPoint: ViewPoint,
+    settings: RenderSettings,
+    projection: Projection,
+    beforeCutting = () => {},
+  ): { readonly sight: Sight; readonly seen: readonly boolean[] } | undefined {
+    const sight = sightOf(viewPoint, settings, projection);
+    this.look(viewPoint, sight, settings, projection, upload);
+    const gaze = this.gaze(viewPoint, projection);
+    const seen = upload.frame.fill(upload.bodies, sight, gaze, projection.event === 'newton');
+    if (!upload.frame.isComplete) return undefined;
+    if (settings.shadows && !upload.shadows.update(sight)) return undefined;
+    beforeCutting();
+    this.cut(upload, viewPoint, sight, projection, seen);
+    upload.environment.update(sight, settings.colors);
+    upload.stars?.update(viewPoint, settings, this.width, this.height);
+    return { sight, seen };
   }
 
   refine(): boolean {
@@ -159,9 +201,9 @@ export class SceneRenderer implements PictureMaker {
   }
 
   /** Draws the last picture with its samples at one place of their pixels. */
-  private sampleAt(place: SamplePlace): void {
-    if (!this.made) return;
-    const { upload, projection, settings } = this.made;
+  private sampleAt(place: SamplePlace, made = this.made): void {
+    if (!made) return;
+    const { upload, projection, settings } = made;
     this.jitter(place);
     this.machine.drawGeometry(upload, projection, this.camera);
     this.machine.drawLight(upload, projection, this.camera, settings);
@@ -180,7 +222,7 @@ export class SceneRenderer implements PictureMaker {
 
   async readAov(name: AovName): Promise<Float32Array> {
     this.settle();
-    if (name !== 'beauty') return readData(this.gpu, this.machine.buffer, name, this.picture(), this.whole());
+    if (name !== 'beauty') return readData(this.gpu, this.machine, name, this.picture(), this.whole());
     const { target, index } = this.machine.beauty();
     return withoutAlpha(await readFloats(this.gpu, target, index, this.whole()));
   }
@@ -195,7 +237,7 @@ export class SceneRenderer implements PictureMaker {
     const { target, index } = this.machine.beauty();
     const [light, surface] = await Promise.all([
       readFloats(this.gpu, target, index, { x: column, y: row, width: 1, height: 1 }),
-      readSurfaceAt(this.gpu, this.machine.buffer, taken, pathOf, column, row),
+      readSurfaceAt(this.gpu, this.machine, taken, pathOf, column, row),
     ]);
     return { light: [light[0], light[1], light[2]], ...(surface && { surface }) };
   }
@@ -320,6 +362,14 @@ function lookAtGround(uniforms: Uniforms, { position }: ViewPoint, { scene, radi
   uniforms.gridNorth.value.set(0, north === 1 ? 1 : 0, north === 2 ? 1 : 0);
   uniforms.gridStep.value = step;
   uniforms.ground.value.set(position[up], wrap(position[0]), wrap(position[north]));
+}
+
+/** Names all the shaders that a picture takes. */
+function shadersOf(settings: RenderSettings, { serial, scene }: SceneUpload): string {
+  const { tone, grid, falseColors, shadows, occlusionRadius } = settings;
+  const { event, place } = projectionOf(settings);
+  const palette = paletteOf(settings, scene);
+  return [serial, event, place, palette, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind].join(' ');
 }
 
 function withoutAlpha(rgba: Float32Array): Float32Array {

@@ -13,6 +13,8 @@ import { PointStore } from './pointStore.ts';
 import { Refiner } from './refine/gpuRefiner.ts';
 import { SampleCourier } from './sampleCourier.ts';
 import type { RendererOptions } from './settings.ts';
+import { DETAILS } from './shadows/detail.ts';
+import { ShadowMaps } from './shadows/shadowMaps.ts';
 import { StarPoints } from './starPoints.ts';
 import { type ChannelTexture, MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './surface.ts';
 import { textureKey, uploadTexture } from './textures.ts';
@@ -37,6 +39,7 @@ export class SceneUpload {
   readonly environment: Environment;
   readonly stars: StarPoints | undefined;
   readonly frame: Frame;
+  readonly shadows: ShadowMaps;
   readonly opaque = new ThreeScene();
   readonly transparent = new ThreeScene();
   /** Half the diagonal of the scene [m]. */
@@ -67,12 +70,18 @@ export class SceneUpload {
     const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
     this.fillInstances(batches);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
+    // Before the refiner: these draw the batches whole.
+    const { bodies, drawables, points } = this;
+    const detail = DETAILS[options.shadowDetail ?? 'fine'];
+    const occluders = { bodies, drawables: [...drawables], materials: scene.materials, points, detail };
+    this.shadows = new ShadowMaps(occluders, this.environment.distantLights, gpu);
     this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), options);
   }
 
   dispose(): void {
     this.drawables.forEach(disposeDrawable);
     this.refiner.dispose();
+    this.shadows.dispose();
     this.courier?.dispose();
     for (const store of this.points.values()) store.dispose();
     for (const image of this.textures.values()) image.dispose();
@@ -146,6 +155,7 @@ export class SceneUpload {
 
   private pictures(of: BatchTextures): SurfaceTextures {
     const { baseColorTexture, emissiveTexture, normalTexture, roughnessTexture, metallicTexture } = of;
+    const { occlusionTexture, uvTexture, irTexture } = of;
     const channel = ({ texture, channel }: TextureChannel): ChannelTexture => ({
       texture: this.texture(texture),
       channel,
@@ -156,6 +166,9 @@ export class SceneUpload {
       ...(normalTexture && { normal: this.texture(normalTexture.texture) }),
       ...(roughnessTexture && { roughness: channel(roughnessTexture) }),
       ...(metallicTexture && { metallic: channel(metallicTexture) }),
+      ...(occlusionTexture && { occlusion: channel(occlusionTexture) }),
+      ...(uvTexture && { uv: channel(uvTexture) }),
+      ...(irTexture && { ir: channel(irTexture) }),
     };
   }
 

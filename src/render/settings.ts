@@ -1,4 +1,5 @@
 import type { Vec3 } from '../math/vec3.ts';
+import type { DetailName } from './shadows/detail.ts';
 
 /** What is seen in one pixel. */
 export interface PickResult {
@@ -50,6 +51,8 @@ export interface RendererOptions {
   readonly planWorker?: () => Worker;
   /** Called when the worker has a plan that fits the last picture better than its own: time to render it again. */
   readonly onBetterPlan?: () => void;
+  /** `coarse`: cheaper shadows, less sharp and of fewer moving things, for a software GPU; default `fine`. */
+  readonly shadowDetail?: DetailName;
   /** Texels (16 bytes each) that the samples of one deforming mesh may take on the GPU; default 2²⁴. */
   readonly pointTexels?: number;
   /**

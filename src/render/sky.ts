@@ -1,5 +1,6 @@
 import { clamp, dot, exp, Fn, float, max, mix, pow, smoothstep } from 'three/tsl';
-import { SKY_SHAPE, SUN_DISC } from '../scene/daylight.ts';
+import { SUN_DISC } from '../scene/daylight.ts';
+import { SKY_SHAPE } from '../scene/skyGradient.ts';
 import { COSMIC_TEMPERATURE, DAYLIGHT_LUMINANCE } from '../scene/stars/cosmicBackground.ts';
 import { observerDoppler } from '../shaders/observerDoppler.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
@@ -8,10 +9,11 @@ import type { Environment } from './environment.ts';
 import type { Gathering, Optics } from './radiance.ts';
 import type { Uniforms } from './uniforms.ts';
 
-/** Radiance of the sky in the world direction `n`: from the horizon to the zenith, and a ground that only closes the sphere. */
+/** Radiance of the sky in the world direction `n` (skyGradient.ts). */
 export function skyRadiance(environment: Environment, n: Vec3, zenith: Vec3): Vec3 {
   if (environment.picture) return environment.picture.radiance(n);
   const { zenithColor, horizonColor, groundColor } = environment.uniforms;
+  if (!environment.hasGradient) return zenithColor.rgb;
   const { curve, dim, haze, seam } = SKY_SHAPE;
   const height = dot(n, zenith).toVar();
   const above = mix(horizonColor, zenithColor, pow(clamp(height, 0, 1), curve));
@@ -19,11 +21,13 @@ export function skyRadiance(environment: Environment, n: Vec3, zenith: Vec3): Ve
   return mix(below, above, smoothstep(-seam, seam, height));
 }
 
-/** Irradiance/π of the whole sky on a surface whose normal is `n`: between the mean of the lower and of the upper half. */
-export function skyLight({ picture, uniforms }: Environment, n: Vec3, zenith: Vec3): Vec3 {
-  return picture
-    ? picture.irradiance(n)
-    : mix(uniforms.lowerMean, uniforms.upperMean, dot(n, zenith).mul(0.5).add(0.5));
+/** Irradiance/π of the whole sky on a surface whose normal is `n`. */
+export function skyLight({ picture, hasGradient, uniforms }: Environment, n: Vec3, zenith: Vec3): Vec3 {
+  if (picture) return picture.irradiance(n);
+  const { zenithColor, skyLevel, skyRise, skyBend } = uniforms;
+  if (!hasGradient) return zenithColor.rgb;
+  const height = dot(n, zenith).toVar();
+  return skyBend.rgb.mul(height).add(skyRise).mul(height).add(skyLevel);
 }
 
 /** What a surface of a roughness mirrors of the sky from about `n`. */

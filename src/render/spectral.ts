@@ -1,6 +1,7 @@
 import { abs, clamp, dot, exp2, float, If, log2, max, select, vec3, vec4 } from 'three/tsl';
 import { type ColoredTables, coloredColors } from '../shaders/coloredTable.ts';
 import { lineColor, type ObserverTable } from '../shaders/lineColor.ts';
+import { type SkyParts, skyParts } from '../shaders/skyParts.ts';
 import {
   type BandColors,
   filteredColor,
@@ -13,8 +14,18 @@ import { ENDS } from '../spectrum/bands.ts';
 import { SHIFT_LIMIT } from '../spectrum/dopplerTable.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { SCATTERED_COLOR, SCATTERED_PART } from '../spectrum/scatteredLight.ts';
-import type { DaylightTable, Overlaps } from './daylightTable.ts';
-import { type Filter, type LineSource, NO_SHIFT, type Optics, RADIANCE, type ThermalSource } from './radiance.ts';
+import { type DaylightTable, SKY_LIGHTS } from './daylightTable.ts';
+import { overlapSum } from './overlapSum.ts';
+import {
+  type Filter,
+  type LineSource,
+  NO_SHIFT,
+  type Optics,
+  type Power,
+  RADIANCE,
+  type ThermalSource,
+} from './radiance.ts';
+import { skySums } from './skySums.ts';
 
 /** Shifts that colours follow: beyond the first all is dark, beyond the second they change no more. */
 const SHIFTS = [1e-3, 1e6] as const;
@@ -28,11 +39,21 @@ export interface SpectralTables {
   readonly observer: ObserverTable;
 }
 
+/** What a scene has. */
+export interface SceneLight {
+  /** Things that shine by their temperature. */
+  readonly glowing: boolean;
+  /** A sky that may be red, and not only blue. */
+  readonly dusky: boolean;
+  /** All of the shift reaches colours and brightness. */
+  readonly whole: boolean;
+}
+
 interface Shift {
   /** D, by the share of it that colours follow. */
   readonly mixed: Float;
   /** D^power, by the share that brightness follows. */
-  brightness(power: number): Float;
+  brightness(power: Power): Float;
 }
 
 /**
@@ -40,24 +61,26 @@ interface Shift {
  * lights the overlaps of the bands are summed, too, for two filters are no filter. Light that came shifted is turned by itself: it is a blackbody of T·D_in·D_out, seen through
  * the surface's filter shifted by D_out; coloured lights have tables of their own. Light of lines is turned line by line.
  * The light of a sky, of which each direction has its own colour, is taken channel by channel of what is seen, relative to bare daylight (docs/adr/0010-spectra.md).
- * The table has four layers where some surface tells of its ultraviolet or infrared; `glowing`: some shines by its temperature.
+ * The table has four layers where some surface tells of its ultraviolet or infrared.
  */
 export const spectral =
-  ({ blackbodies, daylight: ofDay, colored: coloredTables, observer }: SpectralTables, glowing: boolean): Optics =>
+  (
+    { blackbodies, daylight: ofDay, colored: coloredTables, observer }: SpectralTables,
+    { glowing, dusky, whole: all }: SceneLight,
+  ): Optics =>
   (D, uniforms) => {
     const own = blackbodies.layers === 4;
     const shiftOf = (D: Float): Shift => {
+      if (all) return wholeShift(D);
       const log = log2(max(D, 1e-20)).toVar();
       const mixed = clamp(exp2(log.mul(uniforms.dopplerMix)), ...SHIFTS).toVar();
       return { mixed, brightness: (power) => exp2(log.mul(uniforms.beaming.mul(power))) };
     };
     const out = shiftOf(D);
     const daylight = vec4(0).toVar();
-    /** What is scattered, as surfaces send it, and as the sky itself is seen. */
-    const scattered = vec4(0).toVar();
-    const blue = float(0).toVar();
+    const sky = skySums(ofDay, dusky ? SKY_LIGHTS.length : 1);
     const sum = vec3(0).toVar();
-    const overlapping = overlaps();
+    const overlapping = overlapSum();
     const ofColor = (rgb: Vec3, shift: Float): Filter =>
       own ? vec4(rgb, dot(rgb, select(shift.lessThan(1), vec3(...ENDS.uv), vec3(...ENDS.ir)))) : vec4(rgb, 0);
 
@@ -68,9 +91,10 @@ export const spectral =
     };
 
     /** Of the light of a sky. */
-    const parts = (light: Vec3): { readonly rest: Vec3; readonly scattered: Float } => {
+    const parts = (light: Vec3): SkyParts => {
+      if (dusky) return skyParts(light);
       const share = max(dot(light, vec3(...SCATTERED_PART)), 0).toVar();
-      return { rest: light.sub(vec3(...SCATTERED_COLOR).mul(share)).toVar(), scattered: share };
+      return { luminances: [share], rest: light.sub(vec3(...SCATTERED_COLOR).mul(share)).toVar() };
     };
 
     /** Of a blackbody behind a filter with a colour of its own, that came shifted. */
@@ -100,8 +124,14 @@ export const spectral =
       return filteredColor(colors, share).mul(gain(colors.H, T, from?.luminance ?? float(1), whole).mul(level));
     };
 
-    /** Of light of any colour that came shifted: `blue` of it is scattered. */
-    const pictured = (light: Vec3, share: Filter, shift: Float, from?: ThermalSource, scattered?: Float): Vec3 => {
+    /** Of light of any colour that came shifted; `luminances`: and of the other lights of a sky. */
+    const pictured = (
+      light: Vec3,
+      share: Filter,
+      shift: Float,
+      from?: ThermalSource,
+      luminances: readonly Float[] = [],
+    ): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFTS).toVar();
       const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
       const surface = thermalColors(blackbodies, T, out.mixed);
@@ -113,10 +143,11 @@ export const spectral =
       // No channel lets through more than the brightest band.
       const most = max(light.x, max(light.y, light.z));
       const passed = clamp(through.mul(bare).div(bare.mul(bare).add(1e-9)), 0, most);
-      const arrived = passed.mul(source.gain);
-      return filteredColor(surface, share).mul(
-        scattered ? arrived.add(ofDay.scattered(whole).ofDaylight.mul(scattered)) : arrived,
+      const arrived = luminances.reduce<Vec3>(
+        (all, luminance, light) => all.add(ofDay.skyOfDaylight(light, whole).mul(luminance)),
+        passed.mul(source.gain),
       );
+      return filteredColor(surface, share).mul(arrived);
     };
 
     /** Of light that came to a filter shifted by `D`. */
@@ -140,16 +171,16 @@ export const spectral =
           return;
         }
         const thermal = source && 'temperature' in source ? source : undefined;
-        const sky = source && 'scatters' in source ? parts(light) : undefined;
-        const [k, f] = [(sky?.rest ?? light).toVar(), share.toVar()];
+        const ofSky = source && 'scatters' in source ? parts(light) : undefined;
+        const [k, f] = [(ofSky?.rest ?? light).toVar(), share.toVar()];
         const send = () => {
           daylight.addAssign(f.mul(ofColor(k, out.mixed)));
-          if (sky) scattered.addAssign(f.mul(sky.scattered));
-          if (typeof colored === 'number') overlapping.add(f.xyz.sub(f.yzx).mul(k.sub(k.yzx)));
+          if (ofSky) sky.send(f, ofSky.luminances);
+          if (typeof colored === 'number') overlapping.add(k, f);
         };
         const turned = (shift: Float): Vec3 => {
           if (typeof colored === 'number') return filteredTwice(colored, k, f, shift, thermal);
-          return colored ? pictured(k, f, shift, thermal, sky?.scattered) : neutral(k.x, f, shift, thermal);
+          return colored ? pictured(k, f, shift, thermal, ofSky?.luminances) : neutral(k.x, f, shift, thermal);
         };
         if (thermal && !shift)
           sum.addAssign(
@@ -167,9 +198,9 @@ export const spectral =
       emit: (light, source) => {
         if (!source) daylight.addAssign(ofColor(light, out.mixed));
         else if ('scatters' in source) {
-          const sky = parts(light);
-          daylight.addAssign(ofColor(sky.rest, out.mixed));
-          blue.addAssign(sky.scattered);
+          const { rest, luminances } = parts(light);
+          daylight.addAssign(ofColor(rest, out.mixed));
+          sky.emit(luminances);
         } else if ('each' in source) sum.addAssign(lines(source, vec4(light, light.y), undefined));
         else sum.addAssign(unshifted(ofColor(light, out.mixed), source));
       },
@@ -188,45 +219,29 @@ export const spectral =
         sum.addAssign(filteredColor(colors, vec4(1)).mul(brightness).mul(radiance));
       },
       seen: () => {
-        const color = daylight.xyz.add(scattered.xyz.add(blue).mul(vec3(...SCATTERED_COLOR))).toVar();
-        if (overlapping.any) color.subAssign(overlapping.through(ofDay.overlaps()));
+        const color = daylight.xyz.add(sky.atRest()).toVar();
+        if (overlapping.any) color.subAssign(overlapping.atRest());
         If(abs(D.sub(1)).greaterThan(NO_SHIFT), () => {
           const { colors, gain } = ofDay.at(out.mixed);
-          const sky = ofDay.scattered(out.mixed);
-          const sent = filteredColor(colors, scattered).mul(sky.ofDaylight).add(sky.seen.mul(blue));
           const banded = filteredColor(colors, daylight).toVar();
-          if (overlapping.any) banded.subAssign(overlapping.through(ofDay.overlaps(out.mixed)));
-          color.assign(banded.mul(gain).add(sent));
+          if (overlapping.any) banded.subAssign(overlapping.shifted(() => ofDay.overlaps(out.mixed)));
+          color.assign(banded.mul(gain).add(sky.shifted(out.mixed, colors)));
         });
         return color.add(sum).mul(out.brightness(RADIANCE));
       },
     };
   };
 
+function wholeShift(D: Float): Shift {
+  const square = D.mul(D).toVar();
+  return {
+    mixed: clamp(D, ...SHIFTS).toVar(),
+    brightness: (power) => (power === RADIANCE ? square.mul(square) : square),
+  };
+}
+
 /** Y(T)/D⁴ of a blackbody that is seen at T, over its luminance at rest: what a shift by D leaves of brightness besides beaming. */
 const gain = (H: Float, T: Float, atRest: Float, D: Float): Float => {
   const square = D.mul(D).toVar();
   return luminanceOf(H, T).div(square.mul(square).mul(atRest));
 };
-
-/** What coloured lights and coloured surfaces make together beyond the products of their bands: Σ (a_i − a_j)(k_i − k_j) of rg, gb and br. */
-interface Overlapping {
-  readonly any: boolean;
-  add(shares: Vec3): void;
-  through(colors: Overlaps): Vec3;
-}
-
-function overlaps(): Overlapping {
-  const sum = vec3(0).toVar();
-  let any = false;
-  return {
-    get any() {
-      return any;
-    },
-    add: (shares) => {
-      any = true;
-      sum.addAssign(shares);
-    },
-    through: ([rg, gb, br]) => rg.mul(sum.x).add(gb.mul(sum.y)).add(br.mul(sum.z)),
-  };
-}

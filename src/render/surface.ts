@@ -24,16 +24,24 @@ import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { ENDS } from '../spectrum/bands.ts';
 import type { FloatTable } from './floatTable.ts';
 import { mappedNormal } from './normalMap.ts';
-import { type Emission, emissionOf, type Finish, packEmission, packFinish, packNormals } from './surfaceCode.ts';
+import {
+  type Emission,
+  emissionOf,
+  type Finish,
+  packEmission,
+  packFinish,
+  packNormals,
+  packPair,
+} from './surfaceCode.ts';
 import { sampled } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 import { vColor, vEvent, vLife, vMotion, vNormal, vShown, vUv } from './vertexStage.ts';
 
 /**
  * Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (scale and bias of roughness, of metallic),
- * (F₀, reflectance below 360 nm and beyond 830 nm, temperature of its emission [K]), (strength of its normals along u and v, 0, 0).
+ * (F₀, reflectance below 360 nm and beyond 830 nm, temperature of its emission [K]), (strength of its normals along u and v, scale and bias of its occlusion), (scale and bias of both reflectances of invisible light).
  */
-export const MATERIAL_TEXELS = 5;
+export const MATERIAL_TEXELS = 6;
 /** Where the reflectance of invisible light is that of the visible colour's ends. */
 const NOT_TOLD = -1;
 
@@ -44,7 +52,8 @@ export function materialTexels(m: Material): readonly number[] {
     ...[...m.emissive, m.opacityThreshold],
     ...[...linear(m.roughness, m.roughnessTexture), ...linear(m.metallic, m.metallicTexture)],
     ...[((ior - 1) / (ior + 1)) ** 2, uv, ir, emissionTemperature],
-    ...[...(normalTexture?.strength ?? [0, 0]), 0, 0],
+    ...[...(normalTexture?.strength ?? [0, 0]), ...linear(1, m.occlusionTexture)],
+    ...[...linear(0, m.uvTexture), ...linear(0, m.irTexture)],
   ].map((x) => Math.max(-LARGEST, Math.min(LARGEST, x)));
 }
 
@@ -71,6 +80,9 @@ export interface SurfaceTextures {
   readonly normal?: DataTexture;
   readonly roughness?: ChannelTexture;
   readonly metallic?: ChannelTexture;
+  readonly occlusion?: ChannelTexture;
+  readonly uv?: ChannelTexture;
+  readonly ir?: ChannelTexture;
 }
 export interface ChannelTexture {
   readonly texture: DataTexture;
@@ -88,6 +100,8 @@ export interface Surface extends Finish {
   readonly invisible: Vec2;
   readonly emission: Emission;
   readonly roughness: Float;
+  /** Share of the sky's light that gets to it, 0 … 1. */
+  readonly occlusion: Float;
   /** Unit, rest frame, towards the observer's side. */
   readonly normal: Vec3;
   readonly dx: Vec3;
@@ -105,7 +119,9 @@ type Vec2 = Node<'vec2'>;
 export function readSurface(sources: SurfaceSources): Surface {
   const { textures } = sources;
   const material = int(round(vLife.w)).mul(int(MATERIAL_TEXELS)).toVar();
-  const [base, glow, numbers, more, relief] = [0, 1, 2, 3, 4].map((k) => sources.materials.texel(material.add(int(k))));
+  const [base, glow, numbers, more, relief, unseen] = [0, 1, 2, 3, 4, 5].map((k) =>
+    sources.materials.texel(material.add(int(k))),
+  );
   const color = base.toVar();
   if (textures.baseColor) color.mulAssign(sampled(textures.baseColor, vUv));
   if (sources.colored) color.mulAssign(vec4(vColor, 1));
@@ -129,9 +145,13 @@ export function readSurface(sources: SurfaceSources): Surface {
   const D = mix(1, dopplerFactor(dx, u, gamma, velocity), boostLight);
   return {
     color,
-    invisible: vec2(told(mirror.y, ENDS.uv, color.rgb), told(mirror.z, ENDS.ir, color.rgb)),
+    invisible: vec2(
+      textures.uv ? channel(textures.uv, unseen.xy) : told(mirror.y, ENDS.uv, color.rgb),
+      textures.ir ? channel(textures.ir, unseen.zw) : told(mirror.z, ENDS.ir, color.rgb),
+    ),
     emission: emissionOf(emissive, mirror.w),
     roughness: channel(textures.roughness, finish.xy),
+    occlusion: channel(textures.occlusion, relief.zw),
     metallic: channel(textures.metallic, finish.zw),
     F0: mirror.x,
     normal: normal.mul(faceDirection),
@@ -185,7 +205,7 @@ export function surfaceOutputs(sources: SurfaceSources, names: readonly TargetNa
 }
 
 const targetValues = (surface: Surface): Record<TargetName, Vec4> => ({
-  base: vec4(surface.color.rgb, surface.roughness),
+  base: vec4(surface.color.rgb, packPair(surface.roughness, surface.occlusion)),
   emissive: vec4(packEmission(surface.emission), packFinish(surface)),
   normal: packNormals(surface.normal, surface.invisible),
   object: vec4(surface.object, surface.distance, 0, 1),

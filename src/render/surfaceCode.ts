@@ -8,7 +8,7 @@ import { FINE_STEPS, FINER, LEVELS, MIDDLE } from './packNormal.ts';
 
 /*
  * What the G-buffer holds of a surface, in halves: of 64 bytes that a sample may have none is left.
- *   base      base colour, roughness
+ *   base      base colour, roughness and occlusion
  *   emissive  what it emits, and its finish: how metallic it is and what it mirrors
  *   normal    the normal (to 1.3e-4 rad), reflectance below 360 nm and beyond 830 nm
  */
@@ -59,19 +59,38 @@ export interface Finish {
 
 /** Steps of √F₀, the fraction (n − 1)/(n + 1) of a refractive index n: 1.5 is the 16th. The last one, 0.54, is of n = 6.6. */
 const FRACTIONS = 80;
+
+/** Metallic to 1/1020, √F₀ to 1/160. */
+export const packFinish = ({ metallic, F0 }: Finish): Float =>
+  packTwo(metallic, round(sqrt(max(F0, 0)).mul(FRACTIONS)));
+
+export function unpackFinish(code: Float): Finish {
+  const { fine, step } = unpackTwo(code);
+  const fraction = step.div(FRACTIONS);
+  return { metallic: fine, F0: fraction.mul(fraction) };
+}
+
+/** The first to 1/1020, the second to 1/118; both 0 … 1. */
+export const packPair = (fine: Float, coarse: Float): Float =>
+  packTwo(fine, round(clamp(coarse, 0, 1).mul(MOST_STEPS)));
+
+export function roughnessAndOcclusion(code: Float): { readonly roughness: Float; readonly occlusion: Float } {
+  const { fine, step } = unpackTwo(code);
+  return { roughness: fine, occlusion: step.div(MOST_STEPS) };
+}
+
+/** Two numbers in the bits of one half, ±2^e (1 + m): 60 steps, half of them exponents −14 … 15 and half with its sign, too; the mantissa, but for its ends, is the other one, 0 … 1. */
 const MOST_STEPS = 59;
-/** Half of the steps are exponents of a half, −14 … 15; the rest have its sign. The mantissa, but for its ends, tells the metal. */
 const EXPONENTS = 30;
 const LEAST_EXPONENT = -14;
 const MANTISSA = 1024;
 const MARGIN = 2;
 
-/** Both in the bits of one half: ±2^e (1 + m). Metallic to 1/1020, √F₀ to 1/160. */
-export function packFinish({ metallic, F0 }: Finish): Float {
-  const step = min(round(sqrt(max(F0, 0)).mul(FRACTIONS)), MOST_STEPS).toVar();
+function packTwo(fine: Float, wanted: Float): Float {
+  const step = min(wanted, MOST_STEPS).toVar();
   const negative = step.greaterThanEqual(EXPONENTS);
   const exponent = select(negative, step.sub(EXPONENTS), step).add(LEAST_EXPONENT);
-  const mantissa = clamp(metallic, 0, 1)
+  const mantissa = clamp(fine, 0, 1)
     .mul(MANTISSA - 2 * MARGIN)
     .add(MARGIN)
     .div(MANTISSA);
@@ -79,23 +98,16 @@ export function packFinish({ metallic, F0 }: Finish): Float {
   return select(negative, code.negate(), code);
 }
 
-export function unpackFinish(code: Float): Finish {
+function unpackTwo(code: Float): { readonly fine: Float; readonly step: Float } {
   const size = abs(code).toVar();
   const exponent = floor(log2(size)).toVar();
   const mantissa = size.mul(exp2(exponent.negate())).sub(1);
+  const within = mantissa
+    .mul(MANTISSA)
+    .sub(MARGIN)
+    .div(MANTISSA - 2 * MARGIN);
   const step = exponent.sub(LEAST_EXPONENT).add(select(code.lessThan(0), EXPONENTS, 0));
-  const fraction = step.div(FRACTIONS);
-  return {
-    metallic: clamp(
-      mantissa
-        .mul(MANTISSA)
-        .sub(MARGIN)
-        .div(MANTISSA - 2 * MARGIN),
-      0,
-      1,
-    ),
-    F0: fraction.mul(fraction),
-  };
+  return { fine: clamp(within, 0, 1), step };
 }
 
 /**

@@ -3,6 +3,7 @@ import { dopplerTint } from '../shaders/dopplerTint.ts';
 import { glowColor } from '../shaders/glowColor.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
+import { overlapSum } from './overlapSum.ts';
 import { beamed, NO_SHIFT, type Optics, RADIANCE } from './radiance.ts';
 import type { Uniforms } from './uniforms.ts';
 
@@ -30,6 +31,20 @@ const inSrgb =
       seen: () => shifted(sum, D, RADIANCE, uniforms),
     };
   };
+
+/** Spectra where no light is shifted and all is daylight: bands, and what those of coloured lights and surfaces overlap. */
+export const resting: Optics = (D, uniforms) => {
+  const bands = plain(false)(D, uniforms);
+  const overlapping = overlapSum();
+  return {
+    ...bands,
+    send: (light, share, passage, power) => {
+      bands.send(light, share, passage, power);
+      if (typeof passage.colored === 'number') overlapping.add(light, share);
+    },
+    seen: () => bands.seen().sub(overlapping.any ? overlapping.atRest() : 0),
+  };
+};
 
 /** No light is shifted. */
 export const plain = (glowing: boolean): Optics => inSrgb((rgb) => rgb, glowing);

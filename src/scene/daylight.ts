@@ -4,18 +4,13 @@ import type { DistantLight, DomeLight, Lamp, Light, NightSky, Scene } from './ty
 // What shines on a scene, and what it is seen against: its own lights, or a clear day's.
 
 /** A clear afternoon, for scenes that bring no light: irradiance of the sun and radiance of the sky. Linear sRGB. */
-export const DAY = {
-  sun: [2.7, 2.45, 2.1],
-  zenith: [0.14, 0.31, 0.68],
-  horizon: [0.62, 0.74, 0.88],
-  ground: [0.19, 0.18, 0.165],
-} as const satisfies Record<string, Vec3>;
-
-/**
- * The sky by height h = n·zenith: above, horizon → zenith as h^curve; below, a haze of the horizon's colour that fades to the
- * ground within `haze`; the two meet within ±`seam`.
- */
-export const SKY_SHAPE = { curve: 0.45, dim: 0.8, haze: 0.35, seam: 0.015 } as const;
+const SUN: Vec3 = [2.7, 2.45, 2.1];
+export const DAY_SKY = {
+  kind: 'dome',
+  path: '',
+  color: [0.14, 0.31, 0.68],
+  gradient: { horizon: [0.62, 0.74, 0.88], ground: [0.19, 0.18, 0.165] },
+} as const satisfies DomeLight;
 
 /** What is seen of a distant light, a little larger and far dimmer than a real sun, by a = 1 − cos(angle): a disc with a soft rim, and two glows s·exp(−a·rate). */
 export const SUN_DISC = {
@@ -27,6 +22,12 @@ export const SUN_DISC = {
   ],
 } as const;
 
+/** Diameter of the sun as it is seen from the earth, and UsdLux's default: 0.53° [rad]. */
+const SUN_ANGLE = (0.53 * Math.PI) / 180;
+
+/** Radius of the disc that a distant light is [rad]. */
+export const sunRadius = ({ angle }: Pick<DistantLight, 'angle'>): number => (angle ?? SUN_ANGLE) / 2;
+
 export type DirectLight = DistantLight | Lamp;
 
 /** Lights that come from somewhere; the day's sun where the scene brings no light at all. */
@@ -34,8 +35,11 @@ export const directLights = ({ lights, upAxis }: Pick<Scene, 'lights' | 'upAxis'
   lights.length > 0 ? lights.filter(isDirect) : [defaultSun(upAxis)];
 
 /** The light all round; a clear day's sky where there is none. */
-export const domeOf = ({ lights }: Pick<Scene, 'lights'>): DomeLight | undefined =>
-  lights.find((light) => light.kind === 'dome') ?? (nightSkyOf({ lights }) && DARKNESS);
+export const domeOf = ({ lights }: Pick<Scene, 'lights'>): DomeLight =>
+  lights.find((light) => light.kind === 'dome') ?? (nightSkyOf({ lights }) ? DARKNESS : DAY_SKY);
+
+/** Whether the sky may be red: a scene's own may be one of dusk. */
+export const maybeDusky = ({ lights }: Pick<Scene, 'lights'>): boolean => lights.some(({ kind }) => kind === 'dome');
 
 /** Between the stars. */
 const DARKNESS: DomeLight = { kind: 'dome', path: '', color: [0, 0, 0] };
@@ -48,7 +52,7 @@ const isDirect = (light: Light): light is DirectLight => light.kind !== 'dome' &
 
 function defaultSun(upAxis: Scene['upAxis']): DistantLight {
   const direction: Vec3 = upAxis === 'Y' ? [-0.55, -0.75, -0.45] : [-0.55, 0.45, -0.75];
-  return { kind: 'distant', path: '', direction: normalize(direction), color: DAY.sun };
+  return { kind: 'distant', path: '', direction: normalize(direction), color: SUN };
 }
 
 /** Towards the zenith. */

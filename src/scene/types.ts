@@ -186,6 +186,11 @@ export interface Material {
   /** Share that it reflects of light below 360 nm and beyond 830 nm, 0 … 1; where absent, what the visible colour ends at. */
   readonly uv?: number;
   readonly ir?: number;
+  /** Where a texture tells, `uv` and `ir` are their means. */
+  readonly uvTexture?: TextureChannel;
+  readonly irTexture?: TextureChannel;
+  /** Share of the light from all round that gets to each point, past what the mesh does not show: of the sky and of other surfaces, not of suns and lamps. */
+  readonly occlusionTexture?: TextureChannel;
   /** [K]: it shines as a blackbody does, and `emissive` tells its luminance at rest alone. */
   readonly emissionTemperature?: number;
 }
@@ -244,6 +249,8 @@ export interface DistantLight {
   readonly direction: Vec3;
   /** Linear sRGB times intensity and exposure: irradiance on a facing surface. */
   readonly color: Vec3;
+  /** Diameter of its disc [rad], as wide as which edges of shadows are blurred; the sun's where absent. */
+  readonly angle?: number;
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
 }
@@ -300,10 +307,17 @@ export interface DomeLight {
   readonly color: Vec3;
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
-  /** Of all directions, by latitude and longitude (panorama.ts); without one they are all alike. */
+  /** It is brighter or darker at the horizon and below, `color` is that of the zenith; without this and a picture all directions are alike. */
+  readonly gradient?: SkyGradient;
+  /** Of all directions, by latitude and longitude (panorama.ts). */
   readonly texture?: Texture | RadiancePicture;
   /** The picture's axes → world axes; the same where absent. */
   readonly orientation?: Quat;
+}
+/** Linear sRGB radiance at the horizon, and of the ground well below it. The zenith is where the scene's up axis points. */
+export interface SkyGradient {
+  readonly horizon: Vec3;
+  readonly ground: Vec3;
 }
 /** The fixed stars before the cosmic background. They are seen; on things they shine too faintly to tell. */
 export interface NightSky {

@@ -21,6 +21,8 @@ export interface RenderSettings {
   readonly dopplerMix: number;
   /** 0 … 1: how much of log D⁴ reaches the brightness. */
   readonly beaming: number;
+  /** Suns throw shadows. The reference renderer always has them. */
+  readonly shadows: boolean;
   readonly solver: Solver;
   /** Newton steps per vertex. */
   readonly iterations: number;
@@ -34,6 +36,8 @@ export interface RenderSettings {
   readonly tone: Tone;
   /** Instead of the light: what of it is to be shown as colours, between which values. */
   readonly falseColors?: FalseColors;
+  /** How far from a point something can hide its sky, in the fast renderer [m]; 0: nothing does. Absent: a quarter of the scene's size. */
+  readonly occlusionRadius?: number;
   /** [m/s] */
   readonly speedOfLight: number;
 }
@@ -45,6 +49,7 @@ export const DEFAULT_SETTINGS: RenderSettings = {
   colors: 'spectral',
   dopplerMix: 1,
   beaming: 1,
+  shadows: true,
   solver: 'exact',
   iterations: 8,
   damping: 1,
@@ -76,6 +81,7 @@ export type AovName =
   | 'doppler'
   | 'position'
   | 'normal'
+  | 'occlusion'
   | 'velocity'
   | 'object';
 
@@ -105,6 +111,11 @@ export const AOVS: Readonly<Record<AovName, AovInfo>> = {
   normal: {
     channels: ['normal.x', 'normal.y', 'normal.z'],
     meaning: 'unit normal in the rest frame of the surface, on the world axes carried there by the pure boost',
+  },
+  occlusion: {
+    channels: ['occlusion'],
+    meaning:
+      'share of the sky that the surface sees in its rest frame, weighted by the cosine: 1 where nothing hides it',
   },
   velocity: {
     channels: ['velocity.x', 'velocity.y', 'velocity.z'],

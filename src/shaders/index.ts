@@ -22,6 +22,7 @@ export { polylineEmission } from './polylineEmission.ts';
 export { polylinePlace } from './polylinePlace.ts';
 export { polylineSlice } from './polylineSlice.ts';
 export { simultaneousPosition } from './simultaneousPosition.ts';
+export { type SkyParts, skyParts } from './skyParts.ts';
 export { type BandColors, filteredColor, luminanceOf, type SpectrumTable, thermalColors } from './spectrumTable.ts';
 export { spectrumTexture } from './spectrumTexture.ts';
 export { staticEmission } from './staticEmission.ts';

@@ -1,10 +1,12 @@
+import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { addScaled, dot, type Vec3 } from '../math/vec3.ts';
-import { DAY } from '../scene/daylight.ts';
-import { WHITE } from './bands.ts';
+import { DAY_SKY } from '../scene/daylight.ts';
+import { bandsOf, WHITE } from './bands.ts';
 import { colorMatching, NANOMETRE, WAVELENGTHS } from './cie1931.ts';
+import { DAYLIGHT, type LightSpectrum } from './lightSpectrum.ts';
 import { LUMINANCE, seenColor, toLinearSrgb } from './observerColor.ts';
-import { SCATTERED, SCATTERED_COLOR, scatteredShare } from './scatteredLight.ts';
+import { REDDENED, SCATTERED, SCATTERED_COLOR, type SkyParts, scatteredShare, skyParts } from './scatteredLight.ts';
 
 describe('scattered light', () => {
   // Planck's law times λ⁻⁴, summed here by itself.
@@ -36,9 +38,9 @@ describe('scattered light', () => {
 
   test('is nearly all of the zenith of a clear day, and little of its horizon', () => {
     for (const [color, least, most] of [
-      [DAY.zenith, 0.9, 1],
-      [DAY.horizon, 0.1, 0.3],
-      [DAY.ground, 0, 0],
+      [DAY_SKY.color, 0.9, 1],
+      [DAY_SKY.gradient.horizon, 0.1, 0.3],
+      [DAY_SKY.gradient.ground, 0, 0],
     ] as const) {
       const share = scatteredShare(color);
       const rest = addScaled(color, SCATTERED_COLOR, -share);
@@ -49,5 +51,53 @@ describe('scattered light', () => {
         0.08 * Math.max(...color) + 1e-9 + (share === 0 ? 1 : 0),
       );
     }
+  });
+});
+
+describe('the light of dusk', () => {
+  const DUSK: readonly Vec3[] = [
+    [0.8, 0.35, 0.1],
+    [1, 0.62, 0.35],
+    [0.9, 0.2, 0.05],
+    [0.7, 0.45, 0.55],
+    [0.4, 0.33, 0.6],
+  ];
+  const lightsOf = ({ scattered, reddened }: SkyParts) =>
+    [scattered, ...reddened].map((share, i) => [share, [SCATTERED, ...REDDENED][i]] as const);
+  const seenAt = (color: Vec3, D: number): Vec3 => {
+    const parts = skyParts(color);
+    const own = (sum: Vec3, [share, spectrum]: readonly [number, LightSpectrum]) =>
+      addScaled(sum, seenColor(WHITE, WHITE, spectrum, 1, D), share);
+    return lightsOf(parts).reduce(own, seenColor(WHITE, bandsOf(parts.rest), DAYLIGHT, 1, D));
+  };
+
+  test('is at rest the colour that the sky has, whatever that is', () => {
+    const share = fc.double({ min: 0, max: 2, noNaN: true });
+    fc.assert(
+      fc.property(fc.tuple(share, share, share), (color) => {
+        const parts = skyParts(color);
+        seenAt(color, 1).forEach((value, k) => {
+          expect(value).toBeCloseTo(color[k], 6);
+        });
+        for (const [luminance] of lightsOf(parts)) expect(luminance).toBeGreaterThanOrEqual(0);
+        expect(Math.min(...parts.rest)).toBeGreaterThanOrEqual(-1e-12);
+      }),
+    );
+  });
+
+  test('leaves of evening skies nothing but grey to a filter', () => {
+    for (const color of DUSK) {
+      const { rest } = skyParts(color);
+      expect(Math.max(...rest) - Math.min(...rest)).toBeLessThan(0.04 * Math.max(...color));
+    }
+  });
+
+  test('is never green at speed, as a filter’s bands are', () => {
+    const greenness = ([r, g, b]: Vec3) => (g - Math.max(r, b)) / Math.max(r, g, b);
+    const shifts = Array.from({ length: 61 }, (_, i) => 0.5 * 4 ** (i / 60));
+    const most = (seen: (D: number) => Vec3) => Math.max(...shifts.map((D) => greenness(seen(D))));
+    for (const color of DUSK) expect(most((D) => seenAt(color, D))).toBeLessThan(0.08);
+    for (const color of DUSK)
+      expect(most((D) => seenColor(WHITE, bandsOf(color), DAYLIGHT, 1, D))).toBeGreaterThan(0.2);
   });
 });

@@ -61,7 +61,7 @@ describe('false colours', () => {
       ['D', 'Doppler factor D'],
       ['Time', 'Happened, from now'],
       ['Light', 'Luminance before exposure'],
-      ['Band', 'What is seen at 550 nm was emitted at [nm]'],
+      ['Band', 'Seen at 550 nm, emitted at [nm]'],
     ] as const) {
       await choose(visit, 'False colours', option);
       await legendOf(visit).getByText(title).waitFor();

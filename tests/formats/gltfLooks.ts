@@ -131,14 +131,22 @@ const looks: Group = {
       }),
       (s) => expect(base(s).uv).toBeUndefined(),
     ),
-    leftOut(
-      'occlusion textures',
-      'named',
-      'gltf.ignored-texture',
+    read(
+      'occlusion textures and their strength',
+      'they dim the light of the sky and of other surfaces',
       worn((m, kit) => {
-        m.setRoughnessFactor(0.5).setOcclusionTexture(picture(kit));
+        m.setOcclusionTexture(picture(kit)).setOcclusionStrength(0.25);
       }),
-      (s) => expect(base(s).roughness).toBe(0.5),
+      (s) => expect(base(s).occlusionTexture).toMatchObject({ channel: 0, scale: 0.25, bias: 0.75 }),
+    ),
+    read(
+      'the extras `slowlight:albedo:uv` and `:ir` as `{ "image": 0, "channel": 1 }`',
+      'reflectance of invisible light by that channel of the image',
+      worn((m, kit) => {
+        m.setBaseColorTexture(picture(kit)).setExtras({ 'slowlight:albedo:ir': { image: 0, channel: 1, scale: 0.5 } });
+      }),
+      (s) =>
+        expect(base(s).irTexture).toMatchObject({ channel: 1, scale: 0.5, bias: 0, texture: { colorSpace: 'linear' } }),
     ),
     leftOut(
       'the opacity of vertex colours',

@@ -106,21 +106,20 @@ const materials: Group = {
       (s) => expect(base(s).metallic).toBeGreaterThan(0.8),
     ),
     leftOut(
-      'displacement, clearcoat, occlusion',
+      'displacement, clearcoat',
       'named; the rest of the material counts',
       'usd.material-input',
       [
         wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:clearcoat = 1'),
         wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:displacement = 0.1'),
-        {
-          ...wears(
-            'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:occlusion.connect = </M/T.outputs:r>',
-            texture('T'),
-          ),
-          'a.png': PIXEL,
-        },
       ],
       red,
+    ),
+    read(
+      'textures of occlusion, and of what is reflected of invisible light (`slowlight:albedo:uv.connect`, `:ir`)',
+      'drawn per pixel; occlusion dims the light of the sky and of other surfaces',
+      [{ ...wears('float inputs:occlusion.connect = </M/T.outputs:r>', texture('T')), 'a.png': PIXEL }],
+      (s) => expect(base(s).occlusionTexture).toMatchObject({ channel: 0, scale: 1, bias: 0 }),
     ),
     leftOut(
       'a primvar that drives a number',
@@ -239,17 +238,17 @@ const lights: Group = {
   title: 'Lights and cameras',
   rows: [
     read(
-      '`DistantLight`, `DomeLight` with its picture',
+      '`DistantLight` with its angle, `DomeLight` with its picture',
       'lights',
       {
         ...usd(
-          'def DistantLight "A" { float inputs:intensity = 3 }\ndef DomeLight "B" { asset inputs:texture:file = @a.png@ }',
+          'def DistantLight "A" { float inputs:intensity = 3\n float inputs:angle = 0 }\ndef DomeLight "B" { asset inputs:texture:file = @a.png@ }',
         ),
         'a.png': PIXEL,
       },
       (s) =>
         expect(s.lights).toMatchObject([
-          { kind: 'distant', color: [3, 3, 3], direction: [0, 0, -1] },
+          { kind: 'distant', color: [3, 3, 3], direction: [0, 0, -1], angle: 0 },
           { kind: 'dome', texture: { width: 1 } },
         ]),
     ),
@@ -258,6 +257,18 @@ const lights: Group = {
       'the bright stars and the cosmic background, celestial north along +Y of its frame',
       usd('def DomeLight "A" { token slowlight:sky = "stars"\nfloat inputs:intensity = 5 }'),
       (s) => expect(s.lights).toMatchObject([{ kind: 'stars', gain: expect.closeTo(5, 6) }]),
+    ),
+    read(
+      'a `DomeLight` without a picture; with `slowlight:sky:horizon` or `slowlight:sky:ground`',
+      'alike all round; a sky that changes with height',
+      usd(
+        'def DomeLight "A" { float inputs:intensity = 2 }\ndef DomeLight "B" { custom color3f slowlight:sky:horizon = (1, 0.5, 0) }',
+      ),
+      (s) =>
+        expect(s.lights).toEqual([
+          { kind: 'dome', path: '/A', color: [2, 2, 2] },
+          { kind: 'dome', path: '/B', color: [1, 1, 1], gradient: { horizon: [1, 0.5, 0], ground: [1, 0.5, 0] } },
+        ]),
     ),
     read(
       'the picture of a `DomeLight` as Radiance (`.hdr`), or OpenEXR (halves or floats; uncompressed, ZIP)',

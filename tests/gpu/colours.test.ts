@@ -2,7 +2,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../src/math/quat.ts';
 import { normalize, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
-import { DAY } from '../../src/scene/daylight.ts';
+import { DAY_SKY } from '../../src/scene/daylight.ts';
 import { makeMaterial } from '../../src/scene/defaults.ts';
 import { plane } from '../../src/scene/primitives.ts';
 import type { DistantLight, Light, Material, Motion, SceneObject } from '../../src/scene/types.ts';
@@ -164,8 +164,8 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
   });
 
   it.each([
-    ['blue', DAY.zenith],
-    ['hazy', DAY.horizon],
+    ['blue', DAY_SKY.color],
+    ['hazy', DAY_SKY.gradient.horizon],
     ['red', [0.8, 0.35, 0.1]],
   ] as const)('of a %s sky', async (_, color) => {
     const view = { ...VIEW, u: properVelocity([0.2, 0, 0.3]) };

@@ -3,7 +3,7 @@ import { afterAll, beforeAll, expect, it } from 'vitest';
 import { pumpFrame } from '../../src/cli/node-shim.ts';
 import { toHalf } from '../../src/math/half.ts';
 import { fromAxisAngle, IDENTITY, rotate } from '../../src/math/quat.ts';
-import { dot, normalize, ZERO } from '../../src/math/vec3.ts';
+import { dot, normalize, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
 import { cameraRay } from '../../src/reference/camera.ts';
 import { radiance } from '../../src/reference/path.ts';
@@ -12,7 +12,7 @@ import { directionOnPanorama } from '../../src/scene/panorama.ts';
 import { sphere } from '../../src/scene/primitives.ts';
 import type { DomeLight, Material, Motion } from '../../src/scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
-import { GREY, lambert, lit, mirror } from '../support/lightKit.ts';
+import { dome, GREY, lambert, lit, mirror } from '../support/lightKit.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
 
 const SIZE = 40;
@@ -55,13 +55,13 @@ const DOME: DomeLight = {
 };
 
 /** How far the rasterizer's ball is from the reference's, over its brightest pixel: in the mean. */
-async function difference(material: Material, motion?: Motion, view = VIEW): Promise<number> {
-  const { scene } = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [DOME]);
+async function difference(material: Material, motion?: Motion, view = VIEW, sky = DOME): Promise<number> {
+  const { scene } = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [sky]);
   await headless.renderer.setScene(scene);
   pumpFrame();
   headless.renderer.render(view, SETTINGS, 1);
   const drawn = await headless.renderer.readAov('beauty');
-  const traced = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [DOME]);
+  const traced = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [sky]);
   const far: number[] = [];
   let brightest = 0;
   for (let y = 6; y < SIZE - 6; y += 3)
@@ -94,6 +94,34 @@ it('a ball that flies meets its light aberrated and shifted, nearly', async () =
     velocity: [0.6, 0, 0],
   };
   expect(await difference(lambert(0.8), motion)).toBeLessThan(0.22);
+});
+
+/** The pixels of a ball that are farthest from the sky behind them, over that. */
+async function standsOut(material: Material, u: Vec3): Promise<number> {
+  const sky: Vec3 = [0.5, 0.75, 0.25];
+  await headless.renderer.setScene(lit([{ mesh: sphere(1, { segments: 24 }), material }], [dome(sky)]).scene);
+  pumpFrame();
+  headless.renderer.render({ ...VIEW, u }, { ...SETTINGS, beaming: 0 }, 1);
+  const drawn = await headless.renderer.readAov('beauty');
+  return drawn.reduce((most, value, i) => Math.max(most, Math.abs(value / sky[i % 3] - 1)), 0);
+}
+
+it.each([
+  ['matt', lambert(1), 2e-3],
+  // What a mirror has of a sky in all is a fitted curve (brdf.ts).
+  ['a mirror', mirror(), 0.035],
+] as const)('what reflects everything under a plain dome vanishes into it: %s', async (_, material, bound) => {
+  expect(await standsOut(material, ZERO)).toBeLessThan(bound);
+  expect(await standsOut(material, properVelocity([0, 0, -0.5]))).toBeLessThan(bound);
+});
+
+const EVENING: DomeLight = {
+  ...dome([0.1, 0.2, 0.6]),
+  gradient: { horizon: [1.2, 0.7, 0.4], ground: [0.2, 0.15, 0.1] },
+};
+
+it('a matt ball under a sky with a horizon is lit as the reference has it', async () => {
+  expect(await difference(lambert(0.8), undefined, VIEW, EVENING)).toBeLessThan(0.01);
 });
 
 it('the sky is the picture as it is turned', async () => {

@@ -9,11 +9,11 @@ import { radiance } from '../../src/reference/path.ts';
 import { pixelSequence } from '../../src/reference/sequence.ts';
 import { makeMaterial } from '../../src/scene/defaults.ts';
 import { plane } from '../../src/scene/primitives.ts';
-import type { Material } from '../../src/scene/types.ts';
+import type { Light, Material, TextureChannel } from '../../src/scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view.ts';
 import { dopplerTint } from '../../src/spectrum/dopplerTint.ts';
 import { blackbodyColor } from '../../src/spectrum/planckian.ts';
-import { DIRECT, dome, lit } from '../support/lightKit.ts';
+import { DIRECT, dome, lamp, lit, picture } from '../support/lightKit.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
 
 const SIZE = 9;
@@ -33,9 +33,10 @@ async function colors(
   sky: Vec3,
   beta: number,
   settings = SETTINGS,
+  lamps: readonly Light[] = [],
 ): Promise<readonly [Vec3, Vec3]> {
   const wall = { mesh: plane(40, 40), material: makeMaterial({ name: 'wall', ior: 1, roughness: 1, ...material }) };
-  const scene = lit([wall], [dome(sky)]);
+  const scene = lit([wall], [dome(sky), ...lamps]);
   await headless.renderer.setScene(scene.scene);
   const view: ViewPoint = {
     t: 0,
@@ -98,4 +99,35 @@ it.each([
     expect(Math.abs(dim[k] - expectedDim[k]) / most).toBeLessThan(0.01);
   }
   expect(most).toBeGreaterThan(1.5 * Math.max(...dim));
+});
+
+/** A channel that is 0.6 all over. */
+const told: TextureChannel = { texture: picture([[0, 153, 0]]), channel: 1, scale: 1, bias: 0 };
+
+it.each([
+  ['infrared', 0.6, { ir: 0.6 }, { ir: 0.6, irTexture: told }],
+  ['ultraviolet', -0.6, { uv: 0.6 }, { uv: 0.6, uvTexture: told }],
+] as const)('%s that a picture tells is as bright as that of a number, at %s c', async (_, beta, number, texels) => {
+  const material = { baseColor: [0.2, 0.3, 0.1] } as const;
+  const [drawn, expected] = await colors({ ...material, ...texels }, [1, 1, 1], beta);
+  const [same, expectedSame] = await colors({ ...material, ...number }, [1, 1, 1], beta);
+  const most = Math.max(...expected);
+  for (const k of [0, 1, 2]) {
+    expect(Math.abs(drawn[k] - same[k]) / most).toBeLessThan(3e-3);
+    expect(Math.abs(expected[k] - expectedSame[k]) / most).toBeLessThan(1e-6);
+  }
+});
+
+it('occlusion dims the light of the sky in both renderers, and not that of a lamp', async () => {
+  const wall = { baseColor: [0.8, 0.8, 0.8] } as const;
+  const shelter = { occlusionTexture: { ...told, scale: 0.5, bias: 0.1 } };
+  const [open, sheltered] = [await colors(wall, [1, 1, 1], 0), await colors({ ...wall, ...shelter }, [1, 1, 1], 0)];
+  for (const [k, bound] of [0.01, 1e-6].entries())
+    expect(Math.abs(sheltered[k][1] / open[k][1] - 0.4)).toBeLessThan(bound);
+  const light = [lamp([0, 0, 3])];
+  const [lit1, lit2] = [
+    await colors(wall, ZERO, 0, SETTINGS, light),
+    await colors({ ...wall, ...shelter }, ZERO, 0, SETTINGS, light),
+  ];
+  for (const k of [0, 1]) expect(lit2[k][1] / lit1[k][1]).toBeCloseTo(1, 3);
 });

@@ -7,6 +7,7 @@ import {
   packEmission,
   packFinish,
   packNormals,
+  packPair,
   unpackEmission,
   unpackFinish,
   unpackNormals,
@@ -88,6 +89,28 @@ function decodeFinish(code: number): readonly [metallic: number, F0: number] {
   const step = exponent + 14 + (code < 0 ? 30 : 0);
   return [((Math.abs(code) / 2 ** exponent - 1) * 1024 - 2) / 1020, (step / 80) ** 2];
 }
+
+/** Roughness to 1/1020 and occlusion to 1/59: packed as the finish is. */
+const pairs: Twin = {
+  name: 'surfaceCode, pairs',
+  texels: 1,
+  outputs: 1,
+  cases: (random) =>
+    Array.from({ length: 400 }, (_, k) => ({
+      stratum: NAMED[2],
+      input: k < 4 ? [k & 1, k >> 1, 0, 0] : [random(), random(), 0, 0],
+    })),
+  cpu: (input) => input,
+  gpu: (texel) => [vec4(packPair(texel(0).x, texel(0).y), 0, 0, 0)],
+  checks: [0, 1].map((k) => ({
+    name: ['roughness', 'occlusion'][k],
+    error: (gpu: Numbers, _: Numbers, input: Numbers) => {
+      const [fine, F0] = decodeFinish(rounded(gpu[0]));
+      return Math.abs([fine, (80 * Math.sqrt(F0)) / 59][k] - input[k]);
+    },
+    tolerance: always([6e-4, 0.5 / 59 + 1e-6][k]),
+  })),
+};
 
 /** What the G-buffer has beside the lowest bits of a normal. */
 const levelOf = (code: number): number => Math.floor((code + 2048) / 8) / 511;
@@ -172,4 +195,4 @@ const unpacking: Twin = {
   checks: [absolute('emission', 0, 4, always(0)), absolute('the rest', 4, 8, always(2e-6))],
 };
 
-export const surfaceCodes: readonly Twin[] = [packing, unpacking];
+export const surfaceCodes: readonly Twin[] = [packing, pairs, unpacking];

@@ -53,6 +53,7 @@ export const toys = {
     evaluate: ({ a, b }, { second }) => ({ out: (second ? b : a) ?? 0 }),
   },
   words: { ...base, id: 'words', outputs: { text: { type: 'text' } }, evaluate: () => ({ text: 'words' }) },
+  paint: { ...base, id: 'paint', outputs: { color: { type: 'color' } }, evaluate: () => ({ color: [1, 0, 0] }) },
   length: {
     ...base,
     id: 'length',

@@ -17,12 +17,7 @@ export const GREY: RenderSettings = { ...SPECTRAL, colors: 'approximate', dopple
 export const DIRECT: LightOptions = { bounces: 0, mirrors: false, glass: false };
 
 /** A dome of one colour all round; dark where none is given. */
-export const dome = (color: Vec3 = ZERO): DomeLight => ({
-  kind: 'dome',
-  path: '/dome',
-  color,
-  texture: picture([[255, 255, 255]]),
-});
+export const dome = (color: Vec3 = ZERO): DomeLight => ({ kind: 'dome', path: '/dome', color });
 
 /** A picture of one column, from the top down. */
 export const picture = (rows: readonly (readonly [number, number, number])[]) =>

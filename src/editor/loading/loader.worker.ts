@@ -3,6 +3,7 @@ import { inputError } from '../../formats/fail.ts';
 import { openScene } from '../../formats/open.ts';
 import type { FileSource } from '../../formats/source.ts';
 import { bytesFile, splitArchive, zipSource } from '../../formats/zip/source.ts';
+import { transferables } from '../../graph/transfer.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import { readFilesWith } from '../../scene/storedNumbers.ts';
 import { InputError } from '../../scene/types.ts';
@@ -10,7 +11,6 @@ import { readBlob } from './blobs.ts';
 import type { LoaderReply, LoadRequest } from './protocol.ts';
 import { localSource, urlSource } from './sources.ts';
 import { loadedScene } from './survey.ts';
-import { transferables } from './transfer.ts';
 
 readFilesWith(readBlob);
 

@@ -2,7 +2,7 @@ import { Divider, ScrollArea, Stack, Text, Tooltip } from '@mantine/core';
 import { Fragment, type ReactNode } from 'react';
 import type { GraphDocument, GraphNode, ParamValue } from '../../graph/document.ts';
 import type { NodeType, ParamSpec } from '../../graph/nodeType.ts';
-import { resolveParams } from '../../graph/nodeType.ts';
+import { matters, resolveParams } from '../../graph/nodeType.ts';
 import type { Picture } from '../../nodes/define.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { useTexts } from '../i18n/i18n.ts';
@@ -67,9 +67,7 @@ function NodeSection({ section, picture }: { readonly section: Section; readonly
 
 /** What does not matter now is not shown: the steps of a solver that is not chosen. */
 const shownParams = (type: NodeType, resolved: Readonly<Record<string, ParamValue | undefined>>) =>
-  Object.entries(type.params).filter(
-    ([, { onlyWhen }]) => onlyWhen === undefined || resolved[onlyWhen.param] === onlyWhen.is,
-  );
+  Object.entries(type.params).filter(([, spec]) => matters(spec, resolved));
 
 function sectionsOf(document: GraphDocument): Section[] {
   const place = (type: NodeType) => (ORDER.includes(type.id) ? ORDER.indexOf(type.id) : ORDER.length);

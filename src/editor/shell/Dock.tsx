@@ -22,7 +22,7 @@ const THEMES = {
 } as const satisfies Record<string, DockviewTheme>;
 
 const SIDE_WIDTH = 308;
-/** Below this the side panel goes under the picture. */
+/** Below this the side panel goes under the picture, where that is the longer way. */
 const NARROW = 700;
 
 /** The panels, which a person may move, stack and resize. React draws into the elements that dockview keeps. */
@@ -64,7 +64,8 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
       disableFloatingGroups: true,
       theme: THEMES.dark,
     });
-    layOut(made, host.current.clientWidth < NARROW);
+    const { clientWidth, clientHeight } = host.current;
+    layOut(made, clientWidth < NARROW && clientWidth < clientHeight);
     setApi(made);
     return () => {
       setElements({});

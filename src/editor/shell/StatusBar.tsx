@@ -69,21 +69,22 @@ function CruiseButton(): ReactNode {
   );
 }
 
-function Item({
-  label,
-  value,
-  id,
-}: {
+interface ItemProps {
   readonly label: string;
+  /** Before the value, where there is room. */
+  readonly more?: string;
   readonly value: string;
   readonly id: string;
-}): ReactNode {
+}
+
+function Item({ label, more, value, id }: ItemProps): ReactNode {
   return (
     <div className="sl-status-item" data-status={id}>
       <Text size="xs" c="dimmed" className="sl-status-label">
         {label}
       </Text>
       <Text size="xs" className="sl-figure">
+        {more && <span className="sl-status-more">{more}</span>}
         {value}
       </Text>
     </div>
@@ -97,7 +98,12 @@ function Speed(): ReactNode {
   const c = useStudioState((state) => state.picture?.speedOfLight);
   return (
     <>
-      <Item id="speed" label={t('status.speed')} value={c ? `${formatSpeed(beta * c)} · ${formatBeta(beta)} c` : '–'} />
+      <Item
+        id="speed"
+        label={t('status.speed')}
+        more={c === undefined ? undefined : `${formatSpeed(beta * c)} · `}
+        value={c ? `${formatBeta(beta)} c` : '–'}
+      />
       <Item id="gamma" label={t('status.gamma')} value={`γ = ${formatNumber(gamma, 4)}`} />
       <Item id="c" label={t('status.c')} value={c ? `c = ${formatSpeed(c)}` : '–'} />
     </>
@@ -109,9 +115,10 @@ function Unphysical(): ReactNode {
   const { t, any } = useTexts();
   const document = useStudioState((state) => state.history.document);
   const names = unphysical(document).map((title) => any(title));
+  const text = `${t('status.unphysical')}: ${names.join(', ')}`;
   return names.length > 0 ? (
-    <Text size="xs" fw={600} className="sl-status-item sl-unphysical" role="status" data-status="unphysical">
-      {`${t('status.unphysical')}: ${names.join(', ')}`}
+    <Text size="xs" fw={600} className="sl-unphysical" role="status" title={text} data-status="unphysical">
+      {text}
     </Text>
   ) : null;
 }

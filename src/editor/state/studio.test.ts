@@ -1,4 +1,6 @@
 import { expect, it } from 'vitest';
+import { groupingOf } from '../../graph/edits/group.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
 import type { Services } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import { InputError } from '../../scene/types.ts';
@@ -86,4 +88,16 @@ it('an edit while a scene is read does not begin the reading anew; another file 
   await settled();
   expect(state()).toMatchObject({ openSource: 'b.usda', loading: undefined, notices: [] });
   expect(state().picture?.scene.name).toBe('b.usda');
+});
+
+it('a node in a group is set where its definition is, and what does not fit is told', async () => {
+  const { studio, state } = await open('a.usda');
+  const grouping = groupingOf(state().history.document, { nodes: ['toneMap'] }, 'Picture', nodeLibrary);
+  studio.edit(grouping.command, 'group');
+  studio.set('group/toneMap', 'exposure', 2, 'exposure');
+  await settled();
+  expect(state().picture?.exposure).toBe(2);
+  expect(state().history.document.groups.group?.nodes.toneMap?.params).toEqual({ exposure: 2 });
+  studio.set('group/gone', 'exposure', 2, 'exposure');
+  expect(state().notices).toMatchObject([{ kind: 'error', text: 'there is no node "group/gone"' }]);
 });

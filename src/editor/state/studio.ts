@@ -1,6 +1,8 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { Command } from '../../graph/commands.ts';
+import { type Command, CommandError } from '../../graph/commands.ts';
 import type { GraphDocument, GraphNode, ParamValue } from '../../graph/document.ts';
+import { inside } from '../../graph/edits/fragment.ts';
+import { placeOf } from '../../graph/edits/place.ts';
 import { CancelledError, type Evaluation, Evaluator } from '../../graph/evaluate.ts';
 import { endGesture, execute, type History, newHistory, redo, undo } from '../../graph/history.ts';
 import type { Problem } from '../../graph/nodeType.ts';
@@ -11,6 +13,7 @@ import { newProject, openCommand } from '../../nodes/project.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { Backend } from '../../render/settings.ts';
 import type { Lock } from '../flight/flight.ts';
+import { heavyWorkers } from './heavyWorkers.ts';
 
 export interface Loading {
   readonly source: string;
@@ -55,6 +58,7 @@ export interface StudioState {
 export interface Studio {
   readonly store: StoreApi<StudioState>;
   readonly edit: (command: Command, label: string, gesture?: string) => void;
+  /** `node`: as an evaluation names it, in groups by `outer/inner`. */
   readonly set: (node: string, param: string, value: ParamValue | undefined, label: string, gesture?: string) => void;
   readonly endGesture: () => void;
   readonly undo: () => void;
@@ -93,13 +97,23 @@ export function createStudio({ services, source, playing }: StudioOptions): Stud
     store.setState({ history: changed });
     if (changed.document !== history.document) evaluation.update();
   };
-  const edit: Studio['edit'] = (command, label, gesture) => go((history) => execute(history, command, label, gesture));
+  const edit: Studio['edit'] = (command, label, gesture) => {
+    try {
+      go((history) => execute(history, command, label, gesture));
+    } catch (error) {
+      if (!(error instanceof CommandError)) throw error;
+      addNotice(store, { kind: 'error', text: error.message, ofDocument: false });
+    }
+  };
   evaluation.update();
   return {
     store,
     edit,
-    set: (node, param, value, label, gesture) =>
-      edit({ kind: 'set-param', node, param, ...(value === undefined ? {} : { value }) }, label, gesture),
+    set: (id, param, value, label, gesture) => {
+      const { group, node } = placeOf(store.getState().history.document, id) ?? { node: id };
+      const change = { kind: 'set-param', node, param, ...(value === undefined ? {} : { value }) } as const;
+      edit(inside(group, change), label, gesture);
+    },
     endGesture: () => go(endGesture),
     undo: () => go(undo),
     redo: () => go(redo),
@@ -133,7 +147,7 @@ export const sourceOf = (document: GraphDocument): string => String(document.nod
 
 /** Keeps the picture in step with the document: one evaluation at a time, and a new file ends the reading of the last. */
 function evaluating(store: StoreApi<StudioState>, services: Services) {
-  const evaluator = new Evaluator(nodeLibrary);
+  const evaluator = new Evaluator(nodeLibrary, { heavy: heavyWorkers() });
   let abort = new AbortController();
   let reading = '';
   let latest = 0;

@@ -17,6 +17,8 @@ export interface Telemetry {
   readonly tolerance: number;
   /** What is to be seen next is still being read. */
   readonly waiting: boolean;
+  /** What is to be seen next needs shaders that are being compiled. */
+  readonly preparing: boolean;
 }
 
 const INTERVAL = 100; // [ms]
@@ -29,6 +31,7 @@ export const telemetry = createStore<Telemetry>(() => ({
   triangles: 0,
   tolerance: 0,
   waiting: false,
+  preparing: false,
 }));
 
 let last = Number.NEGATIVE_INFINITY;
@@ -36,14 +39,14 @@ let last = Number.NEGATIVE_INFINITY;
 /** `now` [ms] is the frame's time stamp. What changed too recently is shown with a later frame. */
 export function report(
   state: ObserverState,
-  drawn: Pick<Telemetry, 'triangles' | 'tolerance' | 'waiting'>,
+  drawn: Pick<Telemetry, 'triangles' | 'tolerance' | 'waiting' | 'preparing'>,
   now: number,
 ): void {
   if (now - last < INTERVAL) return;
   last = now;
   const g = gamma(state.u);
-  const { triangles, tolerance, waiting } = drawn;
-  const picture = { triangles, tolerance, waiting };
+  const { triangles, tolerance, waiting, preparing } = drawn;
+  const picture = { triangles, tolerance, waiting, preparing };
   const next = { t: state.t, properTime: state.properTime, beta: length(state.u) / g, gamma: g, ...picture };
   const shown = telemetry.getState();
   if ((Object.keys(next) as (keyof Telemetry)[]).some((key) => next[key] !== shown[key])) telemetry.setState(next);

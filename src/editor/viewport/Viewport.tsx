@@ -4,7 +4,7 @@ import { type ReactNode, useRef, useState } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import { useSceneWords } from '../i18n/useSceneWords.ts';
 import { sceneName } from '../loading/sceneLoader.ts';
-import { useStudio, useStudioState } from '../state/context.tsx';
+import { useStudio, useStudioState, useTelemetry } from '../state/context.tsx';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { Legend } from './Legend.tsx';
 import { useFlightControls } from './useFlightControls.ts';
@@ -27,6 +27,7 @@ export function Viewport(): ReactNode {
       {!focused && <StartHint />}
       <Legend />
       <Caption />
+      <Preparing />
       <Busy />
     </div>
   );
@@ -76,6 +77,18 @@ function Caption(): ReactNode {
       </Text>
     </aside>
   );
+}
+
+/** Shaders being compiled: told where that takes long enough to be noticed (editor.css). */
+function Preparing(): ReactNode {
+  const { t } = useTexts();
+  const preparing = useTelemetry((live) => live.preparing);
+  const busy = useStudioState((state) => state.loading !== undefined || state.graphics === 'recovering');
+  return preparing && !busy ? (
+    <Text size="xs" className="sl-hint sl-preparing" role="status">
+      {t('viewport.preparing')}
+    </Text>
+  ) : null;
 }
 
 /** A scene being read, or the device starting again. */

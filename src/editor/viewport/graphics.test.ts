@@ -1,5 +1,5 @@
 import { afterEach, expect, it, vi } from 'vitest';
-import { chooseGraphics } from './graphics.ts';
+import { chooseGraphics, drawsInSoftware } from './graphics.ts';
 
 afterEach(() => vi.unstubAllGlobals());
 
@@ -8,6 +8,17 @@ function browser(webgl: boolean, adapter?: 'real' | 'emulated'): void {
   const info = { isFallbackAdapter: adapter === 'emulated' };
   vi.stubGlobal('navigator', adapter ? { gpu: { requestAdapter: async () => ({ info }) } } : {});
 }
+
+it.each([
+  ['ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)), SwiftShader driver)', true],
+  ['llvmpipe (LLVM 15.0.7, 256 bits)', true],
+  ['ANGLE (Microsoft, Microsoft Basic Render Driver Direct3D11)', true],
+  ['ANGLE (Apple, ANGLE Metal Renderer: Apple M2, Unspecified Version)', false],
+])('%s draws in software: %s', (name, software) => {
+  const gl = { getExtension: () => null, getParameter: () => name };
+  vi.stubGlobal('document', { createElement: () => ({ getContext: () => gl }) });
+  expect(drawsInSoftware()).toBe(software);
+});
 
 it.each([
   [true, 'real', 'auto', 'auto'],

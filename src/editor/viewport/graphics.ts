@@ -13,6 +13,15 @@ export async function chooseGraphics(wanted: Backend | 'auto'): Promise<Backend 
   return adapter?.info.isFallbackAdapter && webgl ? 'webgl' : 'auto';
 }
 
+/** Whether pictures are drawn on the processor, as far as the browser tells. */
+export function drawsInSoftware(): boolean {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const name = gl?.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL;
+  const told = String(gl?.getParameter(name ?? gl.RENDERER));
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(told);
+}
+
 const hasWebGl2 = (): boolean => document.createElement('canvas').getContext('webgl2') !== null;
 
 async function findAdapter(): Promise<GPUAdapter | undefined> {

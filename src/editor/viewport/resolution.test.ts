@@ -16,18 +16,21 @@ it('is full while frames are quick', () => {
   run(resolution, 0, 100, 16);
   expect(resolution.scale).toBe(1);
   expect(resolution.quick).toBe(true);
+  expect(resolution.hasTime).toBe(true);
 });
 
 it('goes down step by step while frames are slow, is full at rest, and remembers', () => {
   const resolution = new Resolution();
   let now = run(resolution, 0, 30, 200);
   expect(resolution.scale).toBe(0.5);
+  expect(resolution.hasTime).toBe(false);
   resolution.note(false, now + 100, 100);
   expect(resolution.scale).toBe(0.5);
   now += 300;
   resolution.note(false, now, 16);
   expect(resolution.scale).toBe(1);
   expect([resolution.resting, resolution.quick]).toEqual([true, false]);
+  expect(resolution.hasTime).toBe(true);
   run(resolution, now, 1, 16);
   expect(resolution.scale).toBe(0.5);
   expect(resolution.resting).toBe(false);

@@ -32,6 +32,11 @@ export class Resolution {
     return this.#level === 0;
   }
 
+  /** Whether there is time for what makes a picture more beautiful, and changes nothing in it. */
+  get hasTime(): boolean {
+    return this.scale > LEVELS[LEVELS.length - 1]!;
+  }
+
   /** After each frame: whether the picture changed, the time now and since the frame before [ms]. */
   note(changed: boolean, now: number, interval: number): void {
     if (!changed) {

@@ -10,6 +10,7 @@ import { prefersReducedMotion } from '../state/preferences.ts';
 import type { Studio } from '../state/studio.ts';
 import { report } from '../state/telemetry.ts';
 import { Eye } from './eye.ts';
+import { drawsInSoftware } from './graphics.ts';
 import type { Pilot } from './pilot.ts';
 import { Reader } from './reader.ts';
 import { Resolution } from './resolution.ts';
@@ -47,6 +48,8 @@ export class Stage {
   #before: number | undefined;
   /** Samples of this scene cannot be read any more. */
   #lost = false;
+  /** Shaders of the picture that is wanted are being compiled. */
+  #prepares = false;
 
   static async start(
     canvas: HTMLCanvasElement,
@@ -63,6 +66,7 @@ export class Stage {
       canvas,
       backend,
       onLost,
+      shadowDetail: drawsInSoftware() ? 'coarse' : 'fine',
       planWorker: () => new Worker(new URL('./plan.worker.ts', import.meta.url), { type: 'module' }),
       sampleWorker: () => new Worker(new URL('./samples.worker.ts', import.meta.url), { type: 'module' }),
       onBetterPlan: again,
@@ -130,7 +134,7 @@ export class Stage {
       this.#resize();
     } else if (this.#resolution.resting && !this.#uploading) this.#refine();
     this.#read(now);
-    report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits }, now);
+    report(this.#pilot.observer, { ...this.#renderer.info, waiting: this.#waits, preparing: this.#prepares }, now);
   }
 
   /** A sample more of what rests; the canvas tells when it has them all. */
@@ -172,6 +176,14 @@ export class Stage {
     }
   }
 
+  #isPrepared(viewPoint: ViewPoint, settings: RenderSettings): boolean {
+    const preparing = this.#renderer.prepare(viewPoint, settings);
+    this.#prepares = preparing !== undefined;
+    // What a lost device cannot compile the next life does.
+    preparing?.catch(() => {});
+    return !preparing;
+  }
+
   /** The next tick draws, also where nothing has changed. */
   #again(): void {
     this.#shown = undefined;
@@ -194,7 +206,11 @@ export class Stage {
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
     const { clientWidth, clientHeight } = this.#canvas;
-    const settings = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
+    const wanted = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
+    const affordable = this.#resolution.hasTime ? wanted : { ...wanted, occlusionRadius: 0 };
+    // What was shown before goes on until what is wanted can be drawn at once.
+    const settings = this.#isPrepared(viewPoint, affordable) ? affordable : this.#shown?.settings;
+    if (!settings) return false;
     if (!always && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
     this.#canvas.removeAttribute('data-finest');

@@ -1,5 +1,5 @@
 import type { Material, Texture, TextureChannel } from '../../scene/types.ts';
-import { fillChannel } from '../channelPicture.ts';
+import { asRed, fillChannel } from '../channelPicture.ts';
 
 /** Roughness in the green and metalness in the blue of one picture, as glTF wants them, and what they are multiplied with. */
 export interface FinishPicture {
@@ -23,6 +23,13 @@ export function finishPicture(material: Material): FinishPicture | undefined {
     roughness: rough ? 1 : material.roughness,
     metallic: metal ? 1 : material.metallic,
   };
+}
+
+/** The red of a picture as occlusion, and how strong it is, as glTF wants them. */
+export function occlusionPicture(from: TextureChannel): { readonly texture: Texture; readonly strength: number } {
+  const { texture, scale, bias } = from;
+  if (isPlain({ ...from, bias: 0 }, 0) && Math.abs(scale + bias - 1) < 1e-6) return { texture, strength: scale };
+  return { texture: asRed(from), strength: 1 };
 }
 
 const isPlain = ({ texture, channel, scale, bias }: TextureChannel, wanted: number): boolean =>

@@ -9,7 +9,7 @@ import {
   type TextureChannel,
   type TextureWrap,
 } from '../../scene/types.ts';
-import { spectralHints } from '../hints.ts';
+import { spectralHints, UNSEEN } from '../hints.ts';
 import { type DecodedImage, decodeImage, meanOf } from '../images.ts';
 import { heldStrength } from '../limits.ts';
 import type { GltfContext } from './context.ts';
@@ -46,7 +46,6 @@ export class MaterialLibrary {
 
   #convert(material: GltfMaterial): Material {
     const name = nameOf(this.#context, material);
-    this.#noteIgnored(material, name);
     const [r, g, b, alpha] = material.getBaseColorFactor();
     const mode = material.getAlphaMode();
     const strength = material.getExtension<EmissiveStrength>('KHR_materials_emissive_strength');
@@ -70,6 +69,7 @@ export class MaterialLibrary {
       ...(light.emissiveTexture && { emissiveTexture: light.emissiveTexture }),
       ...this.#finish(material, isUnlit),
       ...this.#normals(material),
+      ...this.#occlusion(material),
       opacity: mode === 'OPAQUE' ? 1 : alpha,
       opacityThreshold: mode === 'MASK' ? material.getAlphaCutoff() : 0,
       ...(ior && { ior: ior.getIOR() }),
@@ -99,18 +99,43 @@ export class MaterialLibrary {
     return texture ? { normalTexture: { texture, strength: [strength, strength] } } : {};
   }
 
+  /** What keeps light from all round away, 1 + strength · (red − 1). */
+  #occlusion(material: GltfMaterial): { readonly occlusionTexture?: TextureChannel } {
+    const texture = this.#texture(material.getOcclusionTexture(), material.getOcclusionTextureInfo(), true, 'linear');
+    const strength = Math.min(Math.max(material.getOcclusionStrength(), 0), 1);
+    return texture ? { occlusionTexture: { texture, channel: 0, scale: strength, bias: 1 - strength } } : {};
+  }
+
   /** What our own extras of the material say of light that eyes do not see. */
   #spectral(material: GltfMaterial, name: string): Partial<Material> {
     const extras = new Map(Object.entries(material.getExtras()));
-    return spectralHints(
-      (hint) => extras.get(hint),
-      (message) => this.#context.notes.add('warning', 'gltf.slowlight', `material ${name}`, message),
+    const refuse = (message: string): void =>
+      this.#context.notes.add('warning', 'gltf.slowlight', `material ${name}`, message);
+    const pictures = UNSEEN.flatMap((hint) => {
+      const told = this.#channelOf(extras.get(hint.name));
+      if (told) extras.delete(hint.name);
+      const mean = told && told.scale * meanOf(told.texture, told.channel) + told.bias;
+      return told ? [{ [hint.of]: Math.min(1, Math.max(0, mean ?? 0)), [hint.texture]: told }] : [];
+    });
+    return Object.assign(
+      spectralHints((hint) => extras.get(hint), refuse),
+      ...pictures,
     );
   }
 
-  #noteIgnored(material: GltfMaterial, name: string): void {
-    if (material.getOcclusionTexture())
-      this.#context.notes.add('info', 'gltf.ignored-texture', `material ${name}`, 'its occlusion texture is left out');
+  /** `{ "image": 2, "channel": 0, "scale": 1, "bias": 0 }`, of which only the image has to be there. */
+  #channelOf(value: unknown): TextureChannel | undefined {
+    if (typeof value !== 'object' || value === null) return undefined;
+    const { image, channel = 0, scale = 1, bias = 0 }: Record<string, unknown> = { ...value };
+    const picture = this.#context.document.getRoot().listTextures()[Number(image)];
+    const isWhole = channel === 0 || channel === 1 || channel === 2 || channel === 3;
+    if (!picture || !isWhole || typeof scale !== 'number' || typeof bias !== 'number') return undefined;
+    const decoded = this.#decode(picture);
+    if (!decoded) return undefined;
+    const { width, height, data } = decoded;
+    const name = this.#imageName(picture);
+    const shown = { colorSpace: 'linear', filter: 'linear', wrapS: 'repeat', wrapT: 'repeat' } as const;
+    return { texture: { name, width, height, data, ...shown }, channel, scale, bias };
   }
 
   #texture(
@@ -209,6 +234,7 @@ function uvSources(m: GltfMaterial): { readonly what: string; readonly source: U
     ...source('emissive', m.getEmissiveTexture(), m.getEmissiveTextureInfo()),
     ...source('normal', m.getNormalTexture(), m.getNormalTextureInfo()),
     ...source('metallic-roughness', m.getMetallicRoughnessTexture(), m.getMetallicRoughnessTextureInfo()),
+    ...source('occlusion', m.getOcclusionTexture(), m.getOcclusionTextureInfo()),
   ];
 }
 

@@ -243,6 +243,8 @@ describe('a scene written as glTF', () => {
       normalTexture: { texture: { ...map, data: map.data.slice() }, strength: [0.5, 0.5] },
       roughnessTexture: channel(1, 0.5, 0),
       metallicTexture: channel(2, 1, 0),
+      occlusionTexture: channel(0, 0.25, 0.75),
+      irTexture: channel(2, 0.5, 0.125),
     });
     const reread = async (m: Material): Promise<Material> => {
       const { source, diagnostics } = await written(
@@ -259,10 +261,20 @@ describe('a scene written as glTF', () => {
       roughness: expect.closeTo((0.5 * 80) / 255, 6),
       roughnessTexture: { texture: { data: map.data }, channel: 1, scale: 0.5 },
       metallicTexture: { channel: 2, scale: 1 },
+      occlusionTexture: { texture: { data: map.data }, channel: 0, scale: 0.25, bias: 0.75 },
+      ir: expect.closeTo(0.5 * (120 / 255) + 0.125, 6),
+      irTexture: { texture: { data: map.data, colorSpace: 'linear' }, channel: 2, scale: 0.5, bias: 0.125 },
     });
     // Of another channel, with a bias: made anew, beside a number that holds everywhere.
     const { metallicTexture: _, ...rough } = material;
-    const baked = await reread({ ...rough, metallic: 0.25, roughnessTexture: channel(0, 2, 0.2) });
+    const baked = await reread({
+      ...rough,
+      metallic: 0.25,
+      roughnessTexture: channel(0, 2, 0.2),
+      occlusionTexture: channel(1, 0.5, 0.2),
+    });
+    const { texture, ...occlusion } = baked.occlusionTexture!;
+    expect([texture.data[0], texture.data[4], occlusion]).toEqual([101, 81, { channel: 0, scale: 1, bias: 0 }]);
     const texels = baked.roughnessTexture!.texture.data;
     expect([texels[1], texels[5]]).toEqual([20 + 51, 40 + 51]);
     expect(baked).toMatchObject({ metallic: 0.25, metallicTexture: { channel: 2, scale: 0.25 } });

@@ -1,11 +1,12 @@
 import type { Document, Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
 import { KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import type { Material, Scene, Texture } from '../../scene/types.ts';
-import { SPECTRAL_HINTS } from '../hints.ts';
+import type { Material, Scene, Texture, TextureChannel } from '../../scene/types.ts';
+import { asRed } from '../channelPicture.ts';
+import { SPECTRAL_HINTS, UNSEEN } from '../hints.ts';
 import type { Notes } from '../notes.ts';
 import { encodePng } from '../png.ts';
-import { finishPicture } from './finishPicture.ts';
+import { finishPicture, occlusionPicture } from './finishPicture.ts';
 
 const WRAPS = { repeat: 10497, clamp: 33071, mirror: 33648, black: 33071 } as const;
 const FILTERS = { nearest: { mag: 9728, min: 9728 }, linear: { mag: 9729, min: 9987 } } as const;
@@ -54,7 +55,10 @@ export class MaterialWriter {
     }
     this.addRelief(made, m);
     this.addFinish(made, m);
-    const hints = SPECTRAL_HINTS.flatMap(({ of, name }) => (m[of] === undefined ? [] : [[name, m[of]] as const]));
+    this.addOcclusion(made, m);
+    const numbers = SPECTRAL_HINTS.map(({ of, name }) => [name, m[of]] as const);
+    const pictures = UNSEEN.map(({ texture, name }) => [name, m[texture] && this.imageOf(m[texture])] as const);
+    const hints = [...numbers, ...pictures].filter(([, value]) => value !== undefined);
     return hints.length > 0 ? made.setExtras(Object.fromEntries(hints)) : made;
   }
 
@@ -75,6 +79,21 @@ export class MaterialWriter {
     made.setMetallicRoughnessTexture(this.picture(finish.texture, 'numbers'));
     made.setRoughnessFactor(finish.roughness).setMetallicFactor(finish.metallic);
     sampled(made.getMetallicRoughnessTextureInfo(), finish.texture);
+  }
+
+  private addOcclusion(made: GltfMaterial, { occlusionTexture: from }: Material): void {
+    if (!from) return;
+    const picture = occlusionPicture(from);
+    made.setOcclusionTexture(this.picture(picture.texture, 'numbers')).setOcclusionStrength(picture.strength);
+    sampled(made.getOcclusionTextureInfo(), picture.texture);
+  }
+
+  /** As our own extras name a channel; their pictures are linear. */
+  private imageOf(from: TextureChannel): Record<string, number> {
+    const { texture, channel, scale, bias } =
+      from.texture.colorSpace === 'linear' ? from : { texture: asRed(from), channel: 0, scale: 1, bias: 0 };
+    const image = this.document.getRoot().listTextures().indexOf(this.picture(texture, 'numbers'));
+    return { image, channel, scale, bias };
   }
 
   /** Factors of glTF are at most 1; what is brighter has a strength too. */

@@ -6,10 +6,12 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { directionOnPanorama, placeOnPanorama } from '../../scene/panorama.ts';
 import { sampleTexture } from '../../scene/sampleTexture.ts';
 import type { DomeLight, RadiancePicture } from '../../scene/types.ts';
-import { attributeOf, textAt, textOf, valueAt } from './attributes.ts';
+import { SKY_HINTS } from '../hints.ts';
+import { attributeOf, textAt, textOf, valueAt, vec3At } from './attributes.ts';
 import { report, type StageContext, upAxisOf } from './context.ts';
 import type { Frame } from './frame.ts';
 import type { PrimSpec } from './layer.ts';
+import { shining } from './lightInputs.ts';
 import type { TextureLoader } from './textures.ts';
 
 type Picture = NonNullable<DomeLight['texture']>;
@@ -35,6 +37,16 @@ export async function domePicture(
     texture: place === placeOnPanorama && !isMirror ? picture : asPanorama(picture, place, isMirror),
     orientation: multiply(turn.pose.orientation, poleOf(context, prim)),
   };
+}
+
+/** Our own attributes: the colours of the horizon and of the ground, as bright as the light's own; without the one as the zenith, without the other as the horizon. */
+export function skyGradient(context: StageContext, prim: PrimSpec, zenith: Vec3): Pick<DomeLight, 'gradient'> {
+  const [horizon, ground] = SKY_HINTS.map((name) => {
+    const color = vec3At(prim, name, context.startCode);
+    return color && shining(context, prim, color);
+  });
+  if (!horizon && !ground) return {};
+  return { gradient: { horizon: horizon ?? zenith, ground: ground ?? horizon ?? zenith } };
 }
 
 /** x → −x */

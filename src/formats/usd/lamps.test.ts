@@ -137,6 +137,14 @@ describe('inputs of lights', () => {
     expect((await lamp('SphereLight', 'float inputs:shaping:cone:angle = 180')).shaping).toBeUndefined();
   });
 
+  it('tell how wide a sun is, in degrees', async () => {
+    const [written, unwritten] = (
+      await read('def DistantLight "A" { float inputs:angle = 1.5 }\ndef DistantLight "B" {}')
+    ).lights;
+    expect(written).toMatchObject({ angle: expect.closeTo((1.5 * Math.PI) / 180, 9) });
+    expect(unwritten).not.toHaveProperty('angle');
+  });
+
   it('that are left out are named', async () => {
     const { diagnostics } = await read(
       'def RectLight "L"\n{\nasset inputs:shaping:ies:file = @a.ies@\nasset inputs:texture:file = @no.png@\nfloat inputs:specular = 0\n}\n',

@@ -17,13 +17,19 @@ export const lightFlag = (context: StageContext, prim: PrimSpec, name: string): 
 export function brightnessOf(context: StageContext, prim: PrimSpec, intensity = 1): Vec3 {
   const { startCode } = context;
   const color = vec3At(prim, 'inputs:color', startCode) ?? vec3At(prim, 'color', startCode) ?? [1, 1, 1];
-  const temperature = temperatureOf(context, prim);
-  const warm = temperature === undefined ? [1, 1, 1] : blackbodyColor(temperature);
   const diffuse = lightNumber(context, prim, 'diffuse') ?? 1;
   if ((lightNumber(context, prim, 'specular') ?? 1) !== diffuse) {
     const message = `its multiplier for diffuse light, ${diffuse}, is taken for specular light too`;
     report(context, 'info', 'usd.light-input', prim.path, message);
   }
+  return shining(context, prim, color, intensity);
+}
+
+/** As bright as the light is, where it has this colour. */
+export function shining(context: StageContext, prim: PrimSpec, color: Vec3, intensity = 1): Vec3 {
+  const temperature = temperatureOf(context, prim);
+  const warm = temperature === undefined ? [1, 1, 1] : blackbodyColor(temperature);
+  const diffuse = lightNumber(context, prim, 'diffuse') ?? 1;
   const gain =
     (lightNumber(context, prim, 'intensity') ?? intensity) * 2 ** (lightNumber(context, prim, 'exposure') ?? 0);
   return scale([color[0] * warm[0], color[1] * warm[1], color[2] * warm[2]], gain * diffuse);

@@ -3,14 +3,14 @@ import { multiply } from '../../math/quat.ts';
 import { normalize } from '../../math/vec3.ts';
 import { luminanceOf } from '../../scene/gauge.ts';
 import { EQUATORIAL } from '../../scene/stars/equatorial.ts';
-import type { Light, NightSky } from '../../scene/types.ts';
+import type { DistantLight, Light, NightSky } from '../../scene/types.ts';
 import { sampleTimes, textAt } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
-import { domePicture } from './domes.ts';
+import { domePicture, skyGradient } from './domes.ts';
 import type { Frame } from './frame.ts';
 import { isLamp, lampOf } from './lamps.ts';
 import type { PrimSpec, PropertySpec } from './layer.ts';
-import { brightnessOf, spectrumOf } from './lightInputs.ts';
+import { brightnessOf, lightNumber, spectrumOf } from './lightInputs.ts';
 import { type Directions, poseTimeOf } from './slowlight.ts';
 import type { TextureLoader } from './textures.ts';
 
@@ -35,11 +35,17 @@ export async function lightOf(
   if (prim.typeName === 'DistantLight') {
     const direction = normalize(mat4.transformVector(frame.matrixAt(context.startCode), [0, 0, -1]), [0, 0, -1]);
     const color = brightnessOf(context, prim, DISTANT_INTENSITY);
-    return { kind: 'distant', path, direction, color, ...spectrumOf(context, prim) };
+    return { kind: 'distant', path, direction, color, ...angleOf(context, prim), ...spectrumOf(context, prim) };
   }
   if (textAt(prim, 'slowlight:sky', undefined) === 'stars') return nightSkyOf(context, prim, frame);
   const dome = { kind: 'dome', path, color: brightnessOf(context, prim), ...spectrumOf(context, prim) } as const;
-  return { ...dome, ...(await domePicture(context, textures, prim, frame)) };
+  return { ...dome, ...skyGradient(context, prim, dome.color), ...(await domePicture(context, textures, prim, frame)) };
+}
+
+/** Diameter of a distant light's disc, which a file has in degrees, where it is written. */
+function angleOf(context: StageContext, prim: PrimSpec): Pick<DistantLight, 'angle'> {
+  const angle = lightNumber(context, prim, 'angle');
+  return angle === undefined ? {} : { angle: (Math.min(Math.max(angle, 0), 180) * Math.PI) / 180 };
 }
 
 /** The bright stars as this prim's frame turns them; their colours are their own. */

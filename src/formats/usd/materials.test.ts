@@ -327,12 +327,12 @@ it('what is not drawn is named, and what changes', async () => {
   const { said } = await read(
     surface(
       'float inputs:clearcoat = 1',
-      'float inputs:occlusion.connect = </M/T.outputs:r>',
+      'float inputs:displacement = 1',
       'float inputs:roughness.timeSamples = { 0: 0, 1: 1 }',
     ) + texture(),
   );
   expect(said).toEqual([
-    'usd.material-input: clearcoat, occlusion of this material is not drawn',
+    'usd.material-input: displacement, clearcoat of this material is not drawn',
     'usd.animated-material: it changes with time; it is held at the start',
   ]);
 });

@@ -1,8 +1,8 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Material } from '../../scene/types.ts';
-import { spectralHints } from '../hints.ts';
+import { spectralHints, UNSEEN } from '../hints.ts';
 import { attributeOf, numberOf, textOf, valueAt } from './attributes.ts';
-import { primAt, report, type StageContext } from './context.ts';
+import { primAt, report, type StageContext, targetsOf } from './context.ts';
 import type { PrimSpec } from './layer.ts';
 import type { GlowMode } from './meshLights.ts';
 import { otherSurface, shaderName, surfaceShaders } from './otherShaders.ts';
@@ -34,7 +34,7 @@ export const withDisplayColor = (material: BoundMaterial, { varies }: DisplayCol
   varies ? { ...material, colors: { name: 'displayColor', fallback: WHITE } } : material;
 
 /** Inputs of UsdPreviewSurface that change the look and are not drawn. */
-const NOT_DRAWN = ['displacement', 'clearcoat', 'occlusion'];
+const NOT_DRAWN = ['displacement', 'clearcoat'];
 
 /** UsdPreviewSurface itself, and as a node of MaterialX; both have the same inputs. */
 const PREVIEW = new Set(['UsdPreviewSurface', 'ND_UsdPreviewSurface_surfaceshader']);
@@ -150,6 +150,8 @@ export class MaterialTable {
     const normals = await this.inputs.normals(input('normal'));
     const roughness = await this.inputs.scalar(input('roughness'), DEFAULTS.roughness);
     const metallic = await this.inputs.scalar(input('metallic'), DEFAULTS.metallic);
+    const occlusion = await this.inputs.scalar(input('occlusion'), 1);
+    const { uvs: unseenUvs, ...unseen } = await this.unseen(prim);
     const finish = await this.finish(input, diffuse, metallic);
     const material: Material = {
       name: path,
@@ -160,12 +162,15 @@ export class MaterialTable {
       roughness: roughness.value,
       ...(roughness.texture && { roughnessTexture: roughness.texture }),
       ...(normals && { normalTexture: normals.texture }),
+      ...(occlusion.texture && { occlusionTexture: occlusion.texture }),
       opacity: opacity.value,
       opacityThreshold: numberOf(input('opacityThreshold').value) ?? 0,
       ...this.spectral(prim),
+      ...unseen,
     };
     this.noteWhatIsNotDrawn(path, shader, input);
-    const uv = this.commonUv(path, [diffuse.uv, emissive.uv, opacity.uv, normals?.uv, roughness.uv, metallic.uv]);
+    const ofNumbers = [roughness.uv, metallic.uv, occlusion.uv, ...unseenUvs];
+    const uv = this.commonUv(path, [diffuse.uv, emissive.uv, opacity.uv, normals?.uv, ...ofNumbers]);
     return this.added(material, { ...(uv && { uv }), ...(diffuse.primvar && { colors: diffuse.primvar }) });
   }
 
@@ -173,10 +178,24 @@ export class MaterialTable {
   private spectral(prim: PrimSpec): Partial<Material> {
     const value = (name: string): unknown => {
       const attribute = attributeOf(prim, name);
+      if (targetsOf(prim, name).length > 0) return undefined;
       const found = valueAt(attribute, this.context.startCode);
       return attribute && (numberOf(found) ?? textOf(found) ?? attribute.typeName);
     };
     return spectralHints(value, (message) => report(this.context, 'warning', 'usd.slowlight', prim.path, message));
+  }
+
+  /** Reflectances of invisible light that textures tell, with their means, and the uvs of those. */
+  private async unseen(prim: PrimSpec): Promise<Partial<Material> & { readonly uvs: readonly Scalar['uv'][] }> {
+    const { layer, startCode } = this.context;
+    const found = await Promise.all(
+      UNSEEN.map(async ({ of, texture, name }) => {
+        const input = resolveInput(layer, prim, name, startCode);
+        const scalar = input.shader ? await this.inputs.scalar(input, 0) : undefined;
+        return { scalar, told: scalar?.texture ? { [of]: scalar.value, [texture]: scalar.texture } : {} };
+      }),
+    );
+    return { ...Object.assign({}, ...found.map(({ told }) => told)), uvs: found.map(({ scalar }) => scalar?.uv) };
   }
 
   private added(material: Material, wants: Omit<BoundMaterial, 'index'>): BoundMaterial {
@@ -215,7 +234,7 @@ export class MaterialTable {
   private noteWhatIsNotDrawn(path: string, shader: PrimSpec, input: (name: string) => Input): void {
     const isWritten = (name: string): boolean =>
       input(name).shader !== undefined || (numberOf(input(name).value) ?? 0) > 0;
-    const left = NOT_DRAWN.filter((name) => isWritten(name) && !(name === 'occlusion' && input(name).value));
+    const left = NOT_DRAWN.filter(isWritten);
     const notes = [
       ...(left.length > 0 ? [`${left.join(', ')} of this material is not drawn`] : []),
       ...(isWritten('useSpecularWorkflow') ? ['its specular workflow is drawn as metal and glass'] : []),

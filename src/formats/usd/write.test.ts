@@ -122,6 +122,7 @@ const scene: Scene = {
       path: '/Lights/Sun',
       direction: [0.6, 0, -0.8],
       color: [3, 2.5, 2],
+      angle: 0.02,
       spectrum: { kind: 'thermal', temperature: 5772.5 },
     },
     {
@@ -143,6 +144,12 @@ const scene: Scene = {
       lifetime: { birth: Number.NEGATIVE_INFINITY, death: 3 },
       radius: 0,
       color: [1, 2, 3],
+    },
+    {
+      kind: 'dome',
+      path: '/Lights/Evening',
+      color: [0.25, 0.5, 1],
+      gradient: { horizon: [1, 0.5, 0.25], ground: [0.125, 0.125, 0] },
     },
     {
       kind: 'dome',
@@ -264,17 +271,21 @@ describe('what is written reads back the same', async () => {
       normalTexture: { texture: { ...map, data: map.data.slice() }, strength: [0.5, -0.25] },
       roughnessTexture: { texture: map, channel: 1, scale: 0.5, bias: 0.25 },
       metallicTexture: { texture: map, channel: 2, scale: 1, bias: 0 },
+      occlusionTexture: { texture: map, channel: 0, scale: 0.75, bias: 0.25 },
+      irTexture: { texture: map, channel: 3, scale: 0.5, bias: 0.125 },
     };
     const [back] = (await reread({ ...leafy, materials: scene.materials.with(3, material) })).materials;
-    const { normalTexture, roughnessTexture, metallicTexture } = material;
+    const { normalTexture, roughnessTexture, metallicTexture, occlusionTexture, irTexture } = material;
     const named = (t: Texture | undefined, name: string) => ({ ...t, name: `textures/${name}.png` });
     expect(back).toMatchObject({
       uv: 0.125,
-      ir: 0.75,
+      ir: expect.closeTo(0.625, 6),
       emissionTemperature: 2400,
       normalTexture: { ...normalTexture, texture: named(normalTexture?.texture, 'finish') },
       roughnessTexture: { ...roughnessTexture, texture: named(roughnessTexture?.texture, 'finish_1') },
       metallicTexture: { ...metallicTexture, texture: named(metallicTexture?.texture, 'finish_1') },
+      occlusionTexture: { ...occlusionTexture, texture: named(occlusionTexture?.texture, 'finish_1') },
+      irTexture: { ...irTexture, texture: named(irTexture?.texture, 'finish_1') },
     });
   });
 
@@ -292,10 +303,12 @@ describe('what is written reads back the same', async () => {
         kind: 'distant',
         direction: [0.6, 0, -0.8].map((x) => expect.closeTo(x, 12)),
         color: [3, 2.5, 2],
+        angle: expect.closeTo(0.02, 7),
         spectrum: { kind: 'thermal', temperature: 5772.5 },
       },
       ...scene.lights.slice(1, 3),
-      { kind: 'dome', color: [0.5, 0.5, 1] },
+      scene.lights.at(-2),
+      { kind: 'dome', color: [0.5, 0.5, 1], orientation: pose.orientation.map((x) => expect.closeTo(x, 12)) },
     ]);
     expect(back.cameras.map((c) => c.fovY)).toEqual([expect.closeTo(0.8, 6), expect.closeTo(1.2, 6)]);
     expect(back.cameras.map((c) => c.motion.kind)).toEqual(['static', 'sampled']);

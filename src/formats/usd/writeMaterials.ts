@@ -1,5 +1,5 @@
 import type { Material, RadiancePicture, Scene, Texture, TextureChannel } from '../../scene/types.ts';
-import { SPECTRAL_HINTS } from '../hints.ts';
+import { SPECTRAL_HINTS, UNSEEN } from '../hints.ts';
 import { encodePng } from '../png.ts';
 import { encodeRadiance } from '../radiance.ts';
 import type { PrimTree } from './primTree.ts';
@@ -12,6 +12,9 @@ const texturesOf = (m: Material): readonly Texture[] =>
     m.normalTexture?.texture,
     m.roughnessTexture?.texture,
     m.metallicTexture?.texture,
+    m.occlusionTexture?.texture,
+    m.uvTexture?.texture,
+    m.irTexture?.texture,
   ].filter((texture) => texture !== undefined);
 
 /** The scene's textures and the files they are written to: one for each picture, `textures/NAME.png`, `.exr` of radiance. */
@@ -81,10 +84,15 @@ export class MaterialWriter {
     const path = this.tree.claim(byColors ? `${wanted}_vertexColors` : wanted);
     this.paths.set(key, path);
     const shaders = this.network(path, material, byColors);
-    const hints = SPECTRAL_HINTS.flatMap(({ of, name }) => {
-      const value = material[of];
-      return value === undefined ? [] : [`custom double ${name} = ${double(value)}`];
+    const unseen = UNSEEN.flatMap(({ texture, name, shader }) => {
+      const from = material[texture];
+      return from ? [[name, `.connect = <${path}/${shader}.outputs:${'rgba'[from.channel]}>`] as const] : [];
     });
+    const told = SPECTRAL_HINTS.flatMap(({ of, name }) => {
+      const value = material[of];
+      return value === undefined ? [] : [[name, ` = ${double(value)}`] as const];
+    });
+    const hints = [...new Map<string, string>([...told, ...unseen])].map(([name, is]) => `custom double ${name}${is}`);
     const properties = [`token outputs:surface.connect = <${path}/Surface.outputs:surface>`, ...hints];
     this.tree.set(path, { type: 'Material', properties, inner: shaders });
     return path;
@@ -92,7 +100,7 @@ export class MaterialWriter {
 
   private network(path: string, m: Material, byColors: boolean): Lines[] {
     const { baseColorTexture: base, emissiveTexture: emissive, normalTexture: normal } = m;
-    const { roughnessTexture: roughness, metallicTexture: metallic } = m;
+    const { roughnessTexture: roughness, metallicTexture: metallic, occlusionTexture: occlusion } = m;
     const cutOut = base?.data.some((x, i) => i % 4 === 3 && x < 255);
     const from = (shader: string, output: string): string => `<${path}/${shader}.outputs:${output}>`;
     const diffuse = byColors ? from('Colors', 'result') : base && from('BaseColor', 'rgb');
@@ -103,6 +111,7 @@ export class MaterialWriter {
       ...(m.ior === undefined ? [] : [`float inputs:ior = ${float(m.ior)}`]),
       input('float', 'metallic', metallic && from('Metallic', 'rgba'[metallic.channel]), float(m.metallic)),
       ...(normal ? [`normal3f inputs:normal.connect = ${from('Normal', 'rgb')}`] : []),
+      ...(occlusion ? [`float inputs:occlusion.connect = ${from('Occlusion', 'rgba'[occlusion.channel])}`] : []),
       input('float', 'opacity', cutOut ? from('BaseColor', 'a') : undefined, float(m.opacity)),
       `float inputs:opacityThreshold = ${float(m.opacityThreshold)}`,
       input('float', 'roughness', roughness && from('Roughness', 'rgba'[roughness.channel]), float(m.roughness)),
@@ -115,6 +124,8 @@ export class MaterialWriter {
       ...(normal ? [this.texture(path, 'Normal', normal.texture, [2 * x, 2 * y, 2, 1], [-x, -y, -1, 0])] : []),
       ...(roughness ? [this.channel(path, 'Roughness', roughness)] : []),
       ...(metallic ? [this.channel(path, 'Metallic', metallic)] : []),
+      ...(occlusion ? [this.channel(path, 'Occlusion', occlusion)] : []),
+      ...UNSEEN.flatMap(({ texture, shader }) => (m[texture] ? [this.channel(path, shader, m[texture])] : [])),
     ];
     const readers = [...(byColors ? [colorReader()] : []), ...(textures.length > 0 ? [uvReader()] : [])];
     return [surface, ...textures, ...readers];

@@ -16,6 +16,7 @@ import type {
   SceneCamera,
   SceneObject,
 } from '../../scene/types.ts';
+import { SKY_HINTS } from '../hints.ts';
 import { SPECTRUM_HINT, spectrumText } from '../spectra.ts';
 import type { PrimContent } from './primTree.ts';
 import { boxCorners } from './sampling.ts';
@@ -199,7 +200,8 @@ export function lightContent(light: Light, placement: Placement, file: string | 
   ];
   if (light.kind === 'distant') {
     const pose: Pose = { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) };
-    return { type: 'DistantLight', properties: [...color, ...poseLines(pose, placement)] };
+    const angle = light.angle === undefined ? [] : [`float inputs:angle = ${float((light.angle * 180) / Math.PI)}`];
+    return { type: 'DistantLight', properties: [...color, ...angle, ...poseLines(pose, placement)] };
   }
   if (light.kind !== 'dome') {
     const sizes = sizesOf(light).map(
@@ -218,7 +220,11 @@ export function lightContent(light: Light, placement: Placement, file: string | 
       ],
     };
   }
-  return { type: 'DomeLight', properties: [...color, ...(file ? domeLines(light, file, placement) : [])] };
+  const { gradient } = light;
+  const sky = gradient
+    ? [gradient.horizon, gradient.ground].map((part, k) => `custom color3f ${SKY_HINTS[k]} = ${floats(part)}`)
+    : [];
+  return { type: 'DomeLight', properties: [...color, ...sky, ...(file ? domeLines(light, file, placement) : [])] };
 }
 
 const domeLines = ({ orientation = IDENTITY }: DomeLight, file: string, placement: Placement): Lines => [

@@ -1,4 +1,5 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
+import { fastestIn } from '../../scene/fastestIn.ts';
 import { validate } from '../../scene/validate.ts';
 import { defineNode } from '../define.ts';
 import type { LoadedScene } from '../services.ts';
@@ -99,7 +100,7 @@ export const relativityConsole = defineNode({
   outputs: { relativity: { type: 'relativity' } },
   evaluate({ scene: loaded }, params, { node }) {
     const speedOfLight = params.speedOfLight ?? loaded.scene.hints.speedOfLight ?? fittingSpeedOfLight(loaded);
-    refuseSuperluminal(loaded, speedOfLight, node);
+    refuseSuperluminal(knownAt(loaded, speedOfLight), speedOfLight, node);
     refuseHorizon(loaded, speedOfLight);
     return { relativity: { ...params, ...loaded, speedOfLight } };
   },
@@ -117,6 +118,14 @@ function refuseHorizon({ scene }: LoadedScene, c: number): void {
   if (objects.length === 0) return;
   const found = validate({ ...scene, objects, cameras: [] }, c).find(({ code }) => code === 'motion.horizon');
   if (found) throw new NodeRefusal({ severity: 'error', code: found.code, place: found.place, message: found.message });
+}
+
+/** What is accelerated evenly was judged by another speed of light, where the scene suggests none: it never reaches any. */
+function knownAt(loaded: LoadedScene, speedOfLight: number): LoadedScene {
+  const { scene, fastest } = loaded;
+  const evenly = scene.objects.some(({ path, motion }) => path === fastest?.path && motion.kind === 'hyperbolic');
+  if (!fastest || fastest.speed < speedOfLight || !evenly) return loaded;
+  return { scene, fastest: fastestIn({ ...scene, hints: { ...scene.hints, speedOfLight } }) };
 }
 
 function refuseSuperluminal({ fastest }: LoadedScene, c: number, node: string): void {

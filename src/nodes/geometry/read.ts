@@ -10,7 +10,7 @@ export const read = defineNode({
   help: 'node.read.help',
   category: 'geometry',
   params: {
-    source: { kind: 'text', title: 'node.read.source', default: '' },
+    source: { kind: 'text', title: 'node.read.source', default: '', file: true },
     /** `set=option`, as `Scene.variants` names them: `/World/Car{paint}=red`. */
     variants: { kind: 'list', title: 'node.read.variants', default: [] },
     interpolation: {

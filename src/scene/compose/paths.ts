@@ -112,35 +112,38 @@ export function keyed(keys: readonly Key[]): SampledMotion {
  * no loops).
  */
 function alongPath({ places, facing }: Path, how: Following): SampledMotion {
-  const { point, length } = curveThrough(places);
+  const curve = curveThrough(places);
   const part = (t: number): number => Math.min(1, Math.max(0, (t - how.from) / (how.to - how.from)));
   const at = (t: number): Pose => {
-    const s = part(t);
-    const [behind, ahead] = [point(Math.max(0, s - STEP)), point(Math.min(1, s + STEP))];
-    return { position: point(s), orientation: facing ? shortestTurn([0, 0, -1], sub(ahead, behind)) : IDENTITY };
+    const s = curve.parameter(part(t));
+    const orientation = facing ? shortestTurn([0, 0, -1], curve.way(s)) : IDENTITY;
+    return { position: curve.point(s), orientation };
   };
-  return followed(at, how, length, 8 * places.length);
+  return followed(at, how, curve.length, 8 * places.length);
 }
 
-/** Of the whole curve: over so much of it the direction is taken. */
+/** Over so much of a piece the way of a curve is taken. */
 const STEP = 1e-4;
 /** Chords for each piece of a curve by which its length is known. */
 const CHORDS = 64;
 
-/** A curve through places, by the share of its length. */
+/** A curve through places, by a parameter that is i at place i; and the parameter by the share of its length. */
 function curveThrough(places: readonly Vec3[]) {
-  const chain = places
-    .slice(1)
-    .flatMap((_, i) => Array.from({ length: CHORDS }, (_, k) => catmullRom(places, i, k / CHORDS)));
-  chain.push(places[places.length - 1]);
-  const lengths = new Float64Array(chain.length);
-  for (let i = 1; i < chain.length; i++) lengths[i] = lengths[i - 1] + distance(chain[i - 1], chain[i]);
-  const length = lengths[lengths.length - 1];
-  const point = (share: number): Vec3 => {
-    const { before, after, s } = pieceAt(lengths, share * length);
-    return after === before ? chain[before] : lerp(chain[before], chain[after], s);
+  const last = places.length - 1;
+  const point = (s: number): Vec3 => {
+    const i = Math.min(Math.floor(s), last - 1);
+    return catmullRom(places, i, s - i);
   };
-  return { point, length };
+  const way = (s: number): Vec3 => sub(point(Math.min(last, s + STEP)), point(Math.max(0, s - STEP)));
+  const lengths = new Float64Array(CHORDS * last + 1);
+  for (let k = 1; k < lengths.length; k++)
+    lengths[k] = lengths[k - 1] + distance(point((k - 1) / CHORDS), point(k / CHORDS));
+  const length = lengths[lengths.length - 1];
+  const parameter = (share: number): number => {
+    const { before, s } = pieceAt(lengths, share * length);
+    return (before + s) / CHORDS;
+  };
+  return { point, way, parameter, length };
 }
 
 /** Between place i and the next, by Barry and Goldman's pyramid with knots √distance apart. */

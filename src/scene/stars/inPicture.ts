@@ -4,7 +4,7 @@ import { aberrate } from '../../physics/aberration.ts';
 import { observerDoppler } from '../../physics/doppler.ts';
 import type { NightSky } from '../types.ts';
 import type { RenderSettings, ViewPoint } from '../view.ts';
-import { spreadRadius } from './spread.ts';
+import { LARGEST_SPREAD, spreadRadius } from './spread.ts';
 import { starlight } from './starlight.ts';
 
 /** Room for all stars of a sky, 3 numbers each. */
@@ -36,14 +36,18 @@ export function starsInPicture(
     const n = rotate(orientation, [stars.directions[3 * i], stars.directions[3 * i + 1], stars.directions[3 * i + 2]]);
     const [x, y, z] = rotate(toCamera, boosted ? aberrate(n, u) : n);
     if (z >= 0) continue;
+    const place = [x / (-z * tanX), y / (-z * tanY)];
+    const outside = (pixels: number) =>
+      Math.abs(place[0]) > 1 + (2 * pixels) / width || Math.abs(place[1]) > 1 + (2 * pixels) / height;
+    // Most are, and what they shine with is dear.
+    if (outside(LARGEST_SPREAD)) continue;
     const D = observerDoppler(n, u);
     // A picture's flat pixels take up less of the sky toward its edges: by cos³ of the angle.
     const share = (gain * stars.illuminances[i]) / (pixel * (-z) ** 3);
     const light = scale(starlight(stars.temperatures[i], D, settings), share / (boosted ? D * D : 1));
     const brightest = Math.max(...light) * 2 ** settings.exposure;
     const half = spreadRadius(brightest);
-    const place = [x / (-z * tanX), y / (-z * tanY)];
-    if (Math.abs(place[0]) > 1 + (2 * half) / width || Math.abs(place[1]) > 1 + (2 * half) / height) continue;
+    if (outside(half)) continue;
     out.places.set([...place, half], 3 * count);
     out.lights.set(light, 3 * count++);
   }

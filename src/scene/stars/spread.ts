@@ -7,7 +7,8 @@ export const SPREAD = { core: 0.6, wings: 0.12, reach: 1.3, fall: 2 } as const;
 /** A pixel with less than this, as it is displayed, looks dark. */
 const DARK = 2e-4;
 /** [px] */
-const RADII = [2.5, 48] as const;
+export const LARGEST_SPREAD = 48;
+const LEAST_SPREAD = 2.5;
 
 export function spread(r: number): number {
   const { core, wings, reach, fall } = SPREAD;
@@ -21,5 +22,5 @@ export function spreadRadius(radiance: number): number {
   const { wings, reach, fall } = SPREAD;
   const most = (radiance * wings * (fall - 1)) / (Math.PI * reach * reach);
   const r = reach * Math.sqrt(Math.max((most / DARK) ** (1 / fall) - 1, 0));
-  return Math.min(Math.max(r, RADII[0]), RADII[1]);
+  return Math.min(Math.max(r, LEAST_SPREAD), LARGEST_SPREAD);
 }

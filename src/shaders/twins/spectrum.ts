@@ -5,11 +5,13 @@ import { colorMatching, VISIBLE } from '../../spectrum/cie1931.ts';
 import { DAYLIGHT } from '../../spectrum/lightSpectrum.ts';
 import { LUMINANCE, seenColor, toLinearSrgb } from '../../spectrum/observerColor.ts';
 import { logLuminance } from '../../spectrum/planck.ts';
+import { skyParts as cpuSkyParts } from '../../spectrum/scatteredLight.ts';
 import { thermalTable } from '../../spectrum/thermalTable.ts';
 import { type ColoredTables, coloredColors } from '../coloredTable.ts';
 import { coloredTexture } from '../coloredTexture.ts';
 import { lineColor, type ObserverTable } from '../lineColor.ts';
 import { observerTexture } from '../observerTexture.ts';
+import { skyParts } from '../skyParts.ts';
 import { filteredColor, luminanceOf, type SpectrumTable, thermalColors } from '../spectrumTable.ts';
 import { spectrumTexture } from '../spectrumTexture.ts';
 import { absolute, always, within } from './checks.ts';
@@ -137,4 +139,21 @@ const lines = (own: boolean): Twin => ({
   checks: [absolute('color', 0, 3, always(3e-3))],
 });
 
-export const spectrumTwins: readonly Twin[] = [thermal(false), thermal(true), colored, lines(false), lines(true)];
+/** (r, g, b, 0) */
+const sky: Twin = {
+  name: 'skyParts',
+  texels: 1,
+  outputs: 2,
+  cases: (random) => draw([{ name: 'any', gamma: 1 }], 300, () => [random(), random(), random(), 0]),
+  cpu: (input) => {
+    const { scattered, reddened, rest } = cpuSkyParts(vec3At(input, 0));
+    return [scattered, ...reddened, ...rest, 0];
+  },
+  gpu: (texel) => {
+    const { luminances, rest } = skyParts(texel(0).xyz);
+    return [vec4(luminances[0], luminances[1], luminances[2], luminances[3]), vec4(rest, 0)];
+  },
+  checks: [absolute('luminances', 0, 4, always(2e-6)), absolute('rest', 4, 3, always(2e-6))],
+};
+
+export const spectrumTwins: readonly Twin[] = [thermal(false), thermal(true), colored, sky, lines(false), lines(true)];

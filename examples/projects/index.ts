@@ -1,0 +1,5 @@
+import type { GraphDocument } from '../../src/graph/document.ts';
+import { workshop } from './workshop.ts';
+
+/** Every example project, by name: a new one is added here. */
+export const projects: Readonly<Record<string, () => GraphDocument>> = { workshop };

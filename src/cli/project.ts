@@ -1,0 +1,169 @@
+import { readFile } from 'node:fs/promises';
+import { dirname, isAbsolute, join } from 'node:path';
+import { applyCommand, type Command } from '../graph/commands.ts';
+import { type GraphDocument, own, type ParamValue } from '../graph/document.ts';
+import { type Evaluation, Evaluator } from '../graph/evaluate.ts';
+import { type ParamSpec, type Problem, refuseValue } from '../graph/nodeType.ts';
+import { parseDocument } from '../graph/read.ts';
+import { validateDocument } from '../graph/validate.ts';
+import type { Picture } from '../nodes/define.ts';
+import { nodeLibrary } from '../nodes/library.ts';
+import { pictureOf } from '../nodes/picture.ts';
+import type { Services } from '../nodes/services.ts';
+import { fastestIn } from '../scene/fastestIn.ts';
+import type { Scene } from '../scene/types.ts';
+import { inputProblem, usageError } from './exit.ts';
+import { openSceneFile } from './files.ts';
+import { heavyNodes } from './heavyNodes.ts';
+import type { RenderFlags } from './render.ts';
+
+/** A project, which is a node graph, by its name. */
+export const isProject = (path: string): boolean => path.toLowerCase().endsWith('.slowlight.json');
+
+/** Reads a project of any version and checks nothing but that it is one. */
+export async function readProject(path: string): Promise<GraphDocument> {
+  const text = await readFile(path).catch((error: NodeJS.ErrnoException) => {
+    throw inputProblem(`${path}: ${error.code === 'ENOENT' ? 'no such file' : `cannot be read (${error.message})`}`);
+  });
+  try {
+    return parseDocument(text.toString('utf8'));
+  } catch (error) {
+    throw inputProblem(`${path}: ${error instanceof Error ? error.message : String(error)}`);
+  }
+}
+
+/** Sets parameters as `--set node.param=value` has them. */
+export function withParams(document: GraphDocument, sets: readonly string[]): GraphDocument {
+  const commands = sets.map((text): Command => {
+    const [, node, param, value] = /^([^.=]+)\.([^=]+)=(.*)$/s.exec(text) ?? [];
+    if (node === undefined || param === undefined || value === undefined)
+      throw usageError(`--set ${text}: write node.param=value, like console.speedOfLight=10`);
+    return { kind: 'set-param', node, param, value: valueFor(document, node, param, value) };
+  });
+  return applyCommand(document, { kind: 'batch', commands }).document;
+}
+
+function valueFor(document: GraphDocument, node: string, param: string, text: string): ParamValue {
+  const found = own(document.nodes, node);
+  if (!found) {
+    const known = Object.keys(document.nodes).join(', ');
+    throw usageError(`--set ${node}.${param}: the project has no such node; it has ${known || 'none'}`);
+  }
+  const params = own(nodeLibrary, found.type)?.params ?? {};
+  const spec = own(params, param);
+  if (!spec) {
+    const known = Object.keys(params).join(', ');
+    throw usageError(`--set ${node}.${param}: a ${found.type} has no such parameter; it has ${known || 'none'}`);
+  }
+  const value = parsed(spec, text);
+  const refusal = refuseValue(spec, value);
+  if (refusal) throw usageError(`--set ${node}.${param}=${text}: ${refusal}`);
+  return value;
+}
+
+function parsed(spec: ParamSpec, text: string): ParamValue {
+  switch (spec.kind) {
+    case 'number':
+      return Number(text);
+    case 'boolean':
+      return text === 'true' || text === 'on' ? true : text === 'false' || text === 'off' ? false : text;
+    case 'vector':
+    case 'color':
+      return text.split(',').map(Number);
+    case 'list':
+      return text === '' ? [] : text.split(';');
+    default:
+      return text;
+  }
+}
+
+/** What is wrong with a project as it stands; files are not opened. */
+export const faultsOf = (document: GraphDocument): readonly Problem[] => validateDocument(document, nodeLibrary);
+
+/** One line for a person: place, what, and what to do. */
+export const told = ({ place, message }: Problem): string => `${place}: ${message}`;
+
+/** The picture that a project describes. Files are looked for beside it. */
+async function evaluateProject(
+  path: string,
+  document: GraphDocument,
+  progress: (node: string, part: number | undefined) => void,
+): Promise<Picture> {
+  const evaluation = await new Evaluator(nodeLibrary, { heavy: heavyNodes() }).evaluate(
+    document,
+    outputOf(path, document),
+    servicesAt(path),
+    {
+      progress,
+    },
+  );
+  const picture = pictureOf(evaluation);
+  if (picture) return picture;
+  const faults = problemsIn(evaluation);
+  throw inputProblem([`${path}: there is no picture`, ...faults.map((fault) => `  ${told(fault)}`)].join('\n'));
+}
+
+function outputOf(path: string, document: GraphDocument): string {
+  const outputs = Object.entries(document.nodes).filter(([, { type }]) => type === 'output');
+  const [first] = outputs;
+  if (!first) throw inputProblem(`${path}: it has no output node, so that it makes no picture; add one`);
+  return first[0];
+}
+
+const problemsIn = ({ results }: Evaluation): readonly Problem[] =>
+  [...results.values()].flatMap((result) => (result.status === 'failed' ? [result.problem] : []));
+
+/** Reads scenes here, from where the project is. */
+const servicesAt = (project: string): Services => ({
+  async readScene(source, { variants, interpolation }) {
+    const path = isAbsolute(source) ? source : join(dirname(project), source);
+    const scene = await openSceneFile(path, { ...(variants && { variants }), ...(interpolation && { interpolation }) });
+    const fastest = fastestIn(scene);
+    return fastest ? { scene, fastest } : { scene };
+  },
+});
+
+/** A project's picture in the words of the command line; what the user says there comes before it. */
+export async function projectFlags<Flags extends RenderFlags>(
+  path: string,
+  flags: Flags,
+  given: ReadonlySet<string>,
+  progress: (node: string, part: number | undefined) => void,
+): Promise<{ readonly scene: Scene; readonly flags: Flags }> {
+  refuseSceneFlags(given);
+  const document = withParams(await readProject(path), flags.set ?? []);
+  const picture = await evaluateProject(path, document, progress);
+  const said = Object.fromEntries(Object.entries(flagsOf(picture)).filter(([name]) => !given.has(name)));
+  return { scene: picture.scene, flags: { ...flags, ...said } };
+}
+
+/** What a scene file is opened with is written in a project's own nodes. */
+const SCENE_FLAGS = [
+  'variant',
+  'animation',
+  'interpolation',
+  'subdivision',
+  'speedFactor',
+  'startOffset',
+  'fly',
+  'flyShape',
+];
+
+function refuseSceneFlags(given: ReadonlySet<string>): void {
+  const odd = SCENE_FLAGS.find((name) => given.has(name));
+  if (odd === undefined) return;
+  const flag = `--${odd.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+  throw usageError(`${flag} is for scene files; a project says so in its nodes: use --set node.param=value`);
+}
+
+function flagsOf(picture: Picture): Partial<RenderFlags> {
+  const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone } = picture;
+  const { solver, iterations, damping, grid, speedOfLight, camera, fovY, falseColor } = picture;
+  return {
+    ...{ view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone },
+    ...{ solver, iterations, damping, grid, c: speedOfLight },
+    ...(camera && { camera }),
+    ...(fovY !== undefined && { fov: (fovY * 180) / Math.PI }),
+    ...(falseColor !== 'none' && { falseColour: falseColor }),
+  };
+}

@@ -1,0 +1,16 @@
+import type { RunHeavy } from '../../graph/evaluate.ts';
+import { heavyThreads } from '../../graph/heavy.ts';
+
+/** Has heavy nodes evaluated in the page's workers. */
+export const heavyWorkers = (): RunHeavy =>
+  heavyThreads(() => {
+    const worker = new Worker(new URL('./heavy.worker.ts', import.meta.url), { type: 'module' });
+    return {
+      send: (order) => worker.postMessage(order),
+      listen: (hear, fail) => {
+        worker.addEventListener('message', ({ data }) => hear(data));
+        worker.addEventListener('error', ({ message }) => fail(new Error(message || 'a worker could not be started')));
+      },
+      end: () => worker.terminate(),
+    };
+  });

@@ -1,0 +1,13 @@
+import type { NumberParam } from '../../graph/nodeType.ts';
+
+/** A parameter that is any number at all. */
+export const anyNumber = <const Title extends string>(title: Title, value = 0) =>
+  ({
+    kind: 'number',
+    title,
+    default: value,
+    min: -1e12,
+    max: 1e12,
+    step: 0.001,
+    slider: false,
+  }) as const satisfies NumberParam;

@@ -1,0 +1,13 @@
+import { defineNode } from '../define.ts';
+
+/** A colour that several inputs share, in linear sRGB. */
+export const colorNode = defineNode({
+  id: 'color',
+  title: 'node.color',
+  help: 'node.color.help',
+  category: 'utility',
+  params: { color: { kind: 'color', title: 'node.color', default: [0.5, 0.5, 0.5] } },
+  inputs: {},
+  outputs: { color: { type: 'color' } },
+  evaluate: (_inputs, { color }) => ({ color }),
+});

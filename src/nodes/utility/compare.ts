@@ -1,0 +1,46 @@
+import { defineNode } from '../define.ts';
+import { anyNumber } from './anyNumber.ts';
+
+const RELATIONS = {
+  less: (a, b) => a < b,
+  'less-or-equal': (a, b) => a <= b,
+  greater: (a, b) => a > b,
+  'greater-or-equal': (a, b) => a >= b,
+  equal: (a, b, tolerance) => Math.abs(a - b) <= tolerance,
+  unequal: (a, b, tolerance) => Math.abs(a - b) > tolerance,
+} as const satisfies Record<string, (a: number, b: number, tolerance: number) => boolean>;
+type Relation = keyof typeof RELATIONS;
+const NAMES = Object.keys(RELATIONS) as Relation[];
+
+/** 1 where a relation between two numbers holds, else 0. */
+export const compareNode = defineNode({
+  id: 'compare',
+  title: 'node.compare',
+  help: 'node.compare.help',
+  category: 'utility',
+  params: {
+    relation: {
+      kind: 'choice',
+      title: 'param.relation',
+      default: 'less',
+      options: NAMES.map((value) => ({ value, title: `relation.${value}` })),
+    },
+    a: anyNumber('A'),
+    b: anyNumber('B'),
+    tolerance: {
+      kind: 'number',
+      title: 'param.tolerance',
+      default: 1e-6,
+      min: 0,
+      max: 1e12,
+      step: 1e-6,
+      slider: false,
+      onlyWhen: { param: 'relation', is: ['equal', 'unequal'] },
+    },
+  },
+  inputs: {},
+  outputs: { number: { type: 'number' } },
+  evaluate: (_inputs, { relation, a, b, tolerance }) => ({
+    number: RELATIONS[relation as Relation](a, b, tolerance) ? 1 : 0,
+  }),
+});

@@ -1,0 +1,13 @@
+import { defineNode } from '../define.ts';
+
+/** A text that several inputs share. */
+export const textNode = defineNode({
+  id: 'text',
+  title: 'node.text',
+  help: 'node.text.help',
+  category: 'utility',
+  params: { text: { kind: 'text', title: 'node.text', default: '' } },
+  inputs: {},
+  outputs: { text: { type: 'text' } },
+  evaluate: (_inputs, { text }) => ({ text }),
+});

@@ -1,0 +1,32 @@
+import { clamp, exp2, pow } from 'three/tsl';
+import type { Float } from '../../shaders/types.ts';
+import { type Look, mirroredSky } from '../brdf.ts';
+import type { Filter } from '../radiance.ts';
+
+/** What a surface makes of the sky's light. */
+export interface SkyShares {
+  readonly diffuse: Filter;
+  readonly mirrored: Filter;
+}
+
+/** `openness`: share of the sky, weighted by the cosine, that nothing hides; absent: all of it. */
+export function skyShares(look: Look, openness?: Float): SkyShares {
+  const { diffuse } = look;
+  const mirrored = mirroredSky(look);
+  return openness
+    ? { diffuse: diffuse.mul(openness), mirrored: mirrored.mul(mirroredOpenness(look, openness)) }
+    : { diffuse, mirrored };
+}
+
+/**
+ * How much of what a surface mirrors is open sky: nearly all on a smooth one that is seen at a flat angle, as much as of all the sky on a rough one.
+ * Source: Lagarde, de Rousiers 2014, "Moving Frostbite to physically based rendering", course notes, listing 26; α = roughness².
+ */
+const mirroredOpenness = ({ roughness, NV }: Look, openness: Float): Float =>
+  clamp(
+    pow(NV.add(openness), exp2(roughness.mul(roughness).mul(-16).sub(1)))
+      .sub(1)
+      .add(openness),
+    0,
+    1,
+  );

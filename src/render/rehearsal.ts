@@ -1,0 +1,73 @@
+import type {
+  Camera,
+  Material,
+  Mesh,
+  MRTNode,
+  NodeMaterial,
+  Object3D,
+  RenderTarget,
+  WebGPURenderer,
+} from 'three/webgpu';
+
+/** A call of three's `render`: what it would have drawn with which materials, and where to. */
+interface Call {
+  readonly scene: Object3D;
+  readonly camera: Camera;
+  readonly target: RenderTarget | null;
+  readonly mrt: MRTNode | null;
+  readonly dressed: readonly { readonly mesh: Mesh; readonly material: Material | Material[] }[];
+  /** Three gives its quads this only while they are drawn. */
+  readonly quad: { readonly material: NodeMaterial; readonly vertexNode: NodeMaterial['vertexNode'] } | undefined;
+}
+
+/**
+ * Goes through all that draws a picture without drawing it, and then compiles its shaders, one pass after another, between the frames that are
+ * drawn meanwhile. Rejects where the device is lost.
+ */
+export async function rehearse(renderer: WebGPURenderer, draw: () => void): Promise<void> {
+  for (const call of callsOf(renderer, draw)) await compile(renderer, call);
+}
+
+function callsOf(renderer: WebGPURenderer, draw: () => void): Call[] {
+  const calls: Call[] = [];
+  const { render } = renderer;
+  renderer.render = (scene, camera) => void calls.push(callOf(renderer, scene, camera));
+  try {
+    draw();
+  } finally {
+    renderer.render = render;
+  }
+  return calls;
+}
+
+function callOf(renderer: WebGPURenderer, scene: Object3D, camera: Camera): Call {
+  const dressed: { mesh: Mesh; material: Material | Material[] }[] = [];
+  scene.traverse((object) => {
+    if (isMesh(object)) dressed.push({ mesh: object, material: object.material });
+  });
+  const own = isMesh(scene) ? (scene.material as NodeMaterial) : undefined;
+  const quad = own && { material: own, vertexNode: own.vertexNode };
+  return { scene, camera, target: renderer.getRenderTarget(), mrt: renderer.getMRT(), dressed, quad };
+}
+
+const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
+
+/** What three needs of the call it takes at once; then frames may be drawn with other materials, into other targets. */
+async function compile(renderer: WebGPURenderer, { scene, camera, target, mrt, dressed, quad }: Call): Promise<void> {
+  const before = dressed.map(({ mesh }) => ({ mesh, material: mesh.material }));
+  for (const { mesh, material } of dressed) mesh.material = material;
+  if (quad) quad.material.vertexNode = quad.vertexNode;
+  renderer.setRenderTarget(target);
+  renderer.setMRT(mrt);
+  // `compileAsync` takes the canvas's depth buffer, or that there is none, for that of every target (three 0.187).
+  const { depth } = renderer;
+  renderer.depth = target?.depthBuffer ?? depth;
+  const compiled = renderer.compileAsync(scene, camera);
+  renderer.depth = depth;
+  for (const { mesh, material } of before) mesh.material = material;
+  try {
+    await compiled;
+  } finally {
+    if (quad) quad.material.vertexNode = null;
+  }
+}

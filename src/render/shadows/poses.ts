@@ -1,0 +1,78 @@
+import { dot, float, int, vec3, vec4 } from 'three/tsl';
+import { rotate } from '../../math/quat.ts';
+import { lerp, scale, type Vec3 } from '../../math/vec3.ts';
+import { properVelocity } from '../../physics/boost.ts';
+import { contraction } from '../../physics/simultaneity.ts';
+import { pieceAt, samplePose } from '../../scene/motion.ts';
+import type { Int } from '../../shaders/types.ts';
+import type { Body } from '../bodies.ts';
+import { FloatTable } from '../floatTable.ts';
+import type { Placing } from './casters.ts';
+
+/** From a vertex as it is uploaded to the world, from the body's centre [m]: the places of the unit vectors. */
+export type Turn = readonly [Vec3, Vec3, Vec3];
+
+/**
+ * How a rigid body is turned and contracted at one moment of the world, a time t [s] of its own; c [m/s]. `worn`: its mesh is uploaded in its own axes.
+ * undefined where it has not one turn for all of it: it deforms, or accelerates as a Born-rigid body does.
+ */
+export function turnOf({ object }: Body, worn: boolean, t: number, c: number): Turn | undefined {
+  const { motion, authoredIn } = object;
+  const turn = (of: (axis: Vec3) => Vec3): Turn => [of([1, 0, 0]), of([0, 1, 0]), of([0, 0, 1])];
+  if (motion.kind === 'sampled-points' || motion.kind === 'hyperbolic') return undefined;
+  if (motion.kind === 'sampled') {
+    const { before, after, s } = pieceAt(motion.times, t);
+    const [a, b] = [before, after].map((k) => samplePose(motion.poses, k).orientation);
+    // As each vertex goes: straight from sample to sample.
+    return turn((axis) => lerp(rotate(a, axis), rotate(b, axis), s));
+  }
+  const turned = (axis: Vec3): Vec3 => (worn ? rotate(motion.pose.orientation, axis) : axis);
+  if (motion.kind === 'static' || authoredIn === 'world') return turn(turned);
+  const u = properVelocity(scale(motion.velocity, 1 / c));
+  return turn((axis) => contraction(turned(axis), u));
+}
+
+/** Texels of a body: rows of its turn with its place, and its slot. */
+const POSE_TEXELS = 4;
+
+/** Where rigid occluders are, from where a layer's places are measured, and the slot that each has; by the number of a body. */
+export class PoseTable {
+  private readonly table = new FloatTable(256);
+
+  constructor(bodies: number) {
+    this.table.reserve(bodies * POSE_TEXELS);
+    this.clear();
+  }
+
+  /** None is drawn. */
+  clear(): void {
+    this.table.values.fill(-1);
+  }
+
+  set({ id }: Body, [x, y, z]: Turn, place: Vec3, slot: number): void {
+    const rows = [0, 1, 2].flatMap((k) => [x[k], y[k], z[k], place[k]]);
+    this.table.values.set([...rows, slot, 0, 0, 0], 4 * POSE_TEXELS * (id - 1));
+  }
+
+  upload(): void {
+    this.table.upload();
+  }
+
+  /** Slots are layers from `first` on. */
+  placing(first: Int): Placing {
+    return ({ object, offset }) => {
+      const begin = int(object).mul(int(POSE_TEXELS)).toVar();
+      const texel = (k: number) => this.table.texel(begin.add(int(k)));
+      const slot = int(texel(3).x).toVar();
+      const point = vec4(offset, float(1));
+      return {
+        layer: slot.lessThan(int(0)).select(int(-1), slot.add(first)),
+        x: () => vec3(dot(texel(0), point), dot(texel(1), point), dot(texel(2), point)),
+      };
+    };
+  }
+
+  dispose(): void {
+    this.table.dispose();
+  }
+}

@@ -1,0 +1,19 @@
+import { expect, it } from 'vitest';
+import type { heavyNodes } from '../../src/cli/heavyNodes.ts';
+
+/** As built, for a thread starts from a file of its own. */
+const built = async (): Promise<{ heavyNodes: typeof heavyNodes }> =>
+  import(new URL('../../dist/lib/cli/heavyNodes.js', import.meta.url).href);
+
+it('a node is evaluated in a thread of Node’s', async () => {
+  const run = (await built()).heavyNodes();
+  const order = (operation: string, a: number) => ({
+    type: 'math',
+    node: 'm',
+    inputs: {},
+    params: { operation, a, b: 3, c: 0 },
+  });
+  const work = { progress: () => {} };
+  expect(await run(order('add', 2), work)).toEqual({ number: 5 });
+  await expect(run(order('square-root', -1), work)).rejects.toMatchObject({ problem: { code: 'math.undefined' } });
+});

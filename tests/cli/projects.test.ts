@@ -1,0 +1,108 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import { expect, test } from 'vitest';
+import { projects } from '../../examples/projects/index.ts';
+import { applyCommand } from '../../src/graph/commands.ts';
+import { serializeDocument } from '../../src/graph/serialize.ts';
+import { newProject } from '../../src/nodes/project.ts';
+import { outputFolder, scene, slowlight } from './program.ts';
+
+const folder = outputFolder();
+const at = (name: string): string => join(folder, name);
+const example = (name: string): string => new URL(`../../examples/${name}.slowlight.json`, import.meta.url).pathname;
+
+/** A project that shows one file as it is. */
+function projectOf(file: string, name: string): string {
+  const path = at(name);
+  const node = { kind: 'set-param', node: 'toneMap', param: 'metering', value: 'resting-eye' } as const;
+  writeFileSync(path, serializeDocument(applyCommand(newProject(relative(folder, file)), node).document));
+  return path;
+}
+
+const picture = ['--size', '64x36', '--pipeline', 'reference', '--samples', '1', '--beta', '0,0,-0.5'];
+
+test('a project gives the picture of its scene with the same flags, and a parameter that is set the one with that flag', async () => {
+  const project = projectOf(scene('movers.usda'), 'movers.slowlight.json');
+  const runs = [
+    [project],
+    [scene('movers.usda'), '--metering', 'resting-eye'],
+    [project, '--set', 'toneMap.exposure=-1'],
+    [scene('movers.usda'), '--metering', 'resting-eye', '--exposure', '-1'],
+  ];
+  const made: Buffer[] = [];
+  for (const [i, run] of runs.entries()) {
+    const { code, err } = await slowlight('render', ...run, ...picture, '-o', at(`${i}.png`));
+    expect(code, err).toBe(0);
+    made.push(readFileSync(at(`${i}.png`)));
+  }
+  expect(made[0]!.equals(made[1]!)).toBe(true);
+  expect(made[2]!.equals(made[3]!)).toBe(true);
+  expect(made[0]!.equals(made[2]!)).toBe(false);
+});
+
+test.each(Object.entries(projects))(
+  'the example %s is what its sketch says, is sound, and makes a picture',
+  async (name, make) => {
+    expect(readFileSync(example(name), 'utf8')).toBe(serializeDocument(make()));
+    expect((await slowlight('graph', 'check', example(name))).code).toBe(0);
+    const { code, err } = await slowlight('render', example(name), ...picture, '-o', at(`${name}.png`));
+    expect(code, err).toBe(0);
+  },
+);
+
+test('what cannot be is refused by name and place', async () => {
+  const project = projectOf(scene('movers.usda'), 'set.slowlight.json');
+  const refused = async (...args: string[]) => {
+    const { code, err } = await slowlight('render', ...args, '-o', at('no.png'));
+    return `${code} ${err}`;
+  };
+  expect(await refused(project, '--set', 'toneMap.exposure=bright')).toMatch(
+    /^2 .*toneMap\.exposure=bright: NaN is not a number/,
+  );
+  expect(await refused(project, '--set', 'nobody.x=1')).toMatch(/^2 .*no such node; it has .*toneMap/);
+  expect(await refused(project, '--set', 'toneMap.x=1')).toMatch(/^2 .*no such parameter; it has .*exposure/);
+  expect(await refused(project, '--set', 'toneMap')).toMatch(/^2 .*write node\.param=value/);
+  expect(await refused(project, '--fly', '/A=0.5,0,0')).toMatch(/^2 .*--fly is for scene files/);
+  expect(await refused(scene('movers.usda'), '--set', 'a.b=1')).toMatch(/^2 .*--set is for projects/);
+  expect(await refused(at('none.slowlight.json'))).toMatch(/^3 .*no such file/);
+  expect(await refused(projectOf(at('none.usda'), 'lost.slowlight.json'))).toMatch(
+    /^3 .*there is no picture\n.*none\.usda/,
+  );
+});
+
+test('check tells faults, upgrade keeps what a project means, and docs tell of every node', async () => {
+  const damaged = JSON.parse(readFileSync(example('workshop'), 'utf8'));
+  damaged.nodes.orbit.params.radius = -1;
+  writeFileSync(at('bad.slowlight.json'), JSON.stringify(damaged));
+  const { code, err } = await slowlight('graph', 'check', at('bad.slowlight.json'));
+  expect(`${code} ${err}`).toMatch(/^3 .*orbit\.radius: -1 is outside/);
+  writeFileSync(at('half.slowlight.json'), '{"format":"slowlight","version":3');
+  expect((await slowlight('graph', 'check', at('half.slowlight.json'))).code).toBe(3);
+
+  const old = {
+    format: 'slowlight',
+    version: 1,
+    nodes: {
+      read: { type: 'read', params: {} },
+      retime: { type: 'retime', params: {} },
+      scene: { type: 'scene', params: {} },
+    },
+  };
+  const edge = (from: string, to: string) => [
+    `${to}.scene`,
+    { from: { node: from, output: 'scene' }, to: { node: to, input: 'scene' } },
+  ];
+  const edges = Object.fromEntries([edge('read', 'retime'), edge('retime', 'scene')]);
+  writeFileSync(at('old.slowlight.json'), JSON.stringify({ ...old, edges, layout: {} }));
+  expect((await slowlight('graph', 'upgrade', at('old.slowlight.json'), '-o', at('new.slowlight.json'))).code).toBe(0);
+  expect((await slowlight('graph', 'check', at('new.slowlight.json'))).code).toBe(0);
+  expect(Object.keys(JSON.parse(readFileSync(at('new.slowlight.json'), 'utf8')).edges)).toEqual([
+    'retime.geometry',
+    'scene.geometry.1',
+  ]);
+
+  const page = new URL('../../docs/guide/nodes.md', import.meta.url);
+  const { out } = await slowlight('graph', 'docs');
+  expect(readFileSync(page, 'utf8')).toBe(out);
+  expect((await slowlight('graph', 'docs', 'nothing')).code).toBe(2);
+});

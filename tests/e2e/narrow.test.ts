@@ -1,0 +1,121 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { type Guarded, Program } from './program.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+const SMALL = '?backend=webgl&scene=examples/sphere.usda';
+const WORDS = {
+  'en-GB': { beaming: 'Beaming', mix: 'Doppler mix', c: 'Speed of light', scene: 'Scene' },
+  'zh-CN': { beaming: '聚束', mix: '多普勒混合', c: '光速', scene: '场景' },
+} as const;
+
+/** What of the bars and of what lies over the picture is outside of the window, or of what holds it. Names that are cut are told by dots. */
+const outside = (visit: Guarded): Promise<string[]> =>
+  visit.page.evaluate(() => {
+    const bars = '.sl-header, .sl-timeline, .sl-status, .sl-legend, .sl-caption, .sl-hint';
+    const found: string[] = [];
+    for (const bar of document.querySelectorAll<HTMLElement>(bars)) {
+      const edge = bar.getBoundingClientRect();
+      for (const part of [bar, ...bar.querySelectorAll<HTMLElement>('*')]) {
+        const { left, right, top, bottom, width } = part.getBoundingClientRect();
+        const holder = part.parentElement && getComputedStyle(part.parentElement).textOverflow;
+        if (width <= 1 || holder === 'ellipsis') continue;
+        const isIn =
+          left >= -1 &&
+          right <= innerWidth + 1 &&
+          right <= edge.right + 1 &&
+          top >= edge.top - 9 &&
+          bottom <= edge.bottom + 9;
+        if (!isIn) found.push(`${bar.className.split(' ')[0]}: ${part.textContent || part.outerHTML.slice(0, 60)}`);
+      }
+    }
+    if (document.documentElement.scrollWidth > innerWidth) found.push('the page');
+    return found;
+  });
+
+async function type(visit: Guarded, name: string, value: string): Promise<void> {
+  const field = visit.page.getByRole('textbox', { name, exact: true });
+  await field.fill(value);
+  await field.press('Enter');
+}
+
+async function seriousViolations(visit: Guarded): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page: visit.page }).analyze();
+  return violations
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`);
+}
+
+describe('a narrow page', () => {
+  it.each([
+    [390, 844, 'en-GB'],
+    [390, 844, 'zh-CN'],
+    [320, 640, 'en-GB'],
+    // 200 % of 1280 × 720.
+    [640, 360, 'zh-CN'],
+    [768, 1024, 'en-GB'],
+  ] as const)('of %d × %d cuts nothing, whatever there is to say: %s', async (width, height, locale) => {
+    const colorScheme = locale === 'en-GB' ? 'dark' : 'light';
+    const visit = await (await program.open(SMALL, { viewport: { width, height }, locale, colorScheme })).ready();
+    const words = WORDS[locale];
+    expect(await outside(visit)).toEqual([]);
+    // The longest figures that there are, and everything unphysical.
+    await type(visit, words.c, '299792458');
+    await type(visit, words.beaming, '0.5');
+    await type(visit, words.mix, '0.5');
+    await visit.viewport.focus();
+    await visit.page.keyboard.press('c');
+    await visit.page.keyboard.down('Shift');
+    await visit.page.keyboard.down('w');
+    await expect.poll(() => visit.speed(), { timeout: 20_000 }).toBeGreaterThan(0.9);
+    await visit.page.keyboard.up('w');
+    await visit.page.keyboard.up('Shift');
+    for (let i = 0; i < 4; i++) await visit.page.keyboard.press('x');
+    await visit.page.keyboard.press('p');
+    await visit.page.locator('[data-reading] b').waitFor();
+    await visit.shot(`narrow-${width}-${locale}`);
+    expect(await outside(visit)).toEqual([]);
+    expect(await visit.page.locator('[data-status="gamma"]').isVisible()).toBe(true);
+    if (width === 390) expect(await seriousViolations(visit)).toEqual([]);
+    await visit.page.keyboard.press('Escape');
+    await visit.page.getByText(words.scene, { exact: true }).last().click();
+    await visit.shot(`narrow-${width}-${locale}-scene`);
+    expect(await outside(visit)).toEqual([]);
+    if (width === 390) expect(await seriousViolations(visit)).toEqual([]);
+    await visit.close();
+  });
+});
+
+it('every control of the page is reached by Tab, and shows that it has the focus', async () => {
+  const visit = await (await program.open(SMALL, { viewport: { width: 1280, height: 720 } })).ready();
+  const reached: string[] = [];
+  const faint: string[] = [];
+  for (let i = 0; i < 70; i++) {
+    await visit.page.keyboard.press('Tab');
+    const [name, visible] = await visit.page.evaluate(() => {
+      const at = document.activeElement as HTMLElement;
+      const label = at.getAttribute('aria-label') ?? at.closest('label')?.textContent ?? at.textContent ?? '';
+      const around = [at, at.parentElement!, ...(at.nextElementSibling ? [at.nextElementSibling] : [])];
+      const shows = around.some((part) => {
+        const { outlineStyle, boxShadow, borderColor } = getComputedStyle(part);
+        return outlineStyle !== 'none' || boxShadow !== 'none' || (at.matches('input') && borderColor !== '');
+      });
+      return [`${at.tagName} ${label || at.getAttribute('role') || at.id}`.trim(), shows] as const;
+    });
+    if (name.includes('Picture. W A S D')) await visit.page.keyboard.press('Escape');
+    else if (!visible && !name.startsWith('BODY')) faint.push(name);
+    reached.push(name);
+  }
+  for (const wanted of ['Scenes', 'Save picture', 'Beaming', 'World time', 'Cruise', 'Controls'])
+    expect(
+      reached.some((name) => name.includes(wanted)),
+      `${wanted} in ${reached.join('; ')}`,
+    ).toBe(true);
+  expect(faint).toEqual([]);
+  await visit.close();
+});

@@ -1,0 +1,94 @@
+import '../../src/cli/node-shim.ts';
+import { afterAll, beforeAll, expect, it, vi } from 'vitest';
+import { pumpFrame } from '../../src/cli/node-shim.ts';
+import { IDENTITY } from '../../src/math/quat.ts';
+import { properVelocity } from '../../src/physics/boost.ts';
+import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
+import { withMaterial } from '../../src/scene/meshOps.ts';
+import { sphere } from '../../src/scene/primitives.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view.ts';
+import { type HeadlessPictures, openPictures } from './pictures.ts';
+
+let headless: HeadlessPictures;
+beforeAll(async () => {
+  headless = await openPictures(64, 48);
+});
+afterAll(() => headless?.close());
+
+const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
+const VIEW: ViewPoint = {
+  t: 0,
+  position: [0, 0, 6],
+  u: properVelocity([0, 0, -0.5]),
+  orientation: IDENTITY,
+  fovY: 1,
+};
+/** A resting ball, one that flies, and one of glass. */
+const SCENE = makeScene({
+  name: 'balls',
+  objects: [
+    makeObject({ path: '/still', mesh: sphere(1), motion: restingAt([-1.5, 0, 0]) }),
+    makeObject({
+      path: '/fast',
+      mesh: sphere(0.8),
+      motion: { kind: 'uniform', pose: { position: [1.5, 0, 0], orientation: IDENTITY }, velocity: [0.6, 0, 0] },
+    }),
+    makeObject({ path: '/glass', mesh: withMaterial(sphere(0.5), 1), motion: restingAt([0, 0, 2]) }),
+  ],
+  materials: [makeMaterial({ name: 'matt' }), makeMaterial({ name: 'glass', opacity: 0.4 })],
+});
+
+function picture(settings: RenderSettings): Promise<Uint8Array> {
+  pumpFrame();
+  headless.renderer.render(VIEW, settings);
+  return headless.renderer.readPixels();
+}
+
+/** Asks until it can be drawn at once, as the page does at every frame. */
+async function prepared(settings: RenderSettings): Promise<void> {
+  for (let asked = headless.renderer.prepare(VIEW, settings); asked; asked = headless.renderer.prepare(VIEW, settings))
+    await asked;
+}
+
+const OTHERS: readonly (readonly [string, Partial<RenderSettings>])[] = [
+  ['approximate colours', { colors: 'approximate' }],
+  ['another tone curve', { tone: 'agx' }],
+  ['false colours', { falseColors: { kind: 'doppler', from: 0.5, to: 2 } }],
+  ['the slice of simultaneity', { view: 'simultaneity' }],
+  ['another solver', { solver: 'newton', iterations: 1, damping: 0.5 }],
+];
+
+it('compiles all that a picture needs, before it is drawn and while others are', async () => {
+  const { renderer, gpu } = headless;
+  await renderer.setScene(SCENE);
+  await prepared(SETTINGS);
+  const first = await picture(SETTINGS);
+  for (const [name, change] of OTHERS) {
+    const settings = { ...SETTINGS, ...change };
+    const coming = renderer.prepare(VIEW, settings);
+    expect(coming, name).toBeDefined();
+    // What is drawn meanwhile is drawn as ever.
+    expect(await picture(SETTINGS), name).toEqual(first);
+    await prepared(settings);
+    expect(await picture(SETTINGS), name).toEqual(first);
+    pumpFrame();
+    const compiled = vi.spyOn(gpu.device, 'createRenderPipeline');
+    renderer.render(VIEW, settings);
+    expect(compiled, name).not.toHaveBeenCalled();
+    compiled.mockRestore();
+    expect(await renderer.readPixels(), name).not.toEqual(first);
+    expect(renderer.prepare(VIEW, settings), name).toBeUndefined();
+  }
+});
+
+it('a picture that was prepared is the one that is drawn without', async () => {
+  const { renderer } = headless;
+  for (const [name, change] of OTHERS) {
+    const settings = { ...SETTINGS, ...change };
+    await renderer.setScene(SCENE);
+    await prepared(settings);
+    const after = await picture(settings);
+    await renderer.setScene(SCENE);
+    expect(after, name).toEqual(await picture(settings));
+  }
+});

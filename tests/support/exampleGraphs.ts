@@ -1,0 +1,39 @@
+import { applyCommand, type Command } from '../../src/graph/commands.ts';
+import type { GraphDocument } from '../../src/graph/document.ts';
+import { groupingOf } from '../../src/graph/edits/group.ts';
+import { nodeLibrary } from '../../src/nodes/library.ts';
+import { flyCommand, newProject } from '../../src/nodes/project.ts';
+import { add, connect, edited, set } from './graphKit.ts';
+
+/** A house that flies by as γ = 1.25 says, at night with more exposure: every utility node has its part in the picture. */
+export function utilityProject(): GraphDocument {
+  const flying = applyCommand(newProject('a.usda'), flyCommand(newProject('a.usda'), '/House', 0)).document;
+  const nodes: readonly Command[] = [
+    ...['number', 'math', 'compare', 'switch', 'vector', 'color', 'separate', 'text', 'reroute'].map((type, i) =>
+      add(type, type, [i * 200, 400]),
+    ),
+    set('number', 'number', 1.25),
+    set('math', 'operation', 'beta-of-gamma'),
+    set('compare', 'relation', 'less'),
+    set('compare', 'b', 0.5),
+    set('vector', 'x', 1),
+    set('vector', 'y', 2),
+    set('text', 'text', '/cam'),
+    { kind: 'set-param', node: 'color', param: 'color', value: [0, 0.25, 4] },
+  ];
+  const edges: readonly Command[] = [
+    connect('number.number', 'math.a'),
+    connect('math.number', 'reroute.in'),
+    connect('reroute.out', 'fly1.speed'),
+    connect('math.number', 'compare.a'),
+    connect('compare.number', 'switch.second'),
+    connect('color.color', 'switch.b'),
+    connect('vector.vector', 'switch.a'),
+    connect('switch.out', 'separate.vector'),
+    connect('separate.y', 'toneMap.exposure'),
+    connect('text.text', 'camera.camera'),
+    connect('vector.vector', 'fly1.direction'),
+  ];
+  const whole = edited(flying, ...nodes, ...edges);
+  return edited(whole, groupingOf(whole, { nodes: ['math', 'compare'] }, 'Speed', nodeLibrary).command);
+}
