@@ -157,11 +157,11 @@ function refuseSceneFlags(given: ReadonlySet<string>): void {
 }
 
 function flagsOf(picture: Picture): Partial<RenderFlags> {
-  const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone } = picture;
-  const { solver, iterations, damping, grid, speedOfLight, camera, fovY, falseColor } = picture;
+  const { view, lightDelay, aberration, colors, dopplerMix, beaming, shadows, exposure, metering, tone } = picture;
+  const { solver, iterations, damping, antialiasing, grid, speedOfLight, camera, fovY, falseColor } = picture;
   return {
-    ...{ view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone },
-    ...{ solver, iterations, damping, grid, c: speedOfLight },
+    ...{ view, lightDelay, aberration, colors, dopplerMix, beaming, shadows, exposure, metering, tone },
+    ...{ solver, iterations, damping, antialiasing, grid, c: speedOfLight },
     ...(camera && { camera }),
     ...(fovY !== undefined && { fov: (fovY * 180) / Math.PI }),
     ...(falseColor !== 'none' && { falseColour: falseColor }),

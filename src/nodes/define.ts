@@ -39,6 +39,7 @@ export interface GBuffer extends CameraView {
   readonly dopplerMix: number;
   readonly beaming: number;
   readonly shadows: boolean;
+  readonly antialiasing: boolean;
   readonly grid: boolean;
 }
 

@@ -19,6 +19,7 @@ export const renderSettings = (picture: Picture, metered: number, scale?: Scale)
   solver: picture.solver,
   iterations: picture.iterations,
   damping: picture.damping,
+  antialiasing: picture.antialiasing,
   grid: picture.grid,
   tone: picture.tone,
   exposure: picture.exposure + metered,

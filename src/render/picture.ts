@@ -12,7 +12,7 @@ import { Occlusion, type OcclusionRequest } from './occlusion/occlusion.ts';
 import { Palettes, paletteOf } from './palette.ts';
 import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
 import type { SceneUpload } from './sceneUpload.ts';
-import { Smoothing } from './smoothing.ts';
+import { Smoothing, type Way } from './smoothing.ts';
 import { dataTarget, GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
@@ -21,7 +21,7 @@ import type { Projection } from './vertexStage.ts';
 const HIDING = 1 / 4;
 
 /** How a picture is shown. */
-type Shown = Look & Pick<RenderSettings, 'falseColors'>;
+type Shown = Look & Pick<RenderSettings, 'falseColors' | 'antialiasing'>;
 
 /** The targets and passes of a picture of one size: G-buffer, light, transparent things, display. */
 export class PictureMachine {
@@ -38,7 +38,7 @@ export class PictureMachine {
   private hiding: OcclusionRequest | undefined;
   private readonly falseColors = new FalseColorTable();
   /** How the picture that is there is to be shown; of how many samples its light is. */
-  look: Shown = { tone: 'neutral', grid: false, starry: false };
+  look: Shown = { tone: 'neutral', grid: false, starry: false, antialiasing: true };
   samples = 1;
 
   constructor(gpu: Gpu, uniforms: Uniforms) {
@@ -120,6 +120,13 @@ export class PictureMachine {
     renderer.autoClear = true;
   }
 
+  /** Goes through what makes a picture of its light, and pictures at rest of many, without making any. */
+  rehearse(way: Way, projection: Projection, where: 'canvas' | 'screen'): void {
+    const target = where === 'canvas' ? null : this.screen;
+    if (this.look.falseColors) this.colorFalsely(this.look, this.look.falseColors, target);
+    else this.smoothing.rehearse(way, this.look, projection, target);
+  }
+
   /** The finished picture to the canvas (`null`), or to where it can be read. */
   present(where: 'canvas' | 'screen'): RenderTarget {
     const target = where === 'canvas' ? null : this.screen;
@@ -139,7 +146,7 @@ export class PictureMachine {
 
   /** Where the light of the whole picture is, and in which of its textures. */
   beauty(): { readonly target: RenderTarget; readonly index: number } {
-    return this.samples > 1 ? this.smoothing.mean : { target: this.light, index: 0 };
+    return this.samples > 1 ? this.smoothing.lightMean : { target: this.light, index: 0 };
   }
 
   /** What the picture is like at places spread over it; c [m/s]. */

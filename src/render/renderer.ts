@@ -16,6 +16,7 @@ import { gridPlaces, type SamplePlace, wanderingPlace } from './samplePlaces.ts'
 import { SceneUpload } from './sceneUpload.ts';
 import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
 import type { Sight } from './sight.ts';
+import type { Way } from './smoothing.ts';
 import { makeUniforms, type Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
 
@@ -25,11 +26,13 @@ const CENTRE: SamplePlace = [0, 0];
 /** Of so many samples a picture is better than one that was smoothed otherwise. */
 const WORTHWHILE = 8;
 
-/** A picture that was made, and can be drawn again. */
-interface Made {
+/** All that a picture is made of: it can be drawn again. */
+interface Motif {
   readonly upload: SceneUpload;
-  readonly projection: Projection;
+  readonly viewPoint: ViewPoint;
   readonly settings: RenderSettings;
+  readonly projection: Projection;
+  readonly sight: Sight;
 }
 
 /** Makes pictures of a scene for a page, a command line or a benchmark; see api.ts. */
@@ -48,7 +51,9 @@ export class SceneRenderer implements PictureMaker {
   /** Of the last picture, and of the next one: the size changes when that is made, for a canvas of a new size is empty. */
   private size = { width: 1, height: 1 };
   private wanted = this.size;
-  private made: Made | undefined;
+  private made: Motif | undefined;
+  /** What uniforms, tables and shadow maps are of. */
+  private staged: Motif | undefined;
   /** Samples of the last picture that `refine` has added. */
   private added = 0;
   /** The G-buffer and the light are those of the pixels' centres. */
@@ -101,79 +106,79 @@ export class SceneRenderer implements PictureMaker {
     this.taken = undefined;
   }
 
-  prepare(viewPoint: ViewPoint, settings: RenderSettings): Promise<void> | undefined {
+  prepare(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): Promise<void> | undefined {
     const { upload } = this;
     // With another speed of light it may be another upload's turn.
     if (upload?.speedOfLight !== settings.speedOfLight && upload?.dependsOnSpeedOfLight) return undefined;
-    if (!upload || this.compiled.has(shadersOf(settings, upload))) return undefined;
-    this.preparing ??= this.compile(upload, viewPoint, settings).finally(() => {
+    const way = wayOf(settings, sampling);
+    if (!upload || this.compiled.has(shadersOf(settings, way, upload))) return undefined;
+    this.preparing ??= this.compile(motifOf(upload, viewPoint, settings), way).finally(() => {
       this.preparing = undefined;
     });
     return this.preparing;
   }
 
-  private async compile(upload: SceneUpload, viewPoint: ViewPoint, settings: RenderSettings): Promise<void> {
-    const projection = projectionOf(settings);
-    const stage = this.stage(upload, viewPoint, settings, projection);
-    if (!stage) return;
+  private async compile(motif: Motif, way: Way): Promise<void> {
+    if (!this.stage(motif)) return;
     const draw = (): void => {
-      this.machine.look = { ...settings, starry: upload.stars !== undefined };
-      this.sampleAt(CENTRE, { upload, projection, settings });
-      this.machine.smoothing.smoothEdges(this.machine.look);
-      if (this.toCanvas) this.machine.present('canvas');
+      this.draw(motif, CENTRE);
+      this.machine.rehearse(way, motif.projection, this.toCanvas ? 'canvas' : 'screen');
     };
     // Whatever comes of it: a shader that cannot be compiled is told of when it is to be drawn with.
-    await rehearse(this.gpu.renderer, draw).finally(() => this.compiled.add(shadersOf(settings, upload)));
+    await rehearse(this.gpu.renderer, draw).finally(() =>
+      this.compiled.add(shadersOf(motif.settings, way, motif.upload)),
+    );
   }
 
   render(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): void {
     const began = performance.now();
     const upload = this.uploadFor(settings.speedOfLight);
     if (!upload) return;
-    const projection = projectionOf(settings);
-    const stage = this.stage(upload, viewPoint, settings, projection, () => this.resize());
-    if (!stage) return;
-    const { sight, seen } = stage;
-    this.made = { upload, projection, settings };
-    this.machine.look = { ...settings, starry: upload.stars !== undefined };
+    const motif = motifOf(upload, viewPoint, settings);
+    const seen = this.stage(motif, () => this.resize());
+    if (!seen) return;
+    this.made = motif;
     this.added = 0;
-    if (settings.falseColors && sampling === 'temporal') this.drawSamples(1);
-    else if (sampling === 'temporal') this.follow(viewPoint, sight, projection);
-    else this.drawSamples(sampling);
+    const way = wayOf(settings, sampling);
+    if (way === 'followed') this.follow(motif);
+    else this.drawSamples(motif, way === 'mean' ? Number(sampling) : 1);
     if (this.toCanvas) this.machine.present('canvas');
-    this.taken = sight;
+    this.taken = motif.sight;
     this.drawn = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
-    this.compiled.add(shadersOf(settings, upload));
+    this.compiled.add(shadersOf(settings, way, upload));
     if (this.toCanvas) upload.refiner.countSometimes();
   }
 
-  /** Puts everything in its place for a picture; undefined where samples of it are still to come. */
-  private stage(
-    upload: SceneUpload,
-    viewPoint: ViewPoint,
-    settings: RenderSettings,
-    projection: Projection,
-    beforeCutting = () => {},
-  ): { readonly sight: Sight; readonly seen: readonly boolean[] } | undefined {
-    const sight = sightOf(viewPoint, settings, projection);
-    this.look(viewPoint, sight, settings, projection, upload);
+  /** Puts everything in its place for a picture; tells which bodies may be seen, or undefined where samples of them are still to come. */
+  private stage(motif: Motif, beforeCutting = () => {}): readonly boolean[] | undefined {
+    const { upload, viewPoint, settings, sight, projection } = motif;
+    this.staged = undefined;
+    this.look(motif);
     const gaze = this.gaze(viewPoint, projection);
     const seen = upload.frame.fill(upload.bodies, sight, gaze, projection.event === 'newton');
     if (!upload.frame.isComplete) return undefined;
     if (settings.shadows && !upload.shadows.update(sight)) return undefined;
     beforeCutting();
-    this.cut(upload, viewPoint, sight, projection, seen);
+    this.cut(motif, seen);
     upload.environment.update(sight, settings.colors);
     upload.stars?.update(viewPoint, settings, this.width, this.height);
-    return { sight, seen };
+    this.staged = motif;
+    return seen;
+  }
+
+  /** Puts everything back in its place for the last picture, where another was staged since; tells whether it can be drawn again. */
+  private restage(): Motif | undefined {
+    const { made, staged } = this;
+    return made && (staged === made || this.stage(made)) ? made : undefined;
   }
 
   refine(): boolean {
-    const { made, machine, added } = this;
+    const { machine, added } = this;
     const count = FINEST * FINEST;
-    if (!made || made.settings.falseColors || !made.upload.frame.isComplete || machine.samples > 1) return false;
-    if (added === count) return false;
-    this.sampleAt(gridPlaces(FINEST)[added]);
+    if (added === count || machine.samples > 1 || !this.made || !isRefined(this.made.settings)) return false;
+    const made = this.restage();
+    if (!made) return true;
+    this.sampleAt(made, gridPlaces(FINEST)[added]);
     this.added = added + 1;
     machine.smoothing.add(added, count, machine.look, this.added >= WORTHWHILE);
     if (this.toCanvas) machine.present('canvas');
@@ -181,42 +186,46 @@ export class SceneRenderer implements PictureMaker {
   }
 
   /** n × n samples per pixel. */
-  private drawSamples(n: number): void {
+  private drawSamples(motif: Motif, n: number): void {
     const { machine } = this;
     machine.samples = n * n;
     for (const [i, place] of gridPlaces(n).entries()) {
-      this.sampleAt(place);
-      if (n === 1) machine.smoothing.smoothEdges(machine.look);
-      else machine.smoothing.add(i, n * n, machine.look, true);
+      this.sampleAt(motif, place);
+      if (n > 1) machine.smoothing.add(i, n * n, machine.look, true);
     }
     if (machine.look.falseColors) this.settle();
+    else if (n === 1) machine.smoothing.take(machine.look);
   }
 
   /** One sample, and what is left of the pictures before. */
-  private follow(view: ViewPoint, sight: Sight, projection: Projection): void {
+  private follow(motif: Motif): void {
     const { machine } = this;
     machine.samples = 1;
-    this.sampleAt(wanderingPlace(this.pictures++));
-    machine.smoothing.follow(machine.look, { sight, view, projection, aspect: this.width / this.height });
+    this.sampleAt(motif, wanderingPlace(this.pictures++));
+    machine.smoothing.follow(machine.look, { ...motif, aspect: this.width / this.height });
   }
 
-  /** Draws the last picture with its samples at one place of their pixels. */
-  private sampleAt(place: SamplePlace, made = this.made): void {
-    if (!made) return;
-    const { upload, projection, settings } = made;
+  private sampleAt(motif: Motif, place: SamplePlace): void {
+    this.draw(motif, place);
+    this.settled = place[0] === 0 && place[1] === 0;
+  }
+
+  /** Draws what is staged with its samples at one place of their pixels. */
+  private draw({ upload, projection, settings }: Motif, place: SamplePlace): void {
     this.jitter(place);
     this.machine.drawGeometry(upload, projection, this.camera);
     this.machine.drawLight(upload, projection, this.camera, settings);
-    this.settled = place[0] === 0 && place[1] === 0;
   }
 
   /** Numbers are of the pixels' centres, and never a mean. */
   private settle(): void {
-    if (!this.settled && this.made?.upload.frame.isComplete) this.sampleAt(CENTRE);
+    const made = this.settled ? undefined : this.restage();
+    if (made) this.sampleAt(made, CENTRE);
   }
 
   async readPixels(): Promise<Uint8Array> {
     await this.upload?.refiner.count();
+    this.restage();
     return readBytes(this.gpu, this.machine.present('screen'), this.whole());
   }
 
@@ -271,6 +280,7 @@ export class SceneRenderer implements PictureMaker {
   private replace(scene: Scene, speedOfLight: number): void {
     const made = new SceneUpload(scene, speedOfLight, this.uniforms, this.gpu, this.options);
     this.made = undefined;
+    this.staged = undefined;
     if (this.upload) {
       this.machine.forget(this.upload);
       this.upload.dispose();
@@ -284,14 +294,9 @@ export class SceneRenderer implements PictureMaker {
   }
 
   /** Everything that is the same for all samples of a picture. */
-  private look(
-    view: ViewPoint,
-    sight: Sight,
-    settings: RenderSettings,
-    projection: Projection,
-    upload: SceneUpload,
-  ): void {
+  private look({ viewPoint: view, sight, settings, projection, upload }: Motif): void {
     const { uniforms, camera } = this;
+    this.machine.look = { ...settings, starry: upload.stars !== undefined };
     const tanY = Math.tan(view.fovY / 2);
     const luminous = settings.view === 'light-cone' ? 1 : 0;
     const aspect = this.wanted.width / this.wanted.height;
@@ -326,19 +331,28 @@ export class SceneRenderer implements PictureMaker {
   }
 
   /** Cuts the batches in which something may be seen, as this picture needs it, and sorts the transparent ones from far to near. */
-  private cut(
-    { drawables, frame, refiner }: SceneUpload,
-    { orientation }: ViewPoint,
-    sight: Sight,
-    projection: Projection,
-    seen: readonly boolean[],
-  ): void {
+  private cut({ upload, viewPoint: { orientation }, sight, projection }: Motif, seen: readonly boolean[]): void {
+    const { drawables, frame, refiner } = upload;
     const { x: tanX, y: tanY } = this.uniforms.halfTangents.value;
     const look = { sight, projection, orientation, tanX, tanY, focal: this.height / (2 * tanY) };
     refiner.show(look, ({ bodies }) => bodies.some(({ id }) => seen[id - 1]));
     for (const { batch, mesh } of drawables)
       if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => frame.distance(id)));
   }
+}
+
+function motifOf(upload: SceneUpload, viewPoint: ViewPoint, settings: RenderSettings): Motif {
+  const projection = projectionOf(settings);
+  return { upload, viewPoint, settings, projection, sight: sightOf(viewPoint, settings, projection) };
+}
+
+/** Whether its pictures come to more samples while they rest: colours that stand for numbers never do. */
+const isRefined = ({ antialiasing, falseColors }: RenderSettings): boolean => antialiasing && !falseColors;
+
+function wayOf(settings: RenderSettings, sampling: Sampling): Way {
+  if (sampling === 'temporal' && isRefined(settings)) return 'followed';
+  if (sampling !== 'temporal' && sampling > 1) return 'mean';
+  return settings.antialiasing ? 'edges' : 'plain';
 }
 
 function projectionOf({ view, lightDelay, aberration, solver }: RenderSettings): Projection {
@@ -365,11 +379,13 @@ function lookAtGround(uniforms: Uniforms, { position }: ViewPoint, { scene, radi
 }
 
 /** Names all the shaders that a picture takes. */
-function shadersOf(settings: RenderSettings, { serial, scene }: SceneUpload): string {
+function shadersOf(settings: RenderSettings, way: Way, { serial, scene }: SceneUpload): string {
   const { tone, grid, falseColors, shadows, occlusionRadius } = settings;
   const { event, place } = projectionOf(settings);
   const palette = paletteOf(settings, scene);
-  return [serial, event, place, palette, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind].join(' ');
+  return [serial, event, place, palette, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind ?? way].join(
+    ' ',
+  );
 }
 
 function withoutAlpha(rgba: Float32Array): Float32Array {

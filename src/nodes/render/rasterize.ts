@@ -38,6 +38,12 @@ export const relativityRasterize = defineNode({
       physical: 1,
     },
     shadows: { kind: 'boolean', title: 'param.shadows', help: 'param.shadows.help', default: true },
+    antialiasing: {
+      kind: 'boolean',
+      title: 'param.antialiasing',
+      help: 'param.antialiasing.help',
+      default: true,
+    },
     grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },
   },
   inputs: { view: { type: 'view' } },
