@@ -4,7 +4,7 @@ import { nodeLibrary } from '../../nodes/library.ts';
 import type { Services } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import { InputError } from '../../scene/types.ts';
-import { createStudio, sourceOf } from './studio.ts';
+import { beginningWith, createStudio, sourceOf } from './studio.ts';
 
 const settled = () => new Promise((done) => setTimeout(done, 2));
 const refused = new InputError({
@@ -25,7 +25,7 @@ const services: Services = {
 };
 
 async function open(...sources: string[]) {
-  const studio = createStudio({ services, source: sources[0]!, playing: false });
+  const studio = createStudio({ services, beginning: beginningWith(sources[0]!), playing: false });
   await settled();
   for (const source of sources.slice(1)) {
     studio.open(source);
@@ -36,7 +36,10 @@ async function open(...sources: string[]) {
 
 it('the last good scene stays while another is refused, and undo takes the refusal away', async () => {
   const { studio, state } = await open('a.usda', 'bad.usda');
-  expect(state()).toMatchObject({ openSource: 'a.usda', notices: [{ place: 'bad.usda', text: 'the file is empty' }] });
+  expect(state()).toMatchObject({
+    opened: { source: 'a.usda' },
+    notices: [{ place: 'bad.usda', text: 'the file is empty' }],
+  });
   expect(state().picture?.scene.name).toBe('a.usda');
   studio.undo();
   await settled();
@@ -48,7 +51,7 @@ it('reading can be cancelled: the scene before it stays, and the document is its
   expect(state().loading).toEqual({ source: 'slow.usda', part: 0.5, stage: 'parse' });
   studio.cancelLoading();
   await settled();
-  expect(state()).toMatchObject({ openSource: 'a.usda', loading: undefined });
+  expect(state()).toMatchObject({ opened: { source: 'a.usda' }, loading: undefined });
   expect(sourceOf(state().history.document)).toBe('a.usda');
 });
 
@@ -65,7 +68,7 @@ it('reading again with another variant can be cancelled: the choice is taken bac
             });
           }),
   };
-  const studio = createStudio({ services: slowRed, source: 'a.usda', playing: false });
+  const studio = createStudio({ services: slowRed, beginning: beginningWith('a.usda'), playing: false });
   const variants = () => studio.store.getState().history.document.nodes.read?.params.variants;
   await settled();
   studio.set('read', 'variants', ['paint=blue'], 'edit.variant');
@@ -76,7 +79,7 @@ it('reading again with another variant can be cancelled: the choice is taken bac
   studio.cancelLoading();
   await settled();
   expect([stopped, variants()]).toEqual([1, ['paint=blue']]);
-  expect(studio.store.getState()).toMatchObject({ loading: undefined, openSource: 'a.usda' });
+  expect(studio.store.getState()).toMatchObject({ loading: undefined, opened: { source: 'a.usda' } });
 });
 
 it('an edit while a scene is read does not begin the reading anew; another file ends it', async () => {
@@ -86,7 +89,7 @@ it('an edit while a scene is read does not begin the reading anew; another file 
   expect(state().loading?.source).toBe('slow.usda');
   studio.open('b.usda');
   await settled();
-  expect(state()).toMatchObject({ openSource: 'b.usda', loading: undefined, notices: [] });
+  expect(state()).toMatchObject({ opened: { source: 'b.usda' }, loading: undefined, notices: [] });
   expect(state().picture?.scene.name).toBe('b.usda');
 });
 
