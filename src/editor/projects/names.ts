@@ -30,7 +30,7 @@ export function projectName({ history, opened }: Pick<StudioState, 'history' | '
 export const fileName = (name: string, ending: string): string =>
   `${
     name
-      .replace(/[\\/:*?"<>|\p{Cc}]+/gu, ' ')
+      .replace(/[\\/:*?"<>|\p{Cc}\s]+/gu, ' ')
       .trim()
       .slice(0, 80) || 'project'
   }${ending}`;
