@@ -95,7 +95,7 @@ export async function render(path: string, written: RenderFlags, given: Readonly
 
 /** A scene file as the flags would have it, or what a project makes, with what it says of the picture. */
 async function opened(path: string, flags: RenderFlags, given: ReadonlySet<string>, progress: Progress) {
-  if (isProject(path))
+  if (await isProject(path))
     return projectFlags(path, flags, given, (node, part) =>
       progress.show(part === undefined ? `${node} …` : `${node}: ${Math.round(100 * part)} %`),
     );

@@ -78,9 +78,9 @@ export class PictureMachine {
   /** G-buffer to light, then what is transparent over it. */
   drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera, settings: RenderSettings): void {
     const { buffer, uniforms, light } = this;
-    const { environment, bodies, scene } = upload;
+    const { environment, bodies, scene, atlas } = upload;
     const palette = paletteOf(settings, scene);
-    const optics = this.palettes.optics(palette, scene);
+    const optics = this.palettes.optics(palette, scene, atlas);
     const shadows = settings.shadows ? upload.shadows : undefined;
     const moving = bodies.some(({ object }) => object.motion.kind !== 'static');
     this.run(`sky ${upload.serial} ${palette}`, () => skyLight(environment, uniforms, optics), light, 'sky');
@@ -168,7 +168,6 @@ export class PictureMachine {
   dispose(): void {
     for (const pass of this.passes.values()) pass.dispose();
     this.buffer.dispose();
-    this.palettes.dispose();
     this.gauge.dispose();
     this.occlusion.dispose();
     this.falseColors.dispose();

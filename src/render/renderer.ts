@@ -158,7 +158,7 @@ export class SceneRenderer implements PictureMaker {
     if (settings.shadows && !upload.shadows.update(sight)) return undefined;
     beforeCutting();
     this.cut(motif, seen);
-    upload.environment.update(sight, settings.colors);
+    upload.light(sight, settings.colors);
     upload.stars?.update(viewPoint, settings, this.width, this.height);
     this.staged = motif;
     return seen;

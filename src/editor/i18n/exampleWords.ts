@@ -1,4 +1,4 @@
-/** The words of the example scenes in Chinese; in English they are the scenes' own, in their files. */
+/** The words of the example scenes and projects in Chinese; in English they are the scenes' own, in their files. */
 export const exampleWords: Readonly<Record<string, { readonly title: string; readonly lookFor: string }>> = {
   street: {
     title: '街道',
@@ -59,6 +59,11 @@ export const exampleWords: Readonly<Record<string, { readonly title: string; rea
     title: '画廊',
     lookFor:
       '处处是直角，因此弯曲一目了然：画框倾斜，拱顶张开，已经经过的画又转过脸来。它们的颜色说明你以多快的速度迎向它们的光。',
+  },
+  workshop: {
+    title: '工场',
+    lookFor:
+      '全部由节点构成，这里光速只有 12 m/s。红色框架以 7 m/s 驶过，金球以 8 m/s 绕圈，圆环自转，飞镖从静止加速，木箱沿弯路前行，砖块翻滚着从一处到另一处。每样东西都显示在光离开它时所在的位置。',
   },
   ladder: {
     title: '梯子与谷仓',
