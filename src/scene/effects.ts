@@ -173,8 +173,8 @@ export const GAUSSIAN_REACH = 3;
 export const BLOOM_LEVELS = 6;
 /** Of fog: droplets scatter all colours alike, air the blue ones. */
 export const FOG = { grey: [1, 1, 1], haze: [0.55, 0.75, 1] } as const;
-/** How many places of the lens are looked through for each pixel, and the cells in which the widest blur is looked up [px]. */
-export const LENS = { samples: 48, cell: 4 } as const;
+/** At most so many places of the lens are looked through for each pixel; and the cells in which the widest blur is looked up [px]. */
+export const LENS = { samples: 256, cell: 4 } as const;
 /** How wide the border of a wipe is, as a share of the picture. */
 export const WIPE_WIDTH = 0.1;
 

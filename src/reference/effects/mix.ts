@@ -26,12 +26,12 @@ const BLENDS: Readonly<Record<MixMode, Blend>> = {
   wipe: (_, b) => b,
 };
 
-/** a + m s (B(a, b) − a), with s the share of the mode at a place `across` the picture, 0 … 1; m: the mask. Sizes are `a`'s. */
+/** (1 − m s) a + m s B(a, b), with s the share of the mode at a place `across` the picture, 0 … 1; m: the mask. Sizes are `a`'s. */
 export function mixed(mode: MixMode, alpha: number, a: Plane, b: Plane, mask?: Plane): Plane {
   return a.map((x, y) => {
     const share = shareAt(mode, alpha, (x + 0.5) / a.width) * within(mask?.at(x, y)[0] ?? 1);
     const over = b.at(x, y);
-    return a.at(x, y).map((value, c) => value + share * (BLENDS[mode](value, over[c]!) - value));
+    return a.at(x, y).map((value, c) => (1 - share) * value + share * BLENDS[mode](value, over[c]!));
   });
 }
 

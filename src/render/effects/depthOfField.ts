@@ -1,4 +1,23 @@
-import { abs, clamp, cos, dot, float, floor, If, Loop, max, min, select, sin, sqrt, vec2, vec4 } from 'three/tsl';
+import {
+  abs,
+  ceil,
+  clamp,
+  cos,
+  dot,
+  float,
+  floor,
+  fract,
+  If,
+  int,
+  Loop,
+  max,
+  min,
+  select,
+  sin,
+  sqrt,
+  vec2,
+  vec4,
+} from 'three/tsl';
 import { EFFECTS, LENS } from '../../scene/effects.ts';
 import type { Float, Int, Vec2, Vec4 } from '../../shaders/types.ts';
 import type { Effect } from './effect.ts';
@@ -6,12 +25,14 @@ import type { Frame, Picture } from './frame.ts';
 
 /** Least radius of a disc of light [px]: that of a disc as large as a pixel. */
 const LEAST = Math.sqrt(1 / Math.PI);
-const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
+/** Of a turn. */
+const GOLDEN_ANGLE = (3 - Math.sqrt(5)) / 2;
 const CELLS = Math.ceil(EFFECTS['depth-of-field'].args[2].max / LENS.cell);
 
 /** `depthOfField` of reference/effects/. The lens step holds (colour, ±ρ), the cells the widest |ρ|. */
 export const depthOfField: Effect = [
   { name: 'lens', shrink: 1, color: blurred },
+  { name: 'soft', shrink: 1, color: softened },
   { name: 'cells', shrink: LENS.cell, color: cellOf },
   { name: 'reach across', shrink: LENS.cell, color: (frame) => widest(frame, frame.step('cells'), vec2(1, 0)) },
   { name: 'reach', shrink: LENS.cell, color: (frame) => widest(frame, frame.step('reach across'), vec2(0, 1)) },
@@ -30,6 +51,21 @@ function blurred(frame: Frame): Vec4 {
     .mul(0.5 / 1000)
     .mul(focus.reciprocal().sub(inverse));
   return vec4(frame.image.at(frame.pixel).rgb, clamp(rho, most.negate(), most));
+}
+
+function softened(frame: Frame): Vec4 {
+  const lens = frame.step('lens');
+  const here = lens.at(frame.pixel).toVar();
+  const amount = clamp(abs(here.w).sub(1), 0, 1).toVar();
+  const sum = vec4(here.rgb, 1).toVar();
+  for (const j of [-1, 0, 1])
+    for (const i of [-1, 0, 1]) {
+      if (i === 0 && j === 0) continue;
+      const texel = lens.at(frame.pixel.add(vec2(i, j))).toVar();
+      const alike = clamp(float(2).sub(abs(texel.w.sub(here.w))), 0, 1);
+      sum.addAssign(vec4(texel.rgb, 1).mul(alike.mul(amount).mul(i * j === 0 ? 0.5 : 0.25)));
+    }
+  return vec4(sum.rgb.div(sum.w), here.w);
 }
 
 function cellOf(frame: Frame): Vec4 {
@@ -52,7 +88,7 @@ function widest(frame: Frame, cells: Picture, direction: Vec2): Vec4 {
 }
 
 function gathered(frame: Frame): Vec4 {
-  const lens = frame.step('lens');
+  const lens = frame.step('soft');
   const here = lens.at(frame.pixel).toVar();
   const own = here.w;
   const R = frame
@@ -62,10 +98,13 @@ function gathered(frame: Frame): Vec4 {
   const weight = shareOf(abs(own)).div(Math.PI).toVar();
   const sum = here.rgb.mul(weight).toVar();
   If(R.greaterThanEqual(0.5), () => {
-    const density = R.mul(R).div(LENS.samples).toVar();
-    Loop(LENS.samples, ({ i }: { i: Int }) => {
-      const away = R.mul(sqrt(float(i).add(0.5).div(LENS.samples))).toVar();
-      const angle = float(i).mul(GOLDEN_ANGLE).toVar();
+    const places = clamp(ceil(R.mul(R)), 16, LENS.samples).toVar();
+    const density = R.mul(R).div(places).toVar();
+    Loop({ start: int(0), end: int(places), type: 'int', condition: '<' }, ({ i }: { i: Int }) => {
+      const away = R.mul(sqrt(float(i).add(0.5).div(places))).toVar();
+      const angle = fract(float(i).mul(GOLDEN_ANGLE))
+        .mul(2 * Math.PI)
+        .toVar();
       const off = floor(vec2(cos(angle), sin(angle)).mul(away).add(0.5));
       const texel = lens.at(frame.pixel.add(off)).toVar();
       const size = abs(texel.w).toVar();

@@ -5,7 +5,7 @@ import { FullScreen } from '../fullScreen.ts';
 import { dataTarget } from '../targets.ts';
 import type { Uniforms } from '../uniforms.ts';
 import type { Effect, Step } from './effect.ts';
-import { Frame, Picture, type SurfaceTextures } from './frame.ts';
+import { between, Frame, Picture, type SurfaceTextures } from './frame.ts';
 import { effectLibrary } from './library.ts';
 import { mixed } from './mix.ts';
 
@@ -84,8 +84,6 @@ export class EffectPasses {
 const masked =
   ({ color }: Step, mask: Texture): Step['color'] =>
   (frame) => {
-    const after = color(frame).toVar();
-    const here = frame.image.at(frame.pixel).toVar();
-    const share = new Picture(mask).at(frame.pixel).x.clamp(0, 1);
-    return here.add(after.sub(here).mul(share));
+    const share = new Picture(mask).at(frame.pixel).x.clamp(0, 1).toVar();
+    return between(frame.image.at(frame.pixel), color(frame), share);
   };

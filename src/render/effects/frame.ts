@@ -57,6 +57,9 @@ function mirrored(pixel: Vec2, size: Vec2): Vec2 {
   return max(min(twice, size.sub(1)), vec2(0));
 }
 
+/** (1 − s) a + s b: exactly either of them at the ends, however much brighter the other is. */
+export const between = (a: Vec4, b: Vec4, share: Float): Vec4 => a.mul(share.oneMinus()).add(b.mul(share));
+
 /** What an effect reads while it works on a pixel: as `Frame` of reference/effects/. Used within a shader function. */
 export class Frame {
   readonly image: Picture;

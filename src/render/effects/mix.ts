@@ -1,7 +1,7 @@
 import { abs, clamp, float, max, mix, select, step, vec3, vec4 } from 'three/tsl';
 import { type MixMode, WIPE_WIDTH } from '../../scene/effects.ts';
 import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
-import type { Frame, Picture } from './frame.ts';
+import { between, type Frame, type Picture } from './frame.ts';
 
 type Blend = (a: Vec3, b: Vec3) => Vec3;
 
@@ -29,7 +29,7 @@ export function mixed(frame: Frame, mode: MixMode, alpha: Float, b: Picture, mas
   const below = frame.image.at(frame.pixel).toVar();
   const blend = BLENDS[mode](below.rgb, b.at(frame.pixel).rgb.toVar());
   const through = mask ? clamp(mask.at(frame.pixel).x, 0, 1) : float(1);
-  return vec4(mix(below.rgb, blend, shareAt(frame, mode, alpha).mul(through)), below.w);
+  return between(below, vec4(blend, below.w), shareAt(frame, mode, alpha).mul(through).toVar());
 }
 
 function shareAt(frame: Frame, mode: MixMode, alpha: Float): Float {
