@@ -11,12 +11,13 @@ import { traceable } from '../../src/reference/trace.ts';
 import { makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import type { EffectId, MixMode } from '../../src/scene/effects.ts';
 import { plane, sphere } from '../../src/scene/primitives.ts';
+import { readShaderText } from '../../src/scene/shaderText/shaderText.ts';
 import { type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view.ts';
 
 /** What both twins are asked for. */
 export interface EffectCase {
   readonly name: string;
-  readonly of: EffectId | { readonly mode: MixMode };
+  readonly of: EffectId | { readonly mode: MixMode } | { readonly text: string };
   readonly args: readonly number[];
   readonly picture: keyof typeof PICTURES;
   readonly masked?: boolean;
@@ -32,6 +33,8 @@ const VIEW: ViewPoint = {
 const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
 const ZENITH = [0, 1, 0] as const;
 
+const DATA = ['object', 'depth', 'normal', 'position', 'emission_time', 'velocity', 'doppler'] as const;
+
 /** Light over six decades, and surfaces that have nothing to do with each other, with holes. */
 function noise(): Taken {
   const [width, height] = [61, 47];
@@ -45,6 +48,9 @@ function noise(): Taken {
     ['depth', of(1, () => [10 ** (3 * next() - 1)])],
     ['normal', of(3, () => normalize([next() - 0.5, next() - 0.5, next() - 0.5]))],
     ['position', of(3, () => [0, 0, 0].map(() => 20 * (next() - 0.5)))],
+    ['emission_time', of(1, () => [3 - 20 * next()])],
+    ['velocity', of(3, () => [0, 0, 0].map(() => next() - 0.5))],
+    ['doppler', of(1, () => [4 ** (2 * next() - 1)])],
   ]);
   return { image, aovs, view: VIEW, settings: SETTINGS, zenith: ZENITH };
 }
@@ -62,7 +68,7 @@ function scene(): Taken {
       motion: { kind: 'uniform', pose: { position: [6, 0.5, -7], orientation: IDENTITY }, velocity: [0.6, 0, 0] },
     }),
   ];
-  const layers = ['beauty', 'object', 'depth', 'normal', 'position'] as const;
+  const layers = [...DATA, 'beauty'] as const;
   const request = { view: VIEW, settings: SETTINGS, width, height, layers, samples: 1, seed: 0, light: DEFAULT_LIGHT };
   const data = renderTile(traceable(makeScene({ name: 'balls', objects }), 1), request, {
     x0: 0,
@@ -101,18 +107,91 @@ export function expected(of: EffectCase): Plane {
   const picture = pictureOf(of);
   const mask = of.masked ? maskOf(picture) : undefined;
   if (typeof of.of === 'string') return applied(of.of, of.args, picture, mask);
+  if ('text' in of.of) return applied(readShaderText(of.of.text), of.args, picture, mask);
   return mixed(of.of.mode, of.args[0] ?? 0, picture.image, overOf(picture), mask);
 }
 
 const both = (of: EffectCase['of'], args: readonly number[]): EffectCase[] =>
   (['noise', 'scene'] as const).map((picture) => ({
-    name: `${typeof of === 'string' ? of : `mix ${of.mode}`} ${args.join(' ')}, ${picture}`,
+    name: `${typeof of === 'string' ? of : 'mode' in of ? `mix ${of.mode}` : 'text'} ${args.join(' ')}, ${picture}`,
     of,
     args,
     picture,
   }));
 
+/** Texts that somebody might write, and such as try every construct. */
+const TEXTS: Readonly<Record<string, string>> = {
+  'a blur in two dimensions': `
+const R = 3;
+fn weight(x: i32, y: i32) -> f32 { return exp(-f32(x * x + y * y) / (2 * arg1 * arg1)); }
+fn effect(p: Pixel) -> vec4f {
+  var sum = vec4f(0);
+  for (var y = -R; y <= R; y++) {
+    for (var x = -R; x <= R; x++) {
+      let w = weight(x, y);
+      sum += vec4f(image(vec2i(x, y)).rgb, 1) * w;
+    }
+  }
+  return vec4f(sum.rgb / sum.w, 1);
+}`,
+  'early returns, breaks and rounds left out': `
+fn nearest(from: i32) -> f32 {
+  var best = 1e9;
+  for (var i = 0; i < 9; i++) {
+    if (i % 3 == 1) { continue; }
+    let d = depth(vec2i(from + i, 0));
+    if (d > 100) { break; }
+    for (var j = 4; j > 0; j -= 2) {
+      if (d * f32(j) < 1.5) { return d; }
+      best = min(best, d + f32(j));
+    }
+    if (i > 6) { return -best; }
+  }
+  return best;
+}
+fn effect(p: Pixel) -> vec4f {
+  if (there(vec2i(0)) < 0.5) { return vec4f(p.uv, 0.5, 1); }
+  let a = nearest(1);
+  if (a < 0) { return vec4f(0, -a, 0, 1); } else if (a > 50) { return vec4f(0, 0, a, 1); }
+  var v = vec4f(a, 0, nearest(-3), 1);
+  v.y = v.x + 1;
+  v[2] *= 0.5;
+  return v;
+}`,
+  'numbers, vectors and matrices': `
+const M = mat3x3f(1, 2, 3, 4, 5, 6, 7, 8, 10);
+fn turned(v: vec2<f32>, angle: f32) -> vec2f {
+  let m = mat2x2f(cos(angle), sin(angle), -sin(angle), cos(angle));
+  return m * v + v * m;
+}
+fn effect(p: Pixel) -> vec4f {
+  let c = p.color.rgb;
+  let q = M * c + c * M - (M * mat3x3(1, 0, 0, 0, 1, 0, 0, 0, 1))[1];
+  let n = i32(p.position.x) * 7 - 100;
+  let whole = vec2i(n / 6, n % 6) * 2 + vec2i(abs(-3), max(n, 4));
+  let t = turned(p.uv, arg1);
+  var k = select(0.0, 1.0, n > 3 && !(n == 9) || n < -50);
+  k += sign(f32(n)) + fract(p.uv.x * 9) - trunc(-2.5) + -7.5 % 2 + (p.position.y % 3.5) + atan2(t.x, t.y) + tanh(t.x) + sinh(t.y);
+  let u = mix(vec3f(t, k), clamp(q, vec3f(0), vec3f(3)), 0.3) + smoothstep(vec3f(0), vec3f(2), c) + step(vec3f(0.5), c);
+  return vec4f(u * dot(q.zyx, vec3f(0.1)) + reflect(u, normalize(vec3f(1, 2, 3))) + cross(u, c), f32(whole.x)) + vec4f(vec2f(whole), pow(p.uv.x, 2.5), 0);
+}`,
+  'everything that can be looked at': `
+fn effect(p: Pixel) -> vec4f {
+  let o = vec2i(i32(arg1), -1);
+  let a = normal(o) + event(o) * 0.1 + velocity(o) + p.direction * p.size.y * 0.01;
+  return vec4f(a + vec3f(depth(o) * 0.1 + doppler(o), emissionTime(o) * 0.1 + time, object(o)), 1);
+}`,
+};
+
 export const EFFECT_CASES: readonly EffectCase[] = [
+  ...Object.entries(TEXTS).flatMap(([name, text]) =>
+    (['noise', 'scene'] as const).map((picture) => ({
+      name: `${name}, ${picture}`,
+      of: { text },
+      args: [1.7],
+      picture,
+    })),
+  ),
   ...both('gaussian-blur', [4, 0]),
   ...both('gaussian-blur', [2.3, 90]),
   ...both('gaussian-blur', [3.1, 30]),

@@ -4,9 +4,10 @@ import { IDENTITY } from '../../math/quat.ts';
 import { properVelocity } from '../../physics/boost.ts';
 import { EFFECT_IDS, EFFECTS, type EffectId, MIX_MODES, type MixMode } from '../../scene/effects.ts';
 import { luminanceOf } from '../../scene/gauge.ts';
+import { readShaderText } from '../../scene/shaderText/shaderText.ts';
 import { type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view.ts';
 import { mirrored, Plane, type Taken } from './frame.ts';
-import { AOVS_READ, applied } from './library.ts';
+import { AOVS_LOOKED_AT, AOVS_READ, applied } from './library.ts';
 import { mixed } from './mix.ts';
 
 const VIEW: ViewPoint = { t: 0, position: [1, 2, 3], u: [0, 0, 0], orientation: IDENTITY, fovY: 1 };
@@ -58,6 +59,26 @@ describe('effects', () => {
       const args = EFFECTS[id].args.map(({ default: value }) => value);
       expect(() => applied(id, args, { ...taken, aovs }), id).not.toThrow();
     }
+  });
+
+  it('hold their numbers to their ranges', () => {
+    const image = single(30, 30, 15, 15);
+    expect(effect('gaussian-blur', [1e9, 0], image).values).toEqual(effect('gaussian-blur', [20, 0], image).values);
+    expect(effect('bloom', [-1], image).values).toEqual(image.values);
+  });
+
+  it('that somebody wrote are given what they look at', () => {
+    const taken = wall(flat(6, 5, 1), (x) => (x < 3 ? 4 : 0));
+    const program = readShaderText(`
+fn effect(p: Pixel) -> vec4f {
+  let o = vec2i(1, 0);
+  return vec4f(depth(o) * arg2, dot(normal(o), vec3f(1)) + event(o).z, p.direction.x * 0 + image(o).x + p.position.y, 1);
+}`);
+    const names = new Set<AovName>([...program.reads].flatMap((channel) => AOVS_LOOKED_AT[channel]));
+    const aovs = new Map([...taken.aovs].filter(([name]) => names.has(name)));
+    const after = applied(program, [0, 10], { ...taken, aovs });
+    expect(after.at(1, 2)).toEqual([40, 1 - 4, 3.5]);
+    expect(after.at(2, 2)).toEqual([0, 0, 3.5]);
   });
 
   it('leave a picture as it is where a mask is 0, and are whole where it is 1', () => {

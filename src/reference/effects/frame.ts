@@ -106,7 +106,12 @@ export class Frame {
     return [right * halfTangents[0], up * halfTangents[1]];
   }
 
-  private read(name: AovName, x: number, y: number): number[] {
+  /** World time of the event after the observer's [s]. */
+  emissionTime(x: number, y: number): number {
+    return this.read('emission_time', x, y)[0]! - this.taken.view.t;
+  }
+
+  read(name: AovName, x: number, y: number): number[] {
     const { width, height } = this.image;
     const values = this.taken.aovs.get(name);
     if (!values) throw new Error(`the picture was taken without its ${name}`);

@@ -1,6 +1,7 @@
 import { Fn, uniform } from 'three/tsl';
 import { type RenderTarget, type Texture, type TextureDataType, Vector4, type WebGPURenderer } from 'three/webgpu';
-import type { EffectId, MixMode } from '../../scene/effects.ts';
+import { argumentsOf, type EffectId, type MixMode } from '../../scene/effects.ts';
+import type { Program } from '../../scene/shaderText/program.ts';
 import { FullScreen } from '../fullScreen.ts';
 import { dataTarget } from '../targets.ts';
 import type { Uniforms } from '../uniforms.ts';
@@ -8,6 +9,7 @@ import type { Effect, Step } from './effect.ts';
 import { between, Frame, Picture, type SurfaceTextures } from './frame.ts';
 import { effectLibrary } from './library.ts';
 import { mixed } from './mix.ts';
+import { written } from './shaderText.ts';
 
 /** What passes over a picture read. */
 export interface PassInputs {
@@ -31,10 +33,15 @@ interface Pass {
 export class EffectPasses {
   private readonly passes: readonly Pass[];
   private readonly args = uniform(new Vector4());
+  private readonly time = uniform(0);
+  /** Undefined: its numbers have no ranges. */
+  private readonly id: EffectId | undefined;
 
   /** An effect of the library, or one that somebody wrote. */
-  static of(id: EffectId, inputs: PassInputs): EffectPasses {
-    return new EffectPasses(id, effectLibrary[id], inputs);
+  static of(effect: EffectId | Program, inputs: PassInputs): EffectPasses {
+    return typeof effect === 'string'
+      ? new EffectPasses(effect, effectLibrary[effect], inputs, effect)
+      : new EffectPasses('written', written(effect), inputs);
   }
 
   /** Two pictures into one; its only number is alpha. `image` is below. */
@@ -45,13 +52,14 @@ export class EffectPasses {
     return new EffectPasses(`mix ${mode}`, [{ name: 'result', shrink: 1, color }], { ...inputs, mask: undefined });
   }
 
-  constructor(name: string, effect: Effect, inputs: PassInputs) {
+  private constructor(name: string, effect: Effect, inputs: PassInputs, id?: EffectId) {
     const { mask, type } = inputs;
+    this.id = id;
     const made = new Map<string, Texture>();
     this.passes = effect.map((step, i) => {
       const last = i === effect.length - 1;
       const before = new Map(made);
-      const sources = { ...inputs, args: this.args };
+      const sources = { ...inputs, args: this.args, time: this.time };
       const color = last && mask ? masked(step, mask) : step.color;
       const output = Fn(() => color(new Frame(sources, before)))();
       const target = last ? undefined : dataTarget(1, type);
@@ -65,10 +73,11 @@ export class EffectPasses {
       target?.setSize(Math.ceil(width / shrink), Math.ceil(height / shrink));
   }
 
-  /** Into `target`, which must not be what the effect reads. */
-  render(renderer: WebGPURenderer, target: RenderTarget, args: readonly number[]): void {
-    const [x = 0, y = 0, z = 0, w = 0] = args;
+  /** Into `target`, which must not be what the effect reads. `time`: world time of the observer [s]. */
+  render(renderer: WebGPURenderer, target: RenderTarget, args: readonly number[], time = 0): void {
+    const [x = 0, y = 0, z = 0, w = 0] = this.id ? argumentsOf(this.id, args) : args;
     this.args.value.set(x, y, z, w);
+    this.time.value = time;
     for (const step of this.passes) step.pass.render(renderer, step.target ?? target);
   }
 

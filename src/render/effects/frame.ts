@@ -30,6 +30,8 @@ export interface EffectSources {
   readonly buffer?: SurfaceTextures;
   readonly uniforms: Uniforms;
   readonly args: UniformNode<'vec4', Vector4>;
+  /** World time of the observer [s]. */
+  readonly time: UniformNode<'float', number>;
 }
 
 /** A picture that is read texel by texel, by whole numbers from its top left corner; beyond its edges, its mirror image. */
@@ -82,6 +84,10 @@ export class Frame {
     return [x, y, z, w];
   }
 
+  get time(): Float {
+    return this.sources.time;
+  }
+
   /** What an earlier step has made. */
   step(name: string): Picture {
     const texture = this.steps.get(name);
@@ -119,6 +125,20 @@ export class Frame {
   tangents(pixel: Vec2): Vec2 {
     const across = pixel.add(0.5).div(this.image.size).mul(2).sub(1);
     return vec2(across.x, across.y.negate()).mul(this.uniforms.halfTangents);
+  }
+
+  /** World time of the event after the observer's [s]. */
+  emissionTime(pixel: Vec2): Float {
+    return this.surface('event', pixel).w.mul(this.uniforms.secondsPerMetre);
+  }
+
+  /** (velocity of the surface, world frame, units of c; D) */
+  motion(pixel: Vec2): Vec4 {
+    return this.surface('motion', pixel);
+  }
+
+  object(pixel: Vec2): Float {
+    return this.surface('object', pixel).x;
   }
 
   private surface(name: TargetName, pixel: Vec2): Vec4 {

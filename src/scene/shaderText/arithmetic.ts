@@ -7,6 +7,7 @@ import { isFloat, type Type } from './types.ts';
  */
 
 type Numbers = readonly number[];
+type Component = (...args: number[]) => number;
 
 const clampTo = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
 /** Halves go to the even neighbour. */
@@ -22,7 +23,7 @@ function smoothstep(from: number, to: number, x: number): number {
 const whole = (x: number): number => x | 0;
 
 /** By components. */
-const COMPONENTS: Readonly<Partial<Record<Operation, (...args: number[]) => number>>> = {
+const COMPONENTS: Readonly<Partial<Record<Operation, Component>>> = {
   sin: Math.sin,
   cos: Math.cos,
   tan: Math.tan,
@@ -72,14 +73,14 @@ const COMPONENTS: Readonly<Partial<Record<Operation, (...args: number[]) => numb
 };
 
 /** Whole numbers of 32 bits; by 0 nothing is divided. */
-const WHOLE: Readonly<Partial<Record<Operation, (a: number, b: number) => number>>> = {
+const WHOLE: Readonly<Partial<Record<Operation, Component>>> = {
   add: (a, b) => whole(a + b),
   sub: (a, b) => whole(a - b),
   mul: Math.imul,
-  div: (a, b) => (b === 0 ? a : whole(a / b)),
+  div: (a = 0, b = 0) => (b === 0 ? a : whole(a / b)),
   rem: (a, b) => (b === 0 ? 0 : a % b),
 };
-const BROKEN: Readonly<Partial<Record<Operation, (a: number, b: number) => number>>> = {
+const BROKEN: Readonly<Partial<Record<Operation, Component>>> = {
   div: (a, b) => a / b,
   rem: (a, b) => a - b * Math.trunc(a / b),
 };
@@ -108,9 +109,7 @@ export function apply(f: Operation, args: readonly Numbers[], types: readonly Ty
   const each = special ?? COMPONENTS[f];
   if (!each) throw new Error(`no operation ${f}`);
   const size = Math.max(...args.map((arg) => arg.length));
-  return Array.from({ length: size }, (_, i) =>
-    each(...([a, b, c].map((arg) => arg[arg.length === 1 ? 0 : i] ?? 0) as [number, number])),
-  );
+  return Array.from({ length: size }, (_, i) => each(...args.map((arg) => arg[arg.length === 1 ? 0 : i] ?? 0)));
 }
 
 /** Columns of b, each a sum of a's. A vector on the left is a row. */

@@ -38,6 +38,8 @@ export interface Names {
   ): { readonly index: number; readonly params: readonly Type[]; readonly result: Type } | undefined;
 }
 
+/** Nearly the largest f32. */
+const LARGEST = 3.4e38;
 const BINARY: Readonly<Record<string, Binary>> = {
   ...{ '+': 'add', '-': 'sub', '*': 'mul', '/': 'div', '%': 'rem', '&&': 'and', '||': 'or' },
   ...{ '==': 'eq', '!=': 'ne', '<': 'lt', '<=': 'le', '>': 'gt', '>=': 'ge' },
@@ -91,7 +93,7 @@ function literal(text: string, at: Place): Value {
   const broken = suffix === 'f' || (!/^0[xX]/.test(text) && /[.eE]/.test(text));
   if (!broken && value > 2 ** 31 - 1)
     refuse(at, `${text} is more than the largest i32, 2147483647: write it with a point`);
-  if (Math.abs(value) > 3.4e38) refuse(at, `${text} is more than the largest f32, 3.4e38`);
+  if (Math.abs(value) > LARGEST) refuse(at, `${text} is more than the largest f32, 3.4e38`);
   const of = suffix === 'f' ? 'f32' : suffix === 'i' ? 'i32' : broken ? 'broken' : 'whole';
   return { op: 'constant', type: { of, rows: 1, columns: 1 }, numbers: [value] };
 }
@@ -109,7 +111,10 @@ const constants = (values: readonly Value[]): readonly (readonly number[])[] | u
 };
 
 /** What is known beforehand is worked out beforehand. */
-function operation(f: Operation, args: readonly Value[], type: Type): Value {
+function operation(f: Operation, args: readonly Value[], type: Type, at: Place): Value {
+  const divisor = f === 'div' || f === 'rem' ? args[1] : undefined;
+  if (divisor?.op === 'constant' && !isFloat(divisor.type) && divisor.numbers.includes(0))
+    refuse(at, 'this divides a whole number by 0');
   const known = constants(args);
   if (!known) return { op: 'apply', type, f, args: args.map((arg) => as(arg, concrete(arg.type))) };
   const numbers = apply(
@@ -117,6 +122,7 @@ function operation(f: Operation, args: readonly Value[], type: Type): Value {
     known,
     args.map((arg) => arg.type),
   );
+  if (numbers.some((x) => !(Math.abs(x) <= LARGEST))) refuse(at, 'this comes to no number that f32 holds');
   const size = sizeOf(type);
   return {
     op: 'constant',
@@ -134,10 +140,10 @@ export function as(value: Value, type: Type): Value {
 function unary(sign: string, of: Value, at: Place): Value {
   if (sign === '!') {
     expectType(of.type, BOOL, at, 'what follows !');
-    return operation('not', [of], BOOL);
+    return operation('not', [of], BOOL, at);
   }
   if (of.type.of === 'bool' || of.type.of === 'pixel') refuse(at, `- does not work on ${nameOf(of.type)}`);
-  return operation('negate', [of], of.type);
+  return operation('negate', [of], of.type, at);
 }
 
 function binary(sign: string, a: Value, b: Value, at: Place): Value {
@@ -146,31 +152,31 @@ function binary(sign: string, a: Value, b: Value, at: Place): Value {
     refuse(at, `${sign} does not work between ${nameOf(a.type)} and ${nameOf(b.type)}: convert one of them`);
   if (f === 'and' || f === 'or') {
     if (!isSame(a.type, BOOL) || !isSame(b.type, BOOL)) clash();
-    return operation(f, [a, b], BOOL);
+    return operation(f, [a, b], BOOL, at);
   }
   const of = commonOf([a.type, b.type]);
   if (!of) return clash();
   const [matrices, numbers] = [a.type.columns > 1 || b.type.columns > 1, sizeOf(a.type) === 1 || sizeOf(b.type) === 1];
-  if (matrices && f === 'mul' && !numbers) return matrixProduct(a, b, clash);
+  if (matrices && f === 'mul' && !numbers) return matrixProduct(a, b, clash, at);
   if (COMPARISONS.has(f)) {
     if (sizeOf(a.type) > 1 || sizeOf(b.type) > 1)
       refuse(at, `${sign} compares numbers: compare the components (.x, .y …) one by one`);
     if (of === 'bool' && f !== 'eq' && f !== 'ne') clash();
-    return operation(f, [as(a, { ...a.type, of }), as(b, { ...b.type, of })], BOOL);
+    return operation(f, [as(a, { ...a.type, of }), as(b, { ...b.type, of })], BOOL, at);
   }
   if (of === 'bool' || !(numbers || sameShape(a.type, b.type)) || (matrices && !['add', 'sub', 'mul'].includes(f)))
     clash();
   const shape = sizeOf(a.type) > 1 ? a.type : b.type;
   if (matrices && !sameShape(a.type, b.type) && f !== 'mul') clash();
-  return operation(f, [as(a, { ...a.type, of }), as(b, { ...b.type, of })], { ...shape, of });
+  return operation(f, [as(a, { ...a.type, of }), as(b, { ...b.type, of })], { ...shape, of }, at);
 }
 
-function matrixProduct(a: Value, b: Value, clash: () => never): Value {
+function matrixProduct(a: Value, b: Value, clash: () => never, at: Place): Value {
   const row = a.type.columns === 1;
   if ((row ? a.type.rows : a.type.columns) !== b.type.rows) clash();
   const rows = row ? b.type.columns : a.type.rows;
   const type: Type = { of: 'f32', rows, columns: row ? 1 : b.type.columns };
-  return operation('product', [as(a, { ...a.type, of: 'f32' }), as(b, { ...b.type, of: 'f32' })], type);
+  return operation('product', [as(a, { ...a.type, of: 'f32' }), as(b, { ...b.type, of: 'f32' })], type, at);
 }
 
 function member(written: Expression, name: string, at: Place, names: Names): Value {
@@ -261,7 +267,7 @@ function builtin(f: Operation, args: readonly Value[], at: Place): Value {
     const of = commonOf([a.type, b.type]);
     if (!of || !sameShape(a.type, b.type) || !isSame(c.type, BOOL)) return clash();
     const type = { ...concrete({ ...a.type, of }) };
-    return operation(f, [as(a, type), as(b, type), c], type);
+    return operation(f, [as(a, type), as(b, type), c], type, at);
   }
   // The last of `mix` may be a number for all components.
   const shares = f === 'mix' && sizeOf(c.type) === 1 ? [a, b] : args;
@@ -278,6 +284,7 @@ function builtin(f: Operation, args: readonly Value[], at: Place): Value {
     f,
     args.map((arg) => as(arg, { ...arg.type, of: wanted })),
     type,
+    at,
   );
 }
 

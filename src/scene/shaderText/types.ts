@@ -4,7 +4,7 @@ import type { TypeName } from './syntax.ts';
 /** Of what kind components are; those of literals are `whole` or `broken` until it is known what they are wanted as. */
 export type Component = 'f32' | 'i32' | 'bool' | 'whole' | 'broken';
 
-/** A number (1 × 1), a vector (n × 1), a matrix of columns (rows × columns), or the pixel that is worked on. */
+/** A number (1 × 1), a vector (n × 1), a square matrix (its columns one after the other), or the pixel that is worked on. */
 export interface Type {
   readonly of: Component | 'pixel';
   readonly rows: number;
@@ -19,7 +19,6 @@ export const BOOL = scalar('bool');
 export const PIXEL = scalar('pixel');
 
 export const sizeOf = ({ rows, columns }: Type): number => rows * columns;
-export const isAbstract = ({ of }: Type): boolean => of === 'whole' || of === 'broken';
 export const isFloat = ({ of }: Type): boolean => of === 'f32' || of === 'broken';
 export const sameShape = (a: Type, b: Type): boolean => a.rows === b.rows && a.columns === b.columns;
 export const isSame = (a: Type, b: Type): boolean => a.of === b.of && sameShape(a, b);
@@ -38,8 +37,8 @@ export function commonOf(types: readonly Type[]): Component | undefined {
   return kinds.find((of) => types.every((type) => type.of === of || rank(type.of, of)));
 }
 
-const NAMED = /^(?:(f32|i32|bool)|vec([234])([fi])|mat([234])x([234])f)$/;
-const TEMPLATED = /^(?:vec([234])|mat([234])x([234]))$/;
+const NAMED = /^(?:(f32|i32|bool)|vec([234])([fi])|mat([234])x\4f)$/;
+const TEMPLATED = /^(?:vec([234])|mat([234])x\2)$/;
 
 /** As it is written in WGSL. */
 export function nameOf({ of, rows, columns }: Type): string {
@@ -54,17 +53,17 @@ export function typeNamed({ name, of }: TypeName): Type | undefined {
   if (name === 'Pixel') return PIXEL;
   const named = NAMED.exec(name);
   if (named && !of) {
-    const [, component, n, letter, columns, rows] = named;
+    const [, component, n, letter, size] = named;
     if (component) return scalar(component as Component);
     if (n) return vector(Number(n), letter === 'f' ? 'f32' : 'i32');
-    return { of: 'f32', rows: Number(rows), columns: Number(columns) };
+    return { of: 'f32', rows: Number(size), columns: Number(size) };
   }
   const shape = TEMPLATED.exec(name);
   const inner = of && typeNamed(of);
   if (!shape || (of && !inner) || (inner && sizeOf(inner) !== 1)) return undefined;
-  const [, n, columns, rows] = shape;
+  const [, n, size] = shape;
   if (n) return vector(Number(n), inner?.of ?? 'whole');
-  return { of: 'f32', rows: Number(rows), columns: Number(columns) };
+  return { of: 'f32', rows: Number(size), columns: Number(size) };
 }
 
 /** The type that stands before a value or a parameter. */
@@ -74,7 +73,7 @@ export function declaredType(written: TypeName): Type {
   if (type && whole) return type;
   return refuse(
     written.at,
-    `the type ${written.name} is not known: there are f32, i32, bool, vec2f … vec4f, vec2i … vec4i, mat2x2f … mat4x4f and Pixel`,
+    `the type ${written.name} is not known: there are f32, i32, bool, vec2f … vec4f, vec2i … vec4i, mat2x2f, mat3x3f, mat4x4f and Pixel`,
   );
 }
 
