@@ -1,4 +1,4 @@
-import { SKY_SHAPE } from './daylight.ts';
+import { SKY_SHAPE } from './skyGradient.ts';
 
 /*
  * Effects over a finished picture: what they are called, which numbers they take, and what of the G-buffer they read. What each one does is written

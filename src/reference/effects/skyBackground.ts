@@ -1,5 +1,6 @@
 import { dot, length, lerp, scale, type Vec3 } from '../../math/vec3.ts';
-import { DAY, SKY_SHAPE } from '../../scene/daylight.ts';
+import { DAY_SKY } from '../../scene/daylight.ts';
+import { SKY_SHAPE } from '../../scene/skyGradient.ts';
 import type { Frame, Plane } from './frame.ts';
 
 /**
@@ -22,8 +23,9 @@ export function skyBackground(
 /** The clear day's sky (`SKY_SHAPE`), with a curve of its own. */
 function backdrop(height: number, curve: number): Vec3 {
   const { dim, haze, seam } = SKY_SHAPE;
-  const above = lerp(DAY.horizon, DAY.zenith, Math.min(Math.max(height, 0), 1) ** curve);
-  const below = lerp(scale(DAY.horizon, dim), DAY.ground, smoothstep(0, haze, -height));
+  const { horizon, ground } = DAY_SKY.gradient;
+  const above = lerp(horizon, DAY_SKY.color, Math.min(Math.max(height, 0), 1) ** curve);
+  const below = lerp(scale(horizon, dim), ground, smoothstep(0, haze, -height));
   return lerp(below, above, smoothstep(-seam, seam, height));
 }
 

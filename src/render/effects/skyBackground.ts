@@ -1,5 +1,6 @@
 import { clamp, dot, exp, float, length, mix, pow, select, smoothstep, vec3, vec4 } from 'three/tsl';
-import { DAY, SKY_SHAPE } from '../../scene/daylight.ts';
+import { DAY_SKY } from '../../scene/daylight.ts';
+import { SKY_SHAPE } from '../../scene/skyGradient.ts';
 import type { Float, Vec3 } from '../../shaders/types.ts';
 import { inOneStep } from './effect.ts';
 
@@ -16,8 +17,8 @@ export const skyBackground = inOneStep((frame) => {
 
 function backdrop(height: Float, curve: Float): Vec3 {
   const { dim, haze, seam } = SKY_SHAPE;
-  const horizon = vec3(...DAY.horizon);
-  const above = mix(horizon, vec3(...DAY.zenith), pow(clamp(height, 0, 1), curve));
-  const below = mix(horizon.mul(dim), vec3(...DAY.ground), smoothstep(0, haze, height.negate()));
+  const horizon = vec3(...DAY_SKY.gradient.horizon);
+  const above = mix(horizon, vec3(...DAY_SKY.color), pow(clamp(height, 0, 1), curve));
+  const below = mix(horizon.mul(dim), vec3(...DAY_SKY.gradient.ground), smoothstep(0, haze, height.negate()));
   return mix(below, above, smoothstep(-seam, seam, height));
 }
