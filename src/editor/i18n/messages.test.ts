@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { nodeLibrary } from '../../nodes/library.ts';
+import { EFFECTS } from '../../scene/effects.ts';
 import { exampleWords } from './exampleWords.ts';
 import { preferredLanguage } from './i18n.ts';
 import { messages } from './messages.ts';
@@ -18,7 +19,7 @@ describe('the catalogue of messages', () => {
 
   it('has no text that nobody shows', () => {
     const sources = Object.values(
-      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,words}.ts'], {
+      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,words,effectWords}.ts'], {
         query: '?raw',
         import: 'default',
         eager: true,
@@ -29,6 +30,15 @@ describe('the catalogue of messages', () => {
       /^(lock|loading|header)\.(free|look|fly|fetch|parse|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^(band|preset|light|math|relation)\./;
     const unused = Object.keys(messages).filter((key) => !sources.includes(`'${key}'`) && !composed.test(key));
     expect(unused).toEqual([]);
+  });
+
+  it('has every text that the effects name', () => {
+    const keys = Object.values(EFFECTS).flatMap(({ title, help, args }) => [
+      title,
+      help,
+      ...args.map((arg) => arg.title),
+    ]);
+    expect(keys.filter((key) => !Object.hasOwn(messages, key))).toEqual([]);
   });
 
   it('has every text that the node library names', () => {
