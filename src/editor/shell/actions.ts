@@ -17,8 +17,8 @@ export function toggleGrid(studio: Studio): void {
 
 export function nextFalseColor(studio: Studio): void {
   const kinds = ['none', ...FALSE_COLORS];
-  const now = kinds.indexOf(String(paramOf(studio, 'toneMap', 'falseColor')));
-  studio.set('toneMap', 'falseColor', kinds[(now + 1) % kinds.length], 'param.falseColor');
+  const now = kinds.indexOf(String(paramOf(studio, 'falseColour', 'of')));
+  studio.set('falseColour', 'of', kinds[(now + 1) % kinds.length], 'param.falseColor');
 }
 
 function paramOf(studio: Studio, node: string, param: string) {

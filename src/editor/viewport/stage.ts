@@ -202,7 +202,7 @@ export class Stage {
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
     const { clientWidth, clientHeight } = this.#canvas;
-    const wanted = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
+    const wanted = renderSettings(picture, this.#eye.exposure(picture), (kind) => this.#eye.scale(kind));
     const affordable = this.#resolution.hasTime ? wanted : { ...wanted, occlusionRadius: 0 };
     // What was shown before goes on until what is wanted can be drawn at once.
     const settings = this.#isPrepared(viewPoint, affordable) ? affordable : this.#shown?.settings;
