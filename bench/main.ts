@@ -1,6 +1,7 @@
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, totalmem } from 'node:os';
 import { fileURLToPath } from 'node:url';
+import { antialiasing } from './antialiasing.ts';
 import { type Bench, markdown } from './bench.ts';
 import { bundle } from './bundle.ts';
 import { cache } from './cache.ts';
@@ -20,6 +21,7 @@ import { refine } from './refine.ts';
 /** Every benchmark, in the order of the page. */
 const benches: readonly Bench[] = [
   frame,
+  antialiasing,
   cubic,
   refine,
   emission,

@@ -1,7 +1,7 @@
 import type { Gauge } from '../scene/gauge.ts';
 import type { Scene } from '../scene/types.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
-import type { PickResult, RendererInfo } from './settings.ts';
+import type { PickResult, RendererInfo, Sampling } from './settings.ts';
 
 /**
  * What a page, a command line and a benchmark may ask of the renderer; `SceneRenderer` (renderer.ts) is the one that does it:
@@ -15,16 +15,18 @@ export interface PictureMaker {
   setScene(scene: Scene): Promise<void>;
   /** Size of the picture in device pixels. */
   setSize(width: number, height: number): void;
+  /** Makes one picture, and shows it where there is a canvas. Synchronous: the GPU may still be at work when it returns. `sampling`: 1 where nobody says. */
+  render(viewPoint: ViewPoint, settings: RenderSettings, sampling?: Sampling): void;
+  /**
+   * Adds a sample to the last picture, and shows it where there is a canvas; in the end it is that of 8 × 8. Tells whether there is more to add.
+   * Data are of the pixels' centres all the while, and so is the light.
+   */
+  refine(): boolean;
   /**
    * Compiles, between the frames of others, the shaders of a picture that would be the first of its kind; undefined: it can be made at once.
    * While something else is being compiled: its end, after which is to be asked again. Rejects where the device is lost.
    */
   prepare(viewPoint: ViewPoint, settings: RenderSettings): Promise<void> | undefined;
-  /**
-   * Makes one picture, and shows it where there is a canvas. `samples`: n × n ordered samples per pixel; 1 is antialiased
-   * by FXAA instead. Synchronous: the GPU may still be at work when it returns.
-   */
-  render(viewPoint: ViewPoint, settings: RenderSettings, samples?: number): void;
   /** The last picture, sRGB, RGBA8. Also the way to wait for the GPU. */
   readPixels(): Promise<Uint8Array>;
   /** Of the last picture; as many values per pixel as the AOV has channels. */

@@ -4,6 +4,7 @@ import {
   float,
   floor,
   fract,
+  max,
   mix,
   mrt,
   pow,
@@ -23,6 +24,7 @@ import { fxaa } from './fxaa.ts';
 import { gridOver } from './grid.ts';
 import { depthHere } from './passes.ts';
 import type { GBuffer } from './targets.ts';
+import { fromYCoCg, toYCoCg } from './temporal.ts';
 import type { Uniforms } from './uniforms.ts';
 
 /** What of the settings changes the passes of this file, and not their uniforms alone. */
@@ -47,8 +49,8 @@ export const singleSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms, 
   })();
 
 /**
- * One of several samples, added to those before: the picture after tone mapping, so that edges of very bright things are smooth too,
- * and the light itself for the beauty AOV.
+ * One of several samples, added to those before: the picture after tone mapping, so that edges of very bright things are smooth too and no
+ * spark outshines its neighbours, and the light itself for the beauty AOV. The fourth: the sum of their weights.
  */
 export function addedSample(
   hdr: Texture,
@@ -58,7 +60,7 @@ export function addedSample(
   look: Look,
 ): Node {
   const sum = (now: Vec3, of: Texture): Vec4 =>
-    vec4(select(uniforms.firstSample.greaterThan(0.5), vec3(0), texelHere(of).rgb).add(now.mul(uniforms.weight)), 1);
+    select(uniforms.firstSample.greaterThan(0.5), vec4(0), texelHere(of)).add(vec4(now, 1).mul(uniforms.weight));
   const light = texelHere(hdr).rgb;
   return mrt({
     picture: Fn(() => sum(displayed(light, buffer, uniforms, look), before.picture))(),
@@ -67,7 +69,21 @@ export function addedSample(
 }
 
 export const antialiased = (picture: Texture): Vec4 => vec4(fxaa(picture), 1);
-export const averaged = (picture: Texture): Vec4 => vec4(dithered(encode(texelHere(picture).rgb)), 1);
+/** The mean of the samples that there are. */
+export const averaged = (picture: Texture): Vec4 =>
+  Fn(() => {
+    const sum = texelHere(picture).toVar();
+    return vec4(dithered(encode(sum.rgb.div(sum.w))), 1);
+  })();
+
+/** One sample as temporal.ts takes it: what is shown, and 1/|Δx′| of the surface there [1/m], or 0. */
+export const freshSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms, look: Look): Vec4 =>
+  Fn(() => {
+    const near = max(depthHere(buffer), 1e-4).reciprocal();
+    return vec4(toYCoCg(displayed(texelHere(hdr).rgb, buffer, uniforms, look)), near);
+  })();
+export const followed = (history: Texture): Vec4 =>
+  vec4(dithered(encode(fromYCoCg(texelHere(history).xyz).clamp(0, 1))), 1);
 
 /** sRGB encoding, IEC 61966-2-1. */
 export function encode(linear: Vec3): Vec3 {

@@ -1,17 +1,9 @@
-import {
-  FloatType,
-  HalfFloatType,
-  LinearFilter,
-  PerspectiveCamera,
-  type RenderTarget,
-  Scene,
-  UnsignedByteType,
-} from 'three/webgpu';
+import { FloatType, HalfFloatType, PerspectiveCamera, type RenderTarget, Scene, UnsignedByteType } from 'three/webgpu';
 import type { Gauge } from '../scene/gauge.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import type { FalseColors } from '../spectrum/falseColor.ts';
 import type { Gpu } from './device.ts';
-import { addedSample, antialiased, averaged, type Look, singleSample } from './display.ts';
+import type { Look } from './display.ts';
 import type { Drawable } from './drawable.ts';
 import { FalseColorTable, falseColored } from './falseColor.ts';
 import { FullScreen, type Where } from './fullScreen.ts';
@@ -20,6 +12,7 @@ import { Occlusion, type OcclusionRequest } from './occlusion/occlusion.ts';
 import { Palettes, paletteOf } from './palette.ts';
 import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
 import type { SceneUpload } from './sceneUpload.ts';
+import { Smoothing } from './smoothing.ts';
 import { dataTarget, GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
@@ -34,8 +27,7 @@ type Shown = Look & Pick<RenderSettings, 'falseColors'>;
 export class PictureMachine {
   readonly buffer: GBuffer;
   readonly light: RenderTarget;
-  private readonly single = dataTarget(1, UnsignedByteType);
-  private readonly sums: readonly [RenderTarget, RenderTarget];
+  readonly smoothing: Smoothing;
   private readonly screen = dataTarget(1, UnsignedByteType);
   private readonly gpu: Gpu;
   private readonly uniforms: Uniforms;
@@ -45,8 +37,9 @@ export class PictureMachine {
   private readonly occlusion: Occlusion;
   private hiding: OcclusionRequest | undefined;
   private readonly falseColors = new FalseColorTable();
-  private samples = 1;
-  private look: Shown = { tone: 'neutral', grid: false, starry: false };
+  /** How the picture that is there is to be shown; of how many samples its light is. */
+  look: Shown = { tone: 'neutral', grid: false, starry: false };
+  samples = 1;
 
   constructor(gpu: Gpu, uniforms: Uniforms) {
     this.gpu = gpu;
@@ -54,16 +47,15 @@ export class PictureMachine {
     this.buffer = new GBuffer(gpu.bytesPerSample, gpu.attachments);
     this.occlusion = new Occlusion(gpu, this.buffer, uniforms);
     this.light = dataTarget(1, gpu.floatBlending ? FloatType : HalfFloatType, this.buffer.depth);
-    this.single.texture.minFilter = LinearFilter;
-    this.single.texture.magFilter = LinearFilter;
-    this.sums = [sumTarget(), sumTarget()];
+    const run = this.run.bind(this);
+    this.smoothing = new Smoothing({ light: this.light, buffer: this.buffer, uniforms, run });
     this.gauge = new GaugeReader(gpu, this.buffer, uniforms);
   }
 
   setSize(width: number, height: number): void {
     this.buffer.setSize(width, height);
     this.occlusion.setSize(width, height);
-    for (const target of [this.light, this.single, this.screen, ...this.sums]) target.setSize(width, height);
+    for (const target of [this.light, this.screen, this.smoothing]) target.setSize(width, height);
     // Three clears the depth of a target of a new size when it first draws to it. That of `light` is the G-buffer's: after the scene it would be too late.
     this.gpu.renderer.setRenderTarget(this.light);
     this.gpu.renderer.render(new Scene(), new PerspectiveCamera());
@@ -128,32 +120,11 @@ export class PictureMachine {
     renderer.autoClear = true;
   }
 
-  /** Light to display: sample `index` of `count`. */
-  display(index: number, count: number, look: Shown): void {
-    this.look = look;
-    const key = `${look.tone} ${look.grid} ${look.starry}`;
-    const { buffer, uniforms, light } = this;
-    this.samples = count;
-    if (count === 1) {
-      this.run(`single ${key}`, () => singleSample(light.texture, buffer, uniforms, look), this.single);
-      return;
-    }
-    uniforms.weight.value = 1 / count;
-    uniforms.firstSample.value = index === 0 ? 1 : 0;
-    const [from, to] = index % 2 === 0 ? [1, 0] : [0, 1];
-    const before = { picture: this.sums[from].textures[0], light: this.sums[from].textures[1] };
-    this.run(`add ${to} ${key}`, () => addedSample(light.texture, before, buffer, uniforms, look), this.sums[to]);
-  }
-
   /** The finished picture to the canvas (`null`), or to where it can be read. */
   present(where: 'canvas' | 'screen'): RenderTarget {
     const target = where === 'canvas' ? null : this.screen;
     if (this.look.falseColors) this.colorFalsely(this.look, this.look.falseColors, target);
-    else if (this.samples === 1) this.run('antialiased', () => antialiased(this.single.texture), target);
-    else {
-      const at = (this.samples - 1) % 2;
-      this.run(`averaged ${at}`, () => averaged(this.sums[at].textures[0]), target);
-    }
+    else this.smoothing.present(target);
     return this.screen;
   }
 
@@ -168,9 +139,7 @@ export class PictureMachine {
 
   /** Where the light of the whole picture is, and in which of its textures. */
   beauty(): { readonly target: RenderTarget; readonly index: number } {
-    return this.samples === 1
-      ? { target: this.light, index: 0 }
-      : { target: this.sums[(this.samples - 1) % 2], index: 1 };
+    return this.samples > 1 ? this.smoothing.mean : { target: this.light, index: 0 };
   }
 
   /** What the picture is like at places spread over it; c [m/s]. */
@@ -181,6 +150,7 @@ export class PictureMachine {
 
   /** Lets go of the passes that read a scene. */
   forget(upload: SceneUpload): void {
+    this.smoothing.forget();
     for (const [name, pass] of this.passes) {
       if (!name.startsWith(`sky ${upload.serial} `) && !name.startsWith(`light ${upload.serial} `)) continue;
       pass.dispose();
@@ -195,7 +165,7 @@ export class PictureMachine {
     this.gauge.dispose();
     this.occlusion.dispose();
     this.falseColors.dispose();
-    for (const target of [this.light, this.single, this.screen, ...this.sums]) target.dispose();
+    for (const target of [this.light, this.screen, this.smoothing]) target.dispose();
   }
 
   private run(
@@ -214,12 +184,4 @@ export class PictureMachine {
     drawable.materials.set(key, material);
     drawable.mesh.material = material;
   }
-}
-
-function sumTarget(): RenderTarget {
-  const target = dataTarget(2, FloatType);
-  ['picture', 'light'].forEach((name, i) => {
-    target.textures[i].name = name;
-  });
-  return target;
 }

@@ -12,11 +12,25 @@ import { paletteOf } from './palette.ts';
 import { PictureMachine } from './picture.ts';
 import { type Region, readBytes, readData, readFloats, readSurfaceAt } from './readback.ts';
 import { rehearse } from './rehearsal.ts';
+import { gridPlaces, type SamplePlace, wanderingPlace } from './samplePlaces.ts';
 import { SceneUpload } from './sceneUpload.ts';
-import type { PickResult, RendererInfo, RendererOptions } from './settings.ts';
+import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
 import type { Sight } from './sight.ts';
 import { makeUniforms, type Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
+
+/** Samples in a pixel along each side, where there is time: what pictures at rest come to. */
+const FINEST = 8;
+const CENTRE: SamplePlace = [0, 0];
+/** Of so many samples a picture is better than one that was smoothed otherwise. */
+const WORTHWHILE = 8;
+
+/** A picture that was made, and can be drawn again. */
+interface Made {
+  readonly upload: SceneUpload;
+  readonly projection: Projection;
+  readonly settings: RenderSettings;
+}
 
 /** Makes pictures of a scene for a page, a command line or a benchmark; see api.ts. */
 export class SceneRenderer implements PictureMaker {
@@ -34,6 +48,12 @@ export class SceneRenderer implements PictureMaker {
   /** Of the last picture, and of the next one: the size changes when that is made, for a canvas of a new size is empty. */
   private size = { width: 1, height: 1 };
   private wanted = this.size;
+  private made: Made | undefined;
+  /** Samples of the last picture that `refine` has added. */
+  private added = 0;
+  /** The G-buffer and the light are those of the pixels' centres. */
+  private settled = true;
+  private pictures = 0;
   private drawn = { objectsDrawn: 0, milliseconds: 0 };
 
   static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
@@ -97,14 +117,16 @@ export class SceneRenderer implements PictureMaker {
     const stage = this.stage(upload, viewPoint, settings, projection);
     if (!stage) return;
     const draw = (): void => {
-      this.draw(upload, settings, projection, 0, 1);
+      this.machine.look = { ...settings, starry: upload.stars !== undefined };
+      this.sampleAt(CENTRE, { upload, projection, settings });
+      this.machine.smoothing.smoothEdges(this.machine.look);
       if (this.toCanvas) this.machine.present('canvas');
     };
     // Whatever comes of it: a shader that cannot be compiled is told of when it is to be drawn with.
     await rehearse(this.gpu.renderer, draw).finally(() => this.compiled.add(shadersOf(settings, upload)));
   }
 
-  render(viewPoint: ViewPoint, settings: RenderSettings, samples = 1): void {
+  render(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): void {
     const began = performance.now();
     const upload = this.uploadFor(settings.speedOfLight);
     if (!upload) return;
@@ -112,16 +134,12 @@ export class SceneRenderer implements PictureMaker {
     const stage = this.stage(upload, viewPoint, settings, projection, () => this.resize());
     if (!stage) return;
     const { sight, seen } = stage;
-    const count = samples * samples;
-    for (let i = 0; i < count; i++) {
-      this.jitter(samples, i);
-      this.draw(upload, settings, projection, i, count);
-    }
-    if (count > 1) {
-      // Data are of the pixels' centres, not of the last sample.
-      this.jitter(1, 0);
-      this.machine.drawGeometry(upload, projection, this.camera);
-    }
+    this.made = { upload, projection, settings };
+    this.machine.look = { ...settings, starry: upload.stars !== undefined };
+    this.added = 0;
+    if (settings.falseColors && sampling === 'temporal') this.drawSamples(1);
+    else if (sampling === 'temporal') this.follow(viewPoint, sight, projection);
+    else this.drawSamples(sampling);
     if (this.toCanvas) this.machine.present('canvas');
     this.taken = sight;
     this.drawn = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
@@ -150,17 +168,51 @@ export class SceneRenderer implements PictureMaker {
     return { sight, seen };
   }
 
-  /** Sample `index` of `count`. */
-  private draw(
-    upload: SceneUpload,
-    settings: RenderSettings,
-    projection: Projection,
-    index: number,
-    count: number,
-  ): void {
+  refine(): boolean {
+    const { made, machine, added } = this;
+    const count = FINEST * FINEST;
+    if (!made || made.settings.falseColors || !made.upload.frame.isComplete || machine.samples > 1) return false;
+    if (added === count) return false;
+    this.sampleAt(gridPlaces(FINEST)[added]);
+    this.added = added + 1;
+    machine.smoothing.add(added, count, machine.look, this.added >= WORTHWHILE);
+    if (this.toCanvas) machine.present('canvas');
+    return this.added < count;
+  }
+
+  /** n × n samples per pixel. */
+  private drawSamples(n: number): void {
+    const { machine } = this;
+    machine.samples = n * n;
+    for (const [i, place] of gridPlaces(n).entries()) {
+      this.sampleAt(place);
+      if (n === 1) machine.smoothing.smoothEdges(machine.look);
+      else machine.smoothing.add(i, n * n, machine.look, true);
+    }
+    if (machine.look.falseColors) this.settle();
+  }
+
+  /** One sample, and what is left of the pictures before. */
+  private follow(view: ViewPoint, sight: Sight, projection: Projection): void {
+    const { machine } = this;
+    machine.samples = 1;
+    this.sampleAt(wanderingPlace(this.pictures++));
+    machine.smoothing.follow(machine.look, { sight, view, projection, aspect: this.width / this.height });
+  }
+
+  /** Draws the last picture with its samples at one place of their pixels. */
+  private sampleAt(place: SamplePlace, made = this.made): void {
+    if (!made) return;
+    const { upload, projection, settings } = made;
+    this.jitter(place);
     this.machine.drawGeometry(upload, projection, this.camera);
     this.machine.drawLight(upload, projection, this.camera, settings);
-    this.machine.display(index, count, { ...settings, starry: upload.stars !== undefined });
+    this.settled = place[0] === 0 && place[1] === 0;
+  }
+
+  /** Numbers are of the pixels' centres, and never a mean. */
+  private settle(): void {
+    if (!this.settled && this.made?.upload.frame.isComplete) this.sampleAt(CENTRE);
   }
 
   async readPixels(): Promise<Uint8Array> {
@@ -169,6 +221,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   async readAov(name: AovName): Promise<Float32Array> {
+    this.settle();
     if (name !== 'beauty') return readData(this.gpu, this.machine, name, this.picture(), this.whole());
     const { target, index } = this.machine.beauty();
     return withoutAlpha(await readFloats(this.gpu, target, index, this.whole()));
@@ -178,6 +231,7 @@ export class SceneRenderer implements PictureMaker {
     const inside = x >= 0 && y >= 0 && x < this.width && y < this.height;
     const { upload, taken } = this;
     if (!inside || !upload || !taken) return undefined;
+    this.settle();
     const pathOf = (id: number) => upload.bodies[id - 1].object.path;
     const [column, row] = [Math.floor(x), Math.floor(y)];
     const { target, index } = this.machine.beauty();
@@ -189,6 +243,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   async gauge(): Promise<Gauge> {
+    this.settle();
     return this.machine.measure(this.picture().c);
   }
 
@@ -215,6 +270,7 @@ export class SceneRenderer implements PictureMaker {
 
   private replace(scene: Scene, speedOfLight: number): void {
     const made = new SceneUpload(scene, speedOfLight, this.uniforms, this.gpu, this.options);
+    this.made = undefined;
     if (this.upload) {
       this.machine.forget(this.upload);
       this.upload.dispose();
@@ -261,11 +317,9 @@ export class SceneRenderer implements PictureMaker {
     camera.updateMatrixWorld();
   }
 
-  /** Moves the picture by the place of sample `index` of an n × n grid inside the pixel. */
-  private jitter(n: number, index: number): void {
+  /** Moves the picture so that samples are at this place of their pixels. */
+  private jitter([dx, dy]: SamplePlace): void {
     const { width, height } = this;
-    const dx = ((index % n) + 0.5) / n - 0.5;
-    const dy = (Math.floor(index / n) + 0.5) / n - 0.5;
     this.camera.setViewOffset(width, height, dx, dy, width, height);
     this.camera.updateProjectionMatrix();
     this.uniforms.jitter.value.set((2 * dx) / width, (-2 * dy) / height);

@@ -24,6 +24,12 @@ export interface PickedSurface {
   readonly depth: number;
 }
 
+/**
+ * Where a picture's samples are. n: n × n in every pixel, 1: in its centre, and edges are smoothed by FXAA. `temporal`: one, somewhere in its
+ * pixel, blended with what is left of the pictures that were made before.
+ */
+export type Sampling = number | 'temporal';
+
 export type Backend = 'webgpu' | 'webgl';
 
 export interface RendererOptions {

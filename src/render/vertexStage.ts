@@ -163,7 +163,8 @@ function rotated(q: Vec4, v: Vec3): Vec3 {
   return v.add(t.mul(q.w)).add(cross(q.xyz, t)).toVar();
 }
 
-function place(dx: Vec3, how: Projection['place'], { u, gamma }: Uniforms): Vec3 {
+/** Where an event at Δx is drawn, from the observer, on the world axes that the boost carries [m]. */
+export function place(dx: Vec3, how: Projection['place'], { u, gamma }: Pick<Uniforms, 'u' | 'gamma'>): Vec3 {
   if (how === 'apparent') return apparentPosition(dx, u, gamma);
   if (how === 'contracted') return simultaneousPosition(dx, u, gamma);
   return dx;

@@ -15,6 +15,7 @@ it('is full while frames are quick', () => {
   const resolution = new Resolution();
   run(resolution, 0, 100, 16);
   expect(resolution.scale).toBe(1);
+  expect(resolution.quick).toBe(true);
   expect(resolution.hasTime).toBe(true);
 });
 
@@ -28,9 +29,11 @@ it('goes down step by step while frames are slow, is full at rest, and remembers
   now += 300;
   resolution.note(false, now, 16);
   expect(resolution.scale).toBe(1);
+  expect([resolution.resting, resolution.quick]).toEqual([true, false]);
   expect(resolution.hasTime).toBe(true);
   run(resolution, now, 1, 16);
   expect(resolution.scale).toBe(0.5);
+  expect(resolution.resting).toBe(false);
 });
 
 it('comes back where there is room, and settles between', () => {

@@ -22,6 +22,16 @@ export class Resolution {
     return this.#moving ? LEVELS[this.#level]! : 1;
   }
 
+  /** Whether the picture rests. */
+  get resting(): boolean {
+    return !this.#moving;
+  }
+
+  /** Whether this machine has time for more than it must do while the picture moves. */
+  get quick(): boolean {
+    return this.#level === 0;
+  }
+
   /** Whether there is time for what makes a picture more beautiful, and changes nothing in it. */
   get hasTime(): boolean {
     return this.scale > LEVELS[LEVELS.length - 1]!;

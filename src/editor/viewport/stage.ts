@@ -29,7 +29,7 @@ export interface Captured extends Shown {
   readonly image: ImageData;
 }
 
-/** One canvas with its renderer, from start to loss: draws a frame wherever something has changed. */
+/** One canvas with its renderer, from start to loss: draws a frame wherever something has changed, and refines what rests. */
 export class Stage {
   readonly #studio: Studio;
   readonly #pilot: Pilot;
@@ -102,8 +102,10 @@ export class Stage {
 
   /** The picture as it is now, with all its pixels; undefined where there is none. */
   async capture(): Promise<Captured | undefined> {
-    this.#scale = 1;
-    this.#resize();
+    if (this.#scale !== 1 || !this.#shown) {
+      this.#scale = 1;
+      this.#resize();
+    }
     if (!this.#shown) return undefined;
     const shown = this.#shown;
     const { width, height } = this.#renderer;
@@ -133,10 +135,16 @@ export class Stage {
     if (this.#resolution.scale !== this.#scale) {
       this.#scale = this.#resolution.scale;
       this.#resize();
-    }
+    } else if (this.#resolution.resting && !this.#uploading) this.#refine();
     this.#read(now);
     const drawn = { ...this.#renderer.info, waiting: this.#waits, preparing: this.#prepares };
     report(this.#pilot.observer, this.#shown ? drawn : { ...drawn, triangles: 0 }, now);
+  }
+
+  /** A sample more of what rests; the canvas tells when it has them all. */
+  #refine(): void {
+    const more = this.#renderer.refine();
+    this.#canvas.toggleAttribute('data-finest', !more && this.#shown !== undefined);
   }
 
   /** For the legend, what is pointed at. */
@@ -210,7 +218,8 @@ export class Stage {
     if (!always && !this.#stale && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
     this.#shown = { viewPoint, settings };
     this.#stale = false;
-    this.#renderer.render(viewPoint, settings);
+    this.#canvas.removeAttribute('data-finest');
+    this.#renderer.render(viewPoint, settings, this.#resolution.quick ? 'temporal' : 1);
     if (this.#renderer.info.waiting) return false;
     showColors(settings.falseColors);
     const aspect = clientWidth / Math.max(1, clientHeight);

@@ -1,0 +1,248 @@
+import {
+  abs,
+  clamp,
+  dFdx,
+  dFdy,
+  dot,
+  exp,
+  Fn,
+  float,
+  floor,
+  int,
+  ivec2,
+  length,
+  max,
+  min,
+  mix,
+  pow,
+  screenCoordinate,
+  screenSize,
+  select,
+  sqrt,
+  texture,
+  textureLoad,
+  transpose,
+  vec2,
+  vec3,
+  vec4,
+} from 'three/tsl';
+import type { Texture } from 'three/webgpu';
+import { dopplerFactor } from '../shaders/dopplerFactor.ts';
+import { ontoLightCone } from '../shaders/ontoLightCone.ts';
+import type { Bool, Float, Vec2, Vec3, Vec4 } from '../shaders/types.ts';
+import { unaberrate } from '../shaders/unaberrate.ts';
+import type { EyeBefore } from './eyeBefore.ts';
+import { pixelDirection } from './fullScreen.ts';
+import type { GBuffer } from './targets.ts';
+import type { Uniforms } from './uniforms.ts';
+import { type Projection, place } from './vertexStage.ts';
+
+/*
+ * Antialiasing over time: each picture has one sample per pixel, at another place in it, and is blended with the mean of those before, fetched
+ * from where the same points of matter were seen then. That place needs no second solution of the vertices: a point runs straight on from the
+ * event that is seen of it now, as long as two pictures are apart, and so meets the light cone of the eye before in closed form.
+ * How much and what of the past counts was chosen by `npm run bench -- antialiasing`.
+ */
+
+/** A new picture counts for at least 1/(1 + MOST). */
+const MOST = 12;
+/** The past may be so many standard deviations of what is around now away from its mean, */
+const REACH = 1.25;
+/** and farther by so many times what it has lately been off by: where that is much, pixels are too coarse to tell what is there. */
+const UNREST = 1;
+/** So quickly is that forgotten. */
+const RENEWAL = 1 / 6;
+/** Of nearness, relative and against what is around: what was nearer than that stood before what is seen now. */
+const [ASIDE, SLOPE] = [0.03, 0.1];
+/** What grows is not known so finely from before: its weight falls with this power of the area. */
+const GROWTH = 5;
+/** What changes its brightness with D is another light than before: so falls its weight with D. */
+const FADING = 60;
+/** Sharpness of the filter over neighbours while there is little past [1/px²]. Source: Karis 2014, "High quality temporal supersampling". */
+const FILTER = 2.3;
+/** Pictures after which a sample stands for itself. */
+const ENOUGH = 6;
+
+const AROUND = [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((x) => [x, y] as const));
+const CORNERS = [0, 1].flatMap((y) => [0, 1].map((x) => [x, y] as const));
+
+export interface TemporalSources {
+  /** This picture and the one before: YCoCg of display light, linear, and 1/|Δx′| [1/m], 0 where no surface is. */
+  readonly fresh: Texture;
+  readonly freshBefore: Texture;
+  /** The mean of those before, and in the fourth how many they count for, and in its fraction how far off the past has lately been. */
+  readonly history: Texture;
+  readonly buffer: GBuffer;
+  readonly uniforms: Uniforms;
+  readonly before: EyeBefore;
+  readonly projection: Projection;
+}
+
+/** Luma and two differences of colour. */
+export const toYCoCg = ({ x: r, y: g, z: b }: Vec3): Vec3 =>
+  vec3(r.add(b).mul(0.25).add(g.mul(0.5)), r.sub(b).mul(0.5), g.mul(0.5).sub(r.add(b).mul(0.25)));
+export const fromYCoCg = ({ x: y, y: co, z: cg }: Vec3): Vec3 => vec3(y.add(co).sub(cg), y.add(cg), y.sub(co).sub(cg));
+
+const texelNear = (of: Texture, at: Vec2): Vec4 =>
+  textureLoad(of, ivec2(clamp(at, vec2(0.5), screenSize.sub(0.5)))).toVar();
+
+/** The next mean, as `TemporalSources.history`. */
+export const blended = (sources: TemporalSources): Vec4 =>
+  Fn(() => {
+    const { history, before } = sources;
+    const around = surroundings(sources);
+    const { shift, nearness, sameness } = passageOf(sources, screenCoordinate.add(around.nearest.xy), around.nearest.w);
+    const from = screenCoordinate.add(shift.mul(vec2(0.5, -0.5)).mul(screenSize)).toVar();
+    const memory = texelNear(history, from).w.toVar();
+    const unrest = memory.fract().toVar();
+    const then = catmullRom(history, from).xyz.toVar();
+    const usable = isInside(from)
+      .and(before.known.greaterThan(0.5))
+      .and(wasHidden(sources, from, nearness, around).not());
+    const worth = sameness.mul(pow(shrinking(from), GROWTH));
+    const count = select(usable, min(floor(memory), MOST).mul(worth), 0).toVar();
+
+    const sample = mix(around.filtered, around.own, min(count.div(ENOUGH), 1)).toVar();
+    const kept = clippedTo(then, around.mean, around.spread.add(unrest.mul(UNREST)));
+    const off = mix(unrest, abs(around.own.x.sub(then.x)), RENEWAL).min(0.95);
+    const known = count.greaterThan(0.5);
+    return vec4(mix(sample, kept, count.div(count.add(1))), floor(count.add(1.5)).add(select(known, off, 0)));
+  })();
+
+interface Surroundings {
+  readonly own: Vec3;
+  /** The picture at the pixel's centre, from the samples about it. */
+  readonly filtered: Vec3;
+  readonly mean: Vec3;
+  readonly spread: Vec3;
+  /** Where the nearest surface is of those in the pixels around, and its 1/|Δx′|. */
+  readonly nearest: Vec4;
+  /** The least 1/|Δx′| around. */
+  readonly farthest: Float;
+}
+
+function surroundings({ fresh, uniforms }: TemporalSources): Surroundings {
+  const jitter = uniforms.jitter.mul(screenSize).mul(0.5).toVar();
+  const [sum, squares, filtered] = [vec4(0).toVar(), vec3(0).toVar(), vec4(0).toVar()];
+  const nearest = vec4(0, 0, 0, -1).toVar();
+  const farthest = float(1e9).toVar();
+  for (const [x, y] of AROUND) {
+    const texel = texelNear(fresh, screenCoordinate.add(vec2(x, y)));
+    const away = jitter.add(vec2(x, -y)).toVar();
+    sum.addAssign(vec4(texel.xyz, 1));
+    squares.addAssign(texel.xyz.mul(texel.xyz));
+    filtered.addAssign(vec4(texel.xyz, 1).mul(exp(dot(away, away).mul(-FILTER))));
+    nearest.assign(select(texel.w.greaterThan(nearest.w), vec4(x, y, 0, texel.w), nearest));
+    farthest.assign(min(farthest, texel.w));
+  }
+  const mean = sum.xyz.div(AROUND.length).toVar();
+  const variance = max(squares.div(AROUND.length).sub(mean.mul(mean)), 0);
+  return {
+    own: texelNear(fresh, screenCoordinate).xyz,
+    filtered: filtered.xyz.div(filtered.w),
+    mean,
+    spread: sqrt(variance).mul(REACH),
+    nearest,
+    farthest,
+  };
+}
+
+/** Towards the mean of the surroundings, until it is within their spread. Source: Salvi 2016, "An excursion in temporal supersampling". */
+function clippedTo(color: Vec3, mean: Vec3, spread: Vec3): Vec3 {
+  const away = color.sub(mean).toVar();
+  const over = abs(away).div(max(spread, 1e-5)).toVar();
+  return mean.add(away.div(max(max(over.x, max(over.y, over.z)), 1)));
+}
+
+interface Passage {
+  /** From where it is in this picture to where it was in the one before [half-pictures]. */
+  readonly shift: Vec2;
+  /** 1/|Δx′| then [1/m], 0 of what is behind everything. */
+  readonly nearness: Float;
+  /** 1 where it was seen with the same D, and less where its brightness has changed. */
+  readonly sameness: Float;
+}
+
+/** What is seen at a pixel, in the picture before; `near`: its 1/|Δx′|. */
+function passageOf({ buffer, uniforms, before, projection }: TemporalSources, pixel: Vec2, near: Float): Passage {
+  const there = near.greaterThan(0);
+  const v = texelNear(buffer.texture('motion'), pixel).xyz.toVar();
+  const speed = length(v).toVar();
+  const velocity = select(there, vec4(v, speed.oneMinus().mul(speed.add(1))), vec4(0, 0, 0, 1)).toVar();
+  // What is behind everything rests, so far away that the eye's step is nothing.
+  const n = pixelDirection(uniforms).toVar();
+  const sky = projection.place === 'apparent' ? unaberrate(n, uniforms.u, uniforms.gamma) : n;
+  const now = select(there, texelNear(buffer.texture('event'), pixel), vec4(sky, -1)).toVar();
+  const then = seenBefore(now.add(select(there, before.step, vec4(0))).toVar(), velocity, projection, before).toVar();
+
+  const [p, q] = [place(now.xyz, projection.place, uniforms), place(then.xyz, projection.place, before).toVar()];
+  const here = projected(transpose(uniforms.orientation).mul(p), uniforms.halfTangents);
+  const D = dopplerFactor(now.xyz, uniforms.u, uniforms.gamma, velocity).toVar();
+  const formerD = dopplerFactor(then.xyz, before.u, before.gamma, velocity).toVar();
+  return {
+    shift: projected(before.toCamera.mul(q), before.halfTangents).sub(here),
+    nearness: select(there, max(length(q), 1e-4).reciprocal(), 0).toVar(),
+    sameness: pow(min(D.div(formerD), formerD.div(D)), uniforms.boostLight.mul(FADING)),
+  };
+}
+
+function projected(inCamera: Vec3, halfTangents: Vec2): Vec2 {
+  const p = inCamera.toVar();
+  return p.xy.div(max(p.z.negate(), 1e-20)).div(halfTangents);
+}
+
+/** The event at which a point, which passes `event` with `velocity`, is on the surface that the picture before was made of. */
+function seenBefore(event: Vec4, velocity: Vec4, { event: kind }: Projection, { u, gamma }: EyeBefore): Vec4 {
+  if (kind === 'emission' || kind === 'newton') return ontoLightCone(event, velocity);
+  const beta = kind === 'slice' ? u.div(gamma) : vec3(0);
+  const later = dot(beta, event.xyz)
+    .sub(event.w)
+    .div(float(1).sub(dot(beta, velocity.xyz)));
+  return event.add(vec4(velocity.xyz, 1).mul(later));
+}
+
+const isInside = ({ x, y }: Vec2): Bool =>
+  x.greaterThan(0).and(y.greaterThan(0)).and(x.lessThan(screenSize.x)).and(y.lessThan(screenSize.y));
+
+/** Whether something stood before it then. */
+function wasHidden({ freshBefore }: TemporalSources, from: Vec2, nearness: Float, around: Surroundings): Bool {
+  const corner = floor(from.sub(0.5)).add(0.5).toVar();
+  const before = CORNERS.map(([x, y]) => texelNear(freshBefore, corner.add(vec2(x, y))).w);
+  const nearest = before.reduce((a, b) => max(a, b));
+  const slack = around.nearest.w.sub(around.farthest).mul(SLOPE).add(around.nearest.w.mul(ASIDE));
+  return nearest.sub(nearness).greaterThan(slack);
+}
+
+/** Area in the picture before over that of a pixel now, at most 1. */
+function shrinking(from: Vec2): Float {
+  const [x, y] = [dFdx(from).toVar(), dFdy(from).toVar()];
+  return min(abs(x.x.mul(y.y).sub(x.y.mul(y.x))), 1);
+}
+
+/** A Catmull-Rom spline of 4 × 4 texels without its corners, by five filtered ones. Source: Jimenez 2016, "Filmic SMAA". */
+function catmullRom(of: Texture, at: Vec2): Vec4 {
+  const middle = floor(at.sub(0.5)).add(0.5).toVar();
+  const f = at.sub(middle).toVar();
+  const w0 = f.mul(f.mul(f.mul(-0.5).add(1)).sub(0.5)).toVar();
+  const w1 = f.mul(f).mul(f.mul(1.5).sub(2.5)).add(1).toVar();
+  const w2 = f.mul(f.mul(f.mul(-1.5).add(2)).add(0.5)).toVar();
+  const w3 = f.mul(f).mul(f.mul(0.5).sub(0.5)).toVar();
+  const inner = w1.add(w2).toVar();
+  const between = middle.add(w2.div(inner)).toVar();
+  const [first, last] = [middle.sub(1).toVar(), middle.add(2).toVar()];
+  const taps: readonly (readonly [Vec2, Float])[] = [
+    [vec2(between.x, first.y), inner.x.mul(w0.y)],
+    [vec2(first.x, between.y), w0.x.mul(inner.y)],
+    [between, inner.x.mul(inner.y)],
+    [vec2(last.x, between.y), w3.x.mul(inner.y)],
+    [vec2(between.x, last.y), inner.x.mul(w3.y)],
+  ];
+  const sum = vec4(0).toVar();
+  const weight = float(0).toVar();
+  for (const [place, share] of taps) {
+    const w = share.toVar();
+    sum.addAssign(texture(of, place.div(screenSize)).level(int(0)).mul(w));
+    weight.addAssign(w);
+  }
+  return sum.div(weight);
+}
