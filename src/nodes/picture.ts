@@ -1,5 +1,5 @@
 import type { Evaluation } from '../graph/evaluate.ts';
-import type { Plan } from '../scene/plan.ts';
+import { isFinished, type Plan } from '../scene/plan.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import type { FalseColor, Scale } from '../spectrum/falseColor.ts';
 import type { Picture } from './define.ts';
@@ -27,7 +27,7 @@ export function renderSettings(picture: Picture, metered: number, scaleOf: Scale
     damping: picture.damping,
     grid: picture.grid,
     tone: picture.tone,
-    exposure: picture.exposure + metered,
+    exposure: picture.exposure + (isFinished(picture.plan) ? 0 : metered),
     ...(!picture.occlusion && { occlusionRadius: 0 }),
     ...(scale && picture.falseColor !== 'none' && { falseColors: { kind: picture.falseColor, ...scale } }),
     ...(picture.plan && { plan: exposedPlan(picture.plan, metered, scaleOf) }),

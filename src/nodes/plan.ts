@@ -40,7 +40,9 @@ export function planned(image: Image): Picture {
   const [step] = plan.steps;
   if (plan.steps.length === 1 && step?.kind === 'light' && step.buffer === 0)
     return { ...how, shadows: step.shadows, occlusion: step.occlusion, scenes };
-  return { ...how, shadows: true, occlusion: true, plan, scenes };
+  const metered = plan.steps.find((each) => each.kind === 'tone' && each.metering !== 'manual');
+  const metering = metered?.kind === 'tone' ? metered.metering : how.metering;
+  return { ...how, metering, shadows: true, occlusion: true, plan, scenes };
 }
 
 /** By content: what refers to the same is the same. */

@@ -1,12 +1,8 @@
-import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
-import { toMatrix } from '../math/quat.ts';
-import { gamma } from '../physics/boost.ts';
 import type { Gauge } from '../scene/gauge.ts';
+import { bufferSettings, shapeOf } from '../scene/plan.ts';
 import type { Scene } from '../scene/types.ts';
-import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../scene/view.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import type { PictureMaker } from './api.ts';
-import { frustumSides } from './cull.ts';
-import { FAR, NEAR } from './depth.ts';
 import { type Gpu, openGpu } from './device.ts';
 import { paletteOf } from './palette.ts';
 import { PictureMachine } from './picture.ts';
@@ -16,8 +12,8 @@ import { gridPlaces, type SamplePlace, wanderingPlace } from './samplePlaces.ts'
 import { SceneUpload } from './sceneUpload.ts';
 import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
 import type { Sight } from './sight.ts';
-import { makeUniforms, type Uniforms } from './uniforms.ts';
-import type { Projection } from './vertexStage.ts';
+import { projectionOf, type Staged, Staging } from './staging.ts';
+import { Uploads } from './uploads.ts';
 
 /** Samples in a pixel along each side, where there is time: what pictures at rest come to. */
 const FINEST = 8;
@@ -25,22 +21,16 @@ const CENTRE: SamplePlace = [0, 0];
 /** Of so many samples a picture is better than one that was smoothed otherwise. */
 const WORTHWHILE = 8;
 
-/** A picture that was made, and can be drawn again. */
-interface Made {
-  readonly upload: SceneUpload;
-  readonly projection: Projection;
-  readonly settings: RenderSettings;
-}
+/** A picture that can be drawn, sample by sample: its G-buffers, that of the settings first. */
+type Made = readonly [Staged, ...Staged[]];
 
 /** Makes pictures of a scene for a page, a command line or a benchmark; see api.ts. */
 export class SceneRenderer implements PictureMaker {
   private readonly gpu: Gpu;
-  private readonly uniforms = makeUniforms();
+  private readonly staging = new Staging();
   private readonly machine: PictureMachine;
-  private readonly camera = new PerspectiveCamera();
   private readonly toCanvas: boolean;
-  private readonly options: RendererOptions;
-  private upload: SceneUpload | undefined;
+  private readonly uploads: Uploads;
   /** What pictures have been drawn with, or can be at once. */
   private readonly compiled = new Set<string>();
   private preparing: Promise<void> | undefined;
@@ -62,19 +52,25 @@ export class SceneRenderer implements PictureMaker {
 
   private constructor(gpu: Gpu, options: RendererOptions) {
     this.gpu = gpu;
-    this.options = options;
     this.toCanvas = options.canvas !== undefined;
-    this.machine = new PictureMachine(gpu, this.uniforms);
-    this.camera.near = NEAR;
-    this.camera.far = FAR;
+    const { uniforms } = this.staging;
+    this.machine = new PictureMachine(gpu, uniforms);
+    this.uploads = new Uploads(
+      (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options),
+      (upload) => {
+        this.made = undefined;
+        this.machine.forget(upload);
+      },
+    );
   }
 
   get info(): RendererInfo {
-    const { upload, drawn, gpu } = this;
-    const triangles = upload?.refiner.triangles ?? 0;
-    const tolerance = upload?.refiner.toleranceReached ?? 0;
-    const waiting = upload !== undefined && !(upload.frame.isComplete && upload.shadows.isComplete);
-    return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
+    const { drawn, gpu, uploads } = this;
+    const { first } = uploads;
+    const triangles = first?.refiner.triangles ?? 0;
+    const tolerance = first?.refiner.toleranceReached ?? 0;
+    const waiting = !uploads.isComplete;
+    return { backend: gpu.backend, objects: first?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
   }
   get width(): number {
     return this.size.width;
@@ -83,8 +79,8 @@ export class SceneRenderer implements PictureMaker {
     return this.size.height;
   }
 
-  async setScene(scene: Scene): Promise<void> {
-    this.replace(scene, scene.hints.speedOfLight ?? DEFAULT_SETTINGS.speedOfLight);
+  async setScene(scene: Scene, others: readonly Scene[] = []): Promise<void> {
+    this.uploads.setScenes([scene, ...others]);
   }
 
   setSize(width: number, height: number): void {
@@ -102,76 +98,66 @@ export class SceneRenderer implements PictureMaker {
   }
 
   prepare(viewPoint: ViewPoint, settings: RenderSettings): Promise<void> | undefined {
-    const { upload } = this;
+    const { uploads } = this;
     // With another speed of light it may be another upload's turn.
-    if (upload?.speedOfLight !== settings.speedOfLight && upload?.dependsOnSpeedOfLight) return undefined;
-    if (!upload || this.compiled.has(shadersOf(settings, upload))) return undefined;
-    this.preparing ??= this.compile(upload, viewPoint, settings).finally(() => {
+    if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
+    const shaders = shadersOf(settings, uploads.of(settings));
+    if (this.compiled.has(shaders)) return undefined;
+    this.preparing ??= this.compile(viewPoint, settings, shaders).finally(() => {
       this.preparing = undefined;
     });
     return this.preparing;
   }
 
-  private async compile(upload: SceneUpload, viewPoint: ViewPoint, settings: RenderSettings): Promise<void> {
-    const projection = projectionOf(settings);
-    const stage = this.stage(upload, viewPoint, settings, projection);
-    if (!stage) return;
+  private async compile(viewPoint: ViewPoint, settings: RenderSettings, shaders: string): Promise<void> {
+    const made = this.stage(viewPoint, settings);
+    if (!made) return;
+    if (settings.plan) this.machine.compose(settings.plan);
     const draw = (): void => {
-      this.machine.look = { ...settings, starry: upload.stars !== undefined };
-      this.sampleAt(CENTRE, { upload, projection, settings });
+      this.machine.look = lookOf(made);
+      this.sampleAt(CENTRE, made);
       this.machine.smoothing.smoothEdges(this.machine.look);
       if (this.toCanvas) this.machine.present('canvas');
     };
     // Whatever comes of it: a shader that cannot be compiled is told of when it is to be drawn with.
-    await rehearse(this.gpu.renderer, draw).finally(() => this.compiled.add(shadersOf(settings, upload)));
+    await rehearse(this.gpu.renderer, draw).finally(() => this.compiled.add(shaders));
   }
 
   render(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): void {
     const began = performance.now();
-    const upload = this.uploadFor(settings.speedOfLight);
-    if (!upload) return;
-    const projection = projectionOf(settings);
-    const stage = this.stage(upload, viewPoint, settings, projection, () => this.resize());
-    if (!stage) return;
-    const { sight, seen } = stage;
-    this.made = { upload, projection, settings };
-    this.machine.look = { ...settings, starry: upload.stars !== undefined };
+    const made = this.stage(viewPoint, settings, () => this.resize());
+    if (!made) return;
+    const [first] = made;
+    this.made = made;
+    this.machine.look = lookOf(made);
     this.added = 0;
     if (settings.falseColors && sampling === 'temporal') this.drawSamples(1);
-    else if (sampling === 'temporal') this.follow(viewPoint, sight, projection);
+    else if (sampling === 'temporal') this.follow(first);
     else this.drawSamples(sampling);
     if (this.toCanvas) this.machine.present('canvas');
-    this.taken = sight;
-    this.drawn = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
-    this.compiled.add(shadersOf(settings, upload));
-    if (this.toCanvas) upload.refiner.countSometimes();
+    this.taken = first.sight;
+    this.drawn = { objectsDrawn: first.seen.filter(Boolean).length, milliseconds: performance.now() - began };
+    this.compiled.add(shadersOf(settings, this.uploads.of(settings)));
+    if (!this.preparing) this.uploads.keep(made.length);
+    if (this.toCanvas) first.upload.refiner.countSometimes();
   }
 
   /** Puts everything in its place for a picture; undefined where samples of it are still to come. */
-  private stage(
-    upload: SceneUpload,
-    viewPoint: ViewPoint,
-    settings: RenderSettings,
-    projection: Projection,
-    beforeCutting = () => {},
-  ): { readonly sight: Sight; readonly seen: readonly boolean[] } | undefined {
-    const sight = sightOf(viewPoint, settings, projection);
-    this.look(viewPoint, sight, settings, projection, upload);
-    const gaze = this.gaze(viewPoint, projection);
-    const seen = upload.frame.fill(upload.bodies, sight, gaze, projection.event === 'newton');
-    if (!upload.frame.isComplete) return undefined;
-    if (settings.shadows && !upload.shadows.update(sight)) return undefined;
-    beforeCutting();
-    this.cut(upload, viewPoint, sight, projection, seen);
-    upload.environment.update(sight, settings.colors);
-    upload.stars?.update(viewPoint, settings, this.width, this.height);
-    return { sight, seen };
+  private stage(viewPoint: ViewPoint, settings: RenderSettings, ready?: () => void): Made | undefined {
+    const staged: Staged[] = [];
+    for (const [i, upload] of this.uploads.of(settings).entries()) {
+      const of = this.staging.stage(upload, viewPoint, bufferSettings(settings, i), this.wanted, ready);
+      if (!of) return undefined;
+      staged.push(of);
+    }
+    const [first, ...others] = staged;
+    return first && [first, ...others];
   }
 
   refine(): boolean {
     const { made, machine, added } = this;
     const count = FINEST * FINEST;
-    if (!made || made.settings.falseColors || !made.upload.frame.isComplete || machine.samples > 1) return false;
+    if (!made || made[0].settings.falseColors || !isComplete(made) || machine.samples > 1) return false;
     if (added === count) return false;
     this.sampleAt(gridPlaces(FINEST)[added]);
     this.added = added + 1;
@@ -193,7 +179,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   /** One sample, and what is left of the pictures before. */
-  private follow(view: ViewPoint, sight: Sight, projection: Projection): void {
+  private follow({ view, sight, projection }: Staged): void {
     const { machine } = this;
     machine.samples = 1;
     this.sampleAt(wanderingPlace(this.pictures++));
@@ -203,20 +189,21 @@ export class SceneRenderer implements PictureMaker {
   /** Draws the last picture with its samples at one place of their pixels. */
   private sampleAt(place: SamplePlace, made = this.made): void {
     if (!made) return;
-    const { upload, projection, settings } = made;
-    this.jitter(place);
-    this.machine.drawGeometry(upload, projection, this.camera);
-    this.machine.drawLight(upload, projection, this.camera, settings);
+    const { staging, size } = this;
+    staging.jitter(place, size);
+    const [first, ...others] = made;
+    const sitting = (staged: Staged) => ({ subject: staged, look: () => staging.look(staged, size) });
+    this.machine.draw([sitting(first), ...others.map(sitting)], staging.camera, first.view.t);
     this.settled = place[0] === 0 && place[1] === 0;
   }
 
   /** Numbers are of the pixels' centres, and never a mean. */
   private settle(): void {
-    if (!this.settled && this.made?.upload.frame.isComplete) this.sampleAt(CENTRE);
+    if (!this.settled && this.made && isComplete(this.made)) this.sampleAt(CENTRE);
   }
 
   async readPixels(): Promise<Uint8Array> {
-    await this.upload?.refiner.count();
+    await this.uploads.first?.refiner.count();
     return readBytes(this.gpu, this.machine.present('screen'), this.whole());
   }
 
@@ -229,7 +216,8 @@ export class SceneRenderer implements PictureMaker {
 
   async pick(x: number, y: number): Promise<PickResult | undefined> {
     const inside = x >= 0 && y >= 0 && x < this.width && y < this.height;
-    const { upload, taken } = this;
+    const { taken } = this;
+    const upload = this.uploads.first;
     if (!inside || !upload || !taken) return undefined;
     this.settle();
     const pathOf = (id: number) => upload.bodies[id - 1].object.path;
@@ -248,7 +236,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   dispose(): void {
-    this.upload?.dispose();
+    this.uploads.keep(0);
     this.machine.dispose();
     this.gpu.renderer.dispose();
   }
@@ -261,115 +249,22 @@ export class SceneRenderer implements PictureMaker {
   private whole(): Region {
     return { x: 0, y: 0, width: this.width, height: this.height };
   }
-
-  private uploadFor(speedOfLight: number): SceneUpload | undefined {
-    const { upload } = this;
-    if (upload?.dependsOnSpeedOfLight && upload.speedOfLight !== speedOfLight) this.replace(upload.scene, speedOfLight);
-    return this.upload;
-  }
-
-  private replace(scene: Scene, speedOfLight: number): void {
-    const made = new SceneUpload(scene, speedOfLight, this.uniforms, this.gpu, this.options);
-    this.made = undefined;
-    if (this.upload) {
-      this.machine.forget(this.upload);
-      this.upload.dispose();
-    }
-    this.upload = made;
-  }
-
-  private gaze({ orientation }: ViewPoint, { place }: Projection) {
-    const { x, y } = this.uniforms.halfTangents.value;
-    return { sides: frustumSides(orientation, x, y), boosted: place === 'apparent' };
-  }
-
-  /** Everything that is the same for all samples of a picture. */
-  private look(
-    view: ViewPoint,
-    sight: Sight,
-    settings: RenderSettings,
-    projection: Projection,
-    upload: SceneUpload,
-  ): void {
-    const { uniforms, camera } = this;
-    const tanY = Math.tan(view.fovY / 2);
-    const luminous = settings.view === 'light-cone' ? 1 : 0;
-    const aspect = this.wanted.width / this.wanted.height;
-    uniforms.halfTangents.value.set(tanY * aspect, tanY);
-    uniforms.u.value.set(...sight.u);
-    uniforms.gamma.value = gamma(sight.u);
-    uniforms.iterations.value = settings.iterations;
-    uniforms.damping.value = settings.damping;
-    uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;
-    uniforms.boosted.value = projection.place === 'apparent' ? 1 : 0;
-    uniforms.lightTravels.value = settings.view === 'light-cone' && settings.lightDelay ? 1 : 0;
-    uniforms.boostLight.value = luminous;
-    uniforms.dopplerMix.value = luminous * settings.dopplerMix;
-    uniforms.beaming.value = luminous * settings.beaming;
-    uniforms.exposure.value = settings.exposure;
-    uniforms.secondsPerMetre.value = 1 / sight.c;
-    uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
-    lookAtGround(uniforms, view, upload);
-    camera.fov = (view.fovY * 180) / Math.PI;
-    camera.aspect = aspect;
-    camera.quaternion.copy(new Quaternion(...view.orientation));
-    camera.matrixWorld.copy(new Matrix4().makeRotationFromQuaternion(camera.quaternion));
-    camera.updateMatrixWorld();
-  }
-
-  /** Moves the picture so that samples are at this place of their pixels. */
-  private jitter([dx, dy]: SamplePlace): void {
-    const { width, height } = this;
-    this.camera.setViewOffset(width, height, dx, dy, width, height);
-    this.camera.updateProjectionMatrix();
-    this.uniforms.jitter.value.set((2 * dx) / width, (-2 * dy) / height);
-  }
-
-  /** Cuts the batches in which something may be seen, as this picture needs it, and sorts the transparent ones from far to near. */
-  private cut(
-    { drawables, frame, refiner }: SceneUpload,
-    { orientation }: ViewPoint,
-    sight: Sight,
-    projection: Projection,
-    seen: readonly boolean[],
-  ): void {
-    const { x: tanX, y: tanY } = this.uniforms.halfTangents.value;
-    const look = { sight, projection, orientation, tanX, tanY, focal: this.height / (2 * tanY) };
-    refiner.show(look, ({ bodies }) => bodies.some(({ id }) => seen[id - 1]));
-    for (const { batch, mesh } of drawables)
-      if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => frame.distance(id)));
-  }
 }
 
-function projectionOf({ view, lightDelay, aberration, solver }: RenderSettings): Projection {
-  if (view === 'simultaneity') return { event: 'slice', place: 'contracted' };
-  if (view === 'galilean') return { event: 'now', place: 'plain' };
-  const event = lightDelay ? (solver === 'newton' ? 'newton' : 'emission') : 'now';
-  return { event, place: aberration ? 'apparent' : 'plain' };
-}
+const isComplete = (made: Made): boolean => made.every(({ upload }) => upload.frame.isComplete);
 
-function sightOf({ t, position, u }: ViewPoint, { speedOfLight }: RenderSettings, { event }: Projection): Sight {
-  const surface = event === 'slice' || event === 'now' ? event : 'past-light-cone';
-  return { t, position, u, c: speedOfLight, surface };
-}
-
-/** The ground is the plane of the two axes that do not point up, at height 0; its grid is as fine as the scene's size asks. */
-function lookAtGround(uniforms: Uniforms, { position }: ViewPoint, { scene, radius }: SceneUpload): void {
-  const step = 10 ** Math.floor(Math.log10(Math.max(radius, 1e-6) / 15));
-  const [up, north] = scene.upAxis === 'Y' ? [1, 2] : [2, 1];
-  const wrap = (x: number) => x - 10 * step * Math.floor(x / (10 * step));
-  uniforms.zenith.value.set(0, up === 1 ? 1 : 0, up === 2 ? 1 : 0);
-  uniforms.gridNorth.value.set(0, north === 1 ? 1 : 0, north === 2 ? 1 : 0);
-  uniforms.gridStep.value = step;
-  uniforms.ground.value.set(position[up], wrap(position[0]), wrap(position[north]));
-}
+const lookOf = ([{ settings, upload }]: Made) => ({ ...settings, starry: upload.stars !== undefined });
 
 /** Names all the shaders that a picture takes. */
-function shadersOf(settings: RenderSettings, { serial, scene }: SceneUpload): string {
-  const { tone, grid, falseColors, shadows, occlusionRadius } = settings;
-  const { event, place } = projectionOf(settings);
-  const palette = paletteOf(settings, scene);
-  return [serial, event, place, palette, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind].join(' ');
+function shadersOf(settings: RenderSettings, uploads: readonly SceneUpload[]): string {
+  const { tone, grid, falseColors, shadows, occlusionRadius, plan } = settings;
+  const buffers = uploads.map(({ serial, scene }, i) => {
+    const own = bufferSettings(settings, i);
+    const { event, place } = projectionOf(own);
+    return [serial, event, place, paletteOf(own, scene)].join(' ');
+  });
+  const shape = plan && shapeOf(plan);
+  return [...buffers, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind, shape].join(' ');
 }
 
 function withoutAlpha(rgba: Float32Array): Float32Array {

@@ -1,4 +1,12 @@
-import { FloatType, HalfFloatType, LinearFilter, type RenderTarget, UnsignedByteType } from 'three/webgpu';
+import {
+  FloatType,
+  HalfFloatType,
+  LinearFilter,
+  type Node,
+  type RenderTarget,
+  type Texture,
+  UnsignedByteType,
+} from 'three/webgpu';
 import {
   addedSample,
   antialiased,
@@ -9,21 +17,17 @@ import {
   singleSample,
 } from './display.ts';
 import { EyeBefore, type Look } from './eyeBefore.ts';
-import type { FullScreen } from './fullScreen.ts';
 import { dataTarget, type GBuffer } from './targets.ts';
 import { blended } from './temporal.ts';
 import type { Uniforms } from './uniforms.ts';
 
 /** Runs the pass of a name, made when it is first asked for. */
-export type Run = (
-  name: string,
-  output: () => ConstructorParameters<typeof FullScreen>[0],
-  target: RenderTarget | null,
-) => void;
+export type Run = (name: string, output: () => Node, target: RenderTarget | null) => void;
 
 /** What the ways of smoothing read. */
 export interface Samples {
-  readonly light: RenderTarget;
+  /** Of the sample that was drawn last. */
+  readonly light: () => Texture;
   readonly buffer: GBuffer;
   readonly uniforms: Uniforms;
   readonly run: Run;
@@ -58,34 +62,41 @@ export class Smoothing {
 
   /** A picture of one sample. */
   smoothEdges(look: DisplayLook): void {
-    const { light, buffer, uniforms, run } = this.from;
-    run(`single ${keyOf(look)}`, () => singleSample(light.texture, buffer, uniforms, look), this.single);
+    const { buffer, uniforms, run } = this.from;
+    const light = this.from.light();
+    run(`single ${light.id} ${keyOf(look)}`, () => singleSample(light, buffer, uniforms, look), this.single);
     this.shown = 'edges';
     this.before.forget();
   }
 
   /** Sample `index` of `count`; until it is `shown`, the picture before them stays. */
   add(index: number, count: number, look: DisplayLook, shown: boolean): void {
-    const { light, buffer, uniforms, run } = this.from;
+    const { buffer, uniforms, run } = this.from;
+    const light = this.from.light();
     uniforms.weight.value = 1 / count;
     uniforms.firstSample.value = index === 0 ? 1 : 0;
     const [from, to] = index % 2 === 0 ? [1, 0] : [0, 1];
     const before = { picture: this.sums[from].textures[0], light: this.sums[from].textures[1] };
-    run(`add ${to} ${keyOf(look)}`, () => addedSample(light.texture, before, buffer, uniforms, look), this.sums[to]);
+    run(
+      `add ${to} ${light.id} ${keyOf(look)}`,
+      () => addedSample(light, before, buffer, uniforms, look),
+      this.sums[to],
+    );
     this.sum = to;
     if (shown) this.shown = 'mean';
   }
 
   /** A picture of one sample, which follows those before. */
   follow(look: DisplayLook, seen: Look): void {
-    const { light, buffer, uniforms, run } = this.from;
+    const { buffer, uniforms, run } = this.from;
+    const light = this.from.light();
     const { before, turn } = this;
     const { projection } = seen;
     before.meet(seen);
     const [history, freshBefore] = [this.histories[turn].texture, this.fresh[turn].texture];
     this.turn = 1 - turn;
     const [next, fresh] = [this.histories[this.turn], this.fresh[this.turn]];
-    run(`fresh ${this.turn} ${keyOf(look)}`, () => freshSample(light.texture, buffer, uniforms, look), fresh);
+    run(`fresh ${this.turn} ${light.id} ${keyOf(look)}`, () => freshSample(light, buffer, uniforms, look), fresh);
     run(
       `follow ${this.turn} ${projection.event} ${projection.place}`,
       () => blended({ fresh: fresh.texture, freshBefore, history, buffer, uniforms, before, projection }),

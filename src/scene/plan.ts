@@ -108,6 +108,12 @@ export function imagesOf<Image>(step: StepOf<Image, unknown>): readonly Image[] 
   }
 }
 
+/**
+ * Whether tone curves are within the plan. Then the metering works there, by the light of the picture's first G-buffer; otherwise it is the plan's light that
+ * is metered, exposed and tone mapped.
+ */
+export const isFinished = (plan: Plan | undefined): boolean => plan?.steps.some(({ kind }) => kind === 'tone') ?? false;
+
 /** What a plan is like, but for its numbers: plans of one shape are drawn by the same shaders. */
 export const shapeOf = ({ others, steps }: Plan): string => JSON.stringify([others.length, steps.map(withoutNumbers)]);
 

@@ -41,7 +41,7 @@ export class Stage {
   readonly #reader = new Reader();
   #scale = 1;
   /** In the renderer now. */
-  #scene: Scene | undefined;
+  #scenes: readonly Scene[] = [];
   #uploading = false;
   /** On the canvas; undefined while there is nothing of this scene. */
   #shown: Shown | undefined;
@@ -159,16 +159,16 @@ export class Stage {
   #follow(): void {
     const { picture, openSource } = this.#studio.store.getState();
     if (!picture || this.#uploading) return;
-    if (picture.scene !== this.#scene) void this.#upload(picture, openSource);
+    if (!isSame(picture.scenes, this.#scenes)) void this.#upload(picture, openSource);
     else if (picture !== this.#pilot.picture) this.#pilot.show(picture, openSource);
   }
 
   async #upload(picture: Picture, source: string): Promise<void> {
     this.#uploading = true;
-    this.#scene = picture.scene;
+    this.#scenes = picture.scenes;
     this.#lost = false;
     try {
-      await this.#renderer.setScene(picture.scene);
+      await this.#renderer.setScene(picture.scene, picture.scenes.slice(1));
       this.#shown = undefined;
       this.#eye.blink();
       this.#pilot.show(picture, source);
@@ -208,7 +208,7 @@ export class Stage {
   #draw(always: boolean): boolean {
     const viewPoint = this.#pilot.viewPoint();
     const { picture } = this.#pilot;
-    if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
+    if (!viewPoint || !picture || this.#uploading || !isSame(picture.scenes, this.#scenes)) return false;
     const { clientWidth, clientHeight } = this.#canvas;
     const wanted = renderSettings(picture, this.#eye.exposure(picture), (kind) => this.#eye.scale(kind));
     const affordable = this.#resolution.hasTime ? wanted : { ...wanted, occlusionRadius: 0 };
@@ -227,6 +227,9 @@ export class Stage {
     return true;
   }
 }
+
+const isSame = (a: readonly Scene[], b: readonly Scene[]): boolean =>
+  a.length === b.length && a.every((scene, i) => scene === b[i]);
 
 /** Plain data of numbers and short arrays: compared by its text. */
 const same = (a: Shown, b: Shown): boolean => JSON.stringify(a) === JSON.stringify(b);
