@@ -93,6 +93,10 @@ export const nodeWords = {
     'Each has its own numbers, arg1 to arg4; what lies outside their ranges counts as the nearest end.',
     '每种效果有各自的数值 arg1 至 arg4；超出范围的按最近的端点计。',
   ],
+  'param.arg1': ['Number 1 (arg1)', '数值 1（arg1）'],
+  'param.arg2': ['Number 2 (arg2)', '数值 2（arg2）'],
+  'param.arg3': ['Number 3 (arg3)', '数值 3（arg3）'],
+  'param.arg4': ['Number 4 (arg4)', '数值 4（arg4）'],
   'effect.written': ['Own text', '自编文本'],
   'param.shaderText': ['Shader text', '着色器文本'],
   'param.shaderText.help': [

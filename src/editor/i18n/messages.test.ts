@@ -49,6 +49,7 @@ describe('the catalogue of messages', () => {
         spec.title,
         ...(spec.help ? [spec.help] : []),
         ...(spec.kind === 'choice' ? spec.options.map((option) => option.title) : []),
+        ...(spec.kind === 'number' ? Object.values(spec.as?.cases ?? {}).map(({ title }) => title) : []),
       ]),
       ...[...Object.values(type.inputs), ...Object.values(type.outputs)].flatMap(({ title }) => title ?? []),
     ]);

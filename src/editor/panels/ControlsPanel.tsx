@@ -2,7 +2,7 @@ import { Divider, ScrollArea, Stack, Text, Tooltip } from '@mantine/core';
 import { Fragment, type ReactNode } from 'react';
 import type { GraphDocument, GraphNode, ParamValue } from '../../graph/document.ts';
 import type { NodeType, ParamSpec } from '../../graph/nodeType.ts';
-import { matters, resolveParams } from '../../graph/nodeType.ts';
+import { matters, meaning, resolveParams } from '../../graph/nodeType.ts';
 import type { Picture } from '../../nodes/define.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { useTexts } from '../i18n/i18n.ts';
@@ -11,7 +11,15 @@ import { cameraOf } from '../state/viewpoint.ts';
 import { ParamControl } from './ParamControl.tsx';
 
 /** What a person reaches for most comes first; other nodes follow as the document has them. */
-const ORDER = ['relativity-console', 'relativity-rasterize', 'tone-map', 'scene-camera', 'scene'];
+const ORDER = [
+  'relativity-console',
+  'relativity-rasterize',
+  'deferred-lighting',
+  'tone-map',
+  'false-colour',
+  'scene-camera',
+  'scene',
+];
 
 interface Section {
   readonly id: string;
@@ -67,7 +75,9 @@ function NodeSection({ section, picture }: { readonly section: Section; readonly
 
 /** What does not matter now is not shown: the steps of a solver that is not chosen. */
 const shownParams = (type: NodeType, resolved: Readonly<Record<string, ParamValue | undefined>>) =>
-  Object.entries(type.params).filter(([, spec]) => matters(spec, resolved));
+  Object.entries(type.params).flatMap(([name, spec]) =>
+    matters(spec, resolved) ? [[name, meaning(type, spec, resolved)] as const] : [],
+  );
 
 function sectionsOf(document: GraphDocument): Section[] {
   const place = (type: NodeType) => (ORDER.includes(type.id) ? ORDER.indexOf(type.id) : ORDER.length);

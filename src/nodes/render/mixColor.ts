@@ -1,4 +1,3 @@
-import { MIX_MODES } from '../../scene/effects.ts';
 import { defineNode } from '../define.ts';
 import { leading } from '../plan.ts';
 
@@ -14,7 +13,16 @@ export const mixColor = defineNode({
       title: 'param.mixMode',
       help: 'param.mixMode.help',
       default: 'normal',
-      options: MIX_MODES.map((value) => ({ value, title: `mix.${value}` })),
+      options: [
+        { value: 'normal', title: 'mix.normal' },
+        { value: 'multiply', title: 'mix.multiply' },
+        { value: 'add', title: 'mix.add' },
+        { value: 'screen', title: 'mix.screen' },
+        { value: 'overlay', title: 'mix.overlay' },
+        { value: 'difference', title: 'mix.difference' },
+        { value: 'split', title: 'mix.split' },
+        { value: 'wipe', title: 'mix.wipe' },
+      ],
     },
     alpha: {
       kind: 'number',

@@ -25,6 +25,8 @@ fn effect(p: Pixel) -> vec4f {
 }
 `;
 
+const ARGS = ['param.arg1', 'param.arg2', 'param.arg3', 'param.arg4'] as const;
+
 /** arg1 … arg4: each effect has its own names, units and ranges for them; an effect that somebody writes takes any numbers. */
 function argument(index: 0 | 1 | 2 | 3) {
   const own = LIBRARY.flatMap((id) => {
@@ -32,7 +34,7 @@ function argument(index: 0 | 1 | 2 | 3) {
     const arg = args[index];
     return arg ? [[id, arg] as const] : [];
   });
-  const any = { title: `arg${index + 1}`, default: 0, min: -1e9, max: 1e9, step: 0.01, slider: false } as const;
+  const any = { title: ARGS[index]!, default: 0, min: -1e9, max: 1e9, step: 0.01, slider: false } as const;
   const cases = { ...Object.fromEntries(own), [WRITTEN]: any };
   return { kind: 'number', ...any, as: { param: 'effect', cases } } as const satisfies NumberParam;
 }
