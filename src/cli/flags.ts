@@ -68,6 +68,7 @@ export interface SettingFlags {
   readonly solver: Solver;
   readonly iterations: number;
   readonly damping: number;
+  readonly antialiasing: boolean;
   readonly grid: boolean;
   readonly occlusionRadius?: number;
 }
@@ -123,6 +124,7 @@ export function addSettingFlags(command: Command): Command {
     .addOption(new Option('--solver <name>', 'how emission events are found').choices(solvers).default('exact'))
     .option('--iterations <n>', 'steps of the Newton solver', parseIterations, iterations)
     .option('--damping <k>', 'step length of the Newton solver, 0 < k ≤ 1', parseDamping, damping)
+    .option('--no-antialiasing', 'every pixel shows what is at its centre, for comparison; in place of --samples')
     .option('--grid', 'draw the reference grid on the ground, which relativity does not bend', false)
     .option(
       '--occlusion-radius <m>',
@@ -134,7 +136,7 @@ export function addSettingFlags(command: Command): Command {
 /** The settings before metering, as the page has them. */
 export function renderSettings(flags: SettingFlags, speedOfLight: number): RenderSettings {
   const { view, lightDelay, aberration, colors, dopplerMix, beaming, shadows, exposure } = flags;
-  const { tone, solver, iterations, damping, grid, occlusionRadius } = flags;
+  const { tone, solver, iterations, damping, antialiasing, grid, occlusionRadius } = flags;
   return {
     view,
     lightDelay,
@@ -148,6 +150,7 @@ export function renderSettings(flags: SettingFlags, speedOfLight: number): Rende
     solver,
     iterations,
     damping,
+    antialiasing,
     grid,
     ...(occlusionRadius !== undefined && { occlusionRadius }),
     speedOfLight,

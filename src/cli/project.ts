@@ -170,11 +170,23 @@ function refuseSceneFlags(given: ReadonlySet<string>): void {
 
 function flagsOf(picture: Picture): Partial<RenderFlags> {
   const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone } = picture;
-  const { solver, iterations, damping, grid, speedOfLight, camera, fovY, falseColor, shadows, occlusion } = picture;
+  const {
+    solver,
+    iterations,
+    damping,
+    antialiasing,
+    grid,
+    speedOfLight,
+    camera,
+    fovY,
+    falseColor,
+    shadows,
+    occlusion,
+  } = picture;
   return {
     ...{ view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone, shadows },
     ...(!occlusion && { occlusionRadius: 0 }),
-    ...{ solver, iterations, damping, grid, c: speedOfLight },
+    ...{ solver, iterations, damping, antialiasing, grid, c: speedOfLight },
     ...(camera && { camera }),
     ...(fovY !== undefined && { fov: (fovY * 180) / Math.PI }),
     ...(falseColor !== 'none' && { falseColour: falseColor }),

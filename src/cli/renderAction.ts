@@ -40,6 +40,7 @@ interface Made {
 
 export async function render(path: string, written: RenderFlags, given: ReadonlySet<string>): Promise<void> {
   checkPipeline(written);
+  checkSamples(written);
   const aovs = chooseAovs(written);
   const progress = new Progress();
   progress.show('reading …');
@@ -56,7 +57,7 @@ export async function render(path: string, written: RenderFlags, given: Readonly
   try {
     progress.show('getting ready to draw …');
     const painter = await openPainter(path, [scene, ...others], flags, (text) => progress.note(text));
-    const samples = flags.samples ?? painter.usualSamples;
+    const samples = flags.samples ?? (flags.antialiasing ? painter.usualSamples : 1);
     const meter = new ExposureMeter(painter, flags.metering, flags.size);
     const composer = plan && new PlanSettings(painter, plan, flags.size);
     const falsely = flags.falseColour && new FalseColourPainter(painter, flags.falseColour, flags);
@@ -116,6 +117,11 @@ async function opened(
     );
   if (flags.set) throw usageError('--set is for projects, .slowlight.json; of a scene file there are no nodes to set');
   return { scene: await openChangedScene(path, flags), others: [], flags };
+}
+
+function checkSamples({ samples, antialiasing }: RenderFlags): void {
+  if (samples !== undefined && !antialiasing)
+    throw usageError('--no-antialiasing takes one sample, at the centre of each pixel: leave it or --samples out');
 }
 
 /** Data channels need a format that can hold them; without a wish an EXR holds the picture in linear light. */

@@ -39,6 +39,7 @@ export interface GBuffer extends CameraView {
   readonly colors: ColorMode;
   readonly dopplerMix: number;
   readonly beaming: number;
+  readonly antialiasing: boolean;
   readonly grid: boolean;
 }
 

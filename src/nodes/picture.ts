@@ -25,6 +25,7 @@ export function renderSettings(picture: Picture, metered: number, scaleOf: Scale
     solver: picture.solver,
     iterations: picture.iterations,
     damping: picture.damping,
+    antialiasing: picture.antialiasing,
     grid: picture.grid,
     tone: picture.tone,
     exposure: picture.exposure + (isFinished(picture.plan) ? 0 : metered),

@@ -120,7 +120,7 @@ describe('a plan', () => {
   });
 
   it('is of what relativity shows, whichever lies above; an ordinary G-buffer is another', async () => {
-    const compared = (below: string, above: string) =>
+    const compared = ([below, above]: readonly [string, string]) =>
       pictured(
         add('plain', 'rasterize'),
         connect('camera.view', 'plain.view'),
@@ -136,7 +136,7 @@ describe('a plan', () => {
       ['light', 'other'],
       ['other', 'light'],
     ] as const) {
-      const picture = await compared(...order);
+      const picture = await compared(order);
       expect(picture.view).toBe('light-cone');
       expect(picture.plan?.others).toMatchObject([{ scene: 0, view: 'galilean', dopplerMix: 0, beaming: 0 }]);
       expect(picture.scenes).toEqual([picture.scene]);

@@ -246,6 +246,11 @@ export const nodeWords = {
     'Suns throw shadows, each from where its thing was when the light passed it.',
     '太阳投下阴影：每个物体的阴影取自光经过它时它所在的位置。',
   ],
+  'param.antialiasing': ['Antialiasing', '抗锯齿'],
+  'param.antialiasing.help': [
+    'Edges without steps, still in motion; a resting picture gets finer by itself. Off: every pixel shows what is at its centre.',
+    '边缘平滑，运动时也稳定；静止画面会自动变得更精细。关：每个像素只显示其中心所见。',
+  ],
   'param.grid.help': ['A grid on the ground that relativity does not bend.', '不受相对论变形影响的地面网格。'],
   'param.exposure': ['Exposure', '曝光'],
   'param.exposure.help': [

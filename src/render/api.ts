@@ -23,10 +23,10 @@ export interface PictureMaker {
    */
   refine(): boolean;
   /**
-   * Compiles, between the frames of others, the shaders of a picture that would be the first of its kind; undefined: it can be made at once.
+   * Compiles, between the frames of others, the shaders of a picture that would be the first of its kind, and of its refinement; undefined: it can be made at once.
    * While something else is being compiled: its end, after which is to be asked again. Rejects where the device is lost.
    */
-  prepare(viewPoint: ViewPoint, settings: RenderSettings): Promise<void> | undefined;
+  prepare(viewPoint: ViewPoint, settings: RenderSettings, sampling?: Sampling): Promise<void> | undefined;
   /** The last picture, sRGB, RGBA8. Also the way to wait for the GPU. */
   readPixels(): Promise<Uint8Array>;
   /** Of the last picture; as many values per pixel as the AOV has channels. */

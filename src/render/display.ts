@@ -15,7 +15,7 @@ import {
   vec3,
   vec4,
 } from 'three/tsl';
-import type { Node, Texture } from 'three/webgpu';
+import type { Node, Texture, TextureNode } from 'three/webgpu';
 import type { RenderSettings } from '../scene/view.ts';
 import { toneMaps } from '../shaders/toneMap.ts';
 import type { Vec3, Vec4 } from '../shaders/types.ts';
@@ -54,12 +54,12 @@ export const singleSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms, 
  */
 export function addedSample(
   hdr: Texture,
-  before: { readonly picture: Texture; readonly light: Texture },
+  before: { readonly picture: TextureNode; readonly light: TextureNode },
   buffer: GBuffer,
   uniforms: Uniforms,
   look: Look,
 ): Node {
-  const sum = (now: Vec3, of: Texture): Vec4 =>
+  const sum = (now: Vec3, of: TextureNode): Vec4 =>
     select(uniforms.firstSample.greaterThan(0.5), vec4(0), texelHere(of)).add(vec4(now, 1).mul(uniforms.weight));
   const light = texelHere(hdr).rgb;
   return mrt({
@@ -68,9 +68,10 @@ export function addedSample(
   });
 }
 
+export const plain = (picture: Texture): Vec4 => vec4(texelHere(picture).rgb, 1);
 export const antialiased = (picture: Texture): Vec4 => vec4(fxaa(picture), 1);
 /** The mean of the samples that there are. */
-export const averaged = (picture: Texture): Vec4 =>
+export const averaged = (picture: TextureNode): Vec4 =>
   Fn(() => {
     const sum = texelHere(picture).toVar();
     return vec4(dithered(encode(sum.rgb.div(sum.w))), 1);
@@ -82,7 +83,7 @@ export const freshSample = (hdr: Texture, buffer: GBuffer, uniforms: Uniforms, l
     const near = max(depthHere(buffer), 1e-4).reciprocal();
     return vec4(toYCoCg(displayed(texelHere(hdr).rgb, buffer, uniforms, look)), near);
   })();
-export const followed = (history: Texture): Vec4 =>
+export const followed = (history: TextureNode): Vec4 =>
   vec4(dithered(encode(fromYCoCg(texelHere(history).xyz).clamp(0, 1))), 1);
 
 /** sRGB encoding, IEC 61966-2-1. */

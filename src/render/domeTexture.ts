@@ -14,10 +14,11 @@ import {
   uniform,
   vec2,
 } from 'three/tsl';
-import { DataTexture, HalfFloatType, LinearFilter, type Node, RGBAFormat, Vector3 } from 'three/webgpu';
+import { type DataTexture, type Node, Vector3 } from 'three/webgpu';
 import { toHalf } from '../math/half.ts';
 import { domeAxes } from '../scene/panorama.ts';
 import type { DomeLight } from '../scene/types.ts';
+import type { HalfAtlas, HalfTable, HalfTexels } from '../shaders/halfAtlas.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { COARSE, domeMaps, LOBES, type Panorama, placeOf } from './domeMaps.ts';
 import { uploadTexture } from './textures.ts';
@@ -27,17 +28,17 @@ type Vec2 = Node<'vec2'>;
 /** A dome's picture on the GPU, as it is and as matt and rough surfaces have it. */
 export class DomePicture {
   private readonly image: DataTexture;
-  private readonly maps: DataTexture;
+  private readonly maps: HalfTable;
   private readonly layers: number;
   private readonly tint: Node<'vec3'>;
   private readonly axes: readonly Node<'vec3'>[];
 
   /** `tint`: what its colours are multiplied with. */
-  constructor(picture: NonNullable<DomeLight['texture']>, dome: DomeLight, tint: Vec3) {
+  constructor(picture: NonNullable<DomeLight['texture']>, dome: DomeLight, tint: Vec3, atlas: HalfAtlas) {
     this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' });
     const maps = domeMaps(picture);
     this.layers = maps.length;
-    this.maps = stacked(maps);
+    this.maps = atlas.table('dome', () => stacked(maps));
     this.tint = tint;
     this.axes = domeAxes(dome).map((axis) => uniform(new Vector3(...axis)));
   }
@@ -68,7 +69,6 @@ export class DomePicture {
 
   dispose(): void {
     this.image.dispose();
-    this.maps.dispose();
   }
 
   /** Where a direction of the world is (panorama.ts), u to the right and v down. */
@@ -86,35 +86,28 @@ export class DomePicture {
 
   /** From a layer of the maps, each with a rim that is that of its other side. */
   private map(place: Vec2, layer: Float): Vec3 {
-    const [width, height] = [COARSE.width + 2, COARSE.height + 2];
-    const u = place.x.mul(COARSE.width).add(1).div(width);
-    const v = place.y
-      .mul(COARSE.height)
-      .add(1)
-      .add(layer.mul(height))
-      .div(this.layers * height);
-    return texture(this.maps, vec2(u, v)).level(float(0)).rgb;
+    const x = place.x.mul(COARSE.width).add(RIM);
+    const y = place.y.mul(COARSE.height).add(RIM);
+    return this.maps.between(x, y.add(layer.mul(COARSE.height + 2 * RIM))).xyz;
   }
 }
 
-/** Panoramas one under the other, with a rim of a pixel. */
-function stacked(maps: readonly Panorama[]): DataTexture {
-  const [width, height] = [COARSE.width + 2, COARSE.height + 2];
+/** Of a map, so that it goes on beyond its edges [px]. */
+const RIM = 1;
+
+/** Panoramas one under the other, with their rims. */
+function stacked(maps: readonly Panorama[]): HalfTexels {
+  const [width, height] = [COARSE.width + 2 * RIM, COARSE.height + 2 * RIM];
   const data = new Uint16Array(4 * width * height * maps.length).fill(toHalf(1));
   maps.forEach((map, layer) => {
     for (let y = 0; y < height; y++)
       for (let x = 0; x < width; x++) {
-        const from = placeOf(map, y - 1, x - 1);
+        const from = placeOf(map, y - RIM, x - RIM);
         const to = 4 * ((layer * height + y) * width + x);
         for (let k = 0; k < 3; k++) data[to + k] = toHalf(Math.min(map.rgb[from + k], BRIGHTEST));
       }
   });
-  const made = new DataTexture(data, width, height * maps.length, RGBAFormat, HalfFloatType);
-  made.minFilter = LinearFilter;
-  made.magFilter = LinearFilter;
-  made.generateMipmaps = false;
-  made.needsUpdate = true;
-  return made;
+  return { data, width };
 }
 
 /** The largest half. */

@@ -5,10 +5,11 @@ import { directLights, domeOf, nightSkyOf } from '../scene/daylight.ts';
 import { skyIrradiance } from '../scene/skyGradient.ts';
 import type { DistantLight, DomeLight, NightSky, Scene } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
+import type { HalfAtlas } from '../shaders/halfAtlas.ts';
 import type * as gpu from '../shaders/types.ts';
 import type { ColoredLight } from '../spectrum/filterPairs.ts';
 import { DomePicture } from './domeTexture.ts';
-import { FloatTable } from './floatTable.ts';
+import type { FloatTable, TablePart } from './floatTable.ts';
 import {
   coloredIndex,
   coloredLights,
@@ -75,10 +76,12 @@ export class Environment {
   readonly hasGradient: boolean;
   private readonly dome: DomeLight;
   private skyMode: ColorMode | undefined;
-  private readonly table = new FloatTable(256);
-  private readonly lines = new LineTable();
+  private readonly distant: TablePart;
+  private readonly lines: LineTable;
 
-  constructor(scene: Scene) {
+  /** `table` and `atlas`: what the scene's shaders read; the first is to be uploaded after `update`. */
+  constructor(scene: Scene, table: FloatTable, atlas: HalfAtlas) {
+    this.lines = new LineTable(table);
     const dome = domeOf(scene);
     this.night = nightSkyOf(scene);
     const direct = directLights(scene);
@@ -87,17 +90,18 @@ export class Environment {
       direct.filter((light) => light.kind === 'distant'),
       known,
     );
-    this.table.reserve(SUN_TEXELS * this.suns.reduce((count, { suns }) => count + suns.length, 0));
+    this.distant = table.part(SUN_TEXELS * this.distantLights.length);
     this.lamps = new LampTable(
       direct.filter((light) => light.kind !== 'distant'),
       known,
       this.lines,
+      table,
     );
     const [x, y] = shineNumbers(dome, this.lines);
     this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines) ?? SKY;
     this.dome = dome;
     this.hasGradient = dome.gradient !== undefined;
-    if (dome.texture) this.picture = new DomePicture(dome.texture, dome, this.uniforms.zenithColor.rgb);
+    if (dome.texture) this.picture = new DomePicture(dome.texture, dome, this.uniforms.zenithColor.rgb, atlas);
   }
 
   /** In the order in which `eachSun` counts them. */
@@ -134,7 +138,7 @@ export class Environment {
 
   private sun(index: gpu.Int, { shine, colored }: SunGroup): SunTexels {
     const at = index.mul(int(SUN_TEXELS));
-    const [direction, color] = [0, 1].map((k) => this.table.texel(at.add(int(k))).toVar());
+    const [direction, color] = [0, 1].map((k) => this.distant.texel(at.add(int(k))).toVar());
     const source = sourceOf(shine, [direction.w, color.w], this.lines);
     return {
       direction: direction.xyz,
@@ -150,17 +154,13 @@ export class Environment {
     suns.forEach((sun, i) => {
       const [x, y] = sun.shine;
       const texels = [...normalize(scale(sun.direction, -1)), x, ...sun.colors[colors], y];
-      this.table.values.set(texels, 4 * SUN_TEXELS * i);
+      this.distant.set(texels, SUN_TEXELS * i);
     });
-    this.table.upload();
     this.lamps.update(sight, colors);
     this.setSky(colors);
   }
 
   dispose(): void {
-    this.table.dispose();
-    this.lamps.dispose();
-    this.lines.dispose();
     this.picture?.dispose();
   }
 

@@ -10,7 +10,7 @@ import type { Projection } from './vertexStage.ts';
 /** From where and how a picture was seen. */
 export interface Look {
   readonly sight: Sight;
-  readonly view: ViewPoint;
+  readonly viewPoint: ViewPoint;
   readonly projection: Projection;
   /** Width over height. */
   readonly aspect: number;
@@ -38,7 +38,7 @@ export class EyeBefore {
     this.last = look;
   }
 
-  private remember({ sight, view, aspect }: Look, now: Sight): void {
+  private remember({ sight, viewPoint: view, aspect }: Look, now: Sight): void {
     const tanY = Math.tan(view.fovY / 2);
     this.u.value.set(...sight.u);
     this.gamma.value = gamma(sight.u);

@@ -10,12 +10,27 @@ import {
   type WebGPURenderer,
 } from 'three/webgpu';
 
+/** Texels of four floats, as shaders read them. */
+export interface Texels {
+  texel(index: Node<'int'>): Node<'vec4'>;
+}
+
+/** Texels of a table that belong together. */
+export interface TablePart extends Texels {
+  /** Place in the table. */
+  readonly first: number;
+  /** Writes from a texel of the part on; then call the table's `upload`. */
+  set(values: readonly number[], texel: number): void;
+}
+
 /** Texels of four floats in a texture of fixed width: read with `textureLoad`, which is the same on WebGPU and WebGL2. */
-export class FloatTable {
+export class FloatTable implements Texels {
   private readonly widthBits: number;
   private readonly node: TextureNode<'vec4'>;
   private array: Float32Array<ArrayBuffer>;
   private texture: DataTexture;
+  /** Texels of parts. */
+  private taken = 0;
 
   /** `width`: a power of two. */
   constructor(width: number) {
@@ -41,6 +56,20 @@ export class FloatTable {
     grown.set(this.array);
     this.array = grown;
     this.replaceTexture(makeTexture(grown, 1 << this.widthBits));
+  }
+
+  /** So many texels more, for one thing: a shader has no more than 16 textures, so that not each thing can have its own. */
+  part(texels: number): TablePart {
+    const first = this.taken;
+    this.taken += texels;
+    this.reserve(this.taken);
+    return {
+      first,
+      texel: (index) => this.texel(index.add(int(first))),
+      set: (values, texel) => {
+        this.array.set(values, 4 * (first + texel));
+      },
+    };
   }
 
   /** Takes an array as it is, `4 · width` floats per row. */

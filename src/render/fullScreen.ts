@@ -7,6 +7,7 @@ import {
   QuadMesh,
   type RenderTarget,
   type Texture,
+  type TextureNode,
   type WebGPURenderer,
 } from 'three/webgpu';
 import type { Vec3, Vec4 } from '../shaders/types.ts';
@@ -53,7 +54,7 @@ export class FullScreen {
 }
 
 /** The texel of another target of the same size under this fragment. */
-export const texelHere = (of: Texture): Vec4 => textureLoad(of, ivec2(screenCoordinate));
+export const texelHere = (of: Texture | TextureNode): Vec4 => textureLoad(of, ivec2(screenCoordinate));
 
 /** Unit direction of this pixel in the observer's frame, on the world axes that the boost carries. */
 export function pixelDirection({ halfTangents, jitter, orientation }: Uniforms): Vec3 {

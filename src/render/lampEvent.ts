@@ -4,7 +4,7 @@ import { hyperbolaEmission } from '../shaders/hyperbolicEmission.ts';
 import { linearEmission } from '../shaders/linearEmission.ts';
 import { polylineEmission } from '../shaders/polylineEmission.ts';
 import type { Bool, Float, Int, Vec3, Vec4 } from '../shaders/types.ts';
-import type { FloatTable } from './floatTable.ts';
+import type { Texels } from './floatTable.ts';
 import { pieceAt } from './samples.ts';
 
 /** How a lamp moves, relative to one event of it, its anchor (lampTable.ts). */
@@ -12,7 +12,7 @@ export interface LampPath {
   readonly kind: FrameMotion['kind'];
   /** Absent where it rests. */
   readonly moving?: Moving;
-  readonly samples: FloatTable;
+  readonly samples: Texels;
 }
 
 interface Moving {
@@ -63,7 +63,7 @@ function hyperbolicEvent({ motion, w }: Moving, anchor: Vec4, late: Float): Lamp
   return { offset: dx.toVar(), elapsed: s.sub(late), velocity: velocity.toVar(), exists };
 }
 
-function sampledEvent({ motion }: Moving, table: FloatTable, anchor: Vec4, late: Float): LampEvent {
+function sampledEvent({ motion }: Moving, table: Texels, anchor: Vec4, late: Float): LampEvent {
   const [first, count] = [int(motion.x).toVar(), int(motion.y).toVar()];
   const texel = (index: Int, k: number): Vec4 => table.texel(first.add(index.mul(int(2))).add(int(k))).toVar();
   const { dx, s, velocity } = polylineEmission(anchor, (i) => texel(i, 0).add(vec4(0, 0, 0, late)), count);

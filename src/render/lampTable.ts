@@ -8,7 +8,7 @@ import type { Lamp } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import type { ColoredLight } from '../spectrum/filterPairs.ts';
-import { FloatTable } from './floatTable.ts';
+import type { FloatTable, TablePart } from './floatTable.ts';
 import type { LampPath } from './lampEvent.ts';
 import {
   coloredIndex,
@@ -82,16 +82,22 @@ const LINE = 5e-4;
 const WRITTEN_OUT = { point: 4, sphere: 2, rect: 1, disk: 1, cylinder: 1 } as const;
 /** Longest table that is searched. */
 const MOST_SAMPLES = 4096;
+/** (place, time) relative to the anchor, orientation. */
+const SAMPLE_TEXELS = 2;
+
+const keptSamples = (line: WorldLine): number =>
+  line.kind === 'polyline' ? Math.min(line.times.length, MOST_SAMPLES) : 0;
 
 /** All lamps of a scene. Those of a kind that move alike lie together: each group has code of its own, and no more of it than it needs. */
 export class LampTable {
   private readonly groups: readonly Group[];
-  private readonly table = new FloatTable(256);
-  private readonly samples = new FloatTable(1024);
+  private readonly lamps: TablePart;
+  private readonly samples: TablePart;
 
   private readonly lines: LineTable;
 
-  constructor(lamps: readonly Lamp[], colored: readonly ColoredLight[], lines: LineTable) {
+  /** `table`: where they lie; it is to be uploaded after `update`. */
+  constructor(lamps: readonly Lamp[], colored: readonly ColoredLight[], lines: LineTable, table: FloatTable) {
     this.lines = lines;
     const alike = new Map<string, Lamp[]>();
     for (const lamp of lamps) {
@@ -119,7 +125,9 @@ export class LampTable {
       first += texels.length * members.length;
       return group;
     });
-    this.table.reserve(first);
+    this.lamps = table.part(first);
+    const moved = this.groups.flatMap(({ lamps }) => lamps.map(({ line }) => line));
+    this.samples = table.part(moved.reduce((sum, line) => sum + SAMPLE_TEXELS * keptSamples(line), 0));
   }
 
   each(visit: (lamp: LampTexels) => void): void {
@@ -137,7 +145,7 @@ export class LampTable {
     const at = index.mul(int(texels.length)).add(int(first)).toVar();
     const texel = (name: TexelName): gpu.Vec4 | undefined => {
       const k = texels.indexOf(name);
-      return k < 0 ? undefined : this.table.texel(at.add(int(k))).toVar();
+      return k < 0 ? undefined : this.lamps.texel(at.add(int(k))).toVar();
     };
     const [place, color] = [texel('place')!, texel('color')!];
     const [X, Y, life, path, source] = (['X', 'Y', 'life', 'motion', 'source'] as const).map(texel);
@@ -165,13 +173,11 @@ export class LampTable {
           lamp.line.kind === 'polyline'
             ? this.placeSamples(lamp, lamp.line, values.anchor, sight, used)
             : values.motion;
-        used += lamp.line.kind === 'polyline' ? 2 * motion[1] : 0;
+        used += lamp.line.kind === 'polyline' ? SAMPLE_TEXELS * motion[1] : 0;
         texels.forEach((name, k) => {
-          this.table.values.set(name === 'motion' ? motion : values[name], 4 * (first + i * texels.length + k));
+          this.lamps.set(name === 'motion' ? motion : values[name], first + i * texels.length + k);
         });
       });
-    this.table.upload();
-    if (used > 0) this.samples.upload();
   }
 
   /** Those up to the anchor and one more, for no surface that is seen is lit by later ones; two texels each: (place, time) relative to the anchor, orientation. */
@@ -185,18 +191,13 @@ export class LampTable {
     if (motion.kind !== 'sampled') return [0, 0, 0, 0];
     const end = Math.max(2, Math.min(times.length, samplesUntil(times, sight.t + anchor.ahead / sight.c) + 1));
     const begin = Math.max(0, end - MOST_SAMPLES);
-    this.samples.reserve(used + 2 * (end - begin));
-    for (let k = begin, at = 4 * used; k < end; k++, at += 8) {
+    for (let k = begin; k < end; k++) {
       const { position, orientation } = samplePose(motion.poses, k);
       const time = sight.c * (times[k] - sight.t) - anchor.ahead;
-      this.samples.values.set([...sub(sub(position, sight.position), anchor.offset), time, ...orientation], at);
+      const place = sub(sub(position, sight.position), anchor.offset);
+      this.samples.set([...place, time, ...orientation], used + SAMPLE_TEXELS * (k - begin));
     }
     return [used, end - begin, 0, 0];
-  }
-
-  dispose(): void {
-    this.table.dispose();
-    this.samples.dispose();
   }
 }
 

@@ -2,7 +2,7 @@ import { int, Loop } from 'three/tsl';
 import type * as gpu from '../shaders/types.ts';
 import type { SampledSpectrum } from '../spectrum/lightSpectrum.ts';
 import { type LightSpectrum, linesOf, type SpectralLine, spectralRadiance } from '../spectrum/lightSpectrum.ts';
-import { FloatTable } from './floatTable.ts';
+import type { FloatTable } from './floatTable.ts';
 import type { LineSource } from './radiance.ts';
 
 /** More lines of one light than this are gathered to so many. */
@@ -10,22 +10,24 @@ const MOST_LINES = 32;
 
 /** Lines of all lights that shine in lines, one texel each: (wavelength [nm], radiance, 0, 0). Other spectra are taken for close lines. */
 export class LineTable {
-  private readonly table = new FloatTable(256);
+  private readonly table: FloatTable;
   private readonly places = new Map<LightSpectrum, readonly [first: number, count: number]>();
-  private used = 0;
+
+  /** `table`: where they lie. */
+  constructor(table: FloatTable) {
+    this.table = table;
+  }
 
   /** Where a spectrum's lines are. */
   add(spectrum: LightSpectrum): readonly [first: number, count: number] {
     const known = this.places.get(spectrum);
     if (known) return known;
     const lines = gathered(spectrum);
-    this.table.reserve(this.used + lines.length);
+    const part = this.table.part(lines.length);
     lines.forEach(({ wavelength, weight }, i) => {
-      this.table.values.set([1e9 * wavelength, weight, 0, 0], 4 * (this.used + i));
+      part.set([1e9 * wavelength, weight, 0, 0], i);
     });
-    this.table.upload();
-    const place = [this.used, lines.length] as const;
-    this.used += lines.length;
+    const place = [part.first, lines.length] as const;
     this.places.set(spectrum, place);
     return place;
   }
@@ -38,10 +40,6 @@ export class LineTable {
           visit(line.x.mul(1e-9), line.y);
         }),
     };
-  }
-
-  dispose(): void {
-    this.table.dispose();
   }
 }
 

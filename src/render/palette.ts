@@ -1,13 +1,13 @@
-import type { Texture } from 'three/webgpu';
 import { maybeDusky } from '../scene/daylight.ts';
 import type { Scene } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
-import type { ColoredTables } from '../shaders/coloredTable.ts';
-import { coloredTexture } from '../shaders/coloredTexture.ts';
-import { observerTexture } from '../shaders/observerTexture.ts';
-import { spectrumTexture } from '../shaders/spectrumTexture.ts';
+import type { HalfAtlas } from '../shaders/halfAtlas.ts';
+import { observerTexels } from '../shaders/observerTable.ts';
+import { spectrumTable } from '../shaders/spectrumTable.ts';
+import type { DopplerTable } from '../spectrum/dopplerTable.ts';
+import { type ColoredLight, coloredTable } from '../spectrum/filterPairs.ts';
 import { thermalTable } from '../spectrum/thermalTable.ts';
-import { DaylightTable } from './daylightTable.ts';
+import { DaylightColumns, DaylightTable } from './daylightTable.ts';
 import { coloredLights, shineKind } from './lampShine.ts';
 import type { Optics } from './radiance.ts';
 import { type SpectralTables, spectral } from './spectral.ts';
@@ -32,54 +32,53 @@ export function paletteOf({ view, colors, dopplerMix, beaming }: RenderSettings,
 
 const isGlowing = ({ emissionTemperature }: Scene['materials'][number]): boolean => emissionTemperature !== undefined;
 
-interface Tables extends Omit<SpectralTables, 'colored'> {
-  readonly blackbodies: SpectralTables['blackbodies'] & { readonly texture: Texture };
-}
+/** Of coloured lights, of this scene and of earlier ones. */
+const MOST_KEPT = 60;
 
-/** The tables of spectral colours on the GPU, made when they are first asked for. */
+/** What spectral colours are looked up in, made when it is first asked for. Scenes share it, but each has its own copy on the GPU. */
 export class Palettes {
-  private readonly tables = new Map<3 | 4, Tables>();
-  private readonly colored = new Map<string, ColoredTables & { readonly texture: Texture }>();
-  private readonly observer = observerTexture();
+  private readonly blackbodies = new Map<3 | 4, { readonly table: DopplerTable; readonly daylight: DaylightColumns }>();
+  private readonly colored = new Map<string, DopplerTable>();
 
-  optics(palette: Palette, scene: Scene): Optics {
+  /** `atlas`: the scene's. */
+  optics(palette: Palette, scene: Scene, atlas: HalfAtlas): Optics {
     const { materials } = scene;
     const glowing = materials.some(isGlowing);
     if (palette === 'approximate') return tinted(glowing);
     if (palette === 'plain' || palette === 'resting') return palette === 'plain' ? plain(glowing) : resting;
     const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
-    const tables = this.tables.get(layers) ?? this.makeTables(layers);
-    this.tables.set(layers, tables);
-    return spectral(
-      { ...tables, colored: () => this.coloredOf(scene, layers) },
-      {
-        glowing,
-        dusky: maybeDusky(scene),
-        whole: palette === 'physical',
-      },
-    );
+    return spectral(this.tables(scene, layers, atlas), {
+      glowing,
+      dusky: maybeDusky(scene),
+      whole: palette === 'physical',
+    });
   }
 
-  /** Only shaders of scenes with coloured lights ask. */
-  private coloredOf(scene: Scene, layers: 3 | 4): ColoredTables {
+  private tables(scene: Scene, layers: 3 | 4, atlas: HalfAtlas): SpectralTables {
+    const { table, daylight } = this.blackbodiesOf(layers);
     const lights = coloredLights(scene);
-    const key = `${layers} ${JSON.stringify(lights)}`;
-    const tables = this.colored.get(key) ?? coloredTexture(lights, layers);
-    this.colored.set(key, tables);
-    return tables;
+    return {
+      blackbodies: spectrumTable(atlas, 'blackbodies', table),
+      daylight: new DaylightTable(daylight, atlas),
+      colored: (light) => spectrumTable(atlas, `colored ${light}`, this.coloredOf(lights[light], layers)),
+      observer: () => atlas.table('observer', observerTexels),
+    };
   }
 
-  private makeTables(layers: 3 | 4): Tables {
+  private blackbodiesOf(layers: 3 | 4) {
+    const known = this.blackbodies.get(layers);
+    if (known) return known;
     const table = thermalTable(layers);
-    return { blackbodies: spectrumTexture(table), daylight: new DaylightTable(table), observer: this.observer };
+    const made = { table, daylight: new DaylightColumns(table) };
+    this.blackbodies.set(layers, made);
+    return made;
   }
 
-  dispose(): void {
-    this.observer.texture.dispose();
-    for (const { texture } of this.colored.values()) texture.dispose();
-    for (const { blackbodies, daylight } of this.tables.values()) {
-      blackbodies.texture.dispose();
-      daylight.dispose();
-    }
+  private coloredOf(light: ColoredLight, layers: 3 | 4): DopplerTable {
+    const key = `${layers} ${JSON.stringify(light)}`;
+    const table = this.colored.get(key) ?? coloredTable(light, layers);
+    this.colored.set(key, table);
+    for (const oldest of this.colored.keys()) if (this.colored.size > MOST_KEPT) this.colored.delete(oldest);
+    return table;
   }
 }

@@ -13,12 +13,13 @@ import { PassBook } from './passBook.ts';
 import { Composition, type Sitting } from './plan/composition.ts';
 import { Plate } from './plate.ts';
 import type { SceneUpload } from './sceneUpload.ts';
-import { Smoothing } from './smoothing.ts';
+import { Smoothing, type Way } from './smoothing.ts';
 import { dataTarget, type GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
+import type { Projection } from './vertexStage.ts';
 
 /** How a picture is shown. */
-type Shown = Look & Pick<RenderSettings, 'falseColors' | 'plan'>;
+type Shown = Look & Pick<RenderSettings, 'falseColors' | 'antialiasing' | 'plan'>;
 
 /** So many compositions are kept: what is shown, what is being compiled, and what was shown before. */
 const KEPT = 3;
@@ -41,7 +42,7 @@ export class PictureMachine {
   /** Where the light of the last sample is. */
   private light: RenderTarget;
   /** How the picture that is there is to be shown; of how many samples its light is. */
-  look: Shown = { tone: 'neutral', grid: false, starry: false };
+  look: Shown = { tone: 'neutral', grid: false, starry: false, antialiasing: true };
   samples = 1;
 
   constructor(gpu: Gpu, uniforms: Uniforms) {
@@ -108,6 +109,13 @@ export class PictureMachine {
     return this.plate(0).openness();
   }
 
+  /** Goes through what makes a picture of its light, and pictures at rest of many, without making any. */
+  rehearse(way: Way, projection: Projection, where: 'canvas' | 'screen'): void {
+    const target = where === 'canvas' ? null : this.screen;
+    if (this.look.falseColors) this.colorFalsely(this.look, this.look.falseColors, target);
+    else this.smoothing.rehearse(way, this.look, projection, target);
+  }
+
   /** The finished picture to the canvas (`null`), or to where it can be read. */
   present(where: 'canvas' | 'screen'): RenderTarget {
     const target = where === 'canvas' ? null : this.screen;
@@ -127,7 +135,7 @@ export class PictureMachine {
 
   /** Where the light of the whole picture is, and in which of its textures. */
   beauty(): { readonly target: RenderTarget; readonly index: number } {
-    return this.samples > 1 ? this.smoothing.mean : { target: this.light, index: 0 };
+    return this.samples > 1 ? this.smoothing.lightMean : { target: this.light, index: 0 };
   }
 
   /** What the picture is like at places spread over it; c [m/s]. */
@@ -143,8 +151,7 @@ export class PictureMachine {
   }
 
   dispose(): void {
-    for (const held of [...this.plates, ...this.compositions.values(), this.passes, this.palettes, this.gauge])
-      held.dispose();
+    for (const held of [...this.plates, ...this.compositions.values(), this.passes, this.gauge]) held.dispose();
     this.falseColors.dispose();
     for (const target of [this.screen, this.smoothing]) target.dispose();
   }

@@ -89,10 +89,10 @@ export class Plate {
   /** G-buffer to light, then what is transparent over it. */
   drawLight({ upload, projection, settings }: Subject, camera: PerspectiveCamera, lighting: Lighting, index = 0): void {
     const { buffer, uniforms, passes } = this;
-    const { environment, scene } = upload;
+    const { environment, scene, atlas } = upload;
     const light = this.light(index);
     const palette = paletteOf(settings, scene);
-    const optics = this.palettes.optics(palette, scene);
+    const optics = this.palettes.optics(palette, scene, atlas);
     const shadows = lighting.shadows ? upload.shadows : undefined;
     const owner = upload.serial;
     passes.run(`sky ${palette}`, () => skyLight(environment, uniforms, optics), light, { owner, where: 'sky' });

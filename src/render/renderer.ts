@@ -12,7 +12,8 @@ import { gridPlaces, type SamplePlace, wanderingPlace } from './samplePlaces.ts'
 import { SceneUpload } from './sceneUpload.ts';
 import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
 import type { Sight } from './sight.ts';
-import { projectionOf, type Staged, Staging } from './staging.ts';
+import type { Way } from './smoothing.ts';
+import { type Motif, motifOf, projectionOf, Staging } from './staging.ts';
 import { Uploads } from './uploads.ts';
 
 /** Samples in a pixel along each side, where there is time: what pictures at rest come to. */
@@ -21,8 +22,8 @@ const CENTRE: SamplePlace = [0, 0];
 /** Of so many samples a picture is better than one that was smoothed otherwise. */
 const WORTHWHILE = 8;
 
-/** A picture that can be drawn, sample by sample: its G-buffers, that of the settings first. */
-type Made = readonly [Staged, ...Staged[]];
+/** All that a picture is made of: its G-buffers, that of the settings first. */
+type Motifs = readonly [Motif, ...Motif[]];
 
 /** Makes pictures of a scene for a page, a command line or a benchmark; see api.ts. */
 export class SceneRenderer implements PictureMaker {
@@ -38,7 +39,9 @@ export class SceneRenderer implements PictureMaker {
   /** Of the last picture, and of the next one: the size changes when that is made, for a canvas of a new size is empty. */
   private size = { width: 1, height: 1 };
   private wanted = this.size;
-  private made: Made | undefined;
+  private made: Motifs | undefined;
+  /** What uniforms, tables and shadow maps are of. */
+  private staged: Motifs | undefined;
   /** Samples of the last picture that `refine` has added. */
   private added = 0;
   /** The G-buffer and the light are those of the pixels' centres. */
@@ -59,6 +62,7 @@ export class SceneRenderer implements PictureMaker {
       (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options),
       (upload) => {
         this.made = undefined;
+        this.staged = undefined;
         this.machine.forget(upload);
       },
     );
@@ -97,69 +101,86 @@ export class SceneRenderer implements PictureMaker {
     this.taken = undefined;
   }
 
-  prepare(viewPoint: ViewPoint, settings: RenderSettings): Promise<void> | undefined {
+  prepare(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): Promise<void> | undefined {
     const { uploads } = this;
     // With another speed of light it may be another upload's turn.
     if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
-    const shaders = shadersOf(settings, uploads.of(settings));
-    if (this.compiled.has(shaders)) return undefined;
-    this.preparing ??= this.compile(viewPoint, settings, shaders).finally(() => {
+    const way = wayOf(settings, sampling);
+    if (this.compiled.has(shadersOf(settings, way, uploads.of(settings)))) return undefined;
+    this.preparing ??= this.compile(viewPoint, settings, way).finally(() => {
       this.preparing = undefined;
     });
     return this.preparing;
   }
 
-  private async compile(viewPoint: ViewPoint, settings: RenderSettings, shaders: string): Promise<void> {
-    const made = this.stage(viewPoint, settings);
-    if (!made) return;
+  private async compile(viewPoint: ViewPoint, settings: RenderSettings, way: Way): Promise<void> {
+    const motifs = this.motifsOf(viewPoint, settings);
+    if (!motifs || !this.stage(motifs)) return;
     if (settings.plan) this.machine.compose(settings.plan);
     const draw = (): void => {
-      this.machine.look = lookOf(made);
-      this.sampleAt(CENTRE, made);
-      this.machine.smoothing.smoothEdges(this.machine.look);
-      if (this.toCanvas) this.machine.present('canvas');
+      this.draw(motifs, CENTRE);
+      this.machine.rehearse(way, motifs[0].projection, this.toCanvas ? 'canvas' : 'screen');
     };
+    const shaders = shadersOf(settings, way, this.uploads.of(settings));
     // Whatever comes of it: a shader that cannot be compiled is told of when it is to be drawn with.
     await rehearse(this.gpu.renderer, draw).finally(() => this.compiled.add(shaders));
   }
 
   render(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): void {
     const began = performance.now();
-    const made = this.stage(viewPoint, settings, () => this.resize());
-    if (!made) return;
-    const [first] = made;
-    this.made = made;
-    this.machine.look = lookOf(made);
+    const motifs = this.motifsOf(viewPoint, settings);
+    const seen = motifs && this.stage(motifs, () => this.resize());
+    if (!motifs || !seen) return;
+    const [{ upload, sight }] = motifs;
+    this.made = motifs;
     this.added = 0;
-    if (settings.falseColors && sampling === 'temporal') this.drawSamples(1);
-    else if (sampling === 'temporal') this.follow(first);
-    else this.drawSamples(sampling);
+    const way = wayOf(settings, sampling);
+    if (way === 'followed') this.follow(motifs);
+    else this.drawSamples(motifs, way === 'mean' ? Number(sampling) : 1);
     if (this.toCanvas) this.machine.present('canvas');
-    this.taken = first.sight;
-    this.drawn = { objectsDrawn: first.seen.filter(Boolean).length, milliseconds: performance.now() - began };
-    this.compiled.add(shadersOf(settings, this.uploads.of(settings)));
-    if (!this.preparing) this.uploads.keep(made.length);
-    if (this.toCanvas) first.upload.refiner.countSometimes();
+    this.taken = sight;
+    this.drawn = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
+    this.compiled.add(shadersOf(settings, way, this.uploads.of(settings)));
+    // While a picture is being compiled, its G-buffers are.
+    if (!this.preparing) this.uploads.keep(motifs.length);
+    if (this.toCanvas) upload.refiner.countSometimes();
   }
 
-  /** Puts everything in its place for a picture; undefined where samples of it are still to come. */
-  private stage(viewPoint: ViewPoint, settings: RenderSettings, ready?: () => void): Made | undefined {
-    const staged: Staged[] = [];
-    for (const [i, upload] of this.uploads.of(settings).entries()) {
-      const of = this.staging.stage(upload, viewPoint, bufferSettings(settings, i), this.wanted, ready);
-      if (!of) return undefined;
-      staged.push(of);
-    }
-    const [first, ...others] = staged;
+  private motifsOf(viewPoint: ViewPoint, settings: RenderSettings): Motifs | undefined {
+    const [first, ...others] = this.uploads
+      .of(settings)
+      .map((upload, i) => motifOf(upload, viewPoint, bufferSettings(settings, i)));
     return first && [first, ...others];
   }
 
+  /** Puts everything in its place for a picture; tells which bodies of the first scene may be seen, or undefined where samples are still to come. */
+  private stage(motifs: Motifs, ready?: () => void): readonly boolean[] | undefined {
+    const [{ settings, upload }] = motifs;
+    this.staged = undefined;
+    this.machine.look = { ...settings, starry: upload.stars !== undefined };
+    let seen: readonly boolean[] | undefined;
+    // The first comes last: its uniforms stay.
+    for (const motif of [...motifs].reverse()) {
+      seen = this.staging.stage(motif, this.wanted, ready);
+      if (!seen) return undefined;
+    }
+    this.staged = motifs;
+    return seen;
+  }
+
+  /** Puts everything back in its place for the last picture, where another was staged since; tells whether it can be drawn again. */
+  private restage(): Motifs | undefined {
+    const { made, staged } = this;
+    return made && (staged === made || this.stage(made)) ? made : undefined;
+  }
+
   refine(): boolean {
-    const { made, machine, added } = this;
+    const { machine, added } = this;
     const count = FINEST * FINEST;
-    if (!made || made[0].settings.falseColors || !isComplete(made) || machine.samples > 1) return false;
-    if (added === count) return false;
-    this.sampleAt(gridPlaces(FINEST)[added]);
+    if (added === count || machine.samples > 1 || !this.made || !isRefined(this.made[0].settings)) return false;
+    const made = this.restage();
+    if (!made) return true;
+    this.sampleAt(made, gridPlaces(FINEST)[added]);
     this.added = added + 1;
     machine.smoothing.add(added, count, machine.look, this.added >= WORTHWHILE);
     if (this.toCanvas) machine.present('canvas');
@@ -167,43 +188,47 @@ export class SceneRenderer implements PictureMaker {
   }
 
   /** n × n samples per pixel. */
-  private drawSamples(n: number): void {
+  private drawSamples(motifs: Motifs, n: number): void {
     const { machine } = this;
     machine.samples = n * n;
     for (const [i, place] of gridPlaces(n).entries()) {
-      this.sampleAt(place);
-      if (n === 1) machine.smoothing.smoothEdges(machine.look);
-      else machine.smoothing.add(i, n * n, machine.look, true);
+      this.sampleAt(motifs, place);
+      if (n > 1) machine.smoothing.add(i, n * n, machine.look, true);
     }
     if (machine.look.falseColors) this.settle();
+    else if (n === 1) machine.smoothing.take(machine.look);
   }
 
   /** One sample, and what is left of the pictures before. */
-  private follow({ view, sight, projection }: Staged): void {
+  private follow(motifs: Motifs): void {
     const { machine } = this;
     machine.samples = 1;
-    this.sampleAt(wanderingPlace(this.pictures++));
-    machine.smoothing.follow(machine.look, { sight, view, projection, aspect: this.width / this.height });
+    this.sampleAt(motifs, wanderingPlace(this.pictures++));
+    machine.smoothing.follow(machine.look, { ...motifs[0], aspect: this.width / this.height });
   }
 
-  /** Draws the last picture with its samples at one place of their pixels. */
-  private sampleAt(place: SamplePlace, made = this.made): void {
-    if (!made) return;
+  private sampleAt(motifs: Motifs, place: SamplePlace): void {
+    this.draw(motifs, place);
+    this.settled = place[0] === 0 && place[1] === 0;
+  }
+
+  /** Draws what is staged with its samples at one place of their pixels. */
+  private draw([first, ...others]: Motifs, place: SamplePlace): void {
     const { staging, size } = this;
     staging.jitter(place, size);
-    const [first, ...others] = made;
-    const sitting = (staged: Staged) => ({ subject: staged, look: () => staging.look(staged, size) });
-    this.machine.draw([sitting(first), ...others.map(sitting)], staging.camera, first.view.t);
-    this.settled = place[0] === 0 && place[1] === 0;
+    const sitting = (motif: Motif) => ({ subject: motif, look: () => staging.look(motif, size) });
+    this.machine.draw([sitting(first), ...others.map(sitting)], staging.camera, first.viewPoint.t);
   }
 
   /** Numbers are of the pixels' centres, and never a mean. */
   private settle(): void {
-    if (!this.settled && this.made && isComplete(this.made)) this.sampleAt(CENTRE);
+    const made = this.settled ? undefined : this.restage();
+    if (made) this.sampleAt(made, CENTRE);
   }
 
   async readPixels(): Promise<Uint8Array> {
     await this.uploads.first?.refiner.count();
+    this.restage();
     return readBytes(this.gpu, this.machine.present('screen'), this.whole());
   }
 
@@ -251,12 +276,17 @@ export class SceneRenderer implements PictureMaker {
   }
 }
 
-const isComplete = (made: Made): boolean => made.every(({ upload }) => upload.frame.isComplete);
+/** Whether its pictures come to more samples while they rest: colours that stand for numbers never do. */
+const isRefined = ({ antialiasing, falseColors }: RenderSettings): boolean => antialiasing && !falseColors;
 
-const lookOf = ([{ settings, upload }]: Made) => ({ ...settings, starry: upload.stars !== undefined });
+function wayOf(settings: RenderSettings, sampling: Sampling): Way {
+  if (sampling === 'temporal' && isRefined(settings)) return 'followed';
+  if (sampling !== 'temporal' && sampling > 1) return 'mean';
+  return settings.antialiasing ? 'edges' : 'plain';
+}
 
 /** Names all the shaders that a picture takes. */
-function shadersOf(settings: RenderSettings, uploads: readonly SceneUpload[]): string {
+function shadersOf(settings: RenderSettings, way: Way, uploads: readonly SceneUpload[]): string {
   const { tone, grid, falseColors, shadows, occlusionRadius, plan } = settings;
   const buffers = uploads.map(({ serial, scene }, i) => {
     const own = bufferSettings(settings, i);
@@ -264,7 +294,7 @@ function shadersOf(settings: RenderSettings, uploads: readonly SceneUpload[]): s
     return [serial, event, place, paletteOf(own, scene)].join(' ');
   });
   const shape = plan && shapeOf(plan);
-  return [...buffers, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind, shape].join(' ');
+  return [...buffers, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind ?? way, shape].join(' ');
 }
 
 function withoutAlpha(rgba: Float32Array): Float32Array {

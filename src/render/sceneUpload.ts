@@ -1,13 +1,16 @@
 import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene } from 'three/webgpu';
 import { nightSkyOf } from '../scene/daylight.ts';
 import { isStreamed } from '../scene/points.ts';
-import type { SampledPointsMotion, Scene, Texture, TextureChannel } from '../scene/types.ts';
+import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
+import type { ColorMode } from '../scene/view.ts';
+import { HalfAtlas } from '../shaders/halfAtlas.ts';
 import { type Batch, type BatchArrays, type BatchTextures, makeBatches } from './batches.ts';
 import { type Body, makeBody } from './bodies.ts';
+import { ChannelPictures } from './channelPictures.ts';
 import type { Gpu } from './device.ts';
 import { type Drawable, disposeDrawable, makeDrawable } from './drawable.ts';
 import { Environment } from './environment.ts';
-import { FloatTable } from './floatTable.ts';
+import { FloatTable, type TablePart } from './floatTable.ts';
 import { Frame } from './frame.ts';
 import { PointStore } from './pointStore.ts';
 import { Refiner } from './refine/gpuRefiner.ts';
@@ -15,8 +18,9 @@ import { SampleCourier } from './sampleCourier.ts';
 import type { RendererOptions } from './settings.ts';
 import { DETAILS } from './shadows/detail.ts';
 import { ShadowMaps } from './shadows/shadowMaps.ts';
+import type { Sight } from './sight.ts';
 import { StarPoints } from './starPoints.ts';
-import { type ChannelTexture, MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './surface.ts';
+import { MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './surface.ts';
 import { textureKey, uploadTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 import { indexedVertex } from './vertexInput.ts';
@@ -46,10 +50,14 @@ export class SceneUpload {
   readonly radius: number;
   private readonly objects = new FloatTable(256);
   private readonly samples = new FloatTable(1024);
-  private readonly materials = new FloatTable(256);
+  /** What fragments read of materials and lights. */
+  private readonly table = new FloatTable(256);
+  readonly atlas = new HalfAtlas();
+  private readonly materials: TablePart;
   /** Of meshes that many wear (vertexInput.ts). */
   private readonly instances = new FloatTable(256);
   private readonly points = new Map<number, PointStore>();
+  private readonly channels = new ChannelPictures();
   private readonly textures = new Map<string, DataTexture>();
   private courier: SampleCourier | undefined;
 
@@ -59,7 +67,8 @@ export class SceneUpload {
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
     this.bodies = worldObjects(scene, speedOfLight).map((object, i) => makeBody(object, i + 1));
     this.radius = radiusOf(this.bodies);
-    this.environment = new Environment(scene);
+    this.materials = this.table.part(scene.materials.length * MATERIAL_TEXELS);
+    this.environment = new Environment(scene, this.table, this.atlas);
     const night = nightSkyOf(scene);
     this.stars = night && new StarPoints(night, uniforms, gpu.renderer.reversedDepthBuffer);
     this.frame = new Frame({ objects: this.objects, samples: this.samples, points: this.points });
@@ -85,7 +94,8 @@ export class SceneUpload {
     this.courier?.dispose();
     for (const store of this.points.values()) store.dispose();
     for (const image of this.textures.values()) image.dispose();
-    for (const table of [this.objects, this.samples, this.materials, this.instances]) table.dispose();
+    for (const table of [this.objects, this.samples, this.table, this.instances]) table.dispose();
+    this.atlas.dispose();
     this.environment.dispose();
     this.stars?.dispose();
   }
@@ -104,13 +114,17 @@ export class SceneUpload {
     return new PointStore(motion, meshNormals, gpu.renderer, { texels, samples });
   }
 
+  /** Puts lights where they are for an observer, who sees their colours in one of two ways. */
+  light(sight: Sight, colors: ColorMode): void {
+    this.environment.update(sight, colors);
+    this.table.upload();
+  }
+
   private fillMaterials(): void {
     const { materials } = this.scene;
-    this.materials.reserve(materials.length * MATERIAL_TEXELS);
     materials.forEach((m, i) => {
-      this.materials.values.set(materialTexels(m), 4 * MATERIAL_TEXELS * i);
+      this.materials.set(materialTexels(m), MATERIAL_TEXELS * i);
     });
-    this.materials.upload();
   }
 
   private fillInstances(batches: readonly Batch[]): void {
@@ -154,21 +168,24 @@ export class SceneUpload {
   }
 
   private pictures(of: BatchTextures): SurfaceTextures {
-    const { baseColorTexture, emissiveTexture, normalTexture, roughnessTexture, metallicTexture } = of;
-    const { occlusionTexture, uvTexture, irTexture } = of;
-    const channel = ({ texture, channel }: TextureChannel): ChannelTexture => ({
-      texture: this.texture(texture),
-      channel,
+    const { baseColorTexture, emissiveTexture, normalTexture } = of;
+    const channels = this.channels.gathered({
+      ...(of.roughnessTexture && { roughness: of.roughnessTexture }),
+      ...(of.metallicTexture && { metallic: of.metallicTexture }),
+      ...(of.occlusionTexture && { occlusion: of.occlusionTexture }),
+      ...(of.uvTexture && { uv: of.uvTexture }),
+      ...(of.irTexture && { ir: of.irTexture }),
     });
     return {
       ...(baseColorTexture && { baseColor: this.texture(baseColorTexture) }),
       ...(emissiveTexture && { emissive: this.texture(emissiveTexture) }),
       ...(normalTexture && { normal: this.texture(normalTexture.texture) }),
-      ...(roughnessTexture && { roughness: channel(roughnessTexture) }),
-      ...(metallicTexture && { metallic: channel(metallicTexture) }),
-      ...(occlusionTexture && { occlusion: channel(occlusionTexture) }),
-      ...(uvTexture && { uv: channel(uvTexture) }),
-      ...(irTexture && { ir: channel(irTexture) }),
+      ...Object.fromEntries(
+        Object.entries(channels).map(([name, { texture, channel }]) => [
+          name,
+          { texture: this.texture(texture), channel },
+        ]),
+      ),
     };
   }
 

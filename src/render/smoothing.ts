@@ -1,3 +1,4 @@
+import { texture } from 'three/tsl';
 import {
   FloatType,
   HalfFloatType,
@@ -7,6 +8,8 @@ import {
   type Texture,
   UnsignedByteType,
 } from 'three/webgpu';
+import type { RenderSettings } from '../scene/view.ts';
+import type { Vec4 } from '../shaders/types.ts';
 import {
   addedSample,
   antialiased,
@@ -14,12 +17,16 @@ import {
   type Look as DisplayLook,
   followed,
   freshSample,
+  plain,
   singleSample,
 } from './display.ts';
-import { EyeBefore, type Look } from './eyeBefore.ts';
+import { EyeBefore, type Look as Seen } from './eyeBefore.ts';
 import { dataTarget, type GBuffer } from './targets.ts';
 import { blended } from './temporal.ts';
 import type { Uniforms } from './uniforms.ts';
+import type { Projection } from './vertexStage.ts';
+
+type Look = DisplayLook & Pick<RenderSettings, 'antialiasing'>;
 
 /** Runs the pass of a name, made when it is first asked for. */
 export type Run = (name: string, output: () => Node, target: RenderTarget | null) => void;
@@ -33,7 +40,10 @@ export interface Samples {
   readonly run: Run;
 }
 
-/** From samples of light to a picture without steps: by its edges alone (FXAA), as the mean of many samples, or with the pictures before it. */
+/** How a picture comes of samples: of one as it is, with smooth edges (FXAA), as the mean of many, or with the pictures before it. */
+export type Way = 'plain' | 'edges' | 'mean' | 'followed';
+
+/** From samples of light to a picture without steps. */
 export class Smoothing {
   private readonly from: Samples;
   private readonly single = filteredTarget(UnsignedByteType);
@@ -44,7 +54,15 @@ export class Smoothing {
   /** Which of two targets was written last. */
   private sum = 0;
   private turn = 0;
-  private shown: 'edges' | 'mean' | 'followed' = 'edges';
+  /** What passes read of targets that take turns. */
+  private readonly picture = texture(this.sums[0].textures[0]);
+  private readonly light = texture(this.sums[0].textures[1]);
+  private readonly mean = texture(this.sums[0].textures[0]);
+  private readonly now = texture(this.fresh[0].texture);
+  private readonly former = texture(this.fresh[0].texture);
+  private readonly history = texture(this.histories[0].texture);
+  private readonly latest = texture(this.histories[0].texture);
+  private shown: Way = 'plain';
 
   constructor(from: Samples) {
     this.from = from;
@@ -61,65 +79,95 @@ export class Smoothing {
   }
 
   /** A picture of one sample. */
-  smoothEdges(look: DisplayLook): void {
-    const { buffer, uniforms, run } = this.from;
-    const light = this.from.light();
-    run(`single ${light.id} ${keyOf(look)}`, () => singleSample(light, buffer, uniforms, look), this.single);
-    this.shown = 'edges';
+  take(look: Look): void {
+    this.display(look);
+    this.shown = look.antialiasing ? 'edges' : 'plain';
     this.before.forget();
   }
 
   /** Sample `index` of `count`; until it is `shown`, the picture before them stays. */
-  add(index: number, count: number, look: DisplayLook, shown: boolean): void {
-    const { buffer, uniforms, run } = this.from;
-    const light = this.from.light();
+  add(index: number, count: number, look: Look, shown: boolean): void {
+    const { uniforms } = this.from;
     uniforms.weight.value = 1 / count;
     uniforms.firstSample.value = index === 0 ? 1 : 0;
-    const [from, to] = index % 2 === 0 ? [1, 0] : [0, 1];
-    const before = { picture: this.sums[from].textures[0], light: this.sums[from].textures[1] };
-    run(
-      `add ${to} ${light.id} ${keyOf(look)}`,
-      () => addedSample(light, before, buffer, uniforms, look),
-      this.sums[to],
-    );
-    this.sum = to;
+    this.sum = index % 2;
+    this.accumulate(look);
     if (shown) this.shown = 'mean';
   }
 
   /** A picture of one sample, which follows those before. */
-  follow(look: DisplayLook, seen: Look): void {
-    const { buffer, uniforms, run } = this.from;
-    const light = this.from.light();
-    const { before, turn } = this;
-    const { projection } = seen;
-    before.meet(seen);
-    const [history, freshBefore] = [this.histories[turn].texture, this.fresh[turn].texture];
-    this.turn = 1 - turn;
-    const [next, fresh] = [this.histories[this.turn], this.fresh[this.turn]];
-    run(`fresh ${this.turn} ${light.id} ${keyOf(look)}`, () => freshSample(light, buffer, uniforms, look), fresh);
-    run(
-      `follow ${this.turn} ${projection.event} ${projection.place}`,
-      () => blended({ fresh: fresh.texture, freshBefore, history, buffer, uniforms, before, projection }),
-      next,
-    );
+  follow(look: Look, seen: Seen): void {
+    this.before.meet(seen);
+    this.turn = 1 - this.turn;
+    this.blend(look, seen.projection);
     this.shown = 'followed';
   }
 
   present(target: RenderTarget | null): void {
-    const { single, sums, histories, sum, turn } = this;
-    const { run } = this.from;
-    if (this.shown === 'edges') run('antialiased', () => antialiased(single.texture), target);
-    else if (this.shown === 'mean') run(`averaged ${sum}`, () => averaged(sums[sum].textures[0]), target);
-    else run(`followed ${turn}`, () => followed(histories[turn].texture), target);
+    this.show(this.shown, target);
+  }
+
+  /** Runs the passes of a way, and those of more samples, and leaves what is known of pictures that were made. */
+  rehearse(way: Way, look: Look, projection: Projection, target: RenderTarget | null): void {
+    if (way === 'plain' || way === 'edges') this.display(look);
+    if (way === 'followed') this.blend(look, projection);
+    if (look.antialiasing || way === 'mean') this.accumulate(look);
+    for (const each of look.antialiasing ? [way, 'mean' as const] : [way]) this.show(each, target);
   }
 
   /** Where the mean of the samples' light is, once all are added. */
-  get mean(): { readonly target: RenderTarget; readonly index: number } {
+  get lightMean(): { readonly target: RenderTarget; readonly index: number } {
     return { target: this.sums[this.sum], index: 1 };
   }
 
   dispose(): void {
     for (const target of this.targets) target.dispose();
+  }
+
+  private display(look: Look): void {
+    const { buffer, uniforms, run } = this.from;
+    const light = this.from.light();
+    run(`single ${light.id} ${keyOf(look)}`, () => singleSample(light, buffer, uniforms, look), this.single);
+  }
+
+  /** The last sum, and this sample. */
+  private accumulate(look: Look): void {
+    const { buffer, uniforms, run } = this.from;
+    const light = this.from.light();
+    const { picture, light: sum } = this;
+    [picture.value, sum.value] = this.sums[1 - this.sum].textures;
+    const before = { picture, light: sum };
+    run(
+      `add ${light.id} ${keyOf(look)}`,
+      () => addedSample(light, before, buffer, uniforms, look),
+      this.sums[this.sum],
+    );
+  }
+
+  private blend(look: Look, projection: Projection): void {
+    const { buffer, uniforms, run } = this.from;
+    const light = this.from.light();
+    const { before, turn, now, former, history } = this;
+    run(`fresh ${light.id} ${keyOf(look)}`, () => freshSample(light, buffer, uniforms, look), this.fresh[turn]);
+    now.value = this.fresh[turn].texture;
+    former.value = this.fresh[1 - turn].texture;
+    history.value = this.histories[1 - turn].texture;
+    const sources = { fresh: now, freshBefore: former, history, buffer, uniforms, before, projection };
+    run(`follow ${projection.event} ${projection.place}`, () => blended(sources), this.histories[turn]);
+  }
+
+  private show(way: Way, target: RenderTarget | null): void {
+    const { single, mean, latest } = this;
+    const { run } = this.from;
+    mean.value = this.sums[this.sum].textures[0];
+    latest.value = this.histories[this.turn].texture;
+    const passes: Record<Way, () => Vec4> = {
+      plain: () => plain(single.texture),
+      edges: () => antialiased(single.texture),
+      mean: () => averaged(mean),
+      followed: () => followed(latest),
+    };
+    run(`show ${way}`, passes[way], target);
   }
 
   private get targets(): readonly RenderTarget[] {

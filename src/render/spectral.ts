@@ -1,9 +1,10 @@
 import { abs, clamp, dot, exp2, float, If, log2, max, select, vec3, vec4 } from 'three/tsl';
-import { type ColoredTables, coloredColors } from '../shaders/coloredTable.ts';
-import { lineColor, type ObserverTable } from '../shaders/lineColor.ts';
+import type { HalfTable } from '../shaders/halfAtlas.ts';
+import { lineColor } from '../shaders/lineColor.ts';
 import { type SkyParts, skyParts } from '../shaders/skyParts.ts';
 import {
   type BandColors,
+  coloredColors,
   filteredColor,
   luminanceOf,
   type SpectrumTable,
@@ -34,9 +35,9 @@ export interface SpectralTables {
   readonly blackbodies: SpectrumTable;
   /** The same for light that was daylight at rest, where light and filter are shifted together. */
   readonly daylight: DaylightTable;
-  /** Of lights that have a colour. */
-  readonly colored: () => ColoredTables;
-  readonly observer: ObserverTable;
+  /** Of each light that has a colour. */
+  readonly colored: (light: number) => SpectrumTable;
+  readonly observer: () => HalfTable;
 }
 
 /** What a scene has. */
@@ -107,7 +108,7 @@ export const spectral =
         H.assign(colors.H);
       };
       If(whole.greaterThan(1 / SHIFT_LIMIT).and(whole.lessThan(SHIFT_LIMIT)), () => {
-        add(coloredColors(coloredTables(), light, whole, out.mixed), max(k.x, max(k.y, k.z)));
+        add(coloredColors(coloredTables(light), whole, out.mixed), max(k.x, max(k.y, k.z)));
       }).Else(() => {
         // Beyond, all that is seen of its own filter is one of its ends.
         const end = select(whole.lessThan(1), dot(k, vec3(...ENDS.uv)), dot(k, vec3(...ENDS.ir)));
@@ -155,7 +156,7 @@ export const spectral =
       const sum = vec3(0).toVar();
       each((wavelength, radiance) => {
         const surface = (shift ? wavelength.div(shift) : wavelength).toVar();
-        sum.addAssign(lineColor(observer, surface, surface.div(out.mixed), filter, own).mul(radiance));
+        sum.addAssign(lineColor(observer(), surface, surface.div(out.mixed), filter, own).mul(radiance));
       });
       return sum;
     };

@@ -11,12 +11,15 @@ import type { Sight } from './sight.ts';
 import { makeUniforms, type Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
 
-/** A scene that stands ready to be drawn, with the eye that sees it. */
-export interface Staged extends Subject {
-  readonly view: ViewPoint;
+/** All that a G-buffer is made of: it can be drawn again. */
+export interface Motif extends Subject {
+  readonly viewPoint: ViewPoint;
   readonly sight: Sight;
-  /** By body. */
-  readonly seen: readonly boolean[];
+}
+
+export function motifOf(upload: SceneUpload, viewPoint: ViewPoint, settings: RenderSettings): Motif {
+  const projection = projectionOf(settings);
+  return { upload, viewPoint, settings, projection, sight: sightOf(viewPoint, settings, projection) };
 }
 
 interface Size {
@@ -34,30 +37,30 @@ export class Staging {
     this.camera.far = FAR;
   }
 
-  /** Puts everything in its place; undefined where samples of it are still to come. `ready` is told before the edges are cut. */
-  stage(
-    upload: SceneUpload,
-    view: ViewPoint,
-    settings: RenderSettings,
-    size: Size,
-    ready = () => {},
-  ): Staged | undefined {
-    const projection = projectionOf(settings);
-    const sight = sightOf(view, settings, projection);
-    this.look({ upload, settings, projection, view, sight }, size);
-    const seen = upload.frame.fill(upload.bodies, sight, this.gaze(view, projection), projection.event === 'newton');
+  /**
+   * Puts everything in its place; tells which bodies may be seen, or undefined where samples of them are still to come. `ready` is told before the
+   * edges are cut.
+   */
+  stage(motif: Motif, size: Size, ready = () => {}): readonly boolean[] | undefined {
+    const { upload, viewPoint, settings, sight, projection } = motif;
+    this.look(motif, size);
+    const seen = upload.frame.fill(
+      upload.bodies,
+      sight,
+      this.gaze(viewPoint, projection),
+      projection.event === 'newton',
+    );
     if (!upload.frame.isComplete) return undefined;
     if (settings.shadows && !upload.shadows.update(sight)) return undefined;
     ready();
-    const staged = { upload, settings, projection, view, sight, seen };
-    this.cut(staged, size);
-    upload.environment.update(sight, settings.colors);
-    upload.stars?.update(view, settings, size.width, size.height);
-    return staged;
+    this.cut(motif, seen, size);
+    upload.light(sight, settings.colors);
+    upload.stars?.update(viewPoint, settings, size.width, size.height);
+    return seen;
   }
 
   /** Everything that is the same for all samples of a picture. */
-  look({ view, sight, settings, projection, upload }: Omit<Staged, 'seen'>, { width, height }: Size): void {
+  look({ viewPoint: view, sight, settings, projection, upload }: Motif, { width, height }: Size): void {
     const { uniforms, camera } = this;
     const tanY = Math.tan(view.fovY / 2);
     const luminous = settings.view === 'light-cone' ? 1 : 0;
@@ -97,7 +100,11 @@ export class Staging {
   }
 
   /** Cuts the batches in which something may be seen, as this picture needs it, and sorts the transparent ones from far to near. */
-  private cut({ upload, view: { orientation }, sight, projection, seen }: Staged, { height }: Size): void {
+  private cut(
+    { upload, viewPoint: { orientation }, sight, projection }: Motif,
+    seen: readonly boolean[],
+    { height }: Size,
+  ): void {
     const { drawables, frame, refiner } = upload;
     const { x: tanX, y: tanY } = this.uniforms.halfTangents.value;
     const look = { sight, projection, orientation, tanX, tanY, focal: height / (2 * tanY) };

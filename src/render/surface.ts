@@ -22,7 +22,7 @@ import { dopplerFactor } from '../shaders/dopplerFactor.ts';
 import { ontoLightCone } from '../shaders/ontoLightCone.ts';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { ENDS } from '../spectrum/bands.ts';
-import type { FloatTable } from './floatTable.ts';
+import type { Texels } from './floatTable.ts';
 import { mappedNormal } from './normalMap.ts';
 import {
   type Emission,
@@ -67,7 +67,7 @@ const GLASS = 1.5;
 const LARGEST = 1e18;
 
 export interface SurfaceSources {
-  readonly materials: FloatTable;
+  readonly materials: Texels;
   readonly uniforms: Uniforms;
   readonly textures: SurfaceTextures;
   readonly colored: boolean;

@@ -26,7 +26,7 @@ import {
   vec3,
   vec4,
 } from 'three/tsl';
-import type { Texture } from 'three/webgpu';
+import type { Texture, TextureNode } from 'three/webgpu';
 import { dopplerFactor } from '../shaders/dopplerFactor.ts';
 import { ontoLightCone } from '../shaders/ontoLightCone.ts';
 import type { Bool, Float, Vec2, Vec3, Vec4 } from '../shaders/types.ts';
@@ -68,10 +68,10 @@ const CORNERS = [0, 1].flatMap((y) => [0, 1].map((x) => [x, y] as const));
 
 export interface TemporalSources {
   /** This picture and the one before: YCoCg of display light, linear, and 1/|Δx′| [1/m], 0 where no surface is. */
-  readonly fresh: Texture;
-  readonly freshBefore: Texture;
+  readonly fresh: TextureNode;
+  readonly freshBefore: TextureNode;
   /** The mean of those before, and in the fourth how many they count for, and in its fraction how far off the past has lately been. */
-  readonly history: Texture;
+  readonly history: TextureNode;
   readonly buffer: GBuffer;
   readonly uniforms: Uniforms;
   readonly before: EyeBefore;
@@ -83,7 +83,7 @@ export const toYCoCg = ({ x: r, y: g, z: b }: Vec3): Vec3 =>
   vec3(r.add(b).mul(0.25).add(g.mul(0.5)), r.sub(b).mul(0.5), g.mul(0.5).sub(r.add(b).mul(0.25)));
 export const fromYCoCg = ({ x: y, y: co, z: cg }: Vec3): Vec3 => vec3(y.add(co).sub(cg), y.add(cg), y.sub(co).sub(cg));
 
-const texelNear = (of: Texture, at: Vec2): Vec4 =>
+const texelNear = (of: Texture | TextureNode, at: Vec2): Vec4 =>
   textureLoad(of, ivec2(clamp(at, vec2(0.5), screenSize.sub(0.5)))).toVar();
 
 /** The next mean, as `TemporalSources.history`. */
@@ -220,7 +220,7 @@ function shrinking(from: Vec2): Float {
 }
 
 /** A Catmull-Rom spline of 4 × 4 texels without its corners, by five filtered ones. Source: Jimenez 2016, "Filmic SMAA". */
-function catmullRom(of: Texture, at: Vec2): Vec4 {
+function catmullRom(of: TextureNode, at: Vec2): Vec4 {
   const middle = floor(at.sub(0.5)).add(0.5).toVar();
   const f = at.sub(middle).toVar();
   const w0 = f.mul(f.mul(f.mul(-0.5).add(1)).sub(0.5)).toVar();

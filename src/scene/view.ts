@@ -29,6 +29,8 @@ export interface RenderSettings {
   readonly iterations: number;
   /** Newton step length, 0 < k ≤ 1. */
   readonly damping: number;
+  /** Off: every pixel shows what is at its centre. Else edges are smoothed, moving pictures follow those before, and resting ones get many samples. */
+  readonly antialiasing: boolean;
   /** The ground's reference grid, which relativity does not bend. */
   readonly grid: boolean;
   /** [EV]: the picture is 2^exposure times as bright. */
@@ -56,6 +58,7 @@ export const DEFAULT_SETTINGS: RenderSettings = {
   solver: 'exact',
   iterations: 8,
   damping: 1,
+  antialiasing: true,
   grid: false,
   exposure: 0,
   tone: 'neutral',

@@ -1,24 +1,17 @@
-import { clamp, dot, float, select, texture, vec2 } from 'three/tsl';
-import type { Texture } from 'three/webgpu';
+import { clamp, dot, float, select } from 'three/tsl';
 import { NANOMETRE, VISIBLE, WAVELENGTHS } from '../spectrum/cie1931.ts';
+import type { HalfTable } from './halfAtlas.ts';
 import type { Float, Vec3, Vec4 } from './types.ts';
-
-/** Two rows over `WAVELENGTHS`, linearly filtered: the linear sRGB of each, and the basis of filters there (observerTexture.ts). */
-export interface ObserverTable {
-  readonly texture: Texture;
-}
 
 /**
  * Linear sRGB of a line of radiance 1 that is at the wavelength `surface` [m] where it meets a filter and at `seen` for the eye. The filter:
  * (r, g, b, what it has beyond the visible where this eye sees that); `own`: the last is its own, else what its basis ends at is taken.
+ * `observer`: two rows over `WAVELENGTHS`, the linear sRGB of each and the basis of filters there (observerTable.ts).
  */
-export const lineColor = (table: ObserverTable, surface: Float, seen: Float, filter: Vec4, own: boolean): Vec3 => {
+export const lineColor = (observer: HalfTable, surface: Float, seen: Float, filter: Vec4, own: boolean): Vec3 => {
   const row = (k: number, wavelength: Float): Vec3 => {
     const place = clamp(placeOf(wavelength), 0, WAVELENGTHS.length - 1);
-    // The base level, for neighbours may not have read it; and not times the texture's matrix.
-    const texel = texture(table.texture, vec2(place.add(0.5).div(WAVELENGTHS.length), (k + 0.5) / 2)).level(float(0));
-    texel.updateMatrix = false;
-    return texel.xyz;
+    return observer.between(place.add(0.5), float(k + 0.5)).xyz;
   };
   const within = dot(row(1, surface), filter.xyz);
   const share = own ? select(isVisible(surface), within, filter.w) : within;

@@ -1,13 +1,13 @@
-import { clamp, exp, Fn, float, min, select, texture, vec2 } from 'three/tsl';
-import type { Texture } from 'three/webgpu';
-import { SHIFT_LIMIT } from '../spectrum/dopplerTable.ts';
+import { clamp, exp, Fn, min, select } from 'three/tsl';
+import { type DopplerTable, SHIFT_LIMIT } from '../spectrum/dopplerTable.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { LUMINANCE_THETA, MIDDLE_TEMPERATURE } from '../spectrum/thermalTable.ts';
+import type { HalfAtlas, HalfTable } from './halfAtlas.ts';
 import type { Float, Vec3, Vec4 } from './types.ts';
 
-/** A `DopplerTable` on the GPU, its layers one under the other, linearly filtered. */
+/** A `DopplerTable` on the GPU, its layers one under the other. */
 export interface SpectrumTable {
-  readonly texture: Texture;
+  readonly table: HalfTable;
   readonly layers: 3 | 4;
   readonly columns: number;
   readonly rows: number;
@@ -24,29 +24,40 @@ export interface BandColors {
   readonly H: Float;
 }
 
+/** A table as shaders read it. */
+export function spectrumTable(
+  atlas: HalfAtlas,
+  name: string,
+  { data, layers, columns, rows }: DopplerTable,
+): SpectrumTable {
+  return { table: atlas.table(name, () => ({ data, width: columns })), layers, columns, rows };
+}
+
 /** Half of what D/(1 + D) spans. */
-export const FARTHEST = SHIFT_LIMIT / (1 + SHIFT_LIMIT) - 0.5;
+const FARTHEST = SHIFT_LIMIT / (1 + SHIFT_LIMIT) - 0.5;
 
 /** The colours of the bands of a filter that is seen shifted by D, of a blackbody that is seen at T [K]: `tableTexel` at `rowOf` and `columnOf`. */
-export function thermalColors({ texture: data, layers, columns, rows }: SpectrumTable, T: Float, D: Float): BandColors {
+export const thermalColors = (table: SpectrumTable, T: Float, D: Float): BandColors =>
+  colorsAt(table, placeOf(D, table.columns), T.div(T.add(MIDDLE_TEMPERATURE)).mul(table.rows - 1));
+
+/**
+ * The colours of the bands of a filter that is seen shifted by `out`, of a light that has a colour of its own and is seen shifted by `whole`, both within
+ * `SHIFT_LIMIT`; from its `coloredTable`.
+ */
+export const coloredColors = (table: SpectrumTable, whole: Float, out: Float): BandColors =>
+  colorsAt(table, placeOf(out, table.columns), placeOf(whole, table.rows));
+
+/** From 0 to steps − 1: `columnOf`. */
+function placeOf(D: Float, steps: number): Float {
   const shift = D.div(D.add(1))
     .sub(0.5)
     .div(2 * FARTHEST);
-  const across = clamp(shift.add(0.5), 0, 1)
-    .mul(columns - 1)
-    .add(0.5)
-    .div(columns)
-    .toVar();
-  const row = T.div(T.add(MIDDLE_TEMPERATURE))
-    .mul(rows - 1)
-    .add(0.5)
-    .toVar();
-  const layer = (k: number): Vec4 => {
-    // The base level, for neighbours may not have read it; and not times the texture's matrix.
-    const texel = texture(data, vec2(across, row.add(k * rows).div(layers * rows))).level(float(0));
-    texel.updateMatrix = false;
-    return texel.toVar();
-  };
+  return clamp(shift.add(0.5), 0, 1).mul(steps - 1);
+}
+
+function colorsAt({ table, layers, rows }: SpectrumTable, column: Float, row: Float): BandColors {
+  const [across, down] = [column.add(0.5).toVar(), row.add(0.5).toVar()];
+  const layer = (k: number): Vec4 => table.between(across, down.add(k * rows));
   const red = layer(0);
   const colors = { red: red.xyz, green: layer(1).xyz, blue: layer(2).xyz, H: red.w };
   return layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;

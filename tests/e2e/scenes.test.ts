@@ -30,6 +30,9 @@ describe('scenes', () => {
       await expect
         .poll(() => visit.page.locator('[data-open-source]').getAttribute('data-open-source'), { timeout: 60_000 })
         .toContain(`/${name}.`);
+      // Until then the picture is that of the scene before.
+      await visit.page.getByText('Preparing the picture').waitFor({ state: 'hidden' });
+      await expect.poll(() => visit.triangles()).toBeGreaterThan(0);
       await expect.poll(async () => colours(await visit.pixels())).toBeGreaterThan(50);
       await visit.shot(`scene-${name}`);
     }

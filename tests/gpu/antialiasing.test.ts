@@ -18,6 +18,10 @@ function checks(figures: () => Figures): void {
     expect(figures().shifted).toBe(0);
   });
 
+  it('without antialiasing there is what the centres show', () => {
+    expect(figures().unsmooth).toBeLessThanOrEqual(1);
+  });
+
   it('a moving picture is nearer to the truth than with smoothed edges, at its worst too', () => {
     const { edges, temporal } = figures();
     expect(temporal.error).toBeLessThan(0.7 * edges.error);

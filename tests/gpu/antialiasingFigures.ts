@@ -1,3 +1,4 @@
+import { toScreen } from '../../src/reference/display.ts';
 import type { PictureMaker } from '../../src/render/api.ts';
 import { filmOf } from '../support/film.ts';
 import { type Flight, type Unrest, unrestOf } from '../support/flights.ts';
@@ -14,6 +15,8 @@ export interface Figures {
   readonly refined: number;
   /** Numbers in which data and light differ from those of a picture of single samples, half refined and after the temporal film. */
   readonly shifted: number;
+  /** Steps of 8 bits by which a picture without antialiasing is off the light at the pixels' centres. */
+  readonly unsmooth: number;
 }
 
 export async function figuresOf(renderer: PictureMaker, flight: Flight, pump: () => void = () => {}): Promise<Figures> {
@@ -33,6 +36,7 @@ export async function figuresOf(renderer: PictureMaker, flight: Flight, pump: ()
     unlike: unlike(finest, truth[PICTURES - 1]!),
     refined,
     shifted,
+    unsmooth: await unsmooth(renderer, flight, pump),
   };
 }
 
@@ -41,6 +45,15 @@ async function numbersOf(renderer: PictureMaker): Promise<number[]> {
   const data = await Promise.all(names.map((name) => renderer.readAov(name)));
   const picked = await renderer.pick(SIZE.width / 2, SIZE.height / 2);
   return [...data.flatMap((values) => [...values]), ...(picked?.light ?? [])];
+}
+
+async function unsmooth(renderer: PictureMaker, flight: Flight, pump: () => void): Promise<number> {
+  const settings = { ...flight.settings, antialiasing: false, tone: 'linear' as const };
+  pump();
+  renderer.render(flight.view(0), settings, 'temporal');
+  const shown = await renderer.readPixels();
+  const centres = toScreen(await renderer.readAov('beauty'), SIZE.width, SIZE.height);
+  return centres.reduce((most, value, i) => Math.max(most, Math.abs(value - shown[i]!)), 0);
 }
 
 const unlike = (a: ArrayLike<number>, b: ArrayLike<number>): number =>

@@ -3,6 +3,7 @@ import { afterAll, beforeAll, expect, it, vi } from 'vitest';
 import { pumpFrame } from '../../src/cli/node-shim.ts';
 import { IDENTITY } from '../../src/math/quat.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
+import type { Sampling } from '../../src/render/settings.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import { withMaterial } from '../../src/scene/meshOps.ts';
 import { sphere } from '../../src/scene/primitives.ts';
@@ -45,9 +46,9 @@ function picture(settings: RenderSettings): Promise<Uint8Array> {
 }
 
 /** Asks until it can be drawn at once, as the page does at every frame. */
-async function prepared(settings: RenderSettings): Promise<void> {
-  for (let asked = headless.renderer.prepare(VIEW, settings); asked; asked = headless.renderer.prepare(VIEW, settings))
-    await asked;
+async function prepared(settings: RenderSettings, sampling: Sampling = 1): Promise<void> {
+  const ask = () => headless.renderer.prepare(VIEW, settings, sampling);
+  for (let asked = ask(); asked; asked = ask()) await asked;
 }
 
 const OTHERS: readonly (readonly [string, Partial<RenderSettings>])[] = [
@@ -78,6 +79,43 @@ it('compiles all that a picture needs, before it is drawn and while others are',
     compiled.mockRestore();
     expect(await renderer.readPixels(), name).not.toEqual(first);
     expect(renderer.prepare(VIEW, settings), name).toBeUndefined();
+  }
+});
+
+it('compiles what pictures that move and pictures at rest take, and leaves the last one as it is', async () => {
+  const { renderer, gpu } = headless;
+  for (const [name, sampling, change] of [
+    ['edges', 1, {}],
+    ['blended', 'temporal', {}],
+    ['as it is', 1, { antialiasing: false }],
+    ['without shadows', 'temporal', { shadows: false }],
+  ] as const) {
+    const settings = { ...SETTINGS, ...change };
+    await renderer.setScene(SCENE);
+    await prepared(settings, sampling);
+    const finer = (meanwhile: () => void): Promise<Uint8Array> => {
+      pumpFrame();
+      renderer.render(VIEW, settings, sampling);
+      for (let i = 0; i < 4; i++) renderer.refine();
+      meanwhile();
+      for (let i = 0; i < 4; i++) renderer.refine();
+      return renderer.readPixels();
+    };
+    const compiled = vi.spyOn(gpu.device, 'createRenderPipeline');
+    const undisturbed = await finer(() => {});
+    expect(compiled, name).not.toHaveBeenCalled();
+    compiled.mockRestore();
+    const other: RenderSettings = { ...settings, falseColors: { kind: 'band', from: 0.5, to: 2 }, exposure: 2 };
+    let coming: Promise<void> | undefined;
+    expect(
+      await finer(() => {
+        coming = renderer.prepare({ ...VIEW, fovY: 0.5 }, other, sampling);
+      }),
+      name,
+    ).toEqual(undisturbed);
+    expect(coming, name).toBeDefined();
+    await coming;
+    expect(await renderer.readPixels(), name).toEqual(undisturbed);
   }
 });
 

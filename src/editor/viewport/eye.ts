@@ -5,8 +5,9 @@ import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
 import type { FalseColor, Scale } from '../../spectrum/falseColor.ts';
 import { scaleFor } from '../../spectrum/falseScale.ts';
 
-/** Between two measurements [ms]: each waits for the GPU, which has pictures to draw. */
+/** Between two measurements [ms], and how many pictures: each waits for the GPU, which has those to draw, and may draw one again. */
 const INTERVAL = 80;
+const PICTURES = 4;
 /** Nobody sees a smaller change [EV]: the eye is there, and nothing more is drawn. */
 const THERE = 0.004;
 
@@ -88,7 +89,7 @@ export class Eye {
       const next = this.#atOnce ? this.#target : eased(this.#value, this.#target, dt);
       this.#value = Math.abs(next - this.#target) < THERE ? this.#target : next;
     }
-    if (!this.#drawn || this.#busy || now - this.#since < INTERVAL) return undefined;
+    if (!this.#drawn || this.#busy || now - this.#since < Math.max(INTERVAL, PICTURES * 1000 * dt)) return undefined;
     this.#since = now;
     return this.#measure(this.#drawn);
   }

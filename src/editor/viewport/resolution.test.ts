@@ -15,22 +15,20 @@ it('is full while frames are quick', () => {
   const resolution = new Resolution();
   run(resolution, 0, 100, 16);
   expect(resolution.scale).toBe(1);
-  expect(resolution.quick).toBe(true);
-  expect(resolution.hasTime).toBe(true);
+  expect(resolution.fine).toBe(true);
 });
 
 it('goes down step by step while frames are slow, is full at rest, and remembers', () => {
   const resolution = new Resolution();
   let now = run(resolution, 0, 30, 200);
   expect(resolution.scale).toBe(0.5);
-  expect(resolution.hasTime).toBe(false);
+  expect(resolution.fine).toBe(false);
   resolution.note(false, now + 100, 100);
   expect(resolution.scale).toBe(0.5);
   now += 300;
   resolution.note(false, now, 16);
   expect(resolution.scale).toBe(1);
-  expect([resolution.resting, resolution.quick]).toEqual([true, false]);
-  expect(resolution.hasTime).toBe(true);
+  expect([resolution.resting, resolution.fine]).toEqual([true, true]);
   run(resolution, now, 1, 16);
   expect(resolution.scale).toBe(0.5);
   expect(resolution.resting).toBe(false);

@@ -1,6 +1,19 @@
 /** Fewer pixels while the picture moves and frames are slow, all of them as soon as it rests: a slow machine stays flyable. */
 
-const LEVELS = [1, 0.7, 0.5] as const;
+interface Level {
+  /** Of the pixels' number along each side, 0 … 1. */
+  readonly scale: number;
+  /** With what makes a picture more beautiful, and changes nothing in it. */
+  readonly fine: boolean;
+}
+
+/** Each takes about half as long as the one before. */
+const LEVELS: readonly Level[] = [
+  { scale: 1, fine: true },
+  { scale: 0.7, fine: true },
+  { scale: 0.7, fine: false },
+  { scale: 0.5, fine: false },
+];
 /** Frames that take longer [ms] ask for fewer pixels, and shorter ones allow more. */
 const SLOW = 70;
 const FAST = 22;
@@ -17,27 +30,23 @@ export class Resolution {
   #frames = 0;
   #mean = 0;
 
-  /** Of the pixels' number along each side, 0 … 1. */
   get scale(): number {
-    return this.#moving ? LEVELS[this.#level]! : 1;
+    return this.#shown.scale;
   }
 
-  /** Whether the picture rests. */
+  get fine(): boolean {
+    return this.#shown.fine;
+  }
+
   get resting(): boolean {
     return !this.#moving;
   }
 
-  /** Whether this machine has time for more than it must do while the picture moves. */
-  get quick(): boolean {
-    return this.#level === 0;
+  get #shown(): Level {
+    return LEVELS[this.#moving ? this.#level : 0]!;
   }
 
-  /** Whether there is time for what makes a picture more beautiful, and changes nothing in it. */
-  get hasTime(): boolean {
-    return this.scale > LEVELS[LEVELS.length - 1]!;
-  }
-
-  /** After each frame: whether the picture changed, the time now and since the frame before [ms]. */
+  /** After each frame: whether what is to be seen changed, the time now and since the frame before [ms]. */
   note(changed: boolean, now: number, interval: number): void {
     if (!changed) {
       if (now - this.#lastChange > REST) this.#moving = false;

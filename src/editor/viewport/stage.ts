@@ -1,7 +1,7 @@
 import type { Picture } from '../../nodes/define.ts';
 import { renderSettings } from '../../nodes/picture.ts';
 import { SceneRenderer } from '../../render/renderer.ts';
-import type { Backend } from '../../render/settings.ts';
+import type { Backend, Sampling } from '../../render/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
 import { sceneName } from '../loading/sceneLoader.ts';
@@ -24,6 +24,11 @@ interface Shown {
   readonly settings: RenderSettings;
 }
 
+/** What a picture is to be, and how it is to be drawn. */
+interface Drawing extends Shown {
+  readonly sampling: Sampling;
+}
+
 /** A picture to be kept: its pixels as it was shown, and of what. */
 export interface Captured extends Shown {
   readonly image: ImageData;
@@ -44,7 +49,9 @@ export class Stage {
   #scenes: readonly Scene[] = [];
   #uploading = false;
   /** On the canvas; undefined while there is nothing of this scene. */
-  #shown: Shown | undefined;
+  #shown: Drawing | undefined;
+  /** What was to be seen at the last tick. */
+  #wanted: Shown | undefined;
   /** The same would not look the same any more. */
   #stale = false;
   #frame = 0;
@@ -135,16 +142,16 @@ export class Stage {
     if (this.#resolution.scale !== this.#scale) {
       this.#scale = this.#resolution.scale;
       this.#resize();
-    } else if (this.#resolution.resting && !this.#uploading) this.#refine();
+    } else if (this.#resolution.resting) this.#refine();
     this.#read(now);
     const drawn = { ...this.#renderer.info, waiting: this.#waits, preparing: this.#prepares };
     report(this.#pilot.observer, this.#shown ? drawn : { ...drawn, triangles: 0 }, now);
   }
 
-  /** A sample more of what rests; the canvas tells when it has them all. */
+  /** A sample more of what rests, unless something else is on its way; the canvas tells when it has them all. */
   #refine(): void {
-    const more = this.#renderer.refine();
-    this.#canvas.toggleAttribute('data-finest', !more && this.#shown !== undefined);
+    if (!this.#shown || this.#uploading || this.#prepares || this.#waits) return;
+    this.#canvas.toggleAttribute('data-finest', !this.#renderer.refine());
   }
 
   /** For the legend, what is pointed at. */
@@ -170,6 +177,7 @@ export class Stage {
     try {
       await this.#renderer.setScene(picture.scene, picture.scenes.slice(1));
       this.#shown = undefined;
+      this.#wanted = undefined;
       this.#eye.blink();
       this.#pilot.show(picture, source);
     } catch (error) {
@@ -180,8 +188,8 @@ export class Stage {
     }
   }
 
-  #isPrepared(viewPoint: ViewPoint, settings: RenderSettings): boolean {
-    const preparing = this.#renderer.prepare(viewPoint, settings);
+  #isPrepared({ viewPoint, settings, sampling }: Drawing): boolean {
+    const preparing = this.#renderer.prepare(viewPoint, settings, sampling);
     this.#prepares = preparing !== undefined;
     // What a lost device cannot compile the next life does.
     preparing?.catch(() => {});
@@ -204,32 +212,42 @@ export class Stage {
     this.#studio.notify({ kind: 'error', text: error.message });
   }
 
-  /** Whether there was anything new to draw. */
+  /** Whether what is to be seen has changed, and was drawn. */
   #draw(always: boolean): boolean {
     const viewPoint = this.#pilot.viewPoint();
     const { picture } = this.#pilot;
     if (!viewPoint || !picture || this.#uploading || !isSame(picture.scenes, this.#scenes)) return false;
     const { clientWidth, clientHeight } = this.#canvas;
     const wanted = renderSettings(picture, this.#eye.exposure(picture), (kind) => this.#eye.scale(kind));
-    const affordable = this.#resolution.hasTime ? wanted : { ...wanted, occlusionRadius: 0 };
-    // What was shown before goes on until what is wanted can be drawn at once.
-    const settings = this.#isPrepared(viewPoint, affordable) ? affordable : this.#shown?.settings;
-    if (!settings) return false;
-    if (!always && !this.#stale && this.#shown && same(this.#shown, { viewPoint, settings })) return false;
-    this.#shown = { viewPoint, settings };
+    const moves = this.#wanted !== undefined && !same(this.#wanted, { viewPoint, settings: wanted });
+    this.#wanted = { viewPoint, settings: wanted };
+    const drawing = this.#affordable(viewPoint, wanted, moves);
+    if (!drawing) return false;
+    if (!always && !this.#stale && this.#shown && same(this.#shown, drawing)) return false;
+    this.#shown = drawing;
     this.#stale = false;
     this.#canvas.removeAttribute('data-finest');
-    this.#renderer.render(viewPoint, settings, this.#resolution.quick ? 'temporal' : 1);
+    const { settings, sampling } = drawing;
+    this.#renderer.render(viewPoint, settings, sampling);
     if (this.#renderer.info.waiting) return false;
     showColors(settings.falseColors);
     const aspect = clientWidth / Math.max(1, clientHeight);
     this.#eye.see({ picture, viewPoint, settings, aspect, gauge: () => this.#renderer.gauge() });
-    return true;
+    return moves;
+  }
+
+  /** How what is wanted is drawn where time is short; until that can be drawn at once, as what was shown before. */
+  #affordable(viewPoint: ViewPoint, wanted: RenderSettings, moves: boolean): Drawing | undefined {
+    const { fine } = this.#resolution;
+    const settings = fine ? wanted : { ...wanted, occlusionRadius: 0 };
+    const drawing: Drawing = { viewPoint, settings, sampling: moves && fine ? 'temporal' : 1 };
+    return this.#isPrepared(drawing) ? drawing : this.#shown && { ...this.#shown, viewPoint };
   }
 }
 
 const isSame = (a: readonly Scene[], b: readonly Scene[]): boolean =>
   a.length === b.length && a.every((scene, i) => scene === b[i]);
 
-/** Plain data of numbers and short arrays: compared by its text. */
-const same = (a: Shown, b: Shown): boolean => JSON.stringify(a) === JSON.stringify(b);
+/** Whether the same is to be seen. Plain data of numbers and short arrays: compared by its text. */
+const same = (a: Shown, b: Shown): boolean =>
+  JSON.stringify([a.viewPoint, a.settings]) === JSON.stringify([b.viewPoint, b.settings]);

@@ -37,6 +37,12 @@ export const relativityRasterize = defineNode({
       step: 0.01,
       physical: 1,
     },
+    antialiasing: {
+      kind: 'boolean',
+      title: 'param.antialiasing',
+      help: 'param.antialiasing.help',
+      default: true,
+    },
     grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },
   },
   inputs: { view: { type: 'view' } },

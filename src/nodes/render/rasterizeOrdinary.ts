@@ -7,11 +7,17 @@ export const rasterize = defineNode({
   help: 'node.rasterizeOrdinary.help',
   category: 'render',
   params: {
+    antialiasing: {
+      kind: 'boolean',
+      title: 'param.antialiasing',
+      help: 'param.antialiasing.help',
+      default: true,
+    },
     grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },
   },
   inputs: { view: { type: 'view' } },
   outputs: { gbuffer: { type: 'gbuffer' } },
-  evaluate: ({ view }, { grid }) => ({
-    gbuffer: { ...view, view: 'galilean', colors: 'spectral', dopplerMix: 0, beaming: 0, grid },
+  evaluate: ({ view }, { antialiasing, grid }) => ({
+    gbuffer: { ...view, view: 'galilean', colors: 'spectral', dopplerMix: 0, beaming: 0, antialiasing, grid },
   }),
 });

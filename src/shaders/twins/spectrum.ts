@@ -2,27 +2,29 @@ import { select, vec4 } from 'three/tsl';
 import { dot, scale } from '../../math/vec3.ts';
 import { type Bands, bandsOf, reflectanceAt, WHITE } from '../../spectrum/bands.ts';
 import { colorMatching, VISIBLE } from '../../spectrum/cie1931.ts';
+import type { DopplerTable } from '../../spectrum/dopplerTable.ts';
+import { coloredTable } from '../../spectrum/filterPairs.ts';
 import { DAYLIGHT } from '../../spectrum/lightSpectrum.ts';
 import { LUMINANCE, seenColor, toLinearSrgb } from '../../spectrum/observerColor.ts';
 import { logLuminance } from '../../spectrum/planck.ts';
 import { skyParts as cpuSkyParts } from '../../spectrum/scatteredLight.ts';
 import { thermalTable } from '../../spectrum/thermalTable.ts';
-import { type ColoredTables, coloredColors } from '../coloredTable.ts';
-import { coloredTexture } from '../coloredTexture.ts';
-import { lineColor, type ObserverTable } from '../lineColor.ts';
-import { observerTexture } from '../observerTexture.ts';
+import { HalfAtlas } from '../halfAtlas.ts';
+import { lineColor } from '../lineColor.ts';
+import { observerTexels } from '../observerTable.ts';
 import { skyParts } from '../skyParts.ts';
-import { filteredColor, luminanceOf, type SpectrumTable, thermalColors } from '../spectrumTable.ts';
-import { spectrumTexture } from '../spectrumTexture.ts';
+import { coloredColors, filteredColor, luminanceOf, spectrumTable, thermalColors } from '../spectrumTable.ts';
 import { absolute, always, within } from './checks.ts';
 import { draw, logUniform, vec3At } from './domain.ts';
 import type { Twin } from './twin.ts';
 
-const kept = new Map<3 | 4, SpectrumTable>();
-function table(layers: 3 | 4): SpectrumTable {
-  const made = kept.get(layers) ?? spectrumTexture(thermalTable(layers));
-  kept.set(layers, made);
-  return made;
+/** Of all tables here: each is read beside others. */
+const atlas = new HalfAtlas();
+const tables = new Map<3 | 4, DopplerTable>();
+function blackbodies(layers: 3 | 4) {
+  const made = tables.get(layers) ?? thermalTable(layers);
+  tables.set(layers, made);
+  return spectrumTable(atlas, `blackbodies ${layers}`, made);
 }
 
 /** (r, g, b, uv) · (T of the source, D_in, D_out, ir) · (Y(T)/Y(6504 K) of the source, 0, 0, 0) */
@@ -38,7 +40,7 @@ const whiteAt = ([, , , , temperature, Din, Dout]: readonly number[]) =>
 /** Against sums over every nanometre: the table's error is in it. `own`: filters tell of their ultraviolet and infrared. */
 const thermal = (own: boolean): Twin => ({
   name: own ? 'thermalColors, four layers' : 'thermalColors',
-  parts: ['thermalColors', 'filteredColor', 'luminanceOf', 'spectrumTexture', 'halfTexture'],
+  parts: ['thermalColors', 'filteredColor', 'luminanceOf', 'spectrumTable', 'HalfAtlas'],
   texels: 3,
   outputs: 1,
   cases: (random) => {
@@ -66,7 +68,7 @@ const thermal = (own: boolean): Twin => ({
     const [band, light, source] = [texel(0), texel(1), texel(2)];
     const D = light.y.mul(light.z).toVar();
     const T = light.x.mul(D).toVar();
-    const colors = thermalColors(table(own ? 4 : 3), T, light.z);
+    const colors = thermalColors(blackbodies(own ? 4 : 3), T, light.z);
     const gain = luminanceOf(colors.H, T).div(D.mul(D).mul(D.mul(D)).mul(source.x));
     const filter = vec4(band.xyz, select(light.z.lessThan(1), band.w, light.w));
     return [vec4(filteredColor(colors, filter).mul(gain), 0)];
@@ -78,12 +80,10 @@ const COLORED = [
   { temperature: DAYLIGHT.temperature, filter: [1, 0.4, 0.1] },
   { temperature: 3000, filter: [0.2, 0.5, 1] },
 ] as const;
-let coloredTables: ColoredTables | undefined;
 
 /** (r, g, b, 0) · (light, D_in, D_out, 0), against sums over every nanometre. */
 const colored: Twin = {
   name: 'coloredColors',
-  parts: ['coloredTexture'],
   texels: 2,
   outputs: 1,
   cases: (random) =>
@@ -99,21 +99,20 @@ const colored: Twin = {
     return [...scale(seen(bandsOf(vec3At(input, 0)), bandsOf(filter)), 1 / level), 0];
   },
   gpu: (texel) => {
-    coloredTables ??= coloredTexture(COLORED, 3);
-    const tables = coloredTables;
     const [filter, { x, y, z }] = [vec4(texel(0).xyz, 0), texel(1)];
-    const [first, second] = [0, 1].map((light) => filteredColor(coloredColors(tables, light, y.mul(z), z), filter));
+    const [first, second] = COLORED.map((light, i) => {
+      const table = spectrumTable(atlas, `colored ${i}`, coloredTable(light, 3));
+      return filteredColor(coloredColors(table, y.mul(z), z), filter);
+    });
     return [vec4(select(x.lessThan(0.5), first, second), 0)];
   },
   checks: [absolute('color, over white', 0, 3, always(1e-2))],
 };
 
-let observer: ObserverTable | undefined;
-
 /** (r, g, b, uv) · (wavelength at the filter, for the eye [nm], ir, 0) */
 const lines = (own: boolean): Twin => ({
   name: own ? 'lineColor, own ends' : 'lineColor',
-  parts: ['lineColor', 'observerTexture'],
+  parts: ['lineColor', 'observerTexels'],
   texels: 2,
   outputs: 1,
   cases: (random) =>
@@ -131,7 +130,7 @@ const lines = (own: boolean): Twin => ({
     return [...scale(toLinearSrgb(colorMatching(seen * 1e-9)), share), 0];
   },
   gpu: (texel) => {
-    observer ??= observerTexture();
+    const observer = atlas.table('observer', observerTexels);
     const [band, line] = [texel(0), texel(1)];
     const filter = vec4(band.xyz, select(line.y.greaterThan(line.x), band.w, line.z));
     return [vec4(lineColor(observer, line.x.mul(1e-9), line.y.mul(1e-9), filter, own), 0)];
