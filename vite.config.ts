@@ -27,6 +27,7 @@ const GALLERY = [
   'ladder',
 ];
 const SCENES = ['.usda', '.usdz', '.glb'];
+const isProject = (file: string): boolean => file.endsWith('.slowlight.json');
 const SHIPPED = [...SCENES, '.png', '.jpg', '.gltf', '.bin'];
 
 /** The page, and the page without a screen that the command line drives. Nothing inline: it runs under `script-src 'self'`. */
@@ -54,13 +55,14 @@ function examples(): Plugin {
   return {
     name: 'slowlight-examples',
     generateBundle() {
-      const files = filesIn(examplesFolder, '').filter((file) => SHIPPED.includes(extname(file)));
+      const files = filesIn(examplesFolder, '').filter((file) => SHIPPED.includes(extname(file)) || isProject(file));
       for (const file of files) {
         const source = readFileSync(join(examplesFolder, file));
         this.emitFile({ type: 'asset', fileName: `examples/${file}`, source });
       }
       const scenes = files.filter((file) => !file.includes('/') && SCENES.includes(extname(file)));
-      const index = scenes.map(describe).sort((a, b) => placeOf(a) - placeOf(b));
+      const shown = [...scenes.map(describe), ...files.filter(isProject).map(describeProject)];
+      const index = shown.sort((a, b) => placeOf(a) - placeOf(b));
       this.emitFile({ type: 'asset', fileName: 'examples/index.json', source: JSON.stringify(index) });
     },
   };
@@ -80,14 +82,19 @@ function describe(file: string): Example {
   // Hints stand in the layer's head, which these files have as text.
   const head = readFileSync(join(examplesFolder, file)).subarray(0, 4096).toString('utf8');
   const hint = (key: string) => new RegExp(`string ${key} = "((?:[^"\\\\]|\\\\.)*)"`).exec(head)?.[1];
+  const lookFor = hint('lookFor')?.replace(/\\(.)/g, '$1') ?? '';
+  return { source: `examples/${file}`, name, title: hint('title') ?? name, lookFor, ...thumbnailOf(name) };
+}
+
+function describeProject(file: string): Example {
+  const name = file.replace('.slowlight.json', '');
+  const { title = name, lookFor = '' } = JSON.parse(readFileSync(join(examplesFolder, file), 'utf8'));
+  return { source: `examples/${file}`, name, title, lookFor, ...thumbnailOf(name) };
+}
+
+function thumbnailOf(name: string): Pick<Example, 'thumbnail'> {
   const thumbnail = `thumbnails/${name}.png`;
-  return {
-    source: `examples/${file}`,
-    name,
-    title: hint('title') ?? name,
-    lookFor: hint('lookFor')?.replace(/\\(.)/g, '$1') ?? '',
-    ...(existsSync(join(examplesFolder, thumbnail)) ? { thumbnail: `examples/${thumbnail}` } : {}),
-  };
+  return existsSync(join(examplesFolder, thumbnail)) ? { thumbnail: `examples/${thumbnail}` } : {};
 }
 
 const placeOf = ({ name }: Example): number => (GALLERY.includes(name) ? GALLERY.indexOf(name) : GALLERY.length);

@@ -1,7 +1,7 @@
 // `npm run pictures`: renders the pictures that README and docs show, and the gallery's thumbnails, with the program's own
 // command line. `npm run pictures -- street` makes those of some scenes. The comparisons of docs/guide/comparing.md are made with
 // `npm run pictures -- compare` (or the name of one, `compare-moved`) only, since the reference renderer takes its time.
-import { mkdirSync } from 'node:fs';
+import { existsSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './setup.mjs';
 
@@ -20,6 +20,10 @@ const thumbnails = {
   saturn: ['--time', '7.7', '--beta', '0,0,-0.1', '--fov', '44'],
   gallery: ['--time', '4.6', '--beta', '0,0,-0.2'],
   ladder: [],
+  workshop: [],
+  layers: [],
+  comparison: [],
+  lesson: [],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];
 const pictures = [
@@ -77,7 +81,10 @@ try {
 }
 
 function render(scene, out, flags) {
-  slowlight('render', `examples/${scene}.usda`, '-o', out, '--samples', '3', ...flags);
+  const file = [`examples/${scene}.usda`, `examples/${scene}.slowlight.json`].find((path) =>
+    existsSync(join(root, path)),
+  );
+  slowlight('render', file, '-o', out, '--samples', '3', ...flags);
 }
 
 /** The rasterizer's picture against that of the reference renderer. */

@@ -8,11 +8,13 @@ export interface Sketch {
   readonly from?: Readonly<Record<string, string | readonly string[]>>;
 }
 
+type About = Required<Pick<GraphDocument, 'title' | 'lookFor'>>;
+
 const COLUMN = 260;
 const ROW = 150;
 
-/** A project from a sketch; each node stands a column right of all that feed it. */
-export function build(nodes: Readonly<Record<string, Sketch>>): GraphDocument {
+/** A project from a sketch, with its title and what to look for; each node stands a column right of all that feed it. */
+export function build(about: About, nodes: Readonly<Record<string, Sketch>>): GraphDocument {
   const columns = new Map<string, number>();
   const rows = new Map<number, number>();
   const columnOf = (id: string): number => {
@@ -41,7 +43,8 @@ export function build(nodes: Readonly<Record<string, Sketch>>): GraphDocument {
       return { kind: 'connect', edge: { from: { node: source, output }, to: { node, input } } };
     }),
   );
-  return applyCommand(emptyDocument(), { kind: 'batch', commands: [...added, ...set, ...joined] }).document;
+  const whole = applyCommand(emptyDocument(), { kind: 'batch', commands: [...added, ...set, ...joined] }).document;
+  return { ...whole, ...about };
 }
 
 const nodeOf = (from: string): string => from.split('.')[0]!;

@@ -1,8 +1,14 @@
 import { build } from './build.ts';
 
+const ABOUT = {
+  title: 'Workshop',
+  lookFor:
+    'Made of nodes alone, in a world where light goes at 12 m/s. A red frame passes at 7 m/s, a golden ball goes round at 8 m/s, a ring spins, a dart is thrust from rest, a crate follows a winding path, a tile tumbles from place to place. Each is seen where it was when its light left.',
+};
+
 /** Everything that moves in its own way, in one yard: made of nodes alone, without a file. c = 12 m/s. */
 export const workshop = () =>
-  build({
+  build(ABOUT, {
     ground: { type: 'grid', set: { name: 'Ground', width: 60, length: 60, columns: 30, rows: 30 } },
     asphalt: { type: 'material', set: { preset: 'asphalt' }, from: { geometry: 'ground.geometry' } },
 

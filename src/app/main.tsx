@@ -4,8 +4,9 @@ import { startEditor } from '../editor/start.tsx';
 const parameters = new URLSearchParams(location.search);
 const wanted = parameters.get('backend');
 
-/** `?scene=examples/dice.usda` opens that scene, `?backend=webgl` or `webgpu` takes that and no other. */
+/** `?scene=examples/dice.usda` opens that scene, `?project=examples/workshop.slowlight.json` that project, `?backend=webgl` or `webgpu` takes that and no other. */
 void startEditor(createRoot(document.getElementById('root')!), {
-  source: parameters.get('scene') ?? 'examples/street.usda',
+  scene: parameters.get('scene') ?? undefined,
+  project: parameters.get('project') ?? undefined,
   backend: wanted === 'webgl' || wanted === 'webgpu' ? wanted : 'auto',
 });

@@ -6,31 +6,53 @@ import { type Evaluation, Evaluator } from '../graph/evaluate.ts';
 import { type ParamSpec, type Problem, refuseValue } from '../graph/nodeType.ts';
 import { parseDocument } from '../graph/read.ts';
 import { validateDocument } from '../graph/validate.ts';
+import { outputIn } from '../nodes/chain.ts';
 import type { Picture } from '../nodes/define.ts';
 import { surveyed } from '../nodes/geometry/surveyed.ts';
 import { nodeLibrary } from '../nodes/library.ts';
 import { pictureOf } from '../nodes/picture.ts';
+import { PROJECT } from '../nodes/projectArchive.ts';
 import type { Services } from '../nodes/services.ts';
+import { drawableScene } from '../scene/drawable.ts';
 import type { Plan } from '../scene/plan.ts';
 import type { Scene } from '../scene/types.ts';
 import { inputProblem, usageError } from './exit.ts';
-import { openSceneFile } from './files.ts';
+import { findScene, openSceneFile } from './files.ts';
 import { heavyNodes } from './heavyNodes.ts';
 import type { RenderFlags } from './render.ts';
 
-/** A project, which is a node graph, by its name. */
-export const isProject = (path: string): boolean => path.toLowerCase().endsWith('.slowlight.json');
+const isArchive = (path: string): boolean => path.toLowerCase().endsWith('.zip');
 
-/** Reads a project of any version and checks nothing but that it is one. */
+/** Whether a file is a project, which is a node graph: by its name, or an archive that holds one. */
+export async function isProject(path: string): Promise<boolean> {
+  if (!isArchive(path)) return path.toLowerCase().endsWith('.slowlight.json');
+  const { source, entry } = await findScene(inArchive(path, PROJECT));
+  return (await source.list?.())?.includes(entry) ?? false;
+}
+
+const inArchive = (archive: string, file: string): string => `${archive}[${file}]`;
+
+/** Reads a project of any version, of an archive that in it, and checks nothing but that it is one. */
 export async function readProject(path: string): Promise<GraphDocument> {
-  const text = await readFile(path).catch((error: NodeJS.ErrnoException) => {
-    throw inputProblem(`${path}: ${error.code === 'ENOENT' ? 'no such file' : `cannot be read (${error.message})`}`);
-  });
+  const bytes = isArchive(path)
+    ? await readPacked(path)
+    : await readFile(path).catch((error) => refuseFile(path, error));
   try {
-    return parseDocument(text.toString('utf8'));
+    return parseDocument(new TextDecoder().decode(bytes));
   } catch (error) {
     throw inputProblem(`${path}: ${error instanceof Error ? error.message : String(error)}`);
   }
+}
+
+function refuseFile(path: string, { code, message }: NodeJS.ErrnoException): never {
+  throw inputProblem(`${path}: ${code === 'ENOENT' ? 'no such file' : `cannot be read (${message})`}`);
+}
+
+async function readPacked(path: string): Promise<Uint8Array> {
+  const { source, entry } = await findScene(inArchive(path, PROJECT));
+  const bytes = await source.read(entry);
+  if (!bytes) throw inputProblem(`${path}: it holds no ${PROJECT}; save the project with its files again`);
+  return bytes;
 }
 
 /** Sets parameters as `--set node.param=value` has them. */
@@ -105,22 +127,24 @@ async function evaluateProject(
 }
 
 function outputOf(path: string, document: GraphDocument): string {
-  const outputs = Object.entries(document.nodes).filter(([, { type }]) => type === 'output');
-  const [first] = outputs;
-  if (!first) throw inputProblem(`${path}: it has no output node, so that it makes no picture; add one`);
-  return first[0];
+  const output = outputIn(document);
+  if (output !== undefined) return output;
+  throw inputProblem(`${path}: it has no output node, so that it makes no picture; add one`);
 }
 
 const problemsIn = ({ results }: Evaluation): readonly Problem[] =>
   [...results.values()].flatMap((result) => (result.status === 'failed' ? [result.problem] : []));
 
-/** Reads scenes here, from where the project is. */
+/** Reads scenes here, from where the project is: beside it, or in its archive. */
 const servicesAt = (project: string): Services => ({
   async readScene(source, { variants, interpolation }) {
-    const path = isAbsolute(source) ? source : join(dirname(project), source);
-    return surveyed(
-      await openSceneFile(path, { ...(variants && { variants }), ...(interpolation && { interpolation }) }),
-    );
+    const beside = isAbsolute(source) ? source : join(dirname(project), source);
+    const path = isArchive(project) ? inArchive(project, source) : beside;
+    const read = await openSceneFile(path, {
+      ...(variants && { variants }),
+      ...(interpolation && { interpolation }),
+    });
+    return surveyed(drawableScene(read).scene);
   },
 });
 

@@ -111,7 +111,7 @@ async function opened(
   given: ReadonlySet<string>,
   progress: Progress,
 ): Promise<Opened<RenderFlags>> {
-  if (isProject(path))
+  if (await isProject(path))
     return projectFlags(path, flags, given, (node, part) =>
       progress.show(part === undefined ? `${node} …` : `${node}: ${Math.round(100 * part)} %`),
     );

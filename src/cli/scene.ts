@@ -1,6 +1,7 @@
 import { type Command, InvalidArgumentError, Option } from 'commander';
 import type { Interpolation, ReadOptions } from '../formats/registry.ts';
 import { changeMotion, type MotionChange } from '../scene/change.ts';
+import { drawableScene } from '../scene/drawable.ts';
 import { type Flight, isAt, tooLargeToFly } from '../scene/fly.ts';
 import type { Scene, SceneObject } from '../scene/types.ts';
 import { inputProblem, usageError } from './exit.ts';
@@ -87,9 +88,9 @@ export const motionChange = ({
   flights: fly.map((flight) => ({ ...flight, authoredIn: flyShape })),
 });
 
-/** The scene of a file, as the flags would have it. */
+/** The scene of a file, as the flags would have it, with what can be drawn of it. */
 export async function openChangedScene(path: string, flags: SceneFlags): Promise<Scene> {
-  const scene = await openSceneFile(path, readOptions(flags));
+  const { scene } = drawableScene(await openSceneFile(path, readOptions(flags)));
   for (const flight of flags.fly ?? []) checkFlight(scene, flight.path);
   return changeMotion(scene, motionChange(flags), speedOfLight(scene, flags.c));
 }

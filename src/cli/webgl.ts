@@ -39,7 +39,7 @@ type HeadlessWindow = { readonly slowlight: HeadlessPage };
 
 /** Draws with the page's renderer on WebGL2, in a Chromium without a window. */
 export async function openWebGlPainter(path: string, scene: Scene, flags: RenderFlags): Promise<Painter> {
-  if (isProject(path))
+  if (await isProject(path))
     throw unavailable('WebGL2 in a browser draws scene files, not projects: take webgpu, or --pipeline reference');
   const { source, folder, entry } = await findScene(path);
   const { animation, subdivision, variants = [] } = readOptions(flags);

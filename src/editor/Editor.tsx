@@ -1,5 +1,9 @@
 import { type ReactNode, useEffect } from 'react';
 import { useTexts } from './i18n/i18n.ts';
+import { projectName } from './projects/names.ts';
+import { ProjectDialogs } from './projects/ProjectDialogs.tsx';
+import { useKeeping } from './projects/useKeeping.ts';
+import { useSaveProject } from './projects/useSaveProject.ts';
 import { Dock } from './shell/Dock.tsx';
 import { DropZone } from './shell/DropZone.tsx';
 import { Gallery } from './shell/Gallery.tsx';
@@ -9,11 +13,14 @@ import { Notices } from './shell/Notices.tsx';
 import { StatusBar } from './shell/StatusBar.tsx';
 import { Timeline } from './shell/Timeline.tsx';
 import { useSavePicture } from './shell/useSavePicture.ts';
-import { useStudio } from './state/context.tsx';
+import { useStudio, useStudioState } from './state/context.tsx';
+import { isUnsaved } from './state/studio.ts';
 
 export function Editor(): ReactNode {
   const { t } = useTexts();
   usePageKeys();
+  useKeeping();
+  useTitle();
   const toPicture = () => document.querySelector<HTMLElement>('[data-viewport]')?.focus();
   return (
     <div className="sl-app">
@@ -29,21 +36,33 @@ export function Editor(): ReactNode {
       <Notices />
       <Gallery />
       <Help />
+      <ProjectDialogs />
       <DropZone />
     </div>
   );
 }
 
+/** What the tab is called: the project, marked where no file holds it. */
+function useTitle(): void {
+  const { t } = useTexts();
+  const name = useStudioState(projectName);
+  const unsaved = useStudioState(isUnsaved);
+  useEffect(() => {
+    document.title = [unsaved ? '•' : '', name, name && '–', t('app.title')].filter(Boolean).join(' ');
+  }, [name, unsaved, t]);
+}
+
 /** Keys that work wherever the focus is, but for fields that are being written in. */
 function usePageKeys(): void {
   const studio = useStudio();
-  const save = useSavePicture();
+  const savePicture = useSavePicture();
+  const { save } = useSaveProject();
   useEffect(() => {
     const onKey = (event: KeyboardEvent) => {
       const command = event.ctrlKey || event.metaKey;
       const writing = event.target instanceof HTMLElement && event.target.matches('input:not([type=range]), textarea');
       if (event.key === 'F1' || (event.key === '?' && !writing)) studio.change({ dialog: 'help' });
-      else if (command && event.code === 'KeyS') void save();
+      else if (command && event.code === 'KeyS') event.shiftKey ? void savePicture() : save();
       else if (command && event.code === 'KeyZ' && !writing) event.shiftKey ? studio.redo() : studio.undo();
       else if (command && event.code === 'KeyY' && !writing) studio.redo();
       else return;
@@ -51,5 +70,5 @@ function usePageKeys(): void {
     };
     addEventListener('keydown', onKey);
     return () => removeEventListener('keydown', onKey);
-  }, [studio, save]);
+  }, [studio, savePicture, save]);
 }

@@ -1,6 +1,8 @@
 import { createContext, useContext } from 'react';
 import type { Backend } from '../render/settings.ts';
-import type { LocalFiles } from './loading/sceneLoader.ts';
+import type { LocalFiles } from './loading/localFiles.ts';
+import type { Autosave } from './projects/autosave.ts';
+import type { Sessions } from './projects/sessions.ts';
 import type { Pilot } from './viewport/pilot.ts';
 import type { Captured } from './viewport/stage.ts';
 
@@ -8,6 +10,9 @@ import type { Captured } from './viewport/stage.ts';
 export interface EditorServices {
   readonly pilot: Pilot;
   readonly localFiles: LocalFiles;
+  readonly autosave: Autosave;
+  /** What is kept of this tab and others; undefined where the browser keeps nothing. */
+  readonly sessions: Sessions | undefined;
   readonly backend: Backend | 'auto';
   /** The stage on show, as long as there is one: for saving its picture. */
   readonly stage: { capture?: () => Promise<Captured | undefined> };

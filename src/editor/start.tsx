@@ -9,7 +9,10 @@ import type { Root } from 'react-dom/client';
 import type { Backend } from '../render/settings.ts';
 import { Editor } from './Editor.tsx';
 import { startTranslation, useTexts } from './i18n/i18n.ts';
-import { LocalFiles, sceneReader } from './loading/sceneLoader.ts';
+import { LocalFiles } from './loading/localFiles.ts';
+import { sceneReader } from './loading/sceneLoader.ts';
+import { Autosave } from './projects/autosave.ts';
+import { begin, pageAddress, type Wanted } from './projects/beginning.ts';
 import { type EditorServices, ServicesProvider } from './services.tsx';
 import { Unsupported } from './shell/Unsupported.tsx';
 import { StudioProvider } from './state/context.tsx';
@@ -20,14 +23,12 @@ import { theme } from './theme.ts';
 import { chooseGraphics } from './viewport/graphics.ts';
 import { Pilot } from './viewport/pilot.ts';
 
-export interface StartOptions {
-  /** Address of the scene to begin with. */
-  readonly source: string;
+export interface StartOptions extends Wanted {
   readonly backend: Backend | 'auto';
 }
 
 /** Puts the program on a page. */
-export async function startEditor(root: Root, { source, backend: wanted }: StartOptions): Promise<void> {
+export async function startEditor(root: Root, { backend: wanted, ...asked }: StartOptions): Promise<void> {
   const { language, legend: withLegend } = loadPreferences();
   await startTranslation(language);
   legend.setState({ shown: withLegend });
@@ -42,8 +43,17 @@ export async function startEditor(root: Root, { source, backend: wanted }: Start
   }
   const localFiles = new LocalFiles();
   const readScene = sceneReader(localFiles);
-  const studio = createStudio({ services: { readScene }, source, playing: !prefersReducedMotion() });
-  const services: EditorServices = { pilot: new Pilot(studio), localFiles, backend, stage: {} };
+  const { beginning, view, problem, ...session } = await begin(asked, localFiles);
+  const playing = view?.playing ?? !prefersReducedMotion();
+  const studio = createStudio({ services: { readScene }, beginning, playing });
+  if (view) studio.change({ loop: view.loop });
+  if (problem) studio.notify({ kind: 'error', ...problem });
+  const pilot = new Pilot(studio, view);
+  const autosave = new Autosave({ ...session, studio, pilot, localFiles, address: pageAddress });
+  // A tab that is a copy of another has nothing of its own yet.
+  void autosave.now();
+  const sessions = 'refusal' in session.sessions ? undefined : session.sessions;
+  const services: EditorServices = { pilot, localFiles, backend, stage: {}, autosave, sessions };
   root.render(
     <Page>
       <StudioProvider value={studio}>

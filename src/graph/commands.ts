@@ -43,6 +43,8 @@ export type Command =
   | { readonly kind: 'set-note'; readonly note: string; readonly value?: Note }
   | { readonly kind: 'set-frame'; readonly frame: string; readonly value?: Frame }
   | { readonly kind: 'set-group'; readonly group: string; readonly value?: Group }
+  /** What the project is called, and what there is to be seen in it. */
+  | { readonly kind: 'describe'; readonly what: 'title' | 'lookFor'; readonly value?: string }
   | { readonly kind: 'set-file'; readonly file: string; readonly value?: FileReference }
   /** Adds many nodes at once, with all that belongs to them; none of the keys is taken. */
   | { readonly kind: 'insert'; readonly graph: Graph }
@@ -94,6 +96,9 @@ function change(document: GraphDocument, level: Graph, command: Command): void {
     case 'set-group':
       put(document.groups, command.group, command.value);
       break;
+    case 'describe':
+      put(document, command.what, command.value || undefined);
+      break;
     case 'set-file':
       put(document.files, command.file, command.value);
       break;
@@ -102,7 +107,7 @@ function change(document: GraphDocument, level: Graph, command: Command): void {
   }
 }
 
-type LevelCommand = Exclude<Command, { readonly kind: 'batch' | 'inside' | 'set-group' | 'set-file' }>;
+type LevelCommand = Exclude<Command, { readonly kind: 'batch' | 'inside' | 'set-group' | 'describe' | 'set-file' }>;
 
 function changeLevel(level: Graph, command: LevelCommand): void {
   switch (command.kind) {

@@ -92,6 +92,10 @@ const fileSchema = z.strictObject({
 export const documentSchema = z.strictObject({
   format: z.literal('slowlight'),
   version: z.literal(CURRENT_VERSION),
+  /** What the project is called. */
+  title: title.optional(),
+  /** What there is to be seen in it, for those who open it. */
+  lookFor: text.optional(),
   ...graphShape,
   /** Subgraphs, each used by any number of nodes of the type `group` by its key. */
   groups: z.record(identifier, groupSchema),

@@ -9,16 +9,25 @@ interface Step {
   readonly gesture?: string;
   readonly patches: readonly Patch[];
   readonly inverse: readonly Patch[];
+  /** Of a step that put another document in place: where this one and the one before came from. */
+  readonly origins?: readonly [before: string, after: string];
 }
 
 /** A document with the steps that made it. Immutable: every operation gives a new one. */
 export interface History {
   readonly document: GraphDocument;
+  /** The file, address or link that the document was opened from; empty of one that was made here. */
+  readonly origin: string;
   readonly past: readonly Step[];
   readonly future: readonly Step[];
 }
 
-export const newHistory = (document: GraphDocument): History => ({ document, past: [], future: [] });
+export const newHistory = (document: GraphDocument, origin = ''): History => ({
+  document,
+  origin,
+  past: [],
+  future: [],
+});
 
 /**
  * Does a command. `gesture` names one continuous action (the drag of one slider): while it lasts its edits coalesce into one
@@ -29,8 +38,20 @@ export function execute(history: History, command: Command, label: string, gestu
   if (document === history.document) return history;
   const last = history.past.at(-1);
   if (gesture && last?.gesture === gesture && history.future.length === 0)
-    return { document, past: [...history.past.slice(0, -1), joined(last, patches, inverse)], future: [] };
-  return { document, past: [...history.past, { label, gesture, patches, inverse }], future: [] };
+    return { ...history, document, past: [...history.past.slice(0, -1), joined(last, patches, inverse)], future: [] };
+  return { ...history, document, past: [...history.past, { label, gesture, patches, inverse }], future: [] };
+}
+
+/** Puts another document in place, as a step that can be undone like all others. */
+export function replaceDocument(history: History, document: GraphDocument, origin: string, label: string): History {
+  const whole = (value: GraphDocument): readonly Patch[] => [{ op: 'replace', path: [], value }];
+  const step: Step = {
+    label,
+    patches: whole(document),
+    inverse: whole(history.document),
+    origins: [history.origin, origin],
+  };
+  return { document, origin, past: [...history.past, step], future: [] };
 }
 
 /** A step with a further edit; what that sets where the last one did takes its place, so that a long drag is no long step. */
@@ -58,6 +79,7 @@ export function undo(history: History): History {
   if (!step) return history;
   return {
     document: applyPatches(history.document, step.inverse),
+    origin: step.origins?.[0] ?? history.origin,
     past: history.past.slice(0, -1),
     future: [{ ...step, gesture: undefined }, ...history.future],
   };
@@ -66,5 +88,6 @@ export function undo(history: History): History {
 export function redo(history: History): History {
   const [step, ...rest] = history.future;
   if (!step) return history;
-  return { document: applyPatches(history.document, step.patches), past: [...history.past, step], future: rest };
+  const document = applyPatches(history.document, step.patches);
+  return { document, origin: step.origins?.[1] ?? history.origin, past: [...history.past, step], future: rest };
 }

@@ -142,7 +142,7 @@ describe('motion', () => {
     expect(flightsIn(left)).toEqual(['fly2']);
     expect(validateDocument(left, nodeLibrary)).toEqual([]);
     expect(applyCommand(left, landCommand(left, 'fly2')).document).toEqual(empty);
-    expect(flightsIn(applyCommand(two, openCommand(two, 'b.usda')).document)).toEqual([]);
+    expect(flightsIn(applyCommand(two, openCommand(two, 'b.usda')!).document)).toEqual([]);
   });
 
   it('variants are asked of the reader, and are part of the document', async () => {
@@ -232,7 +232,7 @@ describe('the project', () => {
 
   it('opening another file gives way to its own suggestions', () => {
     const before = applyCommand(newProject('a.usda'), set('console', 'speedOfLight', 5)).document;
-    const { document } = applyCommand(before, openCommand(before, 'b.usda'));
+    const { document } = applyCommand(before, openCommand(before, 'b.usda')!);
     expect(
       resolveParams(nodeLibrary['relativity-console']!, document.nodes.console!.params).speedOfLight,
     ).toBeUndefined();

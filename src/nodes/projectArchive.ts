@@ -9,7 +9,7 @@ import { serializeDocument } from '../graph/serialize.ts';
 import { nodeLibrary } from './library.ts';
 
 /** What a project is called in its archive. */
-const PROJECT = 'project.slowlight.json';
+export const PROJECT = 'project.slowlight.json';
 
 /**
  * A project with its files, as one zip. `files`: by the names under which the document refers to them, with what they refer to
@@ -30,6 +30,8 @@ export async function packProject(
 }
 
 async function referenceTo(bytes: Uint8Array): Promise<FileReference> {
+  // A page that is served without encryption has none.
+  if (!crypto.subtle) return { size: bytes.length };
   const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes.slice()));
   return { size: bytes.length, hash: [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('') };
 }

@@ -482,7 +482,7 @@ export const nodeWords = {
     'What the light is made of at rest: it decides which colours a Doppler shift brings.',
     '静止时光的成分：决定多普勒频移后呈现的颜色。',
   ],
-  'light.daylight': ['Daylight (6504 K)', '日光（6504 K）'],
+  'light.daylight': ['Daylight, or as warm as its colour', '日光，或按其颜色的色温'],
   'light.d65': ['Daylight, measured (D65)', '实测日光（D65）'],
   'light.candle': ['Candle', '蜡烛'],
   'light.tungsten': ['Light bulb', '白炽灯'],

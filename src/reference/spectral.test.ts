@@ -8,6 +8,8 @@ import { box, plane } from '../scene/primitives.ts';
 import type { DistantLight, Material } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import { bandsOf, WHITE } from '../spectrum/bands.ts';
+import { spectrumOfColor } from '../spectrum/lightColor.ts';
+import { lightFilter } from '../spectrum/lightFilter.ts';
 import { DAYLIGHT, type LightSpectrum } from '../spectrum/lightSpectrum.ts';
 import { seenColor, whiteOf } from '../spectrum/observerColor.ts';
 import { logLuminance } from '../spectrum/planck.ts';
@@ -147,7 +149,8 @@ describe('a floor that flies past under a resting sun', () => {
       fc.property(speed, sunward, color, color, (v, s, albedo, light) => {
         const { Din, Dout, brightness } = factors(v, s);
         const seen = seenFloor(v, { ...lambert(0), baseColor: albedo }, s, { color: light });
-        const exact = seenColor(bandsOf(albedo), bandsOf(light), DAYLIGHT, Din, Dout);
+        const spectrum = spectrumOfColor(light);
+        const exact = seenColor(bandsOf(albedo), lightFilter(light, spectrum), spectrum, Din, Dout);
         expectColor(seen, scale(exact, brightness), 4e-3);
       }),
       { numRuns: 60 },

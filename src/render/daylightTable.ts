@@ -1,12 +1,12 @@
 import { int } from 'three/tsl';
 import { toHalf } from '../math/half.ts';
-import { lerp, type Vec3, ZERO } from '../math/vec3.ts';
+import type { Vec3 } from '../math/vec3.ts';
 import type { HalfAtlas, HalfTable } from '../shaders/halfAtlas.ts';
 import { type BandColors, luminanceOf } from '../shaders/spectrumTable.ts';
 import type * as gpu from '../shaders/types.ts';
 import { WHITE } from '../spectrum/bands.ts';
 import { columnOf, type DopplerTable, fromRatio, ratio, tableColor, tableTexel } from '../spectrum/dopplerTable.ts';
-import { overlaps } from '../spectrum/filterPairs.ts';
+import { type ColoredLight, coloredAtRest, overlaps, passing } from '../spectrum/filterPairs.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { seenColor } from '../spectrum/observerColor.ts';
 import { REDDENED, REDDENED_COLORS, SCATTERED, SCATTERED_COLOR } from '../spectrum/scatteredLight.ts';
@@ -44,6 +44,8 @@ export class DaylightColumns {
   readonly layers: 3 | 4;
   private readonly blackbodies: DopplerTable;
   private readonly made = new Map<string, Uint16Array>();
+  /** At `shifts`. */
+  private bands: readonly Parameters<typeof coloredAtRest>[2][] | undefined;
 
   constructor(blackbodies: DopplerTable) {
     this.blackbodies = blackbodies;
@@ -86,6 +88,16 @@ export class DaylightColumns {
     return this.known(
       'overlaps',
       overShifts((D) => overlaps(DAYLIGHT.temperature * D, D, this.layers)),
+    );
+  }
+
+  /** Of a coloured light: layer after layer, H beside the first one. */
+  colored(light: ColoredLight): Uint16Array {
+    this.bands ??= shifts().map((D) => ({ surface: passing(D, this.layers), light: passing(D, 3) }));
+    const { bands } = this;
+    return this.known(
+      `colored ${JSON.stringify(light)}`,
+      overShifts((D, i) => coloredAtRest(light, D, bands[i])),
     );
   }
 
@@ -132,6 +144,14 @@ export class DaylightTable {
     };
   }
 
+  /** Of a coloured light of a number, seen shifted by D with the surface that it met. */
+  colored(number: number, light: ColoredLight, D: gpu.Float): BandColors {
+    const layer = this.read(`at rest ${number}`, () => this.columns.colored(light), D);
+    const red = layer(0);
+    const colors = { red: red.xyz, green: layer(1).xyz, blue: layer(2).xyz, H: red.w };
+    return this.columns.layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
+  }
+
   /** Linear sRGB, D⁴ left out, of one of the lights of skies (`SKY_LIGHTS`), of luminance 1 at rest. */
   skySeen(light: number, D: gpu.Float): gpu.Vec3 {
     return this.read(`sky ${light}`, () => this.columns.skySeen(light), D)(0).xyz;
@@ -162,16 +182,16 @@ export class DaylightTable {
 /** Of how many shifts colours are integrated; between them they go straight, within 2e-3. Odd, so that D = 1 is one. */
 const NODES = 513;
 
-function overShifts(colors: (D: number) => readonly Vec3[]): (D: number) => readonly Vec3[] {
-  const nodes = Array.from({ length: NODES }, (_, i) => {
-    const D = fromRatio(i / (NODES - 1));
-    return D > 0 && Number.isFinite(D) ? colors(D) : undefined;
-  });
-  const dark = nodes[1]!.map(() => ZERO);
+/** All but the first, D = 0, and the last, ∞. */
+const shifts = (): readonly number[] => Array.from({ length: NODES - 2 }, (_, i) => fromRatio((i + 1) / (NODES - 1)));
+
+function overShifts(layersAt: (D: number, i: number) => Layers): (D: number) => Layers {
+  const nodes = shifts().map(layersAt);
+  const dark = nodes[0].map((texel) => texel.map(() => 0));
   return (D) => {
     const place = (NODES - 1) * ratio(D);
     const i = Math.min(Math.floor(place), NODES - 2);
-    const [a, b] = [nodes[i] ?? dark, nodes[i + 1] ?? dark];
-    return a.map((color, k) => lerp(color, b[k], place - i));
+    const [a, b] = [nodes[i - 1] ?? dark, nodes[i] ?? dark];
+    return a.map((texel, k) => texel.map((value, channel) => value + (b[k][channel] - value) * (place - i)));
   };
 }

@@ -1,4 +1,4 @@
-import { maybeDusky } from '../scene/daylight.ts';
+import { directLights, domeOf, maybeDusky } from '../scene/daylight.ts';
 import type { Scene } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import type { HalfAtlas } from '../shaders/halfAtlas.ts';
@@ -24,9 +24,9 @@ export function paletteOf({ view, colors, dopplerMix, beaming }: RenderSettings,
   const shifted = view === 'light-cone' && (dopplerMix > 0 || beaming > 0);
   if (colors === 'approximate') return shifted ? 'approximate' : 'plain';
   if (shifted) return dopplerMix === 1 && beaming === 1 ? 'physical' : 'spectral';
-  const { lights, materials } = scene;
   const daylight =
-    lights.every((light) => light.kind === 'stars' || shineKind(light) === 'daylight') && !materials.some(isGlowing);
+    [...directLights(scene), domeOf(scene)].every((light) => shineKind(light) === 'daylight') &&
+    !scene.materials.some(isGlowing);
   return daylight ? 'resting' : 'spectral';
 }
 
@@ -60,6 +60,7 @@ export class Palettes {
     return {
       blackbodies: spectrumTable(atlas, 'blackbodies', table),
       daylight: new DaylightTable(daylight, atlas),
+      lights,
       colored: (light) => spectrumTable(atlas, `colored ${light}`, this.coloredOf(lights[light], layers)),
       observer: () => atlas.table('observer', observerTexels),
     };

@@ -13,6 +13,7 @@ import {
 import type { Float, Vec3 } from '../shaders/types.ts';
 import { ENDS } from '../spectrum/bands.ts';
 import { SHIFT_LIMIT } from '../spectrum/dopplerTable.ts';
+import type { ColoredLight } from '../spectrum/filterPairs.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { SCATTERED_COLOR, SCATTERED_PART } from '../spectrum/scatteredLight.ts';
 import { type DaylightTable, SKY_LIGHTS } from './daylightTable.ts';
@@ -35,7 +36,8 @@ export interface SpectralTables {
   readonly blackbodies: SpectrumTable;
   /** The same for light that was daylight at rest, where light and filter are shifted together. */
   readonly daylight: DaylightTable;
-  /** Of each light that has a colour. */
+  /** Those that have a colour; and of each of them. */
+  readonly lights: readonly ColoredLight[];
   readonly colored: (light: number) => SpectrumTable;
   readonly observer: () => HalfTable;
 }
@@ -66,7 +68,7 @@ interface Shift {
  */
 export const spectral =
   (
-    { blackbodies, daylight: ofDay, colored: coloredTables, observer }: SpectralTables,
+    { blackbodies, daylight: ofDay, lights, colored: coloredTables, observer }: SpectralTables,
     { glowing, dusky, whole: all }: SceneLight,
   ): Optics =>
   (D, uniforms) => {
@@ -115,6 +117,13 @@ export const spectral =
         add(thermalColors(blackbodies, T, out.mixed), end);
       });
       return seen.mul(gain(H, T, from?.luminance ?? float(1), whole));
+    };
+
+    /** The same of light that met a resting surface. */
+    const filteredAtRest = (light: number, k: Vec3, share: Filter, { temperature, luminance }: ThermalSource): Vec3 => {
+      const colors = ofDay.colored(light, lights[light], out.mixed);
+      const level = gain(colors.H, temperature.mul(out.mixed), luminance, out.mixed);
+      return filteredColor(colors, share).mul(level.mul(max(k.x, max(k.y, k.z))));
     };
 
     /** Of neutral light that came shifted. */
@@ -183,18 +192,16 @@ export const spectral =
           if (typeof colored === 'number') return filteredTwice(colored, k, f, shift, thermal);
           return colored ? pictured(k, f, shift, thermal, ofSky?.luminances) : neutral(k.x, f, shift, thermal);
         };
-        if (thermal && !shift)
-          sum.addAssign(
-            typeof colored === 'number' ? turned(float(1)) : unshifted(f.mul(ofColor(k, out.mixed)), thermal),
-          );
-        else if (!D || !shift) send();
-        else {
-          const turn = () => {
-            sum.addAssign(turned(shift.mixed).mul(shift.brightness(power)));
-          };
-          if (thermal) turn();
-          else If(abs(D.sub(1)).greaterThan(NO_SHIFT), turn).Else(send);
-        }
+        const atRest = () => {
+          if (!thermal) send();
+          else if (typeof colored === 'number') sum.addAssign(filteredAtRest(colored, k, f, thermal));
+          else sum.addAssign(unshifted(f.mul(ofColor(k, out.mixed)), thermal));
+        };
+        const turn = (shift: Shift) => {
+          sum.addAssign(turned(shift.mixed).mul(shift.brightness(power)));
+        };
+        if (!D || !shift) atRest();
+        else If(abs(D.sub(1)).greaterThan(NO_SHIFT), () => turn(shift)).Else(atRest);
       },
       emit: (light, source) => {
         if (!source) daylight.addAssign(ofColor(light, out.mixed));

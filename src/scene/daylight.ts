@@ -1,4 +1,5 @@
 import { normalize, type Vec3 } from '../math/vec3.ts';
+import { spectrumOfColor } from '../spectrum/lightColor.ts';
 import type { DistantLight, DomeLight, Lamp, Light, NightSky, Scene } from './types.ts';
 
 // What shines on a scene, and what it is seen against: its own lights, or a clear day's.
@@ -30,9 +31,20 @@ export const sunRadius = ({ angle }: Pick<DistantLight, 'angle'>): number => (an
 
 export type DirectLight = DistantLight | Lamp;
 
-/** Lights that come from somewhere; the day's sun where the scene brings no light at all. */
+/** Lights that come from somewhere, with their spectra; the day's sun where the scene brings no light at all. */
 export const directLights = ({ lights, upAxis }: Pick<Scene, 'lights' | 'upAxis'>): readonly DirectLight[] =>
-  lights.length > 0 ? lights.filter(isDirect) : [defaultSun(upAxis)];
+  (lights.length > 0 ? lights.filter(isDirect) : [SUNS[upAxis]]).map(withSpectrum);
+
+/** What is found out about a spectrum is kept with it: so each light has always the same one. */
+const known = new WeakMap<DirectLight, DirectLight>();
+
+/** Of a light that does not tell its spectrum: what its colour tells (spectrum/lightColor.ts). */
+function withSpectrum(light: DirectLight): DirectLight {
+  if (light.spectrum) return light;
+  const made = known.get(light) ?? { ...light, spectrum: spectrumOfColor(light.color) };
+  known.set(light, made);
+  return made;
+}
 
 /** The light all round; a clear day's sky where there is none. */
 export const domeOf = ({ lights }: Pick<Scene, 'lights'>): DomeLight =>
@@ -50,10 +62,13 @@ export const nightSkyOf = ({ lights }: Pick<Scene, 'lights'>): NightSky | undefi
 
 const isDirect = (light: Light): light is DirectLight => light.kind !== 'dome' && light.kind !== 'stars';
 
-function defaultSun(upAxis: Scene['upAxis']): DistantLight {
-  const direction: Vec3 = upAxis === 'Y' ? [-0.55, -0.75, -0.45] : [-0.55, 0.45, -0.75];
-  return { kind: 'distant', path: '', direction: normalize(direction), color: SUN };
-}
+const sunAlong = (direction: Vec3): DistantLight => ({
+  kind: 'distant',
+  path: '',
+  direction: normalize(direction),
+  color: SUN,
+});
+const SUNS = { Y: sunAlong([-0.55, -0.75, -0.45]), Z: sunAlong([-0.55, 0.45, -0.75]) };
 
 /** Towards the zenith. */
 export const upOf = (upAxis: Scene['upAxis']): Vec3 => (upAxis === 'Y' ? [0, 1, 0] : [0, 0, 1]);

@@ -12,7 +12,7 @@ import { luminanceShape } from './thermalTable.ts';
  */
 
 /** What each band of a filter, seen shifted by D, lets through at every nanometre; of four layers the last is what is beyond the visible (dopplerTable.ts). */
-function passing(D: number, layers: 3 | 4): readonly Float64Array[] {
+export function passing(D: number, layers: 3 | 4): readonly Float64Array[] {
   const bands = Array.from({ length: layers }, () => new Float64Array(WAVELENGTHS.length));
   WAVELENGTHS.forEach((wavelength, n) => {
     const basis = basisAt(D * wavelength);
@@ -60,6 +60,24 @@ export interface ColoredLight {
   readonly filter: Vec3;
 }
 
+/**
+ * What is seen of one coloured light that met a resting surface, through each band of the surface's filter: both are seen shifted by D. `bands`: of such a surface, and of the light,
+ * as `passing`. Layer after layer (r, g, b, H), H beside the first.
+ */
+export function coloredAtRest(
+  { temperature, filter }: ColoredLight,
+  D: number,
+  bands: { readonly surface: readonly Float64Array[]; readonly light: readonly Float64Array[] },
+): readonly (readonly number[])[] {
+  const through = throughFilter(filter, bands.light);
+  const light = seenThermal(temperature * D).map((channel) => channel.map((value, n) => value * through[n]));
+  const H = luminanceShape(temperature * D);
+  return bands.surface.map((band, i) => [...light.map((channel) => sumOf(band, channel)), i === 0 ? H : 0]);
+}
+
+const throughFilter = ([r, g, b]: Vec3, [red, green, blue]: readonly Float64Array[]): Float64Array =>
+  red.map((value, n) => r * value + g * green[n] + b * blue[n]);
+
 /** So many steps, 8 nm apart in the middle of what an eye sees, leave 0.1 % of white's. Odd, so that D = 1 is one. */
 const STEPS = 97;
 
@@ -72,8 +90,7 @@ export function coloredTable({ temperature, filter }: ColoredLight, layers: 3 | 
   const shifts = Array.from({ length: steps }, (_, step) => shiftAt(step, steps));
   const surfaces = shifts.map((D) => passing(D, layers));
   shifts.forEach((D, row) => {
-    const [red, green, blue] = passing(D, 3);
-    const through = red.map((value, n) => filter[0] * value + filter[1] * green[n] + filter[2] * blue[n]);
+    const through = throughFilter(filter, passing(D, 3));
     const light = seenThermal(temperature * D).map((channel) => channel.map((value, n) => value * through[n]));
     const H = toHalf(luminanceShape(temperature * D));
     light.forEach((channel, k) => {

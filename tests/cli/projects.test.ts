@@ -3,8 +3,10 @@ import { join, relative } from 'node:path';
 import { expect, test } from 'vitest';
 import { projects } from '../../examples/projects/index.ts';
 import { applyCommand } from '../../src/graph/commands.ts';
+import { parseDocument } from '../../src/graph/read.ts';
 import { serializeDocument } from '../../src/graph/serialize.ts';
 import { newProject } from '../../src/nodes/project.ts';
+import { packProject } from '../../src/nodes/projectArchive.ts';
 import { outputFolder, scene, slowlight } from './program.ts';
 
 const folder = outputFolder();
@@ -39,6 +41,20 @@ test('a project gives the picture of its scene with the same flags, and a parame
   expect(made[0]!.equals(made[1]!)).toBe(true);
   expect(made[2]!.equals(made[3]!)).toBe(true);
   expect(made[0]!.equals(made[2]!)).toBe(false);
+});
+
+test('an archive gives the picture of the project in it, with the files in it', async () => {
+  const document = parseDocument(readFileSync(projectOf('movers.usda', 'packed.slowlight.json'), 'utf8'));
+  const named = applyCommand(document, { kind: 'set-param', node: 'read', param: 'source', value: 'movers.usda' });
+  const files = new Map([['movers.usda', new Uint8Array(readFileSync(scene('movers.usda')))]]);
+  writeFileSync(at('packed.zip'), await packProject(named.document, files));
+  const whole = projectOf(scene('movers.usda'), 'beside.slowlight.json');
+  for (const [i, run] of [at('packed.zip'), whole].entries()) {
+    const { code, err } = await slowlight('render', run, ...picture, '-o', at(`packed${i}.png`));
+    expect(code, err).toBe(0);
+  }
+  expect(readFileSync(at('packed0.png')).equals(readFileSync(at('packed1.png')))).toBe(true);
+  expect((await slowlight('graph', 'check', at('packed.zip'))).code).toBe(0);
 });
 
 test.each(Object.entries(projects))(

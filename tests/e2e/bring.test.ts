@@ -121,9 +121,7 @@ describe('bringing a scene', () => {
     for (const key of ['ArrowLeft', 'ArrowUp']) await visit.page.keyboard.press(key, { delay: 120 });
     await visit.page.keyboard.press('Escape');
     expect(pinkShare(await visit.pixels())).toBe(0);
-    const own = await visit.page.evaluate(() =>
-      document.querySelector('[data-open-source]')?.getAttribute('data-open-source'),
-    );
+    const own = await visit.page.evaluate(() => document.querySelector('[data-opened]')?.getAttribute('data-opened'));
     await drop(visit, [CHECKER]);
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.01);
     await expect.poll(() => item.count()).toBe(0);

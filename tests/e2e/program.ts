@@ -60,6 +60,13 @@ export class Program {
     return guarded;
   }
 
+  /** Another tab beside a page, which has what is kept of the others. */
+  async beside({ page }: Guarded, address: string): Promise<Guarded> {
+    const guarded = new Guarded(await page.context().newPage(), this.url);
+    await guarded.page.goto(`${this.url}/${address}`);
+    return guarded;
+  }
+
   /** As a driver does that fails: every page's device and context is lost. */
   async crashGraphics(): Promise<void> {
     const session = await this.#browser.newBrowserCDPSession();

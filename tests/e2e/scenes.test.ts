@@ -28,7 +28,7 @@ describe('scenes', () => {
       await visit.page.getByRole('button', { name: 'Scenes' }).click();
       await visit.page.locator(`[data-example="${name}"]`).click();
       await expect
-        .poll(() => visit.page.locator('[data-open-source]').getAttribute('data-open-source'), { timeout: 60_000 })
+        .poll(() => visit.page.locator('[data-opened]').getAttribute('data-opened'), { timeout: 60_000 })
         .toContain(`/${name}.`);
       // Until then the picture is that of the scene before.
       await visit.page.getByText('Preparing the picture').waitFor({ state: 'hidden' });
@@ -132,7 +132,7 @@ describe('scenes', () => {
     const visit = await (await program.open(SMALL)).ready();
     const size = await visit.page.locator('canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
     const download = visit.page.waitForEvent('download');
-    await visit.page.keyboard.press('Control+s');
+    await visit.page.keyboard.press('Control+Shift+s');
     const file = await download;
     expect(file.suggestedFilename()).toMatch(/^sphere t=.*c\.png$/);
     const picture = decode(readFileSync(await file.path()));

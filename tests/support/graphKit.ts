@@ -136,6 +136,7 @@ export function commandFrom(document: GraphDocument, { op, a, b, c }: Seed): Com
         frame: `frame${a % 3}`,
         ...(b % 3 ? { value: { title: `${b}`, nodes: chosen } } : {}),
       }),
+    () => ({ kind: 'describe', what: a % 2 ? 'title' : 'lookFor', ...(b % 2 ? { value: `about ${b}` } : {}) }),
     () => ({ kind: 'set-file', file: `f${a % 2}.usda`, ...(b % 2 ? { value: { size: b } } : {}) }),
     () => groupingOf(document, { nodes: chosen, group }, `g${a}`, toys).command,
     () => duplicateOf(document, { nodes: chosen, group }).command,

@@ -1,4 +1,4 @@
-/** The words of the example scenes in Chinese; in English they are the scenes' own, in their files. */
+/** The words of the example scenes and projects in Chinese; in English they are the scenes' own, in their files. */
 export const exampleWords: Readonly<Record<string, { readonly title: string; readonly lookFor: string }>> = {
   street: {
     title: '街道',
@@ -59,6 +59,26 @@ export const exampleWords: Readonly<Record<string, { readonly title: string; rea
     title: '画廊',
     lookFor:
       '处处是直角，因此弯曲一目了然：画框倾斜，拱顶张开，已经经过的画又转过脸来。它们的颜色说明你以多快的速度迎向它们的光。',
+  },
+  workshop: {
+    title: '工场',
+    lookFor:
+      '全部由节点构成，这里光速只有 12 m/s。红色框架以 7 m/s 驶过，金球以 8 m/s 绕圈，圆环自转，飞镖从静止加速，木箱沿弯路前行，砖块翻滚着从一处到另一处。每样东西都显示在光离开它时所在的位置。',
+  },
+  layers: {
+    title: '分层',
+    lookFor:
+      '画面由各层组成：不含环境光遮蔽的光照，乘以每处所见天空的比例（平滑但不越过边缘）；再加上对焦于路口的镜头和亮处的光晕。停用一个节点，看看它的作用。',
+  },
+  comparison: {
+    title: '所见与实在',
+    lookFor:
+      '以 0.6 c 行进时的所见，叠在普通渲染器所绘的同一时刻之上，两者互相透出。越往前，灯柱错开得越远；移动的箱子一处是它曾在的位置，一处是它现在的位置。将模式设为分屏或擦除即可并排比较。',
+  },
+  lesson: {
+    title: '颜色与波段',
+    lookFor:
+      '同一条街两次：右边是 0.6 c 时的所见，左边标出该处看到的是光谱的哪一部分。在“伪彩色”中可改选多普勒因子或光离开的时刻。',
   },
   ladder: {
     title: '梯子与谷仓',

@@ -19,7 +19,7 @@ describe('the catalogue of messages', () => {
 
   it('has no text that nobody shows', () => {
     const sources = Object.values(
-      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,words,effectWords}.ts'], {
+      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,projectMessages,words,effectWords}.ts'], {
         query: '?raw',
         import: 'default',
         eager: true,
@@ -61,6 +61,14 @@ describe('the catalogue of messages', () => {
 describe('the examples in Chinese', () => {
   const numbers = (text: string) => (text.match(/\d+(\.\d+)?/g) ?? []).sort();
   const lookFor = (layer: string) => /string lookFor = "((?:[^"\\]|\\.)*)"/.exec(layer)?.[1] ?? '';
+
+  it.each(readdirSync(examples).filter((file) => file.endsWith('.slowlight.json')))(
+    '%s says the same figures as its file does',
+    (file) => {
+      const { lookFor: own = '' } = JSON.parse(readFileSync(new URL(file, examples), 'utf8'));
+      expect(numbers(exampleWords[file.replace('.slowlight.json', '')]?.lookFor ?? '')).toEqual(numbers(own));
+    },
+  );
 
   it.each(readdirSync(examples).filter((file) => file.endsWith('.usda')))(
     '%s says the same figures as its file does',

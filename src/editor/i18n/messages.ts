@@ -1,20 +1,21 @@
 import { effectWords } from '../../nodes/effectWords.ts';
 import { nodeWords } from '../../nodes/words.ts';
+import { projectMessages } from './projectMessages.ts';
 
 /** Every text of the page, in English and Chinese; `{{name}}` is filled in. One catalogue, so that neither can lack a key. */
 export const messages = {
   ...nodeWords,
   ...effectWords,
+  ...projectMessages,
   'app.title': ['Slowlight', 'Slowlight 慢光'],
   'app.skip': ['Skip to the picture', '跳到画面'],
 
   'header.scenes': ['Scenes', '场景'],
-  'header.open': ['Open', '打开'],
   'header.openFile': ['Open file…', '打开文件…'],
   'header.openFolder': ['Open folder…', '打开文件夹…'],
   'header.openHint': [
-    'USD, glTF, OBJ, PLY, STL; a folder or a zip where it has textures',
-    'USD、glTF、OBJ、PLY、STL；带贴图时请选文件夹或 zip',
+    'Projects; USD, glTF, OBJ, PLY, STL; a folder or a zip where it has textures',
+    '项目；USD、glTF、OBJ、PLY、STL；带贴图时请选文件夹或 zip',
   ],
   'header.undo': ['Undo', '撤销'],
   'header.undoWhat': ['Undo: {{what}}', '撤销：{{what}}'],
@@ -118,8 +119,8 @@ export const messages = {
   'viewport.cancel': ['Cancel', '取消'],
   'viewport.restart': ['The graphics device was lost. Starting it again…', '图形设备丢失，正在重新启动…'],
   'viewport.drop': [
-    'Drop a scene file, a folder or a zip; or files that the scene lacks',
-    '拖放场景文件、文件夹或 zip；也可补充场景缺少的文件',
+    'Drop a scene, a project, a folder or a zip; or files that the scene lacks',
+    '拖放场景、项目、文件夹或 zip；也可补充场景缺少的文件',
   ],
 
   'loading.fetch': ['Reading the file', '读取文件'],

@@ -1,3 +1,4 @@
+import { useStudioState } from '../state/context.tsx';
 import { exampleWords } from './exampleWords.ts';
 import { useTexts } from './i18n.ts';
 
@@ -6,10 +7,21 @@ interface Words {
   readonly lookFor: string;
 }
 
-/** A scene's title and what to look for: its file's own words; of the examples the page has them in its other language too. */
+/** The title of a scene or project and what to look for: its file's own words; of the examples the page has them in its other language too. */
 export function useSceneWords(source: string, own: { readonly title?: string; readonly lookFor?: string }): Words {
   const { language } = useTexts();
-  const name = source.slice(source.lastIndexOf('/') + 1).replace(/\.\w+$/, '');
+  const name = source
+    .slice(source.lastIndexOf('/') + 1)
+    .replace(/\.slowlight\.json$/, '')
+    .replace(/\.\w+$/, '');
   const translated = language === 'zh' && source.startsWith('examples/') ? exampleWords[name] : undefined;
   return translated ?? { title: own.title ?? name, lookFor: own.lookFor ?? '' };
+}
+
+/** The words of what is shown: the project's own, where it says what to look for, else those of its scene. */
+export function useOpenedWords(): Words {
+  const { origin, source, title, lookFor } = useStudioState(({ opened }) => opened);
+  const hints = useStudioState(({ picture }) => picture?.scene.hints);
+  const speaks = lookFor !== undefined || source === '';
+  return useSceneWords(speaks ? origin : source, speaks ? { title, lookFor } : (hints ?? {}));
 }

@@ -1,4 +1,4 @@
-/** One scene of the gallery, as `examples/index.json` lists it; made when the page is built, from the scenes' own hints. */
+/** One scene or project of the gallery, as `examples/index.json` lists it; made when the page is built, from their own words. */
 export interface Example {
   /** Beside the page: `examples/street.usda`. */
   readonly source: string;

@@ -1,7 +1,7 @@
 import { entryOf } from '../../formats/entry.ts';
 import { inputError } from '../../formats/fail.ts';
 import { openScene } from '../../formats/open.ts';
-import type { FileSource } from '../../formats/source.ts';
+import { type FileSource, normalizePath } from '../../formats/source.ts';
 import { bytesFile, splitArchive, zipSource } from '../../formats/zip/source.ts';
 import { transferables } from '../../graph/transfer.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
@@ -17,8 +17,10 @@ readFilesWith(readBlob);
 /** Reads one scene off the main thread; its arrays are handed over, not copied. */
 addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
   try {
-    const loaded = await load(data);
-    reply({ kind: 'done', loaded }, transferables(loaded));
+    const files = new Map<string, Uint8Array>();
+    const loaded = await load(data, data.collect && files);
+    if (data.collect) reply({ kind: 'collected', files });
+    else reply({ kind: 'done', loaded }, transferables(loaded));
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
     reply({ kind: 'failed', message, diagnostic: error instanceof InputError ? error.diagnostic : undefined });
@@ -28,8 +30,8 @@ addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
 /** Of a long cache, whose samples are all looked at once. */
 const progress = (part: number): void => reply({ kind: 'progress', stage: 'parse', part });
 
-async function load(request: LoadRequest): Promise<LoadedScene> {
-  const { source, entry } = await sceneIn(sourceOf(request), request.entry);
+async function load(request: LoadRequest, files?: Map<string, Uint8Array>): Promise<LoadedScene> {
+  const { source, entry } = await sceneIn(sourceOf(request, files), request.entry);
   return loadedScene(
     await openScene(source, entry, {
       variants: new Map(request.variants),
@@ -45,9 +47,20 @@ const report = (received: number, total: number): void =>
     ? reply({ kind: 'progress', stage: 'fetch', part: received / total })
     : reply({ kind: 'progress', stage: 'parse', part: undefined });
 
-function sourceOf({ files, base }: LoadRequest): FileSource {
-  return localSource(new Map(files), report, base === undefined ? undefined : urlSource(base, report));
+function sourceOf({ files, base }: LoadRequest, asked?: Map<string, Uint8Array>): FileSource {
+  const server = base === undefined ? undefined : urlSource(base, report);
+  return localSource(new Map(files), report, server && asked ? collecting(server, asked) : server);
 }
+
+/** Remembers what was asked for and was there. */
+const collecting = ({ read }: FileSource, files: Map<string, Uint8Array>): FileSource => ({
+  read: async (path) => {
+    const bytes = await read(path);
+    // Readers may hand over what they get.
+    if (bytes) files.set(normalizePath(path), bytes.slice());
+    return bytes;
+  },
+});
 
 /** The scene itself, or the best one in an archive. */
 async function sceneIn(source: FileSource, path: string): Promise<{ source: FileSource; entry: string }> {

@@ -1,8 +1,8 @@
 import { zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { readHeld, withArchives } from './held.ts';
+import { LocalFiles, sceneKey } from './localFiles.ts';
 import { completes, missingPaths } from './purpose.ts';
-import { LocalFiles, sceneKey } from './sceneLoader.ts';
 
 const blob = (words: string) => new Blob([words]);
 const text = async (bytes: Promise<Uint8Array>) => new TextDecoder().decode(await bytes);

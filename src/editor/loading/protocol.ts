@@ -16,6 +16,8 @@ export interface LoadRequest extends SceneFiles {
   /** `set`, `option`. */
   readonly variants: readonly (readonly [string, string])[];
   readonly interpolation?: Interpolation;
+  /** Give the files that reading it asks the server for, instead of the scene. */
+  readonly collect?: true;
 }
 
 export type Stage = 'fetch' | 'parse';
@@ -24,5 +26,7 @@ export type LoaderReply =
   /** `part` 0 … 1; undefined where it cannot be known. */
   | { readonly kind: 'progress'; readonly part: number | undefined; readonly stage: Stage }
   | { readonly kind: 'done'; readonly loaded: LoadedScene }
+  /** By their paths beside the scene. */
+  | { readonly kind: 'collected'; readonly files: ReadonlyMap<string, Uint8Array> }
   /** `diagnostic` where the reader refused the file; else something unforeseen. */
   | { readonly kind: 'failed'; readonly message: string; readonly diagnostic?: Diagnostic };

@@ -19,12 +19,8 @@ it('finds the fastest point, and nothing where nothing moves', () => {
 
 it('leaves out what cannot be drawn, and says so', () => {
   const broken = { ...mesh, positions: mesh.positions.map((x, i) => (i === 0 ? Number.NaN : x)) };
-  const { scene } = loadedScene(
-    makeScene({
-      name: 'c',
-      objects: [makeObject({ path: '/bad', mesh: broken }), makeObject({ path: '/good', mesh })],
-    }),
-  );
+  const objects = [makeObject({ path: '/bad', mesh: broken }), makeObject({ path: '/good', mesh })];
+  const { scene } = loadedScene(makeScene({ name: 'c', objects }));
   expect(scene.objects.map(({ path }) => path)).toEqual(['/good']);
-  expect(scene.diagnostics).toMatchObject([{ code: 'mesh.not-finite', place: '/bad' }]);
+  expect(scene.diagnostics).toMatchObject([{ severity: 'warning', code: 'mesh.not-finite', place: '/bad' }]);
 });

@@ -1,8 +1,11 @@
 import { Divider, ScrollArea, Stack, Text, Tooltip } from '@mantine/core';
 import { Fragment, type ReactNode } from 'react';
-import type { GraphDocument, GraphNode, ParamValue } from '../../graph/document.ts';
+import { type GraphDocument, graphIn, own, type ParamValue } from '../../graph/document.ts';
+import { placeOf } from '../../graph/edits/place.ts';
+import type { FlatNode } from '../../graph/flatten.ts';
 import type { NodeType, ParamSpec } from '../../graph/nodeType.ts';
 import { matters, meaning, resolveParams } from '../../graph/nodeType.ts';
+import { chainOf } from '../../nodes/chain.ts';
 import type { Picture } from '../../nodes/define.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { useTexts } from '../i18n/i18n.ts';
@@ -10,7 +13,7 @@ import { useStudio, useStudioState } from '../state/context.tsx';
 import { cameraOf } from '../state/viewpoint.ts';
 import { ParamControl } from './ParamControl.tsx';
 
-/** What a person reaches for most comes first; other nodes follow as the document has them. */
+/** What a person reaches for most comes first; other nodes follow, the nearest to the output first. */
 const ORDER = [
   'relativity-console',
   'relativity-rasterize',
@@ -22,12 +25,13 @@ const ORDER = [
 ];
 
 interface Section {
-  readonly id: string;
-  readonly node: GraphNode;
+  readonly node: FlatNode;
   readonly type: NodeType;
+  /** What a person calls the node. */
+  readonly title?: string;
 }
 
-/** The parameters of the document's nodes. It is made from their descriptions and knows none of them. */
+/** The parameters of the nodes that make the picture. It is made from their descriptions and knows none of them. */
 export function ControlsPanel(): ReactNode {
   const document = useStudioState((state) => state.history.document);
   const picture = useStudioState((state) => state.picture);
@@ -36,7 +40,7 @@ export function ControlsPanel(): ReactNode {
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
       <Stack gap="md" p="md">
         {sections.map((section, i) => (
-          <Fragment key={section.id}>
+          <Fragment key={section.node.id}>
             {i > 0 && <Divider />}
             <NodeSection section={section} picture={picture} />
           </Fragment>
@@ -49,23 +53,23 @@ export function ControlsPanel(): ReactNode {
 function NodeSection({ section, picture }: { readonly section: Section; readonly picture?: Picture }): ReactNode {
   const { any } = useTexts();
   const studio = useStudio();
-  const { id, node, type } = section;
+  const { node, type, title } = section;
   const resolved = resolveParams(type, node.params);
   return (
-    <Stack gap={10} component="section" aria-label={any(type.title)}>
+    <Stack gap={10} component="section" aria-label={title ?? any(type.title)}>
       <Tooltip label={any(type.help)} position="top-start" openDelay={400}>
         <Text component="h2" size="xs" fw={600} c="dimmed" className="sl-section-title">
-          {any(type.title)}
+          {title ?? any(type.title)}
         </Text>
       </Tooltip>
-      {shownParams(type, resolved).map(([name, spec]) => (
+      {shownParams(section, resolved).map(([name, spec]) => (
         <ParamControl
           key={name}
           spec={spec}
           set={node.params[name]}
           value={resolved[name] ?? suggestion(spec, picture)}
           choices={picture?.scene.cameras.map(({ path }) => path)}
-          onChange={(value, gesture) => studio.set(id, name, value, spec.title, gesture)}
+          onChange={(value, gesture) => studio.set(node.id, name, value, spec.title, gesture)}
           onGestureEnd={studio.endGesture}
         />
       ))}
@@ -73,20 +77,25 @@ function NodeSection({ section, picture }: { readonly section: Section; readonly
   );
 }
 
-/** What does not matter now is not shown: the steps of a solver that is not chosen. */
-const shownParams = (type: NodeType, resolved: Readonly<Record<string, ParamValue | undefined>>) =>
+/** What does not matter now is not shown: the steps of a solver that is not chosen, and what another node decides. */
+const shownParams = ({ node, type }: Section, resolved: Readonly<Record<string, ParamValue | undefined>>) =>
   Object.entries(type.params).flatMap(([name, spec]) =>
-    matters(spec, resolved) ? [[name, meaning(type, spec, resolved)] as const] : [],
+    matters(spec, resolved) && !node.inputs.has(name) ? [[name, meaning(type, spec, resolved)] as const] : [],
   );
 
 function sectionsOf(document: GraphDocument): Section[] {
   const place = (type: NodeType) => (ORDER.includes(type.id) ? ORDER.indexOf(type.id) : ORDER.length);
-  return Object.entries(document.nodes)
-    .flatMap(([id, node]) => {
-      const type = nodeLibrary[node.type];
-      return type && isShown(type) ? [{ id, node, type }] : [];
+  return chainOf(document)
+    .flatMap((node): Section[] => {
+      const type = own(nodeLibrary, node.type);
+      return type && isShown(type) ? [{ node, type, title: titleOf(document, node.id) }] : [];
     })
     .sort((a, b) => place(a.type) - place(b.type));
+}
+
+function titleOf(document: GraphDocument, id: string): string | undefined {
+  const place = placeOf(document, id);
+  return place && own(graphIn(document, place.group)?.nodes ?? {}, place.node)?.title;
 }
 
 /** What is in the scene and how it moves is the Scene panel's. */

@@ -1,11 +1,14 @@
-import { Badge, Group, Modal, SimpleGrid, Text, UnstyledButton } from '@mantine/core';
+import { Badge, Group, Modal, SimpleGrid, Stack, Text, UnstyledButton } from '@mantine/core';
 import { type ReactNode, useEffect, useState } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import { useSceneWords } from '../i18n/useSceneWords.ts';
 import { type Example, loadExamples } from '../loading/examples.ts';
+import { Section } from '../panels/scene/Section.tsx';
+import { isProject } from '../projects/names.ts';
+import { useOpenAddress } from '../projects/useOpenAddress.ts';
 import { useStudio, useStudioState } from '../state/context.tsx';
 
-/** The example scenes, each with a picture and what to look for. */
+/** The example scenes and projects, each with a picture and what to look for. */
 export function Gallery(): ReactNode {
   const { t } = useTexts();
   const studio = useStudio();
@@ -31,6 +34,7 @@ export function Gallery(): ReactNode {
 function Cards({ onChosen }: { readonly onChosen: () => void }): ReactNode {
   const { t } = useTexts();
   const studio = useStudio();
+  const open = useOpenAddress();
   const [examples, setExamples] = useState<readonly Example[]>();
   useEffect(() => {
     loadExamples().then(setExamples, (error: unknown) => {
@@ -39,17 +43,36 @@ function Cards({ onChosen }: { readonly onChosen: () => void }): ReactNode {
     });
   }, [studio]);
   if (examples?.length === 0) return <Text>{t('gallery.empty')}</Text>;
+  const choose = (source: string) => {
+    open(source);
+    onChosen();
+  };
+  const projects = examples?.filter(({ source }) => isProject(source)) ?? [];
+  return (
+    <Stack gap="md">
+      <Grid examples={examples?.filter(({ source }) => !isProject(source)) ?? []} onChoose={choose} />
+      {projects.length > 0 && (
+        <Section title={t('gallery.projects')}>
+          <Text size="sm" c="dimmed">
+            {t('gallery.projectsIntro')}
+          </Text>
+          <Grid examples={projects} onChoose={choose} />
+        </Section>
+      )}
+    </Stack>
+  );
+}
+
+interface GridProps {
+  readonly examples: readonly Example[];
+  readonly onChoose: (source: string) => void;
+}
+
+function Grid({ examples, onChoose }: GridProps): ReactNode {
   return (
     <SimpleGrid cols={{ base: 1, xs: 2, md: 3 }} spacing="md">
-      {examples?.map((example) => (
-        <Card
-          key={example.source}
-          example={example}
-          onChoose={() => {
-            studio.open(example.source);
-            onChosen();
-          }}
-        />
+      {examples.map((example) => (
+        <Card key={example.source} example={example} onChoose={() => onChoose(example.source)} />
       ))}
     </SimpleGrid>
   );
@@ -57,7 +80,10 @@ function Cards({ onChosen }: { readonly onChosen: () => void }): ReactNode {
 
 function Card({ example, onChoose }: { readonly example: Example; readonly onChoose: () => void }): ReactNode {
   const { t } = useTexts();
-  const current = useStudioState((state) => state.openSource === example.source);
+  const current = useStudioState(
+    ({ opened: { origin, source } }) =>
+      (isProject(example.source) ? origin : origin === '' && source) === example.source,
+  );
   const texts = useSceneWords(example.source, example);
   return (
     <UnstyledButton className="sl-card" onClick={onChoose} data-example={example.name}>

@@ -3,7 +3,6 @@ import {
   Button,
   Group,
   Kbd,
-  Menu,
   Text,
   Tooltip,
   useComputedColorScheme,
@@ -13,23 +12,18 @@ import {
   IconArrowBackUp,
   IconArrowForwardUp,
   IconCamera,
-  IconChevronDown,
-  IconFile,
-  IconFolder,
-  IconFolderOpen,
   IconKeyboard,
   IconLanguage,
   IconLayoutGrid,
   IconMoon,
   IconSun,
 } from '@tabler/icons-react';
-import { type ReactNode, useRef } from 'react';
+import type { ReactNode } from 'react';
 import { setLanguage, useTexts } from '../i18n/i18n.ts';
-import { pickedFiles } from '../loading/picked.ts';
+import { ProjectMenu, ProjectName } from '../projects/ProjectMenu.tsx';
 import { useStudio, useStudioState } from '../state/context.tsx';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { Logo } from './Logo.tsx';
-import { useOpenFiles } from './useOpenFiles.ts';
 import { useSavePicture } from './useSavePicture.ts';
 
 export function Header(): ReactNode {
@@ -51,10 +45,11 @@ export function Header(): ReactNode {
       >
         {t('header.scenes')}
       </Button>
-      <OpenMenu />
+      <ProjectMenu />
       <UndoRedo />
+      <ProjectName />
       <div className="sl-spring" />
-      <IconButton label={t('header.save')} keys="Ctrl S" onClick={() => void save()}>
+      <IconButton label={t('header.save')} keys="Ctrl ⇧ S" onClick={() => void save()}>
         <IconCamera size={17} />
       </IconButton>
       <LanguageButton />
@@ -88,53 +83,6 @@ function IconButton({ label, keys, disabled, lang, onClick, children }: IconButt
         {children}
       </ActionIcon>
     </Tooltip>
-  );
-}
-
-function OpenMenu(): ReactNode {
-  const { t } = useTexts();
-  const open = useOpenFiles();
-  const fileInput = useRef<HTMLInputElement>(null);
-  const folderInput = useRef<HTMLInputElement>(null);
-  const onPicked = (input: HTMLInputElement) => {
-    open(pickedFiles(input.files ?? []));
-    input.value = '';
-  };
-  return (
-    <>
-      <Menu position="bottom-start" width={250}>
-        <Menu.Target>
-          <Button
-            size="compact-sm"
-            variant="default"
-            leftSection={<IconFolderOpen size={15} />}
-            aria-label={t('header.open')}
-            rightSection={<IconChevronDown size={13} />}
-          >
-            {t('header.open')}
-          </Button>
-        </Menu.Target>
-        <Menu.Dropdown>
-          <Menu.Item leftSection={<IconFile size={15} />} onClick={() => fileInput.current?.click()}>
-            {t('header.openFile')}
-          </Menu.Item>
-          <Menu.Item leftSection={<IconFolder size={15} />} onClick={() => folderInput.current?.click()}>
-            {t('header.openFolder')}
-          </Menu.Item>
-          <Menu.Label>{t('header.openHint')}</Menu.Label>
-        </Menu.Dropdown>
-      </Menu>
-      <input ref={fileInput} type="file" multiple hidden onChange={(event) => onPicked(event.currentTarget)} />
-      <input
-        ref={(input) => {
-          folderInput.current = input;
-          if (input) input.webkitdirectory = true;
-        }}
-        type="file"
-        hidden
-        onChange={(event) => onPicked(event.currentTarget)}
-      />
-    </>
   );
 }
 

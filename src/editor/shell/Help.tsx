@@ -41,7 +41,8 @@ const COLUMNS: readonly (readonly Section[])[] = [
       [
         [['Ctrl', 'Z'], 'header.undo'],
         [['Ctrl', '⇧', 'Z'], 'header.redo'],
-        [['Ctrl', 'S'], 'header.save'],
+        [['Ctrl', 'S'], 'project.save'],
+        [['Ctrl', '⇧', 'S'], 'header.save'],
         [['?', 'F1'], 'header.help'],
       ],
     ],

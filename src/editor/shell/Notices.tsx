@@ -2,6 +2,7 @@ import { Button, Notification, Stack, Text } from '@mantine/core';
 import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useRef } from 'react';
 import type { Problem } from '../../graph/nodeType.ts';
+import { chainOf } from '../../nodes/chain.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { formatNumber } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
@@ -29,7 +30,7 @@ function useRemarks(): void {
   const studio = useStudio();
   const say = useRef(t);
   say.current = t;
-  const source = useStudioState((state) => state.openSource);
+  const source = useStudioState((state) => state.opened.source);
   useEffect(() => {
     const remarks =
       studio.store.getState().picture?.scene.diagnostics.filter(({ severity }) => severity !== 'info') ?? [];
@@ -45,10 +46,10 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
   const kept = useStudioState((state) => state.picture !== undefined);
   const error = notice.kind === 'error';
   useEffect(() => {
-    if (error) return;
+    if (error || notice.action) return;
     const timer = setTimeout(() => studio.dismiss(notice.id), INFO_LASTS);
     return () => clearTimeout(timer);
-  }, [error, studio, notice.id]);
+  }, [error, studio, notice]);
   return (
     <Notification
       withBorder
@@ -69,6 +70,19 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
           {notice.text}
         </Text>
         {notice.remedy && <Remedy remedy={notice.remedy} />}
+        {notice.action && (
+          <Button
+            size="compact-xs"
+            variant="light"
+            className="sl-remedy"
+            onClick={() => {
+              studio.dismiss(notice.id);
+              notice.action?.act();
+            }}
+          >
+            {notice.action.text}
+          </Button>
+        )}
         {notice.ofDocument && kept && (
           <Text size="xs" c="dimmed">
             {t('notice.sceneKept')}
@@ -82,7 +96,9 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
 function Remedy({ remedy }: { readonly remedy: NonNullable<Problem['remedy']> }): ReactNode {
   const { t, any } = useTexts();
   const studio = useStudio();
-  const type = useStudioState((state) => state.history.document.nodes[remedy.node]?.type ?? '');
+  const type = useStudioState(
+    ({ history }) => chainOf(history.document).find(({ id }) => id === remedy.node)?.type ?? '',
+  );
   const spec = nodeLibrary[type]?.params[remedy.param];
   const unit = spec?.kind === 'number' ? ` ${spec.unit ?? ''}` : '';
   const shown = typeof remedy.value === 'number' ? formatNumber(remedy.value) : String(remedy.value);

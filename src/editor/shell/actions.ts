@@ -1,28 +1,37 @@
+import { own, type ParamValue } from '../../graph/document.ts';
 import { resolveParams } from '../../graph/nodeType.ts';
+import { nearestOf } from '../../nodes/chain.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { FALSE_COLORS } from '../../spectrum/falseColor.ts';
 import type { Studio } from '../state/studio.ts';
 
 const VIEWS = ['light-cone', 'simultaneity', 'galilean'] as const;
 
-/** What keys and buttons do alike. */
-export function nextView(studio: Studio): void {
-  const now = VIEWS.map(String).indexOf(String(paramOf(studio, 'console', 'view')));
-  studio.set('console', 'view', VIEWS[(now + 1) % VIEWS.length], 'param.view');
-}
+/** What keys and buttons do alike: where the project has no such node, nothing. */
+export const nextView = (studio: Studio): void =>
+  change(studio, 'relativity-console', 'view', (now) => next(VIEWS, now), 'param.view');
 
-export function toggleGrid(studio: Studio): void {
-  studio.set('rasterize', 'grid', paramOf(studio, 'rasterize', 'grid') !== true, 'param.grid');
-}
+export const toggleGrid = (studio: Studio): void =>
+  change(studio, 'relativity-rasterize', 'grid', (now) => now !== true, 'param.grid');
 
-export function nextFalseColor(studio: Studio): void {
-  const kinds = ['none', ...FALSE_COLORS];
-  const now = kinds.indexOf(String(paramOf(studio, 'falseColour', 'of')));
-  studio.set('falseColour', 'of', kinds[(now + 1) % kinds.length], 'param.falseColor');
-}
+export const nextFalseColor = (studio: Studio): void =>
+  change(studio, 'false-colour', 'of', (now) => next(['none', ...FALSE_COLORS], now), 'param.falseColor');
 
-function paramOf(studio: Studio, node: string, param: string) {
-  const held = studio.store.getState().history.document.nodes[node];
-  const type = held && nodeLibrary[held.type];
-  return type && resolveParams(type, held.params)[param];
+/** The observer leaves the camera that he rode on. */
+export const leaveCamera = (studio: Studio): void => change(studio, 'scene-camera', 'ride', () => false, 'param.ride');
+
+const next = (values: readonly string[], now: ParamValue | undefined): string =>
+  values[(values.indexOf(String(now)) + 1) % values.length]!;
+
+/** Of a type, the node that is nearest to the output. */
+function change(
+  studio: Studio,
+  typeId: string,
+  param: string,
+  to: (now: ParamValue | undefined) => ParamValue,
+  label: string,
+): void {
+  const node = nearestOf(studio.store.getState().history.document, typeId);
+  const type = own(nodeLibrary, typeId);
+  if (node && type) studio.set(node.id, param, to(resolveParams(type, node.params)[param]), label);
 }

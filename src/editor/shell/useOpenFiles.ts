@@ -1,19 +1,21 @@
 import { useCallback } from 'react';
 import { entryOf } from '../../formats/entry.ts';
-import { supplyCommand } from '../../nodes/project.ts';
-import { InputError } from '../../scene/types.ts';
+import { nearestOf, readsIn, sourceIn } from '../../nodes/chain.ts';
+import { setCommand } from '../../nodes/project.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { type HeldFiles, withArchives } from '../loading/held.ts';
+import { sceneName } from '../loading/localFiles.ts';
 import type { PickedFiles } from '../loading/picked.ts';
 import { completes, missingPaths } from '../loading/purpose.ts';
-import { sceneName } from '../loading/sceneLoader.ts';
+import { projectIn } from '../projects/names.ts';
+import { openingProblem, projectFrom } from '../projects/opening.ts';
 import { useServices } from '../services.tsx';
 import { useStudio } from '../state/context.tsx';
-import { sourceOf } from '../state/studio.ts';
+import type { StudioState } from '../state/studio.ts';
 
 /**
- * Takes files that a person chose or dropped: those that the open scene lacks are added to it, and so are files among which
- * there is no scene; else the best scene among them is opened.
+ * Takes files that a person chose or dropped: a project among them is opened with the others as its files; those that the open scene lacks
+ * are added to it, and so are files among which there is no scene; else the best scene among them is opened.
  */
 export function useOpenFiles(): (files: PickedFiles) => void {
   const studio = useStudio();
@@ -21,24 +23,36 @@ export function useOpenFiles(): (files: PickedFiles) => void {
   const { t } = useTexts();
   return useCallback(
     (picked: PickedFiles) => {
-      const take = (files: HeldFiles): void => {
-        const { picture, history, openSource } = studio.store.getState();
-        const source = sourceOf(history.document);
+      const take = async (files: HeldFiles): Promise<void> => {
         const paths = [...files.keys()];
-        const missing = missingPaths(picture?.scene.diagnostics ?? []);
+        const project = projectIn(paths);
+        if (project !== undefined) return studio.openProject(await projectFrom(files, project, localFiles));
+        const state = studio.store.getState();
+        const lacking = lacks(state, paths);
         const entry = entryOf(paths);
-        const isRefused = source !== '' && source !== openSource;
-        if (completes(paths, { name: sceneName(source), missing, isRefused }))
-          studio.edit(supplyCommand(localFiles.supply(source, files)), 'edit.supply');
-        else if (entry) studio.open(localFiles.add(files, entry));
+        if (lacking) {
+          const source = localFiles.supply(lacking.source, files);
+          studio.edit(setCommand(state.history.document, lacking.node, 'source', source), 'edit.supply');
+        } else if (entry) studio.open(localFiles.add(files, entry));
         else if (files.size > 0) studio.notify({ kind: 'error', text: t('notice.noScene') });
       };
-      void withArchives(picked).then(take, (error: unknown) => {
-        const place = error instanceof InputError ? error.diagnostic.place : undefined;
-        const text = error instanceof InputError ? error.diagnostic.message : String(error);
-        studio.notify({ kind: 'error', text, ...(place !== undefined && { place }) });
-      });
+      withArchives(picked)
+        .then(take)
+        .catch((error: unknown) => {
+          const name = projectIn([...picked.keys()]) ?? [...picked.keys()][0] ?? '';
+          studio.notify({ kind: 'error', ...openingProblem(name, error) });
+        });
     },
     [studio, localFiles, t],
   );
+}
+
+/** The node whose scene lacks some of the files, or could not be read without them; undefined where they are something else. */
+function lacks({ picture, history, refused }: StudioState, paths: readonly string[]) {
+  const node = refused ?? nearestOf(history.document, 'read')?.id;
+  if (node === undefined) return undefined;
+  const source = sourceIn(readsIn(history.document)[node]);
+  const missing = missingPaths(picture?.scene.diagnostics ?? []);
+  const belongs = completes(paths, { name: sceneName(source), missing, isRefused: refused !== undefined });
+  return source !== '' && belongs ? { node, source } : undefined;
 }

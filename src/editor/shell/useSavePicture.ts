@@ -3,14 +3,16 @@ import { withPngText } from '../../formats/pngText.ts';
 import { aboutPicture } from '../../scene/about.ts';
 import { formatBeta } from '../format.ts';
 import { type Translate, useTexts } from '../i18n/i18n.ts';
-import { sceneName } from '../loading/sceneLoader.ts';
+import { projectName } from '../projects/names.ts';
 import { useServices } from '../services.tsx';
 import { useStudio } from '../state/context.tsx';
 import { legend } from '../state/legend.ts';
+import type { StudioState } from '../state/studio.ts';
 import { telemetry } from '../state/telemetry.ts';
 import { drawCrosshair, drawLegend, lookOf } from '../viewport/legendPicture.ts';
 import { legendWords, readingPart, readingWords } from '../viewport/legendWords.ts';
 import type { Captured } from '../viewport/stage.ts';
+import { download } from './download.ts';
 
 /** Saves what the viewport shows, with the legend that lies over it, under a name that tells scene, time and speed. */
 export function useSavePicture(): () => Promise<void> {
@@ -22,7 +24,7 @@ export function useSavePicture(): () => Promise<void> {
     if (!captured) return;
     const { viewPoint, settings } = captured;
     const png = new Uint8Array(await (await pictureOf(captured, t)).arrayBuffer());
-    const name = pictureName(studio.store.getState().openSource);
+    const name = pictureName(studio.store.getState());
     download(new Blob([withPngText(png, aboutPicture(viewPoint, settings))], { type: 'image/png' }), name);
     studio.notify({ kind: 'info', text: t('notice.saved', { name }) });
   }, [studio, stage, t]);
@@ -51,16 +53,8 @@ async function pictureOf({ image, settings: { falseColors } }: Captured, t: Tran
   });
 }
 
-function pictureName(source: string): string {
+function pictureName(state: StudioState): string {
   const { t, beta } = telemetry.getState();
-  const scene = sceneName(source).replace(/\.\w+$/, '') || 'slowlight';
+  const scene = projectName(state) || 'slowlight';
   return `${scene} t=${t.toFixed(2)}s v=${formatBeta(beta)}c.png`;
-}
-
-function download(file: Blob, name: string): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(file);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

@@ -1,10 +1,12 @@
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
+import { applyCommand, type Command } from '../../graph/commands.ts';
 import { groupingOf } from '../../graph/edits/group.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
+import { newProject } from '../../nodes/project.ts';
 import type { Services } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import { InputError } from '../../scene/types.ts';
-import { createStudio, sourceOf } from './studio.ts';
+import { beginningWith, createStudio, isUnsaved, sourceOf } from './studio.ts';
 
 const settled = () => new Promise((done) => setTimeout(done, 2));
 const refused = new InputError({
@@ -25,7 +27,7 @@ const services: Services = {
 };
 
 async function open(...sources: string[]) {
-  const studio = createStudio({ services, source: sources[0]!, playing: false });
+  const studio = createStudio({ services, beginning: beginningWith(sources[0]!), playing: false });
   await settled();
   for (const source of sources.slice(1)) {
     studio.open(source);
@@ -36,7 +38,10 @@ async function open(...sources: string[]) {
 
 it('the last good scene stays while another is refused, and undo takes the refusal away', async () => {
   const { studio, state } = await open('a.usda', 'bad.usda');
-  expect(state()).toMatchObject({ openSource: 'a.usda', notices: [{ place: 'bad.usda', text: 'the file is empty' }] });
+  expect(state()).toMatchObject({
+    opened: { source: 'a.usda' },
+    notices: [{ place: 'bad.usda', text: 'the file is empty' }],
+  });
   expect(state().picture?.scene.name).toBe('a.usda');
   studio.undo();
   await settled();
@@ -48,7 +53,7 @@ it('reading can be cancelled: the scene before it stays, and the document is its
   expect(state().loading).toEqual({ source: 'slow.usda', part: 0.5, stage: 'parse' });
   studio.cancelLoading();
   await settled();
-  expect(state()).toMatchObject({ openSource: 'a.usda', loading: undefined });
+  expect(state()).toMatchObject({ opened: { source: 'a.usda' }, loading: undefined });
   expect(sourceOf(state().history.document)).toBe('a.usda');
 });
 
@@ -65,7 +70,7 @@ it('reading again with another variant can be cancelled: the choice is taken bac
             });
           }),
   };
-  const studio = createStudio({ services: slowRed, source: 'a.usda', playing: false });
+  const studio = createStudio({ services: slowRed, beginning: beginningWith('a.usda'), playing: false });
   const variants = () => studio.store.getState().history.document.nodes.read?.params.variants;
   await settled();
   studio.set('read', 'variants', ['paint=blue'], 'edit.variant');
@@ -76,7 +81,7 @@ it('reading again with another variant can be cancelled: the choice is taken bac
   studio.cancelLoading();
   await settled();
   expect([stopped, variants()]).toEqual([1, ['paint=blue']]);
-  expect(studio.store.getState()).toMatchObject({ loading: undefined, openSource: 'a.usda' });
+  expect(studio.store.getState()).toMatchObject({ loading: undefined, opened: { source: 'a.usda' } });
 });
 
 it('an edit while a scene is read does not begin the reading anew; another file ends it', async () => {
@@ -86,7 +91,7 @@ it('an edit while a scene is read does not begin the reading anew; another file 
   expect(state().loading?.source).toBe('slow.usda');
   studio.open('b.usda');
   await settled();
-  expect(state()).toMatchObject({ openSource: 'b.usda', loading: undefined, notices: [] });
+  expect(state()).toMatchObject({ opened: { source: 'b.usda' }, loading: undefined, notices: [] });
   expect(state().picture?.scene.name).toBe('b.usda');
 });
 
@@ -100,4 +105,72 @@ it('a node in a group is set where its definition is, and what does not fit is t
   expect(state().history.document.groups.group?.nodes.toneMap?.params).toEqual({ exposure: 2 });
   studio.set('group/gone', 'exposure', 2, 'exposure');
   expect(state().notices).toMatchObject([{ kind: 'error', text: 'there is no node "group/gone"' }]);
+});
+
+describe('projects', () => {
+  const other = { document: newProject('b.usda'), origin: 'other.slowlight.json', unsaved: false };
+
+  it('one is opened in place of another as a step that can be undone, and done again', async () => {
+    const { studio, state } = await open('a.usda');
+    studio.openProject(other);
+    await settled();
+    expect(state().opened).toMatchObject({ origin: 'other.slowlight.json', source: 'b.usda' });
+    studio.undo();
+    await settled();
+    expect(state().opened).toMatchObject({ origin: '', source: 'a.usda' });
+    studio.redo();
+    await settled();
+    expect(state().opened.origin).toBe('other.slowlight.json');
+  });
+
+  it('one that cannot be shown leaves the last picture, and tells why', async () => {
+    const { studio, state } = await open('a.usda');
+    const output: Command = { kind: 'remove-nodes', nodes: ['output'] };
+    studio.openProject({ ...other, document: applyCommand(other.document, output).document });
+    await settled();
+    expect(state().picture?.scene.name).toBe('a.usda');
+    expect(state().notices).toMatchObject([{ text: expect.stringMatching(/no output node/), ofDocument: true }]);
+    studio.openProject({ ...other, document: newProject('bad.usda') });
+    await settled();
+    expect(state()).toMatchObject({ refused: 'read', opened: { source: 'a.usda' }, notices: [{ place: 'bad.usda' }] });
+  });
+
+  it('reading one can be cancelled: the one before it is back, whatever was changed meanwhile', async () => {
+    const { studio, state } = await open('a.usda');
+    studio.openProject({ ...other, document: newProject('slow.usda') });
+    studio.set('toneMap', 'exposure', 1, 'exposure');
+    await settled();
+    studio.cancelLoading();
+    await settled();
+    expect(state()).toMatchObject({ loading: undefined, history: { origin: '' } });
+    expect(sourceOf(state().history.document)).toBe('a.usda');
+  });
+
+  it('a scene that is opened where no node reads files comes in a project of its own', async () => {
+    const { studio, state } = await open('a.usda');
+    studio.edit({ kind: 'remove-nodes', nodes: ['read'] }, 'remove');
+    studio.open('b.usda');
+    await settled();
+    expect(state().opened.source).toBe('b.usda');
+    studio.undo();
+    expect(state().history.document.nodes.read).toBeUndefined();
+  });
+
+  it('what no file holds is marked, until it is saved or undone; to look at a scene is no work', async () => {
+    const { studio, state } = await open('a.usda', 'b.usda');
+    expect(isUnsaved(state())).toBe(false);
+    studio.set('toneMap', 'exposure', 1, 'exposure', 'drag');
+    expect(isUnsaved(state())).toBe(true);
+    studio.markSaved();
+    expect(isUnsaved(state())).toBe(false);
+    studio.set('toneMap', 'exposure', 2, 'exposure');
+    studio.undo();
+    expect(isUnsaved(state())).toBe(false);
+    studio.undo();
+    expect(isUnsaved(state())).toBe(true);
+    studio.redo();
+    expect(isUnsaved(state())).toBe(false);
+    studio.openProject({ ...other, unsaved: true });
+    expect(isUnsaved(state())).toBe(true);
+  });
 });

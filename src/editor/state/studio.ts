@@ -1,15 +1,15 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { type Command, CommandError } from '../../graph/commands.ts';
-import type { GraphDocument, GraphNode, ParamValue } from '../../graph/document.ts';
-import { inside } from '../../graph/edits/fragment.ts';
-import { placeOf } from '../../graph/edits/place.ts';
+import type { GraphDocument, ParamValue } from '../../graph/document.ts';
 import { CancelledError, type Evaluation, Evaluator } from '../../graph/evaluate.ts';
-import { endGesture, execute, type History, newHistory, redo, undo } from '../../graph/history.ts';
+import { endGesture, execute, type History, newHistory, redo, replaceDocument, undo } from '../../graph/history.ts';
 import type { Problem } from '../../graph/nodeType.ts';
+import type { NodeResult } from '../../graph/results.ts';
+import { nearestOf, outputIn, readsIn, sourceIn } from '../../nodes/chain.ts';
 import type { Picture } from '../../nodes/define.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { pictureOf } from '../../nodes/picture.ts';
-import { newProject, openCommand } from '../../nodes/project.ts';
+import { newProject, openCommand, setCommand } from '../../nodes/project.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { Backend } from '../../render/settings.ts';
 import type { Lock } from '../flight/flight.ts';
@@ -28,21 +28,34 @@ export interface Notice {
   readonly text: string;
   readonly place?: string;
   readonly remedy?: Problem['remedy'];
+  /** What else can be done about it. */
+  readonly action?: { readonly text: string; readonly act: () => void };
   /** Of the evaluation: goes away when the problem does. */
   readonly ofDocument: boolean;
 }
 
 export type Graphics = Backend | 'starting' | 'recovering' | 'failed';
 
+/** What the picture was made of. */
+export interface Opened extends Pick<GraphDocument, 'title' | 'lookFor'> {
+  /** Where its project came from. */
+  readonly origin: string;
+  /** The file that the nearest reading node read; empty where none does. */
+  readonly source: string;
+  /** The parameters of all reading nodes. */
+  readonly reads: ReturnType<typeof readsIn>;
+}
+
 /** Everything the page shows. The document changes by commands alone; the rest is how it is being looked at. */
 export interface StudioState {
   readonly history: History;
+  /** What the latest step was when the project was last saved; null: it never was, and there is something to be saved. */
+  readonly saved: Mark | null;
   /** The last good one: it stays while an edit cannot be evaluated. */
   readonly picture?: Picture;
-  /** The file that `picture` was made of. */
-  readonly openSource: string;
-  /** How it was read: the parameters of the node that did. */
-  readonly openRead?: GraphNode['params'];
+  readonly opened: Opened;
+  /** The node that could not read its file. */
+  readonly refused?: string;
   readonly loading?: Loading;
   readonly notices: readonly Notice[];
   readonly graphics: Graphics;
@@ -50,7 +63,7 @@ export interface StudioState {
   readonly cruise: boolean;
   readonly playing: boolean;
   readonly loop: boolean;
-  readonly dialog?: 'gallery' | 'help';
+  readonly dialog?: 'gallery' | 'help' | 'share' | 'name';
   /** Only the picture is shown, without the panels. */
   readonly maximized: boolean;
 }
@@ -63,25 +76,48 @@ export interface Studio {
   readonly endGesture: () => void;
   readonly undo: () => void;
   readonly redo: () => void;
+  /** Opens a scene file in the project; where nothing there reads files, in a new one. */
   readonly open: (source: string) => void;
+  /** Puts another project in place, as a step that can be undone. */
+  readonly openProject: (project: Beginning) => void;
+  /** Says that the project as it stands is kept in a file. */
+  readonly markSaved: () => void;
   /** Stops reading; the scene before it stays, and the document goes back to it. */
   readonly cancelLoading: () => void;
   readonly notify: (notice: Omit<Notice, 'id' | 'ofDocument'>) => void;
   readonly dismiss: (id: number) => void;
-  readonly change: (change: Partial<Omit<StudioState, 'history' | 'picture' | 'loading' | 'notices'>>) => void;
+  readonly change: (
+    change: Partial<Omit<StudioState, 'history' | 'saved' | 'picture' | 'loading' | 'notices'>>,
+  ) => void;
 }
+
+/** A project as it is opened. */
+export interface Beginning {
+  readonly document: GraphDocument;
+  readonly origin: string;
+  /** It was never saved as it is. */
+  readonly unsaved: boolean;
+}
+
+/** A scene file in a project of its own. */
+export const beginningWith = (source: string): Beginning => ({
+  document: newProject(source),
+  origin: '',
+  unsaved: false,
+});
 
 export interface StudioOptions {
   readonly services: Services;
-  readonly source: string;
+  readonly beginning: Beginning;
   readonly playing: boolean;
 }
 
 /** The state of the page, around one document. */
-export function createStudio({ services, source, playing }: StudioOptions): Studio {
+export function createStudio({ services, beginning, playing }: StudioOptions): Studio {
   const store = createStore<StudioState>(() => ({
-    history: newHistory(newProject(source)),
-    openSource: '',
+    history: newHistory(beginning.document, beginning.origin),
+    saved: beginning.unsaved ? null : undefined,
+    opened: { origin: '', source: '', reads: {} },
     notices: [],
     graphics: 'starting',
     lock: 'free',
@@ -105,25 +141,39 @@ export function createStudio({ services, source, playing }: StudioOptions): Stud
       addNotice(store, { kind: 'error', text: error.message, ofDocument: false });
     }
   };
+  const openProject: Studio['openProject'] = ({ document, origin, unsaved }) => {
+    go((history) => replaceDocument(history, document, origin, 'edit.openProject'));
+    store.setState(({ history }) => ({ saved: unsaved ? null : markOf(history) }));
+  };
   evaluation.update();
   return {
     store,
     edit,
-    set: (id, param, value, label, gesture) => {
-      const { group, node } = placeOf(store.getState().history.document, id) ?? { node: id };
-      const change = { kind: 'set-param', node, param, ...(value === undefined ? {} : { value }) } as const;
-      edit(inside(group, change), label, gesture);
-    },
+    set: (id, param, value, label, gesture) =>
+      edit(setCommand(store.getState().history.document, id, param, value), label, gesture),
     endGesture: () => go(endGesture),
     undo: () => go(undo),
     redo: () => go(redo),
-    open: (file) => edit(openCommand(store.getState().history.document, file), 'edit.open'),
+    open: (file) => {
+      const before = store.getState();
+      const command = openCommand(before.history.document, file);
+      if (!command) return openProject(beginningWith(file));
+      edit(command, 'edit.open');
+      // To look at another scene is no work to be saved.
+      if (!isUnsaved(before)) store.setState(({ history }) => ({ saved: markOf(history) }));
+    },
+    openProject,
+    markSaved: () => {
+      go(endGesture);
+      store.setState(({ history }) => ({ saved: markOf(history) }));
+    },
     cancelLoading: () => {
       evaluation.cancel();
-      const { history, openRead } = store.getState();
-      if (!openRead || isSame(readOf(history.document), openRead)) return;
-      if (isSame(readOf(undo(history).document), openRead)) go(undo);
-      else edit(readAgain(history.document, openRead), 'edit.open');
+      const { history, opened, picture } = store.getState();
+      if (!picture || isSame(readsIn(history.document), opened.reads)) return;
+      if (history.origin !== opened.origin) go((now) => undoneTo(now, opened.reads));
+      else if (isSame(readsIn(undo(history).document), opened.reads)) go(undo);
+      else edit(readAgain(history.document, opened.reads), 'edit.open');
     },
     notify: (notice) => addNotice(store, { ...notice, ofDocument: false }),
     dismiss: (id) => store.setState(({ notices }) => ({ notices: notices.filter((notice) => notice.id !== id) })),
@@ -131,19 +181,46 @@ export function createStudio({ services, source, playing }: StudioOptions): Stud
   };
 }
 
-const readOf = (document: GraphDocument): GraphNode['params'] => document.nodes.read?.params ?? {};
-const isSame = (a: GraphNode['params'], b: GraphNode['params']): boolean => JSON.stringify(a) === JSON.stringify(b);
+/** By which the latest step of a history is known again, whatever is undone and done again; undefined before the first. */
+type Mark = History['past'][number]['patches'] | undefined;
+const markOf = ({ past }: History): Mark => past.at(-1)?.patches;
+/** Whether there is anything that no file holds. */
+export const isUnsaved = ({ history, saved }: Pick<StudioState, 'history' | 'saved'>): boolean =>
+  saved === null || markOf(history) !== saved;
 
-/** Sets the reading node to what it was. */
-const readAgain = (document: GraphDocument, before: GraphNode['params']): Command => ({
-  kind: 'batch',
-  commands: [...new Set([...Object.keys(readOf(document)), ...Object.keys(before)])].map((param) => {
-    const value = before[param];
-    return { kind: 'set-param', node: 'read', param, ...(value === undefined ? {} : { value }) };
-  }),
-});
+type Reads = Opened['reads'];
+const isSame = (a: Reads, b: Reads): boolean => JSON.stringify(a) === JSON.stringify(b);
 
-export const sourceOf = (document: GraphDocument): string => String(document.nodes.read?.params.source ?? '');
+/** Back to where the same files were read; at most to the beginning. */
+function undoneTo(history: History, reads: Reads): History {
+  let at = undo(history);
+  while (at.past.length > 0 && !isSame(readsIn(at.document), reads)) at = undo(at);
+  return at;
+}
+
+/** Sets the reading nodes to what they were. */
+function readAgain(document: GraphDocument, before: Reads): Command {
+  const commands = Object.entries(readsIn(document)).flatMap(([node, params]) => {
+    const was = before[node] ?? {};
+    const names = new Set([...Object.keys(params), ...Object.keys(was)]);
+    return [...names].map((param) => setCommand(document, node, param, was[param]));
+  });
+  return { kind: 'batch', commands };
+}
+
+/** The file that a document's nearest reading node reads; empty where none does. */
+export const sourceOf = (document: GraphDocument): string => sourceIn(nearestOf(document, 'read')?.params);
+
+const NOTHING_SHOWN: NodeResult = {
+  status: 'failed',
+  problem: {
+    severity: 'error',
+    code: 'graph.output',
+    place: 'the project',
+    message: 'it has no output node, so that it makes no picture; undo, or add one',
+  },
+};
+const NO_OUTPUT: Evaluation = { target: NOTHING_SHOWN, results: new Map([['', NOTHING_SHOWN]]) };
 
 /** Keeps the picture in step with the document: one evaluation at a time, and a new file ends the reading of the last. */
 function evaluating(store: StoreApi<StudioState>, services: Services) {
@@ -154,18 +231,21 @@ function evaluating(store: StoreApi<StudioState>, services: Services) {
 
   const update = async (): Promise<void> => {
     const { document } = store.getState().history;
-    const source = sourceOf(document);
-    const request = JSON.stringify(readOf(document));
+    const reads = readsIn(document);
+    const request = JSON.stringify(reads);
     if (request !== reading) abort.abort();
     if (abort.signal.aborted) abort = new AbortController();
     reading = request;
     const turn = ++latest;
-    const progress = (_node: string, part: number | undefined, stage?: string) => {
+    const progress = (node: string, part: number | undefined, stage?: string) => {
+      const source = sourceIn(reads[node]) || node;
       if (turn === latest) store.setState({ loading: { source, part, stage: stage === 'fetch' ? 'fetch' : 'parse' } });
     };
     try {
-      const result = await evaluator.evaluate(document, 'output', services, { signal: abort.signal, progress });
-      if (turn === latest) settle(store, document, result);
+      const output = outputIn(document);
+      const how = { signal: abort.signal, progress };
+      const result = output === undefined ? NO_OUTPUT : await evaluator.evaluate(document, output, services, how);
+      if (turn === latest) settle(store, result);
     } catch (error) {
       if (!(error instanceof CancelledError)) throw error;
       if (turn === latest) store.setState({ loading: undefined });
@@ -174,17 +254,21 @@ function evaluating(store: StoreApi<StudioState>, services: Services) {
   return { update: () => void update(), cancel: () => abort.abort() };
 }
 
-function settle(store: StoreApi<StudioState>, document: GraphDocument, evaluation: Evaluation): void {
+function settle(store: StoreApi<StudioState>, evaluation: Evaluation): void {
+  const { document, origin } = store.getState().history;
+  const { title, lookFor } = document;
   const picture = pictureOf(evaluation);
-  const problems = [...evaluation.results.values()].flatMap((result) =>
-    result.status === 'failed' ? [result.problem] : [],
+  const reads = readsIn(document);
+  const failed = [...evaluation.results].flatMap(([node, result]) =>
+    result.status === 'failed' ? [{ node, problem: result.problem }] : [],
   );
   store.setState(({ notices }) => ({
     loading: undefined,
+    refused: failed.find(({ node }) => Object.hasOwn(reads, node))?.node,
     notices: notices.filter((notice) => !notice.ofDocument),
-    ...(picture ? { picture, openSource: sourceOf(document), openRead: readOf(document) } : {}),
+    ...(picture ? { picture, opened: { origin, title, lookFor, source: sourceOf(document), reads } } : {}),
   }));
-  for (const { message, place, remedy } of problems) {
+  for (const { message, place, remedy } of failed.map(({ problem }) => problem)) {
     addNotice(store, { kind: 'error', text: message, place, remedy, ofDocument: true });
   }
 }

@@ -2,8 +2,8 @@ import { Button, Group, Progress, Stack, Text, UnstyledButton } from '@mantine/c
 import { IconX } from '@tabler/icons-react';
 import { type ReactNode, useRef, useState } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
-import { useSceneWords } from '../i18n/useSceneWords.ts';
-import { sceneName } from '../loading/sceneLoader.ts';
+import { useOpenedWords } from '../i18n/useSceneWords.ts';
+import { sceneName } from '../loading/localFiles.ts';
 import { useStudio, useStudioState, useTelemetry } from '../state/context.tsx';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { Legend } from './Legend.tsx';
@@ -17,9 +17,9 @@ export function Viewport(): ReactNode {
   const canvas = useRef<HTMLCanvasElement>(null);
   const life = useStage(canvas);
   const focused = useFlightControls(host);
-  const source = useStudioState((state) => state.openSource);
+  const shown = useStudioState(({ opened }) => opened.origin || opened.source);
   return (
-    <div className="sl-viewport" data-open-source={source}>
+    <div className="sl-viewport" data-opened={shown}>
       <div ref={host} className="sl-picture" role="application" aria-label={t('viewport.label')} data-viewport>
         {/* A canvas whose context was lost cannot be drawn on again: each life has its own. */}
         <canvas key={life} ref={canvas} className="sl-canvas" />
@@ -47,9 +47,7 @@ function StartHint(): ReactNode {
 function Caption(): ReactNode {
   const { t } = useTexts();
   const [shown, setShown] = useState(() => loadPreferences().captions);
-  const hints = useStudioState((state) => state.picture?.scene.hints);
-  const source = useStudioState((state) => state.openSource);
-  const { title, lookFor } = useSceneWords(source, hints ?? {});
+  const { title, lookFor } = useOpenedWords();
   const show = (captions: boolean) => {
     setShown(captions);
     savePreferences({ ...loadPreferences(), captions });

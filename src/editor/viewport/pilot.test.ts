@@ -2,7 +2,7 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import type { LoadedScene } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import type { SceneCamera } from '../../scene/types.ts';
-import { createStudio, type Studio } from '../state/studio.ts';
+import { beginningWith, createStudio, type Studio } from '../state/studio.ts';
 import { Pilot } from './pilot.ts';
 
 const still = (path: string, x: number): SceneCamera => ({
@@ -34,13 +34,17 @@ const settled = () => new Promise((done) => setTimeout(done));
 /** Takes up what the document says now. */
 async function follow(): Promise<void> {
   await settled();
-  const { picture, openSource } = studio.store.getState();
-  pilot.show(picture!, openSource);
+  const { picture, opened } = studio.store.getState();
+  pilot.show(picture!, opened);
 }
 
 beforeEach(async () => {
   vi.stubGlobal('navigator', {});
-  studio = createStudio({ services: { readScene: async () => loaded }, source: 'a.usda', playing: true });
+  studio = createStudio({
+    services: { readScene: async () => loaded },
+    beginning: beginningWith('a.usda'),
+    playing: true,
+  });
   pilot = new Pilot(studio);
   await follow();
 });

@@ -3,23 +3,35 @@ import { length, ZERO } from '../../math/vec3.ts';
 import type { Picture } from '../../nodes/define.ts';
 import type { ObserverState } from '../../physics/observer.ts';
 import type { ViewPoint } from '../../scene/view.ts';
-import { LOCKS, look, stepFlight, wrapTime } from '../flight/flight.ts';
-import { sceneKey } from '../loading/sceneLoader.ts';
-import type { Studio } from '../state/studio.ts';
+import { LOCKS, type Lock, look, stepFlight, wrapTime } from '../flight/flight.ts';
+import { sceneKey } from '../loading/localFiles.ts';
+import { leaveCamera } from '../shell/actions.ts';
+import type { Opened, Studio } from '../state/studio.ts';
 import { cameraOf, ridingObserver, startingObserver, upOf, viewPointOf } from '../state/viewpoint.ts';
 import { Inputs } from './inputs.ts';
+
+/** Where an observer goes on. */
+export interface Returning {
+  readonly observer: ObserverState;
+  readonly lock: Lock;
+  readonly cruise: boolean;
+}
 
 /** Moves the observer, and the world's time, by what the person does: what changes by itself and is in no document. */
 export class Pilot {
   readonly inputs = new Inputs();
   readonly #studio: Studio;
   #picture: Picture | undefined;
-  /** By its key. */
+  /** What it is of: files that are added to a scene do not make it another. */
   #scene = '';
   #observer: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
 
-  constructor(studio: Studio) {
+  /** Of the first picture: where the observer was before the page was loaded again. */
+  #returns: Returning | undefined;
+
+  constructor(studio: Studio, returns?: Returning) {
     this.#studio = studio;
+    this.#returns = returns;
   }
 
   get observer(): ObserverState {
@@ -30,15 +42,17 @@ export class Pilot {
   }
 
   /**
-   * What is shown from now on. Another file begins at its own start, another camera is gone to; any other edit leaves the
+   * What is shown from now on. Another project or file begins at its own start, another camera is gone to; any other edit leaves the
    * observer where he is.
    */
-  show(picture: Picture, source: string): void {
+  show(picture: Picture, { origin, source }: Pick<Opened, 'origin' | 'source'>): void {
     const before = this.#picture?.camera;
+    const scene = JSON.stringify([origin, sceneKey(source)]);
     this.#picture = picture;
-    if (sceneKey(source) !== this.#scene) {
-      this.#scene = sceneKey(source);
+    if (scene !== this.#scene) {
+      this.#scene = scene;
       this.restart();
+      this.#return();
     } else if (before !== picture.camera) {
       const { position, orientation } = ridingObserver(cameraOf(picture), this.#observer, picture.speedOfLight);
       this.#observer = { ...this.#observer, position, orientation };
@@ -53,6 +67,14 @@ export class Pilot {
     this.#studio.change({ lock: moving ? 'look' : 'free', cruise: moving });
   }
 
+  #return(): void {
+    if (!this.#returns) return;
+    const { observer, lock, cruise } = this.#returns;
+    this.#observer = observer;
+    this.#studio.change({ lock, cruise });
+    this.#returns = undefined;
+  }
+
   seek(t: number): void {
     this.#observer = { ...this.#observer, t };
   }
@@ -65,7 +87,7 @@ export class Pilot {
     const turn = this.inputs.takeTurn(dt);
     const controls = this.inputs.controls();
     const busy = turn[0] !== 0 || turn[1] !== 0 || length(controls.thrust) > 0;
-    if (picture.ride && busy) this.#studio.set('camera', 'ride', false, 'param.ride');
+    if (picture.ride && busy) leaveCamera(this.#studio);
     if (picture.ride && !busy) this.#ride(picture, dt);
     else this.#fly(picture, dt, turn, controls);
     this.#keepTime(picture);

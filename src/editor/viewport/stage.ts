@@ -4,10 +4,10 @@ import { SceneRenderer } from '../../render/renderer.ts';
 import type { Backend, Sampling } from '../../render/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
-import { sceneName } from '../loading/sceneLoader.ts';
+import { sceneName } from '../loading/localFiles.ts';
 import { showColors } from '../state/legend.ts';
 import { prefersReducedMotion } from '../state/preferences.ts';
-import type { Studio } from '../state/studio.ts';
+import type { Opened, Studio } from '../state/studio.ts';
 import { report } from '../state/telemetry.ts';
 import { Eye } from './eye.ts';
 import { drawsInSoftware } from './graphics.ts';
@@ -164,13 +164,13 @@ export class Stage {
 
   /** Takes up a new picture; where its scene is another one, after the upload: until then the last one stays. */
   #follow(): void {
-    const { picture, openSource } = this.#studio.store.getState();
+    const { picture, opened } = this.#studio.store.getState();
     if (!picture || this.#uploading) return;
-    if (!isSame(picture.scenes, this.#scenes)) void this.#upload(picture, openSource);
-    else if (picture !== this.#pilot.picture) this.#pilot.show(picture, openSource);
+    if (!isSame(picture.scenes, this.#scenes)) void this.#upload(picture, opened);
+    else if (picture !== this.#pilot.picture) this.#pilot.show(picture, opened);
   }
 
-  async #upload(picture: Picture, source: string): Promise<void> {
+  async #upload(picture: Picture, opened: Opened): Promise<void> {
     this.#uploading = true;
     this.#scenes = picture.scenes;
     this.#lost = false;
@@ -179,10 +179,10 @@ export class Stage {
       this.#shown = undefined;
       this.#wanted = undefined;
       this.#eye.blink();
-      this.#pilot.show(picture, source);
+      this.#pilot.show(picture, opened);
     } catch (error) {
       const text = error instanceof Error ? error.message : String(error);
-      this.#studio.notify({ kind: 'error', text, place: sceneName(source) });
+      this.#studio.notify({ kind: 'error', text, place: sceneName(opened.source || opened.origin) });
     } finally {
       this.#uploading = false;
     }

@@ -34,7 +34,8 @@ export const madeOf: ChoiceParam = {
   options: [...LIGHT_PRESETS.keys()].map((name) => ({ value: name, title: `light.${name}` })),
 };
 
-/** Path and spectrum of a light. */
-export function lightOf(name: string, node: string, preset: string, spectrum?: LightSpectrum) {
-  return { path: pathOf(name, node), spectrum: spectrum ?? LIGHT_PRESETS.get(preset)!.spectrum };
+/** Path and spectrum of a light; without one where it is daylight, for then its colour tells (spectrum/lightColor.ts). */
+export function lightOf(name: string, node: string, preset: string, given?: LightSpectrum) {
+  const spectrum = given ?? (preset === madeOf.default ? undefined : LIGHT_PRESETS.get(preset)?.spectrum);
+  return { path: pathOf(name, node), ...(spectrum && { spectrum }) };
 }

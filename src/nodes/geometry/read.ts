@@ -29,8 +29,9 @@ export const read = defineNode({
   async evaluate(_inputs, { source, variants, interpolation }, { node, services, signal, progress }) {
     if (!source) throw refusal('read.none', node, 'no file is chosen; open one, or take one of the examples');
     try {
-      const chosen = new Map(variants.flatMap((text) => [parseChoice(text)].filter((choice) => choice !== undefined)));
-      return { geometry: await services.readScene(source, { variants: chosen, interpolation, signal, progress }) };
+      return {
+        geometry: await services.readScene(source, { variants: chosenOf(variants), interpolation, signal, progress }),
+      };
     } catch (error) {
       if (!(error instanceof InputError)) throw error;
       const { code, place, message } = error.diagnostic;
@@ -38,3 +39,7 @@ export const read = defineNode({
     }
   },
 });
+
+/** Options by the sets that they are of; what is no choice is left out. */
+export const chosenOf = (variants: readonly string[]): ReadonlyMap<string, string> =>
+  new Map(variants.flatMap((text) => [parseChoice(text)].filter((choice) => choice !== undefined)));

@@ -1,7 +1,10 @@
 import { ActionIcon, Group, Paper, Select, Stack, Tooltip } from '@mantine/core';
 import { IconPlaneDeparture, IconTrash } from '@tabler/icons-react';
 import { type ReactNode, useMemo, useState } from 'react';
+import type { GraphDocument } from '../../../graph/document.ts';
+import type { FlatNode } from '../../../graph/flatten.ts';
 import { resolveParams } from '../../../graph/nodeType.ts';
+import { chainOf, nearestOf } from '../../../nodes/chain.ts';
 import type { Picture } from '../../../nodes/define.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
 import { flightsIn, flyCommand, landCommand } from '../../../nodes/project.ts';
@@ -29,14 +32,15 @@ export function Motion({ picture }: { readonly picture: Picture }): ReactNode {
   };
   return (
     <Section title={t('motion.title')}>
-      {moves(picture.scene) && <NodeParams node="retime" />}
-      {sampled(picture.scene) && <NodeParams node="read" only="interpolation" />}
+      {moves(picture.scene) && <NearestParams type="retime" />}
+      {sampled(picture.scene) && <NearestParams type="read" only="interpolation" />}
       {flights.map((node) => (
         <Flight key={node} node={node} things={things} />
       ))}
       <Select
         size="xs"
         label={t('motion.fly')}
+        disabled={!nearestOf(document, 'scene-camera')}
         leftSection={<IconPlaneDeparture size={15} />}
         placeholder={t('motion.search')}
         nothingFoundMessage={t('motion.nothing')}
@@ -51,6 +55,9 @@ export function Motion({ picture }: { readonly picture: Picture }): ReactNode {
     </Section>
   );
 }
+
+const nodeAt = (document: GraphDocument, id: string): FlatNode | undefined =>
+  chainOf(document).find((node) => node.id === id);
 
 const moves = ({ objects, cameras, lights }: Scene): boolean =>
   [...objects, ...cameras].some(({ motion }) => motion.kind !== 'static') ||
@@ -86,7 +93,7 @@ function useThings({ objects }: Scene): readonly Thing[] {
 function Flight({ node, things }: { readonly node: string; readonly things: readonly Thing[] }): ReactNode {
   const { t } = useTexts();
   const studio = useStudio();
-  const object = useStudioState(({ history }) => String(history.document.nodes[node]?.params.object ?? ''));
+  const object = useStudioState(({ history }) => String(nodeAt(history.document, node)?.params.object ?? ''));
   const land = () => studio.edit(landCommand(studio.store.getState().history.document, node), 'edit.land');
   return (
     <Paper withBorder p="xs" component="fieldset" aria-label={`${t('node.fly')}: ${object}`} className="sl-flight">
@@ -116,11 +123,16 @@ function Flight({ node, things }: { readonly node: string; readonly things: read
   );
 }
 
-/** The parameters of one node that need no control of their own. */
+/** Of a type, the node that is nearest to the output, where there is one. */
+function NearestParams({ type, only }: { readonly type: string; readonly only?: string }): ReactNode {
+  const node = useStudioState(({ history }) => nearestOf(history.document, type)?.id);
+  return node === undefined ? null : <NodeParams node={node} only={only} />;
+}
+
 /** The controls of a node's parameters, or of one of them. */
 function NodeParams({ node: id, only }: { readonly node: string; readonly only?: string }): ReactNode {
   const studio = useStudio();
-  const node = useStudioState(({ history }) => history.document.nodes[id]);
+  const node = useStudioState(({ history }) => nodeAt(history.document, id));
   const type = node && nodeLibrary[node.type];
   if (!type) return null;
   const resolved = resolveParams(type, node.params);

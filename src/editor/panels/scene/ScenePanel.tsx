@@ -1,11 +1,11 @@
 import { Badge, ScrollArea, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
 import type { Picture } from '../../../nodes/define.ts';
-import type { Diagnostic, Scene } from '../../../scene/types.ts';
+import type { Diagnostic } from '../../../scene/types.ts';
 import { formatCount, formatLength, formatSeconds, formatSpeed } from '../../format.ts';
 import { type Translate, useTexts } from '../../i18n/i18n.ts';
-import { useSceneWords } from '../../i18n/useSceneWords.ts';
-import { sceneName } from '../../loading/sceneLoader.ts';
+import { useOpenedWords } from '../../i18n/useSceneWords.ts';
+import { sceneName } from '../../loading/localFiles.ts';
 import { useStudioState } from '../../state/context.tsx';
 import { MissingFiles } from './MissingFiles.tsx';
 import { Motion } from './Motion.tsx';
@@ -17,12 +17,12 @@ import { Variants } from './Variants.tsx';
 export function ScenePanel(): ReactNode {
   const { t } = useTexts();
   const picture = useStudioState((state) => state.picture);
-  const source = useStudioState((state) => state.openSource);
+  const source = useStudioState((state) => state.opened.source);
   return (
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
       {picture ? (
         <Stack gap="lg" p="md">
-          <About scene={picture.scene} source={source} />
+          <About source={source} />
           <OtherScenes source={source} />
           <MissingFiles notes={picture.scene.diagnostics} />
           <Variants sets={picture.scene.variants ?? []} />
@@ -39,8 +39,8 @@ export function ScenePanel(): ReactNode {
   );
 }
 
-function About({ scene, source }: { readonly scene: Scene; readonly source: string }): ReactNode {
-  const { title, lookFor } = useSceneWords(source, scene.hints);
+function About({ source }: { readonly source: string }): ReactNode {
+  const { title, lookFor } = useOpenedWords();
   return (
     <Stack gap={6}>
       <Text fw={600}>{title}</Text>

@@ -1,6 +1,7 @@
 import { Select } from '@mantine/core';
 import type { ReactNode } from 'react';
 import { formatChoice } from '../../../formats/choices.ts';
+import { nearestOf } from '../../../nodes/chain.ts';
 import type { VariantSet } from '../../../scene/types.ts';
 import { useTexts } from '../../i18n/i18n.ts';
 import { useStudio, useStudioState } from '../../state/context.tsx';
@@ -10,13 +11,14 @@ import { Section } from './Section.tsx';
 export function Variants({ sets }: { readonly sets: readonly VariantSet[] }): ReactNode {
   const { t } = useTexts();
   const studio = useStudio();
-  const set = useStudioState(({ history }) => history.document.nodes.read?.params.variants);
+  const reader = useStudioState(({ history }) => nearestOf(history.document, 'read'));
+  const set = reader?.params.variants;
   const chosen: readonly string[] = Array.isArray(set) ? set.map(String) : [];
-  if (sets.length === 0) return null;
+  if (!reader || sets.length === 0) return null;
   const choose = (name: string, option: string | null) => {
     const others = chosen.filter((text) => !text.startsWith(formatChoice(name, '')));
     const next = option ? [...others, formatChoice(name, option)] : others;
-    studio.set('read', 'variants', next.length > 0 ? next : undefined, 'edit.variant');
+    studio.set(reader.id, 'variants', next.length > 0 ? next : undefined, 'edit.variant');
   };
   return (
     <Section title={t('scene.variants')}>

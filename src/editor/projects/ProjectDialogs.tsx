@@ -1,0 +1,140 @@
+import { Button, Group, Modal, Stack, Text, TextInput } from '@mantine/core';
+import { IconCheck, IconCopy, IconPackageExport } from '@tabler/icons-react';
+import { type FormEvent, type ReactNode, useRef, useState } from 'react';
+import { messageOf } from '../../formats/fail.ts';
+import { filesIn, withFiles } from '../../graph/files.ts';
+import type { History } from '../../graph/history.ts';
+import { sharedFragment } from '../../graph/share.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
+import { type Translate, useTexts } from '../i18n/i18n.ts';
+import { localParts } from '../loading/localFiles.ts';
+import { useStudio, useStudioState } from '../state/context.tsx';
+import type { StudioState } from '../state/studio.ts';
+import { outsideName, projectName } from './names.ts';
+import { useSaveProject } from './useSaveProject.ts';
+
+/** Dialogues about the project as a whole. */
+export function ProjectDialogs(): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const dialog = useStudioState((state) => state.dialog);
+  const close = () => studio.change({ dialog: undefined });
+  const frame = { onClose: close, centered: true, closeButtonProps: { 'aria-label': t('close') } };
+  return (
+    <>
+      <Modal {...frame} opened={dialog === 'share'} title={t('share.title')}>
+        {dialog === 'share' && <Share />}
+      </Modal>
+      <Modal {...frame} opened={dialog === 'name'} title={t('project.name')} size="sm">
+        {dialog === 'name' && <Name onDone={close} />}
+      </Modal>
+    </>
+  );
+}
+
+function Share(): ReactNode {
+  const { t } = useTexts();
+  const state = useStudioState((now) => now);
+  const shared = linkTo(state, t);
+  return 'link' in shared ? <Link link={shared.link} /> : <NoLink why={shared.why} />;
+}
+
+/** The address of the page with the project in it, or why there can be none. */
+function linkTo(state: StudioState, t: Translate): { readonly link: string } | { readonly why: string } {
+  const { document, origin } = state.history;
+  const called = (file: string): string => outsideName(file, origin);
+  const own = filesIn(document, nodeLibrary).filter((file) => localParts(file));
+  if (own.length > 0) return { why: t('share.local', { files: own.map(called).join(', ') }) };
+  try {
+    const named = { ...document, ...titleOf(state.history, projectName(state)) };
+    return { link: `${location.origin}${location.pathname}#${sharedFragment(withFiles(named, nodeLibrary, called))}` };
+  } catch (error) {
+    return { why: messageOf(error) };
+  }
+}
+
+/** A link has no file name to go by. */
+const titleOf = ({ document, origin }: History, name: string): { readonly title?: string } =>
+  document.title || origin === '' ? {} : { title: name };
+
+function Link({ link }: { readonly link: string }): ReactNode {
+  const { t } = useTexts();
+  const field = useRef<HTMLInputElement>(null);
+  const [copied, setCopied] = useState(false);
+  const copy = () => {
+    field.current?.select();
+    // Where the page may not write to the clipboard the link is there to be copied.
+    navigator.clipboard?.writeText(link).then(
+      () => setCopied(true),
+      () => {},
+    );
+  };
+  return (
+    <Stack gap="sm">
+      <Text size="sm">{t('share.intro')}</Text>
+      <TextInput ref={field} readOnly label={t('share.link')} value={link} onFocus={() => field.current?.select()} />
+      <Group justify="flex-end">
+        <Button
+          size="xs"
+          variant="light"
+          data-autofocus
+          leftSection={copied ? <IconCheck size={15} /> : <IconCopy size={15} />}
+          onClick={copy}
+        >
+          {copied ? t('share.copied') : t('share.copy')}
+        </Button>
+      </Group>
+    </Stack>
+  );
+}
+
+function NoLink({ why }: { readonly why: string }): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const { saveAll } = useSaveProject();
+  const save = () => {
+    studio.change({ dialog: undefined });
+    void saveAll();
+  };
+  return (
+    <Stack gap="sm">
+      <Text size="sm" role="alert" className="sl-place">
+        {why}
+      </Text>
+      <Group justify="flex-end">
+        <Button size="xs" variant="light" data-autofocus leftSection={<IconPackageExport size={15} />} onClick={save}>
+          {t('project.saveAll')}
+        </Button>
+      </Group>
+    </Stack>
+  );
+}
+
+function Name({ onDone }: { readonly onDone: () => void }): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const [name, setName] = useState(() => projectName(studio.store.getState()));
+  const submit = (event: FormEvent) => {
+    event.preventDefault();
+    studio.edit({ kind: 'describe', what: 'title', value: name.trim() }, 'edit.rename');
+    onDone();
+  };
+  return (
+    <form onSubmit={submit}>
+      <Stack gap="sm">
+        <TextInput
+          data-autofocus
+          aria-label={t('project.name')}
+          maxLength={200}
+          value={name}
+          onChange={(event) => setName(event.currentTarget.value)}
+        />
+        <Group justify="flex-end">
+          <Button size="xs" variant="light" type="submit">
+            {t('project.done')}
+          </Button>
+        </Group>
+      </Stack>
+    </form>
+  );
+}

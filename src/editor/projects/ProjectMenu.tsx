@@ -1,0 +1,173 @@
+import { Button, Kbd, Menu, Text, UnstyledButton } from '@mantine/core';
+import {
+  IconChevronDown,
+  IconDeviceFloppy,
+  IconFile,
+  IconFilePlus,
+  IconFolder,
+  IconFolderOpen,
+  IconHistory,
+  IconLink,
+  IconPackageExport,
+  IconPencil,
+} from '@tabler/icons-react';
+import { type ReactNode, useRef, useState } from 'react';
+import { messageOf } from '../../formats/fail.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { pickedFiles } from '../loading/picked.ts';
+import { useServices } from '../services.tsx';
+import { useOpenFiles } from '../shell/useOpenFiles.ts';
+import { useStudio, useStudioState } from '../state/context.tsx';
+import { beginningWith, isUnsaved } from '../state/studio.ts';
+import { FIRST_SCENE } from './beginning.ts';
+import { projectName } from './names.ts';
+import type { KeptSession } from './sessions.ts';
+import { formatTime, useResume } from './useKeeping.ts';
+import { useSaveProject } from './useSaveProject.ts';
+
+/** So many projects of closed tabs are shown. */
+const MOST_EARLIER = 5;
+
+/** Everything that is done with whole projects. */
+export function ProjectMenu(): ReactNode {
+  const { t } = useTexts();
+  const open = useOpenFiles();
+  const fileInput = useRef<HTMLInputElement>(null);
+  const folderInput = useRef<HTMLInputElement>(null);
+  const [earlier, look] = useEarlier();
+  const onPicked = (input: HTMLInputElement) => {
+    open(pickedFiles(input.files ?? []));
+    input.value = '';
+  };
+  return (
+    <>
+      <Menu position="bottom-start" width={270} onOpen={look}>
+        <Menu.Target>
+          <Button
+            size="compact-sm"
+            variant="default"
+            leftSection={<IconFolderOpen size={15} />}
+            aria-label={t('project.menu')}
+            rightSection={<IconChevronDown size={13} />}
+          >
+            {t('project.menu')}
+          </Button>
+        </Menu.Target>
+        <Menu.Dropdown>
+          <OpenItems onFile={() => fileInput.current?.click()} onFolder={() => folderInput.current?.click()} />
+          <Menu.Divider />
+          <SaveItems />
+          {earlier.length > 0 && <EarlierItems earlier={earlier} />}
+        </Menu.Dropdown>
+      </Menu>
+      <input ref={fileInput} type="file" multiple hidden onChange={(event) => onPicked(event.currentTarget)} />
+      <input
+        ref={(input) => {
+          folderInput.current = input;
+          if (input) input.webkitdirectory = true;
+        }}
+        type="file"
+        hidden
+        onChange={(event) => onPicked(event.currentTarget)}
+      />
+    </>
+  );
+}
+
+function OpenItems({ onFile, onFolder }: { readonly onFile: () => void; readonly onFolder: () => void }): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  return (
+    <>
+      <Menu.Item
+        leftSection={<IconFilePlus size={15} />}
+        onClick={() => studio.openProject(beginningWith(FIRST_SCENE))}
+      >
+        {t('project.new')}
+      </Menu.Item>
+      <Menu.Item leftSection={<IconFile size={15} />} onClick={onFile}>
+        {t('header.openFile')}
+      </Menu.Item>
+      <Menu.Item leftSection={<IconFolder size={15} />} onClick={onFolder}>
+        {t('header.openFolder')}
+      </Menu.Item>
+      <Menu.Label>{t('header.openHint')}</Menu.Label>
+    </>
+  );
+}
+
+function SaveItems(): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const { save, saveAll } = useSaveProject();
+  return (
+    <>
+      <Menu.Item leftSection={<IconDeviceFloppy size={15} />} rightSection={<Kbd size="xs">Ctrl S</Kbd>} onClick={save}>
+        {t('project.save')}
+      </Menu.Item>
+      <Menu.Item leftSection={<IconPackageExport size={15} />} onClick={() => void saveAll()}>
+        {t('project.saveAll')}
+      </Menu.Item>
+      <Menu.Item leftSection={<IconLink size={15} />} onClick={() => studio.change({ dialog: 'share' })}>
+        {t('project.share')}
+      </Menu.Item>
+      <Menu.Item leftSection={<IconPencil size={15} />} onClick={() => studio.change({ dialog: 'name' })}>
+        {t('project.rename')}
+      </Menu.Item>
+    </>
+  );
+}
+
+function EarlierItems({ earlier }: { readonly earlier: readonly KeptSession[] }): ReactNode {
+  const { t, language } = useTexts();
+  const resume = useResume();
+  return (
+    <>
+      <Menu.Divider />
+      <Menu.Label>{t('project.earlier')}</Menu.Label>
+      {earlier.map((session) => (
+        <Menu.Item key={session.id} leftSection={<IconHistory size={15} />} onClick={() => resume(session)}>
+          {session.name || t('project.unnamed')}
+          <Text span size="xs" c="dimmed" ml={8}>
+            {formatTime(session.at, language)}
+          </Text>
+        </Menu.Item>
+      ))}
+    </>
+  );
+}
+
+/** Work of tabs that are closed, as of the last look. */
+function useEarlier(): readonly [readonly KeptSession[], () => void] {
+  const studio = useStudio();
+  const { sessions } = useServices();
+  const [earlier, setEarlier] = useState<readonly KeptSession[]>([]);
+  const look = () => {
+    sessions?.closed().then(
+      (closed) => setEarlier(closed.filter(({ unsaved }) => unsaved).slice(0, MOST_EARLIER)),
+      (error: unknown) => studio.notify({ kind: 'error', text: messageOf(error) }),
+    );
+  };
+  return [earlier, look];
+}
+
+/** What the project is called, and whether there is anything that no file holds; to be called otherwise. */
+export function ProjectName(): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const name = useStudioState(projectName);
+  const unsaved = useStudioState(isUnsaved);
+  const shown = name || t('project.unnamed');
+  return (
+    <UnstyledButton
+      className="sl-project-name"
+      aria-label={`${t('project.name')}: ${shown}${unsaved ? `, ${t('project.unsaved')}` : ''}`}
+      title={unsaved ? t('project.unsaved') : undefined}
+      data-unsaved={unsaved}
+      onClick={() => studio.change({ dialog: 'name' })}
+    >
+      <span className="sl-project-title">{shown}</span>
+      {unsaved && <span aria-hidden="true">•</span>}
+    </UnstyledButton>
+  );
+}

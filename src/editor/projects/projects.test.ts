@@ -1,0 +1,138 @@
+import { zipSync } from 'fflate';
+import { describe, expect, it } from 'vitest';
+import { applyCommand } from '../../graph/commands.ts';
+import { serializeDocument } from '../../graph/serialize.ts';
+import { newProject, setCommand } from '../../nodes/project.ts';
+import { withArchives } from '../loading/held.ts';
+import { LocalFiles } from '../loading/localFiles.ts';
+import { adopted } from './adopting.ts';
+import { fileName, outsideName, projectIn, projectName } from './names.ts';
+import { openingProblem, projectFrom } from './opening.ts';
+import type { KeptSession } from './sessions.ts';
+
+const blob = (words: string) => new Blob([words]);
+const projectOf = (source: string) => blob(serializeDocument(newProject(source)));
+const sourceOf = (document: ReturnType<typeof newProject>) => document.nodes.read?.params.source;
+
+describe('the names of files', () => {
+  it.each([
+    ['examples/street.usda', '', 'examples/street.usda'],
+    ['local:3/set/scene.usda', '', 'set/scene.usda'],
+    ['local:4.1@examples/street.usda', '', 'examples/street.usda'],
+    ['local:3/set.zip/a/scene.usda', '', 'set.zip[a/scene.usda]'],
+    ['local:3/yard.zip/a/scene.usda', 'local:3/yard.zip/project.slowlight.json', 'a/scene.usda'],
+    ['local:3.2/yard/a/scene.usda', 'local:3/yard/my.slowlight.json', 'a/scene.usda'],
+    ['local:4/yard/a/scene.usda', 'local:3/yard/my.slowlight.json', 'yard/a/scene.usda'],
+  ])('%s, of a project at "%s", is outside %s', (source, origin, name) =>
+    expect(outsideName(source, origin)).toBe(name),
+  );
+
+  it('a project is found among files, the least deep first, and not where it is hidden', () => {
+    expect(projectIn(['a/b.slowlight.json', 'z.SLOWLIGHT.json', '.x.slowlight.json', 'scene.usda'])).toBe(
+      'z.SLOWLIGHT.json',
+    );
+    expect(projectIn(['__MACOSX/a.slowlight.json', 'a.json'])).toBeUndefined();
+  });
+
+  it('a project is called as the person says, else after its file, its archive or its scene', () => {
+    const state = (origin: string, title?: string) => ({
+      history: { document: { ...newProject(), title }, origin, past: [], future: [] },
+      opened: { origin, source: 'local:1/a/street.v2.usda', reads: {} },
+    });
+    expect(projectName(state('local:1/yard.zip/project.slowlight.json'))).toBe('yard');
+    expect(projectName(state('examples/workshop.slowlight.json'))).toBe('workshop');
+    expect(projectName(state('examples/workshop.slowlight.json', 'Mine'))).toBe('Mine');
+    expect(projectName(state(''))).toBe('street.v2');
+    expect(fileName('a/b: "c"?\n', '.zip')).toBe('a b c.zip');
+    expect(fileName('///', '.zip')).toBe('project.zip');
+  });
+});
+
+describe('a project among files', () => {
+  it.each([
+    ['beside it', 'set/scene.usda', ['p/my.slowlight.json', 'p/set/scene.usda'], 'local:1/p/set/scene.usda'],
+    ['flattened', 'set/scene.usda', ['my.slowlight.json', 'scene.usda'], 'local:1/scene.usda'],
+    [
+      'in an archive',
+      'set.zip[a/scene.usda]',
+      ['my.slowlight.json', 'set.zip/a/scene.usda'],
+      'local:1/set.zip/a/scene.usda',
+    ],
+    ['beside the page', 'examples/street.usda', ['my.slowlight.json'], 'examples/street.usda'],
+    ['of another session', 'local:9/set/scene.usda', ['my.slowlight.json'], 'set/scene.usda'],
+  ])('finds a file %s', async (_, named, paths, found) => {
+    const files = new Map(paths.map((path) => [path, path.endsWith('.json') ? projectOf(named) : blob('x')]));
+    const { document, origin } = await projectFrom(files, projectIn(paths)!, new LocalFiles());
+    expect(sourceOf(document)).toBe(found);
+    expect(origin).toBe(`local:1/${projectIn(paths)}`);
+  });
+
+  it('finds what was given before, and what is packed with it', async () => {
+    const local = new LocalFiles();
+    local.add(new Map([['set/scene.usda', blob('x')]]), 'set/scene.usda');
+    const alone = await projectFrom(
+      new Map([['my.slowlight.json', projectOf('set/scene.usda')]]),
+      'my.slowlight.json',
+      local,
+    );
+    expect(sourceOf(alone.document)).toBe('local:1/set/scene.usda');
+    const text = new TextEncoder().encode(serializeDocument(newProject('scene.usda')));
+    const zip = new Blob([zipSync({ 'project.slowlight.json': text, 'scene.usda': new Uint8Array(1) })]);
+    const files = await withArchives(new Map([['yard.zip', zip]]));
+    const packed = await projectFrom(files, projectIn([...files.keys()])!, new LocalFiles());
+    expect(sourceOf(packed.document)).toBe('local:1/yard.zip/scene.usda');
+  });
+
+  it('that is none is refused with file, place and what to do', async () => {
+    const open = (words: string) =>
+      projectFrom(new Map([['my.slowlight.json', blob(words)]]), 'my.slowlight.json', new LocalFiles()).then(
+        () => undefined,
+        (error) => openingProblem('my.slowlight.json', error),
+      );
+    const bad = JSON.parse(await projectOf('a.usda').text());
+    bad.nodes.read.params.source = { no: 'text' };
+    expect(await open(JSON.stringify(bad))).toMatchObject({
+      place: 'my.slowlight.json',
+      text: expect.stringMatching(/^nodes\.read\.params\.source: .*Save the project again/),
+    });
+    expect(await open('{"format"')).toMatchObject({ text: expect.stringMatching(/^not JSON/) });
+  });
+});
+
+describe('what was kept', () => {
+  const kept = (document: unknown, origin = ''): KeptSession => ({
+    ...{ id: 'a', address: '/', name: 'x', document, origin, unsaved: true, at: 0, passed: false },
+  });
+  const files = new Map([['2.3', new Map([['s.usda', blob('s')]])]]);
+
+  it('comes back under its own names, and keys are not given again', () => {
+    const local = new LocalFiles();
+    const { document, unsaved } = adopted(kept(newProject('local:2.3/s.usda')), files, local);
+    expect([sourceOf(document), unsaved]).toEqual(['local:2.3/s.usda', true]);
+    expect(local.get('local:2.3/s.usda')?.entry).toBe('s.usda');
+    expect(local.add(new Map(), 'b.usda')).toBe('local:4/b.usda');
+  });
+
+  it('comes into another session under other names where these are taken', () => {
+    const local = new LocalFiles();
+    adopted(kept(newProject()), files, local);
+    const { document, origin } = adopted(
+      kept(newProject('local:2.3@examples/s.usda'), 'local:2.3/p.slowlight.json'),
+      files,
+      local,
+    );
+    expect([sourceOf(document), origin]).toEqual(['local:4@examples/s.usda', 'local:4/p.slowlight.json']);
+  });
+
+  it('whose files were not kept does not get those of others', () => {
+    const local = new LocalFiles();
+    const { document } = adopted(kept(newProject('local:7/big.usda')), new Map(), local);
+    expect(sourceOf(document)).toBe('local:7/big.usda');
+    expect(local.add(new Map(), 'b.usda')).toBe('local:8/b.usda');
+  });
+
+  it('is read as strictly as a file', () => {
+    const { document } = applyCommand(newProject(), setCommand(newProject(), 'read', 'source', 'a'));
+    expect(() => adopted(kept({ ...document, nodes: 3 }), new Map(), new LocalFiles())).toThrow(/nodes/);
+  });
+});

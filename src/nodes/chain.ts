@@ -1,0 +1,55 @@
+import { DocumentError, type GraphDocument, type ParamValue } from '../graph/document.ts';
+import { type FlatGraph, type FlatNode, flatten } from '../graph/flatten.ts';
+import { nodeLibrary } from './library.ts';
+
+/** The node whose image is the project's: its first output. */
+export const outputIn = ({ nodes }: GraphDocument): string | undefined =>
+  Object.entries(nodes).find(([, { type }]) => type === 'output')?.[0];
+
+const found = new WeakMap<GraphDocument['nodes'], Pick<GraphDocument, 'edges' | 'groups'> & { chain: FlatNode[] }>();
+
+/**
+ * The nodes that feed a project's output, with it, the nearest first: groups opened out, muted nodes left out, ids as an evaluation has
+ * them. Empty where there is no output.
+ */
+export function chainOf(document: GraphDocument): readonly FlatNode[] {
+  const known = found.get(document.nodes);
+  if (known?.edges === document.edges && known.groups === document.groups) return known.chain;
+  const chain = feeding(flattened(document), outputIn(document));
+  found.set(document.nodes, { edges: document.edges, groups: document.groups, chain });
+  return chain;
+}
+
+/** Of a type, the node that is nearest to the output. */
+export const nearestOf = (document: GraphDocument, type: string): FlatNode | undefined =>
+  chainOf(document).find((node) => node.type === type);
+
+/** The nodes that read files, by id, with how they do. */
+export const readsIn = (document: GraphDocument): Readonly<Record<string, FlatNode['params']>> =>
+  Object.fromEntries(chainOf(document).flatMap(({ id, type, params }) => (type === 'read' ? [[id, params]] : [])));
+
+export const sourceIn = (params: Readonly<Record<string, ParamValue>> | undefined): string =>
+  String(params?.source ?? '');
+
+function feeding(flat: FlatGraph | undefined, output: string | undefined): FlatNode[] {
+  const first = output === undefined ? undefined : flat?.nodes.get(output);
+  const chain = new Set(first ? [first] : []);
+  // What a set is given while it is gone through comes too.
+  for (const { inputs } of chain) {
+    for (const source of [...inputs.values()].flat()) {
+      const node = source.kind === 'output' ? flat?.nodes.get(source.node) : undefined;
+      if (node) chain.add(node);
+    }
+  }
+  return [...chain];
+}
+
+/** Groups that open out to too much feed nothing; the evaluation says so. */
+function flattened(document: GraphDocument): FlatGraph | undefined {
+  try {
+    return flatten(document, nodeLibrary);
+  } catch (error) {
+    if (error instanceof DocumentError) return undefined;
+    throw error;
+  }
+}

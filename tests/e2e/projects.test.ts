@@ -1,0 +1,220 @@
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { AxeBuilder } from '@axe-core/playwright';
+import { unzipSync, zipSync } from 'fflate';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { applyCommand, type Command } from '../../src/graph/commands.ts';
+import { parseDocument } from '../../src/graph/read.ts';
+import { serializeDocument } from '../../src/graph/serialize.ts';
+import { sharedFragment } from '../../src/graph/share.ts';
+import { newProject } from '../../src/nodes/project.ts';
+import { difference, type Guarded, Program } from './program.ts';
+import { drop, pinkShare } from './support.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+const bytes = (name: string) => readFileSync(fileURLToPath(new URL(`scenes/${name}`, import.meta.url)));
+const SQUARE = bytes('textured.usda');
+const CHECKER = bytes('textures/checker.png');
+
+/** The exposure is set by hand, so that the same project is the same picture from the first frame on. */
+const manual: Command = { kind: 'set-param', node: 'toneMap', param: 'metering', value: 'manual' };
+const still = (source: string) => applyCommand(newProject(source), manual).document;
+
+/** A page on the smallest scene there is, which is at an address of the server. */
+async function visit(address = ''): Promise<Guarded> {
+  return program.open(`?backend=webgl&scene=examples/asked.usda${address}`, {}, async (page) => {
+    await page.route('**/examples/asked.usda', (route) => route.fulfill({ body: SQUARE }));
+    await page.route('**/examples/textures/checker.png', (route) => route.fulfill({ body: CHECKER }));
+  });
+}
+
+const exposure = ({ page }: Guarded) => page.getByRole('textbox', { name: 'Exposure' });
+
+async function expose(page: Guarded, value: string): Promise<void> {
+  await exposure(page).fill(value);
+  await exposure(page).press('Enter');
+}
+
+const pink = (page: Guarded) => expect.poll(async () => pinkShare(await page.pixels())).toBeGreaterThan(0.03);
+const looksLike = (page: Guarded, picture: Uint8Array) =>
+  expect.poll(async () => difference(await page.pixels(), picture)).toBeLessThan(0.5);
+
+async function choose({ page }: Guarded, item: string | RegExp): Promise<void> {
+  await page.getByRole('button', { name: 'Project', exact: true }).click();
+  await page.getByRole('menuitem', { name: item }).click();
+}
+
+async function saved(
+  page: Guarded,
+  item: string | RegExp,
+): Promise<{ readonly name: string; readonly content: Buffer }> {
+  const download = page.page.waitForEvent('download');
+  await choose(page, item);
+  const file = await download;
+  return { name: file.suggestedFilename(), content: readFileSync(await file.path()) };
+}
+
+describe('a project', () => {
+  const project = new TextEncoder().encode(serializeDocument(still('set/square.usda')));
+  const files = { 'set/square.usda': new Uint8Array(SQUARE), 'set/textures/checker.png': new Uint8Array(CHECKER) };
+  const yard = { name: 'yard.zip', content: Buffer.from(zipSync({ 'project.slowlight.json': project, ...files })) };
+
+  it('opens from a zip, is there again after the page is loaded anew, and is saved and opened again', async () => {
+    const page = await (await visit()).ready();
+    await drop(page, [yard]);
+    await pink(page);
+    const name = page.page.getByRole('button', { name: /^Name of the project/ });
+    expect(await name.textContent()).toBe('yard');
+
+    await expose(page, '1.5');
+    await expect.poll(() => name.getAttribute('data-unsaved')).toBe('true');
+    await page.viewport.click();
+    await page.page.keyboard.press('ArrowLeft', { delay: 120 });
+    await page.page.keyboard.press('Escape');
+    await page.page.mouse.move(0, 0);
+    const before = await page.pixels();
+    // At once: what was just done is kept as the page goes.
+    await expose(page, '2');
+    await expose(page, '1.5');
+    await page.page.reload();
+    await page.ready();
+    await looksLike(page, before);
+    expect(await exposure(page).inputValue()).toMatch(/^1\.5/);
+    expect(await name.textContent()).toMatch(/^yard/);
+    expect(await page.page.getByRole('button', { name: /^Undo/ }).isDisabled()).toBe(true);
+    await page.shot('project-restored');
+
+    await expose(page, '0.5');
+    await page.page.getByRole('button', { name: /^Undo: Exposure/ }).click();
+    const words = await saved(page, 'Save project');
+    expect(words.name).toBe('yard.slowlight.json');
+    const document = parseDocument(words.content.toString('utf8'));
+    expect(document.nodes.read?.params).toEqual({ source: 'set/square.usda' });
+    expect(document.nodes.toneMap?.params).toEqual({ exposure: 1.5, metering: 'manual' });
+    expect(await name.getAttribute('data-unsaved')).toBe('false');
+    const all = await saved(page, 'Save with its files');
+    expect(Object.keys(unzipSync(new Uint8Array(all.content))).sort()).toEqual([
+      'project.slowlight.json',
+      'set/square.usda',
+      'set/textures/checker.png',
+    ]);
+
+    // Another address is another beginning.
+    await page.page.goto(`${program.url}/?scene=examples/asked.usda&backend=webgl`);
+    await page.ready();
+    await drop(page, [all]);
+    await pink(page);
+    expect(await exposure(page).inputValue()).toMatch(/^1\.5/);
+    await page.page.getByRole('button', { name: /^Undo: open a project/ }).click();
+    await expect.poll(() => exposure(page).inputValue()).toMatch(/^0/);
+    await page.close();
+  });
+
+  it('that is damaged is refused with its place, and the picture stays', async () => {
+    const page = await (await visit()).ready();
+    await pink(page);
+    const broken = JSON.parse(new TextDecoder().decode(project));
+    broken.nodes.read.params.source = { no: 'text' };
+    await drop(page, [{ name: 'broken.slowlight.json', content: Buffer.from(JSON.stringify(broken)) }]);
+    await page.refusals.waitFor();
+    expect(await page.refusals.textContent()).toMatch(/broken\.slowlight\.json.*nodes\.read\.params\.source/);
+    expect(await page.page.getByRole('button', { name: /^Undo/ }).isDisabled()).toBe(true);
+    await page.refusals.getByRole('button', { name: 'Close' }).click();
+
+    // Alone it lacks its scene: that is told, and can be given.
+    await drop(page, [{ name: 'alone.slowlight.json', content: Buffer.from(project) }]);
+    await page.refusals.waitFor();
+    expect(await page.refusals.textContent()).toMatch(/square\.usda.*last good scene/);
+    await pink(page);
+    await drop(page, [
+      { name: 'square.usda', content: SQUARE },
+      { name: 'checker.png', content: CHECKER },
+    ]);
+    await expect.poll(() => page.refusals.count()).toBe(0);
+    await expect.poll(() => page.page.locator('[data-opened]').getAttribute('data-opened')).toMatch(/alone/);
+    await page.close();
+  });
+});
+
+describe('a link', () => {
+  it('carries the project, and shows the same picture; a damaged one is refused', async () => {
+    const page = await (await visit()).ready();
+    await page.page.getByRole('radiogroup', { name: 'Metering' }).getByText('Manual').click();
+    await expose(page, '-1');
+    await page.page.mouse.move(0, 0);
+    await pink(page);
+    const shown = await page.pixels();
+    await choose(page, /^Share/);
+    const link = await page.page.getByRole('textbox', { name: 'Link' }).inputValue();
+    await page.page.waitForTimeout(300);
+    await page.shot('project-share');
+    const { violations } = await new AxeBuilder({ page: page.page }).analyze();
+    expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
+    const [, fragment = ''] = link.split('#');
+
+    const other = await (await visit(`#${fragment}`)).ready();
+    await looksLike(other, shown);
+    expect(await exposure(other).inputValue()).toMatch(/^-1/);
+    // Followed within the page, it is a step that can be undone; cut off, nothing.
+    await other.page.evaluate(
+      (next) => {
+        location.hash = next;
+      },
+      sharedFragment(still('examples/asked.usda')),
+    );
+    await expect.poll(() => exposure(other).inputValue()).toMatch(/^0/);
+    await other.page.getByRole('button', { name: /^Undo: open a project/ }).click();
+    await other.close();
+
+    const cut = await (await visit(`#${fragment.slice(0, -20)}`)).ready();
+    expect(await cut.refusals.textContent()).toMatch(/cut off or changed/);
+    await pink(cut);
+    await cut.shot('project-cut-link');
+    await cut.close();
+    await page.close();
+  });
+});
+
+describe('what is kept', () => {
+  it('of a tab that was closed is offered in the next, not while it is open', async () => {
+    const page = await (await visit()).ready();
+    await expose(page, '3');
+    await page.page.waitForTimeout(600);
+    const address = '?backend=webgl&scene=examples/sphere.usda';
+    const second = await (await program.beside(page, address)).ready();
+    expect(await second.page.getByText('that was not saved').count()).toBe(0);
+    await second.page.close();
+    await page.page.close();
+    const third = await (await program.beside(page, address)).ready();
+    await third.page.getByText('that was not saved: asked').waitFor();
+    await third.shot('project-earlier');
+    await third.page.route('**/examples/asked.usda', (route) => route.fulfill({ body: SQUARE }));
+    await third.page.route('**/examples/textures/checker.png', (route) => route.fulfill({ body: CHECKER }));
+    await third.page.getByRole('button', { name: 'Continue it' }).click();
+    await expect.poll(() => exposure(third).inputValue()).toMatch(/^3/);
+    await third.close();
+  });
+
+  it('where the browser keeps nothing it is told, and the page goes on', async () => {
+    const page = await program.open('?backend=webgl&scene=examples/sphere.usda', {}, async (tab) => {
+      await tab.addInitScript(() => {
+        IDBFactory.prototype.open = () => {
+          throw new DOMException('storage is refused', 'SecurityError');
+        };
+      });
+    });
+    await page.ready();
+    expect(await page.refusals.count()).toBe(0);
+    await expose(page, '2');
+    await page.refusals.waitFor();
+    expect(await page.refusals.textContent()).toMatch(/does not keep your work \(storage is refused\)/);
+    await page.page.getByRole('button', { name: /^Undo: Exposure/ }).click();
+    await expect.poll(() => exposure(page).inputValue()).toMatch(/^0/);
+    await page.close();
+  });
+});
