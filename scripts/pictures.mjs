@@ -21,6 +21,9 @@ const thumbnails = {
   gallery: ['--time', '4.6', '--beta', '0,0,-0.2'],
   ladder: [],
   workshop: [],
+  layers: [],
+  comparison: [],
+  lesson: [],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];
 const pictures = [

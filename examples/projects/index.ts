@@ -1,5 +1,13 @@
 import type { GraphDocument } from '../../src/graph/document.ts';
+import { comparison } from './comparison.ts';
+import { layers } from './layers.ts';
+import { lesson } from './lesson.ts';
 import { workshop } from './workshop.ts';
 
 /** Every example project, by name: a new one is added here. */
-export const projects: Readonly<Record<string, () => GraphDocument>> = { workshop };
+export const projects: Readonly<Record<string, () => GraphDocument>> = {
+  workshop,
+  layers,
+  comparison,
+  lesson,
+};
