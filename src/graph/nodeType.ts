@@ -62,6 +62,8 @@ export interface TextParam extends ParamBase {
   readonly choices?: 'cameras';
   /** It names a file of the project. */
   readonly file?: true;
+  /** It may be of several lines. */
+  readonly lines?: true;
 }
 /** Three numbers: a direction, a place. */
 export interface VectorParam extends ParamBase {
