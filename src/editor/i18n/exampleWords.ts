@@ -65,6 +65,11 @@ export const exampleWords: Readonly<Record<string, { readonly title: string; rea
     lookFor:
       '全部由节点构成，这里光速只有 12 m/s。红色框架以 7 m/s 驶过，金球以 8 m/s 绕圈，圆环自转，飞镖从静止加速，木箱沿弯路前行，砖块翻滚着从一处到另一处。每样东西都显示在光离开它时所在的位置。',
   },
+  letters: {
+    title: '立体文字',
+    lookFor:
+      '立体字母组成的词，这里光速是 10 m/s。白色的静止；上方红色的以 0.8 c 飞过，向你露出它们的侧端，并显出并非自身的颜色。',
+  },
   ladder: {
     title: '梯子与谷仓',
     lookFor:
