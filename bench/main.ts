@@ -6,6 +6,7 @@ import { type Bench, markdown } from './bench.ts';
 import { bundle } from './bundle.ts';
 import { cache } from './cache.ts';
 import { cubic } from './cubic.ts';
+import { effects } from './effects.ts';
 import { emission } from './emission.ts';
 import { formats } from './formats.ts';
 import { frame } from './frame.ts';
@@ -24,6 +25,7 @@ const benches: readonly Bench[] = [
   cubic,
   refine,
   emission,
+  effects,
   memory,
   formats,
   instances,

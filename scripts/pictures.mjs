@@ -20,7 +20,12 @@ const thumbnails = {
   saturn: ['--time', '7.7', '--beta', '0,0,-0.1', '--fov', '44'],
   gallery: ['--time', '4.6', '--beta', '0,0,-0.2'],
   ladder: [],
+  plain: [],
+  rush: [],
   workshop: [],
+  layers: [],
+  comparison: [],
+  lesson: [],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];
 const pictures = [

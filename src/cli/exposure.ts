@@ -1,5 +1,6 @@
 import { eased, exposureFor, type Metering } from '../nodes/metering.ts';
 import { GAUGE, gaugePixel, luminanceOf } from '../scene/gauge.ts';
+import { isFinished } from '../scene/plan.ts';
 import type { Painter, PictureRequest } from './painter.ts';
 import type { Size } from './parse.ts';
 
@@ -20,8 +21,10 @@ export class ExposureMeter {
   async read(request: PictureRequest): Promise<number> {
     const { metering, size, last } = this;
     if (metering === 'manual') return 0;
-    const { view, settings } = request;
-    const { aovs } = await this.painter.paint({ ...request, samples: 1, pixels: false, aovs: ['beauty'] });
+    const { view } = request;
+    const { plan, ...plain } = request.settings;
+    const settings = isFinished(plan) ? plain : request.settings;
+    const { aovs } = await this.painter.paint({ ...request, settings, samples: 1, pixels: false, aovs: ['beauty'] });
     const luminance = atPlaces(aovs.get('beauty')!, size);
     const target = exposureFor(metering, { luminance }, view, settings, size.width / size.height);
     const exposure = last ? eased(last.exposure, target, Math.abs(view.t - last.t)) : target;

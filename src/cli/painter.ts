@@ -26,6 +26,9 @@ export type PainterInfo =
   | { readonly pipeline: 'raster'; readonly backend: Backend; readonly adapter: string }
   | { readonly pipeline: 'reference'; readonly threads: number; readonly seed: number };
 
+/** A picture's scene, and those of its plan's other G-buffers. */
+export type Scenes = readonly [Scene, ...Scene[]];
+
 /** Makes pictures of one scene: here on a GPU, in a browser, or on the processor. */
 export interface Painter {
   readonly info: PainterInfo;
@@ -42,16 +45,16 @@ export interface Painter {
  */
 export async function openPainter(
   path: string,
-  scene: Scene,
+  scenes: Scenes,
   flags: RenderFlags,
   say: (text: string) => void,
 ): Promise<Painter> {
   const { pipeline, backend } = flags;
-  if (pipeline === 'reference') return openReference(scene, flags);
+  if (pipeline === 'reference') return openReference(scenes, flags);
   const missing: string[] = [];
   for (const each of backend === 'auto' ? (['webgpu', 'webgl'] as const) : [backend]) {
     try {
-      return await OPENERS[each](path, scene, flags);
+      return await OPENERS[each](path, scenes, flags);
     } catch (error) {
       if (!(error instanceof CliError && error.exitCode === EXIT.unavailable)) throw error;
       missing.push(`${each}: ${error.message}`);
@@ -61,14 +64,14 @@ export async function openPainter(
     throw unavailable(`${missing.join('\n')}\nWithout a GPU: --pipeline reference.`);
   }
   say(`slowlight: no usable GPU, so the reference renderer draws: slower, and exact.\n${missing.join('\n')}`);
-  return openReference(scene, flags);
+  return openReference(scenes, flags);
 }
 
 /** Each is loaded when it is needed: they bring large libraries, and some machines cannot load them. */
-const OPENERS: Record<Backend, (path: string, scene: Scene, flags: RenderFlags) => Promise<Painter>> = {
-  webgpu: async (_, scene, { size }) => (await import('./webgpu.ts')).openWebGpuPainter(scene, size),
-  webgl: async (path, scene, flags) => (await import('./webgl.ts')).openWebGlPainter(path, scene, flags),
+const OPENERS: Record<Backend, (path: string, scenes: Scenes, flags: RenderFlags) => Promise<Painter>> = {
+  webgpu: async (_, scenes, { size }) => (await import('./webgpu.ts')).openWebGpuPainter(scenes, size),
+  webgl: async (path, [scene], flags) => (await import('./webgl.ts')).openWebGlPainter(path, scene, flags),
 };
 
-const openReference = async (scene: Scene, flags: RenderFlags): Promise<Painter> =>
-  (await import('./reference.ts')).openReferencePainter(scene, flags);
+const openReference = async (scenes: Scenes, flags: RenderFlags): Promise<Painter> =>
+  (await import('./reference.ts')).openReferencePainter(scenes, flags);

@@ -14,6 +14,7 @@ import { pictureOf } from '../nodes/picture.ts';
 import { PROJECT } from '../nodes/projectArchive.ts';
 import type { Services } from '../nodes/services.ts';
 import { drawableScene } from '../scene/drawable.ts';
+import type { Plan } from '../scene/plan.ts';
 import type { Scene } from '../scene/types.ts';
 import { inputProblem, usageError } from './exit.ts';
 import { findScene, openSceneFile } from './files.ts';
@@ -153,12 +154,23 @@ export async function projectFlags<Flags extends RenderFlags>(
   flags: Flags,
   given: ReadonlySet<string>,
   progress: (node: string, part: number | undefined) => void,
-): Promise<{ readonly scene: Scene; readonly flags: Flags }> {
+): Promise<Opened<Flags>> {
   refuseSceneFlags(given);
   const document = withParams(await readProject(path), flags.set ?? []);
   const picture = await evaluateProject(path, document, progress);
   const said = Object.fromEntries(Object.entries(flagsOf(picture)).filter(([name]) => !given.has(name)));
-  return { scene: picture.scene, flags: { ...flags, ...said } };
+  const { scenes, plan } = picture;
+  return { scene: picture.scene, others: scenes.slice(1), ...(plan && { plan }), flags: { ...flags, ...said } };
+}
+
+/** What is drawn, and how. */
+export interface Opened<Flags> {
+  readonly scene: Scene;
+  /** What the plan's other G-buffers are of. */
+  readonly others: readonly Scene[];
+  /** What a project makes of the light; undefined: nothing. */
+  readonly plan?: Plan;
+  readonly flags: Flags;
 }
 
 /** What a scene file is opened with is written in a project's own nodes. */
@@ -181,12 +193,27 @@ function refuseSceneFlags(given: ReadonlySet<string>): void {
 }
 
 function flagsOf(picture: Picture): Partial<RenderFlags> {
-  const { view, lightDelay, aberration, colors, dopplerMix, beaming, shadows, exposure, metering, tone } = picture;
-  const { solver, iterations, damping, antialiasing, grid, speedOfLight, camera, fovY, falseColor } = picture;
+  const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone } = picture;
+  const {
+    solver,
+    iterations,
+    damping,
+    antialiasing,
+    grid,
+    speedOfLight,
+    camera,
+    fovY,
+    falseColor,
+    shadows,
+    occlusion,
+  } = picture;
   return {
-    ...{ view, lightDelay, aberration, colors, dopplerMix, beaming, shadows, exposure, metering, tone },
+    ...{ view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone, shadows },
+    ...(!occlusion && { occlusionRadius: 0 }),
     ...{ solver, iterations, damping, antialiasing, grid, c: speedOfLight },
     ...(camera && { camera }),
+    // As in the page it comes before what a moving camera brings along.
+    ...(picture.scene.hints.beta && { beta: picture.scene.hints.beta }),
     ...(fovY !== undefined && { fov: (fovY * 180) / Math.PI }),
     ...(falseColor !== 'none' && { falseColour: falseColor }),
   };

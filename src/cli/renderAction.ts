@@ -14,8 +14,9 @@ import { observerPath } from './observer.ts';
 import { endIfStopped } from './output.ts';
 import { openPainter, type Painter } from './painter.ts';
 import { checkPipeline } from './pipeline.ts';
+import { PlanSettings } from './planSettings.ts';
 import { Progress } from './progress.ts';
-import { isProject, projectFlags } from './project.ts';
+import { isProject, type Opened, projectFlags } from './project.ts';
 import type { RenderFlags } from './render.ts';
 import { openChangedScene } from './scene.ts';
 import { openSink, type Sink } from './sinks.ts';
@@ -43,7 +44,7 @@ export async function render(path: string, written: RenderFlags, given: Readonly
   const aovs = chooseAovs(written);
   const progress = new Progress();
   progress.show('reading …');
-  const { scene, flags } = await opened(path, written, given, progress);
+  const { scene, others, plan, flags } = await opened(path, written, given, progress);
   progress.clear();
   checkPipeline(flags);
   const c = speedOfLight(scene, flags.c);
@@ -55,9 +56,10 @@ export async function render(path: string, written: RenderFlags, given: Readonly
   const sink = await openSink({ ...flags, size: writtenSize(flags) }, scene, frames.length);
   try {
     progress.show('getting ready to draw …');
-    const painter = await openPainter(path, scene, flags, (text) => progress.note(text));
+    const painter = await openPainter(path, [scene, ...others], flags, (text) => progress.note(text));
     const samples = flags.samples ?? (flags.antialiasing ? painter.usualSamples : 1);
     const meter = new ExposureMeter(painter, flags.metering, flags.size);
+    const composer = plan && new PlanSettings(painter, plan, flags.size);
     const falsely = flags.falseColour && new FalseColourPainter(painter, flags.falseColour, flags);
     try {
       for (const [i, { number, t }] of frames.entries()) {
@@ -65,11 +67,20 @@ export async function render(path: string, written: RenderFlags, given: Readonly
         onPart(0);
         endIfStopped();
         const view = observer(t);
-        const request = { view, settings: renderSettings(flags, c), samples, pixels: aovs.length === 0, aovs };
+        const plain = renderSettings(flags, c);
+        const request = {
+          view,
+          settings: plan ? { ...plain, plan } : plain,
+          samples,
+          pixels: aovs.length === 0,
+          aovs,
+        };
         // Data and light itself have no exposure.
         const metered = request.pixels && showsLight(flags) ? await meter.read(request) : 0;
-        exposures.push(request.settings.exposure + metered);
-        const settings = { ...request.settings, exposure: exposures.at(-1)! };
+        exposures.push(plain.exposure + metered);
+        const settings = composer
+          ? await composer.read(request, metered)
+          : { ...request.settings, exposure: exposures.at(-1)! };
         const picture = await (falsely ?? painter).paint({ ...request, settings }, onPart);
         await sink.add(picture, { number, view, settings: { ...settings, falseColors: falsely?.colors } });
       }
@@ -94,13 +105,18 @@ export async function render(path: string, written: RenderFlags, given: Readonly
 }
 
 /** A scene file as the flags would have it, or what a project makes, with what it says of the picture. */
-async function opened(path: string, flags: RenderFlags, given: ReadonlySet<string>, progress: Progress) {
+async function opened(
+  path: string,
+  flags: RenderFlags,
+  given: ReadonlySet<string>,
+  progress: Progress,
+): Promise<Opened<RenderFlags>> {
   if (await isProject(path))
     return projectFlags(path, flags, given, (node, part) =>
       progress.show(part === undefined ? `${node} …` : `${node}: ${Math.round(100 * part)} %`),
     );
   if (flags.set) throw usageError('--set is for projects, .slowlight.json; of a scene file there are no nodes to set');
-  return { scene: await openChangedScene(path, flags), flags };
+  return { scene: await openChangedScene(path, flags), others: [], flags };
 }
 
 function checkSamples({ samples, antialiasing }: RenderFlags): void {

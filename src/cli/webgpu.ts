@@ -1,18 +1,17 @@
-import type { Scene } from '../scene/types.ts';
 import type { AovName } from '../scene/view.ts';
 import { openDevice } from './device.ts';
 import { pumpFrame } from './node-shim.ts';
-import type { Painter, PictureRequest } from './painter.ts';
+import type { Painter, PictureRequest, Scenes } from './painter.ts';
 import type { Size } from './parse.ts';
 
 /** Draws in this process, on Dawn. */
-export async function openWebGpuPainter(scene: Scene, { width, height }: Size): Promise<Painter> {
+export async function openWebGpuPainter([scene, ...others]: Scenes, { width, height }: Size): Promise<Painter> {
   const gpu = await openDevice();
   // Not at the top: three looks for what the shim provides while it is being loaded.
   const { SceneRenderer } = await import('../render/renderer.ts');
   const renderer = await SceneRenderer.create({ device: gpu.device, backend: 'webgpu' });
   renderer.setSize(width, height);
-  await renderer.setScene(scene);
+  await renderer.setScene(scene, others);
   return {
     info: { pipeline: 'raster', backend: 'webgpu', adapter: gpu.adapterName },
     usualSamples: 1,

@@ -10,6 +10,8 @@ const CONVERSIONS: Readonly<Record<string, Readonly<Record<string, Conversion>>>
   number: { vector: threefold, color: threefold },
   vector: { color: same },
   color: { vector: same },
+  mask: { image: same },
+  image: { mask: same },
 };
 
 /** How a value of one socket type becomes one of another; undefined where it cannot. */

@@ -100,6 +100,58 @@ describe('the document', () => {
     expect(() => readDocument({ ...emptyDocument(), version: 1, nodes: 'none' })).toThrow('nodes');
   });
 
+  it('a project of version 3 is lit and coloured as it was, by nodes of its own, also in groups', () => {
+    const edge = (from: string, output: string, to: string, input: string) => [
+      `${to}.${input}`,
+      { from: { node: from, output }, to: { node: to, input } },
+    ];
+    const level = {
+      nodes: {
+        lighting: { type: 'number', params: {} },
+        seen: { type: 'relativity-rasterize', params: { shadows: false, beaming: 0 } },
+        tone: { type: 'tone-map', params: { falseColor: 'doppler', exposure: 1 } },
+        output: { type: 'output', params: {} },
+      },
+      edges: Object.fromEntries([
+        edge('seen', 'gbuffer', 'tone', 'gbuffer'),
+        edge('tone', 'image', 'output', 'image'),
+        edge('lighting', 'number', 'tone', 'exposure'),
+      ]),
+      layout: { seen: [0, 0], tone: [240, 0], output: [480, 0] },
+      notes: {},
+      frames: {},
+    };
+    const group = { ...level, title: 'Show', inputs: [], outputs: [] };
+    const now = readDocument({ format: 'slowlight', version: 3, ...level, groups: { group }, files: {} });
+    for (const { nodes, edges, layout } of [now, now.groups.group!]) {
+      expect(nodes).toMatchObject({
+        seen: { params: { beaming: 0 } },
+        lighting: { type: 'number' },
+        lighting2: { type: 'deferred-lighting', params: { shadows: false } },
+        tone: { params: { exposure: 1 } },
+        falseColour: { type: 'false-colour', params: { of: 'doppler' } },
+      });
+      expect(
+        Object.values(edges)
+          .map(({ from, to }) => `${from.node} ${to.node}.${to.input}`)
+          .sort(),
+      ).toEqual([
+        'falseColour output.image',
+        'lighting tone.exposure',
+        'lighting2 tone.image',
+        'seen lighting2.gbuffer',
+        'tone falseColour.image',
+      ]);
+      expect(layout).toEqual({
+        seen: [0, 0],
+        lighting2: [240, 0],
+        tone: [480, 0],
+        falseColour: [720, 0],
+        output: [960, 0],
+      });
+    }
+  });
+
   it('migrates step by step', () => {
     const steps = {
       1: (data: Record<string, unknown>) => ({ ...data, trace: '1' }),

@@ -1,9 +1,13 @@
-export const CURRENT_VERSION = 3;
+export const CURRENT_VERSION = 4;
 
 type Migration = (data: Record<string, unknown>) => Record<string, unknown>;
 
 /** `MIGRATIONS[n]` turns a document of version n into one of version n + 1. A change of the schema adds one entry. */
-const MIGRATIONS: Readonly<Record<number, Migration>> = { 1: meterInsteadOfAdapting, 2: withGroupsAndGeometry };
+const MIGRATIONS: Readonly<Record<number, Migration>> = {
+  1: meterInsteadOfAdapting,
+  2: withGroupsAndGeometry,
+  3: withLightAsAnImage,
+};
 
 /** Brings parsed JSON to the current version; what is no document at all is left to the schema to refuse. */
 export function migrate(data: unknown, migrations = MIGRATIONS, current = CURRENT_VERSION): unknown {
@@ -24,7 +28,8 @@ function meterInsteadOfAdapting(data: Record<string, unknown>): Record<string, u
   return { ...data, nodes: Object.fromEntries(nodes) };
 }
 
-const isToneMap = (node: unknown): node is { type: string; params: Record<string, unknown> } =>
+type ToneMapNode = { readonly type: string; readonly params: Record<string, unknown> };
+const isToneMap = (node: unknown): node is ToneMapNode =>
   isRecord(node) && node.type === 'tone-map' && isRecord(node.params);
 
 function metered({ params, ...node }: { params: Record<string, unknown> }) {
@@ -58,6 +63,93 @@ function withGroupsAndGeometry(data: Record<string, unknown>): Record<string, un
   };
   const all = isRecord(edges) ? Object.fromEntries(Object.values(edges).map(renamed).map(keyed)) : edges;
   return { ...data, edges: all, notes: {}, frames: {}, groups: {}, files: {} };
+}
+
+/** 3 → 4: a G-buffer is shaded by a node of its own before its tone map, which knows of no false colours any more: they come after it, from another node. */
+function withLightAsAnImage(data: Record<string, unknown>): Record<string, unknown> {
+  const { groups } = data;
+  if (!isRecord(groups)) return lit(data);
+  const inside = Object.entries(groups).map(([id, group]) => [id, isRecord(group) ? lit(group) : group]);
+  return { ...lit(data), groups: Object.fromEntries(inside) };
+}
+
+/** One level of a document. */
+function lit(level: Record<string, unknown>): Record<string, unknown> {
+  if (!isRecord(level.nodes) || !isRecord(level.edges)) return level;
+  let made: Level = { nodes: level.nodes, edges: level.edges, layout: isRecord(level.layout) ? level.layout : {} };
+  for (const [id, node] of Object.entries(level.nodes)) if (isToneMap(node)) made = withLighting(made, id, node);
+  const nodes = Object.entries(made.nodes).map(([id, node]) => [id, isRasterizer(node) ? withoutShadows(node) : node]);
+  return { ...level, ...made, nodes: Object.fromEntries(nodes) };
+}
+
+interface Level {
+  readonly nodes: Record<string, unknown>;
+  readonly edges: Record<string, unknown>;
+  readonly layout: Record<string, unknown>;
+}
+
+function withLighting({ nodes, edges, layout }: Level, id: string, { params, ...node }: ToneMapNode): Level {
+  const { falseColor, ...own } = params;
+  const lighting = freeName(nodes, 'lighting');
+  const falseColour = freeName(nodes, 'falseColour');
+  const source = edges[`${id}.gbuffer`];
+  const from = isRecord(source) && isRecord(source.from) ? nameIn(source.from.node) : '';
+  const rasterizer = nodes[from];
+  const shadows = isRasterizer(rasterizer) ? rasterizer.params.shadows : undefined;
+  const onwards = Object.entries(edges).flatMap(([key, edge]): [string, unknown][] => {
+    if (!isRecord(edge) || !isRecord(edge.from) || !isRecord(edge.to)) return [[key, edge]];
+    if (key === `${id}.gbuffer`) return [edgeTo(edge.from, lighting, 'gbuffer')];
+    if (key === `${id}.falseColor`) return [edgeTo(edge.from, falseColour, 'of')];
+    if (key === `${from}.shadows` && isRasterizer(rasterizer)) return [edgeTo(edge.from, lighting, 'shadows')];
+    return [[key, edge.from.node === id ? { ...edge, from: { node: falseColour, output: 'image' } } : edge]];
+  });
+  return {
+    nodes: {
+      ...nodes,
+      [lighting]: { type: 'deferred-lighting', params: shadows === false ? { shadows } : {} },
+      [id]: { ...node, params: own },
+      [falseColour]: { type: 'false-colour', params: falseColor === undefined ? {} : { of: falseColor } },
+    },
+    edges: Object.fromEntries([
+      ...onwards,
+      edgeTo({ node: lighting, output: 'image' }, id, 'image'),
+      edgeTo({ node: id, output: 'image' }, falseColour, 'image'),
+    ]),
+    layout: spread(layout, id, lighting, falseColour),
+  };
+}
+
+/** What stands at the tone map or to its right makes room for a node before it and one after. */
+function spread(layout: Level['layout'], id: string, before: string, after: string): Level['layout'] {
+  const at = layout[id];
+  if (!Array.isArray(at)) return layout;
+  const [x, y] = at;
+  const moved = Object.entries(layout).map(([other, place]) => {
+    if (!Array.isArray(place) || !(place[0] >= x)) return [other, place];
+    return [other, [place[0] + (other === id ? COLUMN : 2 * COLUMN), place[1]]];
+  });
+  return { ...Object.fromEntries(moved), [before]: [x, y], [after]: [x + 2 * COLUMN, y] };
+}
+/** From one node to the next [px]. */
+const COLUMN = 240;
+
+const edgeTo = (from: unknown, node: string, input: string): [string, unknown] => [
+  `${node}.${input}`,
+  { from, to: { node, input } },
+];
+
+function freeName(nodes: Level['nodes'], name: string): string {
+  let free = name;
+  for (let i = 2; Object.hasOwn(nodes, free); i++) free = `${name}${i}`;
+  return free;
+}
+
+const isRasterizer = (node: unknown): node is { params: Record<string, unknown> } =>
+  isRecord(node) && node.type === 'relativity-rasterize' && isRecord(node.params);
+
+function withoutShadows({ params, ...node }: { readonly params: Record<string, unknown> }) {
+  const { shadows: _, ...rest } = params;
+  return { ...node, params: rest };
 }
 
 /** What is no text is left to the schema to refuse. */

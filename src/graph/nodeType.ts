@@ -45,7 +45,14 @@ export interface NumberParam extends ParamBase {
   readonly slider?: boolean;
   /** While the parameter is not set, what the scene suggests under this name comes before the default. */
   readonly suggestion?: string;
+  /** It means something else by the value of another parameter; with a value that is not among these, nothing. */
+  readonly as?: { readonly param: string; readonly cases: Readonly<Record<string, NumberMeaning>> };
 }
+/** What a number is called, and which it may be, in one of its meanings. */
+export type NumberMeaning = Pick<
+  NumberParam,
+  'title' | 'default' | 'min' | 'max' | 'step' | 'scale' | 'unit' | 'slider'
+>;
 export interface BooleanParam extends ParamBase {
   readonly kind: 'boolean';
   readonly default: boolean;
@@ -62,6 +69,8 @@ export interface TextParam extends ParamBase {
   readonly choices?: 'cameras';
   /** It names a file of the project. */
   readonly file?: true;
+  /** It is the text of an effect, of many lines. */
+  readonly shader?: true;
 }
 /** Three numbers: a direction, a place. */
 export interface VectorParam extends ParamBase {
@@ -164,14 +173,29 @@ export function resolveParams(
   return Object.fromEntries(
     Object.entries(type.params).map(([name, spec]) => {
       if (Object.hasOwn(set, name)) return [name, set[name]];
-      return [name, spec.kind === 'number' && spec.suggestion ? undefined : spec.default];
+      return [name, spec.kind === 'number' && spec.suggestion ? undefined : meaning(type, spec, set).default];
     }),
   );
 }
 
+/** A parameter as it is described with these values of the others. */
+export function meaning(
+  type: NodeType,
+  spec: ParamSpec,
+  params: Readonly<Record<string, ParamValue | undefined>>,
+): ParamSpec {
+  if (spec.kind !== 'number' || !spec.as) return spec;
+  const { param, cases } = spec.as;
+  const value = params[param] ?? type.params[param]?.default;
+  return { ...spec, ...(typeof value === 'string' && Object.hasOwn(cases, value) ? cases[value] : undefined) };
+}
+
 /** Whether a parameter matters, by the values of the others. */
-export const matters = ({ onlyWhen }: ParamSpec, params: Readonly<Record<string, ParamValue | undefined>>): boolean =>
-  onlyWhen === undefined || [onlyWhen.is].flat().includes(params[onlyWhen.param] ?? '');
+export function matters(spec: ParamSpec, params: Readonly<Record<string, ParamValue | undefined>>): boolean {
+  const { onlyWhen } = spec;
+  if (spec.kind === 'number' && spec.as) return Object.hasOwn(spec.as.cases, String(params[spec.as.param]));
+  return onlyWhen === undefined || [onlyWhen.is].flat().includes(params[onlyWhen.param] ?? '');
+}
 
 /** Why a value cannot stand for a parameter, or undefined where it can. */
 export function refuseValue(spec: ParamSpec, value: ParamValue): string | undefined {

@@ -1,7 +1,8 @@
 import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Course } from '../scene/compose/paths.ts';
-import type { Light } from '../scene/types.ts';
+import type { Plan, StepOf } from '../scene/plan.ts';
+import type { Light, Scene } from '../scene/types.ts';
 import type { ColorMode, Solver, View } from '../scene/view.ts';
 import type { FalseColor } from '../spectrum/falseColor.ts';
 import type { LightSpectrum } from '../spectrum/lightSpectrum.ts';
@@ -38,18 +39,31 @@ export interface GBuffer extends CameraView {
   readonly colors: ColorMode;
   readonly dopplerMix: number;
   readonly beaming: number;
-  readonly shadows: boolean;
   readonly antialiasing: boolean;
   readonly grid: boolean;
 }
 
+/** An image, by the step that makes it of others; nothing is drawn before the whole picture is known. */
+export interface Image {
+  readonly step: StepOf<Image, GBuffer>;
+  /** The G-buffer that the picture is of, first of all: whose camera, time and speed of light hold for it. */
+  readonly gbuffer: GBuffer;
+}
+
 /** A whole picture, but for the time and the observer, which change by themselves. */
 export interface Picture extends GBuffer {
+  readonly shadows: boolean;
+  /** What hides the sky of a place dims its light. */
+  readonly occlusion: boolean;
   readonly tone: Tone;
   readonly metering: Metering;
   /** What is added to the metered exposure [EV]. */
   readonly exposure: number;
   readonly falseColor: FalseColor | 'none';
+  /** Where it is more than one G-buffer, shaded: how it is put together. */
+  readonly plan?: Plan;
+  /** What the plan's other G-buffers are of, with that of the first. */
+  readonly scenes: readonly Scene[];
 }
 
 /** From when to when a scene's animation is shown [s]. */
@@ -74,7 +88,10 @@ interface SocketValues {
   readonly relativity: Relativity;
   readonly view: CameraView;
   readonly gbuffer: GBuffer;
-  readonly image: Picture;
+  readonly image: Image;
+  /** An image whose first channel counts. */
+  readonly mask: Image;
+  readonly picture: Picture;
   readonly number: number;
   readonly vector: Vec3;
   /** Linear sRGB. */

@@ -31,8 +31,15 @@ import { pathNode } from './motion/path.ts';
 import { spinNode } from './motion/spin.ts';
 import { uniformNode } from './motion/uniform.ts';
 import { sceneCamera } from './render/camera.ts';
+import { depthOfField } from './render/depthOfField.ts';
+import { falseColour } from './render/falseColour.ts';
+import { deferredLighting } from './render/lighting.ts';
+import { mixColor } from './render/mixColor.ts';
+import { ambientOcclusion } from './render/occlusion.ts';
 import { output } from './render/output.ts';
+import { postProcess } from './render/postProcess.ts';
 import { relativityRasterize } from './render/rasterize.ts';
+import { rasterize } from './render/rasterizeOrdinary.ts';
 import { toneMap } from './render/toneMap.ts';
 import type { Services } from './services.ts';
 import { colorNode } from './utility/color.ts';
@@ -83,7 +90,14 @@ const types = [
   relativityConsole,
   sceneCamera,
   relativityRasterize,
+  rasterize,
+  deferredLighting,
+  ambientOcclusion,
+  postProcess,
+  depthOfField,
+  mixColor,
   toneMap,
+  falseColour,
   output,
   numberNode,
   vectorNode,

@@ -13,7 +13,9 @@ const CHAIN = [
   ['console', 'relativity-console'],
   ['camera', 'scene-camera'],
   ['rasterize', 'relativity-rasterize'],
+  ['lighting', 'deferred-lighting'],
   ['toneMap', 'tone-map'],
+  ['falseColour', 'false-colour'],
   ['output', 'output'],
 ] as const;
 /** The output and the input that join each node of the chain to the next. */
@@ -25,9 +27,11 @@ const JOINTS = [
   ['view', 'view'],
   ['gbuffer', 'gbuffer'],
   ['image', 'image'],
+  ['image', 'image'],
+  ['image', 'image'],
 ] as const;
 
-/** Read → Retime → Scene → Relativity Console → Scene Camera → Relativity Rasterize → Tone Map → Output. */
+/** Read → Retime → Scene → Relativity Console → Scene Camera → Relativity Rasterize → Deferred Lighting → Tone Map → False Colour → Output. */
 export function newProject(source = ''): GraphDocument {
   const nodes = CHAIN.map(([node, type], i): Command => ({ kind: 'add-node', node, type, at: [i * 240, 0] }));
   const edges = JOINTS.map(([output, input], i): Command => {

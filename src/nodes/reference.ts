@@ -1,10 +1,12 @@
-import type { NodeType, ParamSpec, Socket } from '../graph/nodeType.ts';
+import type { NodeType, NumberMeaning, NumberParam, ParamSpec, Socket } from '../graph/nodeType.ts';
+import { effectWords } from './effectWords.ts';
 import { nodeLibrary } from './library.ts';
 import { nodeWords } from './words.ts';
 
+const words = { ...nodeWords, ...effectWords };
+
 /** What a key of the catalogue says in English; what is no key is the word itself. */
-const word = (key: string): string =>
-  Object.hasOwn(nodeWords, key) ? nodeWords[key as keyof typeof nodeWords][0] : key;
+const word = (key: string): string => (Object.hasOwn(words, key) ? words[key as keyof typeof words][0] : key);
 
 const CATEGORIES = [
   ['geometry', 'Geometry'],
@@ -62,10 +64,8 @@ const cell = (text: string): string => text.replaceAll('|', '\\|');
 
 function valuesOf(spec: ParamSpec): string {
   switch (spec.kind) {
-    case 'number': {
-      const unit = spec.unit ? ` ${spec.unit}` : '';
-      return `${spec.min} … ${spec.max}${unit}${spec.integer ? ', whole' : ''}`;
-    }
+    case 'number':
+      return spec.as ? Object.entries(spec.as.cases).map(meaningOf).join('; ') : rangeOf(spec);
     case 'choice':
       return spec.options.map(({ value, title }) => `\`${value}\` (${word(title)})`).join(', ');
     case 'vector':
@@ -79,8 +79,16 @@ function valuesOf(spec: ParamSpec): string {
   }
 }
 
+const rangeOf = ({ min, max, unit, integer }: NumberMeaning & Pick<NumberParam, 'integer'>): string =>
+  `${min} … ${max}${unit ? ` ${unit}` : ''}${integer ? ', whole' : ''}`;
+
+const meaningOf = ([value, spec]: readonly [string, NumberMeaning]): string =>
+  `\`${value}\`: ${word(spec.title)}, ${rangeOf(spec)}, ${spec.default}`;
+
 function defaultOf(spec: ParamSpec): string {
   if (spec.kind === 'number' && spec.suggestion) return `what the scene suggests, else ${spec.default}`;
+  if (spec.kind === 'number' && spec.as) return `by \`${spec.as.param}\``;
+  if (spec.kind === 'text' && spec.shader) return 'an example';
   if (spec.kind === 'boolean') return spec.default ? 'on' : 'off';
   return Array.isArray(spec.default) ? spec.default.join(spec.kind === 'list' ? '; ' : ', ') : String(spec.default);
 }

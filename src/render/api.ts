@@ -11,8 +11,8 @@ export interface PictureMaker {
   readonly info: RendererInfo;
   readonly width: number;
   readonly height: number;
-  /** Uploads a scene in place of the one before; the scene is not changed and may be shared. */
-  setScene(scene: Scene): Promise<void>;
+  /** Uploads a scene in place of the one before; the scene is not changed and may be shared. `others`: what a plan's other G-buffers may be of, 1, 2 … */
+  setScene(scene: Scene, others?: readonly Scene[]): Promise<void>;
   /** Size of the picture in device pixels. */
   setSize(width: number, height: number): void;
   /** Makes one picture, and shows it where there is a canvas. Synchronous: the GPU may still be at work when it returns. `sampling`: 1 where nobody says. */

@@ -95,6 +95,10 @@ export function encode(linear: Vec3): Vec3 {
   return mix(low, high, step(vec3(0.0031308), linear));
 }
 
+/** And back. */
+export const decode = (encoded: Vec3): Vec3 =>
+  mix(encoded.div(12.92), pow(encoded.add(0.055).div(1.055), vec3(2.4)), step(vec3(0.04045), encoded));
+
 /** Half a step of 8 bits of ordered noise, so that skies have no bands. Source: Jimenez 2014, interleaved gradient noise. */
 function dithered(encoded: Vec3): Vec3 {
   const pixel = floor(screenCoordinate);

@@ -1,42 +1,46 @@
-import { FloatType, HalfFloatType, PerspectiveCamera, type RenderTarget, Scene, UnsignedByteType } from 'three/webgpu';
+import type { PerspectiveCamera, RenderTarget } from 'three/webgpu';
+import { UnsignedByteType } from 'three/webgpu';
 import type { Gauge } from '../scene/gauge.ts';
+import { isFinished, type Plan, shapeOf } from '../scene/plan.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import type { FalseColors } from '../spectrum/falseColor.ts';
 import type { Gpu } from './device.ts';
 import type { Look } from './display.ts';
-import type { Drawable } from './drawable.ts';
 import { FalseColorTable, falseColored } from './falseColor.ts';
-import { FullScreen, type Where } from './fullScreen.ts';
 import { GaugeReader } from './gauge.ts';
-import { Occlusion, type OcclusionRequest } from './occlusion/occlusion.ts';
-import { Palettes, paletteOf } from './palette.ts';
-import { forwardMaterial, geometryMaterial, skyLight, surfaceLight } from './passes.ts';
+import { Palettes } from './palette.ts';
+import { PassBook } from './passBook.ts';
+import { Composition, type Sitting } from './plan/composition.ts';
+import { Plate } from './plate.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 import { Smoothing, type Way } from './smoothing.ts';
-import { dataTarget, GBuffer } from './targets.ts';
+import { dataTarget, type GBuffer } from './targets.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
 
-/** What is within this part of the scene's size from a point hides its sky, where nobody says how far that goes. */
-const HIDING = 1 / 4;
-
 /** How a picture is shown. */
-type Shown = Look & Pick<RenderSettings, 'falseColors' | 'antialiasing'>;
+type Shown = Look & Pick<RenderSettings, 'falseColors' | 'antialiasing' | 'plan'>;
 
-/** The targets and passes of a picture of one size: G-buffer, light, transparent things, display. */
+/** So many compositions are kept: what is shown, what is being compiled, and what was shown before. */
+const KEPT = 3;
+
+/** The targets and passes of a picture of one size: G-buffers with their light, what a plan makes of it, display. */
 export class PictureMachine {
-  readonly buffer: GBuffer;
-  readonly light: RenderTarget;
   readonly smoothing: Smoothing;
   private readonly screen = dataTarget(1, UnsignedByteType);
   private readonly gpu: Gpu;
   private readonly uniforms: Uniforms;
-  private readonly passes = new Map<string, FullScreen>();
+  private readonly passes: PassBook;
   private readonly palettes = new Palettes();
   private readonly gauge: GaugeReader;
-  private readonly occlusion: Occlusion;
-  private hiding: OcclusionRequest | undefined;
+  /** The first is that of the picture itself. */
+  private readonly plates: Plate[] = [];
+  /** By the shape of their plans; the last that was drawn at the end. */
+  private readonly compositions = new Map<string, Composition>();
   private readonly falseColors = new FalseColorTable();
+  private size = { width: 1, height: 1 };
+  /** Where the light of the last sample is. */
+  private light: RenderTarget;
   /** How the picture that is there is to be shown; of how many samples its light is. */
   look: Shown = { tone: 'neutral', grid: false, starry: false, antialiasing: true };
   samples = 1;
@@ -44,80 +48,65 @@ export class PictureMachine {
   constructor(gpu: Gpu, uniforms: Uniforms) {
     this.gpu = gpu;
     this.uniforms = uniforms;
-    this.buffer = new GBuffer(gpu.bytesPerSample, gpu.attachments);
-    this.occlusion = new Occlusion(gpu, this.buffer, uniforms);
-    this.light = dataTarget(1, gpu.floatBlending ? FloatType : HalfFloatType, this.buffer.depth);
-    const run = this.run.bind(this);
-    this.smoothing = new Smoothing({ light: this.light, buffer: this.buffer, uniforms, run });
+    this.passes = new PassBook(gpu.renderer);
+    this.light = this.plate(0).light();
+    const light = () => this.light.texture;
+    this.smoothing = new Smoothing({ light, buffer: this.buffer, uniforms, run: this.passes.run.bind(this.passes) });
     this.gauge = new GaugeReader(gpu, this.buffer, uniforms);
   }
 
+  get buffer(): GBuffer {
+    return this.plate(0).buffer;
+  }
+
   setSize(width: number, height: number): void {
-    this.buffer.setSize(width, height);
-    this.occlusion.setSize(width, height);
-    for (const target of [this.light, this.screen, this.smoothing]) target.setSize(width, height);
-    // Three clears the depth of a target of a new size when it first draws to it. That of `light` is the G-buffer's: after the scene it would be too late.
-    this.gpu.renderer.setRenderTarget(this.light);
-    this.gpu.renderer.render(new Scene(), new PerspectiveCamera());
+    this.size = { width, height };
+    for (const sized of [...this.plates, ...this.compositions.values(), this.screen, this.smoothing])
+      sized.setSize(width, height);
   }
 
-  /** Draws the opaque scene into the G-buffer. */
-  drawGeometry(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera): void {
-    const { renderer } = this.gpu;
-    for (const { names, target } of this.buffer.passes) {
-      for (const drawable of upload.drawables)
-        if (!drawable.batch.transparent)
-          this.dress(drawable, `${names[0]} ${projection.event} ${projection.place}`, () =>
-            geometryMaterial(drawable, projection, names, renderer.reversedDepthBuffer),
-          );
-      renderer.setRenderTarget(target);
-      renderer.render(upload.opaque, camera);
+  /** One sample of a picture: its G-buffers and their light, and what its plan makes of them. */
+  draw(sittings: readonly [Sitting, ...Sitting[]], camera: PerspectiveCamera, time: number): void {
+    const [first] = sittings;
+    const { plan } = first.subject.settings;
+    if (plan) {
+      this.light = this.compose(plan).draw(plan, { sittings, camera, time });
+      return;
     }
+    const plate = this.plate(0);
+    plate.drawGeometry(first.subject, camera);
+    plate.drawLight(first.subject, camera, first.subject.settings);
+    this.light = plate.light();
   }
 
-  /** G-buffer to light, then what is transparent over it. */
-  drawLight(upload: SceneUpload, projection: Projection, camera: PerspectiveCamera, settings: RenderSettings): void {
-    const { buffer, uniforms, light } = this;
-    const { environment, bodies, scene, atlas } = upload;
-    const palette = paletteOf(settings, scene);
-    const optics = this.palettes.optics(palette, scene, atlas);
-    const shadows = settings.shadows ? upload.shadows : undefined;
-    const moving = bodies.some(({ object }) => object.motion.kind !== 'static');
-    this.run(`sky ${upload.serial} ${palette}`, () => skyLight(environment, uniforms, optics), light, 'sky');
-    const radius = settings.occlusionRadius ?? upload.radius * HIDING;
-    this.hiding = { place: projection.place, moving, radius };
-    if (upload.opaque.children.some((mesh) => mesh.visible)) {
-      const openness = radius > 0 ? this.openness().texture : undefined;
-      this.run(
-        `light ${upload.serial} ${palette} ${settings.shadows} ${openness !== undefined}`,
-        () => surfaceLight(buffer, environment, uniforms, optics, moving, shadows, openness),
-        light,
-        'surfaces',
-      );
+  /** What carries out plans of this shape; to be asked for before it is gone through without being drawn (rehearsal.ts), for it draws to targets to make them. */
+  compose(plan: Plan): Composition {
+    const shape = shapeOf(plan);
+    const known = this.compositions.get(shape);
+    const composition = known ?? new Composition(plan, this.gpu, this.uniforms, (i) => this.plate(i));
+    if (!known) composition.setSize(this.size.width, this.size.height);
+    this.compositions.delete(shape);
+    this.compositions.set(shape, composition);
+    const [oldest] = this.compositions;
+    if (oldest && this.compositions.size > KEPT) {
+      oldest[1].dispose();
+      this.compositions.delete(oldest[0]);
     }
-    if (upload.stars) this.drawOver(upload.stars.scene, camera);
-    if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
-    for (const drawable of upload.drawables)
-      if (drawable.batch.transparent)
-        this.dress(drawable, `forward ${projection.event} ${projection.place} ${palette} ${settings.shadows}`, () =>
-          forwardMaterial(drawable, projection, buffer, upload.environment, optics, shadows),
-        );
-    this.drawOver(upload.transparent, camera);
+    return composition;
   }
 
-  /** The share of the sky that each point of what is in the G-buffer sees. */
+  private plate(index: number): Plate {
+    while (this.plates.length <= index) {
+      const plate = new Plate(this.gpu, this.uniforms, this.palettes, this.passes);
+      this.plates.push(plate);
+      plate.setSize(this.size.width, this.size.height);
+    }
+    return this.plates[index];
+  }
+
+  /** The share of the sky that each point of what is in the first G-buffer sees. */
   openness(): RenderTarget {
-    if (this.hiding) this.occlusion.draw(this.hiding);
-    return this.occlusion.target;
-  }
-
-  /** Onto the light that is there. */
-  private drawOver(scene: Scene, camera: PerspectiveCamera): void {
-    const { renderer } = this.gpu;
-    renderer.autoClear = false;
-    renderer.setRenderTarget(this.light);
-    renderer.render(scene, camera);
-    renderer.autoClear = true;
+    return this.plate(0).openness();
   }
 
   /** Goes through what makes a picture of its light, and pictures at rest of many, without making any. */
@@ -141,7 +130,7 @@ export class PictureMachine {
     const light = lit.textures[index];
     falseColors.use(colors);
     const name = `false ${colors.kind} ${look.tone} ${look.grid} ${light.id}`;
-    this.run(name, () => falseColored(colors.kind, light, buffer, uniforms, falseColors, look), target);
+    this.passes.run(name, () => falseColored(colors.kind, light, buffer, uniforms, falseColors, look), target);
   }
 
   /** Where the light of the whole picture is, and in which of its textures. */
@@ -151,43 +140,19 @@ export class PictureMachine {
 
   /** What the picture is like at places spread over it; c [m/s]. */
   measure(c: number): Promise<Gauge> {
-    const { target, index } = this.beauty();
+    const { target, index } = isFinished(this.look.plan) ? { target: this.plate(0).light(), index: 0 } : this.beauty();
     return this.gauge.read(target.textures[index], target.width, target.height, c);
   }
 
   /** Lets go of the passes that read a scene. */
   forget(upload: SceneUpload): void {
     this.smoothing.forget();
-    for (const [name, pass] of this.passes) {
-      if (!name.startsWith(`sky ${upload.serial} `) && !name.startsWith(`light ${upload.serial} `)) continue;
-      pass.dispose();
-      this.passes.delete(name);
-    }
+    this.passes.forget(upload.serial);
   }
 
   dispose(): void {
-    for (const pass of this.passes.values()) pass.dispose();
-    this.buffer.dispose();
-    this.gauge.dispose();
-    this.occlusion.dispose();
+    for (const held of [...this.plates, ...this.compositions.values(), this.passes, this.gauge]) held.dispose();
     this.falseColors.dispose();
-    for (const target of [this.light, this.screen, this.smoothing]) target.dispose();
-  }
-
-  private run(
-    name: string,
-    output: () => ConstructorParameters<typeof FullScreen>[0],
-    target: RenderTarget | null,
-    where?: Where,
-  ): void {
-    const pass = this.passes.get(name) ?? new FullScreen(output(), name, where);
-    this.passes.set(name, pass);
-    pass.render(this.gpu.renderer, target, where === 'surfaces');
-  }
-
-  private dress(drawable: Drawable, key: string, make: () => Drawable['mesh']['material']): void {
-    const material = drawable.materials.get(key) ?? make();
-    drawable.materials.set(key, material);
-    drawable.mesh.material = material;
+    for (const target of [this.screen, this.smoothing]) target.dispose();
   }
 }

@@ -1,12 +1,8 @@
-import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
-import { toMatrix } from '../math/quat.ts';
-import { gamma } from '../physics/boost.ts';
 import type { Gauge } from '../scene/gauge.ts';
+import { bufferSettings, shapeOf } from '../scene/plan.ts';
 import type { Scene } from '../scene/types.ts';
-import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../scene/view.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import type { PictureMaker } from './api.ts';
-import { frustumSides } from './cull.ts';
-import { FAR, NEAR } from './depth.ts';
 import { type Gpu, openGpu } from './device.ts';
 import { paletteOf } from './palette.ts';
 import { PictureMachine } from './picture.ts';
@@ -17,31 +13,23 @@ import { SceneUpload } from './sceneUpload.ts';
 import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
 import type { Sight } from './sight.ts';
 import type { Way } from './smoothing.ts';
-import { makeUniforms, type Uniforms } from './uniforms.ts';
-import type { Projection } from './vertexStage.ts';
+import { type Motif, motifOf, projectionOf, Staging } from './staging.ts';
+import { Uploads } from './uploads.ts';
 
 const CENTRE: SamplePlace = [0, 0];
 /** Of so many samples a picture is better than one that was smoothed otherwise. */
 const WORTHWHILE = 8;
 
-/** All that a picture is made of: it can be drawn again. */
-interface Motif {
-  readonly upload: SceneUpload;
-  readonly viewPoint: ViewPoint;
-  readonly settings: RenderSettings;
-  readonly projection: Projection;
-  readonly sight: Sight;
-}
+/** All that a picture is made of: its G-buffers, that of the settings first. */
+type Motifs = readonly [Motif, ...Motif[]];
 
 /** Makes pictures of a scene for a page, a command line or a benchmark; see api.ts. */
 export class SceneRenderer implements PictureMaker {
   private readonly gpu: Gpu;
-  private readonly uniforms = makeUniforms();
+  private readonly staging = new Staging();
   private readonly machine: PictureMachine;
-  private readonly camera = new PerspectiveCamera();
   private readonly toCanvas: boolean;
-  private readonly options: RendererOptions;
-  private upload: SceneUpload | undefined;
+  private readonly uploads: Uploads;
   /** What pictures have been drawn with, or can be at once. */
   private readonly compiled = new Set<string>();
   private preparing: Promise<void> | undefined;
@@ -49,9 +37,9 @@ export class SceneRenderer implements PictureMaker {
   /** Of the last picture, and of the next one: the size changes when that is made, for a canvas of a new size is empty. */
   private size = { width: 1, height: 1 };
   private wanted = this.size;
-  private made: Motif | undefined;
+  private made: Motifs | undefined;
   /** What uniforms, tables and shadow maps are of. */
-  private staged: Motif | undefined;
+  private staged: Motifs | undefined;
   /** Samples of the last picture that `refine` has added. */
   private added = 0;
   /** The G-buffer and the light are those of the pixels' centres. */
@@ -65,19 +53,26 @@ export class SceneRenderer implements PictureMaker {
 
   private constructor(gpu: Gpu, options: RendererOptions) {
     this.gpu = gpu;
-    this.options = options;
     this.toCanvas = options.canvas !== undefined;
-    this.machine = new PictureMachine(gpu, this.uniforms);
-    this.camera.near = NEAR;
-    this.camera.far = FAR;
+    const { uniforms } = this.staging;
+    this.machine = new PictureMachine(gpu, uniforms);
+    this.uploads = new Uploads(
+      (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options),
+      (upload) => {
+        this.made = undefined;
+        this.staged = undefined;
+        this.machine.forget(upload);
+      },
+    );
   }
 
   get info(): RendererInfo {
-    const { upload, drawn, gpu } = this;
-    const triangles = upload?.refiner.triangles ?? 0;
-    const tolerance = upload?.refiner.toleranceReached ?? 0;
-    const waiting = upload !== undefined && !(upload.frame.isComplete && upload.shadows.isComplete);
-    return { backend: gpu.backend, objects: upload?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
+    const { drawn, gpu, uploads } = this;
+    const { first } = uploads;
+    const triangles = first?.refiner.triangles ?? 0;
+    const tolerance = first?.refiner.toleranceReached ?? 0;
+    const waiting = !uploads.isComplete;
+    return { backend: gpu.backend, objects: first?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
   }
   get width(): number {
     return this.size.width;
@@ -86,8 +81,8 @@ export class SceneRenderer implements PictureMaker {
     return this.size.height;
   }
 
-  async setScene(scene: Scene): Promise<void> {
-    this.replace(scene, scene.hints.speedOfLight ?? DEFAULT_SETTINGS.speedOfLight);
+  async setScene(scene: Scene, others: readonly Scene[] = []): Promise<void> {
+    this.uploads.setScenes([scene, ...others]);
   }
 
   setSize(width: number, height: number): void {
@@ -105,67 +100,74 @@ export class SceneRenderer implements PictureMaker {
   }
 
   prepare(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): Promise<void> | undefined {
-    const { upload } = this;
+    const { uploads } = this;
     // With another speed of light it may be another upload's turn.
-    if (upload?.speedOfLight !== settings.speedOfLight && upload?.dependsOnSpeedOfLight) return undefined;
+    if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
     const way = wayOf(settings, sampling);
-    if (!upload || this.compiled.has(shadersOf(settings, way, upload))) return undefined;
-    this.preparing ??= this.compile(motifOf(upload, viewPoint, settings), way).finally(() => {
+    if (this.compiled.has(shadersOf(settings, way, uploads.of(settings)))) return undefined;
+    this.preparing ??= this.compile(viewPoint, settings, way).finally(() => {
       this.preparing = undefined;
     });
     return this.preparing;
   }
 
-  private async compile(motif: Motif, way: Way): Promise<void> {
-    if (!this.stage(motif)) return;
+  private async compile(viewPoint: ViewPoint, settings: RenderSettings, way: Way): Promise<void> {
+    const motifs = this.motifsOf(viewPoint, settings);
+    if (!motifs || !this.stage(motifs)) return;
+    if (settings.plan) this.machine.compose(settings.plan);
     const draw = (): void => {
-      this.draw(motif, CENTRE);
-      this.machine.rehearse(way, motif.projection, this.toCanvas ? 'canvas' : 'screen');
+      this.draw(motifs, CENTRE);
+      this.machine.rehearse(way, motifs[0].projection, this.toCanvas ? 'canvas' : 'screen');
     };
+    const shaders = shadersOf(settings, way, this.uploads.of(settings));
     // Whatever comes of it: a shader that cannot be compiled is told of when it is to be drawn with.
-    await rehearse(this.gpu.renderer, draw).finally(() =>
-      this.compiled.add(shadersOf(motif.settings, way, motif.upload)),
-    );
+    await rehearse(this.gpu.renderer, draw).finally(() => this.compiled.add(shaders));
   }
 
   render(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): void {
     const began = performance.now();
-    const upload = this.uploadFor(settings.speedOfLight);
-    if (!upload) return;
-    const motif = motifOf(upload, viewPoint, settings);
-    const seen = this.stage(motif, () => this.resize());
-    if (!seen) return;
-    this.made = motif;
+    const motifs = this.motifsOf(viewPoint, settings);
+    const seen = motifs && this.stage(motifs, () => this.resize());
+    if (!motifs || !seen) return;
+    const [{ upload, sight }] = motifs;
+    this.made = motifs;
     this.added = 0;
     const way = wayOf(settings, sampling);
-    if (way === 'followed') this.follow(motif);
-    else this.drawSamples(motif, way === 'mean' ? Number(sampling) : 1);
+    if (way === 'followed') this.follow(motifs);
+    else this.drawSamples(motifs, way === 'mean' ? Number(sampling) : 1);
     if (this.toCanvas) this.machine.present('canvas');
-    this.taken = motif.sight;
+    this.taken = sight;
     this.drawn = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
-    this.compiled.add(shadersOf(settings, way, upload));
+    this.compiled.add(shadersOf(settings, way, this.uploads.of(settings)));
+    // While a picture is being compiled, its G-buffers are.
+    if (!this.preparing) this.uploads.keep(motifs.length);
     if (this.toCanvas) upload.refiner.countSometimes();
   }
 
-  /** Puts everything in its place for a picture; tells which bodies may be seen, or undefined where samples of them are still to come. */
-  private stage(motif: Motif, beforeCutting = () => {}): readonly boolean[] | undefined {
-    const { upload, viewPoint, settings, sight, projection } = motif;
+  private motifsOf(viewPoint: ViewPoint, settings: RenderSettings): Motifs | undefined {
+    const [first, ...others] = this.uploads
+      .of(settings)
+      .map((upload, i) => motifOf(upload, viewPoint, bufferSettings(settings, i)));
+    return first && [first, ...others];
+  }
+
+  /** Puts everything in its place for a picture; tells which bodies of the first scene may be seen, or undefined where samples are still to come. */
+  private stage(motifs: Motifs, ready?: () => void): readonly boolean[] | undefined {
+    const [{ settings, upload }] = motifs;
     this.staged = undefined;
-    this.look(motif);
-    const gaze = this.gaze(viewPoint, projection);
-    const seen = upload.frame.fill(upload.bodies, sight, gaze, projection.event === 'newton');
-    if (!upload.frame.isComplete) return undefined;
-    if (settings.shadows && !upload.shadows.update(sight)) return undefined;
-    beforeCutting();
-    this.cut(motif, seen);
-    upload.light(sight, settings.colors);
-    upload.stars?.update(viewPoint, settings, this.width, this.height);
-    this.staged = motif;
+    this.machine.look = { ...settings, starry: upload.stars !== undefined };
+    let seen: readonly boolean[] | undefined;
+    // The first comes last: its uniforms stay.
+    for (const motif of [...motifs].reverse()) {
+      seen = this.staging.stage(motif, this.wanted, ready);
+      if (!seen) return undefined;
+    }
+    this.staged = motifs;
     return seen;
   }
 
   /** Puts everything back in its place for the last picture, where another was staged since; tells whether it can be drawn again. */
-  private restage(): Motif | undefined {
+  private restage(): Motifs | undefined {
     const { made, staged } = this;
     return made && (staged === made || this.stage(made)) ? made : undefined;
   }
@@ -173,7 +175,7 @@ export class SceneRenderer implements PictureMaker {
   refine(n: number): boolean {
     const { machine, added } = this;
     const count = n * n;
-    if (added === count || machine.samples > 1 || !this.made || !isRefined(this.made.settings)) return false;
+    if (added === count || machine.samples > 1 || !this.made || !isRefined(this.made[0].settings)) return false;
     const made = this.restage();
     if (!made) return true;
     this.sampleAt(made, gridPlaces(n)[added]);
@@ -184,11 +186,11 @@ export class SceneRenderer implements PictureMaker {
   }
 
   /** n × n samples per pixel. */
-  private drawSamples(motif: Motif, n: number): void {
+  private drawSamples(motifs: Motifs, n: number): void {
     const { machine } = this;
     machine.samples = n * n;
     for (const [i, place] of gridPlaces(n).entries()) {
-      this.sampleAt(motif, place);
+      this.sampleAt(motifs, place);
       if (n > 1) machine.smoothing.add(i, n * n, machine.look, true);
     }
     if (machine.look.falseColors) this.settle();
@@ -196,23 +198,24 @@ export class SceneRenderer implements PictureMaker {
   }
 
   /** One sample, and what is left of the pictures before. */
-  private follow(motif: Motif): void {
+  private follow(motifs: Motifs): void {
     const { machine } = this;
     machine.samples = 1;
-    this.sampleAt(motif, wanderingPlace(this.pictures++));
-    machine.smoothing.follow(machine.look, { ...motif, aspect: this.width / this.height });
+    this.sampleAt(motifs, wanderingPlace(this.pictures++));
+    machine.smoothing.follow(machine.look, { ...motifs[0], aspect: this.width / this.height });
   }
 
-  private sampleAt(motif: Motif, place: SamplePlace): void {
-    this.draw(motif, place);
+  private sampleAt(motifs: Motifs, place: SamplePlace): void {
+    this.draw(motifs, place);
     this.settled = place[0] === 0 && place[1] === 0;
   }
 
   /** Draws what is staged with its samples at one place of their pixels. */
-  private draw({ upload, projection, settings }: Motif, place: SamplePlace): void {
-    this.jitter(place);
-    this.machine.drawGeometry(upload, projection, this.camera);
-    this.machine.drawLight(upload, projection, this.camera, settings);
+  private draw([first, ...others]: Motifs, place: SamplePlace): void {
+    const { staging, size } = this;
+    staging.jitter(place, size);
+    const sitting = (motif: Motif) => ({ subject: motif, look: () => staging.look(motif, size) });
+    this.machine.draw([sitting(first), ...others.map(sitting)], staging.camera, first.viewPoint.t);
   }
 
   /** Numbers are of the pixels' centres, and never a mean. */
@@ -222,7 +225,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   async readPixels(): Promise<Uint8Array> {
-    await this.upload?.refiner.count();
+    await this.uploads.first?.refiner.count();
     this.restage();
     return readBytes(this.gpu, this.machine.present('screen'), this.whole());
   }
@@ -236,7 +239,8 @@ export class SceneRenderer implements PictureMaker {
 
   async pick(x: number, y: number): Promise<PickResult | undefined> {
     const inside = x >= 0 && y >= 0 && x < this.width && y < this.height;
-    const { upload, taken } = this;
+    const { taken } = this;
+    const upload = this.uploads.first;
     if (!inside || !upload || !taken) return undefined;
     this.settle();
     const pathOf = (id: number) => upload.bodies[id - 1].object.path;
@@ -255,7 +259,7 @@ export class SceneRenderer implements PictureMaker {
   }
 
   dispose(): void {
-    this.upload?.dispose();
+    this.uploads.keep(0);
     this.machine.dispose();
     this.gpu.renderer.dispose();
   }
@@ -268,80 +272,6 @@ export class SceneRenderer implements PictureMaker {
   private whole(): Region {
     return { x: 0, y: 0, width: this.width, height: this.height };
   }
-
-  private uploadFor(speedOfLight: number): SceneUpload | undefined {
-    const { upload } = this;
-    if (upload?.dependsOnSpeedOfLight && upload.speedOfLight !== speedOfLight) this.replace(upload.scene, speedOfLight);
-    return this.upload;
-  }
-
-  private replace(scene: Scene, speedOfLight: number): void {
-    const made = new SceneUpload(scene, speedOfLight, this.uniforms, this.gpu, this.options);
-    this.made = undefined;
-    this.staged = undefined;
-    if (this.upload) {
-      this.machine.forget(this.upload);
-      this.upload.dispose();
-    }
-    this.upload = made;
-  }
-
-  private gaze({ orientation }: ViewPoint, { place }: Projection) {
-    const { x, y } = this.uniforms.halfTangents.value;
-    return { sides: frustumSides(orientation, x, y), boosted: place === 'apparent' };
-  }
-
-  /** Everything that is the same for all samples of a picture. */
-  private look({ viewPoint: view, sight, settings, projection, upload }: Motif): void {
-    const { uniforms, camera } = this;
-    this.machine.look = { ...settings, starry: upload.stars !== undefined };
-    const tanY = Math.tan(view.fovY / 2);
-    const luminous = settings.view === 'light-cone' ? 1 : 0;
-    const aspect = this.wanted.width / this.wanted.height;
-    uniforms.halfTangents.value.set(tanY * aspect, tanY);
-    uniforms.u.value.set(...sight.u);
-    uniforms.gamma.value = gamma(sight.u);
-    uniforms.iterations.value = settings.iterations;
-    uniforms.damping.value = settings.damping;
-    uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;
-    uniforms.boosted.value = projection.place === 'apparent' ? 1 : 0;
-    uniforms.lightTravels.value = settings.view === 'light-cone' && settings.lightDelay ? 1 : 0;
-    uniforms.boostLight.value = luminous;
-    uniforms.dopplerMix.value = luminous * settings.dopplerMix;
-    uniforms.beaming.value = luminous * settings.beaming;
-    uniforms.exposure.value = settings.exposure;
-    uniforms.secondsPerMetre.value = 1 / sight.c;
-    uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
-    lookAtGround(uniforms, view, upload);
-    camera.fov = (view.fovY * 180) / Math.PI;
-    camera.aspect = aspect;
-    camera.quaternion.copy(new Quaternion(...view.orientation));
-    camera.matrixWorld.copy(new Matrix4().makeRotationFromQuaternion(camera.quaternion));
-    camera.updateMatrixWorld();
-  }
-
-  /** Moves the picture so that samples are at this place of their pixels. */
-  private jitter([dx, dy]: SamplePlace): void {
-    const { width, height } = this;
-    this.camera.setViewOffset(width, height, dx, dy, width, height);
-    this.camera.updateProjectionMatrix();
-    this.uniforms.jitter.value.set((2 * dx) / width, (-2 * dy) / height);
-  }
-
-  /** Cuts the batches in which something may be seen, as this picture needs it, and sorts the transparent ones from far to near. */
-  private cut({ upload, viewPoint: { orientation }, sight, projection }: Motif, seen: readonly boolean[]): void {
-    const { drawables, frame, refiner } = upload;
-    const { x: tanX, y: tanY } = this.uniforms.halfTangents.value;
-    const look = { sight, projection, orientation, tanX, tanY, focal: this.height / (2 * tanY) };
-    refiner.show(look, ({ bodies }) => bodies.some(({ id }) => seen[id - 1]));
-    for (const { batch, mesh } of drawables)
-      if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => frame.distance(id)));
-  }
-}
-
-function motifOf(upload: SceneUpload, viewPoint: ViewPoint, settings: RenderSettings): Motif {
-  const projection = projectionOf(settings);
-  return { upload, viewPoint, settings, projection, sight: sightOf(viewPoint, settings, projection) };
 }
 
 /** Whether its pictures come to more samples while they rest: colours that stand for numbers never do. */
@@ -353,37 +283,16 @@ function wayOf(settings: RenderSettings, sampling: Sampling): Way {
   return settings.antialiasing ? 'edges' : 'plain';
 }
 
-function projectionOf({ view, lightDelay, aberration, solver }: RenderSettings): Projection {
-  if (view === 'simultaneity') return { event: 'slice', place: 'contracted' };
-  if (view === 'galilean') return { event: 'now', place: 'plain' };
-  const event = lightDelay ? (solver === 'newton' ? 'newton' : 'emission') : 'now';
-  return { event, place: aberration ? 'apparent' : 'plain' };
-}
-
-function sightOf({ t, position, u }: ViewPoint, { speedOfLight }: RenderSettings, { event }: Projection): Sight {
-  const surface = event === 'slice' || event === 'now' ? event : 'past-light-cone';
-  return { t, position, u, c: speedOfLight, surface };
-}
-
-/** The ground is the plane of the two axes that do not point up, at height 0; its grid is as fine as the scene's size asks. */
-function lookAtGround(uniforms: Uniforms, { position }: ViewPoint, { scene, radius }: SceneUpload): void {
-  const step = 10 ** Math.floor(Math.log10(Math.max(radius, 1e-6) / 15));
-  const [up, north] = scene.upAxis === 'Y' ? [1, 2] : [2, 1];
-  const wrap = (x: number) => x - 10 * step * Math.floor(x / (10 * step));
-  uniforms.zenith.value.set(0, up === 1 ? 1 : 0, up === 2 ? 1 : 0);
-  uniforms.gridNorth.value.set(0, north === 1 ? 1 : 0, north === 2 ? 1 : 0);
-  uniforms.gridStep.value = step;
-  uniforms.ground.value.set(position[up], wrap(position[0]), wrap(position[north]));
-}
-
 /** Names all the shaders that a picture takes. */
-function shadersOf(settings: RenderSettings, way: Way, { serial, scene }: SceneUpload): string {
-  const { tone, grid, falseColors, shadows, occlusionRadius } = settings;
-  const { event, place } = projectionOf(settings);
-  const palette = paletteOf(settings, scene);
-  return [serial, event, place, palette, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind ?? way].join(
-    ' ',
-  );
+function shadersOf(settings: RenderSettings, way: Way, uploads: readonly SceneUpload[]): string {
+  const { tone, grid, falseColors, shadows, occlusionRadius, plan } = settings;
+  const buffers = uploads.map(({ serial, scene }, i) => {
+    const own = bufferSettings(settings, i);
+    const { event, place } = projectionOf(own);
+    return [serial, event, place, paletteOf(own, scene)].join(' ');
+  });
+  const shape = plan && shapeOf(plan);
+  return [...buffers, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind ?? way, shape].join(' ');
 }
 
 function withoutAlpha(rgba: Float32Array): Float32Array {

@@ -1,5 +1,13 @@
 import { texture } from 'three/tsl';
-import { FloatType, HalfFloatType, LinearFilter, type RenderTarget, UnsignedByteType } from 'three/webgpu';
+import {
+  FloatType,
+  HalfFloatType,
+  LinearFilter,
+  type Node,
+  type RenderTarget,
+  type Texture,
+  UnsignedByteType,
+} from 'three/webgpu';
 import type { RenderSettings } from '../scene/view.ts';
 import type { Vec4 } from '../shaders/types.ts';
 import {
@@ -13,7 +21,6 @@ import {
   singleSample,
 } from './display.ts';
 import { EyeBefore, type Look as Seen } from './eyeBefore.ts';
-import type { FullScreen } from './fullScreen.ts';
 import { dataTarget, type GBuffer } from './targets.ts';
 import { blended, Kernel } from './temporal.ts';
 import type { Uniforms } from './uniforms.ts';
@@ -22,15 +29,12 @@ import type { Projection } from './vertexStage.ts';
 type Look = DisplayLook & Pick<RenderSettings, 'antialiasing'>;
 
 /** Runs the pass of a name, made when it is first asked for. */
-export type Run = (
-  name: string,
-  output: () => ConstructorParameters<typeof FullScreen>[0],
-  target: RenderTarget | null,
-) => void;
+export type Run = (name: string, output: () => Node, target: RenderTarget | null) => void;
 
 /** What the ways of smoothing read. */
 export interface Samples {
-  readonly light: RenderTarget;
+  /** Of the sample that was drawn last. */
+  readonly light: () => Texture;
   readonly buffer: GBuffer;
   readonly uniforms: Uniforms;
   readonly run: Run;
@@ -125,23 +129,30 @@ export class Smoothing {
   }
 
   private display(look: Look): void {
-    const { light, buffer, uniforms, run } = this.from;
-    run(`single ${keyOf(look)}`, () => singleSample(light.texture, buffer, uniforms, look), this.single);
+    const { buffer, uniforms, run } = this.from;
+    const light = this.from.light();
+    run(`single ${light.id} ${keyOf(look)}`, () => singleSample(light, buffer, uniforms, look), this.single);
   }
 
   /** The last sum, and this sample. */
   private accumulate(look: Look): void {
-    const { light, buffer, uniforms, run } = this.from;
+    const { buffer, uniforms, run } = this.from;
+    const light = this.from.light();
     const { picture, light: sum } = this;
     [picture.value, sum.value] = this.sums[1 - this.sum].textures;
     const before = { picture, light: sum };
-    run(`add ${keyOf(look)}`, () => addedSample(light.texture, before, buffer, uniforms, look), this.sums[this.sum]);
+    run(
+      `add ${light.id} ${keyOf(look)}`,
+      () => addedSample(light, before, buffer, uniforms, look),
+      this.sums[this.sum],
+    );
   }
 
   private blend(look: Look, projection: Projection): void {
-    const { light, buffer, uniforms, run } = this.from;
+    const { buffer, uniforms, run } = this.from;
+    const light = this.from.light();
     const { before, kernel, turn, now, former, history } = this;
-    run(`fresh ${keyOf(look)}`, () => freshSample(light.texture, buffer, uniforms, look), this.fresh[turn]);
+    run(`fresh ${light.id} ${keyOf(look)}`, () => freshSample(light, buffer, uniforms, look), this.fresh[turn]);
     now.value = this.fresh[turn].texture;
     former.value = this.fresh[1 - turn].texture;
     history.value = this.histories[1 - turn].texture;

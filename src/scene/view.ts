@@ -2,6 +2,7 @@ import type { Quat } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { FalseColors } from '../spectrum/falseColor.ts';
 import type { Tone } from '../spectrum/toneMap.ts';
+import type { Plan } from './plan.ts';
 
 /** `light-cone`: what is seen. `simultaneity`: where things are at the observer's own instant. `galilean`: c = ∞. */
 export type View = 'light-cone' | 'simultaneity' | 'galilean';
@@ -40,6 +41,8 @@ export interface RenderSettings {
   readonly falseColors?: FalseColors;
   /** How far from a point something can hide its sky, in the fast renderer [m]; 0: nothing does. Absent: a quarter of the scene's size. */
   readonly occlusionRadius?: number;
+  /** What is made of the light, and of that of other G-buffers, before it is exposed; absent: nothing. */
+  readonly plan?: Plan;
   /** [m/s] */
   readonly speedOfLight: number;
 }

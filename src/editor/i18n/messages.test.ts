@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { nodeLibrary } from '../../nodes/library.ts';
+import { EFFECTS } from '../../scene/effects.ts';
 import { exampleWords } from './exampleWords.ts';
 import { preferredLanguage } from './i18n.ts';
 import { messages } from './messages.ts';
@@ -18,7 +19,7 @@ describe('the catalogue of messages', () => {
 
   it('has no text that nobody shows', () => {
     const sources = Object.values(
-      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,projectMessages,words}.ts'], {
+      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,projectMessages,words,effectWords}.ts'], {
         query: '?raw',
         import: 'default',
         eager: true,
@@ -31,6 +32,15 @@ describe('the catalogue of messages', () => {
     expect(unused).toEqual([]);
   });
 
+  it('has every text that the effects name', () => {
+    const keys = Object.values(EFFECTS).flatMap(({ title, help, args }) => [
+      title,
+      help,
+      ...args.map((arg) => arg.title),
+    ]);
+    expect(keys.filter((key) => !Object.hasOwn(messages, key))).toEqual([]);
+  });
+
   it('has every text that the node library names', () => {
     const keys = Object.values(nodeLibrary).flatMap((type) => [
       type.title,
@@ -39,6 +49,7 @@ describe('the catalogue of messages', () => {
         spec.title,
         ...(spec.help ? [spec.help] : []),
         ...(spec.kind === 'choice' ? spec.options.map((option) => option.title) : []),
+        ...(spec.kind === 'number' ? Object.values(spec.as?.cases ?? {}).map(({ title }) => title) : []),
       ]),
       ...[...Object.values(type.inputs), ...Object.values(type.outputs)].flatMap(({ title }) => title ?? []),
     ]);

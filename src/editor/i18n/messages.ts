@@ -1,9 +1,11 @@
+import { effectWords } from '../../nodes/effectWords.ts';
 import { nodeWords } from '../../nodes/words.ts';
 import { projectMessages } from './projectMessages.ts';
 
 /** Every text of the page, in English and Chinese; `{{name}}` is filled in. One catalogue, so that neither can lack a key. */
 export const messages = {
   ...nodeWords,
+  ...effectWords,
   ...projectMessages,
   'app.title': ['Slowlight', 'Slowlight 慢光'],
   'app.skip': ['Skip to the picture', '跳到画面'],

@@ -4,7 +4,7 @@ import { type GraphDocument, graphIn, own, type ParamValue } from '../../graph/d
 import { placeOf } from '../../graph/edits/place.ts';
 import type { FlatNode } from '../../graph/flatten.ts';
 import type { NodeType, ParamSpec } from '../../graph/nodeType.ts';
-import { matters, resolveParams } from '../../graph/nodeType.ts';
+import { matters, meaning, resolveParams } from '../../graph/nodeType.ts';
 import { chainOf } from '../../nodes/chain.ts';
 import type { Picture } from '../../nodes/define.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
@@ -14,7 +14,15 @@ import { cameraOf } from '../state/viewpoint.ts';
 import { ParamControl } from './ParamControl.tsx';
 
 /** What a person reaches for most comes first; other nodes follow, the nearest to the output first. */
-const ORDER = ['relativity-console', 'relativity-rasterize', 'tone-map', 'scene-camera', 'scene'];
+const ORDER = [
+  'relativity-console',
+  'relativity-rasterize',
+  'deferred-lighting',
+  'tone-map',
+  'false-colour',
+  'scene-camera',
+  'scene',
+];
 
 interface Section {
   readonly node: FlatNode;
@@ -71,7 +79,9 @@ function NodeSection({ section, picture }: { readonly section: Section; readonly
 
 /** What does not matter now is not shown: the steps of a solver that is not chosen, and what another node decides. */
 const shownParams = ({ node, type }: Section, resolved: Readonly<Record<string, ParamValue | undefined>>) =>
-  Object.entries(type.params).filter(([name, spec]) => matters(spec, resolved) && !node.inputs.has(name));
+  Object.entries(type.params).flatMap(([name, spec]) =>
+    matters(spec, resolved) && !node.inputs.has(name) ? [[name, meaning(type, spec, resolved)] as const] : [],
+  );
 
 function sectionsOf(document: GraphDocument): Section[] {
   const place = (type: NodeType) => (ORDER.includes(type.id) ? ORDER.indexOf(type.id) : ORDER.length);

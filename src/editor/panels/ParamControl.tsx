@@ -9,6 +9,7 @@ import {
   Stack,
   Switch,
   Text,
+  Textarea,
   Tooltip,
 } from '@mantine/core';
 import { IconRestore } from '@tabler/icons-react';
@@ -44,7 +45,8 @@ export function ParamControl(props: ParamProps): ReactNode {
     case 'choice':
       return <ChoiceControl {...props} spec={spec} />;
     case 'text':
-      return spec.choices ? <TextChoiceControl {...props} spec={spec} /> : null;
+      if (spec.choices) return <TextChoiceControl {...props} spec={spec} />;
+      return spec.shader ? <ShaderTextControl {...props} /> : null;
     case 'vector':
       return (
         <VectorControl spec={spec} value={vectorOf(spec, props.value)} onChange={(value) => props.onChange(value)} />
@@ -71,6 +73,30 @@ function Label({ spec, id }: { readonly spec: ParamSpec; readonly id: string }):
     </Tooltip>
   ) : (
     text
+  );
+}
+
+/** What is wrong with the text is told where all problems are, with its line. */
+function ShaderTextControl({ spec, set, value, onChange, onGestureEnd }: ParamProps): ReactNode {
+  const id = useId();
+  return (
+    <Stack gap={2}>
+      <Group gap={4} wrap="nowrap" justify="space-between">
+        <Label spec={spec} id={id} />
+        <Reset set={set} onChange={onChange} />
+      </Group>
+      <Textarea
+        size="xs"
+        autosize
+        maxRows={24}
+        spellCheck={false}
+        aria-labelledby={id}
+        styles={{ input: { fontFamily: 'monospace', whiteSpace: 'pre', overflowX: 'auto' } }}
+        value={String(value)}
+        onChange={(event) => onChange(event.currentTarget.value, `text ${id}`)}
+        onBlur={onGestureEnd}
+      />
+    </Stack>
   );
 }
 

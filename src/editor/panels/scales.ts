@@ -13,13 +13,18 @@ export function valueAt(spec: NumberParam, position: number): number {
   return Math.min(spec.max, Math.max(spec.min, rounded(spec, value)));
 }
 
-function stretch({ scale }: NumberParam, value: number): number {
-  if (scale === 'log') return Math.log(value);
+/** No equal ratios lead to 0: where a range begins there, they are those of what is a step more. */
+const shift = ({ min, step }: NumberParam): number => (min > 0 ? 0 : step);
+
+function stretch(spec: NumberParam, value: number): number {
+  const { scale } = spec;
+  if (scale === 'log') return Math.log(value + shift(spec));
   return scale === 'approach' ? Math.atanh(value) : value;
 }
 
-function unstretch({ scale }: NumberParam, stretched: number): number {
-  if (scale === 'log') return Math.exp(stretched);
+function unstretch(spec: NumberParam, stretched: number): number {
+  const { scale } = spec;
+  if (scale === 'log') return Math.exp(stretched) - shift(spec);
   return scale === 'approach' ? Math.tanh(stretched) : stretched;
 }
 

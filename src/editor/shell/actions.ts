@@ -15,7 +15,7 @@ export const toggleGrid = (studio: Studio): void =>
   change(studio, 'relativity-rasterize', 'grid', (now) => now !== true, 'param.grid');
 
 export const nextFalseColor = (studio: Studio): void =>
-  change(studio, 'tone-map', 'falseColor', (now) => next(['none', ...FALSE_COLORS], now), 'param.falseColor');
+  change(studio, 'false-colour', 'of', (now) => next(['none', ...FALSE_COLORS], now), 'param.falseColor');
 
 /** The observer leaves the camera that he rode on. */
 export const leaveCamera = (studio: Studio): void => change(studio, 'scene-camera', 'ride', () => false, 'param.ride');

@@ -39,8 +39,8 @@ export class Eye {
   #value: number | undefined;
   #target = 0;
   #gauge: Gauge | undefined;
-  /** The last scale, and what it was made of. */
-  #scaled: { readonly gauge: Gauge | undefined; readonly kind: FalseColor; readonly scale: Scale } | undefined;
+  /** The scales of the last measurement. */
+  #scaled: { readonly gauge: Gauge | undefined; readonly scales: Map<FalseColor, Scale> } | undefined;
   /** Drawn, and not measured yet. */
   #drawn: Drawn | undefined;
   #known = '';
@@ -56,15 +56,13 @@ export class Eye {
     return metering === 'manual' ? 0 : (this.#value ?? 0);
   }
 
-  /** Of the picture's false colours: round numbers that hold what was measured last. */
-  scale({ falseColor }: Picture): Scale | undefined {
-    if (falseColor === 'none') return undefined;
-    const { gauge, kind } = this.#scaled ?? {};
-    if (gauge !== this.#gauge || kind !== falseColor) {
-      const values = this.#gauge ? MEASURED[falseColor](this.#gauge) : [];
-      this.#scaled = { gauge: this.#gauge, kind: falseColor, scale: scaleFor(falseColor, values) };
-    }
-    return this.#scaled?.scale;
+  /** Of false colours: round numbers that hold what was measured last. */
+  scale(kind: FalseColor): Scale {
+    if (!this.#scaled || this.#scaled.gauge !== this.#gauge) this.#scaled = { gauge: this.#gauge, scales: new Map() };
+    const { scales } = this.#scaled;
+    const scale = scales.get(kind) ?? scaleFor(kind, this.#gauge ? MEASURED[kind](this.#gauge) : []);
+    scales.set(kind, scale);
+    return scale;
   }
 
   /** Opens anew: the first measurement is taken as it is. */
@@ -75,11 +73,11 @@ export class Eye {
 
   /** To be told of every picture. */
   see(drawn: Drawn): void {
-    const { metering, falseColor } = drawn.picture;
-    if (metering === 'manual' && falseColor === 'none') return;
-    // What is measured does not depend on how it is shown.
-    const { exposure: _, tone: __, falseColors: ___, ...lit } = drawn.settings;
-    const what = JSON.stringify([metering, falseColor === 'none', drawn.viewPoint, lit, drawn.aspect]);
+    const { metering, falseColor, plan } = drawn.picture;
+    if (metering === 'manual' && falseColor === 'none' && !plan) return;
+    // What is measured does not depend on how it is shown, as long as that is not seen in what a plan makes of it.
+    const { exposure: _, tone: __, falseColors: ___, plan: ____, ...lit } = drawn.settings;
+    const what = JSON.stringify([metering, falseColor === 'none', drawn.viewPoint, lit, plan, drawn.aspect]);
     if (what === this.#known) return;
     this.#known = what;
     this.#drawn = drawn;

@@ -48,7 +48,7 @@ export class Stage {
   readonly #finest: number;
   #scale = 1;
   /** In the renderer now. */
-  #scene: Scene | undefined;
+  #scenes: readonly Scene[] = [];
   #uploading = false;
   /** On the canvas; undefined while there is nothing of this scene. */
   #shown: Drawing | undefined;
@@ -176,16 +176,16 @@ export class Stage {
   #follow(): void {
     const { picture, opened } = this.#studio.store.getState();
     if (!picture || this.#uploading) return;
-    if (picture.scene !== this.#scene) void this.#upload(picture, opened);
+    if (!isSame(picture.scenes, this.#scenes)) void this.#upload(picture, opened);
     else if (picture !== this.#pilot.picture) this.#pilot.show(picture, opened);
   }
 
   async #upload(picture: Picture, opened: Opened): Promise<void> {
     this.#uploading = true;
-    this.#scene = picture.scene;
+    this.#scenes = picture.scenes;
     this.#lost = false;
     try {
-      await this.#renderer.setScene(picture.scene);
+      await this.#renderer.setScene(picture.scene, picture.scenes.slice(1));
       this.#shown = undefined;
       this.#wanted = undefined;
       this.#eye.blink();
@@ -226,9 +226,9 @@ export class Stage {
   #draw(always: boolean): boolean {
     const viewPoint = this.#pilot.viewPoint();
     const { picture } = this.#pilot;
-    if (!viewPoint || !picture || this.#uploading || picture.scene !== this.#scene) return false;
+    if (!viewPoint || !picture || this.#uploading || !isSame(picture.scenes, this.#scenes)) return false;
     const { clientWidth, clientHeight } = this.#canvas;
-    const wanted = renderSettings(picture, this.#eye.exposure(picture), this.#eye.scale(picture));
+    const wanted = renderSettings(picture, this.#eye.exposure(picture), (kind) => this.#eye.scale(kind));
     const before = this.#wanted;
     this.#wanted = { viewPoint, settings: wanted };
     const changes = before !== undefined && !same(before, this.#wanted);
@@ -257,6 +257,9 @@ export class Stage {
     return [best, plain].find((drawing) => this.#isPrepared(drawing)) ?? (this.#shown && { ...this.#shown, viewPoint });
   }
 }
+
+const isSame = (a: readonly Scene[], b: readonly Scene[]): boolean =>
+  a.length === b.length && a.every((scene, i) => scene === b[i]);
 
 /** Whether the same is to be seen. Plain data of numbers and short arrays: compared by its text. */
 const same = (a: Shown, b: Shown): boolean =>

@@ -236,7 +236,7 @@ describe('copies', () => {
     ['{', /not JSON/],
     ['{"format":"slowlight"}', /no nodes of Slowlight/],
     ['null', /no nodes of Slowlight/],
-    [serializeFragment({ ...copyOf(chain(), { nodes: ['x'] }), version: 99 as 3 }), /^version/],
+    [serializeFragment({ ...copyOf(chain(), { nodes: ['x'] }), version: 99 as 4 }), /^version/],
     [
       serializeFragment({ ...copyOf(chain(), { nodes: ['x'] }), layout: { y: [0, 0] } }),
       /layout.y: there is no node "y"/,

@@ -1,4 +1,6 @@
+import { NodeRefusal } from '../../graph/nodeType.ts';
 import { defineNode } from '../define.ts';
+import { PlanError, planned } from '../plan.ts';
 
 /** What the screen shows and what is saved. */
 export const output = defineNode({
@@ -8,6 +10,13 @@ export const output = defineNode({
   category: 'render',
   params: {},
   inputs: { image: { type: 'image' } },
-  outputs: { image: { type: 'image' } },
-  evaluate: ({ image }) => ({ image }),
+  outputs: { picture: { type: 'picture' } },
+  evaluate({ image }, _, { node }) {
+    try {
+      return { picture: planned(image) };
+    } catch (error) {
+      if (!(error instanceof PlanError)) throw error;
+      throw new NodeRefusal({ severity: 'error', code: 'picture.large', place: node, message: error.message });
+    }
+  },
 });

@@ -37,7 +37,6 @@ export const relativityRasterize = defineNode({
       step: 0.01,
       physical: 1,
     },
-    shadows: { kind: 'boolean', title: 'param.shadows', help: 'param.shadows.help', default: true },
     antialiasing: {
       kind: 'boolean',
       title: 'param.antialiasing',

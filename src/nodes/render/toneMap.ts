@@ -39,21 +39,10 @@ export const toneMap = defineNode({
       max: 10,
       step: 0.1,
     },
-    falseColor: {
-      kind: 'choice',
-      title: 'param.falseColor',
-      help: 'param.falseColor.help',
-      default: 'none',
-      options: [
-        { value: 'none', title: 'falseColor.none' },
-        { value: 'doppler', title: 'falseColor.doppler' },
-        { value: 'emission-time', title: 'falseColor.emissionTime' },
-        { value: 'radiance', title: 'falseColor.radiance' },
-        { value: 'band', title: 'falseColor.band' },
-      ],
-    },
   },
-  inputs: { gbuffer: { type: 'gbuffer' } },
+  inputs: { image: { type: 'image' } },
   outputs: { image: { type: 'image' } },
-  evaluate: ({ gbuffer }, params) => ({ image: { ...gbuffer, ...params } }),
+  evaluate: ({ image }, { tone, metering, exposure }) => ({
+    image: { step: { kind: 'tone', tone, metering, exposure, image }, gbuffer: image.gbuffer },
+  }),
 });

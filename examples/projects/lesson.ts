@@ -1,0 +1,23 @@
+import { build } from './build.ts';
+import { drive } from './kit.ts';
+
+const ABOUT = {
+  title: 'Colours and bands',
+  lookFor:
+    'The same street twice: at the right as it is seen at 0.6 c, at the left with the part of the spectrum that is seen there. What is green now was infrared, and the sky of the side that you flee from was ultraviolet. Choose another number in False colour: the Doppler factor, or how long ago the light left.',
+};
+
+/** At the right the street as it is seen, at the left over the same picture which part of the emitted spectrum arrives as what is seen. */
+export const lesson = () =>
+  build(ABOUT, {
+    ...drive,
+    lighting: { type: 'deferred-lighting', from: { gbuffer: 'seen.gbuffer' } },
+    toneMap: { type: 'tone-map', from: { image: 'lighting.image' } },
+    shift: { type: 'false-colour', set: { of: 'band' }, from: { image: 'toneMap.image' } },
+    split: {
+      type: 'mix-color',
+      set: { mode: 'split', alpha: 0.5 },
+      from: { below: 'shift.image', above: 'toneMap.image' },
+    },
+    output: { type: 'output', from: { image: 'split.image' } },
+  });

@@ -1,0 +1,100 @@
+import { NodeRefusal, type NumberParam } from '../../graph/nodeType.ts';
+import { EFFECTS, type EffectId, type EffectInfo } from '../../scene/effects.ts';
+import type { WrittenEffect } from '../../scene/plan.ts';
+import { ShaderTextError } from '../../scene/shaderText/place.ts';
+import { readShaderText } from '../../scene/shaderText/shaderText.ts';
+import { defineNode } from '../define.ts';
+
+/** Depth of field is a node of its own. */
+const LIBRARY = [
+  'gaussian-blur',
+  'bilateral-filter',
+  'sky-background',
+  'sharpen',
+  'bloom',
+  'edge',
+  'vignette',
+  'fog',
+] as const satisfies readonly EffectId[];
+const WRITTEN = 'written';
+
+const EXAMPLE = `// Darker lines, as on an old screen.
+fn effect(p: Pixel) -> vec4f {
+  let line = 0.5 + 0.5 * cos(p.position.y * arg1);
+  return vec4f(p.color.rgb * mix(1, line, arg2), 1);
+}
+`;
+
+const ARGS = ['param.arg1', 'param.arg2', 'param.arg3', 'param.arg4'] as const;
+
+/** arg1 … arg4: each effect has its own names, units and ranges for them; an effect that somebody writes takes any numbers. */
+function argument(index: 0 | 1 | 2 | 3) {
+  const own = LIBRARY.flatMap((id) => {
+    const args: EffectInfo['args'] = EFFECTS[id].args;
+    const arg = args[index];
+    return arg ? [[id, arg] as const] : [];
+  });
+  const any = { title: ARGS[index]!, default: 0, min: -1e9, max: 1e9, step: 0.01, slider: false } as const;
+  const cases = { ...Object.fromEntries(own), [WRITTEN]: any };
+  return { kind: 'number', ...any, as: { param: 'effect', cases } } as const satisfies NumberParam;
+}
+
+/** One effect over an image, which may know of the G-buffer. */
+export const postProcess = defineNode({
+  id: 'post-process',
+  title: 'node.postProcess',
+  help: 'node.postProcess.help',
+  category: 'render',
+  params: {
+    effect: {
+      kind: 'choice',
+      title: 'param.effect',
+      help: 'param.effect.help',
+      default: 'gaussian-blur',
+      options: [
+        ...LIBRARY.map((value) => ({ value, title: EFFECTS[value].title })),
+        { value: WRITTEN, title: 'effect.written' },
+      ],
+    },
+    arg1: argument(0),
+    arg2: argument(1),
+    arg3: argument(2),
+    arg4: argument(3),
+    text: {
+      kind: 'text',
+      title: 'param.shaderText',
+      help: 'param.shaderText.help',
+      default: EXAMPLE,
+      shader: true,
+      onlyWhen: { param: 'effect', is: WRITTEN },
+    },
+  },
+  inputs: {
+    image: { type: 'image' },
+    gbuffer: { type: 'gbuffer', optional: true },
+    mask: { type: 'mask', optional: true },
+  },
+  outputs: { image: { type: 'image' } },
+  evaluate({ image, gbuffer = image.gbuffer, mask }, { effect, arg1, arg2, arg3, arg4, text }, { node }) {
+    const step = {
+      kind: 'effect',
+      effect: effect === WRITTEN ? written(text, node) : effect,
+      args: [arg1, arg2, arg3, arg4],
+      image,
+      buffer: gbuffer,
+      ...(mask && { mask }),
+    } as const;
+    return { image: { step, gbuffer: image.gbuffer } };
+  },
+});
+
+/** Throws a NodeRefusal with the line and the column of what cannot be. */
+function written(text: string, node: string): WrittenEffect {
+  try {
+    readShaderText(text);
+    return { text };
+  } catch (error) {
+    if (!(error instanceof ShaderTextError)) throw error;
+    throw new NodeRefusal({ severity: 'error', code: 'shader.text', place: node, message: error.message });
+  }
+}

@@ -1,0 +1,23 @@
+import { defineNode } from '../define.ts';
+
+/** What an ordinary renderer draws of the same scene: light takes no time, and motion changes neither places nor colours. */
+export const rasterize = defineNode({
+  id: 'rasterize',
+  title: 'node.rasterizeOrdinary',
+  help: 'node.rasterizeOrdinary.help',
+  category: 'render',
+  params: {
+    antialiasing: {
+      kind: 'boolean',
+      title: 'param.antialiasing',
+      help: 'param.antialiasing.help',
+      default: true,
+    },
+    grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },
+  },
+  inputs: { view: { type: 'view' } },
+  outputs: { gbuffer: { type: 'gbuffer' } },
+  evaluate: ({ view }, { antialiasing, grid }) => ({
+    gbuffer: { ...view, view: 'galilean', colors: 'spectral', dopplerMix: 0, beaming: 0, antialiasing, grid },
+  }),
+});

@@ -1,0 +1,58 @@
+import { CHANNELS, type Channel, type Input, type Program } from '../../scene/shaderText/program.ts';
+import { run } from '../../scene/shaderText/run.ts';
+import type { Frame, Plane } from './frame.ts';
+
+/** A picture after an effect that somebody wrote (scene/shaderText/). `time`: world time of the observer [s]. */
+export const written = (program: Program, frame: Frame, args: readonly number[], time: number): Plane =>
+  frame.image.map((x, y) => {
+    const about = {
+      look: (channel: Channel, dx: number, dy: number) => look(frame, channel, x + dx, y + dy),
+      input: (name: Input) => inputOf(frame, name, x, y, args, time),
+    };
+    return run(program, about).slice(0, 3);
+  });
+
+/** Of a channel at a pixel; where nothing is, all are 0. */
+function look(frame: Frame, channel: Channel, x: number, y: number): readonly number[] {
+  if (channel === 'image') return [...frame.image.at(x, y), 1];
+  if (!frame.there(x, y)) return Array.from({ length: CHANNELS[channel] }, () => 0);
+  switch (channel) {
+    case 'there':
+      return [1];
+    case 'depth':
+      return [frame.depth(x, y)];
+    case 'normal':
+      return frame.normal(x, y);
+    case 'event':
+      return frame.event(x, y);
+    case 'emissionTime':
+      return [frame.emissionTime(x, y)];
+    default:
+      return frame.read(channel, x, y);
+  }
+}
+
+function inputOf(
+  frame: Frame,
+  name: Input,
+  x: number,
+  y: number,
+  args: readonly number[],
+  time: number,
+): readonly number[] {
+  const { width, height } = frame.image;
+  switch (name) {
+    case 'time':
+      return [time];
+    case 'p.position':
+      return [x + 0.5, y + 0.5];
+    case 'p.uv':
+      return [(x + 0.5) / width, (y + 0.5) / height];
+    case 'p.size':
+      return [width, height];
+    case 'p.direction':
+      return frame.direction(x, y);
+    default:
+      return [args[Number(name.slice(3)) - 1] ?? 0];
+  }
+}

@@ -1,0 +1,312 @@
+import {
+  abs,
+  acos,
+  asin,
+  atan,
+  Break,
+  bool,
+  Continue,
+  ceil,
+  clamp,
+  cos,
+  cross,
+  degrees,
+  distance,
+  dot,
+  exp,
+  exp2,
+  float,
+  floor,
+  fract,
+  If,
+  int,
+  inverseSqrt,
+  ivec2,
+  ivec3,
+  ivec4,
+  Loop,
+  length,
+  log,
+  log2,
+  mat2,
+  mat3,
+  mat4,
+  max,
+  min,
+  mix,
+  normalize,
+  pow,
+  radians,
+  reflect,
+  round,
+  saturate,
+  select,
+  sign,
+  sin,
+  smoothstep,
+  sqrt,
+  step,
+  tan,
+  trunc,
+  vec2,
+  vec3,
+  vec4,
+} from 'three/tsl';
+import type {
+  Channel,
+  Input,
+  Operation,
+  Program,
+  ProgramFunction,
+  Step,
+  Value,
+} from '../../scene/shaderText/program.ts';
+import { isFloat, scalar, sizeOf, type Type, vector } from '../../scene/shaderText/types.ts';
+import type { Bool, Float, Int, Vec2, Vec4 } from '../../shaders/types.ts';
+import { type Effect, inOneStep } from './effect.ts';
+import type { Frame } from './frame.ts';
+
+/*
+ * A program that somebody wrote as nodes of three, for both backends. three's types cannot follow a type that is data: here every node is a `Float` to
+ * TypeScript, and what it is to the GPU the program tells, whose types are checked (scene/shaderText/check.ts).
+ */
+
+const erased = (node: unknown): Float => node as Float;
+const truth = (node: Float): Bool => node as unknown as Bool;
+const offset = (node: Float): Vec2 => vec2(node as unknown as Vec2);
+
+/** `written` of reference/effects/. */
+export const written = (program: Program): Effect =>
+  inOneStep(
+    (frame) =>
+      new Call(program, program.functions[program.effect] as ProgramFunction, [], frame).result() as unknown as Vec4,
+  );
+
+const MATRICES = { 2: mat2, 3: mat3, 4: mat4 } as const;
+const VECTORS = {
+  f32: { 1: float, 2: vec2, 3: vec3, 4: vec4 },
+  i32: { 1: int, 2: ivec2, 3: ivec3, 4: ivec4 },
+  bool: { 1: bool },
+} as const;
+
+/** A value of a type, of its parts one after the other. */
+function build({ of, rows, columns }: Type, parts: readonly Float[]): Float {
+  const tables: Readonly<Record<string, Readonly<Record<number, unknown>>>> = { ...VECTORS, matrix: MATRICES };
+  const make = tables[columns > 1 ? 'matrix' : of]?.[columns > 1 ? columns : rows] as
+    | ((...parts: Float[]) => unknown)
+    | undefined;
+  if (!make) throw new Error(`no type of ${rows} × ${columns} ${of}`);
+  return erased(make(...parts));
+}
+
+function constant(type: Type, numbers: readonly number[]): Float {
+  const { of, rows, columns } = type;
+  const one = (x: number): Float =>
+    erased(of === 'bool' ? bool(x !== 0) : of === 'i32' || of === 'whole' ? int(x) : float(x));
+  if (sizeOf(type) === 1) return one(numbers[0] ?? 0);
+  if (columns === 1) return build({ ...type, of: isFloat(type) ? 'f32' : 'i32' }, numbers.map(one));
+  // Of numbers three would make a matrix row by row.
+  const column = (k: number) => build(vector(rows), numbers.slice(k * rows, (k + 1) * rows).map(one));
+  return build(
+    type,
+    Array.from({ length: columns }, (_, k) => column(k)),
+  );
+}
+
+type Make = (...args: Float[]) => unknown;
+const rest = (a: Float, b: Float): Float => a.sub(b.mul(trunc(a.div(b))));
+const wholeRest = (a: Float, b: Float): Float => a.sub(b.mul(a.div(b)));
+
+const OF_VECTORS = { dot, length, distance, normalize, reflect, cross };
+const OPERATIONS: Readonly<Record<Operation, Make>> = {
+  ...{ sin, cos, tan, asin, acos, atan, exp, exp2, log, log2, sqrt, inverseSqrt, floor, ceil, round, trunc, fract },
+  ...{ radians, degrees, saturate, pow, step, mix, smoothstep, abs, sign, min, max, clamp },
+  ...(OF_VECTORS as unknown as Readonly<Record<keyof typeof OF_VECTORS, Make>>),
+  atan2: (y, x) => atan(y, x),
+  sinh: (x) => exp(x).sub(exp(x.negate())).div(2),
+  cosh: (x) => exp(x).add(exp(x.negate())).div(2),
+  tanh: (x) => exp(x.mul(2)).add(1).reciprocal().mul(2).oneMinus(),
+  select: (no, yes, test) => select(truth(test), yes, no),
+  negate: (a) => a.negate(),
+  not: (a) => truth(a).not(),
+  add: (a, b) => a.add(b),
+  sub: (a, b) => a.sub(b),
+  mul: (a, b) => a.mul(b),
+  div: (a, b) => a.div(b),
+  rem: rest,
+  product: (a, b) => a.mul(b),
+  and: (a, b) => truth(a).and(truth(b)),
+  or: (a, b) => truth(a).or(truth(b)),
+  eq: (a, b) => a.equal(b),
+  ne: (a, b) => a.notEqual(b),
+  lt: (a, b) => a.lessThan(b),
+  le: (a, b) => a.lessThanEqual(b),
+  gt: (a, b) => a.greaterThan(b),
+  ge: (a, b) => a.greaterThanEqual(b),
+};
+
+/** Whether a function may be left on the way through a step. */
+const leaves = (of: Step): boolean =>
+  of.op === 'return' ||
+  (of.op === 'if' && [...of.yes, ...of.no].some(leaves)) ||
+  (of.op === 'for' && of.body.some(leaves));
+
+/** One function, written out where it is called. GPUs leave loops, and skip what follows a branch, by what a variable tells. */
+class Call {
+  private readonly program: Program;
+  private readonly of: ProgramFunction;
+  private readonly frame: Frame;
+  private readonly locals: readonly Float[];
+  private readonly returned: Float;
+  private readonly done: Bool;
+
+  constructor(program: Program, of: ProgramFunction, args: readonly Float[], frame: Frame) {
+    this.program = program;
+    this.of = of;
+    this.frame = frame;
+    this.locals = of.locals.map((type, i) => args[i] ?? this.variable(type));
+    this.returned = this.variable(of.result);
+    this.done = bool(false).toVar();
+  }
+
+  result(): Float {
+    this.steps(this.of.body, false);
+    return this.returned;
+  }
+
+  private variable(type: Type): Float {
+    const zeros = Array.from({ length: sizeOf(type) }, () => 0);
+    return constant(type, zeros).toVar();
+  }
+
+  private steps(steps: readonly Step[], looping: boolean): void {
+    for (const [i, of] of steps.entries()) {
+      this.step(of, looping);
+      if (of.op === 'return' || of.op === 'break' || of.op === 'continue') return;
+      if (!leaves(of)) continue;
+      if (!looping) {
+        If(this.done.not(), () => this.steps(steps.slice(i + 1), looping));
+        return;
+      }
+      if (of.op === 'for') If(this.done, () => Break());
+    }
+  }
+
+  private step(of: Step, looping: boolean): void {
+    switch (of.op) {
+      case 'set':
+        this.set(this.locals[of.local] as Float, of.part, this.value(of.value));
+        return;
+      case 'if':
+        If(truth(this.value(of.test)), () => this.steps(of.yes, looping)).Else(() => this.steps(of.no, looping));
+        return;
+      case 'for':
+        this.loop(of);
+        return;
+      case 'return':
+        this.returned.assign(this.value(of.value));
+        this.done.assign(true);
+        if (looping) Break();
+        return;
+      case 'break':
+        Break();
+        return;
+      case 'continue':
+        Continue();
+    }
+  }
+
+  private set(local: Float, part: number | undefined, value: Float): void {
+    if (part === undefined) local.assign(value);
+    else erased(swizzled(local, [part])).assign(value);
+  }
+
+  private loop({ local, first, by, count, body }: Step & { readonly op: 'for' }): void {
+    if (count === 0) return;
+    Loop(count, ({ i }: { i: Int }) => {
+      this.locals[local]?.assign(erased(i.mul(by).add(first)));
+      this.steps(body, true);
+    });
+  }
+
+  private value(value: Value): Float {
+    switch (value.op) {
+      case 'constant':
+        return constant(value.type, value.numbers);
+      case 'local':
+        return this.locals[value.local] as Float;
+      case 'input':
+        return inputOf(this.frame, value.input);
+      case 'look':
+        return looked(this.frame, value.channel, this.frame.pixel.add(offset(this.value(value.offset))).toVar());
+      case 'parts':
+        return swizzled(this.value(value.of), value.parts);
+      case 'column':
+        return erased((this.value(value.of) as unknown as { element(i: Int): unknown }).element(int(value.column)));
+      case 'build':
+        return build(
+          value.type,
+          value.parts.map((part) => this.value(part)),
+        );
+      case 'convert':
+        return build(value.type.columns > 1 ? value.type : { ...scalar(value.type.of), rows: value.type.rows }, [
+          this.value(value.of),
+        ]);
+      case 'apply':
+        return this.applied(value);
+      case 'call': {
+        const args = value.args.map((arg) => this.value(arg).toVar());
+        return new Call(this.program, this.program.functions[value.f] as ProgramFunction, args, this.frame).result();
+      }
+    }
+  }
+
+  private applied({ f, args }: Value & { readonly op: 'apply' }): Float {
+    const values = args.map((arg) => this.value(arg));
+    const whole = args[0] && !isFloat(args[0].type);
+    return erased((f === 'rem' && whole ? wholeRest : OPERATIONS[f])(...values));
+  }
+}
+
+const swizzled = (of: Float, parts: readonly number[]): Float =>
+  erased(Reflect.get(of, parts.map((part) => 'xyzw'[part]).join('')));
+
+/** Of a channel at a pixel; where nothing is, all are 0. */
+function looked(frame: Frame, channel: Channel, pixel: Vec2): Float {
+  if (channel === 'image') return erased(frame.image.at(pixel));
+  if (channel === 'object') return frame.object(pixel);
+  const { x: there, y: depth } = frame.depth(pixel).toVar();
+  switch (channel) {
+    case 'there':
+      return there;
+    case 'depth':
+      return depth.mul(there);
+    case 'normal':
+      return erased(frame.normal(pixel).mul(there));
+    case 'event':
+      return erased(frame.event(pixel).mul(there));
+    case 'emissionTime':
+      return frame.emissionTime(pixel).mul(there);
+    case 'velocity':
+      return erased(frame.motion(pixel).xyz.mul(there));
+    case 'doppler':
+      return frame.motion(pixel).w.mul(there);
+  }
+}
+
+function inputOf(frame: Frame, name: Input): Float {
+  const [arg1, arg2, arg3, arg4] = frame.args;
+  const position = frame.pixel.add(0.5);
+  const inputs: Readonly<Record<Input, () => unknown>> = {
+    arg1: () => arg1,
+    arg2: () => arg2,
+    arg3: () => arg3,
+    arg4: () => arg4,
+    time: () => frame.time,
+    'p.position': () => position,
+    'p.uv': () => position.div(frame.image.size),
+    'p.size': () => frame.image.size,
+    'p.direction': () => frame.direction(),
+  };
+  return erased(inputs[name]());
+}

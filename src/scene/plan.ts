@@ -1,0 +1,135 @@
+import type { FalseColor, Scale } from '../spectrum/falseColor.ts';
+import type { Tone } from '../spectrum/toneMap.ts';
+import type { EffectId, MixMode } from './effects.ts';
+import type { RenderSettings } from './view.ts';
+
+/*
+ * How a picture is put together: a list of steps, each of which makes an image of those before it. The graph's nodes make such plans; the fast renderer
+ * (render/plan/) and the reference (reference/plan.ts) carry them out, each in its own way, to the same picture. What is in a plan is plain data.
+ */
+
+/** What of the settings a G-buffer is drawn with. */
+export const BUFFER_SETTINGS = [
+  'view',
+  'lightDelay',
+  'aberration',
+  'colors',
+  'dopplerMix',
+  'beaming',
+  'solver',
+  'iterations',
+  'damping',
+  'speedOfLight',
+] as const satisfies readonly (keyof RenderSettings)[];
+export type BufferSettings = Pick<RenderSettings, (typeof BUFFER_SETTINGS)[number]>;
+
+/** A G-buffer beside that of the picture's own settings, seen by the same observer. */
+export interface PlannedBuffer extends BufferSettings {
+  /** Place among the scenes that the renderer was given. */
+  readonly scene: number;
+}
+
+/** An effect in the words of whoever wrote it (scene/shaderText/). */
+export interface WrittenEffect {
+  readonly text: string;
+}
+
+/** One step, by what it refers to images and G-buffers with. */
+export type StepOf<Image, Buffer> =
+  /** The G-buffer shaded: linear light. `occlusion`: what hides the sky of a place dims its light. */
+  | { readonly kind: 'light'; readonly buffer: Buffer; readonly shadows: boolean; readonly occlusion: boolean }
+  /** The share of the sky that each place sees, as a grey image; 1 where nothing is. `radius`: as `occlusionRadius` of the settings; 0: what fits the scene. */
+  | { readonly kind: 'occlusion'; readonly buffer: Buffer; readonly radius: number }
+  | {
+      readonly kind: 'effect';
+      readonly effect: EffectId | WrittenEffect;
+      /** arg1 … arg4 */
+      readonly args: readonly number[];
+      readonly image: Image;
+      readonly buffer: Buffer;
+      /** Its first channel tells how much of the effect is to be seen. */
+      readonly mask?: Image;
+    }
+  | {
+      readonly kind: 'mix';
+      readonly mode: MixMode;
+      readonly alpha: number;
+      readonly below: Image;
+      readonly above: Image;
+      readonly mask?: Image;
+    }
+  /** Light to what a screen can show: 0 … 1, still linear. Where it is metered, that is added to the exposure [EV]. */
+  | {
+      readonly kind: 'tone';
+      readonly tone: Tone;
+      readonly exposure: number;
+      readonly metering: 'automatic' | 'resting-eye' | 'manual';
+      readonly image: Image;
+    }
+  /** Numbers of a G-buffer, or of the light, as colours, 0 … 1 and linear too. `scale`: absent until somebody has measured. */
+  | {
+      readonly kind: 'false-colour';
+      readonly of: FalseColor;
+      readonly scale?: Scale;
+      readonly image: Image;
+      readonly buffer: Buffer;
+    };
+
+/** It refers to steps before it, and to G-buffers, by their places. */
+export type Step = StepOf<number, number>;
+
+/** The last step is the light of the picture, which is then exposed and tone mapped as the settings say. Equal steps are there once. */
+export interface Plan {
+  /** G-buffers 1, 2 …; number 0 is that of the settings themselves, of the renderer's first scene. */
+  readonly others: readonly PlannedBuffer[];
+  readonly steps: readonly Step[];
+}
+
+/** A picture takes at most so many steps, and so many G-buffers: each is a texture or several, of the picture's size. */
+export const MOST_STEPS = 64;
+export const MOST_BUFFERS = 4;
+
+/** The settings of a plan's G-buffer. */
+export const bufferSettings = (settings: RenderSettings, buffer: number): RenderSettings =>
+  buffer === 0 ? settings : { ...settings, ...settings.plan?.others[buffer - 1] };
+
+/** The images that a step is made of. */
+export function imagesOf<Image>(step: StepOf<Image, unknown>): readonly Image[] {
+  switch (step.kind) {
+    case 'light':
+    case 'occlusion':
+      return [];
+    case 'mix':
+      return [step.below, step.above, ...(step.mask === undefined ? [] : [step.mask])];
+    case 'effect':
+      return [step.image, ...(step.mask === undefined ? [] : [step.mask])];
+    default:
+      return [step.image];
+  }
+}
+
+/**
+ * Whether tone curves are within the plan. Then the metering works there, by the light of the picture's first G-buffer; otherwise it is the plan's light that
+ * is metered, exposed and tone mapped.
+ */
+export const isFinished = (plan: Plan | undefined): boolean => plan?.steps.some(({ kind }) => kind === 'tone') ?? false;
+
+/** What a plan is like, but for its numbers: plans of one shape are drawn by the same shaders. */
+export const shapeOf = ({ others, steps }: Plan): string => JSON.stringify([others.length, steps.map(withoutNumbers)]);
+
+function withoutNumbers(step: Step): unknown {
+  switch (step.kind) {
+    case 'effect':
+      return { ...step, args: 0 };
+    case 'mix':
+      return { ...step, alpha: 0 };
+    case 'tone':
+      return { ...step, exposure: 0 };
+    case 'occlusion':
+      return { ...step, radius: 0 };
+    case 'false-colour':
+      return { ...step, scale: 0 };
+    default:
+      return step;
+  }
+}

@@ -1,0 +1,132 @@
+import type { Operation } from './program.ts';
+import { isFloat, type Type } from './types.ts';
+
+/*
+ * What the operations of a shader text are, in f64. Truth is 1 and 0; matrices are column after column. Where WGSL leaves a result to the machine
+ * (the root of a negative number) it is not a number.
+ */
+
+type Numbers = readonly number[];
+type Component = (...args: number[]) => number;
+
+const clampTo = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
+/** Halves go to the even neighbour. */
+function round(x: number): number {
+  const low = Math.floor(x);
+  const part = x - low;
+  return part > 0.5 || (part === 0.5 && low % 2 !== 0) ? low + 1 : low;
+}
+function smoothstep(from: number, to: number, x: number): number {
+  const t = clampTo((x - from) / (to - from), 0, 1);
+  return t * t * (3 - 2 * t);
+}
+const whole = (x: number): number => x | 0;
+
+/** By components. */
+const COMPONENTS: Readonly<Partial<Record<Operation, Component>>> = {
+  sin: Math.sin,
+  cos: Math.cos,
+  tan: Math.tan,
+  asin: Math.asin,
+  acos: Math.acos,
+  atan: Math.atan,
+  sinh: Math.sinh,
+  cosh: Math.cosh,
+  tanh: Math.tanh,
+  exp: Math.exp,
+  exp2: (x) => 2 ** x,
+  log: Math.log,
+  log2: Math.log2,
+  sqrt: Math.sqrt,
+  inverseSqrt: (x) => 1 / Math.sqrt(x),
+  floor: Math.floor,
+  ceil: Math.ceil,
+  round,
+  trunc: Math.trunc,
+  fract: (x) => x - Math.floor(x),
+  radians: (x) => (x * Math.PI) / 180,
+  degrees: (x) => (x * 180) / Math.PI,
+  saturate: (x) => clampTo(x, 0, 1),
+  pow: (x, y) => x ** y,
+  atan2: Math.atan2,
+  step: (edge, x) => (x >= edge ? 1 : 0),
+  mix: (a, b, s) => a * (1 - s) + b * s,
+  smoothstep,
+  abs: Math.abs,
+  sign: Math.sign,
+  min: Math.min,
+  max: Math.max,
+  clamp: clampTo,
+  negate: (x) => -x,
+  not: (x) => 1 - x,
+  add: (a, b) => a + b,
+  sub: (a, b) => a - b,
+  mul: (a, b) => a * b,
+  and: (a, b) => a * b,
+  or: (a, b) => Math.max(a, b),
+  eq: (a, b) => Number(a === b),
+  ne: (a, b) => Number(a !== b),
+  lt: (a, b) => Number(a < b),
+  le: (a, b) => Number(a <= b),
+  gt: (a, b) => Number(a > b),
+  ge: (a, b) => Number(a >= b),
+};
+
+/** Whole numbers of 32 bits; by 0 nothing is divided. */
+const WHOLE: Readonly<Partial<Record<Operation, Component>>> = {
+  add: (a, b) => whole(a + b),
+  sub: (a, b) => whole(a - b),
+  mul: Math.imul,
+  div: (a = 0, b = 0) => (b === 0 ? a : whole(a / b)),
+  rem: (a, b) => (b === 0 ? 0 : a % b),
+};
+const BROKEN: Readonly<Partial<Record<Operation, Component>>> = {
+  div: (a, b) => a / b,
+  rem: (a, b) => a - b * Math.trunc(a / b),
+};
+
+const dot = (a: Numbers, b: Numbers): number => a.reduce((sum, x, i) => sum + x * (b[i] ?? 0), 0);
+const length = (a: Numbers): number => Math.hypot(...a);
+
+/** Of whole vectors. */
+const VECTORS: Readonly<Partial<Record<Operation, (a: Numbers, b: Numbers) => Numbers>>> = {
+  dot: (a, b) => [dot(a, b)],
+  length: (a) => [length(a)],
+  distance: (a, b) => [length(a.map((x, i) => x - (b[i] ?? 0)))],
+  normalize: (a) => a.map((x) => x / length(a)),
+  cross: ([a = 0, b = 0, c = 0], [x = 0, y = 0, z = 0]) => [b * z - c * y, c * x - a * z, a * y - b * x],
+  reflect: (a, n) => a.map((x, i) => x - 2 * dot(n, a) * (n[i] ?? 0)),
+};
+
+/** An operation on values whose types are those of the arguments; one number stands for as many as are wanted. */
+export function apply(f: Operation, args: readonly Numbers[], types: readonly Type[]): Numbers {
+  const [a = [], b = [], c = []] = args;
+  if (f === 'select') return c[0] ? b : a;
+  if (f === 'product') return product(a, b, types[0] as Type, types[1] as Type);
+  const ofVectors = VECTORS[f];
+  if (ofVectors) return ofVectors(a, b);
+  const special = types[0] && isFloat(types[0]) ? BROKEN[f] : WHOLE[f];
+  const each = special ?? COMPONENTS[f];
+  if (!each) throw new Error(`no operation ${f}`);
+  const size = Math.max(...args.map((arg) => arg.length));
+  return Array.from({ length: size }, (_, i) => each(...args.map((arg) => arg[arg.length === 1 ? 0 : i] ?? 0)));
+}
+
+/** Columns of b, each a sum of a's. A vector on the left is a row. */
+function product(a: Numbers, b: Numbers, left: Type, right: Type): Numbers {
+  const row = left.columns === 1;
+  const [rows, inner, columns] = row ? [1, left.rows, right.columns] : [left.rows, left.columns, right.columns];
+  const at = (m: Numbers, stride: number, i: number, j: number): number => m[j * stride + i] ?? 0;
+  return Array.from({ length: rows * columns }, (_, n) => {
+    const [i, j] = [n % rows, Math.floor(n / rows)];
+    let sum = 0;
+    for (let k = 0; k < inner; k++) sum += (row ? (a[k] ?? 0) : at(a, rows, i, k)) * at(b, inner, k, j);
+    return sum;
+  });
+}
+
+/** To the components of a type. */
+export function convert(numbers: Numbers, to: Type): Numbers {
+  if (to.of === 'bool') return numbers.map((x) => Number(x !== 0));
+  return to.of === 'i32' || to.of === 'whole' ? numbers.map((x) => whole(Math.trunc(x))) : numbers;
+}

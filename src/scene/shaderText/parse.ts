@@ -1,0 +1,296 @@
+import { LIMITS, type Place, refuse } from './place.ts';
+import type {
+  Assignment,
+  Declaration,
+  Expression,
+  ForLoop,
+  FunctionText,
+  Statement,
+  Syntax,
+  TypeName,
+} from './syntax.ts';
+import { type Token, tokensOf } from './tokens.ts';
+
+/** Of WGSL, what a text for one pixel has no use for, or could not be bounded with; and what to write instead. */
+const REFUSED: Readonly<Record<string, string>> = {
+  while: 'write a `for` whose count is known: `for (var i = 0; i < 16; i++)`',
+  loop: 'write a `for` whose count is known: `for (var i = 0; i < 16; i++)`',
+  switch: 'write `if … else if … else`',
+  discard: 'return the colour that is to be there',
+  struct: 'use vectors',
+  alias: "write the type's own name",
+  override: 'use `const`, or arg1 … arg4 for what is to be turned',
+  enable: 'what it enables is not taken',
+  requires: 'what it requires is not taken',
+  diagnostic: 'leave it out',
+  fallthrough: 'write `if … else if … else`',
+};
+const TYPES_REFUSED: readonly [RegExp, string][] = [
+  [/^(ptr|atomic|array)$/, 'pass and return values: numbers, vectors and matrices'],
+  [/^(texture|sampler)/, 'pixels are read by image(offset), depth(offset), normal(offset) …'],
+  [/^(u32|vec[234]u)$/, 'use i32'],
+  [/^(f16|vec[234]h|mat\dx\dh)$/, 'use f32'],
+];
+/** Binary operators, those that bind least first. */
+const LEVELS = [['||'], ['&&'], ['==', '!=', '<', '>', '<=', '>='], ['+', '-'], ['*', '/', '%']] as const;
+const BITS = new Set(['&', '|', '^', '~', '<<', '>>']);
+const TEMPLATES = /^(vec[234]|mat[234]x[234]|array|ptr|atomic|texture_\w+)$/;
+
+/** The structure of a text; refuses what is not of the language, with its place. */
+export const parse = (text: string): Syntax => new Parser(tokensOf(text)).module();
+
+class Parser {
+  private readonly tokens: readonly Token[];
+  private next = 0;
+  private depth = 0;
+  private chained = 0;
+
+  constructor(tokens: readonly Token[]) {
+    this.tokens = tokens;
+  }
+
+  module(): Syntax {
+    const constants: Declaration[] = [];
+    const functions: FunctionText[] = [];
+    while (this.here.kind !== 'end') {
+      if (this.takes(';')) continue;
+      if (this.is('fn')) functions.push(this.function());
+      else if (this.is('const')) constants.push(this.ended(this.declaration()));
+      else if (this.is('var'))
+        refuse(this.here, '`var` outside of a function is not taken: declare it inside, or use `const`');
+      else this.refused('expected `fn` or `const`');
+    }
+    return { constants, functions };
+  }
+
+  private function(): FunctionText {
+    const at = this.word('fn');
+    const name = this.name('a name for the function');
+    this.word('(');
+    const params: { at: Place; name: string; type: TypeName }[] = [];
+    while (!this.is(')')) {
+      const param = this.name('a parameter');
+      this.word(':');
+      params.push({ at: param, name: param.text, type: this.type() });
+      if (!this.takes(',')) break;
+    }
+    this.word(')');
+    if (!this.takes('->')) refuse(this.here, `${name.text} gives nothing: write \`-> vec4f\`, or what else it returns`);
+    return { at: { ...at, ...name }, name: name.text, params, result: this.type(), body: this.block() };
+  }
+
+  private type(): TypeName {
+    const at = this.name('a type');
+    const why = TYPES_REFUSED.find(([names]) => names.test(at.text));
+    if (why) refuse(at, `the type ${at.text} is not taken: ${why[1]}`);
+    if (!TEMPLATES.test(at.text) || !this.takes('<')) return { at, name: at.text };
+    const of = this.type();
+    this.word('>');
+    return { at, name: at.text, of };
+  }
+
+  private block(): readonly Statement[] {
+    return this.within(() => {
+      this.word('{');
+      const body: Statement[] = [];
+      while (!this.is('}')) {
+        if (this.takes(';')) continue;
+        body.push(this.statement());
+      }
+      this.word('}');
+      return body;
+    });
+  }
+
+  private statement(): Statement {
+    const at = this.here;
+    switch (at.text) {
+      case '{':
+        return { at, kind: 'block', body: this.block() };
+      case 'if':
+        return this.branch();
+      case 'for':
+        return this.loop();
+      case 'return': {
+        this.word('return');
+        if (this.is(';')) refuse(this.here, 'this returns nothing: write the value after `return`');
+        return this.ended({ at, kind: 'return', value: this.expression() });
+      }
+      case 'break':
+      case 'continue':
+        this.word(at.text);
+        return this.ended({ at, kind: at.text });
+      default:
+        return this.ended(this.simple());
+    }
+  }
+
+  private branch(): Statement {
+    const at = this.word('if');
+    const test = this.expression();
+    const yes = this.block();
+    if (!this.takes('else')) return { at, kind: 'if', test, yes, no: [] };
+    const no = this.is('if') ? [this.within(() => this.branch())] : this.block();
+    return { at, kind: 'if', test, yes, no };
+  }
+
+  private loop(): ForLoop {
+    const at = this.word('for');
+    this.word('(');
+    const first = this.is(';') ? undefined : this.simple();
+    this.word(';');
+    const test = this.is(';') ? undefined : this.expression();
+    this.word(';');
+    const next = this.is(')') ? undefined : this.simple();
+    this.word(')');
+    return { at, kind: 'for', first, while: test, next, body: this.block() };
+  }
+
+  /** A declaration or an assignment, without the semicolon. */
+  private simple(): Declaration | Assignment {
+    if (this.is('let') || this.is('var') || this.is('const')) return this.declaration();
+    const at = this.here;
+    if (at.kind !== 'name' || REFUSED[at.text]) this.refused('expected a statement');
+    const target = this.postfix();
+    const sign = this.here.text;
+    if (this.takes('++') || this.takes('--')) {
+      const one: Expression = { at, kind: 'number', text: '1' };
+      return { at, kind: 'assign', target, sign: sign[0], value: one };
+    }
+    if (target.kind === 'call')
+      refuse(at, `what ${target.callee.name} returns is not used: assign it, or leave the call out`);
+    if (!this.takes('=') && !/^[-+*/%]=$/.test(sign)) this.refused('expected `=`');
+    else if (sign !== '=') this.word(sign);
+    return { at, kind: 'assign', target, sign: sign === '=' ? undefined : sign[0], value: this.expression() };
+  }
+
+  private declaration(): Declaration {
+    const at = this.here;
+    const how = this.take().text as Declaration['how'];
+    if (this.is('<')) refuse(this.here, 'address spaces are not taken: write `var` alone');
+    const { text: name } = this.name('a name');
+    const type = this.takes(':') ? this.type() : undefined;
+    const value = this.takes('=') ? this.expression() : undefined;
+    if (!value && (how !== 'var' || !type)) refuse(this.here, `${name} has no value: write \`= …\` after it`);
+    return { at, kind: 'declare', how, name, type, value };
+  }
+
+  private expression(level = 0): Expression {
+    if (level === LEVELS.length) return this.unary();
+    let a = this.within(() => this.expression(level + 1));
+    while ((LEVELS[level] as readonly string[]).includes(this.here.text) && this.here.kind === 'sign') {
+      const at = this.take();
+      this.chain(at);
+      const b = this.within(() => this.expression(level + 1));
+      a = { at, kind: 'binary', sign: at.text, a, b };
+    }
+    if (this.here.kind === 'sign' && BITS.has(this.here.text))
+      refuse(this.here, `the operator ${this.here.text} works on bits, and is not taken: use arithmetic`);
+    return a;
+  }
+
+  private unary(): Expression {
+    const at = this.here;
+    if (this.takes('-') || this.takes('!'))
+      return { at, kind: 'unary', sign: at.text, of: this.within(() => this.unary()) };
+    if (at.text === '&' || at.text === '*') refuse(at, 'pointers are not taken: pass and return values');
+    return this.postfix();
+  }
+
+  private postfix(): Expression {
+    let of = this.primary();
+    for (;;) {
+      const at = this.here;
+      this.chain(at, at.text === '.' || at.text === '[');
+      if (this.takes('.')) of = { at, kind: 'member', of, name: this.name('x, y, z or w').text };
+      else if (this.takes('[')) {
+        const index = this.within(() => this.expression());
+        this.word(']');
+        of = { at, kind: 'index', of, index };
+      } else return of;
+    }
+  }
+
+  private primary(): Expression {
+    const at = this.here;
+    if (at.kind === 'number') return { at, kind: 'number', text: this.take().text };
+    if (this.takes('true') || this.takes('false')) return { at, kind: 'truth', value: at.text === 'true' };
+    if (this.takes('(')) {
+      const inner = this.within(() => this.expression());
+      this.word(')');
+      return inner;
+    }
+    if (at.kind !== 'name' || REFUSED[at.text]) this.refused('expected a value');
+    const templated = TEMPLATES.test(at.text);
+    const callee = templated ? this.type() : { at, name: this.take().text };
+    if (!this.takes('(')) {
+      if (templated) this.refused('expected `(`');
+      return { at, kind: 'name', name: callee.name };
+    }
+    const args: Expression[] = [];
+    while (!this.is(')')) {
+      args.push(this.within(() => this.expression()));
+      if (!this.takes(',')) break;
+    }
+    this.word(')');
+    return { at, kind: 'call', callee, args };
+  }
+
+  private within<T>(read: () => T): T {
+    if (++this.depth > LEVELS.length * LIMITS.depth)
+      refuse(this.here, `this lies more than ${LIMITS.depth} brackets deep: give parts of it names`);
+    const found = read();
+    this.depth--;
+    return found;
+  }
+
+  /** Chains are as deep as they are long. */
+  private chain(at: Token, longer = true): void {
+    if (longer && ++this.chained > LIMITS.chain)
+      refuse(at, `this statement is longer than ${LIMITS.chain} operators: give parts of it names`);
+  }
+
+  private ended<T>(statement: T): T {
+    this.chained = 0;
+    this.word(';');
+    return statement;
+  }
+
+  private get here(): Token {
+    return this.tokens[Math.min(this.next, this.tokens.length - 1)] as Token;
+  }
+
+  private take(): Token {
+    const token = this.here;
+    this.next++;
+    return token;
+  }
+
+  private is(text: string): boolean {
+    return this.here.text === text;
+  }
+
+  private takes(text: string): boolean {
+    if (!this.is(text)) return false;
+    this.next++;
+    return true;
+  }
+
+  private word(text: string): Token {
+    if (!this.is(text)) this.refused(`expected \`${text}\``);
+    return this.take();
+  }
+
+  private name(what: string): Token {
+    if (this.here.kind !== 'name' || REFUSED[this.here.text]) this.refused(`expected ${what}`);
+    return this.take();
+  }
+
+  private refused(expected: string): never {
+    const { text, kind } = this.here;
+    const instead = REFUSED[text];
+    if (instead && kind === 'name') refuse(this.here, `\`${text}\` is not taken: ${instead}`);
+    if (text === '@') refuse(this.here, 'attributes are not taken: leave them out');
+    refuse(this.here, `${expected}, found ${kind === 'end' ? 'the end of the text' : `\`${text}\``}`);
+  }
+}

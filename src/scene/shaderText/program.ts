@@ -1,0 +1,112 @@
+import type { Type } from './types.ts';
+
+/** What a text may look at of any pixel, by its offset from the one that is worked on, in whole pixels, y down. */
+export const CHANNELS = {
+  /** Linear light of the picture, and its opacity. */
+  image: 4,
+  /** 1 where anything is, 0 where only sky is. */
+  there: 1,
+  /** Apparent distance |Δx′| [m]. */
+  depth: 1,
+  /** Unit, in the surface's rest frame. */
+  normal: 3,
+  /** Observer → event, world frame [m]. */
+  event: 3,
+  /** World time of the event after the observer's [s]. */
+  emissionTime: 1,
+  /** Of the surface, world frame, units of c. */
+  velocity: 3,
+  /** D = ν_observed/ν_emitted. */
+  doppler: 1,
+  /** Place of the object in the scene plus one. */
+  object: 1,
+} as const;
+export type Channel = keyof typeof CHANNELS;
+
+/** What is known without looking, by its name and its components. */
+export const INPUTS = {
+  arg1: 1,
+  arg2: 1,
+  arg3: 1,
+  arg4: 1,
+  /** World time of the observer [s]. */
+  time: 1,
+  /** Of the pixel's centre, from the top left corner [px]. */
+  'p.position': 2,
+  /** The same over the picture's size. */
+  'p.uv': 2,
+  /** Of the picture [px]. */
+  'p.size': 2,
+  /** Where the pixel looks in the world: unit, world frame. */
+  'p.direction': 3,
+} as const;
+export type Input = keyof typeof INPUTS;
+
+/** Functions of numbers. All work component by component, but for those of `WHOLES`; all arguments are of one shape. */
+export const FLOAT_FUNCTIONS = {
+  ...{ sin: 1, cos: 1, tan: 1, asin: 1, acos: 1, atan: 1, sinh: 1, cosh: 1, tanh: 1, exp: 1, exp2: 1, log: 1, log2: 1 },
+  ...{ sqrt: 1, inverseSqrt: 1, floor: 1, ceil: 1, round: 1, trunc: 1, fract: 1, radians: 1, degrees: 1, saturate: 1 },
+  ...{ pow: 2, atan2: 2, step: 2, mix: 3, smoothstep: 3 },
+} as const;
+export const NUMBER_FUNCTIONS = { abs: 1, sign: 1, min: 2, max: 2, clamp: 3 } as const;
+/** Of whole vectors. */
+export const VECTOR_FUNCTIONS = { dot: 2, length: 1, distance: 2, normalize: 1, cross: 2, reflect: 2 } as const;
+
+export type Operation =
+  | keyof typeof FLOAT_FUNCTIONS
+  | keyof typeof NUMBER_FUNCTIONS
+  | keyof typeof VECTOR_FUNCTIONS
+  | 'select'
+  | 'negate'
+  | 'not'
+  | Binary
+  /** Matrix by matrix or vector, and vector by matrix. */
+  | 'product';
+export type Binary = 'add' | 'sub' | 'mul' | 'div' | 'rem' | 'and' | 'or' | 'eq' | 'ne' | 'lt' | 'le' | 'gt' | 'ge';
+
+/** A checked text: names are places of variables, types are known and equal where they must be, and every loop goes round a number of times that is known. */
+export interface Program {
+  readonly functions: readonly ProgramFunction[];
+  /** Place of `effect` among them. */
+  readonly effect: number;
+  readonly reads: ReadonlySet<Channel>;
+}
+
+export interface ProgramFunction {
+  readonly name: string;
+  /** The types of its variables; the first ones are its parameters. */
+  readonly locals: readonly Type[];
+  readonly params: number;
+  readonly result: Type;
+  readonly body: readonly Step[];
+}
+
+export type Value = { readonly type: Type } & (
+  | { readonly op: 'constant'; readonly numbers: readonly number[] }
+  | { readonly op: 'local'; readonly local: number }
+  | { readonly op: 'input'; readonly input: Input }
+  | { readonly op: 'look'; readonly channel: Channel; readonly offset: Value }
+  /** Components of a vector, or a column of a matrix. */
+  | { readonly op: 'parts'; readonly of: Value; readonly parts: readonly number[] }
+  | { readonly op: 'column'; readonly of: Value; readonly column: number }
+  /** Of components one after the other; of a single number, all are that. */
+  | { readonly op: 'build'; readonly parts: readonly Value[] }
+  | { readonly op: 'convert'; readonly of: Value }
+  | { readonly op: 'apply'; readonly f: Operation; readonly args: readonly Value[] }
+  | { readonly op: 'call'; readonly f: number; readonly args: readonly Value[] }
+);
+
+export type Step =
+  | { readonly op: 'set'; readonly local: number; readonly part: number | undefined; readonly value: Value }
+  | { readonly op: 'if'; readonly test: Value; readonly yes: readonly Step[]; readonly no: readonly Step[] }
+  /** The variable is `first`, `first + by` …, `count` times. */
+  | {
+      readonly op: 'for';
+      readonly local: number;
+      readonly first: number;
+      readonly by: number;
+      readonly count: number;
+      readonly body: readonly Step[];
+    }
+  | { readonly op: 'return'; readonly value: Value }
+  | { readonly op: 'break' | 'continue' };

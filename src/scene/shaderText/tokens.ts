@@ -1,0 +1,59 @@
+import { LIMITS, type Place, refuse } from './place.ts';
+
+export interface Token extends Place {
+  readonly kind: 'name' | 'number' | 'sign' | 'end';
+  readonly text: string;
+}
+
+const PARTS = {
+  space: /[ \t\r\n]+|\/\/[^\n]*/y,
+  name: /[A-Za-z_][A-Za-z0-9_]*/y,
+  number: /0[xX][0-9a-fA-F]+[iu]?|(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?[fhiu]?/y,
+  sign: /->|\+\+|--|&&|\|\||<<|>>|[<>=!+\-*/%&|^]=|[-+*/%&|^~!<>=(){}[\],.;:@]/y,
+} as const;
+
+/** The words of a text, and a last one for its end. */
+export function tokensOf(text: string): readonly Token[] {
+  const tokens: Token[] = [];
+  let [at, line, start] = [0, 1, 0];
+  const here = (): Place => ({ line, column: at - start + 1 });
+  if (text.length > LIMITS.length)
+    refuse(here(), `the text has ${text.length} characters; more than ${LIMITS.length} are not taken: shorten it`);
+  while (at < text.length) {
+    const place = here();
+    const [kind, found] = wordAt(text, at, place);
+    if (kind !== 'space') tokens.push({ ...place, kind, text: found });
+    for (let i = 0; i < found.length; i++)
+      if (found[i] === '\n') {
+        line++;
+        start = at + i + 1;
+      }
+    at += found.length;
+  }
+  return [...tokens, { ...here(), kind: 'end', text: '' }];
+}
+
+function wordAt(text: string, at: number, place: Place): readonly [keyof typeof PARTS, string] {
+  if (text.startsWith('/*', at)) return ['space', comment(text, at, place)];
+  for (const kind of Object.keys(PARTS) as (keyof typeof PARTS)[]) {
+    PARTS[kind].lastIndex = at;
+    const found = PARTS[kind].exec(text);
+    if (found) return [kind, found[0]];
+  }
+  return refuse(
+    place,
+    `the character ${JSON.stringify(String.fromCodePoint(text.codePointAt(at) ?? 0))} has no meaning in WGSL`,
+  );
+}
+
+/** Comments lie within comments. */
+function comment(text: string, from: number, place: Place): string {
+  let depth = 0;
+  for (let at = from; at < text.length; at += 2) {
+    if (text.startsWith('/*', at)) depth++;
+    else if (text.startsWith('*/', at)) depth--;
+    else at--;
+    if (depth === 0) return text.slice(from, at + 2);
+  }
+  return refuse(place, 'this comment has no end: close it with */');
+}

@@ -1,0 +1,88 @@
+import '../../src/cli/node-shim.ts';
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { pumpFrame } from '../../src/cli/node-shim.ts';
+import { aovsOf, composed } from '../../src/reference/plan.ts';
+import type { AovName } from '../../src/scene/view.ts';
+import { openModulePage } from './browser.ts';
+import { type HeadlessPictures, openPictures } from './pictures.ts';
+import { type Drawn, drawPlan, PLAN, SCENES, SETTINGS, SHADOWS, SIZE, VIEW } from './planScenes.ts';
+
+/** Of a value and the least that is told apart, through eight images of half floats; and of false colours, which the reference has in 8 bits. */
+const [TOLERANCE, LEAST] = [0.01, 0.5];
+
+/** What the reference makes of the same G-buffers. */
+function expectAsReference({ light, buffers }: Drawn): void {
+  const taken = buffers.map((data) => ({
+    aovs: new Map(Object.entries(data).map(([name, values]) => [name as AovName, Float32Array.from(values)])),
+    zenith: [0, 1, 0] as const,
+  }));
+  const truth = composed({ view: VIEW, settings: SETTINGS, ...SIZE, buffers: taken }).values;
+  expect(light.length).toBe(truth.length);
+  const off = Array.from(truth, (value, i) => Math.abs(value - light[i]) / (Math.abs(value) + LEAST));
+  if (process.env.REPORT) console.log(Math.max(...off), off.filter((each) => each > TOLERANCE).length);
+  expect(Math.max(...off)).toBeLessThan(TOLERANCE);
+  expect(new Set(truth).size).toBeGreaterThan(1000);
+}
+
+describe('a plan is carried out as the reference does', () => {
+  let headless: HeadlessPictures;
+  beforeAll(async () => {
+    headless = await openPictures(SIZE.width, SIZE.height);
+  });
+  afterAll(() => headless?.close());
+
+  it('on WebGPU (Dawn)', async () => {
+    pumpFrame();
+    expectAsReference(await drawPlan(headless.renderer, aovsOf(PLAN)));
+  });
+
+  it('numbers change without new shaders, and the picture comes back with them', async () => {
+    const { renderer } = headless;
+    const { plan, ...plain } = SETTINGS;
+    await renderer.setScene(SCENES[0], SCENES.slice(1));
+    const drawn = async (settings: typeof SETTINGS): Promise<Uint8Array> => {
+      pumpFrame();
+      renderer.render(VIEW, settings);
+      return renderer.readPixels();
+    };
+    const [bare, first] = [await drawn(plain), await drawn(SETTINGS)];
+    const steps = PLAN.steps.map((step) => (step.kind === 'mix' ? { ...step, alpha: 0.25 } : step));
+    expect(renderer.prepare(VIEW, { ...SETTINGS, plan: { ...PLAN, steps } })).toBeUndefined();
+    expect(await drawn({ ...SETTINGS, plan: { ...PLAN, steps } })).not.toEqual(first);
+    expect(await drawn(SETTINGS)).toEqual(first);
+    expect(await drawn(plain)).toEqual(bare);
+    expect(first).not.toEqual(bare);
+    expect(plan).toBe(PLAN);
+  });
+
+  it('one G-buffer has lights with shadows and without', async () => {
+    const { renderer } = headless;
+    const { plan: _, ...plain } = SHADOWS;
+    const light = async (settings: typeof SHADOWS): Promise<Float32Array> => {
+      pumpFrame();
+      renderer.render(VIEW, settings);
+      return renderer.readAov('beauty');
+    };
+    const [lit, bright] = [
+      await light({ ...plain, occlusionRadius: 0 }),
+      await light({ ...plain, occlusionRadius: 0, shadows: false }),
+    ];
+    const both = await light(SHADOWS);
+    both.forEach((value, i) => {
+      expect(Math.abs(value - Math.abs(lit[i] - bright[i]))).toBeLessThan(0.002);
+    });
+    expect(Math.max(...both)).toBeGreaterThan(0.1);
+  });
+});
+
+it('a plan is carried out on WebGL2 too', async () => {
+  const chromium = await openModulePage(fileURLToPath(new URL('planPage.ts', import.meta.url)));
+  try {
+    const drawn = await chromium.page.evaluate((needed) => window.drawPlan(needed), aovsOf(PLAN));
+    chromium.assertHealthy();
+    expectAsReference(drawn);
+  } finally {
+    await chromium.close();
+  }
+});

@@ -1,0 +1,13 @@
+import { SceneRenderer } from '../../src/render/renderer.ts';
+import type { AovName } from '../../src/scene/view.ts';
+import { type Drawn, drawPlan } from './planScenes.ts';
+
+declare global {
+  interface Window {
+    /** The plan of planScenes.ts on WebGL2, and what it is made of. */
+    drawPlan: (needed: readonly (readonly AovName[])[]) => Promise<Drawn>;
+  }
+}
+
+window.drawPlan = async (needed) =>
+  drawPlan(await SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' }), needed);
