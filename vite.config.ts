@@ -26,6 +26,12 @@ const GALLERY = [
   'saturn',
   'gallery',
   'ladder',
+  'plain',
+  'rush',
+  'comparison',
+  'layers',
+  'lesson',
+  'workshop',
 ];
 const SCENES = ['.usda', '.usdz', '.glb'];
 const isProject = (file: string): boolean => file.endsWith('.slowlight.json');
