@@ -399,10 +399,10 @@ export const nodeWords = {
   'param.irradiance': ['Irradiance', '辐照度'],
   'param.madeOf': ['Made of', '光谱成分'],
   'param.madeOf.help': [
-    'What the light is made of at rest: it decides which colours a Doppler shift brings.',
-    '静止时光的成分：决定多普勒频移后呈现的颜色。',
+    'What the light is made of at rest: it decides which colours a Doppler shift brings. Suns and lamps of daylight that are as warm or cold as a glowing body count as one.',
+    '静止时光的成分：决定多普勒频移后呈现的颜色。选“日光”的太阳和灯若颜色接近炽热物体，则按该色温计算。',
   ],
-  'light.daylight': ['Daylight, or as warm as its colour', '日光，或按其颜色的色温'],
+  'light.daylight': ['Daylight (6504 K)', '日光（6504 K）'],
   'light.d65': ['Daylight, measured (D65)', '实测日光（D65）'],
   'light.candle': ['Candle', '蜡烛'],
   'light.tungsten': ['Light bulb', '白炽灯'],
