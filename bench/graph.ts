@@ -11,7 +11,8 @@ import { type Bench, interleaved, type Table } from './bench.ts';
 
 const SIZES = [30, 300];
 const ROUNDS = 60;
-const none: Services = { readScene: () => Promise.reject(new Error('nothing is read here')) };
+const nothing = () => Promise.reject(new Error('nothing is read here'));
+const none: Services = { readScene: nothing, readFile: nothing };
 
 export const graph: Bench = {
   name: 'graph',

@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { dirname, isAbsolute, join } from 'node:path';
+import { inputError } from '../formats/fail.ts';
 import { applyCommand, type Command } from '../graph/commands.ts';
 import { type GraphDocument, own, type ParamValue } from '../graph/document.ts';
 import { type Evaluation, Evaluator } from '../graph/evaluate.ts';
@@ -113,15 +114,20 @@ function outputOf(path: string, document: GraphDocument): string {
 const problemsIn = ({ results }: Evaluation): readonly Problem[] =>
   [...results.values()].flatMap((result) => (result.status === 'failed' ? [result.problem] : []));
 
-/** Reads scenes here, from where the project is. */
-const servicesAt = (project: string): Services => ({
-  async readScene(source, { variants, interpolation }) {
-    const path = isAbsolute(source) ? source : join(dirname(project), source);
-    return surveyed(
-      await openSceneFile(path, { ...(variants && { variants }), ...(interpolation && { interpolation }) }),
-    );
-  },
-});
+/** Reads files here, from where the project is. */
+function servicesAt(project: string): Services {
+  const at = (source: string): string => (isAbsolute(source) ? source : join(dirname(project), source));
+  return {
+    readScene: async (source, { variants, interpolation }) =>
+      surveyed(
+        await openSceneFile(at(source), { ...(variants && { variants }), ...(interpolation && { interpolation }) }),
+      ),
+    readFile: (source) =>
+      readFile(at(source)).catch((error: unknown) => {
+        throw inputError('file.missing', source, `${String(error)}; put it beside the project`);
+      }),
+  };
+}
 
 /** A project's picture in the words of the command line; what the user says there comes before it. */
 export async function projectFlags<Flags extends RenderFlags>(

@@ -9,7 +9,7 @@ import type { Root } from 'react-dom/client';
 import type { Backend } from '../render/settings.ts';
 import { Editor } from './Editor.tsx';
 import { startTranslation, useTexts } from './i18n/i18n.ts';
-import { LocalFiles, sceneReader } from './loading/sceneLoader.ts';
+import { fileReader, LocalFiles, sceneReader } from './loading/sceneLoader.ts';
 import { type EditorServices, ServicesProvider } from './services.tsx';
 import { Unsupported } from './shell/Unsupported.tsx';
 import { StudioProvider } from './state/context.tsx';
@@ -41,8 +41,8 @@ export async function startEditor(root: Root, { source, backend: wanted }: Start
     return;
   }
   const localFiles = new LocalFiles();
-  const readScene = sceneReader(localFiles);
-  const studio = createStudio({ services: { readScene }, source, playing: !prefersReducedMotion() });
+  const files = { readScene: sceneReader(localFiles), readFile: fileReader(localFiles) };
+  const studio = createStudio({ services: files, source, playing: !prefersReducedMotion() });
   const services: EditorServices = { pilot: new Pilot(studio), localFiles, backend, stage: {} };
   root.render(
     <Page>

@@ -22,9 +22,10 @@ export interface ReadRequest extends Pick<ReadOptions, 'variants' | 'interpolati
 export interface Services {
   /** Throws an `InputError` where the file cannot be read. */
   readScene(source: string, how: ReadRequest): Promise<LoadedScene>;
+  /** A small file whole, a table; throws an `InputError` where it is not there. */
+  readFile(source: string): Promise<Uint8Array>;
 }
 
 /** In the threads of heavy nodes nothing is read: what they work on comes with their orders. */
-export const threadServices: Services = {
-  readScene: () => Promise.reject(new Error('a heavy node reads no files; give it what it needs as inputs')),
-};
+const NOT_HERE = () => Promise.reject(new Error('a heavy node reads no files; give it what it needs as inputs'));
+export const threadServices: Services = { readScene: NOT_HERE, readFile: NOT_HERE };

@@ -397,6 +397,11 @@ export const nodeWords = {
   'param.lightColor': ['Colour', '颜色'],
   'param.brightness.help': ['In units in which full daylight is about 3.', '以日光约为 3 的单位。'],
   'param.irradiance': ['Irradiance', '辐照度'],
+  'param.reflectance': ['Reflectance', '反射率'],
+  'param.reflectance.help': [
+    'A CSV table: in each line a wavelength in nm and the share that is reflected, 0 to 1. Then the colour is that of the table.',
+    'CSV 表格：每行一个波长（nm）和反射比例（0 到 1）。设置后颜色取自该表格。',
+  ],
   'param.madeOf': ['Made of', '光谱成分'],
   'param.madeOf.help': [
     'What the light is made of at rest: it decides which colours a Doppler shift brings. Suns and lamps of daylight that are as warm or cold as a glowing body count as one.',

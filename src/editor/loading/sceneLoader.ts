@@ -3,7 +3,7 @@ import type { LoadedScene, ReadRequest, Services } from '../../nodes/services.ts
 import { InputError } from '../../scene/types.ts';
 import type { HeldFiles } from './held.ts';
 import type { LoaderReply, LoadRequest, SceneFiles } from './protocol.ts';
-import { splitAddress } from './sources.ts';
+import { localSource, splitAddress, urlSource } from './sources.ts';
 
 /**
  * The files that the person gave this session, by the name under which a document refers to them: `local:3/set/scene.usda` is
@@ -75,6 +75,18 @@ export function sceneReader(local: LocalFiles): Services['readScene'] {
     const files = local.get(source) ?? addressed(source);
     const request = { ...files, variants: [...variants], ...(interpolation && { interpolation }) };
     return readInWorker(request, how);
+  };
+}
+
+/** Reads a small file of a document: one of this session, or at an address beside the page. */
+export function fileReader(local: LocalFiles): Services['readFile'] {
+  return async (source) => {
+    const { files, base, entry } = local.get(source) ?? addressed(source);
+    const others = base === undefined ? undefined : urlSource(base, () => {});
+    const bytes = await localSource(new Map(files), () => {}, others).read(entry);
+    if (bytes) return bytes;
+    const message = 'there is no such file; put it beside the project, or open it';
+    throw new InputError({ severity: 'error', code: 'file.missing', place: sceneName(source), message });
   };
 }
 

@@ -1,4 +1,5 @@
 import { expect, it } from 'vitest';
+import { noFiles } from '../../../tests/support/noFiles.ts';
 import { groupingOf } from '../../graph/edits/group.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import type { Services } from '../../nodes/services.ts';
@@ -16,6 +17,7 @@ const refused = new InputError({
 
 /** Reads anything at once, refuses `bad.usda`, and never finishes `slow.usda`. */
 const services: Services = {
+  ...noFiles,
   readScene: (source, { signal, progress }) => {
     if (source === 'bad.usda') return Promise.reject(refused);
     if (source !== 'slow.usda') return Promise.resolve({ scene: makeScene({ name: source }) });
@@ -55,6 +57,7 @@ it('reading can be cancelled: the scene before it stays, and the document is its
 it('reading again with another variant can be cancelled: the choice is taken back', async () => {
   let stopped = 0;
   const slowRed: Services = {
+    ...noFiles,
     readScene: (source, { variants, signal }) =>
       variants?.get('paint') !== 'red'
         ? Promise.resolve({ scene: makeScene({ name: source }) })

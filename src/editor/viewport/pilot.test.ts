@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { noFiles } from '../../../tests/support/noFiles.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import type { SceneCamera } from '../../scene/types.ts';
@@ -40,7 +41,7 @@ async function follow(): Promise<void> {
 
 beforeEach(async () => {
   vi.stubGlobal('navigator', {});
-  studio = createStudio({ services: { readScene: async () => loaded }, source: 'a.usda', playing: true });
+  studio = createStudio({ services: { ...noFiles, readScene: async () => loaded }, source: 'a.usda', playing: true });
   pilot = new Pilot(studio);
   await follow();
 });

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { utilityProject } from '../../../tests/support/exampleGraphs.ts';
 import { add, build, edited, set } from '../../../tests/support/graphKit.ts';
+import { noFiles } from '../../../tests/support/noFiles.ts';
 import type { ParamValue } from '../../graph/document.ts';
 import { Evaluator } from '../../graph/evaluate.ts';
 import { validateDocument } from '../../graph/validate.ts';
@@ -13,7 +14,7 @@ import { pictureOf } from '../picture.ts';
 import type { Services } from '../services.ts';
 import { arity, OPERATIONS, type Operation } from './operations.ts';
 
-const none: Services = { readScene: () => Promise.reject(new Error('nothing is read here')) };
+const none: Services = { ...noFiles, readScene: () => Promise.reject(new Error('nothing is read here')) };
 async function outputs(type: string, params: Record<string, ParamValue>) {
   const document = edited(
     build(add('it', type)),
@@ -98,7 +99,10 @@ describe('compare', () => {
 
 describe('utility nodes', () => {
   const house = makeObject({ path: '/House', mesh: box([1, 1, 1]) });
-  const services: Services = { readScene: async () => ({ scene: { ...makeScene({ name: 'a' }), objects: [house] } }) };
+  const services: Services = {
+    ...noFiles,
+    readScene: async () => ({ scene: { ...makeScene({ name: 'a' }), objects: [house] } }),
+  };
   const pictured = async (gamma: number) => {
     const document = edited(utilityProject(), set('number', 'number', gamma), set('text', 'text', ''));
     return pictureOf(await new Evaluator(nodeLibrary).evaluate(document, 'output', services));
