@@ -1,5 +1,6 @@
 // @vitest-environment jsdom
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { threadServices } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import { LocalFiles } from '../loading/localFiles.ts';
 import { beginningWith, createStudio, type Studio } from '../state/studio.ts';
@@ -22,7 +23,7 @@ beforeEach(async () => {
   vi.stubGlobal('navigator', {});
   told = [];
   localFiles = new LocalFiles();
-  const services = { readScene: async (name: string) => ({ scene: makeScene({ name }) }) };
+  const services = { ...threadServices, readScene: async (name: string) => ({ scene: makeScene({ name }) }) };
   studio = createStudio({ services, beginning: beginningWith('a.usda'), playing: false });
   await vi.advanceTimersByTimeAsync(10);
   const store = sessions as unknown as Sessions;
