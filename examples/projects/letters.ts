@@ -1,8 +1,14 @@
 import { build } from './build.ts';
 
+const ABOUT = {
+  title: 'Letters',
+  lookFor:
+    'Words of solid letters, where light goes at 10 m/s. The white ones rest; the red ones above fly by at 0.8 c, and show you their ends and colours that they do not have.',
+};
+
 /** A word at rest, and one that passes above it at 0.8 c, seen turned and shifted. c = 10 m/s. */
 export const letters = () =>
-  build({
+  build(ABOUT, {
     ground: { type: 'grid', set: { name: 'Ground', width: 80, length: 60, columns: 40, rows: 30 } },
     asphalt: { type: 'material', set: { preset: 'asphalt' }, from: { geometry: 'ground.geometry' } },
 

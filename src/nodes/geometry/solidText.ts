@@ -9,8 +9,9 @@ import { refusal } from './shared.ts';
 /** Most letters of a text. */
 const MOST_LETTERS = 10_000;
 
-const share = (title: string, value: number, min: number, max: number) =>
-  ({ kind: 'number', title, help: `${title}.help`, default: value, min, max, step: 0.01 }) as const;
+/** In heights of capital letters. */
+const share = (title: string, help: string, value: number, min: number, max: number) =>
+  ({ kind: 'number', title, help, default: value, min, max, step: 0.01 }) as const;
 
 /** A text of solid letters that stands on the ground and faces +z. */
 export const solidTextNode = definePrimitive({
@@ -32,9 +33,13 @@ export const solidTextNode = definePrimitive({
         { value: 'right', title: 'align.right' },
       ],
     },
-    spacing: share('param.letterSpacing', 0, -1, 10),
-    lineHeight: share('param.lineHeight', 1.65, 0.1, 10),
-    tolerance: { ...share('param.curveTolerance', 0.002, 1e-5, 0.2), step: 0.00001, scale: 'log' },
+    spacing: share('param.letterSpacing', 'param.letterSpacing.help', 0, -1, 10),
+    lineHeight: share('param.lineHeight', 'param.lineHeight.help', 1.65, 0.1, 10),
+    tolerance: {
+      ...share('param.curveTolerance', 'param.curveTolerance.help', 0.002, 1e-5, 0.2),
+      step: 0.00001,
+      scale: 'log',
+    },
   },
   async mesh({ text, align, ...measures }, { node, services }) {
     const lines = await linesOf(text, node, services);
