@@ -12,7 +12,7 @@ export const letters = () =>
     ground: { type: 'grid', set: { name: 'Ground', width: 80, length: 60, columns: 40, rows: 30 } },
     asphalt: { type: 'material', set: { preset: 'asphalt' }, from: { geometry: 'ground.geometry' } },
 
-    title: { type: 'solid-text', set: { name: 'Title', text: 'Slowlight, v = 0', size: 0.8, depth: 0.4 } },
+    title: { type: 'solid-text', set: { name: 'Title', text: 'SLOWLIGHT · v = 0', size: 0.8, depth: 0.4 } },
     ivory: { type: 'material', set: { color: [0.85, 0.8, 0.7] }, from: { geometry: 'title.geometry' } },
 
     word: { type: 'solid-text', set: { name: 'Passing', text: '慢光 · v = 0.8 c', size: 1.2, depth: 0.8 } },
@@ -29,7 +29,7 @@ export const letters = () =>
     eye: { type: 'camera', set: { name: 'Eye', position: [1, 2, 7], target: [0, 1.6, 0] } },
     sun: { type: 'sun', set: { brightness: 2.4, direction: [-0.5, -0.8, -0.6] } },
     sky: { type: 'sky', set: { color: [0.4, 0.55, 0.8], brightness: 0.8 } },
-    clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.6 } },
+    clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.8 } },
     scene: {
       type: 'scene',
       from: {
