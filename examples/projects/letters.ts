@@ -46,6 +46,7 @@ export const letters = () =>
     console: { type: 'relativity-console', set: { speedOfLight: 10 }, from: { scene: 'scene.scene' } },
     camera: { type: 'scene-camera', from: { relativity: 'console.relativity' } },
     rasterize: { type: 'relativity-rasterize', from: { view: 'camera.view' } },
-    toneMap: { type: 'tone-map', from: { gbuffer: 'rasterize.gbuffer' } },
+    lighting: { type: 'deferred-lighting', from: { gbuffer: 'rasterize.gbuffer' } },
+    toneMap: { type: 'tone-map', from: { image: 'lighting.image' } },
     output: { type: 'output', from: { image: 'toneMap.image' } },
   });
