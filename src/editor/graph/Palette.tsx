@@ -32,18 +32,18 @@ export default function Palette(): ReactNode {
   const opened = useStudioState((state) => state.dialog === 'palette');
   const close = () => studio.change({ dialog: undefined });
   return (
-    <Modal
+    <Modal.Root
       opened={opened}
       onClose={close}
       size="min(560px, 94vw)"
-      withCloseButton={false}
-      padding={0}
       yOffset="12vh"
-      aria-label={t('palette.title')}
       transitionProps={{ duration: 0 }}
     >
-      <Commands close={close} />
-    </Modal>
+      <Modal.Overlay backgroundOpacity={0.35} />
+      <Modal.Content aria-label={t('palette.title')}>
+        <Commands close={close} />
+      </Modal.Content>
+    </Modal.Root>
   );
 }
 
