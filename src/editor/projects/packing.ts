@@ -1,4 +1,5 @@
 import { formatBytes } from '../../formats/fail.ts';
+import { scenesIn } from '../../formats/entry.ts';
 import { resolvePath } from '../../formats/source.ts';
 import type { GraphDocument } from '../../graph/document.ts';
 import { filesIn, withFiles } from '../../graph/files.ts';
@@ -8,7 +9,7 @@ import { nodeLibrary } from '../../nodes/library.ts';
 import { packProject } from '../../nodes/projectArchive.ts';
 import { type HeldFiles, readHeld } from '../loading/held.ts';
 import { type LocalFiles, localParts } from '../loading/localFiles.ts';
-import { collected } from '../loading/sceneLoader.ts';
+import { collected, fileReader } from '../loading/sceneLoader.ts';
 import { isProject, outsideName } from './names.ts';
 
 /** What the page holds twice while it packs [bytes]. */
@@ -62,6 +63,10 @@ class Packing {
     }
     const scene = withoutHost(path);
     if (parts) await this.#addSet(source, (inner) => resolvePath(scene, inner));
+    if (scenesIn([path]).length === 0) {
+      this.#put(scene, await fileReader(this.#local)(source));
+      return scene;
+    }
     const params = Object.values(readsIn(this.#document)).find((read) => read.source === source);
     const variants = chosenOf(Array.isArray(params?.variants) ? params.variants.map(String) : []);
     for (const [inner, bytes] of await collected(this.#local, source, { variants }))
