@@ -1,5 +1,5 @@
-import { formatBytes } from '../../formats/fail.ts';
 import { scenesIn } from '../../formats/entry.ts';
+import { formatBytes } from '../../formats/fail.ts';
 import { resolvePath } from '../../formats/source.ts';
 import type { GraphDocument } from '../../graph/document.ts';
 import { filesIn, withFiles } from '../../graph/files.ts';
