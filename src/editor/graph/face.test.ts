@@ -6,6 +6,7 @@ import { typesIn } from '../../graph/infer.ts';
 import { levelOf } from '../../graph/sockets.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { newProject } from '../../nodes/project.ts';
+import { threadServices } from '../../nodes/services.ts';
 import { NOTHING } from './canvas.ts';
 import { endsIn, type Face, faceOf } from './face.ts';
 import { type FlowNode, flowEdges, flowNodes, Kept, type WireEdge } from './flow.ts';
@@ -42,7 +43,10 @@ const document = run(
 const readScene = () => Promise.reject(new Error('there are no files'));
 
 async function facesOf(held: GraphDocument): Promise<ReadonlyMap<string, Face>> {
-  const { results } = await new Evaluator(nodeLibrary).evaluate(held, ['output', 'scene'], { readScene });
+  const { results } = await new Evaluator(nodeLibrary).evaluate(held, ['output', 'scene'], {
+    ...threadServices,
+    readScene,
+  });
   const level = levelOf(held)!;
   const problems = problemsIn(results);
   const around = {

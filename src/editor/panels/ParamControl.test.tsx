@@ -3,6 +3,7 @@ import { MantineProvider } from '@mantine/core';
 import { cleanup, fireEvent, render, screen } from '@testing-library/react';
 import { afterEach, beforeAll, expect, it, vi } from 'vitest';
 import type { NumberParam } from '../../graph/nodeType.ts';
+import { threadServices } from '../../nodes/services.ts';
 import { startTranslation } from '../i18n/i18n.ts';
 import { StudioProvider } from '../state/context.tsx';
 import { beginningWith, createStudio } from '../state/studio.ts';
@@ -34,8 +35,7 @@ beforeAll(async () => {
 });
 afterEach(cleanup);
 
-const readScene = () => Promise.reject(new Error('there are no files'));
-const studio = createStudio({ services: { readScene }, beginning: beginningWith(''), playing: false });
+const studio = createStudio({ services: threadServices, beginning: beginningWith(''), playing: false });
 
 function show(set: number | undefined) {
   const onChange = vi.fn();
