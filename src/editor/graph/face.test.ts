@@ -39,10 +39,11 @@ const document = run(
   join('math', 'number', 'console', 'maxSpeed'),
   join('box', 'geometry', 'lost', 'anything'),
 );
-const readScene = () => Promise.reject(new Error('there are no files'));
+const nothing = () => Promise.reject(new Error('there are no files'));
+const services = { readScene: nothing, readFont: nothing, readFile: nothing };
 
 async function facesOf(held: GraphDocument): Promise<ReadonlyMap<string, Face>> {
-  const { results } = await new Evaluator(nodeLibrary).evaluate(held, ['output', 'scene'], { readScene });
+  const { results } = await new Evaluator(nodeLibrary).evaluate(held, ['output', 'scene'], services);
   const level = levelOf(held)!;
   const problems = problemsIn(results);
   const around = {

@@ -34,8 +34,9 @@ beforeAll(async () => {
 });
 afterEach(cleanup);
 
-const readScene = () => Promise.reject(new Error('there are no files'));
-const studio = createStudio({ services: { readScene }, beginning: beginningWith(''), playing: false });
+const nothing = () => Promise.reject(new Error('there are no files'));
+const services = { readScene: nothing, readFont: nothing, readFile: nothing };
+const studio = createStudio({ services, beginning: beginningWith(''), playing: false });
 
 function show(set: number | undefined) {
   const onChange = vi.fn();
