@@ -64,8 +64,8 @@ test('no shader reads more textures than every device has, and both kinds of dev
   pumpFrame();
   const light = await fullPicture(headless.renderer);
   await headless.close();
-  expect(counts.get('light 0 physical true true')).toBe(MOST);
-  expect(counts.get('transparent static')).toBe(MOST);
+  const mostOf = (kind: string) => Math.max(...[...counts].map(([name, count]) => (name.startsWith(kind) ? count : 0)));
+  expect([mostOf('light'), mostOf('transparent')]).toEqual([MOST, MOST]);
   expect(Math.max(...counts.values())).toBe(MOST);
 
   const chromium = await openModulePage(fileURLToPath(new URL('fullPage.ts', import.meta.url)));
