@@ -14,7 +14,9 @@ describe('what feeds the output', () => {
     expect(types(more)).toEqual([
       ...[
         'output',
+        'false-colour',
         'tone-map',
+        'deferred-lighting',
         'relativity-rasterize',
         'scene-camera',
         'relativity-console',
