@@ -20,6 +20,8 @@ const thumbnails = {
   saturn: ['--time', '7.7', '--beta', '0,0,-0.1', '--fov', '44'],
   gallery: ['--time', '4.6', '--beta', '0,0,-0.2'],
   ladder: [],
+  plain: [],
+  rush: [],
   workshop: [],
   layers: [],
   comparison: [],

@@ -2,12 +2,15 @@ import type { GraphDocument } from '../../src/graph/document.ts';
 import { comparison } from './comparison.ts';
 import { layers } from './layers.ts';
 import { lesson } from './lesson.ts';
+import { plain, rush } from './presets.ts';
 import { workshop } from './workshop.ts';
 
 /** Every example project, by name: a new one is added here. */
 export const projects: Readonly<Record<string, () => GraphDocument>> = {
-  workshop,
+  plain,
+  rush,
   layers,
   comparison,
   lesson,
+  workshop,
 };

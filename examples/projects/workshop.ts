@@ -3,14 +3,18 @@ import { build } from './build.ts';
 const ABOUT = {
   title: 'Workshop',
   lookFor:
-    'Made of nodes alone, in a world where light goes at 12 m/s. A red frame passes at 7 m/s, a golden ball goes round at 8 m/s, a ring spins, a dart is thrust from rest, a crate follows a winding path, a tile tumbles from place to place. Each is seen where it was when its light left.',
+    'Made of nodes alone, in a world where light goes at 12 m/s. A frame passes at 7 m/s, a ball goes round at 8 m/s, a ring spins, a dart is thrust from rest, a crate follows a winding path, a tile tumbles from place to place. Each is seen where it was when its light left, and bluer as it comes, redder as it goes.',
 };
 
 /** Everything that moves in its own way, in one yard: made of nodes alone, without a file. c = 12 m/s. */
 export const workshop = () =>
   build(ABOUT, {
     ground: { type: 'grid', set: { name: 'Ground', width: 60, length: 60, columns: 30, rows: 30 } },
-    asphalt: { type: 'material', set: { preset: 'asphalt' }, from: { geometry: 'ground.geometry' } },
+    sand: {
+      type: 'material',
+      set: { color: [0.6, 0.52, 0.38], roughness: 0.9 },
+      from: { geometry: 'ground.geometry' },
+    },
 
     post: { type: 'cylinder', set: { name: 'Post', radius: 0.15, height: 3 } },
     standing: { type: 'transform', set: { position: [0, 1.5, 0] }, from: { geometry: 'post.geometry' } },
@@ -81,7 +85,7 @@ export const workshop = () =>
       },
     },
     later: { type: 'retime', set: { offset: 0 }, from: { geometry: 'things.geometry' } },
-    eye: { type: 'camera', set: { name: 'Eye', position: [1.5, 3, 11], target: [0, 1.2, 0] } },
+    eye: { type: 'camera', set: { name: 'Eye', position: [1, 3.2, 11.5], target: [0.4, 1.6, 0], fieldOfView: 46 } },
 
     sun: { type: 'sun', set: { brightness: 2.2, color: [1, 0.92, 0.8], direction: [-0.6, -0.7, -0.5] } },
     sky: { type: 'sky', set: { color: [0.35, 0.5, 0.8], brightness: 0.8 } },
@@ -93,11 +97,11 @@ export const workshop = () =>
     },
 
     clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.2 } },
-    start: { type: 'observer', set: { beta: [0, 0, -0.2] } },
+    start: { type: 'observer', set: { beta: [0, 0, -0.1] } },
     scene: {
       type: 'scene',
       from: {
-        geometry: ['asphalt', 'posts', 'train', 'visit', 'later', 'eye'].map((id) => `${id}.geometry`),
+        geometry: ['sand', 'posts', 'train', 'visit', 'later', 'eye'].map((id) => `${id}.geometry`),
         lights: ['sun.lights', 'sky.lights', 'lamp.lights'],
         observer: 'start.observer',
         time: 'clock.time',

@@ -212,6 +212,8 @@ function flagsOf(picture: Picture): Partial<RenderFlags> {
     ...(!occlusion && { occlusionRadius: 0 }),
     ...{ solver, iterations, damping, antialiasing, grid, c: speedOfLight },
     ...(camera && { camera }),
+    // As in the page it comes before what a moving camera brings along.
+    ...(picture.scene.hints.beta && { beta: picture.scene.hints.beta }),
     ...(fovY !== undefined && { fov: (fovY * 180) / Math.PI }),
     ...(falseColor !== 'none' && { falseColour: falseColor }),
   };

@@ -18,10 +18,10 @@ export interface PictureMaker {
   /** Makes one picture, and shows it where there is a canvas. Synchronous: the GPU may still be at work when it returns. `sampling`: 1 where nobody says. */
   render(viewPoint: ViewPoint, settings: RenderSettings, sampling?: Sampling): void;
   /**
-   * Adds a sample to the last picture, and shows it where there is a canvas; in the end it is that of 8 × 8. Tells whether there is more to add.
+   * Adds a sample to the last picture, and shows it where there is a canvas; in the end it is that of n × n, a power of two. Tells whether there is more to add.
    * Data are of the pixels' centres all the while, and so is the light.
    */
-  refine(): boolean;
+  refine(n: number): boolean;
   /**
    * Compiles, between the frames of others, the shaders of a picture that would be the first of its kind, and of its refinement; undefined: it can be made at once.
    * While something else is being compiled: its end, after which is to be asked again. Rejects where the device is lost.

@@ -16,8 +16,6 @@ import type { Way } from './smoothing.ts';
 import { type Motif, motifOf, projectionOf, Staging } from './staging.ts';
 import { Uploads } from './uploads.ts';
 
-/** Samples in a pixel along each side, where there is time: what pictures at rest come to. */
-const FINEST = 8;
 const CENTRE: SamplePlace = [0, 0];
 /** Of so many samples a picture is better than one that was smoothed otherwise. */
 const WORTHWHILE = 8;
@@ -174,15 +172,15 @@ export class SceneRenderer implements PictureMaker {
     return made && (staged === made || this.stage(made)) ? made : undefined;
   }
 
-  refine(): boolean {
+  refine(n: number): boolean {
     const { machine, added } = this;
-    const count = FINEST * FINEST;
+    const count = n * n;
     if (added === count || machine.samples > 1 || !this.made || !isRefined(this.made[0].settings)) return false;
     const made = this.restage();
     if (!made) return true;
-    this.sampleAt(made, gridPlaces(FINEST)[added]);
+    this.sampleAt(made, gridPlaces(n)[added]);
     this.added = added + 1;
-    machine.smoothing.add(added, count, machine.look, this.added >= WORTHWHILE);
+    machine.smoothing.add(added, count, machine.look, this.added >= Math.min(WORTHWHILE, count));
     if (this.toCanvas) machine.present('canvas');
     return this.added < count;
   }

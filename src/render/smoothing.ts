@@ -22,7 +22,7 @@ import {
 } from './display.ts';
 import { EyeBefore, type Look as Seen } from './eyeBefore.ts';
 import { dataTarget, type GBuffer } from './targets.ts';
-import { blended } from './temporal.ts';
+import { blended, Kernel } from './temporal.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { Projection } from './vertexStage.ts';
 
@@ -51,6 +51,7 @@ export class Smoothing {
   private readonly fresh = [dataTarget(1, HalfFloatType), dataTarget(1, HalfFloatType)] as const;
   private readonly histories = [filteredTarget(HalfFloatType), filteredTarget(HalfFloatType)] as const;
   private readonly before = new EyeBefore();
+  private readonly kernel = new Kernel();
   /** Which of two targets was written last. */
   private sum = 0;
   private turn = 0;
@@ -97,6 +98,9 @@ export class Smoothing {
 
   /** A picture of one sample, which follows those before. */
   follow(look: Look, seen: Seen): void {
+    const { width, height } = this.single;
+    const { x, y } = this.from.uniforms.jitter.value;
+    this.kernel.place((x * width) / 2, (-y * height) / 2);
     this.before.meet(seen);
     this.turn = 1 - this.turn;
     this.blend(look, seen.projection);
@@ -147,12 +151,12 @@ export class Smoothing {
   private blend(look: Look, projection: Projection): void {
     const { buffer, uniforms, run } = this.from;
     const light = this.from.light();
-    const { before, turn, now, former, history } = this;
+    const { before, kernel, turn, now, former, history } = this;
     run(`fresh ${light.id} ${keyOf(look)}`, () => freshSample(light, buffer, uniforms, look), this.fresh[turn]);
     now.value = this.fresh[turn].texture;
     former.value = this.fresh[1 - turn].texture;
     history.value = this.histories[1 - turn].texture;
-    const sources = { fresh: now, freshBefore: former, history, buffer, uniforms, before, projection };
+    const sources = { fresh: now, freshBefore: former, history, buffer, uniforms, before, kernel, projection };
     run(`follow ${projection.event} ${projection.place}`, () => blended(sources), this.histories[turn]);
   }
 

@@ -4,7 +4,6 @@ import {
   dFdx,
   dFdy,
   dot,
-  exp,
   Fn,
   float,
   floor,
@@ -22,11 +21,12 @@ import {
   texture,
   textureLoad,
   transpose,
+  uniform,
   vec2,
   vec3,
   vec4,
 } from 'three/tsl';
-import type { Texture, TextureNode } from 'three/webgpu';
+import { type Texture, type TextureNode, Vector3 } from 'three/webgpu';
 import { dopplerFactor } from '../shaders/dopplerFactor.ts';
 import { ontoLightCone } from '../shaders/ontoLightCone.ts';
 import type { Bool, Float, Vec2, Vec3, Vec4 } from '../shaders/types.ts';
@@ -75,7 +75,21 @@ export interface TemporalSources {
   readonly buffer: GBuffer;
   readonly uniforms: Uniforms;
   readonly before: EyeBefore;
+  readonly kernel: Kernel;
   readonly projection: Projection;
+}
+
+/** What the samples in three columns and three rows of pixels count for at the centre of the middle one: their products, wherever in their pixels they are. */
+export class Kernel {
+  readonly columns = uniform(new Vector3());
+  readonly rows = uniform(new Vector3());
+
+  /** From the pixels' centres, right and down [px]. */
+  place(dx: number, dy: number): void {
+    const weight = (away: number): number => Math.exp(-FILTER * away ** 2);
+    this.columns.value.set(weight(dx - 1), weight(dx), weight(dx + 1));
+    this.rows.value.set(weight(dy - 1), weight(dy), weight(dy + 1));
+  }
 }
 
 /** Luma and two differences of colour. */
@@ -96,15 +110,18 @@ export const blended = (sources: TemporalSources): Vec4 =>
     const memory = texelNear(history, from).w.toVar();
     const unrest = memory.fract().toVar();
     const then = catmullRom(history, from).xyz.toVar();
+    const former = formerAt(sources, from);
     const usable = isInside(from)
       .and(before.known.greaterThan(0.5))
-      .and(wasHidden(sources, from, nearness, around).not());
+      .and(isHiddenBy(former.nearest, nearness, around).not());
     const worth = sameness.mul(pow(shrinking(from), GROWTH));
     const count = select(usable, min(floor(memory), MOST).mul(worth), 0).toVar();
 
     const sample = mix(around.filtered, around.own, min(count.div(ENOUGH), 1)).toVar();
     const kept = clippedTo(then, around.mean, around.spread.add(unrest.mul(UNREST)));
-    const off = mix(unrest, abs(around.own.x.sub(then.x)), RENEWAL).min(0.95);
+    // What was the same a moment ago does not flicker: another light has come, as where a shadow goes.
+    const wrong = min(abs(around.own.x.sub(then.x)), abs(around.own.x.sub(former.luma)));
+    const off = mix(unrest, wrong, RENEWAL).min(0.95);
     const known = count.greaterThan(0.5);
     return vec4(mix(sample, kept, count.div(count.add(1))), floor(count.add(1.5)).add(select(known, off, 0)));
   })();
@@ -121,24 +138,25 @@ interface Surroundings {
   readonly farthest: Float;
 }
 
-function surroundings({ fresh, uniforms }: TemporalSources): Surroundings {
-  const jitter = uniforms.jitter.mul(screenSize).mul(0.5).toVar();
+function surroundings({ fresh, kernel }: TemporalSources): Surroundings {
+  const own = texelNear(fresh, screenCoordinate);
+  const [columns, rows] = [kernel.columns, kernel.rows].map(({ x, y, z }) => [x, y, z]);
   const [sum, squares, filtered] = [vec4(0).toVar(), vec3(0).toVar(), vec4(0).toVar()];
   const nearest = vec4(0, 0, 0, -1).toVar();
   const farthest = float(1e9).toVar();
   for (const [x, y] of AROUND) {
-    const texel = texelNear(fresh, screenCoordinate.add(vec2(x, y)));
-    const away = jitter.add(vec2(x, -y)).toVar();
+    const texel = x === 0 && y === 0 ? own : texelNear(fresh, screenCoordinate.add(vec2(x, y)));
+    const share = columns[x + 1].mul(rows[y + 1]);
     sum.addAssign(vec4(texel.xyz, 1));
     squares.addAssign(texel.xyz.mul(texel.xyz));
-    filtered.addAssign(vec4(texel.xyz, 1).mul(exp(dot(away, away).mul(-FILTER))));
+    filtered.addAssign(vec4(texel.xyz, 1).mul(share));
     nearest.assign(select(texel.w.greaterThan(nearest.w), vec4(x, y, 0, texel.w), nearest));
     farthest.assign(min(farthest, texel.w));
   }
   const mean = sum.xyz.div(AROUND.length).toVar();
   const variance = max(squares.div(AROUND.length).sub(mean.mul(mean)), 0);
   return {
-    own: texelNear(fresh, screenCoordinate).xyz,
+    own: own.xyz,
     filtered: filtered.xyz.div(filtered.w),
     mean,
     spread: sqrt(variance).mul(REACH),
@@ -204,11 +222,25 @@ function seenBefore(event: Vec4, velocity: Vec4, { event: kind }: Projection, { 
 const isInside = ({ x, y }: Vec2): Bool =>
   x.greaterThan(0).and(y.greaterThan(0)).and(x.lessThan(screenSize.x)).and(y.lessThan(screenSize.y));
 
-/** Whether something stood before it then. */
-function wasHidden({ freshBefore }: TemporalSources, from: Vec2, nearness: Float, around: Surroundings): Bool {
+interface Former {
+  /** As it was sampled in the picture before. */
+  readonly luma: Float;
+  /** The greatest 1/|Δx′| there. */
+  readonly nearest: Float;
+}
+
+function formerAt({ freshBefore }: TemporalSources, from: Vec2): Former {
   const corner = floor(from.sub(0.5)).add(0.5).toVar();
-  const before = CORNERS.map(([x, y]) => texelNear(freshBefore, corner.add(vec2(x, y))).w);
-  const nearest = before.reduce((a, b) => max(a, b));
+  const f = from.sub(corner).toVar();
+  const [a, b, c, d] = CORNERS.map(([x, y]) => texelNear(freshBefore, corner.add(vec2(x, y))));
+  return {
+    luma: mix(mix(a.x, b.x, f.x), mix(c.x, d.x, f.x), f.y),
+    nearest: max(max(a.w, b.w), max(c.w, d.w)),
+  };
+}
+
+/** Whether something stood before it then. */
+function isHiddenBy(nearest: Float, nearness: Float, around: Surroundings): Bool {
   const slack = around.nearest.w.sub(around.farthest).mul(SLOPE).add(around.nearest.w.mul(ASIDE));
   return nearest.sub(nearness).greaterThan(slack);
 }
@@ -219,7 +251,10 @@ function shrinking(from: Vec2): Float {
   return min(abs(x.x.mul(y.y).sub(x.y.mul(y.x))), 1);
 }
 
-/** A Catmull-Rom spline of 4 × 4 texels without its corners, by five filtered ones. Source: Jimenez 2016, "Filmic SMAA". */
+/**
+ * A Catmull-Rom spline of 4 × 4 texels without its corners, by five filtered ones (Jimenez 2016, "Filmic SMAA"), and never outside of them: from
+ * picture to picture its undershoot beside edges that move would grow to black lines.
+ */
 function catmullRom(of: TextureNode, at: Vec2): Vec4 {
   const middle = floor(at.sub(0.5)).add(0.5).toVar();
   const f = at.sub(middle).toVar();
@@ -237,12 +272,9 @@ function catmullRom(of: TextureNode, at: Vec2): Vec4 {
     [vec2(last.x, between.y), w3.x.mul(inner.y)],
     [vec2(between.x, last.y), inner.x.mul(w3.y)],
   ];
-  const sum = vec4(0).toVar();
-  const weight = float(0).toVar();
-  for (const [place, share] of taps) {
-    const w = share.toVar();
-    sum.addAssign(texture(of, place.div(screenSize)).level(int(0)).mul(w));
-    weight.addAssign(w);
-  }
-  return sum.div(weight);
+  const texels = taps.map(([place]): Vec4 => texture(of, place.div(screenSize)).level(int(0)).toVar());
+  const shares = taps.map(([, share]): Float => share.toVar());
+  const sum = texels.map((texel, i) => texel.mul(shares[i])).reduce((a, b) => a.add(b));
+  const [least, most] = [min, max].map((extreme) => texels.reduce((a, b) => extreme(a, b)));
+  return clamp(sum.div(shares.reduce((a, b) => a.add(b))), least, most);
 }

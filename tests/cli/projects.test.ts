@@ -43,6 +43,22 @@ test('a project gives the picture of its scene with the same flags, and a parame
   expect(made[0]!.equals(made[2]!)).toBe(false);
 });
 
+test('the observer of a project has the velocity that it says', async () => {
+  const document = parseDocument(readFileSync(projectOf(scene('movers.usda'), 'observed.slowlight.json'), 'utf8'));
+  const start = { node: 'start', output: 'observer' } as const;
+  const observed = applyCommand(document, {
+    kind: 'batch',
+    commands: [
+      { kind: 'add-node', node: 'start', type: 'observer', at: [0, 0], params: { beta: [0, 0.6, 0] } },
+      { kind: 'connect', edge: { from: start, to: { node: 'scene', input: 'observer' } } },
+    ],
+  });
+  writeFileSync(at('observed.slowlight.json'), serializeDocument(observed.document));
+  const size = ['--size', '16x9', '--pipeline', 'reference', '--samples', '1', '--json'];
+  const { out } = await slowlight('render', at('observed.slowlight.json'), ...size, '-o', at('observed.png'));
+  expect(JSON.parse(out).observer).toMatchObject({ beta: [0, expect.closeTo(0.6, 12), 0] });
+});
+
 test('an archive gives the picture of the project in it, with the files in it', async () => {
   const document = parseDocument(readFileSync(projectOf('movers.usda', 'packed.slowlight.json'), 'utf8'));
   const named = applyCommand(document, { kind: 'set-param', node: 'read', param: 'source', value: 'movers.usda' });

@@ -37,8 +37,7 @@ const brightness = (pixels: Uint8Array): number => pixels.reduce((sum, value) =>
 
 describe('exposure and tone', () => {
   it('the metering follows the light, keeps the resting eye’s exposure, or leaves it alone', async () => {
-    const visit = await (await program.open('?backend=webgl&scene=examples/lattice.usda')).ready();
-    await visit.page.locator('canvas[data-finest]').waitFor({ timeout: 90_000 });
+    const visit = await (await (await program.open('?backend=webgl&scene=examples/lattice.usda')).ready()).finest();
     const automatic = await visit.pixels();
     await choose(visit, 'Metering', 'Manual');
     const dimmed = async () => Math.abs(brightness(await visit.pixels()) - brightness(automatic));

@@ -116,6 +116,12 @@ export class Guarded {
     return this;
   }
 
+  /** The picture rests, and has all its samples. */
+  async finest(): Promise<this> {
+    await this.page.locator('canvas[data-finest]').waitFor({ timeout: 60_000 });
+    return this;
+  }
+
   async status(id: string): Promise<string> {
     return (await this.page.locator(`[data-status="${id}"]`).textContent()) ?? '';
   }

@@ -23,8 +23,10 @@ describe('scenes', () => {
     const visit = await (await program.open('?backend=webgl')).ready();
     const examples = (await (await fetch(`${program.url}/examples/index.json`)).json()) as Example[];
     expect(examples.map(({ name }) => name)).toContain('street');
-    for (const { name, lookFor } of examples) {
+    for (const { name, source, lookFor } of examples) {
       expect(lookFor.length, `${name} says what to look for`).toBeGreaterThan(20);
+      // Of the projects, whose pictures the command line's tests make, one does.
+      if (source.endsWith('.slowlight.json') && name !== 'workshop') continue;
       await visit.page.getByRole('button', { name: 'Scenes' }).click();
       await visit.page.locator(`[data-example="${name}"]`).click();
       await expect

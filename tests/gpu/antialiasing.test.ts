@@ -2,12 +2,12 @@ import '../../src/cli/node-shim.ts';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { pumpFrame } from '../../src/cli/node-shim.ts';
-import { passing, turning } from '../support/flights.ts';
+import { turning } from '../support/flights.ts';
 import { type Figures, figuresOf, SIZE } from './antialiasingFigures.ts';
 import { openModulePage } from './browser.ts';
 import { openPictures } from './pictures.ts';
 
-/** What holds of every flight and backend. */
+/** What holds of every flight, and on each backend. */
 function checks(figures: () => Figures): void {
   it('a picture at rest comes to that of 8 × 8 samples, byte by byte, and then is done', () => {
     expect(figures().unlike).toBe(0);
@@ -29,33 +29,20 @@ function checks(figures: () => Figures): void {
   });
 }
 
-describe('antialiasing: WebGPU (Dawn)', () => {
-  const open = async () => openPictures(SIZE.width, SIZE.height);
-  describe('balls passing', () => {
-    let figures: Figures;
-    beforeAll(async () => {
-      const headless = await open();
-      figures = await figuresOf(headless.renderer, passing(), pumpFrame);
-      await headless.close();
-    }, 120_000);
-    checks(() => figures);
-  });
-
-  describe('a turning head over what is finer than pixels', () => {
-    let figures: Figures;
-    beforeAll(async () => {
-      const headless = await open();
-      figures = await figuresOf(headless.renderer, turning(0.5), pumpFrame);
-      await headless.close();
-    }, 120_000);
-    checks(() => figures);
-    it('flickers less', () => {
-      expect(figures.temporal.flicker).toBeLessThan(0.8 * figures.edges.flicker);
-    });
+describe('antialiasing: WebGPU (Dawn), a turning head over what is finer than pixels', () => {
+  let figures: Figures;
+  beforeAll(async () => {
+    const headless = await openPictures(SIZE.width, SIZE.height);
+    figures = await figuresOf(headless.renderer, turning(0.5), pumpFrame);
+    await headless.close();
+  }, 120_000);
+  checks(() => figures);
+  it('flickers less', () => {
+    expect(figures.temporal.flicker).toBeLessThan(0.8 * figures.edges.flicker);
   });
 });
 
-describe('antialiasing: WebGL2 (Chromium)', () => {
+describe('antialiasing: WebGL2 (Chromium), balls passing', () => {
   let figures: Figures;
   let close: () => Promise<void>;
   beforeAll(async () => {

@@ -4,7 +4,7 @@ import { filmOf } from '../support/film.ts';
 import { type Flight, type Unrest, unrestOf } from '../support/flights.ts';
 
 export const SIZE = { width: 96, height: 54 };
-const PICTURES = 4;
+const PICTURES = 3;
 
 /** Of one flight on one backend. */
 export interface Figures {
@@ -26,9 +26,9 @@ export async function figuresOf(renderer: PictureMaker, flight: Flight, pump: ()
   const followed = await filmOf(renderer, flight, 'temporal', PICTURES, pump);
   let shifted = unlike(centres, await numbersOf(renderer));
   let refined = 1;
-  for (; refined < 10; refined++) renderer.refine();
+  for (; refined < 10; refined++) renderer.refine(8);
   shifted += unlike(centres, await numbersOf(renderer));
-  while (renderer.refine()) refined++;
+  while (renderer.refine(8)) refined++;
   const finest = new Uint8Array(await renderer.readPixels());
   return {
     edges: unrestOf(single, truth),

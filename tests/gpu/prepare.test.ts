@@ -88,7 +88,6 @@ it('compiles what pictures that move and pictures at rest take, and leaves the l
     ['edges', 1, {}],
     ['blended', 'temporal', {}],
     ['as it is', 1, { antialiasing: false }],
-    ['without shadows', 'temporal', { shadows: false }],
   ] as const) {
     const settings = { ...SETTINGS, ...change };
     await renderer.setScene(SCENE);
@@ -96,9 +95,9 @@ it('compiles what pictures that move and pictures at rest take, and leaves the l
     const finer = (meanwhile: () => void): Promise<Uint8Array> => {
       pumpFrame();
       renderer.render(VIEW, settings, sampling);
-      for (let i = 0; i < 4; i++) renderer.refine();
+      for (let i = 0; i < 4; i++) renderer.refine(4);
       meanwhile();
-      for (let i = 0; i < 4; i++) renderer.refine();
+      for (let i = 0; i < 4; i++) renderer.refine(4);
       return renderer.readPixels();
     };
     const compiled = vi.spyOn(gpu.device, 'createRenderPipeline');

@@ -44,6 +44,8 @@ export class Stage {
   readonly #resolution = new Resolution();
   readonly #eye = new Eye(prefersReducedMotion());
   readonly #reader = new Reader();
+  /** Samples along each side of a pixel that resting pictures come to. */
+  readonly #finest: number;
   #scale = 1;
   /** In the renderer now. */
   #scenes: readonly Scene[] = [];
@@ -72,11 +74,12 @@ export class Stage {
     const again = (): void => {
       if (stage) stage.#again();
     };
+    const software = drawsInSoftware();
     const renderer = await SceneRenderer.create({
       canvas,
       backend,
       onLost,
-      shadowDetail: drawsInSoftware() ? 'coarse' : 'fine',
+      shadowDetail: software ? 'coarse' : 'fine',
       planWorker: () => new Worker(new URL('./plan.worker.ts', import.meta.url), { type: 'module' }),
       sampleWorker: () => new Worker(new URL('./samples.worker.ts', import.meta.url), { type: 'module' }),
       onBetterPlan: again,
@@ -85,11 +88,18 @@ export class Stage {
         if (stage) stage.#lose(error);
       },
     });
-    stage = new Stage(canvas, renderer, studio, pilot);
+    stage = new Stage(canvas, renderer, studio, pilot, software ? 4 : 8);
     return stage;
   }
 
-  private constructor(canvas: HTMLCanvasElement, renderer: SceneRenderer, studio: Studio, pilot: Pilot) {
+  private constructor(
+    canvas: HTMLCanvasElement,
+    renderer: SceneRenderer,
+    studio: Studio,
+    pilot: Pilot,
+    finest: number,
+  ) {
+    this.#finest = finest;
     this.#studio = studio;
     this.#pilot = pilot;
     this.#renderer = renderer;
@@ -151,7 +161,7 @@ export class Stage {
   /** A sample more of what rests, unless something else is on its way; the canvas tells when it has them all. */
   #refine(): void {
     if (!this.#shown || this.#uploading || this.#prepares || this.#waits) return;
-    this.#canvas.toggleAttribute('data-finest', !this.#renderer.refine());
+    this.#canvas.toggleAttribute('data-finest', !this.#renderer.refine(this.#finest));
   }
 
   /** For the legend, what is pointed at. */
@@ -219,8 +229,10 @@ export class Stage {
     if (!viewPoint || !picture || this.#uploading || !isSame(picture.scenes, this.#scenes)) return false;
     const { clientWidth, clientHeight } = this.#canvas;
     const wanted = renderSettings(picture, this.#eye.exposure(picture), (kind) => this.#eye.scale(kind));
-    const moves = this.#wanted !== undefined && !same(this.#wanted, { viewPoint, settings: wanted });
+    const before = this.#wanted;
     this.#wanted = { viewPoint, settings: wanted };
+    const changes = before !== undefined && !same(before, this.#wanted);
+    const moves = changes && !same({ ...before, settings: wanted }, this.#wanted);
     const drawing = this.#affordable(viewPoint, wanted, moves);
     if (!drawing) return false;
     if (!always && !this.#stale && this.#shown && same(this.#shown, drawing)) return false;
@@ -233,15 +245,16 @@ export class Stage {
     showColors(settings.falseColors);
     const aspect = clientWidth / Math.max(1, clientHeight);
     this.#eye.see({ picture, viewPoint, settings, aspect, gauge: () => this.#renderer.gauge() });
-    return moves;
+    return changes;
   }
 
   /** How what is wanted is drawn where time is short; until that can be drawn at once, as what was shown before. */
   #affordable(viewPoint: ViewPoint, wanted: RenderSettings, moves: boolean): Drawing | undefined {
     const { fine } = this.#resolution;
     const settings = fine ? wanted : { ...wanted, occlusionRadius: 0 };
-    const drawing: Drawing = { viewPoint, settings, sampling: moves && fine ? 'temporal' : 1 };
-    return this.#isPrepared(drawing) ? drawing : this.#shown && { ...this.#shown, viewPoint };
+    const plain: Drawing = { viewPoint, settings, sampling: 1 };
+    const best: Drawing = moves && fine ? { ...plain, sampling: 'temporal' } : plain;
+    return [best, plain].find((drawing) => this.#isPrepared(drawing)) ?? (this.#shown && { ...this.#shown, viewPoint });
   }
 }
 

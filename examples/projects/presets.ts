@@ -1,0 +1,35 @@
+import { applyCommand, type Command } from '../../src/graph/commands.ts';
+import type { GraphDocument } from '../../src/graph/document.ts';
+import { newProject } from '../../src/nodes/project.ts';
+
+const changed = (document: GraphDocument, ...commands: readonly Command[]): GraphDocument =>
+  applyCommand(document, { kind: 'batch', commands }).document;
+
+/** The lattice as a renderer draws it that knows of no relativity: light takes no time, has no colour of its own speed, and comes from where things are. */
+export const plain = (): GraphDocument => ({
+  ...changed(
+    newProject('lattice.usda'),
+    { kind: 'set-param', node: 'console', param: 'view', value: 'galilean' },
+    { kind: 'set-param', node: 'rasterize', param: 'dopplerMix', value: 0 },
+    { kind: 'set-param', node: 'rasterize', param: 'beaming', value: 0 },
+  ),
+  title: 'Plain',
+  lookFor:
+    'The lattice as any other program draws it: fly through it, and nothing bends. Then put back one thing at a time, and see what each does: View to Seen bends the bars, Doppler mix to 1 colours them, Beaming to 1 makes it bright ahead and dark behind.',
+});
+
+/** The whole of it: the street at nine tenths of the speed of light from the first picture on. */
+export const rush = (): GraphDocument => ({
+  ...changed(
+    newProject('street.usda'),
+    { kind: 'add-node', node: 'start', type: 'observer', at: [240, 180], params: { beta: [0, 0, -0.9] } },
+    {
+      kind: 'connect',
+      edge: { from: { node: 'start', output: 'observer' }, to: { node: 'scene', input: 'observer' } },
+    },
+    { kind: 'set-param', node: 'camera', param: 'fieldOfView', value: 75 },
+  ),
+  title: 'Relativistic street',
+  lookFor:
+    'The street at 0.9 c from the first picture on, and you stay in place (Look), so that there is time to see: houses that lie behind you lean into view, the middle is blue and far away, the rim red and dark. Press Tab for Free to drive on.',
+});
