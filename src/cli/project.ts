@@ -18,6 +18,7 @@ import type { Plan } from '../scene/plan.ts';
 import type { Scene } from '../scene/types.ts';
 import { inputProblem, usageError } from './exit.ts';
 import { findScene, openSceneFile } from './files.ts';
+import { readFont } from './fonts.ts';
 import { heavyNodes } from './heavyNodes.ts';
 import type { RenderFlags } from './render.ts';
 
@@ -137,6 +138,7 @@ const problemsIn = ({ results }: Evaluation): readonly Problem[] =>
 
 /** Reads scenes here, from where the project is: beside it, or in its archive. */
 const servicesAt = (project: string): Services => ({
+  readFont,
   async readScene(source, { variants, interpolation }) {
     const beside = isAbsolute(source) ? source : join(dirname(project), source);
     const path = isArchive(project) ? inArchive(project, source) : beside;

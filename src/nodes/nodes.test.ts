@@ -15,7 +15,7 @@ import { DEFAULT_SETTINGS } from '../scene/view.ts';
 import { nodeLibrary } from './library.ts';
 import { pictureOf, renderSettings } from './picture.ts';
 import { flightsIn, flyCommand, landCommand, newProject, openCommand } from './project.ts';
-import type { LoadedScene, Services } from './services.ts';
+import { type LoadedScene, type Services, threadServices } from './services.ts';
 
 const folder = new URL('../../examples/', import.meta.url);
 const scene: Scene = {
@@ -34,7 +34,7 @@ const scene: Scene = {
   hints: {},
   diagnostics: [],
 };
-const serving = (loaded: LoadedScene): Services => ({ readScene: async () => loaded });
+const serving = (loaded: LoadedScene): Services => ({ ...threadServices, readScene: async () => loaded });
 const set = (node: string, param: string, value: ParamValue): Command => ({
   kind: 'set-param',
   node,
@@ -148,6 +148,7 @@ describe('motion', () => {
   it('variants are asked of the reader, and are part of the document', async () => {
     let asked: ReadonlyMap<string, string> | undefined;
     const services: Services = {
+      ...threadServices,
       readScene: async (_, { variants }) => {
         asked = variants;
         return { scene };
@@ -221,6 +222,7 @@ describe('the project', () => {
 
   it('keeps a reader’s diagnostic as it is, and blocks what follows', async () => {
     const services: Services = {
+      ...threadServices,
       readScene: async () => {
         throw new InputError({ severity: 'error', code: 'file.empty', place: 'a.usda', message: 'the file is empty' });
       },

@@ -46,10 +46,10 @@ export type Way = 'plain' | 'edges' | 'mean' | 'followed';
 /** From samples of light to a picture without steps. */
 export class Smoothing {
   private readonly from: Samples;
-  private readonly single = filteredTarget(UnsignedByteType);
+  private readonly single = filteredTarget();
   private readonly sums = [sumTarget(), sumTarget()] as const;
   private readonly fresh = [dataTarget(1, HalfFloatType), dataTarget(1, HalfFloatType)] as const;
-  private readonly histories = [filteredTarget(HalfFloatType), filteredTarget(HalfFloatType)] as const;
+  private readonly histories = [dataTarget(1, HalfFloatType), dataTarget(1, HalfFloatType)] as const;
   private readonly before = new EyeBefore();
   private readonly kernel = new Kernel();
   /** Which of two targets was written last. */
@@ -181,8 +181,8 @@ export class Smoothing {
 
 const keyOf = ({ tone, grid, starry }: DisplayLook): string => `${tone} ${grid} ${starry}`;
 
-function filteredTarget(type: typeof UnsignedByteType | typeof HalfFloatType): RenderTarget {
-  const target = dataTarget(1, type);
+function filteredTarget(): RenderTarget {
+  const target = dataTarget(1, UnsignedByteType);
   target.texture.minFilter = LinearFilter;
   target.texture.magFilter = LinearFilter;
   return target;

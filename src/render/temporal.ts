@@ -7,7 +7,6 @@ import {
   Fn,
   float,
   floor,
-  int,
   ivec2,
   length,
   max,
@@ -18,7 +17,6 @@ import {
   screenSize,
   select,
   sqrt,
-  texture,
   textureLoad,
   transpose,
   uniform,
@@ -64,6 +62,11 @@ const FILTER = 2.3;
 const ENOUGH = 6;
 
 const AROUND = [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((x) => [x, y] as const));
+/** Of 4 × 4 texels, without the corners. */
+const isInner = (k: number): boolean => k === 1 || k === 2;
+const PLACES = [0, 1, 2, 3].flatMap((y) =>
+  [0, 1, 2, 3].flatMap((x) => (isInner(x) || isInner(y) ? [[x, y] as const] : [])),
+);
 const CORNERS = [0, 1].flatMap((y) => [0, 1].map((x) => [x, y] as const));
 
 export interface TemporalSources {
@@ -109,7 +112,7 @@ export const blended = (sources: TemporalSources): Vec4 =>
     const from = screenCoordinate.add(shift.mul(vec2(0.5, -0.5)).mul(screenSize)).toVar();
     const memory = texelNear(history, from).w.toVar();
     const unrest = memory.fract().toVar();
-    const then = catmullRom(history, from).xyz.toVar();
+    const then = catmullRom(history, from).toVar();
     const former = formerAt(sources, from);
     const usable = isInside(from)
       .and(before.known.greaterThan(0.5))
@@ -252,29 +255,25 @@ function shrinking(from: Vec2): Float {
 }
 
 /**
- * A Catmull-Rom spline of 4 × 4 texels without its corners, by five filtered ones (Jimenez 2016, "Filmic SMAA"), and never outside of them: from
- * picture to picture its undershoot beside edges that move would grow to black lines.
+ * A Catmull-Rom spline of 4 × 4 texels without its corners (Jimenez 2016, "Filmic SMAA"), and never outside of the nearest four: from picture to
+ * picture its undershoot beside edges that move would grow to black lines. Texels are fetched, for a software GPU takes long to filter.
  */
-function catmullRom(of: TextureNode, at: Vec2): Vec4 {
+function catmullRom(of: TextureNode, at: Vec2): Vec3 {
   const middle = floor(at.sub(0.5)).add(0.5).toVar();
   const f = at.sub(middle).toVar();
-  const w0 = f.mul(f.mul(f.mul(-0.5).add(1)).sub(0.5)).toVar();
-  const w1 = f.mul(f).mul(f.mul(1.5).sub(2.5)).add(1).toVar();
-  const w2 = f.mul(f.mul(f.mul(-1.5).add(2)).add(0.5)).toVar();
-  const w3 = f.mul(f).mul(f.mul(0.5).sub(0.5)).toVar();
-  const inner = w1.add(w2).toVar();
-  const between = middle.add(w2.div(inner)).toVar();
-  const [first, last] = [middle.sub(1).toVar(), middle.add(2).toVar()];
-  const taps: readonly (readonly [Vec2, Float])[] = [
-    [vec2(between.x, first.y), inner.x.mul(w0.y)],
-    [vec2(first.x, between.y), w0.x.mul(inner.y)],
-    [between, inner.x.mul(inner.y)],
-    [vec2(last.x, between.y), w3.x.mul(inner.y)],
-    [vec2(between.x, last.y), inner.x.mul(w3.y)],
-  ];
-  const texels = taps.map(([place]): Vec4 => texture(of, place.div(screenSize)).level(int(0)).toVar());
-  const shares = taps.map(([, share]): Float => share.toVar());
-  const sum = texels.map((texel, i) => texel.mul(shares[i])).reduce((a, b) => a.add(b));
-  const [least, most] = [min, max].map((extreme) => texels.reduce((a, b) => extreme(a, b)));
-  return clamp(sum.div(shares.reduce((a, b) => a.add(b))), least, most);
+  const weights = [
+    f.mul(f.mul(f.mul(-0.5).add(1)).sub(0.5)),
+    f.mul(f).mul(f.mul(1.5).sub(2.5)).add(1),
+    f.mul(f.mul(f.mul(-1.5).add(2)).add(0.5)),
+    f.mul(f).mul(f.mul(0.5).sub(0.5)),
+  ].map((weight): Vec2 => weight.toVar());
+  const sum = vec4(0).toVar();
+  const inner: Vec3[] = [];
+  for (const [x, y] of PLACES) {
+    const texel = texelNear(of, middle.add(vec2(x - 1, y - 1))).xyz;
+    sum.addAssign(vec4(texel, 1).mul(weights[x].x.mul(weights[y].y)));
+    if (isInner(x) && isInner(y)) inner.push(texel);
+  }
+  const [least, most] = [min, max].map((extreme) => inner.reduce((a, b): Vec3 => extreme(a, b)));
+  return clamp(sum.xyz.div(sum.w), least, most);
 }
