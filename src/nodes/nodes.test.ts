@@ -165,6 +165,50 @@ describe('motion', () => {
   });
 });
 
+describe('a material', () => {
+  const painted = async (readFile: Services['readFile']) => {
+    const { document } = applyCommand(newProject('a.usda'), {
+      kind: 'batch',
+      commands: [
+        { kind: 'add-node', node: 'paint', type: 'material', at: [0, 0], params: { reflectance: 'leaf.csv' } },
+        {
+          kind: 'connect',
+          edge: { from: { node: 'read', output: 'geometry' }, to: { node: 'paint', input: 'geometry' } },
+        },
+      ],
+    });
+    const loaded = { scene: { ...scene, objects: [makeObject({ path: '/leaf', mesh: box([1, 1, 1]) })] } };
+    const services = { ...serving(loaded), readFile };
+    return (await new Evaluator(nodeLibrary).evaluate(document, 'paint', services)).target;
+  };
+
+  it('takes its reflectance from a table, and its colour from that', async () => {
+    const asked: string[] = [];
+    const made = await painted(async (source) => {
+      asked.push(source);
+      return new TextEncoder().encode('nm, share\n300, 0.3\n900, 0.3\n');
+    });
+    expect(asked).toEqual(['leaf.csv']);
+    const { materials } = (made as unknown as { outputs: { geometry: LoadedScene } }).outputs.geometry.scene;
+    const material = materials.find(({ reflectance }) => reflectance)!;
+    expect(material.reflectance?.values).toEqual([0.3, 0.3]);
+    [...material.baseColor, material.ir].forEach((share) => {
+      expect(share).toBeCloseTo(0.3, 6);
+    });
+  });
+
+  it('names the table that is not there, or is none', async () => {
+    const missing = new InputError({ severity: 'error', code: 'file.missing', place: 'leaf.csv', message: 'no' });
+    expect(await painted(() => Promise.reject(missing))).toMatchObject({
+      status: 'failed',
+      problem: { code: 'file.missing', place: 'leaf.csv' },
+    });
+    expect(await painted(async () => new TextEncoder().encode('400, 40\n500, 60\n'))).toMatchObject({
+      problem: { code: 'spectrum.csv' },
+    });
+  });
+});
+
 describe('the project', () => {
   it('is a whole document that comes back from its file', () => {
     const project = newProject('a.usda');

@@ -25,8 +25,10 @@ export interface Services {
   readScene(source: string, how: ReadRequest): Promise<LoadedScene>;
   /** Reads a file of a font that comes with the program; throws an `InputError` where it cannot. */
   readonly readFont: ReadFont;
+  /** A small file whole, a table; throws an `InputError` where it is not there. */
+  readFile(source: string): Promise<Uint8Array>;
 }
 
 /** In the threads of heavy nodes nothing is read: what they work on comes with their orders. */
 const readsNothing = () => Promise.reject(new Error('a heavy node reads no files; give it what it needs as inputs'));
-export const threadServices: Services = { readScene: readsNothing, readFont: readsNothing };
+export const threadServices: Services = { readScene: readsNothing, readFont: readsNothing, readFile: readsNothing };
