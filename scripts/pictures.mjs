@@ -3,6 +3,7 @@
 // `npm run pictures -- compare` (or the name of one, `compare-moved`) only, since the reference renderer takes its time.
 import { existsSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
+import { shootGraph } from './pageShots.mjs';
 import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './setup.mjs';
 
 /** Scene, name of the picture, flags. Thumbnails are 480 × 270, pictures for docs 960 × 540. */
@@ -74,6 +75,7 @@ try {
     if (chosen(scene)) render(scene, `examples/thumbnails/${scene}.png`, ['--size', '480x270', ...flags]);
   for (const [scene, name, flags] of pictures)
     if (chosen(scene)) render(scene, `docs/pictures/${name}.png`, ['--size', '960x540', ...flags]);
+  if (chosen('graph')) await shootGraph();
   for (const comparison of comparisons)
     if (wanted.includes('compare') || wanted.includes(comparison[1])) compare(...comparison);
 } catch (error) {

@@ -1,4 +1,4 @@
-import { type ReactNode, useEffect } from 'react';
+import { lazy, type ReactNode, Suspense, useEffect, useState } from 'react';
 import { useTexts } from './i18n/i18n.ts';
 import { projectName } from './projects/names.ts';
 import { ProjectDialogs } from './projects/ProjectDialogs.tsx';
@@ -15,6 +15,8 @@ import { Timeline } from './shell/Timeline.tsx';
 import { useSavePicture } from './shell/useSavePicture.ts';
 import { useStudio, useStudioState } from './state/context.tsx';
 import { isUnsaved } from './state/studio.ts';
+
+const Palette = lazy(() => import('./graph/Palette.tsx'));
 
 export function Editor(): ReactNode {
   const { t } = useTexts();
@@ -38,6 +40,7 @@ export function Editor(): ReactNode {
       <Help />
       <ProjectDialogs />
       <DropZone />
+      <LazyPalette />
     </div>
   );
 }
@@ -52,6 +55,18 @@ function useTitle(): void {
   }, [name, unsaved, t]);
 }
 
+/** The list of all commands, from when it is first asked for. */
+function LazyPalette(): ReactNode {
+  const asked = useStudioState((state) => state.dialog === 'palette');
+  const [wanted, setWanted] = useState(false);
+  if (asked && !wanted) setWanted(true);
+  return wanted ? (
+    <Suspense>
+      <Palette />
+    </Suspense>
+  ) : null;
+}
+
 /** Keys that work wherever the focus is, but for fields that are being written in. */
 function usePageKeys(): void {
   const studio = useStudio();
@@ -62,6 +77,10 @@ function usePageKeys(): void {
       const command = event.ctrlKey || event.metaKey;
       const writing = event.target instanceof HTMLElement && event.target.matches('input:not([type=range]), textarea');
       if (event.key === 'F1' || (event.key === '?' && !writing)) studio.change({ dialog: 'help' });
+      else if (command && (event.code === 'KeyK' || (event.code === 'KeyP' && event.shiftKey)))
+        studio.change({ dialog: 'palette' });
+      else if (command && event.code === 'KeyG' && event.shiftKey)
+        studio.change({ graph: !studio.store.getState().graph });
       else if (command && event.code === 'KeyS') event.shiftKey ? void savePicture() : save();
       else if (command && event.code === 'KeyZ' && !writing) event.shiftKey ? studio.redo() : studio.undo();
       else if (command && event.code === 'KeyY' && !writing) studio.redo();

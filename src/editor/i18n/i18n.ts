@@ -32,13 +32,13 @@ export const setLanguage = (language: Language): Promise<unknown> => i18next.cha
 export function useTexts(): {
   readonly t: Translate;
   readonly language: Language;
-  readonly any: (key: string) => string;
+  readonly any: (key: string, values?: Readonly<Record<string, string>>) => string;
 } {
   const { t, i18n } = useTranslation();
   return {
     t: (key, values) => t(key, values ?? {}),
     language: i18n.language === 'zh' ? 'zh' : 'en',
     /** For keys that come out of descriptions: what is not in the catalogue stands for itself. */
-    any: (key) => (isMessageKey(key) ? t(key) : key),
+    any: (key, values) => (isMessageKey(key) ? t(key, values ?? {}) : key),
   };
 }

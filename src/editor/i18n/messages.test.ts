@@ -19,15 +19,18 @@ describe('the catalogue of messages', () => {
 
   it('has no text that nobody shows', () => {
     const sources = Object.values(
-      import.meta.glob<string>(['../../**/*.{ts,tsx}', '!**/{messages,projectMessages,words,effectWords}.ts'], {
-        query: '?raw',
-        import: 'default',
-        eager: true,
-      }),
+      import.meta.glob<string>(
+        ['../../**/*.{ts,tsx}', '!**/{messages,graphMessages,projectMessages,words,effectWords}.ts'],
+        {
+          query: '?raw',
+          import: 'default',
+          eager: true,
+        },
+      ),
     ).join('\n');
     // Keys that are put together: `lock.${lock}.help`.
     const composed =
-      /^(lock|loading|header)\.(free|look|fly|fetch|parse|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^(band|preset|light|math|relation)\./;
+      /^(lock|loading|header)\.(free|look|fly|fetch|parse|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^(band|preset|light|math|relation|category|type|graph\.course)\./;
     const unused = Object.keys(messages).filter((key) => !sources.includes(`'${key}'`) && !composed.test(key));
     expect(unused).toEqual([]);
   });

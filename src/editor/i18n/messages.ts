@@ -1,5 +1,6 @@
 import { effectWords } from '../../nodes/effectWords.ts';
 import { nodeWords } from '../../nodes/words.ts';
+import { graphMessages } from './graphMessages.ts';
 import { projectMessages } from './projectMessages.ts';
 
 /** Every text of the page, in English and Chinese; `{{name}}` is filled in. One catalogue, so that neither can lack a key. */
@@ -7,6 +8,7 @@ export const messages = {
   ...nodeWords,
   ...effectWords,
   ...projectMessages,
+  ...graphMessages,
   'app.title': ['Slowlight', 'Slowlight 慢光'],
   'app.skip': ['Skip to the picture', '跳到画面'],
 

@@ -3,15 +3,15 @@ import { Fragment, type ReactNode } from 'react';
 import { type GraphDocument, graphIn, own, type ParamValue } from '../../graph/document.ts';
 import { placeOf } from '../../graph/edits/place.ts';
 import type { FlatNode } from '../../graph/flatten.ts';
-import type { NodeType, ParamSpec } from '../../graph/nodeType.ts';
-import { matters, meaning, resolveParams } from '../../graph/nodeType.ts';
+import { matters, meaning, type NodeType, resolveParams } from '../../graph/nodeType.ts';
 import { chainOf } from '../../nodes/chain.ts';
 import type { Picture } from '../../nodes/define.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { useStudio, useStudioState } from '../state/context.tsx';
-import { cameraOf } from '../state/viewpoint.ts';
+import { feedersIn } from './driven.ts';
 import { ParamControl } from './ParamControl.tsx';
+import { suggestion } from './suggestion.ts';
 
 /** What a person reaches for most comes first; other nodes follow, the nearest to the output first. */
 const ORDER = [
@@ -42,7 +42,7 @@ export function ControlsPanel(): ReactNode {
         {sections.map((section, i) => (
           <Fragment key={section.node.id}>
             {i > 0 && <Divider />}
-            <NodeSection section={section} picture={picture} />
+            <NodeSection section={section} feeders={feedersIn(document, section.node.id)} picture={picture} />
           </Fragment>
         ))}
       </Stack>
@@ -50,7 +50,13 @@ export function ControlsPanel(): ReactNode {
   );
 }
 
-function NodeSection({ section, picture }: { readonly section: Section; readonly picture?: Picture }): ReactNode {
+interface NodeSectionProps {
+  readonly section: Section;
+  readonly feeders: Readonly<Record<string, string>>;
+  readonly picture?: Picture;
+}
+
+function NodeSection({ section, feeders, picture }: NodeSectionProps): ReactNode {
   const { any } = useTexts();
   const studio = useStudio();
   const { node, type, title } = section;
@@ -69,6 +75,7 @@ function NodeSection({ section, picture }: { readonly section: Section; readonly
           set={node.params[name]}
           value={resolved[name] ?? suggestion(spec, picture)}
           choices={picture?.scene.cameras.map(({ path }) => path)}
+          drivenBy={feeders[name] && any(feeders[name])}
           onChange={(value, gesture) => studio.set(node.id, name, value, spec.title, gesture)}
           onGestureEnd={studio.endGesture}
         />
@@ -77,10 +84,10 @@ function NodeSection({ section, picture }: { readonly section: Section; readonly
   );
 }
 
-/** What does not matter now is not shown: the steps of a solver that is not chosen, and what another node decides. */
-const shownParams = ({ node, type }: Section, resolved: Readonly<Record<string, ParamValue | undefined>>) =>
+/** What does not matter now is not shown: the steps of a solver that is not chosen. */
+const shownParams = ({ type }: Section, resolved: Readonly<Record<string, ParamValue | undefined>>) =>
   Object.entries(type.params).flatMap(([name, spec]) =>
-    matters(spec, resolved) && !node.inputs.has(name) ? [[name, meaning(type, spec, resolved)] as const] : [],
+    matters(spec, resolved) ? [[name, meaning(type, spec, resolved)] as const] : [],
   );
 
 function sectionsOf(document: GraphDocument): Section[] {
@@ -88,7 +95,8 @@ function sectionsOf(document: GraphDocument): Section[] {
   return chainOf(document)
     .flatMap((node): Section[] => {
       const type = own(nodeLibrary, node.type);
-      return type && isShown(type) ? [{ node, type, title: titleOf(document, node.id) }] : [];
+      const title = titleOf(document, node.id);
+      return type && isShown(type, title) ? [{ node, type, title }] : [];
     })
     .sort((a, b) => place(a.type) - place(b.type));
 }
@@ -98,16 +106,8 @@ function titleOf(document: GraphDocument, id: string): string | undefined {
   return place && own(graphIn(document, place.group)?.nodes ?? {}, place.node)?.title;
 }
 
-/** What is in the scene and how it moves is the Scene panel's. */
-const isShown = (type: NodeType): boolean =>
-  type.category !== 'geometry' && Object.values(type.params).some((spec) => spec.kind !== 'text' || spec.choices);
-
-/** What holds while the person has set nothing: the picture tells what the scene suggested. */
-function suggestion(spec: ParamSpec, picture: Picture | undefined): ParamValue {
-  if (picture && spec.kind === 'number') {
-    if (spec.suggestion === 'speedOfLight') return picture.speedOfLight;
-    const degrees = (cameraOf(picture).fovY * 180) / Math.PI;
-    if (spec.suggestion === 'fieldOfView') return Math.round(degrees * 10) / 10;
-  }
-  return spec.default;
-}
+/** What is in the scene and how it moves is the Scene panel's; of what only computes, what a person has given a name is a control. */
+const isShown = (type: NodeType, title: string | undefined): boolean =>
+  type.category !== 'geometry' &&
+  (type.category !== 'utility' || title !== undefined) &&
+  Object.values(type.params).some((spec) => spec.kind !== 'text' || spec.choices);

@@ -4,6 +4,8 @@ import { cleanup, fireEvent, render, screen } from '@testing-library/react';
 import { afterEach, beforeAll, expect, it, vi } from 'vitest';
 import type { NumberParam } from '../../graph/nodeType.ts';
 import { startTranslation } from '../i18n/i18n.ts';
+import { StudioProvider } from '../state/context.tsx';
+import { beginningWith, createStudio } from '../state/studio.ts';
 import { ParamControl } from './ParamControl.tsx';
 
 const spec: NumberParam = {
@@ -32,11 +34,16 @@ beforeAll(async () => {
 });
 afterEach(cleanup);
 
+const readScene = () => Promise.reject(new Error('there are no files'));
+const studio = createStudio({ services: { readScene }, beginning: beginningWith(''), playing: false });
+
 function show(set: number | undefined) {
   const onChange = vi.fn();
   render(
     <MantineProvider>
-      <ParamControl spec={spec} set={set} value={set ?? 30} onChange={onChange} onGestureEnd={() => {}} />
+      <StudioProvider value={studio}>
+        <ParamControl spec={spec} set={set} value={set ?? 30} onChange={onChange} onGestureEnd={() => {}} />
+      </StudioProvider>
     </MantineProvider>,
   );
   return { onChange, field: screen.getByRole('textbox', { name: 'Speed of light' }) };
@@ -58,6 +65,19 @@ it('forgets what is typed on Escape, and takes nothing that is no number', () =>
   fireEvent.change(field, { target: { value: '' } });
   fireEvent.keyDown(field, { key: 'Enter' });
   expect(onChange).not.toHaveBeenCalled();
+});
+
+it('takes what is typed as an expression with units, and tells what it does not understand', () => {
+  const { onChange, field } = show(undefined);
+  fireEvent.change(field, { target: { value: '2*36 km/h' } });
+  fireEvent.keyDown(field, { key: 'Enter' });
+  expect(onChange).toHaveBeenLastCalledWith(20);
+  fireEvent.change(field, { target: { value: '40 m' } });
+  fireEvent.keyDown(field, { key: 'Enter' });
+  expect(field.getAttribute('aria-invalid')).toBe('true');
+  fireEvent.blur(field);
+  expect(field.getAttribute('value')).toBe('30 m/s');
+  expect(onChange).toHaveBeenCalledTimes(1);
 });
 
 it('goes back to the default where one was set', () => {

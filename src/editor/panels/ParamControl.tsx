@@ -1,24 +1,13 @@
-import {
-  ActionIcon,
-  Badge,
-  Group,
-  NumberInput,
-  SegmentedControl,
-  Select,
-  Slider,
-  Stack,
-  Switch,
-  Text,
-  Textarea,
-  Tooltip,
-} from '@mantine/core';
-import { IconRestore } from '@tabler/icons-react';
+import { Badge, Group, SegmentedControl, Select, Slider, Stack, Switch, Tooltip } from '@mantine/core';
 import { type ReactNode, useId } from 'react';
 import type { ParamValue } from '../../graph/document.ts';
 import type { ChoiceParam, NumberParam, ParamSpec, TextParam, VectorParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
+import { ColorControl } from './ColorControl.tsx';
+import { ExpressionField } from './ExpressionField.tsx';
+import { Driven, Label, Reset } from './ParamLabel.tsx';
 import { positionOf, valueAt } from './scales.ts';
-import { useTypedNumber } from './useTypedNumber.ts';
+import { ListControl, TextControl } from './TextControl.tsx';
 import { VectorControl } from './VectorControl.tsx';
 
 export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
@@ -29,6 +18,8 @@ export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
   readonly value: ParamValue;
   /** For a text whose values come from the scene. */
   readonly choices?: readonly string[];
+  /** The node that says what it is, where an edge drives it. */
+  readonly drivenBy?: string;
   /** `gesture`: part of one continuous action. */
   readonly onChange: (value: ParamValue | undefined, gesture?: string) => void;
   readonly onGestureEnd: () => void;
@@ -36,7 +27,8 @@ export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
 
 /** One parameter of a node, as its description says. */
 export function ParamControl(props: ParamProps): ReactNode {
-  const { spec } = props;
+  const { spec, drivenBy } = props;
+  if (drivenBy !== undefined) return <Driven spec={spec} by={drivenBy} />;
   switch (spec.kind) {
     case 'number':
       return <NumberControl {...props} spec={spec} />;
@@ -45,78 +37,25 @@ export function ParamControl(props: ParamProps): ReactNode {
     case 'choice':
       return <ChoiceControl {...props} spec={spec} />;
     case 'text':
-      if (spec.choices) return <TextChoiceControl {...props} spec={spec} />;
-      return spec.shader ? <ShaderTextControl {...props} /> : null;
+      return spec.choices ? <TextChoiceControl {...props} spec={spec} /> : <TextControl {...props} spec={spec} />;
     case 'vector':
       return (
-        <VectorControl spec={spec} value={vectorOf(spec, props.value)} onChange={(value) => props.onChange(value)} />
+        <VectorControl
+          spec={spec}
+          set={props.set}
+          value={vectorOf(spec, props.value)}
+          onChange={(value) => props.onChange(value)}
+        />
       );
     case 'color':
+      return <ColorControl {...props} spec={spec} />;
     case 'list':
-      return null;
+      return <ListControl {...props} spec={spec} />;
   }
 }
 
 const vectorOf = (spec: VectorParam, value: ParamValue): VectorParam['default'] =>
   Array.isArray(value) ? [Number(value[0]), Number(value[1]), Number(value[2])] : spec.default;
-
-function Label({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
-  const { any } = useTexts();
-  const text = (
-    <Text size="sm" id={id} className="sl-param-label" truncate>
-      {any(spec.title)}
-    </Text>
-  );
-  return spec.help ? (
-    <Tooltip label={any(spec.help)} position="left" multiline maw={260} openDelay={400}>
-      {text}
-    </Tooltip>
-  ) : (
-    text
-  );
-}
-
-/** What is wrong with the text is told where all problems are, with its line. */
-function ShaderTextControl({ spec, set, value, onChange, onGestureEnd }: ParamProps): ReactNode {
-  const id = useId();
-  return (
-    <Stack gap={2}>
-      <Group gap={4} wrap="nowrap" justify="space-between">
-        <Label spec={spec} id={id} />
-        <Reset set={set} onChange={onChange} />
-      </Group>
-      <Textarea
-        size="xs"
-        autosize
-        maxRows={24}
-        spellCheck={false}
-        aria-labelledby={id}
-        styles={{ input: { fontFamily: 'monospace', whiteSpace: 'pre', overflowX: 'auto' } }}
-        value={String(value)}
-        onChange={(event) => onChange(event.currentTarget.value, `text ${id}`)}
-        onBlur={onGestureEnd}
-      />
-    </Stack>
-  );
-}
-
-function Reset({ set, onChange }: Pick<ParamProps, 'set' | 'onChange'>): ReactNode {
-  const { t } = useTexts();
-  if (set === undefined) return null;
-  return (
-    <Tooltip label={t('panel.reset')} openDelay={400}>
-      <ActionIcon
-        size="xs"
-        variant="subtle"
-        color="gray"
-        aria-label={t('panel.reset')}
-        onClick={() => onChange(undefined)}
-      >
-        <IconRestore size={13} />
-      </ActionIcon>
-    </Tooltip>
-  );
-}
 
 function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<NumberParam>): ReactNode {
   const { any } = useTexts();
@@ -171,21 +110,19 @@ interface NumberFieldProps extends Pick<ParamProps<NumberParam>, 'spec' | 'onCha
 }
 
 function NumberField({ spec, number, onChange, label, precision }: NumberFieldProps): ReactNode {
-  const field = useTypedNumber(number, (value) => {
+  const take = (value: number) => {
     const bounded = Math.min(spec.max, Math.max(spec.min, value));
-    if (bounded !== number) onChange(spec.integer ? Math.round(bounded) : bounded);
-  });
+    const whole = spec.integer ? Math.round(bounded) : bounded;
+    if (whole !== number) onChange(whole);
+  };
   return (
-    <NumberInput
-      size="xs"
-      w={spec.unit ? 124 : 84}
-      aria-label={label}
-      hideControls
-      decimalScale={precision}
-      thousandSeparator={'\u202f'}
-      suffix={spec.unit ? ` ${spec.unit}` : ''}
-      {...field}
-      classNames={{ input: 'sl-number' }}
+    <ExpressionField
+      label={label}
+      value={number}
+      unit={spec.unit}
+      decimals={precision}
+      width={spec.unit ? 124 : 84}
+      take={take}
     />
   );
 }
@@ -211,9 +148,30 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
   );
 }
 
-function ChoiceControl({ spec, value, onChange }: ParamProps<ChoiceParam>): ReactNode {
+/** More choices than fit side by side are a list. */
+const FEW = 5;
+
+function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>): ReactNode {
   const { any } = useTexts();
   const id = useId();
+  if (spec.options.length > FEW)
+    return (
+      <Stack gap={2}>
+        <Group gap={4} wrap="nowrap" justify="space-between">
+          <Label spec={spec} id={id} />
+          <Reset set={set} onChange={onChange} />
+        </Group>
+        <Select
+          size="xs"
+          aria-label={any(spec.title)}
+          allowDeselect={false}
+          searchable={spec.options.length > 10}
+          value={String(value)}
+          onChange={(chosen) => chosen !== null && onChange(chosen)}
+          data={spec.options.map((option) => ({ value: option.value, label: any(option.title) }))}
+        />
+      </Stack>
+    );
   return (
     <Stack gap={2}>
       <Label spec={spec} id={id} />

@@ -1,8 +1,10 @@
-import { Group, NumberInput, Select, Stack, Text, Tooltip } from '@mantine/core';
+import { Group, Select, Stack, Text } from '@mantine/core';
 import { type ReactNode, useId } from 'react';
+import type { ParamValue } from '../../graph/document.ts';
 import type { VectorParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { useTypedNumber } from './useTypedNumber.ts';
+import { ExpressionField } from './ExpressionField.tsx';
+import { Label, Reset } from './ParamLabel.tsx';
 
 type Vector = VectorParam['default'];
 
@@ -19,12 +21,13 @@ const OTHER = 'other';
 
 interface VectorControlProps {
   readonly spec: VectorParam;
+  readonly set: ParamValue | undefined;
   readonly value: Vector;
-  readonly onChange: (value: Vector) => void;
+  readonly onChange: (value: Vector | undefined) => void;
 }
 
-/** A direction: one of the axes, or three numbers. */
-export function VectorControl({ spec, value, onChange }: VectorControlProps): ReactNode {
+/** A place, or a direction: one of the axes, or three numbers. */
+export function VectorControl({ spec, set, value, onChange }: VectorControlProps): ReactNode {
   const { any, t } = useTexts();
   const id = useId();
   const title = any(spec.title);
@@ -36,20 +39,25 @@ export function VectorControl({ spec, value, onChange }: VectorControlProps): Re
   return (
     <Stack gap={4} role="group" aria-labelledby={id}>
       <Group gap={4} wrap="nowrap" justify="space-between">
-        <Tooltip label={any(spec.help ?? '')} position="left" multiline maw={260} openDelay={400}>
-          <Text size="sm" id={id} className="sl-param-label" truncate>
-            {title}
-          </Text>
-        </Tooltip>
-        <Select
-          size="xs"
-          w={84}
-          aria-label={title}
-          allowDeselect={false}
-          value={axis}
-          data={[...AXES.map(([name]) => name), ...(axis === OTHER ? [{ value: OTHER, label: t('axis.other') }] : [])]}
-          onChange={choose}
-        />
+        <Label spec={spec} id={id} />
+        <Group gap={4} wrap="nowrap">
+          <Reset set={set} onChange={onChange} />
+          {/* What has a unit is no direction. */}
+          {spec.unit === undefined && (
+            <Select
+              size="xs"
+              w={84}
+              aria-label={title}
+              allowDeselect={false}
+              value={axis}
+              data={[
+                ...AXES.map(([name]) => name),
+                ...(axis === OTHER ? [{ value: OTHER, label: t('axis.other') }] : []),
+              ]}
+              onChange={choose}
+            />
+          )}
+        </Group>
       </Group>
       <Group gap={4} wrap="nowrap" grow>
         {COMPONENTS.map((name, i) => (
@@ -57,6 +65,7 @@ export function VectorControl({ spec, value, onChange }: VectorControlProps): Re
             key={name}
             label={`${title} ${name}`}
             name={name}
+            unit={spec.unit}
             value={value[i]!}
             onChange={(x) => onChange([i === 0 ? x : value[0], i === 1 ? x : value[1], i === 2 ? x : value[2]])}
           />
@@ -69,24 +78,22 @@ export function VectorControl({ spec, value, onChange }: VectorControlProps): Re
 interface ComponentProps {
   readonly label: string;
   readonly name: string;
+  readonly unit?: string;
   readonly value: number;
   readonly onChange: (value: number) => void;
 }
 
-function Component({ label, name, value, onChange }: ComponentProps): ReactNode {
-  const field = useTypedNumber(value, (number) => {
-    if (number !== value) onChange(number);
-  });
+function Component({ label, name, unit, value, onChange }: ComponentProps): ReactNode {
   return (
-    <NumberInput
-      size="xs"
-      aria-label={label}
+    <ExpressionField
+      label={label}
       leftSection={<Text size="xs">{name}</Text>}
-      leftSectionWidth={24}
-      hideControls
-      decimalScale={6}
-      {...field}
-      classNames={{ input: 'sl-number' }}
+      unit={unit}
+      decimals={6}
+      value={value}
+      take={(number) => {
+        if (number !== value) onChange(number);
+      }}
     />
   );
 }

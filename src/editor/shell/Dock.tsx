@@ -1,18 +1,24 @@
 import { useComputedColorScheme } from '@mantine/core';
 import { createDockview, type DockviewApi, type DockviewTheme, type ITabRenderer } from 'dockview';
-import { type ReactNode, useEffect, useRef, useState } from 'react';
+import { lazy, type ReactNode, Suspense, useEffect, useRef, useState } from 'react';
 import { createPortal } from 'react-dom';
 import { useTexts } from '../i18n/i18n.ts';
 import type { MessageKey } from '../i18n/messages.ts';
 import { ControlsPanel } from '../panels/ControlsPanel.tsx';
 import { ScenePanel } from '../panels/scene/ScenePanel.tsx';
-import { useStudioState } from '../state/context.tsx';
+import { useStudio, useStudioState } from '../state/context.tsx';
 import { Viewport } from '../viewport/Viewport.tsx';
+
+/** The graph comes when it is asked for: opening the page does not wait for it. */
+const GraphPanel = lazy(() => import('../graph/GraphPanel.tsx'));
+const Inspector = lazy(() => import('../graph/Inspector.tsx'));
 
 const PANELS = {
   picture: { title: 'panel.picture', content: <Viewport /> },
   controls: { title: 'panel.controls', content: <ControlsPanel /> },
   scene: { title: 'panel.scene', content: <ScenePanel /> },
+  graph: { title: 'panel.graph', content: <GraphPanel /> },
+  node: { title: 'panel.node', content: <Inspector /> },
 } as const satisfies Record<string, { title: MessageKey; content: ReactNode }>;
 type PanelName = keyof typeof PANELS;
 
@@ -24,12 +30,16 @@ const THEMES = {
 const SIDE_WIDTH = 308;
 /** Below this the side panel goes under the picture, where that is the longer way. */
 const NARROW = 700;
+/** Of the height of the picture, what the graph takes of it. */
+const HALF = 0.5;
+const LARGE = 0.86;
 
 /** The panels, which a person may move, stack and resize. React draws into the elements that dockview keeps. */
 export function Dock(): ReactNode {
   const host = useRef<HTMLDivElement>(null);
   const [elements, setElements] = useState<Partial<Record<PanelName, HTMLElement>>>({});
   const api = useDockview(host, setElements);
+  useGraph(api, host);
   useTitles(api);
   const maximized = useStudioState((state) => state.maximized);
   useEffect(() => {
@@ -40,7 +50,7 @@ export function Dock(): ReactNode {
   return (
     <div ref={host} className="sl-dock-host">
       {Object.entries(elements).map(([name, element]) =>
-        createPortal(PANELS[name as PanelName].content, element, name),
+        createPortal(<Suspense>{PANELS[name as PanelName].content}</Suspense>, element, name),
       )}
     </div>
   );
@@ -57,15 +67,18 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
       createComponent: ({ name }) => {
         const element = document.createElement('div');
         element.className = 'sl-dock-panel';
-        return { element, init: () => setElements((known) => ({ ...known, [name]: element })) };
+        return {
+          element,
+          init: () => setElements((known) => ({ ...known, [name]: element })),
+          dispose: () => setElements(({ [name as PanelName]: _gone, ...left }) => left),
+        };
       },
       createTabComponent: plainTab,
       defaultTabComponent: 'plain',
       disableFloatingGroups: true,
       theme: THEMES.dark,
     });
-    const { clientWidth, clientHeight } = host.current;
-    layOut(made, clientWidth < NARROW && clientWidth < clientHeight);
+    layOut(made, isNarrow(host.current));
     setApi(made);
     return () => {
       setElements({});
@@ -76,7 +89,51 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
   return api;
 }
 
-/** A tab without a cross: there is no way to bring a closed panel back, and no reason to close one. */
+const isNarrow = ({ clientWidth, clientHeight }: HTMLElement): boolean =>
+  clientWidth < NARROW && clientWidth < clientHeight;
+
+/** Shows the graph under the picture, and what is chosen of it beside the other panels; where that is too narrow, all in one place. */
+function useGraph(api: DockviewApi | undefined, host: React.RefObject<HTMLDivElement | null>): void {
+  const studio = useStudio();
+  const shown = useStudioState((state) => state.graph);
+  const inspecting = useStudioState((state) => state.inspecting);
+  useEffect(() => {
+    const controls = api?.getPanel('controls');
+    if (!api || !host.current || !shown || !controls) return;
+    const below = { referencePanel: 'picture', direction: 'below' } as const;
+    const position = isNarrow(host.current) ? { referencePanel: 'controls' } : below;
+    const graph = api.addPanel({
+      id: 'graph',
+      component: 'graph',
+      position,
+    });
+    const node = api.addPanel({
+      id: 'node',
+      component: 'node',
+      position: { referencePanel: 'controls' },
+      inactive: true,
+    });
+    if (graph.group !== controls.group) node.api.setActive();
+    graph.api.setActive();
+    return () => {
+      if (api.getPanel('node')) api.removePanel(node);
+      if (api.getPanel('graph')) api.removePanel(graph);
+    };
+  }, [api, host, shown]);
+  const large = useStudioState((state) => state.largeGraph);
+  useEffect(() => {
+    const graph = api?.getPanel('graph');
+    if (!shown || !graph || !host.current || graph.group === api?.getPanel('controls')?.group) return;
+    graph.group.api.setSize({ height: Math.round((large ? LARGE : HALF) * host.current.clientHeight) });
+  }, [api, host, shown, large]);
+  useEffect(() => {
+    if (!inspecting) return;
+    studio.change({ graph: true });
+    api?.getPanel('node')?.api.setActive();
+  }, [api, inspecting, studio]);
+}
+
+/** A tab without a cross: panels are always there, but for the graph's, which a button of the header shows and hides. */
 function plainTab(): ITabRenderer {
   const element = document.createElement('span');
   element.className = 'sl-tab';
@@ -105,7 +162,9 @@ function layOut(api: DockviewApi, narrow: boolean): void {
 /** Tabs speak the language of the page. */
 function useTitles(api: DockviewApi | undefined): void {
   const { t } = useTexts();
+  const graph = useStudioState((state) => state.graph);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: with the graph, panels are added
   useEffect(() => {
     for (const [name, panel] of Object.entries(PANELS)) api?.getPanel(name)?.api.setTitle(t(panel.title));
-  }, [api, t]);
+  }, [api, t, graph]);
 }

@@ -16,6 +16,7 @@ import {
   IconLanguage,
   IconLayoutGrid,
   IconMoon,
+  IconSitemap,
   IconSun,
 } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
@@ -47,6 +48,7 @@ export function Header(): ReactNode {
       </Button>
       <ProjectMenu />
       <UndoRedo />
+      <GraphButton />
       <ProjectName />
       <div className="sl-spring" />
       <IconButton label={t('header.save')} keys="Ctrl ⇧ S" onClick={() => void save()}>
@@ -110,6 +112,22 @@ function UndoRedo(): ReactNode {
         <IconArrowForwardUp size={17} />
       </IconButton>
     </Group>
+  );
+}
+
+/** The graph is there for those who ask for it. */
+function GraphButton(): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const shown = useStudioState((state) => state.graph);
+  return (
+    <IconButton
+      label={t(shown ? 'graph.hide' : 'graph.show')}
+      keys="Ctrl ⇧ G"
+      onClick={() => studio.change({ graph: !shown })}
+    >
+      <IconSitemap size={17} />
+    </IconButton>
   );
 }
 

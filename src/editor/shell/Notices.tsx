@@ -1,11 +1,8 @@
 import { Button, Notification, Stack, Text } from '@mantine/core';
 import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useRef } from 'react';
-import type { Problem } from '../../graph/nodeType.ts';
-import { chainOf } from '../../nodes/chain.ts';
-import { nodeLibrary } from '../../nodes/library.ts';
-import { formatNumber } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
+import { Remedy } from '../panels/Remedy.tsx';
 import { useStudio, useStudioState } from '../state/context.tsx';
 import type { Notice } from '../state/studio.ts';
 
@@ -90,26 +87,5 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
         )}
       </Stack>
     </Notification>
-  );
-}
-
-function Remedy({ remedy }: { readonly remedy: NonNullable<Problem['remedy']> }): ReactNode {
-  const { t, any } = useTexts();
-  const studio = useStudio();
-  const type = useStudioState(
-    ({ history }) => chainOf(history.document).find(({ id }) => id === remedy.node)?.type ?? '',
-  );
-  const spec = nodeLibrary[type]?.params[remedy.param];
-  const unit = spec?.kind === 'number' ? ` ${spec.unit ?? ''}` : '';
-  const shown = typeof remedy.value === 'number' ? formatNumber(remedy.value) : String(remedy.value);
-  return (
-    <Button
-      size="compact-xs"
-      variant="light"
-      className="sl-remedy"
-      onClick={() => studio.set(remedy.node, remedy.param, remedy.value, 'edit.remedy')}
-    >
-      {t('notice.remedy', { what: any(spec?.title ?? remedy.param), value: `${shown}${unit}`.trim() })}
-    </Button>
   );
 }

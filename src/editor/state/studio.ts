@@ -51,6 +51,8 @@ export interface StudioState {
   readonly history: History;
   /** What the latest step was when the project was last saved; null: it never was, and there is something to be saved. */
   readonly saved: Mark | null;
+  /** What the latest evaluation made of each node that it needed; in groups by `outer/inner`. */
+  readonly results: Evaluation['results'];
   /** The last good one: it stays while an edit cannot be evaluated. */
   readonly picture?: Picture;
   readonly opened: Opened;
@@ -63,9 +65,15 @@ export interface StudioState {
   readonly cruise: boolean;
   readonly playing: boolean;
   readonly loop: boolean;
-  readonly dialog?: 'gallery' | 'help' | 'share' | 'name';
+  readonly dialog?: 'gallery' | 'help' | 'share' | 'name' | 'palette';
   /** Only the picture is shown, without the panels. */
   readonly maximized: boolean;
+  /** The node graph is shown beside the picture. */
+  readonly graph: boolean;
+  /** It has nearly all of the room that is else the picture's. */
+  readonly largeGraph: boolean;
+  /** The inspector is to come to the front. */
+  readonly inspecting: boolean;
 }
 
 export interface Studio {
@@ -87,7 +95,7 @@ export interface Studio {
   readonly notify: (notice: Omit<Notice, 'id' | 'ofDocument'>) => void;
   readonly dismiss: (id: number) => void;
   readonly change: (
-    change: Partial<Omit<StudioState, 'history' | 'saved' | 'picture' | 'loading' | 'notices'>>,
+    change: Partial<Omit<StudioState, 'history' | 'saved' | 'picture' | 'results' | 'loading' | 'notices'>>,
   ) => void;
 }
 
@@ -118,6 +126,7 @@ export function createStudio({ services, beginning, playing }: StudioOptions): S
     history: newHistory(beginning.document, beginning.origin),
     saved: beginning.unsaved ? null : undefined,
     opened: { origin: '', source: '', reads: {} },
+    results: new Map(),
     notices: [],
     graphics: 'starting',
     lock: 'free',
@@ -125,6 +134,9 @@ export function createStudio({ services, beginning, playing }: StudioOptions): S
     playing,
     loop: true,
     maximized: false,
+    graph: false,
+    largeGraph: false,
+    inspecting: false,
   }));
   const evaluation = evaluating(store, services);
   const go = (next: (history: History) => History): void => {
@@ -265,6 +277,7 @@ function settle(store: StoreApi<StudioState>, evaluation: Evaluation): void {
   store.setState(({ notices }) => ({
     loading: undefined,
     refused: failed.find(({ node }) => Object.hasOwn(reads, node))?.node,
+    results: evaluation.results,
     notices: notices.filter((notice) => !notice.ofDocument),
     ...(picture ? { picture, opened: { origin, title, lookFor, source: sourceOf(document), reads } } : {}),
   }));

@@ -129,14 +129,16 @@ function NearestParams({ type, only }: { readonly type: string; readonly only?: 
   return node === undefined ? null : <NodeParams node={node} only={only} />;
 }
 
-/** The controls of a node's parameters, or of one of them. */
+/** The controls of a node's parameters, but for texts, which have their own here; or of one of them. */
 function NodeParams({ node: id, only }: { readonly node: string; readonly only?: string }): ReactNode {
   const studio = useStudio();
   const node = useStudioState(({ history }) => nodeAt(history.document, id));
   const type = node && nodeLibrary[node.type];
   if (!type) return null;
   const resolved = resolveParams(type, node.params);
-  const shown = Object.entries(type.params).filter(([name]) => only === undefined || name === only);
+  const shown = Object.entries(type.params).filter(([name, { kind }]) =>
+    only === undefined ? kind !== 'text' : name === only,
+  );
   return shown.map(([name, spec]) => (
     <ParamControl
       key={name}

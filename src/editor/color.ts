@@ -1,0 +1,11 @@
+import { encodeSrgb } from '../spectrum/srgb.ts';
+
+/** Linear sRGB as `#rrggbb`; what is brighter than a screen is cut. */
+export const cssColor = (linear: readonly number[]): string =>
+  `#${linear
+    .map((x) =>
+      Math.round(255 * encodeSrgb(x))
+        .toString(16)
+        .padStart(2, '0'),
+    )
+    .join('')}`;

@@ -1,0 +1,157 @@
+import { Alert, Divider, ScrollArea, Stack, Text, TextInput } from '@mantine/core';
+import { IconAlertTriangle } from '@tabler/icons-react';
+import { type ReactNode, useEffect, useMemo, useRef } from 'react';
+import { type GraphNode, own } from '../../graph/document.ts';
+import { inside } from '../../graph/edits/fragment.ts';
+import { matters, meaning, type NodeType, type Problem, resolveParams } from '../../graph/nodeType.ts';
+import type { Level } from '../../graph/sockets.ts';
+import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupOf } from '../../graph/structure.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { feedersOf } from '../panels/driven.ts';
+import { ParamControl } from '../panels/ParamControl.tsx';
+import { Remedy } from '../panels/Remedy.tsx';
+import { suggestion } from '../panels/suggestion.ts';
+import { useStudio, useStudioState } from '../state/context.tsx';
+import { chosenIn, flatName, levelAt, pathIn, useCanvas } from './canvas.ts';
+import { GroupSockets } from './GroupSockets.tsx';
+import { InputSources } from './InputSources.tsx';
+import { problemsIn } from './problems.ts';
+
+/** The chosen node: what it is, what is wrong with it, what feeds it, and its parameters. */
+export default function Inspector(): ReactNode {
+  const { t } = useTexts();
+  const document = useStudioState((state) => state.history.document);
+  const path = useCanvas((state) => state.path);
+  const chosen = useCanvas((state) => state.chosen);
+  const level = useMemo(() => levelAt(document, path), [document, path]);
+  const { nodes } = chosenIn(level, chosen);
+  const id = nodes.at(-1);
+  const node = id === undefined ? undefined : own(level.graph.nodes, id);
+  return (
+    <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
+      {id !== undefined && node ? (
+        <NodeInspector key={id} id={id} node={node} level={level} flat={flatName(pathIn(document, path), id)} />
+      ) : (
+        <Text size="sm" c="dimmed" p="md">
+          {t('inspector.nothing')}
+        </Text>
+      )}
+    </ScrollArea>
+  );
+}
+
+interface InspectedProps {
+  readonly id: string;
+  readonly node: GraphNode;
+  readonly level: Level;
+  /** As evaluations name it. */
+  readonly flat: string;
+}
+
+function NodeInspector({ id, node, level, flat }: InspectedProps): ReactNode {
+  const { any } = useTexts();
+  const type = own(nodeLibrary, node.type);
+  const problem = useStudioState((state) => problemsIn(state.results).get(flat));
+  const isCarrier = node.type === GROUP_INPUT || node.type === GROUP_OUTPUT;
+  return (
+    <Stack gap="sm" p="md" component="section" aria-label={any(node.title ?? type?.title ?? node.type)}>
+      <div>
+        <Text component="h2" size="sm" fw={600}>
+          {any(type?.title ?? node.type)}
+        </Text>
+        {type && (
+          <Text size="xs" c="dimmed" lh={1.5}>
+            {any(type.help)}
+          </Text>
+        )}
+      </div>
+      <Title id={id} node={node} level={level} type={type} />
+      {problem && <ProblemNote problem={problem} />}
+      <InputSources id={id} node={node} level={level} />
+      {type && node.type !== GROUP && <Params id={id} node={node} level={level} type={type} flat={flat} />}
+      {isCarrier && level.group !== undefined && (
+        <GroupSockets level={level} side={node.type === GROUP_INPUT ? 'inputs' : 'outputs'} />
+      )}
+    </Stack>
+  );
+}
+
+/** What the node, or the group that it is of, is called; it takes the focus where the inspector is asked for. */
+function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { readonly type?: NodeType }): ReactNode {
+  const { any, t } = useTexts();
+  const studio = useStudio();
+  const field = useRef<HTMLInputElement>(null);
+  const inspecting = useStudioState((state) => state.inspecting);
+  useEffect(() => {
+    if (!inspecting) return;
+    studio.change({ inspecting: false });
+    // The panel comes to the front first, and takes the focus.
+    requestAnimationFrame(() => field.current?.focus());
+  }, [inspecting, studio]);
+  const group = node.type === GROUP ? own(level.document.groups, groupOf(node)) : undefined;
+  const held = group ? group.title : (node.title ?? '');
+  const take = (title: string) => {
+    if (title === held) return;
+    if (group) studio.edit({ kind: 'set-group', group: groupOf(node), value: { ...group, title } }, 'edit.rename');
+    else studio.edit(inside(level.group, { kind: 'rename', node: id, title }), 'edit.rename');
+  };
+  return (
+    <TextInput
+      key={held}
+      ref={field}
+      size="xs"
+      label={t('inspector.name')}
+      placeholder={any(type?.title ?? node.type)}
+      defaultValue={held}
+      maxLength={200}
+      onBlur={(event) => take(event.currentTarget.value)}
+      onKeyDown={(event) => {
+        if (event.key === 'Enter') take(event.currentTarget.value);
+      }}
+    />
+  );
+}
+
+function ProblemNote({ problem: { message, place, remedy } }: { readonly problem: Problem }): ReactNode {
+  return (
+    <Alert color="red" variant="light" p="xs" icon={<IconAlertTriangle size={16} />} role="status">
+      <Stack gap={6}>
+        <Text size="xs" ff="monospace" className="sl-place">
+          {place}
+        </Text>
+        <Text size="sm">{message}</Text>
+        {remedy && <Remedy remedy={remedy} />}
+      </Stack>
+    </Alert>
+  );
+}
+
+function Params({ id, node, level, type, flat }: InspectedProps & { readonly type: NodeType }): ReactNode {
+  const { any } = useTexts();
+  const studio = useStudio();
+  const picture = useStudioState((state) => state.picture);
+  const feeders = feedersOf(level.graph, id);
+  const resolved = resolveParams(type, node.params);
+  const shown = Object.entries(type.params).flatMap(([name, spec]) =>
+    feeders[name] || matters(spec, resolved) ? [[name, meaning(type, spec, resolved)] as const] : [],
+  );
+  if (shown.length === 0) return null;
+  return (
+    <>
+      <Divider />
+      {shown.map(([name, spec]) => (
+        <ParamControl
+          key={name}
+          spec={spec}
+          set={node.params[name]}
+          value={resolved[name] ?? suggestion(spec, picture)}
+          choices={picture?.scene.cameras.map(({ path }) => path)}
+          drivenBy={feeders[name] && any(feeders[name])}
+          onChange={(value, gesture) => studio.set(flat, name, value, spec.title, gesture)}
+          onGestureEnd={studio.endGesture}
+        />
+      ))}
+    </>
+  );
+}

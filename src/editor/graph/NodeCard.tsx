@@ -1,0 +1,158 @@
+import { Tooltip } from '@mantine/core';
+import { IconAlertTriangle, IconEyeOff, IconHourglass, IconSitemap } from '@tabler/icons-react';
+import type { NodeProps } from '@xyflow/react';
+import { memo, type ReactNode } from 'react';
+import { GROUP } from '../../graph/structure.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { useStudio } from '../state/context.tsx';
+import { contextOf, enter } from './actions.ts';
+import { useCanvas } from './canvas.ts';
+import type { Face, Row, SocketFace } from './face.ts';
+import type { CardNode } from './flow.ts';
+import { SocketMark } from './Socket.tsx';
+import { Words } from './Words.tsx';
+
+const NONE: ReadonlySet<string> = new Set();
+
+/** While an edge is drawn, the node's sockets that it fits; else undefined. */
+function useFits(id: string): ReadonlySet<string> | undefined {
+  return useCanvas(({ fits }) => fits && (fits.get(id) ?? NONE));
+}
+
+/** A node: what it is called, its sockets, what of its parameters is set, what it made, and what is wrong. */
+export const NodeCard = memo(function NodeCard({ data: { face } }: NodeProps<CardNode>): ReactNode {
+  const fits = useFits(face.id);
+  return (
+    <article
+      className="sl-node"
+      data-category={face.category}
+      data-muted={face.muted || undefined}
+      data-collapsed={face.collapsed || undefined}
+      data-problem={face.problem ? 'error' : undefined}
+      data-unfit={(fits && fits.size === 0) || undefined}
+    >
+      <Head face={face} />
+      {face.collapsed ? <CollapsedSockets face={face} /> : <Body face={face} fits={fits} />}
+    </article>
+  );
+});
+
+function Head({ face }: { readonly face: Face }): ReactNode {
+  const { any, t } = useTexts();
+  return (
+    <header className="sl-node-head">
+      {face.type === GROUP && <EnterButton id={face.id} />}
+      <span className="sl-node-title" title={face.kind && `${any(face.title)} (${any(face.kind)})`}>
+        {any(face.title)}
+      </span>
+      {face.muted && <IconEyeOff size={14} aria-label={t('graph.muted')} />}
+      {face.problem ? (
+        <Tooltip label={`${face.problem.place}: ${face.problem.message}`} multiline maw={340} withinPortal>
+          <span className="sl-node-problem">
+            <IconAlertTriangle size={15} aria-hidden />
+          </span>
+        </Tooltip>
+      ) : (
+        face.blocked && <IconHourglass size={14} aria-label={t('graph.waits')} />
+      )}
+    </header>
+  );
+}
+
+function EnterButton({ id }: { readonly id: string }): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const open = () => {
+    const context = contextOf(studio);
+    if (context) enter(context, id);
+  };
+  return (
+    <button
+      type="button"
+      className="sl-node-enter nodrag"
+      tabIndex={-1}
+      aria-label={t('graph.enter')}
+      title={t('graph.enter')}
+      onClick={open}
+    >
+      <IconSitemap size={14} />
+    </button>
+  );
+}
+
+/** All at one place, only for edges to end at. */
+const CollapsedSockets = ({ face }: { readonly face: Face }): ReactNode =>
+  face.rows.flatMap(({ input, output }) => [
+    input && <SocketMark key={`in ${input.name}`} side="inputs" socket={input} closed unfit={false} />,
+    output && <SocketMark key={`out ${output.name}`} side="outputs" socket={output} closed unfit={false} />,
+  ]);
+
+function Body({ face, fits }: { readonly face: Face; readonly fits?: ReadonlySet<string> }): ReactNode {
+  const { t } = useTexts();
+  return (
+    <>
+      {(face.rows.length > 0 || face.more > 0) && (
+        <div className="sl-node-body">
+          {face.rows.map((row, i) => (
+            // biome-ignore lint/suspicious/noArrayIndexKey: rows have no name of their own
+            <RowLine key={i} row={row} fits={fits} />
+          ))}
+          {face.more > 0 && <div className="sl-node-row sl-node-more">{t('graph.more', { count: face.more })}</div>}
+        </div>
+      )}
+      {face.tells && (
+        <footer className="sl-node-foot">{face.preview ? <Words of={face.preview} /> : <span>–</span>}</footer>
+      )}
+    </>
+  );
+}
+
+function RowLine({
+  row: { input, output, title, value },
+  fits,
+}: {
+  readonly row: Row;
+  readonly fits?: ReadonlySet<string>;
+}) {
+  const { any, t } = useTexts();
+  const unfit = (key: string) => fits !== undefined && !fits.has(key);
+  return (
+    <div className="sl-node-row" data-param={title ? true : undefined}>
+      {input && <SocketMark side="inputs" socket={input} closed={false} unfit={unfit(`inputs ${input.name}`)} />}
+      <span className="sl-node-label">{title ? any(title) : input && <SocketWords socket={input} />}</span>
+      {title && <span className="sl-node-value">{value ? <Words of={value} /> : <em>{t('graph.driven')}</em>}</span>}
+      {output && (
+        <>
+          <span className="sl-node-label sl-node-out">
+            <SocketWords socket={output} />
+          </span>
+          <SocketMark side="outputs" socket={output} closed={false} unfit={unfit(`outputs ${output.name}`)} />
+        </>
+      )}
+    </div>
+  );
+}
+
+function SocketWords({ socket }: { readonly socket: SocketFace }): ReactNode {
+  const { any } = useTexts();
+  return (
+    <>
+      {any(socket.title)}
+      {socket.number !== undefined && <span className="sl-node-number"> {socket.number}</span>}
+    </>
+  );
+}
+
+/** A bend in an edge. */
+export const RerouteDot = memo(function RerouteDot({ data: { face } }: NodeProps<CardNode>): ReactNode {
+  const fits = useFits(face.id);
+  const { input, output } = face.rows[0] ?? {};
+  return (
+    <div className="sl-dot" data-muted={face.muted || undefined}>
+      {input && <SocketMark side="inputs" socket={input} closed={false} unfit={fits?.has('inputs in') === false} />}
+      {output && (
+        <SocketMark side="outputs" socket={output} closed={false} unfit={fits?.has('outputs out') === false} />
+      )}
+    </div>
+  );
+});

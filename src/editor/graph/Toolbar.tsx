@@ -1,0 +1,73 @@
+import { ActionIcon, Group, Kbd, Tooltip } from '@mantine/core';
+import {
+  IconArrowsVertical,
+  IconCommand,
+  IconFocusCentered,
+  IconHierarchy2,
+  IconNote,
+  IconPlus,
+  IconZoomIn,
+  IconZoomOut,
+} from '@tabler/icons-react';
+import type { ReactNode } from 'react';
+import { useTexts } from '../i18n/i18n.ts';
+import { useStudio } from '../state/context.tsx';
+import { ACTIONS, contextOf } from './actions.ts';
+import { keysShown } from './keys.ts';
+
+const BUTTONS: readonly (readonly [action: string, icon: ReactNode])[] = [
+  ['add', <IconPlus key="add" size={17} />],
+  ['note', <IconNote key="note" size={17} />],
+  ['arrange', <IconHierarchy2 key="arrange" size={17} />],
+  ['fit', <IconFocusCentered key="fit" size={17} />],
+  ['large', <IconArrowsVertical key="large" size={16} />],
+  ['zoom-out', <IconZoomOut key="out" size={17} />],
+  ['zoom-in', <IconZoomIn key="in" size={17} />],
+];
+
+/** What is done most, for the mouse. */
+export function Toolbar(): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  return (
+    <Group className="sl-graph-tools" gap={0} role="toolbar" aria-label={t('graph.tools')}>
+      {BUTTONS.map(([id, icon]) => {
+        const { title, keys, run } = ACTIONS.find((action) => action.id === id)!;
+        const act = () => {
+          const context = contextOf(studio);
+          if (context) run(context);
+        };
+        return (
+          <Tool key={id} label={t(title)} keys={keys[0] ? keysShown(keys[0]) : []} onClick={act}>
+            {icon}
+          </Tool>
+        );
+      })}
+      <Tool label={t('palette.title')} keys={keysShown('Mod+K')} onClick={() => studio.change({ dialog: 'palette' })}>
+        <IconCommand size={16} />
+      </Tool>
+    </Group>
+  );
+}
+
+interface ToolProps {
+  readonly label: string;
+  readonly keys: readonly string[];
+  readonly onClick: () => void;
+  readonly children: ReactNode;
+}
+
+function Tool({ label, keys, onClick, children }: ToolProps): ReactNode {
+  const tip = (
+    <Group gap={6} wrap="nowrap">
+      {label} {keys.length > 0 && <Kbd size="xs">{keys.join(' ')}</Kbd>}
+    </Group>
+  );
+  return (
+    <Tooltip label={tip} openDelay={400}>
+      <ActionIcon variant="subtle" color="gray" size={30} aria-label={label} onClick={onClick}>
+        {children}
+      </ActionIcon>
+    </Tooltip>
+  );
+}

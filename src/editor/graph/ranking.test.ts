@@ -1,0 +1,47 @@
+import { expect, it } from 'vitest';
+import { isPressed } from './keys.ts';
+import { type Item, ranked } from './ranking.ts';
+
+const items: Item[] = [
+  { id: 'transform', label: 'Transform', group: 'a', detail: 'Turns and carries', words: '变换 transform' },
+  { id: 'torus', label: 'Torus', group: 'a', detail: 'A ring' },
+  { id: 'motion', label: 'Circular motion', group: 'b', detail: 'Round a circle' },
+  { id: 'ring', label: 'Ring', group: 'b' },
+];
+const found = (query: string): string[] => ranked(items, query).map(({ id }) => id);
+
+it('what begins with the query comes first, then what has it in its name, then in its words', () => {
+  expect(found('')).toEqual(['transform', 'torus', 'motion', 'ring']);
+  expect(found('to')[0]).toBe('torus');
+  expect(found('ring')).toEqual(['ring', 'torus']);
+  expect(found('mo')).toEqual(['motion']);
+  expect(found('circular mot')).toEqual(['motion']);
+  expect(found('变换')).toEqual(['transform']);
+  expect(found('zzz')).toEqual([]);
+});
+
+const press = (
+  key: string,
+  modifiers: Partial<Record<'ctrlKey' | 'shiftKey' | 'altKey' | 'metaKey', boolean>> = {},
+) => ({
+  key,
+  code: /^[a-z]$/i.test(key) ? `Key${key.toUpperCase()}` : '',
+  ctrlKey: false,
+  metaKey: false,
+  shiftKey: false,
+  altKey: false,
+  ...modifiers,
+});
+
+it('keys are told apart by what is held with them', () => {
+  expect(isPressed(press('g', { ctrlKey: true }), 'Mod+G')).toBe(true);
+  expect(isPressed(press('g', { metaKey: true }), 'Mod+G')).toBe(true);
+  expect(isPressed(press('g', { ctrlKey: true, altKey: true }), 'Mod+G')).toBe(false);
+  expect(isPressed(press('A', { shiftKey: true }), 'Shift+A')).toBe(true);
+  expect(isPressed(press('a'), 'Shift+A')).toBe(false);
+  expect(isPressed(press(' '), 'Space')).toBe(true);
+  // A sign is the same with Shift and without; a letter of another script goes by its place.
+  expect(isPressed(press('+', { shiftKey: true }), '+')).toBe(true);
+  expect(isPressed({ ...press('ь'), code: 'KeyM' }, 'M')).toBe(true);
+  expect(isPressed(press('ArrowLeft', { altKey: true }), 'Alt+ArrowLeft')).toBe(true);
+});

@@ -1,0 +1,89 @@
+import type { Point } from '../../graph/commands.ts';
+import type { Frame } from '../../graph/document.ts';
+import { REROUTE } from '../../graph/structure.ts';
+import type { Face, SocketFace } from './face.ts';
+
+/**
+ * How large nodes are and where their sockets lie [px], known without drawing them: layout, alignment and edges need it,
+ * and nothing has to be measured. graph.css draws them by the same figures.
+ */
+export const NODE_WIDTH = 200;
+const HEAD = 30;
+const ROW = 22;
+const PAD = 5;
+const FOOT = 24;
+/** A bend in an edge. */
+const DOT = 18;
+export const SOCKET = 12;
+/** Where there are no rows to put sockets in, they lie at the middle of the head. */
+const IN_HEAD = HEAD / 2;
+/** Below what is in the way of a new node. */
+const FREE = 24;
+/** From a frame to what it is around; above there is its title. */
+const FRAME_MARGIN = 24;
+const FRAME_TITLE = 34;
+
+export function sizeOf(face: Face): Point {
+  if (face.type === REROUTE) return [DOT, DOT];
+  if (face.collapsed) return [NODE_WIDTH, HEAD];
+  const rows = face.rows.length + (face.more > 0 ? 1 : 0);
+  const body = rows > 0 ? rows * ROW + 2 * PAD : 0;
+  return [NODE_WIDTH, HEAD + body + (face.tells ? FOOT : 0)];
+}
+
+/** A socket with the middle of its mark, from the node's corner [px]. */
+interface SocketPlace {
+  readonly side: 'inputs' | 'outputs';
+  readonly socket: SocketFace;
+  readonly at: Point;
+}
+
+export function socketPlaces(face: Face): SocketPlace[] {
+  const [width, height] = sizeOf(face);
+  const heightOf = (row: number): number => {
+    if (face.type === REROUTE) return height / 2;
+    return face.collapsed ? IN_HEAD : HEAD + PAD + (row + 0.5) * ROW;
+  };
+  const inset = face.type === REROUTE ? DOT / 2 : 0;
+  return face.rows.flatMap(({ input, output }, row): SocketPlace[] => [
+    ...(input ? [{ side: 'inputs' as const, socket: input, at: [inset, heightOf(row)] as const }] : []),
+    ...(output ? [{ side: 'outputs' as const, socket: output, at: [width - inset, heightOf(row)] as const }] : []),
+  ]);
+}
+
+/** A rectangle on the canvas [px]. */
+export interface Box {
+  readonly at: Point;
+  readonly size: Point;
+}
+
+/** What holds all of some boxes; undefined of none. */
+export function around(boxes: readonly Box[]): Box | undefined {
+  if (boxes.length === 0) return undefined;
+  const least = (axis: 0 | 1) => Math.min(...boxes.map(({ at }) => at[axis]));
+  const most = (axis: 0 | 1) => Math.max(...boxes.map(({ at, size }) => at[axis] + size[axis]));
+  const at: Point = [least(0), least(1)];
+  return { at, size: [most(0) - at[0], most(1) - at[1]] };
+}
+
+/** Where a frame is drawn; undefined where it has nothing in it. */
+export function frameBox({ nodes }: Frame, boxOf: (node: string) => Box | undefined): Box | undefined {
+  const held = around(nodes.flatMap((node) => boxOf(node) ?? []));
+  if (!held) return undefined;
+  const [x, y] = held.at;
+  const [width, height] = held.size;
+  return {
+    at: [x - FRAME_MARGIN, y - FRAME_TITLE],
+    size: [width + 2 * FRAME_MARGIN, height + FRAME_TITLE + FRAME_MARGIN],
+  };
+}
+
+/** A place that nothing covers, straight below a wanted one or at it. */
+export function freePlace(wanted: Point, size: Point, boxes: readonly Box[]): Point {
+  const [x] = wanted;
+  let [, y] = wanted;
+  const covers = ({ at, size: [width, height] }: Box): boolean =>
+    at[0] < x + size[0] && x < at[0] + width && at[1] < y + size[1] && y < at[1] + height;
+  for (let box = boxes.find(covers); box; box = boxes.find(covers)) y = box.at[1] + box.size[1] + FREE;
+  return [x, y];
+}

@@ -1,0 +1,68 @@
+import { useReactFlow, useStoreApi } from '@xyflow/react';
+import { useEffect, useRef } from 'react';
+import type { Point } from '../../graph/commands.ts';
+import { prefersReducedMotion } from '../state/preferences.ts';
+import { canvas, type Sight } from './canvas.ts';
+import type { Face } from './face.ts';
+import type { FlowNode, WireEdge } from './flow.ts';
+import { sizeOf } from './shape.ts';
+
+const SWING = 200; // [ms]
+const duration = (): number => (prefersReducedMotion() ? 0 : SWING);
+/** Around what is fitted in; and how close that may be. */
+const FIT = { padding: 0.1, maxZoom: 1.1 };
+
+interface Shown {
+  readonly faces: ReadonlyMap<string, Face>;
+  readonly places: Readonly<Record<string, Point>>;
+}
+
+/** Lets actions know, and change, what part of the canvas is seen. */
+export function useSight(shown: Shown, panel: React.RefObject<HTMLElement | null>): void {
+  const flow = useReactFlow<FlowNode, WireEdge>();
+  const store = useStoreApi<FlowNode, WireEdge>();
+  const now = useRef(shown);
+  now.current = shown;
+  useEffect(() => {
+    const sizeOfNode = (id: string): Point => {
+      const face = now.current.faces.get(id);
+      return face ? sizeOf(face) : [0, 0];
+    };
+    const placeOf = (id: string): Point => now.current.places[id] ?? [0, 0];
+    const sight: Sight = {
+      middle: () => {
+        const { width, height, transform } = store.getState();
+        const [x, y, zoom] = transform;
+        return [(width / 2 - x) / zoom, (height / 2 - y) / zoom];
+      },
+      inPanel: ([x, y]) => {
+        const [left, top, zoom] = store.getState().transform;
+        return [x * zoom + left, y * zoom + top];
+      },
+      fit: (nodes) =>
+        void flow.fitView({ ...FIT, duration: duration(), ...(nodes && { nodes: nodes.map((id) => ({ id })) }) }),
+      zoom: (factor) => void flow.zoomTo(flow.getZoom() * factor, { duration: duration() }),
+      sizeOf: sizeOfNode,
+      placeOf,
+      show: (node) => {
+        const { width, height, transform } = store.getState();
+        const [left, top, zoom] = transform;
+        const [at, size] = [placeOf(node), sizeOfNode(node)];
+        const isIn = (axis: 0 | 1, offset: number, room: number): boolean =>
+          at[axis] * zoom + offset >= 0 && (at[axis] + size[axis]) * zoom + offset <= room;
+        if (isIn(0, left, width) && isIn(1, top, height)) return;
+        void flow.setCenter(at[0] + size[0] / 2, at[1] + size[1] / 2, { zoom, duration: duration() });
+      },
+      focus: (node) => {
+        // What was just added is drawn first.
+        requestAnimationFrame(() => {
+          const selector = node === undefined ? '.sl-flow' : `.react-flow__node[data-id="${node}"]`;
+          panel.current?.querySelector<HTMLElement>(selector)?.focus({ preventScroll: true });
+          if (node !== undefined) sight.show(node);
+        });
+      },
+    };
+    canvas.setState({ sight });
+    return () => canvas.setState({ sight: undefined, adding: undefined, writing: undefined });
+  }, [flow, store, panel]);
+}

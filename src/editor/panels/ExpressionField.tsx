@@ -1,0 +1,99 @@
+import { TextInput, Tooltip } from '@mantine/core';
+import { type KeyboardEvent, type ReactNode, useState } from 'react';
+import { evaluateExpression } from '../../graph/expression.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { useStudioState } from '../state/context.tsx';
+
+interface ExpressionFieldProps {
+  readonly label: string;
+  readonly value: number;
+  /** As written beside the number. */
+  readonly unit?: string;
+  /** At most so many decimals are shown. */
+  readonly decimals: number;
+  readonly width?: number;
+  readonly leftSection?: ReactNode;
+  readonly take: (value: number) => void;
+}
+
+/** A number that may be typed as it is thought of: `0.9*c`, `30deg`, `5 km/h`. What is not understood is told, and changes nothing. */
+export function ExpressionField({
+  label,
+  value,
+  unit,
+  decimals,
+  take,
+  width,
+  leftSection,
+}: ExpressionFieldProps): ReactNode {
+  const { t } = useTexts();
+  const speedOfLight = useStudioState((state) => state.picture?.speedOfLight);
+  const [typed, setTyped] = useState<string>();
+  const [problem, setProblem] = useState<string>();
+  const forget = () => {
+    setTyped(undefined);
+    setProblem(undefined);
+  };
+  const commit = (): void => {
+    const text = plain(typed ?? '', unit);
+    const result = text === '' ? undefined : evaluateExpression(text, { unit, speedOfLight });
+    if (result && 'problem' in result) {
+      setProblem(result.problem);
+      return;
+    }
+    forget();
+    if (result) take(result.value);
+  };
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (event.key === 'Enter') commit();
+    if (event.key === 'Escape') forget();
+  };
+  const shown = `${grouped(value, decimals)}${unit ? ` ${unit}` : ''}`;
+  return (
+    <Tooltip
+      label={problem ?? t('param.expression')}
+      opened={problem ? true : undefined}
+      color={problem ? 'red' : undefined}
+      openDelay={900}
+      multiline
+      maw={260}
+    >
+      <TextInput
+        size="xs"
+        w={width}
+        aria-label={label}
+        leftSection={leftSection}
+        leftSectionWidth={24}
+        value={typed ?? shown}
+        error={problem !== undefined}
+        autoComplete="off"
+        spellCheck={false}
+        onFocus={(event) => event.currentTarget.select()}
+        onChange={(event) => {
+          setTyped(event.currentTarget.value);
+          setProblem(undefined);
+        }}
+        onBlur={() => {
+          commit();
+          forget();
+        }}
+        onKeyDown={onKeyDown}
+        classNames={{ input: 'sl-number' }}
+      />
+    </Tooltip>
+  );
+}
+
+/** Without the thin spaces and the unit that the field itself shows, of which not all are quantities. */
+function plain(typed: string, unit: string | undefined): string {
+  const text = typed.replaceAll('\u202f', '').trim();
+  return unit && text.endsWith(` ${unit}`) ? text.slice(0, -unit.length).trim() : text;
+}
+
+/** 299792458 → `299 792 458`, with no more decimals than it has. */
+function grouped(value: number, decimals: number): string {
+  const [whole = '', part] = value.toFixed(Math.min(decimals, 12)).split('.');
+  const fraction = part?.replace(/0+$/, '');
+  const thousands = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, '\u202f') : whole;
+  return fraction ? `${thousands}.${fraction}` : thousands === '-0' ? '0' : thousands;
+}

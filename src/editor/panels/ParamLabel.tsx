@@ -1,0 +1,60 @@
+import { ActionIcon, Group, Text, Tooltip } from '@mantine/core';
+import { IconRestore } from '@tabler/icons-react';
+import type { ReactNode } from 'react';
+import type { ParamValue } from '../../graph/document.ts';
+import type { ParamSpec } from '../../graph/nodeType.ts';
+import { useTexts } from '../i18n/i18n.ts';
+
+/** What a parameter is called, and what it is for. */
+export function Label({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
+  const { any } = useTexts();
+  const text = (
+    <Text size="sm" id={id} className="sl-param-label" truncate>
+      {any(spec.title)}
+    </Text>
+  );
+  return spec.help ? (
+    <Tooltip label={any(spec.help)} position="left" multiline maw={260} openDelay={400}>
+      {text}
+    </Tooltip>
+  ) : (
+    text
+  );
+}
+
+interface ResetProps {
+  readonly set: ParamValue | undefined;
+  readonly onChange: (value: undefined) => void;
+}
+
+/** Back to the default, where another value is set. */
+export function Reset({ set, onChange }: ResetProps): ReactNode {
+  const { t } = useTexts();
+  if (set === undefined) return null;
+  return (
+    <Tooltip label={t('panel.reset')} openDelay={400}>
+      <ActionIcon
+        size="xs"
+        variant="subtle"
+        color="gray"
+        aria-label={t('panel.reset')}
+        onClick={() => onChange(undefined)}
+      >
+        <IconRestore size={13} />
+      </ActionIcon>
+    </Tooltip>
+  );
+}
+
+/** In place of its control: another node says what a parameter is. */
+export function Driven({ spec, by }: { readonly spec: ParamSpec; readonly by: string }): ReactNode {
+  const { any, t } = useTexts();
+  return (
+    <Group gap={4} wrap="nowrap" justify="space-between" mih={26} aria-label={any(spec.title)} role="group">
+      <Label spec={spec} id="" />
+      <Text size="xs" c="dimmed" truncate>
+        {t('param.drivenBy', { node: by })}
+      </Text>
+    </Group>
+  );
+}

@@ -1,0 +1,32 @@
+import { Button } from '@mantine/core';
+import type { ReactNode } from 'react';
+import { graphIn } from '../../graph/document.ts';
+import { placeOf } from '../../graph/edits/place.ts';
+import type { Problem } from '../../graph/nodeType.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
+import { formatNumber } from '../format.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { useStudio, useStudioState } from '../state/context.tsx';
+
+/** What would put a problem right, to be done at once. */
+export function Remedy({ remedy }: { readonly remedy: NonNullable<Problem['remedy']> }): ReactNode {
+  const { t, any } = useTexts();
+  const studio = useStudio();
+  const type = useStudioState(({ history: { document } }) => {
+    const place = placeOf(document, remedy.node);
+    return (place && graphIn(document, place.group)?.nodes[place.node]?.type) ?? '';
+  });
+  const spec = nodeLibrary[type]?.params[remedy.param];
+  const unit = spec?.kind === 'number' ? ` ${spec.unit ?? ''}` : '';
+  const shown = typeof remedy.value === 'number' ? formatNumber(remedy.value) : String(remedy.value);
+  return (
+    <Button
+      size="compact-xs"
+      variant="light"
+      className="sl-remedy"
+      onClick={() => studio.set(remedy.node, remedy.param, remedy.value, 'edit.remedy')}
+    >
+      {t('notice.remedy', { what: any(spec?.title ?? remedy.param), value: `${shown}${unit}`.trim() })}
+    </Button>
+  );
+}
