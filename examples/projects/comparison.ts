@@ -4,7 +4,7 @@ import { drive } from './kit.ts';
 const ABOUT = {
   title: 'Seen and there',
   lookFor:
-    'What you see at 0.6 c, over what an ordinary renderer draws of the same moment: both shine through. Lamp posts stand apart, and the farther ahead the more; the moving box is where it was, and where it is. Set the mode to split or wipe to see them side by side.',
+    'What you see at 0.4 c, over what an ordinary renderer draws of the same moment: both shine through. Lamp posts stand apart, and the farther ahead the more; the moving box is where it was, and where it is. Set the mode to split or wipe to see them side by side.',
 };
 
 /** What is seen, over what an ordinary renderer would draw: both shine through. */

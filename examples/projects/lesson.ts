@@ -4,7 +4,7 @@ import { drive } from './kit.ts';
 const ABOUT = {
   title: 'Colours and bands',
   lookFor:
-    'The same street twice: at the right as it is seen at 0.6 c, at the left with the part of the spectrum that is seen there. What is green now was infrared, and the sky of the side that you flee from was ultraviolet. Choose another number in False colour: the Doppler factor, or how long ago the light left.',
+    'The same street twice: at the right as it is seen at 0.4 c, at the left coloured by the part of the spectrum that it left in. What is seen straight ahead left as infrared light; the farther to the side, the less it is shifted, and what flees before you keeps its colour. Choose another number in False colour: the Doppler factor, or how long ago the light left.',
 };
 
 /** At the right the street as it is seen, at the left over the same picture which part of the emitted spectrum arrives as what is seen. */
