@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import react from '@vitejs/plugin-react';
 import { defineConfig, type Plugin } from 'vite';
 import type { Example } from './src/editor/loading/examples.ts';
+import { FONTS, fontFile } from './src/formats/font/letters.ts';
 
 // The tests build the page too, and what is served should always be what people get.
 process.env.NODE_ENV = 'production';
@@ -25,6 +26,12 @@ const GALLERY = [
   'saturn',
   'gallery',
   'ladder',
+  'plain',
+  'rush',
+  'comparison',
+  'layers',
+  'lesson',
+  'workshop',
 ];
 const SCENES = ['.usda', '.usdz', '.glb'];
 const isProject = (file: string): boolean => file.endsWith('.slowlight.json');
@@ -35,7 +42,7 @@ export default defineConfig({
   root: join(root, 'src/app'),
   base: './',
   publicDir: false,
-  plugins: [react(), examples()],
+  plugins: [react(), examples(), fonts()],
   worker: { format: 'es' },
   build: {
     outDir: join(root, 'dist/app'),
@@ -64,6 +71,22 @@ function examples(): Plugin {
       const shown = [...scenes.map(describe), ...files.filter(isProject).map(describeProject)];
       const index = shown.sort((a, b) => placeOf(a) - placeOf(b));
       this.emitFile({ type: 'asset', fileName: 'examples/index.json', source: JSON.stringify(index) });
+    },
+  };
+}
+
+/** Ships the fonts of solid letters beside the page, which reads the files that it needs; and their licences. */
+function fonts(): Plugin {
+  return {
+    name: 'slowlight-fonts',
+    generateBundle() {
+      for (const { name, weight } of FONTS) {
+        const folder = join(root, 'node_modules/@fontsource', name);
+        const subsets = Object.keys(JSON.parse(readFileSync(join(folder, 'unicode.json'), 'utf8')));
+        const files = subsets.map((subset) => fontFile({ name, weight }, subset));
+        for (const file of ['LICENSE', 'unicode.json', ...files])
+          this.emitFile({ type: 'asset', fileName: `fonts/${name}/${file}`, source: readFileSync(join(folder, file)) });
+      }
     },
   };
 }

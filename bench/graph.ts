@@ -5,13 +5,12 @@ import { Evaluator } from '../src/graph/evaluate.ts';
 import { flatten } from '../src/graph/flatten.ts';
 import { execute, newHistory, redo, undo } from '../src/graph/history.ts';
 import { nodeLibrary } from '../src/nodes/library.ts';
-import type { Services } from '../src/nodes/services.ts';
+import { threadServices } from '../src/nodes/services.ts';
 import { add, build, connect, set } from '../tests/support/graphKit.ts';
 import { type Bench, interleaved, type Table } from './bench.ts';
 
 const SIZES = [30, 300];
 const ROUNDS = 60;
-const none: Services = { readScene: () => Promise.reject(new Error('nothing is read here')) };
 
 export const graph: Bench = {
   name: 'graph',
@@ -41,7 +40,7 @@ async function evaluation(): Promise<Table> {
     const evaluators = [0, 1, 2].map(() => new Evaluator(nodeLibrary));
     const evaluate = async (document: GraphDocument, which: number): Promise<void> => {
       const evaluator = evaluators[which]!;
-      const { target: result } = await evaluator.evaluate(document, target, none);
+      const { target: result } = await evaluator.evaluate(document, target, threadServices);
       if (result.status !== 'done') throw new Error(`the graph of ${size} nodes was not evaluated`);
     };
     const still = arithmetic(size);

@@ -2,6 +2,7 @@ import type { GraphDocument } from '../../src/graph/document.ts';
 import { comparison } from './comparison.ts';
 import { layers } from './layers.ts';
 import { lesson } from './lesson.ts';
+import { letters } from './letters.ts';
 import { plain, rush } from './presets.ts';
 import { workshop } from './workshop.ts';
 
@@ -12,5 +13,6 @@ export const projects: Readonly<Record<string, () => GraphDocument>> = {
   layers,
   comparison,
   lesson,
+  letters,
   workshop,
 };

@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { dirname, isAbsolute, join } from 'node:path';
+import { inputError } from '../formats/fail.ts';
 import { applyCommand, type Command } from '../graph/commands.ts';
 import { type GraphDocument, own, type ParamValue } from '../graph/document.ts';
 import { type Evaluation, Evaluator } from '../graph/evaluate.ts';
@@ -18,6 +19,7 @@ import type { Plan } from '../scene/plan.ts';
 import type { Scene } from '../scene/types.ts';
 import { inputProblem, usageError } from './exit.ts';
 import { findScene, openSceneFile } from './files.ts';
+import { readFont } from './fonts.ts';
 import { heavyNodes } from './heavyNodes.ts';
 import type { RenderFlags } from './render.ts';
 
@@ -135,15 +137,29 @@ function outputOf(path: string, document: GraphDocument): string {
 const problemsIn = ({ results }: Evaluation): readonly Problem[] =>
   [...results.values()].flatMap((result) => (result.status === 'failed' ? [result.problem] : []));
 
-/** Reads scenes here, from where the project is: beside it, or in its archive. */
-const servicesAt = (project: string): Services => ({
-  async readScene(source, { variants, interpolation }) {
-    const beside = isAbsolute(source) ? source : join(dirname(project), source);
-    const path = isArchive(project) ? inArchive(project, source) : beside;
-    const read = await openSceneFile(path, {
-      ...(variants && { variants }),
-      ...(interpolation && { interpolation }),
-    });
+/** Reads files here, from where the project is: beside it, or in its archive. */
+function servicesAt(project: string): Services {
+  const at = (source: string): string => {
+    if (isArchive(project)) return inArchive(project, source);
+    return isAbsolute(source) ? source : join(dirname(project), source);
+  };
+  return {
+    readFont,
+    async readScene(source, { variants, interpolation }) {
+      const read = await openSceneFile(at(source), {
+        ...(variants && { variants }),
+        ...(interpolation && { interpolation }),
+      });
+      return surveyed(drawableScene(read).scene);
+    },
+    async readFile(name) {
+      const { source, entry } = await findScene(at(name));
+      const bytes = await source.read(entry);
+      if (!bytes) throw inputError('file.missing', name, 'there is no such file; put it beside the project');
+      return bytes;
+    },
+  };
+}
     return surveyed(drawableScene(read).scene);
   },
 });

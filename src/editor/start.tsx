@@ -9,8 +9,9 @@ import type { Root } from 'react-dom/client';
 import type { Backend } from '../render/settings.ts';
 import { Editor } from './Editor.tsx';
 import { startTranslation, useTexts } from './i18n/i18n.ts';
+import { readFont } from './loading/fonts.ts';
 import { LocalFiles } from './loading/localFiles.ts';
-import { sceneReader } from './loading/sceneLoader.ts';
+import { fileReader, sceneReader } from './loading/sceneLoader.ts';
 import { Autosave } from './projects/autosave.ts';
 import { begin, pageAddress, type Wanted } from './projects/beginning.ts';
 import { type EditorServices, ServicesProvider } from './services.tsx';
@@ -45,7 +46,11 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
   const readScene = sceneReader(localFiles);
   const { beginning, view, problem, ...session } = await begin(asked, localFiles);
   const playing = view?.playing ?? !prefersReducedMotion();
-  const studio = createStudio({ services: { readScene }, beginning, playing });
+  const studio = createStudio({
+    services: { readScene, readFont, readFile: fileReader(localFiles) },
+    beginning,
+    playing,
+  });
   if (view) studio.change({ loop: view.loop });
   if (problem) studio.notify({ kind: 'error', ...problem });
   const pilot = new Pilot(studio, view);

@@ -167,6 +167,7 @@ export const CODES = {
   'convert.interpolation': 'points that go along cubics, which other programs show straight',
   'convert.light': 'a light that the file cannot hold, or not as it is',
   'convert.color': 'a colour beyond 0 … 1',
+  'convert.material': 'what a material is measured to reflect, which only USD can name',
   'convert.texture': 'a picture in linear colours',
   'convert.hints': 'what the author suggests for viewing (speed of light, title), which OBJ has no place for',
   'convert.left-out': 'lights and cameras, which OBJ has not',

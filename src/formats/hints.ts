@@ -25,6 +25,9 @@ export const UNSEEN = [
   { of: 'ir', texture: 'irTexture', name: 'slowlight:albedo:ir', shader: 'Infrared' },
 ] as const;
 
+/** A table of what a material reflects at each wavelength. */
+export const REFLECTANCE_HINT = 'slowlight:reflectance';
+
 /** What a material says of light that eyes do not see at rest. */
 type Spectral = Pick<Material, 'uv' | 'ir' | 'emissionTemperature'>;
 

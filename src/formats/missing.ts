@@ -10,11 +10,12 @@ export function missingTexture(
   return { code: 'file.missing-texture', message, missing: { name, lookedFor } };
 }
 
-/** The same of a table of a light's spectrum. */
+/** The same of a table of a spectrum; `instead`: what is done without it. */
 export function missingSpectrum(
   name: string,
   lookedFor: readonly string[],
+  instead = 'its light is taken for daylight',
 ): Pick<Diagnostic, 'message'> & { code: Code; missing: MissingFile } {
-  const message = `the spectrum ${name} is not there (looked for ${lookedFor.join(', ')}); its light is taken for daylight`;
+  const message = `the spectrum ${name} is not there (looked for ${lookedFor.join(', ')}); ${instead}`;
   return { code: 'file.missing-spectrum', message, missing: { name, lookedFor } };
 }

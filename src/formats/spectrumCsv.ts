@@ -1,4 +1,5 @@
 import type { SampledSpectrum } from '../spectrum/lightSpectrum.ts';
+import type { Reflectance } from '../spectrum/measured.ts';
 import { inputError } from './fail.ts';
 import { textLines } from './textLines.ts';
 
@@ -36,10 +37,19 @@ export function readSpectrumCsv(bytes: Uint8Array, name: string): SampledSpectru
   return evenlySampled(rows);
 }
 
+/** A reflectance, 0 … 1 at each wavelength, from text as `readSpectrumCsv` takes it. Throws an InputError. */
+export function readReflectanceCsv(bytes: Uint8Array, name: string): Reflectance {
+  const { first, step, values } = readSpectrumCsv(bytes, name);
+  const most = values.reduce((a, b) => Math.max(a, b));
+  if (most > 1)
+    throw damaged(name, `its greatest value is ${most}, and no more than 1 is reflected; divide percents by 100`);
+  return { first, step, values };
+}
+
 /** As `readSpectrumCsv` reads it. */
-export function writeSpectrumCsv({ first, step, values }: SampledSpectrum): Uint8Array {
+export function writeSpectrumCsv({ first, step, values }: Reflectance, of = 'relative radiance'): Uint8Array {
   const rows = values.map((value, i) => `${Number(((first + i * step) * 1e9).toPrecision(9))}, ${value}`);
-  return new TextEncoder().encode(['# wavelength [nm], relative radiance', ...rows, ''].join('\n'));
+  return new TextEncoder().encode([`# wavelength [nm], ${of}`, ...rows, ''].join('\n'));
 }
 
 const damaged = (place: string, message: string) =>

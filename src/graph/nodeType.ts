@@ -71,6 +71,8 @@ export interface TextParam extends ParamBase {
   readonly file?: true;
   /** It is the text of an effect, of many lines. */
   readonly shader?: true;
+  /** It may be of several lines. */
+  readonly lines?: true;
 }
 /** Three numbers: a direction, a place. */
 export interface VectorParam extends ParamBase {

@@ -12,16 +12,16 @@ describe('what feeds the output', () => {
   it('comes with the nearest first, without what feeds nothing', () => {
     const more = edited(standard, add('lonely', 'read', [0, 0]));
     expect(types(more)).toEqual([
-      ...[
-        'output',
-        'tone-map',
-        'relativity-rasterize',
-        'scene-camera',
-        'relativity-console',
-        'scene',
-        'retime',
-        'read',
-      ],
+      'output',
+      'false-colour',
+      'tone-map',
+      'deferred-lighting',
+      'relativity-rasterize',
+      'scene-camera',
+      'relativity-console',
+      'scene',
+      'retime',
+      'read',
     ]);
     expect(readsIn(more)).toEqual({ read: { source: 'a.usda' } });
   });

@@ -20,6 +20,7 @@ import { mergeNode } from './geometry/merge.ts';
 import { moveNode } from './geometry/move.ts';
 import { read } from './geometry/read.ts';
 import { retimeNode } from './geometry/retime.ts';
+import { solidTextNode } from './geometry/solidText.ts';
 import { sphereNode } from './geometry/sphere.ts';
 import { subdivideNode } from './geometry/subdivide.ts';
 import { torusNode } from './geometry/torus.ts';
@@ -64,6 +65,7 @@ const types = [
   torusNode,
   gridNode,
   latticeNode,
+  solidTextNode,
   transformNode,
   instancesNode,
   materialNode,

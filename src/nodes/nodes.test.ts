@@ -15,7 +15,7 @@ import { DEFAULT_SETTINGS } from '../scene/view.ts';
 import { nodeLibrary } from './library.ts';
 import { pictureOf, renderSettings } from './picture.ts';
 import { flightsIn, flyCommand, landCommand, newProject, openCommand } from './project.ts';
-import type { LoadedScene, Services } from './services.ts';
+import { type LoadedScene, type Services, threadServices } from './services.ts';
 
 const folder = new URL('../../examples/', import.meta.url);
 const scene: Scene = {
@@ -34,7 +34,7 @@ const scene: Scene = {
   hints: {},
   diagnostics: [],
 };
-const serving = (loaded: LoadedScene): Services => ({ readScene: async () => loaded });
+const serving = (loaded: LoadedScene): Services => ({ ...threadServices, readScene: async () => loaded });
 const set = (node: string, param: string, value: ParamValue): Command => ({
   kind: 'set-param',
   node,
@@ -148,6 +148,7 @@ describe('motion', () => {
   it('variants are asked of the reader, and are part of the document', async () => {
     let asked: ReadonlyMap<string, string> | undefined;
     const services: Services = {
+      ...threadServices,
       readScene: async (_, { variants }) => {
         asked = variants;
         return { scene };
@@ -161,6 +162,50 @@ describe('motion', () => {
       ['/Car{paint}', 'red'],
       ['a', 'b=c'],
     ]);
+  });
+});
+
+describe('a material', () => {
+  const painted = async (readFile: Services['readFile']) => {
+    const { document } = applyCommand(newProject('a.usda'), {
+      kind: 'batch',
+      commands: [
+        { kind: 'add-node', node: 'paint', type: 'material', at: [0, 0], params: { reflectance: 'leaf.csv' } },
+        {
+          kind: 'connect',
+          edge: { from: { node: 'read', output: 'geometry' }, to: { node: 'paint', input: 'geometry' } },
+        },
+      ],
+    });
+    const loaded = { scene: { ...scene, objects: [makeObject({ path: '/leaf', mesh: box([1, 1, 1]) })] } };
+    const services = { ...serving(loaded), readFile };
+    return (await new Evaluator(nodeLibrary).evaluate(document, 'paint', services)).target;
+  };
+
+  it('takes its reflectance from a table, and its colour from that', async () => {
+    const asked: string[] = [];
+    const made = await painted(async (source) => {
+      asked.push(source);
+      return new TextEncoder().encode('nm, share\n300, 0.3\n900, 0.3\n');
+    });
+    expect(asked).toEqual(['leaf.csv']);
+    const { materials } = (made as unknown as { outputs: { geometry: LoadedScene } }).outputs.geometry.scene;
+    const material = materials.find(({ reflectance }) => reflectance)!;
+    expect(material.reflectance?.values).toEqual([0.3, 0.3]);
+    [...material.baseColor, material.ir].forEach((share) => {
+      expect(share).toBeCloseTo(0.3, 6);
+    });
+  });
+
+  it('names the table that is not there, or is none', async () => {
+    const missing = new InputError({ severity: 'error', code: 'file.missing', place: 'leaf.csv', message: 'no' });
+    expect(await painted(() => Promise.reject(missing))).toMatchObject({
+      status: 'failed',
+      problem: { code: 'file.missing', place: 'leaf.csv' },
+    });
+    expect(await painted(async () => new TextEncoder().encode('400, 40\n500, 60\n'))).toMatchObject({
+      problem: { code: 'spectrum.csv' },
+    });
   });
 });
 
@@ -221,6 +266,7 @@ describe('the project', () => {
 
   it('keeps a reader’s diagnostic as it is, and blocks what follows', async () => {
     const services: Services = {
+      ...threadServices,
       readScene: async () => {
         throw new InputError({ severity: 'error', code: 'file.empty', place: 'a.usda', message: 'the file is empty' });
       },

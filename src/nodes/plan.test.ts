@@ -7,6 +7,7 @@ import { shapeOf } from '../scene/plan.ts';
 import type { Picture } from './define.ts';
 import { nodeLibrary } from './library.ts';
 import { pictureOf, renderSettings } from './picture.ts';
+import { threadServices } from './services.ts';
 
 const loaded = { scene: makeScene({ name: 'a', hints: { speedOfLight: 10 } }) };
 
@@ -28,7 +29,7 @@ async function evaluated(...commands: readonly Command[]) {
     add('output', 'output'),
     ...commands,
   );
-  return new Evaluator(nodeLibrary).evaluate(document, 'output', { readScene: async () => loaded });
+  return new Evaluator(nodeLibrary).evaluate(document, 'output', { ...threadServices, readScene: async () => loaded });
 }
 async function pictured(...commands: readonly Command[]): Promise<Picture> {
   const evaluation = await evaluated(...commands);

@@ -1,3 +1,4 @@
+import type { ReadFont } from '../formats/font/letters.ts';
 import type { ReadOptions } from '../formats/registry.ts';
 import type { Cancellation, Progress } from '../graph/nodeType.ts';
 import type { FastestInScene } from '../scene/fastestIn.ts';
@@ -22,9 +23,12 @@ export interface ReadRequest extends Pick<ReadOptions, 'variants' | 'interpolati
 export interface Services {
   /** Throws an `InputError` where the file cannot be read. */
   readScene(source: string, how: ReadRequest): Promise<LoadedScene>;
+  /** Reads a file of a font that comes with the program; throws an `InputError` where it cannot. */
+  readonly readFont: ReadFont;
+  /** A small file whole, a table; throws an `InputError` where it is not there. */
+  readFile(source: string): Promise<Uint8Array>;
 }
 
 /** In the threads of heavy nodes nothing is read: what they work on comes with their orders. */
-export const threadServices: Services = {
-  readScene: () => Promise.reject(new Error('a heavy node reads no files; give it what it needs as inputs')),
-};
+const readsNothing = () => Promise.reject(new Error('a heavy node reads no files; give it what it needs as inputs'));
+export const threadServices: Services = { readScene: readsNothing, readFont: readsNothing, readFile: readsNothing };

@@ -13,6 +13,7 @@ import { lightFilter } from '../spectrum/lightFilter.ts';
 import { DAYLIGHT, type LightSpectrum } from '../spectrum/lightSpectrum.ts';
 import { seenColor, whiteOf } from '../spectrum/observerColor.ts';
 import { logLuminance } from '../spectrum/planck.ts';
+import { bandsOfReflectance } from '../spectrum/reflectance.ts';
 import { shineOf } from './shine.ts';
 import { RADIANCE } from './sight.ts';
 import { spectralEye } from './spectral.ts';
@@ -155,6 +156,22 @@ describe('a floor that flies past under a resting sun', () => {
       }),
       { numRuns: 60 },
     );
+  });
+
+  it('of a measured reflectance has the colour of the sum over every nanometre', () => {
+    // A leaf's red edge, which no bands have.
+    const values = Array.from({ length: 101 }, (_, i) => 0.04 + 0.44 / (1 + Math.exp((715 - (300 + 10 * i)) / 12)));
+    const reflectance = { first: 300e-9, step: 10e-9, values };
+    for (const v of [-0.5, -0.2, 0, 0.3]) {
+      const s = normalize([0.3, 0.2, 1]);
+      const { Din, Dout, brightness } = factors(v, s);
+      const seen = seenFloor(v, { ...lambert(0), baseColor: bandsOfReflectance(reflectance).rgb, reflectance }, s, {});
+      expectColor(
+        seen,
+        scale(seenColor(bandsOfReflectance(reflectance), WHITE, DAYLIGHT, Din, Dout), brightness),
+        4e-3,
+      );
+    }
   });
 
   it('by shares: each of the two shifts by its own', () => {

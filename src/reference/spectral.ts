@@ -83,7 +83,8 @@ class SpectralSight implements Sight {
   }
 }
 
-const isOpaque = ({ rgb: [r, g, b], uv, ir }: Bands): boolean => r === 0 && g === 0 && b === 0 && uv === 0 && ir === 0;
+const isOpaque = ({ rgb: [r, g, b], uv, ir, rest }: Bands): boolean =>
+  r === 0 && g === 0 && b === 0 && uv === 0 && ir === 0 && !rest?.share;
 
 /** Wavelengths that the eye asks at, and what it sees of radiance 1 at each, by their step: linear sRGB [m]. */
 interface Comb {

@@ -6,6 +6,7 @@ import { pointAt } from '../scene/polygons.ts';
 import { type Rgba, sampleTexture } from '../scene/sampleTexture.ts';
 import type { Material, NormalTexture, SceneObject, TextureChannel } from '../scene/types.ts';
 import { type Bands, bandsOf } from '../spectrum/bands.ts';
+import { bandsOfReflectance } from '../spectrum/reflectance.ts';
 import { materialOf } from './material.ts';
 import { normalsAt, placesAt } from './places.ts';
 import type { TracedScene } from './trace.ts';
@@ -44,7 +45,7 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   const { ior = 1.5, emissionTemperature: temperature } = material;
   return {
     albedo,
-    bands: bandsOf(albedo, told(material.uv, material.uvTexture, uv), told(material.ir, material.irTexture, uv)),
+    bands: bandsAt(material, albedo, painted !== undefined, uv),
     opacity,
     emissive: emission(material, uv),
     ...(temperature !== undefined && { temperature }),
@@ -55,6 +56,14 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
     normal: normalAt(scene, hit, corners, material.normalTexture, uv),
     uv,
   };
+}
+
+/** A measured reflectance, where nothing is painted over it. */
+function bandsAt(material: Material, albedo: Vec3, painted: boolean, uv: Uv): Bands {
+  const { reflectance, baseColorTexture, uvTexture, irTexture } = material;
+  const bare = !painted && !baseColorTexture && !uvTexture && !irTexture;
+  if (reflectance && bare) return bandsOfReflectance(reflectance);
+  return bandsOf(albedo, told(material.uv, uvTexture, uv), told(material.ir, irTexture, uv));
 }
 
 type Uv = readonly [u: number, v: number];

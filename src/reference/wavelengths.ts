@@ -1,4 +1,4 @@
-import { type Bands, basisAt } from '../spectrum/bands.ts';
+import { type Bands, basisAt, restAt } from '../spectrum/bands.ts';
 import { NANOMETRE, VISIBLE } from '../spectrum/cie1931.ts';
 import { DAYLIGHT, type LightSpectrum, spectralRadiance } from '../spectrum/lightSpectrum.ts';
 
@@ -29,7 +29,7 @@ export class Wavelengths {
   }
 
   /** What a filter leaves of values at these wavelengths. */
-  filtered(values: readonly number[], { rgb: [r, g, b], uv, ir }: Bands): readonly number[] {
+  filtered(values: readonly number[], { rgb: [r, g, b], uv, ir, rest }: Bands): readonly number[] {
     if (values.length === 0) return values;
     this.responses ??= responsesAt(this.values);
     const { begin, end, red, green, blue } = this.responses;
@@ -37,6 +37,7 @@ export class Wavelengths {
     for (let i = 0; i < begin; i++) result[i] *= uv;
     for (let i = begin; i < end; i++) result[i] *= r * red[i] + g * green[i] + b * blue[i];
     for (let i = end; i < result.length; i++) result[i] *= ir;
+    if (rest) for (let i = 0; i < result.length; i++) result[i] += values[i] * restAt(rest, this.values[i]);
     return result;
   }
 }

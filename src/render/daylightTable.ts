@@ -6,7 +6,7 @@ import { type BandColors, luminanceOf } from '../shaders/spectrumTable.ts';
 import type * as gpu from '../shaders/types.ts';
 import { WHITE } from '../spectrum/bands.ts';
 import { columnOf, type DopplerTable, fromRatio, ratio, tableColor, tableTexel } from '../spectrum/dopplerTable.ts';
-import { type ColoredLight, coloredAtRest, overlaps, passing } from '../spectrum/filterPairs.ts';
+import { type ColoredLight, coloredAtRest, overlaps, passing, sampledAtRest } from '../spectrum/filterPairs.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { seenColor } from '../spectrum/observerColor.ts';
 import { REDDENED, REDDENED_COLORS, SCATTERED, SCATTERED_COLOR } from '../spectrum/scatteredLight.ts';
@@ -23,6 +23,10 @@ export const SKY_LIGHTS = [
   { spectrum: SCATTERED, color: SCATTERED_COLOR },
   ...REDDENED.map((spectrum, i) => ({ spectrum, color: REDDENED_COLORS[i] })),
 ] as const;
+
+/** What the bands of a resting surface show of one of `SKY_LIGHTS`: red, green and blue. */
+export const skyBandsAtRest = (light: number): readonly Vec3[] =>
+  sampledAtRest(SKY_LIGHTS[light].spectrum, 1, passing(1, 3));
 
 /** What is seen of two filters' overlaps (spectrum/filterPairs.ts). */
 export type Overlaps = readonly [rg: gpu.Vec3, gb: gpu.Vec3, br: gpu.Vec3];
@@ -84,6 +88,15 @@ export class DaylightColumns {
     });
   }
 
+  /** Of one of the lights of skies through each band: layer after layer. */
+  skyBands(light: number): Uint16Array {
+    const bands = this.bandsAtShifts();
+    return this.known(
+      `bands ${light}`,
+      overShifts((D, i) => sampledAtRest(SKY_LIGHTS[light].spectrum, D, bands[i].surface)),
+    );
+  }
+
   overlaps(): Uint16Array {
     return this.known(
       'overlaps',
@@ -93,12 +106,16 @@ export class DaylightColumns {
 
   /** Of a coloured light: layer after layer, H beside the first one. */
   colored(light: ColoredLight): Uint16Array {
-    this.bands ??= shifts().map((D) => ({ surface: passing(D, this.layers), light: passing(D, 3) }));
-    const { bands } = this;
+    const bands = this.bandsAtShifts();
     return this.known(
       `colored ${JSON.stringify(light)}`,
       overShifts((D, i) => coloredAtRest(light, D, bands[i])),
     );
+  }
+
+  private bandsAtShifts(): readonly Parameters<typeof coloredAtRest>[2][] {
+    this.bands ??= shifts().map((D) => ({ surface: passing(D, this.layers), light: passing(D, 3) }));
+    return this.bands;
   }
 
   private known(name: string, layersAt: (D: number) => Layers): Uint16Array {
@@ -157,7 +174,14 @@ export class DaylightTable {
     return this.read(`sky ${light}`, () => this.columns.skySeen(light), D)(0).xyz;
   }
 
-  /** The same over white daylight of luminance 1 that is shifted alike: what a filter's `DaylightColors` are multiplied with. */
+  /** The same through each band of a filter that is shifted with it. */
+  skyBands(light: number, D: gpu.Float): DaylightColors['colors'] {
+    const layer = this.read(`bands ${light}`, () => this.columns.skyBands(light), D);
+    const colors = { red: layer(0).xyz, green: layer(1).xyz, blue: layer(2).xyz };
+    return this.columns.layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
+  }
+
+  /** The same over white daylight of luminance 1 that is shifted alike: what light is multiplied with that came shifted. */
   skyOfDaylight(light: number, D: gpu.Float): gpu.Vec3 {
     return this.read(`sent ${light}`, () => this.columns.skyOfDaylight(light), D)(0).xyz;
   }

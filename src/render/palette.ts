@@ -45,7 +45,8 @@ export class Palettes {
     const { materials } = scene;
     const glowing = materials.some(isGlowing);
     if (palette === 'approximate') return tinted(glowing);
-    if (palette === 'plain' || palette === 'resting') return palette === 'plain' ? plain(glowing) : resting;
+    if (palette === 'plain' || palette === 'resting')
+      return palette === 'plain' ? plain(glowing) : resting(maybeDusky(scene));
     const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
     return spectral(this.tables(scene, layers, atlas), {
       glowing,

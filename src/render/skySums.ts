@@ -1,7 +1,9 @@
-import { float, vec3, vec4 } from 'three/tsl';
+import { dot, float, max, vec3, vec4 } from 'three/tsl';
+import { type SkyParts, skyParts } from '../shaders/skyParts.ts';
 import { filteredColor } from '../shaders/spectrumTable.ts';
 import type { Float, Vec3 } from '../shaders/types.ts';
-import { type DaylightColors, type DaylightTable, SKY_LIGHTS } from './daylightTable.ts';
+import { SCATTERED_COLOR, SCATTERED_PART } from '../spectrum/scatteredLight.ts';
+import { type DaylightTable, SKY_LIGHTS, skyBandsAtRest } from './daylightTable.ts';
 import type { Filter } from './radiance.ts';
 
 /** What came of the lights of skies: as surfaces send it, and as the sky itself is seen. */
@@ -9,12 +11,22 @@ export interface SkySums {
   send(share: Filter, luminances: readonly Float[]): void;
   emit(luminances: readonly Float[]): void;
   atRest(): Vec3;
-  shifted(D: Float, colors: DaylightColors['colors']): Vec3;
+  shifted(D: Float): Vec3;
 }
 
-/** `count`: of so many of `SKY_LIGHTS`. */
-export function skySums(ofDay: DaylightTable, count: number): SkySums {
-  const sums = Array.from({ length: count }, () => ({ sent: vec4(0).toVar(), own: float(0).toVar() }));
+/** What the light of a sky is made of; `dusky`: it may be red, and not only blue. */
+export function partsOfSky(light: Vec3, dusky: boolean): SkyParts {
+  if (dusky) return skyParts(light);
+  const share = max(dot(light, vec3(...SCATTERED_PART)), 0).toVar();
+  return { luminances: [share], rest: light.sub(vec3(...SCATTERED_COLOR).mul(share)).toVar() };
+}
+
+/** `ofDay`: where anything is shifted. */
+export function skySums(dusky: boolean, ofDay?: DaylightTable): SkySums {
+  const sums = Array.from({ length: dusky ? SKY_LIGHTS.length : 1 }, () => ({
+    sent: vec4(0).toVar(),
+    own: float(0).toVar(),
+  }));
   // Most pixels have one of the two.
   let [sends, emits] = [false, false];
   const all = (parts: readonly Vec3[]): Vec3 => parts.reduce((sum, part) => sum.add(part));
@@ -31,13 +43,19 @@ export function skySums(ofDay: DaylightTable, count: number): SkySums {
         own.addAssign(luminances[i]);
       });
     },
-    atRest: () => all(sums.map(({ sent, own }, i) => sent.xyz.add(own).mul(vec3(...SKY_LIGHTS[i].color)))),
-    shifted: (D, colors) =>
+    atRest: () =>
+      all(
+        sums.map(({ sent, own }, i) => {
+          const [red, green, blue] = skyBandsAtRest(i).map((band) => vec3(...band));
+          return filteredColor({ red, green, blue }, sent).add(vec3(...SKY_LIGHTS[i].color).mul(own));
+        }),
+      ),
+    shifted: (D) =>
       all([
         vec3(0),
         ...sums.flatMap(({ sent, own }, i) => [
-          ...(sends ? [filteredColor(colors, sent).mul(ofDay.skyOfDaylight(i, D))] : []),
-          ...(emits ? [ofDay.skySeen(i, D).mul(own)] : []),
+          ...(ofDay && sends ? [filteredColor(ofDay.skyBands(i, D), sent)] : []),
+          ...(ofDay && emits ? [ofDay.skySeen(i, D).mul(own)] : []),
         ]),
       ]),
   };

@@ -1,7 +1,7 @@
 import { abs, clamp, dot, exp2, float, If, log2, max, select, vec3, vec4 } from 'three/tsl';
 import type { HalfTable } from '../shaders/halfAtlas.ts';
 import { lineColor } from '../shaders/lineColor.ts';
-import { type SkyParts, skyParts } from '../shaders/skyParts.ts';
+import type { SkyParts } from '../shaders/skyParts.ts';
 import {
   type BandColors,
   coloredColors,
@@ -15,8 +15,7 @@ import { ENDS } from '../spectrum/bands.ts';
 import { SHIFT_LIMIT } from '../spectrum/dopplerTable.ts';
 import type { ColoredLight } from '../spectrum/filterPairs.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
-import { SCATTERED_COLOR, SCATTERED_PART } from '../spectrum/scatteredLight.ts';
-import { type DaylightTable, SKY_LIGHTS } from './daylightTable.ts';
+import type { DaylightTable } from './daylightTable.ts';
 import { overlapSum } from './overlapSum.ts';
 import {
   type Filter,
@@ -27,7 +26,7 @@ import {
   RADIANCE,
   type ThermalSource,
 } from './radiance.ts';
-import { skySums } from './skySums.ts';
+import { partsOfSky, skySums } from './skySums.ts';
 
 /** Shifts that colours follow: beyond the first all is dark, beyond the second they change no more. */
 const SHIFTS = [1e-3, 1e6] as const;
@@ -63,7 +62,8 @@ interface Shift {
  * Colours by spectra, from the table of blackbodies. Daylight that met a resting surface is summed in bands, and turned into what is seen of it once; of coloured
  * lights the overlaps of the bands are summed, too, for two filters are no filter. Light that came shifted is turned by itself: it is a blackbody of T·D_in·D_out, seen through
  * the surface's filter shifted by D_out; coloured lights have tables of their own. Light of lines is turned line by line.
- * The light of a sky, of which each direction has its own colour, is taken channel by channel of what is seen, relative to bare daylight (docs/adr/0010-spectra.md).
+ * The light of a sky is summed for each of the lights that it is made of; where it came shifted, it is taken channel by channel of what is seen, relative to bare daylight
+ * (docs/adr/0010-spectra.md).
  * The table has four layers where some surface tells of its ultraviolet or infrared.
  */
 export const spectral =
@@ -81,7 +81,7 @@ export const spectral =
     };
     const out = shiftOf(D);
     const daylight = vec4(0).toVar();
-    const sky = skySums(ofDay, dusky ? SKY_LIGHTS.length : 1);
+    const sky = skySums(dusky, ofDay);
     const sum = vec3(0).toVar();
     const overlapping = overlapSum();
     const ofColor = (rgb: Vec3, shift: Float): Filter =>
@@ -93,12 +93,7 @@ export const spectral =
       return filteredColor(colors, filter).mul(gain(colors.H, T, luminance, out.mixed));
     };
 
-    /** Of the light of a sky. */
-    const parts = (light: Vec3): SkyParts => {
-      if (dusky) return skyParts(light);
-      const share = max(dot(light, vec3(...SCATTERED_PART)), 0).toVar();
-      return { luminances: [share], rest: light.sub(vec3(...SCATTERED_COLOR).mul(share)).toVar() };
-    };
+    const parts = (light: Vec3): SkyParts => partsOfSky(light, dusky);
 
     /** Of a blackbody behind a filter with a colour of its own, that came shifted. */
     const filteredTwice = (light: number, k: Vec3, share: Filter, shift: Float, from?: ThermalSource): Vec3 => {
@@ -233,7 +228,7 @@ export const spectral =
           const { colors, gain } = ofDay.at(out.mixed);
           const banded = filteredColor(colors, daylight).toVar();
           if (overlapping.any) banded.subAssign(overlapping.shifted(() => ofDay.overlaps(out.mixed)));
-          color.assign(banded.mul(gain).add(sky.shifted(out.mixed, colors)));
+          color.assign(banded.mul(gain).add(sky.shifted(out.mixed)));
         });
         return color.add(sum).mul(out.brightness(RADIANCE));
       },

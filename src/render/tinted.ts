@@ -5,6 +5,7 @@ import type { Float, Vec3 } from '../shaders/types.ts';
 import { DAYLIGHT } from '../spectrum/lightSpectrum.ts';
 import { overlapSum } from './overlapSum.ts';
 import { beamed, NO_SHIFT, type Optics, RADIANCE } from './radiance.ts';
+import { partsOfSky, skySums } from './skySums.ts';
 import type { Uniforms } from './uniforms.ts';
 
 /** Light that meets a shift by D, with its D^power of brightness. */
@@ -32,19 +33,31 @@ const inSrgb =
     };
   };
 
-/** Spectra where no light is shifted and all is daylight: bands, and what those of coloured lights and surfaces overlap. */
-export const resting: Optics = (D, uniforms) => {
-  const bands = plain(false)(D, uniforms);
-  const overlapping = overlapSum();
-  return {
-    ...bands,
-    send: (light, share, passage, power) => {
-      bands.send(light, share, passage, power);
-      if (typeof passage.colored === 'number') overlapping.add(light, share);
-    },
-    seen: () => bands.seen().sub(overlapping.any ? overlapping.atRest() : 0),
+/**
+ * Spectra where no light is shifted and all is daylight, or a sky's: bands, what those of coloured lights and surfaces overlap, and what those of surfaces show of the lights of a
+ * sky; `dusky`: it may be red.
+ */
+export const resting =
+  (dusky: boolean): Optics =>
+  (D, uniforms) => {
+    const bands = plain(false)(D, uniforms);
+    const overlapping = overlapSum();
+    const sky = skySums(dusky);
+    return {
+      ...bands,
+      send: (light, share, passage, power) => {
+        const ofSky = passage.source && 'scatters' in passage.source ? partsOfSky(light, dusky) : undefined;
+        bands.send(ofSky?.rest ?? light, share, passage, power);
+        if (ofSky) sky.send(share, ofSky.luminances);
+        if (typeof passage.colored === 'number') overlapping.add(light, share);
+      },
+      seen: () =>
+        bands
+          .seen()
+          .add(sky.atRest())
+          .sub(overlapping.any ? overlapping.atRest() : 0),
+    };
   };
-};
 
 /** No light is shifted. */
 export const plain = (glowing: boolean): Optics => inSrgb((rgb) => rgb, glowing);

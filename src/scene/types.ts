@@ -1,6 +1,7 @@
 import type { Quat } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { LightSpectrum } from '../spectrum/lightSpectrum.ts';
+import type { Reflectance } from '../spectrum/measured.ts';
 import type { Stars } from './stars/brightStars.ts';
 import type { StreamedPoints } from './streamedPoints.ts';
 
@@ -186,6 +187,8 @@ export interface Material {
   /** Share that it reflects of light below 360 nm and beyond 830 nm, 0 … 1; where absent, what the visible colour ends at. */
   readonly uv?: number;
   readonly ir?: number;
+  /** As it was measured; `baseColor`, `uv` and `ir` are then its bands (spectrum/reflectance.ts). Where a picture or colours of vertices paint it, these alone count. */
+  readonly reflectance?: Reflectance;
   /** Where a texture tells, `uv` and `ir` are their means. */
   readonly uvTexture?: TextureChannel;
   readonly irTexture?: TextureChannel;

@@ -1,5 +1,6 @@
 import { dot, type Vec3 } from '../math/vec3.ts';
 import { NANOMETRE, VISIBLE, valueAt } from './cie1931.ts';
+import { measuredAt, type Reflectance } from './measured.ts';
 import { BLUE, GREEN, RED } from './tables/mallettYuksel.ts';
 
 /**
@@ -12,6 +13,13 @@ export interface Bands {
   readonly rgb: Vec3;
   readonly uv: number;
   readonly ir: number;
+  /** What a measured reflectance has beyond bands, times a share of it. */
+  readonly rest?: Rest;
+}
+
+export interface Rest {
+  readonly of: { readonly reflectance: Reflectance; readonly bands: Pick<Bands, 'rgb' | 'uv' | 'ir'> };
+  readonly share: number;
 }
 
 /** Ends of the basis [m]: from here to the ends of `VISIBLE`, and beyond them without other values, it stays as it is. */
@@ -43,11 +51,16 @@ export const bandsOf = (rgb: Vec3, uv = dot(ENDS.uv, rgb), ir = dot(ENDS.ir, rgb
 export const WHITE: Bands = { rgb: [1, 1, 1], uv: 1, ir: 1 };
 
 /** ρ(λ) of a filter at a wavelength [m]; of a step's `width` [m], if any, the mean over a step that crosses an end of `VISIBLE`. */
-export function reflectanceAt({ rgb, uv, ir }: Bands, wavelength: number, width = 0): number {
+export function reflectanceAt({ rgb, uv, ir, rest }: Bands, wavelength: number, width = 0): number {
   const ultraviolet = share(VISIBLE[0] - wavelength, width);
   const infrared = share(wavelength - VISIBLE[1], width);
-  return (1 - ultraviolet - infrared) * dot(basisAt(wavelength), rgb) + ultraviolet * uv + infrared * ir;
+  const bands = (1 - ultraviolet - infrared) * dot(basisAt(wavelength), rgb) + ultraviolet * uv + infrared * ir;
+  return rest ? bands + restAt(rest, wavelength, width) : bands;
 }
+
+/** What the rest adds to the bands at a wavelength [m]. */
+export const restAt = ({ of: { reflectance, bands }, share }: Rest, wavelength: number, width = 0): number =>
+  share * (measuredAt(reflectance, wavelength) - reflectanceAt(bands, wavelength, width));
 
 /** How much of a step is beyond an edge that its middle is `beyond` past. */
 export function share(beyond: number, width: number): number {

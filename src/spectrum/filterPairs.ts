@@ -3,7 +3,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import { type Bands, basisAt, reflectanceAt } from './bands.ts';
 import { NANOMETRE, WAVELENGTHS } from './cie1931.ts';
 import { type DopplerTable, OBSERVER, shiftAt } from './dopplerTable.ts';
-import { spectralRadiance } from './lightSpectrum.ts';
+import { meanRadiance, type SampledSpectrum, spectralRadiance } from './lightSpectrum.ts';
 import { luminanceShape } from './thermalTable.ts';
 
 /*
@@ -73,6 +73,16 @@ export function coloredAtRest(
   const light = seenThermal(temperature * D).map((channel) => channel.map((value, n) => value * through[n]));
   const H = luminanceShape(temperature * D);
   return bands.surface.map((band, i) => [...light.map((channel) => sumOf(band, channel)), i === 0 ? H : 0]);
+}
+
+/**
+ * What is seen of light of a spectrum that met a resting surface, through each band of the surface's filter (`passing`): both are seen shifted by D, and D⁴ is left out. Linear sRGB, layer
+ * after layer, of light of luminance 1 at rest.
+ */
+export function sampledAtRest(spectrum: SampledSpectrum, D: number, surface: readonly Float64Array[]): readonly Vec3[] {
+  const radiance = WAVELENGTHS.map((wavelength) => D * meanRadiance(spectrum, D * wavelength, D * NANOMETRE));
+  const [red, green, blue] = OBSERVER.map((channel) => channel.map((value, n) => value * radiance[n]));
+  return surface.map((band) => [sumOf(band, red), sumOf(band, green), sumOf(band, blue)]);
 }
 
 const throughFilter = ([r, g, b]: Vec3, [red, green, blue]: readonly Float64Array[]): Float64Array =>

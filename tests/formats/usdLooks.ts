@@ -98,6 +98,34 @@ const materials: Group = {
       ),
       (s) => expect(base(s)).toMatchObject({ ir: 0.5, emissionTemperature: 3000 }),
     ),
+    read(
+      'an `asset slowlight:reflectance` on the Material, a CSV of wavelengths in nm and shares from 0 to 1',
+      'what it reflects at each wavelength, by the reference renderer exactly; the fast one shows its colour and the means of its ultraviolet and infrared',
+      {
+        ...usd(worn(material('M', '', 'custom asset slowlight:reflectance = @./grey.csv@'))),
+        'grey.csv': '# nm, share\n300, 0.25\n900, 0.25\n1500, 0.25\n',
+      },
+      (s) =>
+        expect(base(s)).toMatchObject({
+          reflectance: { values: [0.25, 0.25, 0.25] },
+          baseColor: [expect.closeTo(0.25, 4), expect.closeTo(0.25, 4), expect.closeTo(0.25, 4)],
+          uv: expect.closeTo(0.25, 9),
+          ir: expect.closeTo(0.25, 9),
+        }),
+    ),
+    leftOut(
+      'one whose values are percents',
+      'named with its greatest value',
+      'spectrum.csv',
+      {
+        ...usd(worn(material('M', '', 'custom asset slowlight:reflectance = @leaf.csv@'))),
+        'leaf.csv': '400, 5\n700, 50\n',
+      },
+      (s) => {
+        expect(base(s)).not.toHaveProperty('reflectance');
+        expect(s.diagnostics.map(({ message }) => message).join()).toContain('divide percents by 100');
+      },
+    ),
     approximated(
       '`useSpecularWorkflow`',
       'the nearest metal or glass',

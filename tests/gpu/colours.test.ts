@@ -1,15 +1,19 @@
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { pumpFrame } from '../../src/cli/node-shim.ts';
 import { IDENTITY } from '../../src/math/quat.ts';
-import { normalize, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { add, normalize, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
+import { SKY_LIGHTS } from '../../src/render/daylightTable.ts';
 import { DAY_SKY } from '../../src/scene/daylight.ts';
 import { makeMaterial } from '../../src/scene/defaults.ts';
 import { plane } from '../../src/scene/primitives.ts';
 import type { DistantLight, Light, Material, Motion, SceneObject } from '../../src/scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view.ts';
+import { bandsOf, WHITE } from '../../src/spectrum/bands.ts';
 import { LIGHT_PRESETS } from '../../src/spectrum/lightPresets.ts';
-import type { LightSpectrum } from '../../src/spectrum/lightSpectrum.ts';
-import { whiteOf } from '../../src/spectrum/observerColor.ts';
+import { DAYLIGHT, type LightSpectrum } from '../../src/spectrum/lightSpectrum.ts';
+import { seenColor, whiteOf } from '../../src/spectrum/observerColor.ts';
+import { skyParts } from '../../src/spectrum/scatteredLight.ts';
 import { dome, lamp, lit } from '../support/lightKit.ts';
 import { type Difference, difference } from './agreement.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
@@ -172,6 +176,35 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     const { mean, most } = await difference(headless, lit([], [dome(color)]), view, SETTINGS, 16);
     expect(mean).toBeLessThan(0.004);
     expect(most).toBeLessThan(0.02);
+  });
+
+  it.each<readonly [string, Vec3, Vec3]>([
+    ['blue', [0.3, 0.5, 1], [0, 0, -0.4]],
+    ['red', [1, 0.3, 0.04], [0, 0, -0.4]],
+    ['red', [1, 0.3, 0.04], ZERO],
+  ])('of matt tiles in the light of a %s sky, as the integrals have it', async (_, color, beta) => {
+    await headless.renderer.setScene(lit(tiles(undefined, { ior: 1, roughness: 1 }), [dome(color)]).scene);
+    pumpFrame();
+    headless.renderer.render({ ...VIEW, u: properVelocity(beta) }, { ...SETTINGS, occlusionRadius: 0 }, 1);
+    const drawn = await headless.renderer.readAov('beauty');
+    const dopplers = await headless.renderer.readAov('doppler');
+    const { scattered, reddened, rest } = skyParts(color);
+    // Of the tiles above and below the middle.
+    for (const [row, albedo] of [
+      [SIZE / 2 - 5, COLORS[4]],
+      [SIZE / 2 + 4, COLORS[1]],
+    ] as const) {
+      const at = row * SIZE + SIZE / 2;
+      const D = dopplers[at];
+      const seen = (of: Vec3): Vec3 =>
+        [scattered, ...reddened]
+          .map((share, i) => scale(seenColor(bandsOf(of), WHITE, SKY_LIGHTS[i].spectrum, 1, D), share))
+          .reduce(add, seenColor(bandsOf(of), bandsOf(rest), DAYLIGHT, 1, D));
+      const [exact, white] = [seen(albedo), Math.max(...seen([1, 1, 1]))];
+      exact.forEach((value, k) => {
+        expect(Math.abs(drawn[3 * at + k] / D ** 4 - value) / white).toBeLessThan(0.01);
+      });
+    }
   });
 
   it('with shares of the shift', async () => {

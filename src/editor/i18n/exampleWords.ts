@@ -90,6 +90,11 @@ export const exampleWords: Readonly<Record<string, { readonly title: string; rea
     lookFor:
       '同一条街两次：右边是 0.6 c 时的所见，左边标出该处看到的是光谱的哪一部分。在“伪彩色”中可改选多普勒因子或光离开的时刻。',
   },
+  letters: {
+    title: '立体文字',
+    lookFor:
+      '立体字母组成的词，这里光速是 10 m/s。白色的静止；上方红色的以 0.8 c 飞过，向你露出它们的侧端，并显出并非自身的颜色。',
+  },
   ladder: {
     title: '梯子与谷仓',
     lookFor:

@@ -4,7 +4,7 @@ import type { LoadedScene, ReadRequest, Services } from '../../nodes/services.ts
 import { InputError } from '../../scene/types.ts';
 import { type LocalFiles, sceneName } from './localFiles.ts';
 import type { LoaderReply, LoadRequest, SceneFiles } from './protocol.ts';
-import { splitAddress } from './sources.ts';
+import { localSource, splitAddress, urlSource } from './sources.ts';
 
 /** Reads the scene of a document's `source`: files of this session, or an address beside the page. */
 export function sceneReader(local: LocalFiles): Services['readScene'] {
@@ -17,6 +17,18 @@ function requestFor(local: LocalFiles, source: string, { variants = new Map(), i
 }
 
 type How = Pick<ReadRequest, 'variants' | 'interpolation'>;
+
+/** Reads a small file of a document: one of this session, or at an address beside the page. */
+export function fileReader(local: LocalFiles): Services['readFile'] {
+  return async (source) => {
+    const { files, base, entry } = local.get(source) ?? addressed(source);
+    const others = base === undefined ? undefined : urlSource(base, () => {});
+    const bytes = await localSource(new Map(files), () => {}, others).read(entry);
+    if (bytes) return bytes;
+    const message = 'there is no such file; put it beside the project, or open it';
+    throw new InputError({ severity: 'error', code: 'file.missing', place: sceneName(source), message });
+  };
+}
 
 function addressed(source: string): SceneFiles {
   if (source.startsWith('local:')) {

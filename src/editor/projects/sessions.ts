@@ -47,7 +47,7 @@ interface Schema extends DBSchema {
   files: { key: [session: string, set: string]; value: HeldFiles };
 }
 
-/** So many sessions are kept of tabs that are closed. */
+/** So many sessions are kept of tabs that are closed: of those with something to be saved, and of the others. */
 const MOST_CLOSED = 8;
 /** How long a tab that is loaded again waits for itself to be gone [ms]. */
 const PATIENCE = 400;
@@ -106,15 +106,18 @@ export class Sessions {
     ]);
   }
 
-  /** Of tabs that are closed, the latest first; those beyond a number are forgotten. */
+  /** Of tabs that are closed, those with something to be saved first, the latest first; those beyond a number are forgotten. */
   async closed(): Promise<readonly KeptSession[]> {
     const [all, open] = await Promise.all([this.#database.getAll('sessions'), openSessions()]);
     const found = all
       .flatMap((kept) => sessionSchema.safeParse(kept).data ?? [])
       .filter(({ id }) => !open.has(id))
       .sort((a, b) => b.at - a.at);
-    await Promise.all(found.slice(MOST_CLOSED).map(({ id }) => this.forget(id)));
-    return found.slice(0, MOST_CLOSED);
+    const kept = [true, false].flatMap((unsaved) =>
+      found.filter((session) => session.unsaved === unsaved).slice(0, MOST_CLOSED),
+    );
+    await Promise.all(found.filter((session) => !kept.includes(session)).map(({ id }) => this.forget(id)));
+    return kept;
   }
 }
 

@@ -1,6 +1,6 @@
 import { useCallback } from 'react';
 import { entryOf } from '../../formats/entry.ts';
-import { nearestOf, readsIn, sourceIn } from '../../nodes/chain.ts';
+import { readsIn, sourceIn } from '../../nodes/chain.ts';
 import { setCommand } from '../../nodes/project.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { type HeldFiles, withArchives } from '../loading/held.ts';
@@ -28,11 +28,13 @@ export function useOpenFiles(): (files: PickedFiles) => void {
         const project = projectIn(paths);
         if (project !== undefined) return studio.openProject(await projectFrom(files, project, localFiles));
         const state = studio.store.getState();
-        const lacking = lacks(state, paths);
+        const lacking = lackingIn(state, paths);
         const entry = entryOf(paths);
-        if (lacking) {
-          const source = localFiles.supply(lacking.source, files);
-          studio.edit(setCommand(state.history.document, lacking.node, 'source', source), 'edit.supply');
+        if (lacking.length > 0) {
+          const commands = lacking.map(({ node, source }) =>
+            setCommand(state.history.document, node, 'source', localFiles.supply(source, files)),
+          );
+          studio.edit({ kind: 'batch', commands }, 'edit.supply');
         } else if (entry) studio.open(localFiles.add(files, entry));
         else if (files.size > 0) studio.notify({ kind: 'error', text: t('notice.noScene') });
       };
@@ -47,12 +49,16 @@ export function useOpenFiles(): (files: PickedFiles) => void {
   );
 }
 
-/** The node whose scene lacks some of the files, or could not be read without them; undefined where they are something else. */
-function lacks({ picture, history, refused }: StudioState, paths: readonly string[]) {
-  const node = refused ?? nearestOf(history.document, 'read')?.id;
-  if (node === undefined) return undefined;
-  const source = sourceIn(readsIn(history.document)[node]);
+/**
+ * The nodes whose scenes lack some of the files: the one that could not be read, else, since what a picture lacks is told of all its scenes
+ * together, all that read. None where the files are something else.
+ */
+function lackingIn({ picture, history, refused }: StudioState, paths: readonly string[]) {
   const missing = missingPaths(picture?.scene.diagnostics ?? []);
-  const belongs = completes(paths, { name: sceneName(source), missing, isRefused: refused !== undefined });
-  return source !== '' && belongs ? { node, source } : undefined;
+  const isRefused = refused !== undefined;
+  return Object.entries(readsIn(history.document)).flatMap(([node, params]) => {
+    const source = sourceIn(params);
+    if (source === '' || (isRefused && node !== refused)) return [];
+    return completes(paths, { name: sceneName(source), missing, isRefused }) ? [{ node, source }] : [];
+  });
 }

@@ -3,7 +3,7 @@ import { applyCommand, type Command } from '../../graph/commands.ts';
 import { groupingOf } from '../../graph/edits/group.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { newProject } from '../../nodes/project.ts';
-import type { Services } from '../../nodes/services.ts';
+import { type Services, threadServices } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import { InputError } from '../../scene/types.ts';
 import { beginningWith, createStudio, isUnsaved, sourceOf } from './studio.ts';
@@ -18,6 +18,7 @@ const refused = new InputError({
 
 /** Reads anything at once, refuses `bad.usda`, and never finishes `slow.usda`. */
 const services: Services = {
+  ...threadServices,
   readScene: (source, { signal, progress }) => {
     if (source === 'bad.usda') return Promise.reject(refused);
     if (source !== 'slow.usda') return Promise.resolve({ scene: makeScene({ name: source }) });
@@ -60,6 +61,7 @@ it('reading can be cancelled: the scene before it stays, and the document is its
 it('reading again with another variant can be cancelled: the choice is taken back', async () => {
   let stopped = 0;
   const slowRed: Services = {
+    ...threadServices,
     readScene: (source, { variants, signal }) =>
       variants?.get('paint') !== 'red'
         ? Promise.resolve({ scene: makeScene({ name: source }) })

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import type { LoadedScene } from '../../nodes/services.ts';
+import { type LoadedScene, threadServices } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import type { SceneCamera } from '../../scene/types.ts';
 import { beginningWith, createStudio, type Studio } from '../state/studio.ts';
@@ -41,7 +41,7 @@ async function follow(): Promise<void> {
 beforeEach(async () => {
   vi.stubGlobal('navigator', {});
   studio = createStudio({
-    services: { readScene: async () => loaded },
+    services: { ...threadServices, readScene: async () => loaded },
     beginning: beginningWith('a.usda'),
     playing: true,
   });

@@ -53,6 +53,13 @@ export class MaterialWriter {
       made.setEmissiveTexture(this.picture(m.emissiveTexture));
       sampled(made.getEmissiveTextureInfo(), m.emissiveTexture);
     }
+    if (m.reflectance)
+      this.losses.add(
+        'warning',
+        'convert.material',
+        `material ${m.name}`,
+        'its measured reflectance is lost, but for its colour and its means of ultraviolet and infrared: a table of it is written beside USD alone',
+      );
     this.addRelief(made, m);
     this.addFinish(made, m);
     this.addOcclusion(made, m);

@@ -1,12 +1,13 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Material } from '../../scene/types.ts';
-import { spectralHints, UNSEEN } from '../hints.ts';
+import { REFLECTANCE_HINT, spectralHints, UNSEEN } from '../hints.ts';
 import { attributeOf, numberOf, textOf, valueAt } from './attributes.ts';
 import { primAt, report, type StageContext, targetsOf } from './context.ts';
 import type { PrimSpec } from './layer.ts';
 import type { GlowMode } from './meshLights.ts';
 import { otherSurface, shaderName, surfaceShaders } from './otherShaders.ts';
 import { type Input, isAnimated, resolveInput, shaderId } from './shading.ts';
+import { reflectanceOfFile } from './spectrumFiles.ts';
 import { fromSpecular } from './specular.ts';
 import { type Colored, type ColorPrimvar, type Scalar, TextureInputs } from './textureInputs.ts';
 import { meanColor, type TextureLoader, textureOf } from './textures.ts';
@@ -104,11 +105,12 @@ export class MaterialTable {
     const key = `${index} ${mode} ${radiance.join(' ')}`;
     const known = this.glows.get(key);
     if (known !== undefined) return known;
-    const { emissiveTexture, emissionTemperature, ...material } = this.materials[index];
+    const { emissiveTexture, emissionTemperature, reflectance, ...material } = this.materials[index];
     const name = `${material.name}_light`;
     const [r, g, b] = material.emissive;
     const tinted = mode === 'materialGlowTintsLight' && r + g + b > 0;
-    const dark = mode === 'noMaterialResponse' ? { baseColor: BLACK, metallic: 0 } : {};
+    const dark =
+      mode === 'noMaterialResponse' ? { baseColor: BLACK, metallic: 0 } : { ...(reflectance && { reflectance }) };
     const emissive: Vec3 = tinted ? [r * radiance[0], g * radiance[1], b * radiance[2]] : radiance;
     const own = {
       ...(emissiveTexture && { emissiveTexture }),
@@ -124,7 +126,7 @@ export class MaterialTable {
     const key = `${index} ${color.join(' ')}`;
     const known = this.byColor.get(key);
     if (known !== undefined) return known;
-    const material = this.materials[index];
+    const { reflectance: _, ...material } = this.materials[index];
     const name = `${material.name} ${color.join(' ')}`;
     const made = this.materials.push({ ...material, name, baseColor: color }) - 1;
     this.byColor.set(key, made);
@@ -166,6 +168,7 @@ export class MaterialTable {
       opacity: opacity.value,
       opacityThreshold: numberOf(input('opacityThreshold').value) ?? 0,
       ...this.spectral(prim),
+      ...(await this.measured(prim, diffuse)),
       ...unseen,
     };
     this.noteWhatIsNotDrawn(path, shader, input);
@@ -183,6 +186,21 @@ export class MaterialTable {
       return attribute && (numberOf(found) ?? textOf(found) ?? attribute.typeName);
     };
     return spectralHints(value, (message) => report(this.context, 'warning', 'usd.slowlight', prim.path, message));
+  }
+
+  /** A measured reflectance, where no picture or colours of vertices paint the surface. */
+  private async measured(prim: PrimSpec, { texture, primvar }: Colored): Promise<Partial<Material>> {
+    const value = valueAt(attributeOf(prim, REFLECTANCE_HINT), this.context.startCode);
+    if (value === undefined) return {};
+    const refusal =
+      value.type !== 'asset'
+        ? `${REFLECTANCE_HINT} is no asset, as @leaf.csv@; it is left out`
+        : texture || primvar
+          ? `${REFLECTANCE_HINT} is left out, for the surface is painted by its diffuseColor`
+          : undefined;
+    if (refusal === undefined) return reflectanceOfFile(this.context, prim, value);
+    report(this.context, 'warning', 'usd.slowlight', prim.path, refusal);
+    return {};
   }
 
   /** Reflectances of invisible light that textures tell, with their means, and the uvs of those. */

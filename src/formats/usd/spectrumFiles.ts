@@ -1,37 +1,68 @@
-import { InputError, type Luminary } from '../../scene/types.ts';
+import { measuredSurface } from '../../scene/measuredSurface.ts';
+import { InputError, type Luminary, type Material } from '../../scene/types.ts';
 import type { SampledSpectrum } from '../../spectrum/lightSpectrum.ts';
+import type { Reflectance } from '../../spectrum/measured.ts';
 import { missingSpectrum } from '../missing.ts';
-import { readSpectrumCsv } from '../spectrumCsv.ts';
+import { readReflectanceCsv, readSpectrumCsv } from '../spectrumCsv.ts';
 import { textOf } from './attributes.ts';
 import { report, type StageContext } from './context.ts';
 import type { PrimSpec, Value } from './layer.ts';
 
-/** Of one reading of a stage: each file once, so that what is found out about a spectrum is found out once. */
-const read = new WeakMap<StageContext['files'], Map<string, SampledSpectrum>>();
+/** Of one reading of a stage each file once, so that what is found out about a table is found out once. */
+class Tables<Table> {
+  private readonly known = new WeakMap<StageContext['files'], Map<string, Table>>();
+  private readonly read: (bytes: Uint8Array, name: string) => Table;
+  private readonly instead: string;
 
-/** The table (spectrumCsv.ts) that an asset value names; nothing, with a diagnostic, where it is not there or no spectrum. */
+  /** `instead`: what is said of a table that is not there, or is none. */
+  constructor(read: (bytes: Uint8Array, name: string) => Table, instead: string) {
+    this.read = read;
+    this.instead = instead;
+  }
+
+  /** The table (spectrumCsv.ts) that an asset value names; undefined, with a diagnostic, where it is not there or none. */
+  async find(context: StageContext, prim: PrimSpec, value: Value): Promise<Table | undefined> {
+    const asset = textOf(value) ?? '';
+    const anchor = (value.type === 'asset' && value.anchor) || context.layer.name;
+    const found = await context.files.findBytes(anchor, asset);
+    if (!found) {
+      const { code, message, missing } = missingSpectrum(asset, context.files.candidates(anchor, asset), this.instead);
+      report(context, 'warning', code, prim.path, message, { missing });
+      return undefined;
+    }
+    const known = this.known.get(context.files) ?? new Map<string, Table>();
+    this.known.set(context.files, known);
+    try {
+      const table = known.get(found.id) ?? this.read(found.bytes, found.id);
+      known.set(found.id, table);
+      return table;
+    } catch (thrown) {
+      if (!(thrown instanceof InputError)) throw thrown;
+      report(context, 'warning', 'spectrum.csv', prim.path, `${thrown.message}; ${this.instead}`);
+      return undefined;
+    }
+  }
+}
+
+const spectra = new Tables<SampledSpectrum>(readSpectrumCsv, 'its light is taken for daylight');
+const reflectances = new Tables<Reflectance>(readReflectanceCsv, 'its surface has the colour of its inputs');
+
+/** Of a light. */
 export async function spectrumOfFile(
   context: StageContext,
   prim: PrimSpec,
   value: Value,
 ): Promise<Pick<Luminary, 'spectrum'>> {
-  const asset = textOf(value) ?? '';
-  const anchor = (value.type === 'asset' && value.anchor) || context.layer.name;
-  const found = await context.files.findBytes(anchor, asset);
-  if (!found) {
-    const { code, message, missing } = missingSpectrum(asset, context.files.candidates(anchor, asset));
-    report(context, 'warning', code, prim.path, message, { missing });
-    return {};
-  }
-  const known = read.get(context.files) ?? new Map<string, SampledSpectrum>();
-  read.set(context.files, known);
-  try {
-    const spectrum = known.get(found.id) ?? readSpectrumCsv(found.bytes, found.id);
-    known.set(found.id, spectrum);
-    return { spectrum };
-  } catch (thrown) {
-    if (!(thrown instanceof InputError)) throw thrown;
-    report(context, 'warning', 'spectrum.csv', prim.path, `${thrown.message}; its light is taken for daylight`);
-    return {};
-  }
+  const spectrum = await spectra.find(context, prim, value);
+  return spectrum ? { spectrum } : {};
+}
+
+/** Of a material, with its bands. */
+export async function reflectanceOfFile(
+  context: StageContext,
+  prim: PrimSpec,
+  value: Value,
+): Promise<Partial<Material>> {
+  const reflectance = await reflectances.find(context, prim, value);
+  return reflectance ? measuredSurface(reflectance) : {};
 }

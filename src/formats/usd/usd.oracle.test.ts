@@ -82,6 +82,7 @@ const scene: Scene = {
       metallic: 0,
       opacity: 1,
       opacityThreshold: 0,
+      reflectance: { first: 4e-7, step: 1e-7, values: [0.1, 0.5, 0.9] },
     },
   ],
   lights: [],
@@ -113,6 +114,7 @@ describe.skipIf(!available)('usd-core', () => {
     for (const path of ['/World/Static', '/World/Static/Nested'])
       expect(stage!.prims[path].matrices[0].slice(12, 15)).toEqual([...pose.position]);
     expect(stage!.prims['/Camera'].fovY).toBeCloseTo(0.75, 6);
+    expect(JSON.stringify(spec('/Looks/A.slowlight:reflectance'))).toContain('spectra/reflectance.csv');
   });
 
   it('opens the package that is written', () => {

@@ -307,6 +307,15 @@ describe('what is written reads back the same', async () => {
     expect(b.spectrum).toBe(a.spectrum);
   });
 
+  it('a measured reflectance, as a table beside the text', async () => {
+    const reflectance = { first: 4e-7, step: 1e-8, values: [0.25, 1, 0.5] } as const;
+    const materials = leafy.materials.map(({ baseColorTexture: _, ...bare }) => ({ ...bare, reflectance }));
+    const scene = { ...leafy, materials };
+    expect([...writeTextures(scene).keys()]).toContain('spectra/reflectance.csv');
+    const back = (await reread(scene)).materials.find((m) => m.reflectance);
+    expect(back?.reflectance).toMatchObject({ first: expect.closeTo(4e-7, 15), values: reflectance.values });
+  });
+
   it('lights, cameras, hints and times', () => {
     expect(back.lights).toMatchObject([
       {

@@ -1,6 +1,7 @@
 import type { Material, RadiancePicture, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import type { LightSpectrum, SampledSpectrum } from '../../spectrum/lightSpectrum.ts';
-import { SPECTRAL_HINTS, UNSEEN } from '../hints.ts';
+import type { Reflectance } from '../../spectrum/measured.ts';
+import { REFLECTANCE_HINT, SPECTRAL_HINTS, UNSEEN } from '../hints.ts';
 import { encodePng } from '../png.ts';
 import { encodeRadiance } from '../radiance.ts';
 import { spectrumText } from '../spectra.ts';
@@ -24,26 +25,35 @@ const texturesOf = (m: Material): readonly Texture[] =>
 export class TextureFiles {
   private readonly pathOf = new Map<object, string>();
   private readonly textures = new Map<string, Written>();
-  private readonly spectra = new Map<string, SampledSpectrum>();
+  private readonly tables = new Map<string, Uint8Array>();
 
   constructor(scene: Scene) {
-    for (const material of scene.materials) for (const texture of texturesOf(material)) this.add(texture);
+    for (const material of scene.materials) {
+      for (const texture of texturesOf(material)) this.add(texture);
+      if (material.reflectance) this.addTable(material.reflectance, 'reflectance');
+    }
     for (const light of scene.lights) {
       if (light.kind === 'dome' && light.texture) this.add(light.texture);
-      if (light.kind !== 'stars' && light.spectrum && isTable(light.spectrum)) this.addSpectrum(light.spectrum);
+      if (light.kind !== 'stars' && light.spectrum && isTable(light.spectrum))
+        this.addTable(light.spectrum, 'spectrum');
     }
   }
 
-  private addSpectrum(spectrum: SampledSpectrum): void {
-    if (this.pathOf.has(spectrum)) return;
-    const path = `spectra/spectrum${this.spectra.size === 0 ? '' : `_${this.spectra.size}`}.csv`;
-    this.pathOf.set(spectrum, path);
-    this.spectra.set(path, spectrum);
+  private addTable(table: Reflectance, of: 'spectrum' | 'reflectance'): void {
+    if (this.pathOf.has(table)) return;
+    let path = `spectra/${of}.csv`;
+    for (let n = 1; this.tables.has(path); n++) path = `spectra/${of}_${n}.csv`;
+    this.pathOf.set(table, path);
+    this.tables.set(path, writeSpectrumCsv(table, of === 'spectrum' ? 'relative radiance' : of));
   }
 
   /** The table of a spectrum that has no name of its own. */
   spectrum(spectrum: LightSpectrum): string | undefined {
     return isTable(spectrum) ? this.pathOf.get(spectrum) : undefined;
+  }
+
+  reflectance(reflectance: Reflectance): string {
+    return this.pathOf.get(reflectance)!;
   }
 
   private add(texture: Written): void {
@@ -68,8 +78,7 @@ export class TextureFiles {
   /** The PNGs, EXRs and tables by their paths. */
   encoded(): Map<string, Uint8Array> {
     const pictures = [...this.textures].map(([path, texture]) => [path, encode(texture)] as const);
-    const tables = [...this.spectra].map(([path, spectrum]) => [path, writeSpectrumCsv(spectrum)] as const);
-    return new Map([...pictures, ...tables]);
+    return new Map([...pictures, ...this.tables]);
   }
 }
 
@@ -117,7 +126,11 @@ export class MaterialWriter {
       return value === undefined ? [] : [[name, ` = ${double(value)}`] as const];
     });
     const hints = [...new Map<string, string>([...told, ...unseen])].map(([name, is]) => `custom double ${name}${is}`);
-    const properties = [`token outputs:surface.connect = <${path}/Surface.outputs:surface>`, ...hints];
+    const measured =
+      material.reflectance && !byColors && !material.baseColorTexture
+        ? [`custom asset ${REFLECTANCE_HINT} = @${this.files.reflectance(material.reflectance)}@`]
+        : [];
+    const properties = [`token outputs:surface.connect = <${path}/Surface.outputs:surface>`, ...hints, ...measured];
     this.tree.set(path, { type: 'Material', properties, inner: shaders });
     return path;
   }

@@ -1,9 +1,13 @@
+import { readReflectanceCsv } from '../../formats/spectrumCsv.ts';
 import { dress } from '../../scene/compose/dress.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
-import type { Material } from '../../scene/types.ts';
+import { measuredSurface } from '../../scene/measuredSurface.ts';
+import { InputError, type Material } from '../../scene/types.ts';
 import { MATERIAL_PRESETS } from '../../spectrum/materialPresets.ts';
+import type { Reflectance } from '../../spectrum/measured.ts';
 import { defineNode } from '../define.ts';
-import { checkPath, whichParam } from './shared.ts';
+import type { Services } from '../services.ts';
+import { checkPath, refusal, whichParam } from './shared.ts';
 
 const share = (title: string, value: number) =>
   ({ kind: 'number', title, default: value, min: 0, max: 1, step: 0.01 }) as const;
@@ -26,6 +30,14 @@ export const materialNode = defineNode({
         { value: 'own', title: 'preset.own' },
         ...[...MATERIAL_PRESETS.keys()].map((name) => ({ value: name, title: `preset.${name}` })),
       ],
+    },
+    reflectance: {
+      kind: 'text',
+      title: 'param.reflectance',
+      help: 'param.reflectance.help',
+      default: '',
+      file: true,
+      onlyWhen: OWN,
     },
     color: { kind: 'color', title: 'param.color', default: [0.5, 0.5, 0.5], onlyWhen: OWN },
     roughness: { ...share('param.roughness', 0.6), onlyWhen: OWN },
@@ -55,11 +67,23 @@ export const materialNode = defineNode({
   },
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
-  evaluate({ geometry }, { which, ...how }, { node }) {
+  async evaluate({ geometry }, { which, reflectance, ...how }, { node, services }) {
     checkPath(geometry.scene, which, node);
-    return { geometry: { ...geometry, scene: dress(geometry.scene, which, materialOf(node, how)) } };
+    const table = how.preset === 'own' && reflectance ? await readTable(reflectance, services) : undefined;
+    const material = { ...materialOf(node, how), ...(table && measuredSurface(table)) };
+    return { geometry: { ...geometry, scene: dress(geometry.scene, which, material) } };
   },
 });
+
+async function readTable(source: string, services: Services): Promise<Reflectance> {
+  try {
+    return readReflectanceCsv(await services.readFile(source), source);
+  } catch (error) {
+    if (!(error instanceof InputError)) throw error;
+    const { code, place, message } = error.diagnostic;
+    throw refusal(code, place, message);
+  }
+}
 
 interface Looks {
   readonly preset: string;

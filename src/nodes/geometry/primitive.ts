@@ -2,6 +2,7 @@ import { NodeRefusal, type NumberParam, type ParamOf, type ParamSpec } from '../
 import { makeObject, makeScene } from '../../scene/defaults.ts';
 import type { Mesh } from '../../scene/types.ts';
 import { defineNode } from '../define.ts';
+import type { Services } from '../services.ts';
 
 /** A length of a primitive [m]. */
 export const metres = (title: string, value: number): NumberParam => ({
@@ -41,6 +42,12 @@ export const axisParam = {
 type Params = Readonly<Record<string, ParamSpec>>;
 type Values<P extends Params> = { readonly [K in keyof P]: ParamOf<P[K]> };
 
+/** Where a mesh is made, and what helps with it. */
+interface Making {
+  readonly node: string;
+  readonly services: Services;
+}
+
 /** A node that makes one mesh, at rest at the origin: `/name` of the scene. */
 export function definePrimitive<const P extends Params>(description: {
   readonly id: string;
@@ -49,7 +56,7 @@ export function definePrimitive<const P extends Params>(description: {
   /** What it is called where nothing else is said. */
   readonly name: string;
   readonly params: P;
-  mesh(params: Values<P>): Mesh | Promise<Mesh>;
+  mesh(params: Values<P>, work: Making): Mesh | Promise<Mesh>;
 }) {
   const { id, title, help, name, params, mesh } = description;
   return defineNode({
@@ -60,9 +67,9 @@ export function definePrimitive<const P extends Params>(description: {
     params: { name: { kind: 'text', title: 'param.name', help: 'param.name.help', default: name }, ...params },
     inputs: {},
     outputs: { geometry: { type: 'geometry' } },
-    async evaluate(_inputs, values, { node }) {
-      const path = pathOf(values.name as string, node);
-      const object = makeObject({ path, mesh: await mesh(values as unknown as Values<P>) });
+    async evaluate(_inputs, values, work) {
+      const path = pathOf(values.name as string, work.node);
+      const object = makeObject({ path, mesh: await mesh(values as unknown as Values<P>, work) });
       return { geometry: { scene: makeScene({ name: path.slice(1), objects: [object] }) } };
     },
   });

@@ -10,16 +10,15 @@ import { makeObject, makeScene } from '../../scene/defaults.ts';
 import { box } from '../../scene/primitives.ts';
 import { nodeLibrary } from '../library.ts';
 import { pictureOf } from '../picture.ts';
-import type { Services } from '../services.ts';
+import { type Services, threadServices } from '../services.ts';
 import { arity, OPERATIONS, type Operation } from './operations.ts';
 
-const none: Services = { readScene: () => Promise.reject(new Error('nothing is read here')) };
 async function outputs(type: string, params: Record<string, ParamValue>) {
   const document = edited(
     build(add('it', type)),
     ...Object.entries(params).map(([param, value]) => ({ kind: 'set-param', node: 'it', param, value }) as const),
   );
-  const { target } = await new Evaluator(nodeLibrary).evaluate(document, 'it', none);
+  const { target } = await new Evaluator(nodeLibrary).evaluate(document, 'it', threadServices);
   return target.status === 'done' ? target.outputs : target;
 }
 const math = async (operation: Operation, a: number, b = 0, c = 0) => {
@@ -98,7 +97,10 @@ describe('compare', () => {
 
 describe('utility nodes', () => {
   const house = makeObject({ path: '/House', mesh: box([1, 1, 1]) });
-  const services: Services = { readScene: async () => ({ scene: { ...makeScene({ name: 'a' }), objects: [house] } }) };
+  const services: Services = {
+    ...threadServices,
+    readScene: async () => ({ scene: { ...makeScene({ name: 'a' }), objects: [house] } }),
+  };
   const pictured = async (gamma: number) => {
     const document = edited(utilityProject(), set('number', 'number', gamma), set('text', 'text', ''));
     return pictureOf(await new Evaluator(nodeLibrary).evaluate(document, 'output', services));

@@ -1,0 +1,46 @@
+import { build } from './build.ts';
+
+const ABOUT = {
+  title: 'Letters',
+  lookFor:
+    'Words of solid letters, where light goes at 10 m/s. The white ones rest; the red ones above fly by at 0.8 c, and show you their ends and colours that they do not have.',
+};
+
+/** A word at rest, and one that passes above it at 0.8 c, seen turned and shifted. c = 10 m/s. */
+export const letters = () =>
+  build(ABOUT, {
+    ground: { type: 'grid', set: { name: 'Ground', width: 80, length: 60, columns: 40, rows: 30 } },
+    asphalt: { type: 'material', set: { preset: 'asphalt' }, from: { geometry: 'ground.geometry' } },
+
+    title: { type: 'solid-text', set: { name: 'Title', text: 'SLOWLIGHT · v = 0', size: 0.8, depth: 0.4 } },
+    ivory: { type: 'material', set: { color: [0.85, 0.8, 0.7] }, from: { geometry: 'title.geometry' } },
+
+    word: { type: 'solid-text', set: { name: 'Passing', text: '慢光 · v = 0.8 c', size: 1.2, depth: 0.8 } },
+    red: { type: 'material', set: { color: [0.75, 0.1, 0.05], roughness: 0.4 }, from: { geometry: 'word.geometry' } },
+    behind: { type: 'transform', set: { position: [0, 1.6, -3] }, from: { geometry: 'red.geometry' } },
+    passing: { type: 'motion-uniform', set: { velocity: [8, 0, 0], at: 2 } },
+    flyer: {
+      type: 'move',
+      set: { authoredIn: 'rest' },
+      from: { geometry: 'behind.geometry', motion: 'passing.motion' },
+    },
+
+    things: { type: 'merge', from: { geometry: ['ivory', 'flyer', 'asphalt'].map((id) => `${id}.geometry`) } },
+    eye: { type: 'camera', set: { name: 'Eye', position: [1, 2, 7], target: [0, 1.6, 0] } },
+    sun: { type: 'sun', set: { brightness: 2.4, direction: [-0.5, -0.8, -0.6] } },
+    sky: { type: 'sky', set: { color: [0.4, 0.55, 0.8], brightness: 0.8 } },
+    clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.8 } },
+    scene: {
+      type: 'scene',
+      from: {
+        geometry: ['things.geometry', 'eye.geometry'],
+        lights: ['sun.lights', 'sky.lights'],
+        time: 'clock.time',
+      },
+    },
+    console: { type: 'relativity-console', set: { speedOfLight: 10 }, from: { scene: 'scene.scene' } },
+    camera: { type: 'scene-camera', from: { relativity: 'console.relativity' } },
+    rasterize: { type: 'relativity-rasterize', from: { view: 'camera.view' } },
+    toneMap: { type: 'tone-map', from: { gbuffer: 'rasterize.gbuffer' } },
+    output: { type: 'output', from: { image: 'toneMap.image' } },
+  });

@@ -1,0 +1,8 @@
+import type { ReadFont } from '../../formats/font/letters.ts';
+
+/** Reads fonts that lie beside the page; the build puts them there. */
+export const readFont: ReadFont = async (path) => {
+  const response = await fetch(new URL(`fonts/${path}`, document.baseURI));
+  if (!response.ok) throw new Error(`the font ${path} cannot be had: the server answers ${response.status}`);
+  return new Uint8Array(await response.arrayBuffer());
+};

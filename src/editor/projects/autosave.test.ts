@@ -1,0 +1,97 @@
+// @vitest-environment jsdom
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { threadServices } from '../../nodes/services.ts';
+import { makeScene } from '../../scene/defaults.ts';
+import { LocalFiles } from '../loading/localFiles.ts';
+import { beginningWith, createStudio, type Studio } from '../state/studio.ts';
+import { Pilot } from '../viewport/pilot.ts';
+import { Autosave, type Unkept } from './autosave.ts';
+import type { KeptSession, Sessions } from './sessions.ts';
+
+const sessions = {
+  keep: vi.fn<(session: KeptSession) => Promise<void>>(async () => {}),
+  keepFiles: vi.fn(async () => {}),
+};
+let studio: Studio;
+let localFiles: LocalFiles;
+let told: Unkept[];
+let autosave: Autosave;
+
+beforeEach(async () => {
+  vi.useFakeTimers();
+  vi.clearAllMocks();
+  vi.stubGlobal('navigator', {});
+  told = [];
+  localFiles = new LocalFiles();
+  const services = { ...threadServices, readScene: async (name: string) => ({ scene: makeScene({ name }) }) };
+  studio = createStudio({ services, beginning: beginningWith('a.usda'), playing: false });
+  await vi.advanceTimersByTimeAsync(10);
+  const store = sessions as unknown as Sessions;
+  const address = () => '/?scene=a.usda';
+  autosave = new Autosave({ studio, pilot: new Pilot(studio), localFiles, sessions: store, id: 'tab', address });
+  autosave.onUnkept = (unkept) => told.push(unkept);
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+const expose = (exposure: number) => studio.set('toneMap', 'exposure', exposure, 'exposure', 'drag');
+const exposureKept = () => {
+  const { document } = sessions.keep.mock.lastCall?.[0] ?? {};
+  return (document as ReturnType<typeof beginningWith>['document']).nodes.toneMap?.params.exposure;
+};
+
+it('nothing is kept of who only looks; of a drag the last of its edits, at the latest after two seconds', async () => {
+  dispatchEvent(new Event('pagehide'));
+  expect(sessions.keep).not.toHaveBeenCalled();
+  for (let i = 1; i <= 30; i++) {
+    expose(i / 10);
+    await vi.advanceTimersByTimeAsync(100);
+  }
+  expect(sessions.keep).toHaveBeenCalledTimes(1);
+  await vi.advanceTimersByTimeAsync(400);
+  expect(sessions.keep).toHaveBeenCalledTimes(2);
+  expect(exposureKept()).toBe(3);
+  expect(sessions.keep.mock.lastCall?.[0]).toMatchObject({
+    id: 'tab',
+    address: '/?scene=a.usda',
+    unsaved: true,
+    name: 'a',
+  });
+});
+
+it('an edit is kept at once where the page goes', () => {
+  expose(1);
+  dispatchEvent(new Event('pagehide'));
+  expect(exposureKept()).toBe(1);
+});
+
+it('files are kept once, and too large ones told; all else is kept', async () => {
+  studio.open(localFiles.add(new Map([['s.usda', new Blob(['x'])]]), 's.usda'));
+  await vi.advanceTimersByTimeAsync(400);
+  expose(1);
+  await vi.advanceTimersByTimeAsync(400);
+  expect(sessions.keepFiles.mock.calls).toEqual([['tab', '1', localFiles.setOf('local:1/s.usda')?.files]]);
+  const large = Object.defineProperty(new Blob(['x']), 'size', { value: 2 ** 30 });
+  studio.open(localFiles.add(new Map([['big.usda', large]]), 'big.usda'));
+  await vi.advanceTimersByTimeAsync(400);
+  expect(await autosave.now()).toBe(false);
+  expect(sessions.keepFiles).toHaveBeenCalledTimes(1);
+  expect(sessions.keep.mock.lastCall?.[0].name).toBe('big');
+  expect(told).toEqual([{ kind: 'files', size: '1.00 GiB' }]);
+});
+
+it('a full store is told once, and again when it was well in between', async () => {
+  sessions.keep.mockRejectedValue(new Error('no room is left'));
+  for (const exposure of [1, 2]) {
+    expose(exposure);
+    expect(await autosave.now()).toBe(false);
+  }
+  expect(told).toEqual([{ kind: 'work', why: 'no room is left' }]);
+  sessions.keep.mockResolvedValue();
+  expect(await autosave.now()).toBe(true);
+  sessions.keep.mockRejectedValue(new Error('gone'));
+  await autosave.now();
+  expect(told).toHaveLength(2);
+});

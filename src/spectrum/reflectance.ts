@@ -1,0 +1,34 @@
+import { type Bands, bandsOf } from './bands.ts';
+import { NANOMETRE, tristimulus } from './cie1931.ts';
+import { DAYLIGHT, spectralRadiance } from './lightSpectrum.ts';
+import { measuredAt, type Reflectance } from './measured.ts';
+import { toLinearSrgb } from './observerColor.ts';
+
+/** What one number stands for, of ultraviolet and of infrared light [nm]: as in the presets of materials. */
+const ULTRAVIOLET = [300, 360] as const;
+const INFRARED = [830, 1300] as const;
+
+const known = new WeakMap<Reflectance, Bands>();
+
+/**
+ * The bands of a measured reflectance: its colour in daylight (exactly; none below 0, where it lies outside of sRGB), and its means over the near ultraviolet and infrared. With `rest` they are the measured
+ * reflectance itself at every wavelength; without, what the fast renderer shows of it.
+ */
+export function bandsOfReflectance(reflectance: Reflectance): Bands {
+  const found = known.get(reflectance);
+  if (found) return found;
+  const seen = tristimulus(
+    (wavelength) => measuredAt(reflectance, wavelength) * spectralRadiance(DAYLIGHT, wavelength),
+  );
+  const [r, g, b] = toLinearSrgb(seen);
+  const rgb = [Math.max(r, 0), Math.max(g, 0), Math.max(b, 0)] as const;
+  const bands = bandsOf(rgb, mean(reflectance, ULTRAVIOLET), mean(reflectance, INFRARED));
+  const made = { ...bands, rest: { of: { reflectance, bands }, share: 1 } };
+  known.set(reflectance, made);
+  return made;
+}
+
+function mean(reflectance: Reflectance, [from, to]: readonly [number, number]): number {
+  const all = Array.from({ length: to - from }, (_, i) => measuredAt(reflectance, (from + i + 0.5) * NANOMETRE));
+  return all.reduce((sum, value) => sum + value, 0) / all.length;
+}
