@@ -26,6 +26,11 @@ export const letters = () =>
     },
 
     things: { type: 'merge', from: { geometry: ['ivory', 'flyer', 'asphalt'].map((id) => `${id}.geometry`) } },
+    written: {
+      type: 'write-usd',
+      set: { name: 'letters.usda', speedOfLight: 10 },
+      from: { geometry: 'things.geometry', time: 'clock.time' },
+    },
     eye: { type: 'camera', set: { name: 'Eye', position: [1, 2, 7], target: [0, 1.6, 0] } },
     sun: { type: 'sun', set: { brightness: 2.4, direction: [-0.5, -0.8, -0.6] } },
     sky: { type: 'sky', set: { color: [0.4, 0.55, 0.8], brightness: 0.8 } },
@@ -33,7 +38,7 @@ export const letters = () =>
     scene: {
       type: 'scene',
       from: {
-        geometry: ['things.geometry', 'eye.geometry'],
+        geometry: ['written.geometry', 'eye.geometry'],
         lights: ['sun.lights', 'sky.lights'],
         time: 'clock.time',
       },
@@ -41,6 +46,7 @@ export const letters = () =>
     console: { type: 'relativity-console', set: { speedOfLight: 10 }, from: { scene: 'scene.scene' } },
     camera: { type: 'scene-camera', from: { relativity: 'console.relativity' } },
     rasterize: { type: 'relativity-rasterize', from: { view: 'camera.view' } },
-    toneMap: { type: 'tone-map', from: { gbuffer: 'rasterize.gbuffer' } },
+    lighting: { type: 'deferred-lighting', from: { gbuffer: 'rasterize.gbuffer' } },
+    toneMap: { type: 'tone-map', from: { image: 'lighting.image' } },
     output: { type: 'output', from: { image: 'toneMap.image' } },
   });

@@ -17,6 +17,10 @@ export class Progress {
     this.show(`frame ${Math.floor(done)}/${total}${part}${left}`);
   }
 
+  /** What a node of a project is at. */
+  readonly node = (id: string, part: number | undefined): void =>
+    this.show(part === undefined ? `${id} …` : `${id}: ${Math.round(100 * part)} %`);
+
   /** A line that stays. */
   note(text: string): void {
     this.clear();

@@ -108,20 +108,22 @@ export const faultsOf = (document: GraphDocument): readonly Problem[] => validat
 /** One line for a person: place, what, and what to do. */
 export const told = ({ place, message }: Problem): string => `${place}: ${message}`;
 
+/** What nodes of a project give. */
+export const evaluateNodes = (
+  path: string,
+  document: GraphDocument,
+  nodes: readonly string[],
+  progress: (node: string, part: number | undefined) => void,
+): Promise<Evaluation> =>
+  new Evaluator(nodeLibrary, { heavy: heavyNodes() }).evaluate(document, nodes, servicesAt(path), { progress });
+
 /** The picture that a project describes. Files are looked for beside it. */
 async function evaluateProject(
   path: string,
   document: GraphDocument,
   progress: (node: string, part: number | undefined) => void,
 ): Promise<Picture> {
-  const evaluation = await new Evaluator(nodeLibrary, { heavy: heavyNodes() }).evaluate(
-    document,
-    outputOf(path, document),
-    servicesAt(path),
-    {
-      progress,
-    },
-  );
+  const evaluation = await evaluateNodes(path, document, [outputOf(path, document)], progress);
   const picture = pictureOf(evaluation);
   if (picture) return picture;
   const faults = problemsIn(evaluation);
@@ -134,7 +136,7 @@ function outputOf(path: string, document: GraphDocument): string {
   throw inputProblem(`${path}: it has no output node, so that it makes no picture; add one`);
 }
 
-const problemsIn = ({ results }: Evaluation): readonly Problem[] =>
+export const problemsIn = ({ results }: Evaluation): readonly Problem[] =>
   [...results.values()].flatMap((result) => (result.status === 'failed' ? [result.problem] : []));
 
 /** Reads files here, from where the project is: beside it, or in its archive. */
@@ -160,9 +162,6 @@ function servicesAt(project: string): Services {
     },
   };
 }
-    return surveyed(drawableScene(read).scene);
-  },
-});
 
 /** A project's picture in the words of the command line; what the user says there comes before it. */
 export async function projectFlags<Flags extends RenderFlags>(

@@ -1,6 +1,7 @@
 import { Command, Option } from 'commander';
 import type { AovName } from '../scene/view.ts';
 import { FALSE_COLORS } from '../spectrum/falseColor.ts';
+import { usageError } from './exit.ts';
 import type { FalseColourFlags } from './falseColour.ts';
 import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from './flags.ts';
 import {
@@ -14,7 +15,10 @@ import {
   sizeOption,
 } from './parse.ts';
 import { addPipelineFlags, type PipelineFlags } from './pipeline.ts';
+import type { FilesFlags } from './projectFiles.ts';
 import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
+
+type Optional<T, K extends keyof T> = Omit<T, K> & Partial<Pick<T, K>>;
 
 export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags, FalseColourFlags {
   readonly output: string;
@@ -43,7 +47,11 @@ export function renderCommand(): Command {
   const command = new Command('render')
     .description('Makes pictures of a scene, or of a project: .png, .exr with data channels, or .mp4.')
     .argument('<scene>', `${SCENE_ARGUMENT}; or a project, .slowlight.json`)
-    .requiredOption('-o, --output <file>', 'file to write; #### in the name of a .png or .exr becomes the frame')
+    .option(
+      '-o, --output <file>',
+      'file to write; #### in the name of a .png or .exr becomes the frame. Without: the files that the nodes of a project ask for',
+    )
+    .option('--folder <folder>', 'of a project, without -o: where its files are written (default: here)')
     .addOption(sizeOption('in pixels'))
     .option(
       '--time <s>',
@@ -89,9 +97,11 @@ export function renderCommand(): Command {
       .option('--json', 'print what was made as JSON')
       .addHelpText('after', examples)
       // Loaded when it is needed: the renderer is large.
-      .action(async (scene: string, flags: RenderFlags) =>
-        (await import('./renderAction.ts')).render(scene, flags, givenTo(command)),
-      )
+      .action(async (scene: string, { output, ...flags }: Optional<RenderFlags, 'output'> & FilesFlags) => {
+        if (output === undefined) return (await import('./projectFiles.ts')).writeProjectFiles(scene, flags);
+        if (flags.folder !== undefined) throw usageError('--folder is for the files of a project; -o names its own');
+        return (await import('./renderAction.ts')).render(scene, { output, ...flags }, givenTo(command));
+      })
   );
 }
 

@@ -111,10 +111,7 @@ async function opened(
   given: ReadonlySet<string>,
   progress: Progress,
 ): Promise<Opened<RenderFlags>> {
-  if (await isProject(path))
-    return projectFlags(path, flags, given, (node, part) =>
-      progress.show(part === undefined ? `${node} …` : `${node}: ${Math.round(100 * part)} %`),
-    );
+  if (await isProject(path)) return projectFlags(path, flags, given, progress.node);
   if (flags.set) throw usageError('--set is for projects, .slowlight.json; of a scene file there are no nodes to set');
   return { scene: await openChangedScene(path, flags), others: [], flags };
 }

@@ -113,3 +113,15 @@ export function posesOf(motion: Exclude<Motion, { kind: 'uniform' | 'hyperbolic'
   if (motion.kind === 'sampled-points') return [{ position: motion.origin, orientation: [0, 0, 0, 1] as Quat }];
   return Array.from(motion.times, (_, i) => samplePose(motion.poses, i));
 }
+
+/** The scene as files without relativity hold it, in its own kinds of motion; `notes`: what that loses. */
+export function sampledScene(scene: Scene, notes: Notes): Scene {
+  return {
+    ...scene,
+    endTime: Math.max(scene.endTime, scene.startTime + 1),
+    objects: plainObjects(scene, notes).map((object) => ({ ...object, authoredIn: 'world' })),
+    lights: scene.lights.map((light) =>
+      'motion' in light ? { ...light, motion: plainFrame(light.motion, scene, light.path, notes) } : light,
+    ),
+  };
+}

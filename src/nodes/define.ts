@@ -7,6 +7,7 @@ import type { ColorMode, Solver, View } from '../scene/view.ts';
 import type { FalseColor } from '../spectrum/falseColor.ts';
 import type { LightSpectrum } from '../spectrum/lightSpectrum.ts';
 import type { Tone } from '../spectrum/toneMap.ts';
+import type { ProjectFile } from './files.ts';
 import type { Metering } from './metering.ts';
 import type { LoadedScene, Services } from './services.ts';
 
@@ -97,6 +98,7 @@ interface SocketValues {
   /** Linear sRGB. */
   readonly color: Vec3;
   readonly text: string;
+  readonly file: ProjectFile;
   readonly any: unknown;
 }
 type SocketType = keyof SocketValues;

@@ -25,6 +25,7 @@ import { sphereNode } from './geometry/sphere.ts';
 import { subdivideNode } from './geometry/subdivide.ts';
 import { torusNode } from './geometry/torus.ts';
 import { transformNode } from './geometry/transform.ts';
+import { writeUsdNode } from './geometry/writeUsd.ts';
 import { circularNode } from './motion/circular.ts';
 import { hyperbolicNode } from './motion/hyperbolic.ts';
 import { keyframesNode } from './motion/keyframes.ts';
@@ -80,6 +81,7 @@ const types = [
   pathNode,
   keyframesNode,
   retimeNode,
+  writeUsdNode,
   flyNode,
   scene,
   sunNode,

@@ -398,6 +398,28 @@ export const nodeWords = {
   'param.ringRadius': ['Ring radius', '环半径'],
   'param.tubeRadius': ['Tube radius', '管半径'],
   'param.tubeSegments': ['Tube segments', '管分段数'],
+  'node.writeUsd': ['Write USD', '写出 USD'],
+  'node.writeUsd.help': [
+    'Asks for what comes in to be written as USD, and passes it on: `slowlight render PROJECT` without `-o` writes it.',
+    '将输入的几何体写成 USD，并原样传出：不带 `-o` 的 `slowlight render PROJECT` 会写出文件。',
+  ],
+  'param.fileName': ['File', '文件名'],
+  'param.fileName.help': [
+    'Without folders. `.usda` is text, `.usdz` one package with its textures, `.usdc` binary (needs Pixar’s usd-core).',
+    '不含文件夹。`.usda` 为文本，`.usdz` 为连同贴图的包，`.usdc` 为二进制（需要 Pixar 的 usd-core）。',
+  ],
+  'param.writtenMotion': ['Motion', '运动'],
+  'param.writtenMotion.help': [
+    'Samples are seen by every program, over the time that comes in, else that of the geometry. Exact motions, and shapes at rest, are read by Slowlight alone.',
+    '采样可被所有程序读取，时间范围取自输入，否则取几何体自身的。精确运动与静止形状只有 Slowlight 能读。',
+  ],
+  'param.writtenLight.help': [
+    'By it, shapes at rest are contracted where they move; it is written as the one to look at the file with.',
+    '静止形状在运动中据此收缩；并写入文件，作为观看时的光速。',
+  ],
+  'writtenMotion.sampled': ['Sampled', '采样'],
+  'writtenMotion.exact': ['Exact', '精确'],
+  'socket.file': ['File', '文件'],
   'node.solidText': ['Solid text', '立体文字'],
   'node.solidText.help': [
     'Solid letters that stand on the ground and face +z, one line above the other: Latin, Greek, Cyrillic, Chinese. Each stands at its own width, without kerning.',
