@@ -131,7 +131,9 @@ describe('the page', () => {
   });
 
   it('draws with WebGPU where there is one, and recovers from the loss of its device', async () => {
-    const visit = await (await program.open('?backend=webgpu&scene=examples/sphere.usda')).ready();
+    // A WebGPU that is drawn in software takes long for large pictures.
+    const options = { viewport: { width: 800, height: 480 } };
+    const visit = await (await program.open('?backend=webgpu&scene=examples/sphere.usda', options)).ready();
     expect(await visit.status('backend')).toBe('WebGPU');
     const before = await visit.pixels();
     expect(colours(before)).toBeGreaterThan(50);
