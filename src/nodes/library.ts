@@ -56,6 +56,7 @@ import { separateNode } from './utility/separate.ts';
 import { switchNode } from './utility/switch.ts';
 import { textNode } from './utility/text.ts';
 import { vectorNode } from './utility/vector.ts';
+import { vectorMathNode } from './utility/vectorMath.ts';
 
 /** In the order in which menus show them. */
 const types = [
@@ -109,6 +110,7 @@ const types = [
   colorNode,
   textNode,
   mathNode,
+  vectorMathNode,
   compareNode,
   switchNode,
   rerouteNode,

@@ -27,7 +27,8 @@ function carry(vectors: Float32Array, linear: Mat3, [tx, ty, tz]: Vec3): Float32
   return vectors;
 }
 
-function makeUnit(vectors: Float32Array): Float32Array {
+/** Vectors, 3 numbers each, made unit where they are; what has no length stays. */
+export function makeUnit(vectors: Float32Array): Float32Array {
   for (let i = 0; i < vectors.length; i += 3) {
     const l = norm(vectors[i], vectors[i + 1], vectors[i + 2]);
     if (!(l > 0)) continue;

@@ -9,11 +9,12 @@ import { add, connect, edited, set } from './graphKit.ts';
 export function utilityProject(): GraphDocument {
   const flying = applyCommand(newProject('a.usda'), flyCommand(newProject('a.usda'), '/House', 0)).document;
   const nodes: readonly Command[] = [
-    ...['number', 'math', 'compare', 'switch', 'vector', 'color', 'separate', 'text', 'reroute'].map((type, i) =>
-      add(type, type, [i * 200, 400]),
+    ...['number', 'math', 'vector-math', 'compare', 'switch', 'vector', 'color', 'separate', 'text', 'reroute'].map(
+      (type, i) => add(type, type, [i * 200, 400]),
     ),
     set('number', 'number', 1.25),
     set('math', 'operation', 'beta-of-gamma'),
+    set('vector-math', 'operation', 'normalize'),
     set('compare', 'relation', 'less'),
     set('compare', 'b', 0.5),
     set('vector', 'x', 1),
@@ -32,7 +33,8 @@ export function utilityProject(): GraphDocument {
     connect('switch.out', 'separate.vector'),
     connect('separate.y', 'toneMap.exposure'),
     connect('text.text', 'camera.camera'),
-    connect('vector.vector', 'fly1.direction'),
+    connect('vector.vector', 'vector-math.a'),
+    connect('vector-math.vector', 'fly1.direction'),
   ];
   const whole = edited(flying, ...nodes, ...edges);
   return edited(whole, groupingOf(whole, { nodes: ['math', 'compare'] }, 'Speed', nodeLibrary).command);

@@ -81,6 +81,26 @@ describe('math', () => {
   });
 });
 
+describe('vector math', () => {
+  it.each([
+    ['add', [5, 7, 9], Math.sqrt(155)],
+    ['subtract', [-3, -3, -3], Math.sqrt(27)],
+    ['scale', [2, 4, 6], Math.sqrt(56)],
+    ['cross', [-3, 6, -3], Math.sqrt(54)],
+    ['normalize', [1, 2, 3].map((x) => x / Math.sqrt(14)), 1],
+    ['dot', [32, 32, 32], 32],
+    ['length', [Math.sqrt(14), Math.sqrt(14), Math.sqrt(14)], Math.sqrt(14)],
+  ])('%s of (1, 2, 3), (4, 5, 6) and 2', async (operation, vector, number) => {
+    const found = await outputs('vector-math', { operation, a: [1, 2, 3], b: [4, 5, 6], factor: 2 });
+    expect(found).toEqual({ vector: vector.map((x) => expect.closeTo(x, 12)), number: expect.closeTo(number, 12) });
+  });
+
+  it('is refused beyond all numbers', async () => {
+    const found = await outputs('vector-math', { operation: 'scale', a: [1e308, 0, 0], factor: 10 });
+    expect(found).toMatchObject({ problem: { code: 'math.undefined', place: 'it' } });
+  });
+});
+
 describe('compare', () => {
   it.each([
     ['less', [1, 0, 0]],

@@ -2,6 +2,7 @@ import { gatherPoints, makeMesh } from '../geometry.ts';
 import { isStreamed } from '../points.ts';
 import { subdividePolygons } from '../subdivide/mesh.ts';
 import { makeTopology } from '../subdivide/topology.ts';
+import { makeUnit } from '../transformPoints.ts';
 import type { Mesh, SampledPointsMotion, SceneObject } from '../types.ts';
 
 /** Most triangles that a mesh may become. */
@@ -44,7 +45,7 @@ class Middles {
     this.mesh = {
       ...mesh,
       positions: this.mean(mesh.positions, 3),
-      normals: unit(this.mean(mesh.normals, 3)),
+      normals: makeUnit(this.mean(mesh.normals, 3)),
       uvs: this.mean(mesh.uvs, 2),
       ...(mesh.colors && { colors: this.mean(mesh.colors, 3) }),
       indices: cut,
@@ -80,16 +81,8 @@ function splitSamples(motion: SampledPointsMotion, middles: Middles): SampledPoi
     ...motion,
     points: points.map((each) => middles.mean(each, 3)),
     ...(velocities && { velocities: velocities.map((each) => middles.mean(each, 3)) }),
-    ...(normals && { normals: normals.map((each) => unit(middles.mean(each, 3))) }),
+    ...(normals && { normals: normals.map((each) => makeUnit(middles.mean(each, 3))) }),
   };
-}
-
-function unit(vectors: Float32Array): Float32Array {
-  for (let i = 0; i < vectors.length; i += 3) {
-    const length = Math.hypot(vectors[i], vectors[i + 1], vectors[i + 2]) || 1;
-    for (let k = 0; k < 3; k++) vectors[i + k] /= length;
-  }
-  return vectors;
 }
 
 /** A smooth surface through and round the mesh (Loop 1987), of triangles `levels` times cut, its points on the limit. */

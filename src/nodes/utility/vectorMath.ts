@@ -1,0 +1,48 @@
+import { add, cross, dot, length, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { defineNode } from '../define.ts';
+import { refusal, vector } from '../geometry/shared.ts';
+import { anyNumber } from './anyNumber.ts';
+
+/** What the node computes, by the names in its menu. */
+const OPERATIONS = {
+  add,
+  subtract: sub,
+  scale: (a, _, factor) => scale(a, factor),
+  cross,
+  normalize: (a) => normalize(a, a),
+  dot,
+  length,
+} as const satisfies Record<string, (a: Vec3, b: Vec3, factor: number) => Vec3 | number>;
+type Operation = keyof typeof OPERATIONS;
+
+/** One step of arithmetic with vectors. */
+export const vectorMathNode = defineNode({
+  id: 'vector-math',
+  title: 'node.vectorMath',
+  help: 'node.vectorMath.help',
+  category: 'utility',
+  params: {
+    operation: {
+      kind: 'choice',
+      title: 'param.operation',
+      default: 'add',
+      options: (Object.keys(OPERATIONS) as Operation[]).map((value) => ({ value, title: `vectorMath.${value}` })),
+    },
+    a: vector('A', [0, 0, 0]),
+    b: { ...vector('B', [0, 0, 0]), onlyWhen: { param: 'operation', is: ['add', 'subtract', 'cross', 'dot'] } },
+    factor: { ...anyNumber('param.factor', 1), onlyWhen: { param: 'operation', is: 'scale' } },
+  },
+  inputs: {},
+  outputs: { vector: { type: 'vector' }, number: { type: 'number' } },
+  evaluate(_inputs, { operation, a, b, factor }, { node }) {
+    const found = (OPERATIONS[operation as Operation] as (a: Vec3, b: Vec3, factor: number) => Vec3 | number)(
+      a,
+      b,
+      factor,
+    );
+    const result: Vec3 = typeof found === 'number' ? [found, found, found] : found;
+    const number = typeof found === 'number' ? found : length(found);
+    if (Number.isFinite(number)) return { vector: result, number };
+    throw refusal('math.undefined', node, `${operation} of ${a} is beyond all numbers; take smaller ones`);
+  },
+});
