@@ -17,7 +17,7 @@ export async function shootGraph() {
     const viewport = { width: 1440, height: 900 };
     const page = await browser.newPage({ viewport, colorScheme: 'dark', reducedMotion: 'reduce', locale: 'en-GB' });
     await page.goto(`${JSON.parse(line.toString()).url}/?backend=webgl&scene=examples/sphere.usda`);
-    await page.locator('[data-open-source*="sphere"]').waitFor();
+    await page.locator('[data-status="backend"]', { hasText: 'Web' }).waitFor();
     await page.getByRole('button', { name: 'Hide' }).click();
     await page.keyboard.press('Control+Shift+G');
     const node = (id) => page.locator(`.react-flow__node[data-id="${id}"]`);

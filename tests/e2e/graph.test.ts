@@ -157,6 +157,8 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
   await expect.poll(() => node(page, 'box').locator('[data-muted]').count()).toBe(1);
   await page.keyboard.press('m');
   await page.keyboard.press('f');
+  const title = page.getByRole('textbox', { name: 'Title of the frame' });
+  await expect.poll(() => title.evaluate((field) => field === document.activeElement)).toBe(true);
   await page.keyboard.type('Mine');
   await page.keyboard.press('Enter');
   await page.locator('.sl-frame', { hasText: 'Mine' }).waitFor();
@@ -187,8 +189,9 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
 
 it('a large graph on a narrow page, in light colours and in Chinese', async () => {
   const project = JSON.parse(readFileSync(new URL('../../examples/workshop.slowlight.json', import.meta.url), 'utf8'));
-  const { files: _files, ...nodes } = project;
-  const words = JSON.stringify({ ...nodes, format: 'slowlight-nodes' });
+  const { version, nodes, edges: wires, layout, notes, frames, groups } = project;
+  const held = { version, nodes, edges: wires, layout, notes, frames, groups };
+  const words = JSON.stringify({ ...held, format: 'slowlight-nodes' });
   const visit = await opened({ viewport: { width: 390, height: 844 }, colorScheme: 'light', locale: 'zh-CN' });
   const { page } = visit;
   await page.locator('.sl-flow').focus();

@@ -35,8 +35,9 @@ export function Writing({ label, words, long = false, take }: WritingProps): Rea
       end(event.currentTarget.value, false, event.currentTarget),
   };
   const focus = (field: HTMLInputElement | HTMLTextAreaElement | null) => {
-    // After the press that began it is over: the canvas takes the focus with it.
-    if (field) requestAnimationFrame(() => field.select());
+    field?.select();
+    // Where a press began it, the canvas takes the focus with that.
+    if (field) requestAnimationFrame(() => document.activeElement !== field && field.select());
   };
   return long ? <textarea ref={focus} {...common} /> : <input ref={focus} {...common} />;
 }

@@ -92,6 +92,7 @@ function group(context: Context): void {
     const { level, chosen, studio } = context;
     const selection = { nodes: chosen.nodes, group: level.group };
     const { command, node } = groupingOf(level.document, selection, '', nodeLibrary);
+    context.sight.focus();
     studio.edit(command, 'edit.group');
     choose({ nodes: [node] });
   });
@@ -102,6 +103,7 @@ function ungroup(context: Context): void {
   if (node === undefined) return;
   trying(context, () => {
     const { command, nodes } = ungroupingOf(context.level.document, node, context.level.group);
+    context.sight.focus();
     context.studio.edit(command, 'edit.ungroup');
     choose({ nodes });
   });
@@ -109,6 +111,7 @@ function ungroup(context: Context): void {
 
 /** Shows the inside of a group's node. */
 export function enter({ path, sight }: Context, node: string): void {
+  sight.focus();
   canvas.setState({ path: [...path, node], chosen: NOTHING });
   requestAnimationFrame(() => sight.fit());
 }
@@ -116,6 +119,7 @@ export function enter({ path, sight }: Context, node: string): void {
 /** Back to one of the levels around; `depth`: how many groups are still entered. */
 export function leave({ path, sight }: Context, depth: number): void {
   const left = path[depth];
+  sight.focus();
   canvas.setState({ path: path.slice(0, depth), chosen: { ...NOTHING, nodes: left === undefined ? [] : [left] } });
   requestAnimationFrame(() => sight.fit());
 }
@@ -192,9 +196,9 @@ const firstOf = ({ nodes, notes, frames }: Chosen): string | undefined =>
 /** With what is chosen removed. */
 function remove(context: Context): void {
   const { level, chosen, studio } = context;
+  context.sight.focus();
   studio.edit(removing(level, chosen), 'edit.remove');
   choose({});
-  context.sight.focus();
 }
 
 /** Gives the graph nearly all of the picture's room, or back what it took. */

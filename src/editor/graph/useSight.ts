@@ -54,11 +54,16 @@ export function useSight(shown: Shown, panel: React.RefObject<HTMLElement | null
         void flow.setCenter(at[0] + size[0] / 2, at[1] + size[1] / 2, { zoom, duration: duration() });
       },
       focus: (node) => {
+        const give = (selector: string) =>
+          panel.current?.querySelector<HTMLElement>(selector)?.focus({ preventScroll: true });
+        if (node === undefined) {
+          give('.sl-flow');
+          return;
+        }
         // What was just added is drawn first.
         requestAnimationFrame(() => {
-          const selector = node === undefined ? '.sl-flow' : `.react-flow__node[data-id="${node}"]`;
-          panel.current?.querySelector<HTMLElement>(selector)?.focus({ preventScroll: true });
-          if (node !== undefined) sight.show(node);
+          give(`.react-flow__node[data-id="${node}"]`);
+          sight.show(node);
         });
       },
     };
