@@ -60,7 +60,7 @@ export default defineConfig({
           include: ['tests/cli/**/*.test.ts'],
           globalSetup: built,
           pool: 'forks',
-          fileParallelism: false,
+          maxWorkers: 2,
           testTimeout: 180_000,
         },
       },
@@ -70,7 +70,7 @@ export default defineConfig({
           include: ['tests/e2e/**/*.test.ts'],
           globalSetup: built,
           pool: 'forks',
-          fileParallelism: false,
+          maxWorkers: 2,
           testTimeout: 180_000,
           // A new scene's shaders are compiled between frames: its picture comes a second or more after its name.
           expect: { poll: { timeout: 30_000 } },

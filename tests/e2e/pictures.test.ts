@@ -51,17 +51,21 @@ it('a picture that is put together of nodes is drawn, a text that cannot be is r
   });
   await page.ready();
   const text = page.page.getByRole('textbox', { name: 'Shader text' });
+  const write = async (color: string): Promise<void> => {
+    await text.fill(effect(color));
+    await text.press('Control+Enter');
+  };
   await expect.poll(async () => pinkShare(await page.pixels())).toBeLessThan(0.005);
   const before = await page.pixels();
-  await text.fill(effect('p.color.ggg * nothing'));
+  await write('p.color.ggg * nothing');
   await page.refusals.waitFor();
   expect(await page.refusals.textContent()).toMatch(/line 2, column \d+: .*nothing/);
   expect(difference(await page.pixels(), before)).toBeLessThan(0.5);
   await page.shot('shader-text-refused');
-  await text.fill(effect('p.color.rgb'));
+  await write('p.color.rgb');
   await expect.poll(async () => pinkShare(await page.pixels())).toBeGreaterThan(0.03);
   const alpha = page.page.getByRole('textbox', { name: 'Alpha' });
-  await text.fill(effect('p.color.ggg'));
+  await write('p.color.ggg');
   await alpha.fill('1');
   await alpha.press('Enter');
   // The ordinary picture alone.

@@ -8,7 +8,7 @@ export interface Damaged {
 }
 
 const TRUNCATIONS = 20;
-const FLIPS = 1500;
+const FLIPS = 1000;
 const MOVES = 60;
 /** What counts and offsets are set to: a hair below and above what 31, 32 and 63 bits hold. */
 const COUNTS = [2n ** 31n - 1n, 2n ** 32n - 1n, 2n ** 40n, 2n ** 63n - 1n];

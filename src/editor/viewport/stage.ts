@@ -44,8 +44,8 @@ export class Stage {
   readonly #resolution = new Resolution();
   readonly #eye = new Eye(prefersReducedMotion());
   readonly #reader = new Reader();
-  /** Samples along each side of a pixel that resting pictures come to. */
-  readonly #finest: number;
+  /** Samples along each side of a pixel that resting pictures come to; undefined: where the processor draws they stay as they are. */
+  readonly #finest: number | undefined;
   #scale = 1;
   /** In the renderer now. */
   #scenes: readonly Scene[] = [];
@@ -88,7 +88,7 @@ export class Stage {
         if (stage) stage.#lose(error);
       },
     });
-    stage = new Stage(canvas, renderer, studio, pilot, software ? 4 : 8);
+    stage = new Stage(canvas, renderer, studio, pilot, software ? undefined : 8);
     return stage;
   }
 
@@ -97,7 +97,7 @@ export class Stage {
     renderer: SceneRenderer,
     studio: Studio,
     pilot: Pilot,
-    finest: number,
+    finest: number | undefined,
   ) {
     this.#finest = finest;
     this.#studio = studio;
@@ -161,7 +161,8 @@ export class Stage {
   /** A sample more of what rests, unless something else is on its way; the canvas tells when it has them all. */
   #refine(): void {
     if (!this.#shown || this.#uploading || this.#prepares || this.#waits) return;
-    this.#canvas.toggleAttribute('data-finest', !this.#renderer.refine(this.#finest));
+    const goesOn = this.#finest !== undefined && this.#renderer.refine(this.#finest);
+    this.#canvas.toggleAttribute('data-finest', !goesOn);
   }
 
   /** For the legend, what is pointed at. */
