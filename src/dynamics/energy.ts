@@ -1,0 +1,53 @@
+import type { Vec3 } from '../math/vec3.ts';
+import type { State, System } from './system.ts';
+
+/** What a state has, in the world frame. */
+export interface Ledger {
+  /** Σ (γ − 1) m c² [J] */
+  readonly kinetic: number;
+  /** V [J] */
+  readonly potential: number;
+  /** Both [J]; without what the masses are at rest. */
+  readonly total: number;
+  /** Σ p [kg m/s] */
+  readonly momentum: Vec3;
+  /** Σ x × p about the origin [kg m²/s]; of what is not pinned. */
+  readonly angularMomentum: Vec3;
+  /** Speed of the fastest point [m/s]. */
+  readonly fastest: number;
+}
+
+export function ledger(system: System, state: State): Ledger {
+  const { c, masses } = system;
+  const { x, p } = state;
+  const momentum: [number, number, number] = [0, 0, 0];
+  const angularMomentum: [number, number, number] = [0, 0, 0];
+  let fastest = 0;
+  for (let j = 0; j < x.length; j += 3) {
+    const square = p[j] ** 2 + p[j + 1] ** 2 + p[j + 2] ** 2;
+    fastest = Math.max(fastest, square / (masses[j / 3] ** 2 + square / (c * c)));
+    for (let k = 0; k < 3; k++) {
+      const [a, b] = [(k + 1) % 3, (k + 2) % 3];
+      momentum[k] += p[j + k];
+      angularMomentum[k] += x[j + a] * p[j + b] - x[j + b] * p[j + a];
+    }
+  }
+  const kinetic = kineticEnergy(system, p);
+  const potential = potentialEnergy(system, x);
+  return { kinetic, potential, total: kinetic + potential, momentum, angularMomentum, fastest: Math.sqrt(fastest) };
+}
+
+/** Σ (γ − 1) m c² = Σ p²/(γm + m) [J], which is p²/2m where c = ∞. */
+export function kineticEnergy({ c, masses }: System, p: Float64Array): number {
+  const perSquare = 1 / (c * c);
+  let sum = 0;
+  for (let i = 0, j = 0; i < masses.length; i++, j += 3) {
+    const square = p[j] * p[j] + p[j + 1] * p[j + 1] + p[j + 2] * p[j + 2];
+    sum += square / (Math.sqrt(masses[i] * masses[i] + square * perSquare) + masses[i]);
+  }
+  return sum;
+}
+
+/** V [J] */
+export const potentialEnergy = ({ forces }: System, x: Float64Array): number =>
+  forces.reduce((sum, force) => sum + force.energy(x), 0);

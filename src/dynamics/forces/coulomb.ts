@@ -1,0 +1,34 @@
+import { type PairLaw, Pairs } from './pairs.ts';
+
+/** 1/4πε₀ [N m²/C²], CODATA 2022. */
+export const COULOMB = 8.987551786e9;
+
+/** Charges that push each other apart, or together: V = Σ k q_i q_j/r over all pairs. At once, as springs do. `strength`: k [N m²/C²]. */
+export function coulomb(charges: Float64Array, strength = COULOMB): Pairs {
+  const ends: number[] = [];
+  const products: number[] = [];
+  for (let i = 0; i < charges.length; i++)
+    for (let j = i + 1; j < charges.length; j++) {
+      if (charges[i] * charges[j] === 0) continue;
+      ends.push(i, j);
+      products.push(strength * charges[i] * charges[j]);
+    }
+  return new Pairs(Uint32Array.from(ends), new InverseSquare(products));
+}
+
+class InverseSquare implements PairLaw {
+  /** k q q′ [N m²] */
+  private readonly k: readonly number[];
+
+  constructor(k: readonly number[]) {
+    this.k = k;
+  }
+
+  energy = (r: number, s: number): number => this.k[s] / r;
+  slope = (r: number, s: number): number => -this.k[s] / (r * r);
+  curvature = (r: number, s: number): number => (2 * this.k[s]) / (r * r * r);
+  /** (1/r₁ − 1/r₀)/(r₁² − r₀²) = −1/(r₀ r₁ (r₀ + r₁)) */
+  quotient = (r0: number, r1: number, s: number): number => -this.k[s] / (r0 * r1 * (r0 + r1));
+  /** Without a bound: the nearer the stiffer. */
+  rigidity = (): number => 0;
+}

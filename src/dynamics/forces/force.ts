@@ -1,0 +1,43 @@
+/** What has a potential V(x) of the points' places. x, y, z of one point after the other; N, m, J. */
+export interface Force {
+  /** V [J] */
+  energy(x: Float64Array): number;
+  /** sum −= ∇V */
+  add(x: Float64Array, sum: Float64Array): void;
+  /**
+   * sum −= ∇̄V, a discrete gradient: ∇̄V(x₀, x₁)·(x₁ − x₀) = V(x₁) − V(x₀) for any two places, and ∇V where they are one.
+   * Source: Gonzalez 1996, J. Nonlinear Sci. 6, 449; Hairer, Lubich, Wanner, "Geometric Numerical Integration", §V.5.
+   */
+  addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void;
+  stiffness(x: Float64Array, form: StiffnessForm): Stiffness;
+  /** bound_i += what bounds Σ_j |∂²V/∂x_i∂x_j| wherever the points are, of V's parts that pull back [N/m]. */
+  addRigidity(bound: Float64Array): void;
+}
+
+/**
+ * ∇²V, `exact` at a place; `safe` without its negative parts, so that it pulls back in all directions; or `isotropic`, as if the pull came from a fixed place and were as hard in all
+ * directions: what methods that go between local and global steps take for it.
+ */
+export type StiffnessForm = 'exact' | 'safe' | 'isotropic';
+
+/** A second derivative, as it is used: by products with displacements. */
+export interface Stiffness {
+  /** sum += ∇²V u */
+  multiply(u: Float64Array, sum: Float64Array): void;
+  /** Its 3 × 3 blocks on the diagonal: `blocks` holds six numbers a point, xx, xy, xz, yy, yz, zz. */
+  addBlocks(blocks: Float64Array): void;
+}
+
+/** Adds s·(a I + b n nᵀ) to the block of a point. */
+export function addBlock(blocks: Float64Array, point: number, a: number, b: number, n: Direction): void {
+  const k = 6 * point;
+  const [x, y, z] = n;
+  blocks[k] += a + b * x * x;
+  blocks[k + 1] += b * x * y;
+  blocks[k + 2] += b * x * z;
+  blocks[k + 3] += a + b * y * y;
+  blocks[k + 4] += b * y * z;
+  blocks[k + 5] += a + b * z * z;
+}
+
+type Direction = readonly [number, number, number];

@@ -1,0 +1,138 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { uniform as between } from '../../../tests/physicsArbitraries.ts';
+import { barrier, box, plane } from './barrier.ts';
+import { ballContacts, Penalty } from './contact.ts';
+import { coulomb } from './coulomb.ts';
+import type { Force, Stiffness } from './force.ts';
+import { NearPairs } from './near.ts';
+import { springs } from './springs.ts';
+import { uniform } from './uniform.ts';
+
+const POINTS = 4;
+const places = (size = 1.5): fc.Arbitrary<Float64Array> =>
+  fc.array(between(-size, size), { minLength: 3 * POINTS, maxLength: 3 * POINTS }).map((x) => Float64Array.from(x));
+
+const FORCES: readonly (readonly [string, Force])[] = [
+  [
+    'springs',
+    springs({
+      ends: Uint32Array.of(0, 1, 1, 2, 0, 3, 2, 3),
+      stiffness: Float64Array.of(3, 100, 0.2, 7),
+      lengths: Float64Array.of(1, 0.4, 0, 2),
+    }),
+  ],
+  ['charges', coulomb(Float64Array.of(1, -2, 0, 0.5), 1)],
+  ['weight', uniform(Float64Array.of(1, 2, 0.5, 4), [0.3, -9.8, 1])],
+  [
+    'balls',
+    ballContacts(
+      [
+        { point: 1, radius: 0.9 },
+        { point: 3, radius: 0.6 },
+      ],
+      [0, 2],
+      { stiffness: 50, scale: 1.1 },
+    ),
+  ],
+  ['a plane', barrier(plane([0, 0.2, 0], [0.2, 1, -0.1]), [0, 1, 2, 3], 80, 0.05)],
+  ['a box', barrier(box([0.1, 0, 0], [1.8, 1.2, 2]), [0, 1, 2, 3], 80, 0.1)],
+  ['points that are near', new NearPairs(Int32Array.of(0, 0, 1, 1), 1, new Penalty(60, () => 1))],
+];
+
+const zeros = (): Float64Array => new Float64Array(3 * POINTS);
+const forceOf = (force: Force, x: Float64Array): Float64Array => {
+  const sum = zeros();
+  force.add(x, sum);
+  return sum;
+};
+const inner = (a: Float64Array, b: Float64Array): number => a.reduce((sum, value, j) => sum + value * b[j], 0);
+const along = (x: Float64Array, u: Float64Array, s: number): Float64Array => x.map((value, j) => value + s * u[j]);
+/** Charges that nearly touch push harder than numbers can be compared. */
+const apart = (x: Float64Array): boolean =>
+  [0, 1, 2].every((i) =>
+    [1, 2, 3].every(
+      (j) => j <= i || Math.hypot(x[3 * i] - x[3 * j], x[3 * i + 1] - x[3 * j + 1], x[3 * i + 2] - x[3 * j + 2]) > 0.2,
+    ),
+  );
+
+/** Inside of the box there are places from which two ways out are as short. */
+const oneWayOut = (x: Float64Array): boolean =>
+  [0, 1, 2, 3].every((i) => {
+    const over = [Math.abs(x[3 * i] - 0.1) - 0.9, Math.abs(x[3 * i + 1]) - 0.6, Math.abs(x[3 * i + 2]) - 1].sort(
+      (a, b) => b - a,
+    );
+    return over[0] > 0 || over[0] - over[1] > 1e-3;
+  });
+
+function productOf(stiffness: Stiffness, u: Float64Array): Float64Array {
+  const product = zeros();
+  stiffness.multiply(u, product);
+  return product;
+}
+
+describe.each(FORCES)('%s', (name, force) => {
+  it('push against the slope of their potential', () => {
+    fc.assert(
+      fc.property(places(), places(), (x, u) => {
+        fc.pre(apart(x) && (name !== 'a box' || oneWayOut(x)));
+        const s = 1e-5;
+        const slope = (force.energy(along(x, u, s)) - force.energy(along(x, u, -s))) / (2 * s);
+        expect(Math.abs(inner(forceOf(force, x), u) + slope)).toBeLessThan(2e-3 * (1 + Math.abs(slope)));
+      }),
+    );
+  });
+
+  it('do in the mean exactly the work that their potential loses', () => {
+    fc.assert(
+      fc.property(places(), places(), (x0, x1) => {
+        fc.pre(apart(x0) && apart(x1));
+        const mean = zeros();
+        force.addMean(x0, x1, mean);
+        const work = inner(mean, along(x1, x0, -1));
+        const scale = Math.abs(force.energy(x0)) + Math.abs(force.energy(x1)) + 1;
+        expect(Math.abs(work + force.energy(x1) - force.energy(x0))).toBeLessThan(1e-12 * scale);
+      }),
+    );
+  });
+
+  it('are in the mean what they are, where nothing moves', () => {
+    fc.assert(
+      fc.property(places(), (x) => {
+        fc.pre(apart(x));
+        const mean = zeros();
+        force.addMean(x, x, mean);
+        forceOf(force, x).forEach((value, j) => {
+          expect(Math.abs(mean[j] - value)).toBeLessThan(1e-10 * (1 + Math.abs(value)));
+        });
+      }),
+    );
+  });
+});
+
+// The edges of a box bend, and that its stiffness leaves out.
+describe.each(FORCES.filter(([name]) => name !== 'a box'))('%s', (_, force) => {
+  it('have a stiffness that is the slope of the force, with blocks that are its own', () => {
+    fc.assert(
+      fc.property(places(), places(), (x, u) => {
+        fc.pre(apart(x));
+        const s = 1e-6;
+        const [ahead, behind] = [along(x, u, s), along(x, u, -s)];
+        const [product, later, earlier] = [x, ahead, behind].map((at) => productOf(force.stiffness(at, 'exact'), u));
+        // Where something touches just now there is a kink.
+        fc.pre(Math.hypot(...along(later, earlier, -1)) < 1e-2 * (1 + Math.hypot(...product)));
+        const change = along(forceOf(force, ahead), forceOf(force, behind), -1);
+        const off = along(product, change, 1 / (2 * s));
+        expect(Math.hypot(...off)).toBeLessThan(1e-3 * (1 + Math.hypot(...product)));
+        const blocks = new Float64Array(6 * POINTS);
+        force.stiffness(x, 'exact').addBlocks(blocks);
+        for (let j = 0; j < 3 * POINTS; j++) {
+          const unit = zeros();
+          unit[j] = 1;
+          const column = productOf(force.stiffness(x, 'exact'), unit);
+          expect(blocks[6 * Math.floor(j / 3) + [0, 3, 5][j % 3]]).toBeCloseTo(column[j], 8);
+        }
+      }),
+    );
+  });
+});

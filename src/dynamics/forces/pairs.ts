@@ -1,0 +1,143 @@
+import { addBlock, type Force, type Stiffness, type StiffnessForm } from './force.ts';
+
+/** A potential φ of the distance of two points. */
+export interface PairLaw {
+  /** φ(r) [J] */
+  energy(r: number, pair: number): number;
+  /** φ′(r) [N] */
+  slope(r: number, pair: number): number;
+  /** φ″(r) [N/m] */
+  curvature(r: number, pair: number): number;
+  /** (φ(r₁) − φ(r₀))/(r₁² − r₀²), without its cancellation; φ′/2r where r₁ = r₀ [N/m]. */
+  quotient(r0: number, r1: number, pair: number): number;
+  /** The most that φ″ and φ′/r are above 0 [N/m]. */
+  rigidity(pair: number): number;
+}
+
+/**
+ * A force along the line between two points, for each of many pairs: V = Σ φ(|x_i − x_j|). Its discrete gradient
+ * (φ(r₁) − φ(r₀))/(r₁² − r₀²)·(d₀ + d₁), d = x_i − x_j, keeps momentum, and angular momentum too, for it is symmetric in the ends.
+ */
+export class Pairs implements Force {
+  /** Both ends, pair after pair. */
+  private readonly ends: Uint32Array;
+  private readonly law: PairLaw;
+
+  constructor(ends: Uint32Array, law: PairLaw) {
+    this.ends = ends;
+    this.law = law;
+  }
+
+  energy(x: Float64Array): number {
+    const { ends, law } = this;
+    let sum = 0;
+    for (let s = 0; 2 * s < ends.length; s++) sum += law.energy(between(x, 3 * ends[2 * s], 3 * ends[2 * s + 1]), s);
+    return sum;
+  }
+
+  add(x: Float64Array, sum: Float64Array): void {
+    const { ends, law } = this;
+    for (let s = 0; 2 * s < ends.length; s++) {
+      const [i, j] = [3 * ends[2 * s], 3 * ends[2 * s + 1]];
+      const r = between(x, i, j);
+      if (r > 0) push(sum, i, j, x, x, law.slope(r, s) / (2 * r));
+    }
+  }
+
+  addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
+    const { ends, law } = this;
+    for (let s = 0; 2 * s < ends.length; s++) {
+      const [i, j] = [3 * ends[2 * s], 3 * ends[2 * s + 1]];
+      const [r0, r1] = [between(x0, i, j), between(x1, i, j)];
+      if (r0 + r1 > 0) push(sum, i, j, x0, x1, law.quotient(r0, r1, s));
+    }
+  }
+
+  stiffness(x: Float64Array, form: StiffnessForm): Stiffness {
+    const { ends } = this;
+    const count = ends.length / 2;
+    /** Of each pair: a and b n of a I + b n nᵀ, and n. */
+    const known = new Float64Array(5 * count);
+    for (let s = 0; s < count; s++) {
+      const [i, j] = [3 * ends[2 * s], 3 * ends[2 * s + 1]];
+      const r = between(x, i, j);
+      if (r === 0) continue;
+      const [across, along] = this.curvatures(r, s, form);
+      known[5 * s] = across;
+      known[5 * s + 1] = along - across;
+      for (let k = 0; k < 3; k++) known[5 * s + 2 + k] = (x[i + k] - x[j + k]) / r;
+    }
+    return new PairStiffness(ends, known);
+  }
+
+  /** φ′/r, across the line between the ends, and φ″, along it. */
+  private curvatures(r: number, s: number, form: StiffnessForm): readonly [across: number, along: number] {
+    const { law } = this;
+    const [across, along] = [law.slope(r, s) / r, law.curvature(r, s)];
+    if (form === 'exact') return [across, along];
+    if (form === 'safe') return [Math.max(0, across), Math.max(0, along)];
+    // What does not pull now may be out of reach.
+    const k = along > 0 ? law.rigidity(s) : 0;
+    return [k, k];
+  }
+
+  addRigidity(bound: Float64Array): void {
+    const { ends, law } = this;
+    for (let s = 0; 2 * s < ends.length; s++) {
+      const k = 2 * law.rigidity(s);
+      bound[ends[2 * s]] += k;
+      bound[ends[2 * s + 1]] += k;
+    }
+  }
+}
+
+function between(x: Float64Array, i: number, j: number): number {
+  const [dx, dy, dz] = [x[i] - x[j], x[i + 1] - x[j + 1], x[i + 2] - x[j + 2]];
+  return Math.sqrt(dx * dx + dy * dy + dz * dz);
+}
+
+/** sum −= ±k(d₀ + d₁) */
+function push(sum: Float64Array, i: number, j: number, x0: Float64Array, x1: Float64Array, k: number): void {
+  for (let axis = 0; axis < 3; axis++) {
+    const f = k * (x0[i + axis] - x0[j + axis] + (x1[i + axis] - x1[j + axis]));
+    sum[i + axis] -= f;
+    sum[j + axis] += f;
+  }
+}
+
+class PairStiffness implements Stiffness {
+  private readonly ends: Uint32Array;
+  private readonly known: Float64Array;
+
+  constructor(ends: Uint32Array, known: Float64Array) {
+    this.ends = ends;
+    this.known = known;
+  }
+
+  multiply(u: Float64Array, sum: Float64Array): void {
+    const { ends, known } = this;
+    for (let s = 0, k = 0; 2 * s < ends.length; s++, k += 5) {
+      const i = 3 * ends[2 * s];
+      const j = 3 * ends[2 * s + 1];
+      const [dx, dy, dz] = [u[i] - u[j], u[i + 1] - u[j + 1], u[i + 2] - u[j + 2]];
+      const [a, nx, ny, nz] = [known[k], known[k + 2], known[k + 3], known[k + 4]];
+      const along = known[k + 1] * (dx * nx + dy * ny + dz * nz);
+      const [fx, fy, fz] = [a * dx + along * nx, a * dy + along * ny, a * dz + along * nz];
+      sum[i] += fx;
+      sum[i + 1] += fy;
+      sum[i + 2] += fz;
+      sum[j] -= fx;
+      sum[j + 1] -= fy;
+      sum[j + 2] -= fz;
+    }
+  }
+
+  addBlocks(blocks: Float64Array): void {
+    const { ends, known } = this;
+    for (let s = 0, k = 0; 2 * s < ends.length; s++, k += 5) {
+      const n = [known[k + 2], known[k + 3], known[k + 4]] as const;
+      addBlock(blocks, ends[2 * s], known[k], known[k + 1], n);
+      addBlock(blocks, ends[2 * s + 1], known[k], known[k + 1], n);
+    }
+  }
+}

@@ -1,0 +1,63 @@
+import { inner } from './inner.ts';
+
+/** How a linear system was left. */
+export interface Solved {
+  readonly iterations: number;
+  /** |r| ≤ tolerance · |b| */
+  readonly converged: boolean;
+  /** The matrix turned out not to be positive definite: there is a direction u with uᵀAu ≤ 0. */
+  readonly indefinite: boolean;
+}
+
+/** A symmetric matrix as it is used. */
+export interface Matrix {
+  /** out = A u */
+  multiply(u: Float64Array, out: Float64Array): void;
+  /** out = P⁻¹ u of a preconditioner P that is symmetric and positive definite. */
+  precondition(u: Float64Array, out: Float64Array): void;
+}
+
+/**
+ * A x = b by preconditioned conjugate gradients, from the x that is given. Our own: npm has no kept sparse solver without WebAssembly, which the page's
+ * `script-src 'self'` forbids; and as A changes with every step, nothing would be gained by factors. Source: Hestenes and Stiefel 1952; Shewchuk 1994, §B3.
+ */
+export class ConjugateGradients {
+  private readonly r: Float64Array;
+  private readonly z: Float64Array;
+  private readonly d: Float64Array;
+  private readonly Ad: Float64Array;
+
+  constructor(size: number) {
+    this.r = new Float64Array(size);
+    this.z = new Float64Array(size);
+    this.d = new Float64Array(size);
+    this.Ad = new Float64Array(size);
+  }
+
+  solve(A: Matrix, b: Float64Array, x: Float64Array, tolerance: number, most: number): Solved {
+    const { r, z, d, Ad } = this;
+    A.multiply(x, Ad);
+    for (let i = 0; i < r.length; i++) r[i] = b[i] - Ad[i];
+    A.precondition(r, z);
+    d.set(z);
+    let rz = inner(r, z);
+    const enough = tolerance * tolerance * inner(b, b);
+    for (let iterations = 0; iterations < most; iterations++) {
+      if (inner(r, r) <= enough) return { iterations, converged: true, indefinite: false };
+      A.multiply(d, Ad);
+      const dAd = inner(d, Ad);
+      if (!(dAd > 0)) return { iterations, converged: false, indefinite: true };
+      const alpha = rz / dAd;
+      for (let i = 0; i < r.length; i++) {
+        x[i] += alpha * d[i];
+        r[i] -= alpha * Ad[i];
+      }
+      A.precondition(r, z);
+      const next = inner(r, z);
+      const beta = next / rz;
+      rz = next;
+      for (let i = 0; i < r.length; i++) d[i] = z[i] + beta * d[i];
+    }
+    return { iterations: most, converged: inner(r, r) <= enough, indefinite: false };
+  }
+}

@@ -1,0 +1,103 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { random } from '../../math/random.ts';
+import type { Stiffness } from '../forces/force.ts';
+import { springs } from '../forces/springs.ts';
+import { Anderson } from './anderson.ts';
+import { ConjugateGradients } from './conjugateGradients.ts';
+import { StepMatrix } from './stepMatrix.ts';
+
+const N = 6;
+
+/** Springs between all points, drawn out or pressed together. */
+function net(seed: number, form: 'exact' | 'safe' | 'isotropic', size: number): Stiffness {
+  const next = random(seed);
+  const ends = Array.from({ length: N * N }, (_, k) => [Math.floor(k / N), k % N]).filter(([i, j]) => i < j);
+  const force = springs({
+    ends: Uint32Array.from(ends.flat()),
+    stiffness: Float64Array.from(ends, () => 5 * next()),
+    lengths: Float64Array.from(ends, () => next()),
+  });
+  return force.stiffness(
+    Float64Array.from({ length: 3 * N }, () => size * next()),
+    form,
+  );
+}
+
+function matrix(seed: number, form: 'exact' | 'safe' | 'isotropic', size = 2): StepMatrix {
+  const next = random(seed + 1);
+  const weights = Float64Array.from({ length: N }, () => 0.5 + next());
+  const u = Float64Array.from({ length: 3 * N }, () => 2 * next() - 1);
+  return new StepMatrix(Uint8Array.of(0, 1, 0, 0, 0, 0), [net(seed, form, size)], 1, weights, u);
+}
+
+const column = (A: StepMatrix, j: number): Float64Array => {
+  const [unit, out] = [new Float64Array(3 * N), new Float64Array(3 * N)];
+  unit[j] = 1;
+  A.multiply(unit, out);
+  return out;
+};
+
+describe('the matrix of a step', () => {
+  it('is symmetric among what moves, whatever the velocities', () => {
+    fc.assert(
+      fc.property(fc.integer(), (seed) => {
+        const columns = Array.from({ length: 3 * N }, (_, j) => column(matrix(seed, 'exact'), j));
+        for (let i = 0; i < 3 * N; i++)
+          for (let j = 0; j < 3 * N; j++)
+            if (Math.floor(i / 3) !== 1 && Math.floor(j / 3) !== 1)
+              expect(columns[j][i]).toBeCloseTo(columns[i][j], 12);
+      }),
+      { numRuns: 20 },
+    );
+  });
+});
+
+describe('conjugate gradients', () => {
+  it('solve what they are given, and leave alone what is pinned', () => {
+    fc.assert(
+      fc.property(fc.integer(), fc.constantFrom('safe', 'isotropic'), (seed, form) => {
+        const A = matrix(seed, form);
+        const next = random(seed + 2);
+        const wanted = Float64Array.from({ length: 3 * N }, (_, j) => (Math.floor(j / 3) === 1 ? 0 : next() - 0.5));
+        const b = new Float64Array(3 * N);
+        A.multiply(wanted, b);
+        const x = new Float64Array(3 * N);
+        const { converged, iterations } = new ConjugateGradients(3 * N).solve(A, b, x, 1e-12, 200);
+        expect(converged).toBe(true);
+        expect(iterations).toBeLessThan(3 * N + 5);
+        x.forEach((value, j) => {
+          expect(value).toBeCloseTo(wanted[j], 9);
+        });
+      }),
+    );
+  });
+
+  it('say where a matrix is not positive definite, as of springs that are pressed together', () => {
+    const A = matrix(3, 'exact', 0.1);
+    const b = new Float64Array(3 * N).fill(1);
+    b.fill(0, 3, 6);
+    const { indefinite, converged } = new ConjugateGradients(3 * N).solve(A, b, new Float64Array(3 * N), 1e-12, 200);
+    expect([indefinite, converged]).toEqual([true, false]);
+  });
+});
+
+describe('Anderson’s mixing', () => {
+  it('finds the end of a linear row in as many rounds as there are unknowns, also where the row itself runs away', () => {
+    // x → Bx + b with eigenvalues 0.9, −1.4 and 0.3: its end is (1 − B)⁻¹ b.
+    const [B, b] = [
+      [0.9, -1.4, 0.3],
+      [1, 2, 3],
+    ];
+    const x = Float64Array.of(0, 0, 0);
+    const mixing = new Anderson();
+    for (let round = 0; round < 5; round++)
+      mixing.next(
+        x,
+        Float64Array.from(x, (value, k) => B[k] * value + b[k] - value),
+      );
+    x.forEach((value, k) => {
+      expect(value).toBeCloseTo(b[k] / (1 - B[k]), 8);
+    });
+  });
+});

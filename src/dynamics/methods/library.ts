@@ -1,0 +1,19 @@
+import { discreteGradient, implicitMidpoint } from './implicit.ts';
+import type { Method } from './method.ts';
+import { linearlyImplicit, localGlobal, semiImplicitEuler } from './sources.ts';
+import { leapfrog, yoshida4, yoshida6, yoshida8 } from './splitting.ts';
+
+const CORRECTIONS = [0, 1, 2, 3] as const;
+
+/** All methods by their ids; those of the source documents by their correction too (`local-global-2`). */
+export const METHODS: ReadonlyMap<string, Method> = new Map(
+  [
+    discreteGradient,
+    implicitMidpoint,
+    leapfrog,
+    yoshida4,
+    yoshida6,
+    yoshida8,
+    ...[semiImplicitEuler, linearlyImplicit, localGlobal].flatMap((family) => CORRECTIONS.map(family)),
+  ].map((method) => [method.id, method]),
+);

@@ -1,0 +1,46 @@
+import type { State, System } from '../system.ts';
+
+/** A way to go from one time to the next. */
+export interface Method {
+  readonly id: string;
+  /** The error of a given time grows like this power of the step. */
+  readonly order: number;
+  /** Steps longer than 2/ω of the fastest oscillation run away. */
+  readonly bounded: boolean;
+  begin(system: System): Stepper;
+}
+
+/** What a method does with one system; it keeps room for its work. */
+export interface Stepper {
+  /** Takes the state h [s] further. Throws a StepFailure where it cannot; the state is then worth nothing. */
+  step(state: State, h: number): void;
+}
+
+/** Why a step could not be done. */
+export type Failure =
+  /** A point reached the speed of light. */
+  | 'light'
+  /** The matrix of a linear step is not positive definite any more. */
+  | 'indefinite'
+  /** The equations of an implicit step were not solved. */
+  | 'unsolved'
+  /** Something is no number. */
+  | 'infinite';
+
+export class StepFailure extends Error {
+  readonly reason: Failure;
+  /** That it happened to first, where it is one. */
+  readonly point: number | undefined;
+
+  constructor(reason: Failure, message: string, point?: number) {
+    super(message);
+    this.reason = reason;
+    this.point = point;
+  }
+}
+
+/** The force of all potentials on each point [N]. */
+export function forceAt({ forces }: System, x: Float64Array, out: Float64Array): void {
+  out.fill(0);
+  for (const force of forces) force.add(x, out);
+}

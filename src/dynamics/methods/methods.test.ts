@@ -1,0 +1,296 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { uniform as between } from '../../../tests/physicsArbitraries.ts';
+import { cross, type Vec3 } from '../../math/vec3.ts';
+import { ledger } from '../energy.ts';
+import { Penalty } from '../forces/contact.ts';
+import { coulomb } from '../forces/coulomb.ts';
+import { Pairs } from '../forces/pairs.ts';
+import { springs } from '../forces/springs.ts';
+import { uniform } from '../forces/uniform.ts';
+import { copyOf, makeSystem, momenta, type State, type System, velocities } from '../system.ts';
+import { METHODS } from './library.ts';
+import type { Method } from './method.ts';
+
+const method = (id: string): Method => METHODS.get(id)!;
+/** Those with momenta as their state, which keep below c by construction. */
+const OURS = ['discrete-gradient', 'implicit-midpoint', 'leapfrog', 'yoshida-4', 'yoshida-6', 'yoshida-8'] as const;
+const OF_SOURCES = [...METHODS.keys()].filter((id) => !OURS.includes(id as (typeof OURS)[number]));
+
+function follow(system: System, start: State, by: Method, time: number, steps: number): State {
+  const state = copyOf(start);
+  const stepper = by.begin(system);
+  for (let i = 0; i < steps; i++) stepper.step(state, time / steps);
+  return state;
+}
+
+const distance = (a: Float64Array, b: Float64Array): number => Math.hypot(...a.map((value, j) => value - b[j]));
+const moving = (system: System, x: readonly number[], v: readonly number[]): State => ({
+  t: 0,
+  x: Float64Array.from(x),
+  p: momenta(system, v),
+});
+
+/** A point on a spring of length 0 to one that is pinned in the origin. */
+const oscillator = (c: number, k: number): System =>
+  makeSystem({
+    masses: Float64Array.of(1, 1),
+    pinned: Uint8Array.of(1, 0),
+    c,
+    forces: [springs({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(0) })],
+  });
+
+/** Complete elliptic integrals K(m) and E(m), by the arithmetic-geometric mean (Abramowitz and Stegun §17.6). */
+function elliptic(m: number): readonly [K: number, E: number] {
+  let [a, b, c, power, sum] = [1, Math.sqrt(1 - m), Math.sqrt(m), 0.5, 0.5 * m];
+  while (Math.abs(c) > 1e-16) {
+    [a, b, c] = [(a + b) / 2, Math.sqrt(a * b), (a - b) / 2];
+    power *= 2;
+    sum += power * c * c;
+  }
+  const K = Math.PI / (2 * a);
+  return [K, K * (1 - sum)];
+}
+
+/**
+ * Of √(p²c² + m²c⁴) + ½kx² with amplitude A: T = (4/ω)√… by the elliptic integrals: with a = kA²/2mc², γ = 1 + a cos²θ,
+ * T = (4A/c√a) [√(2 + a) E(n) − K(n)/√(2 + a)], n = a/(2 + a).
+ */
+function period(c: number, k: number, A: number): number {
+  const a = (k * A * A) / (2 * c * c);
+  const [K, E] = elliptic(a / (2 + a));
+  return ((4 * A) / (c * Math.sqrt(a))) * (Math.sqrt(2 + a) * E - K / Math.sqrt(2 + a));
+}
+
+describe.each(OURS)('%s', (id) => {
+  it('follows the hyperbola of a constant force: x = (√(1 + (Ft/mc)²) − 1) mc²/F', () => {
+    const [c, F, time] = [3, 20, 2];
+    const system = makeSystem({ masses: Float64Array.of(1.5), c, forces: [uniform(Float64Array.of(1), [0, F, 0])] });
+    const end = follow(system, moving(system, [0, 0, 0], [0, 0, 0]), method(id), time, 4000);
+    const s = (F * time) / (1.5 * c);
+    expect(end.x[1]).toBeCloseTo(((Math.hypot(1, s) - 1) * 1.5 * c * c) / F, 5);
+    expect(end.p[1]).toBeCloseTo(F * time, 8);
+  });
+
+  it.each([
+    [0.01, 'slowly'],
+    [1, ''],
+    [6, 'at nearly c'],
+  ])('swings as elliptic integrals say, by %s m', (A) => {
+    const [c, k] = [1, 1];
+    const T = period(c, k, A);
+    const system = oscillator(c, k);
+    const end = follow(system, moving(system, [0, 0, 0, A, 0, 0], [0, 0, 0, 0, 0, 0]), method(id), T, 4000);
+    expect(Math.abs(end.x[3] / A - 1)).toBeLessThan(2e-5);
+    expect(Math.abs(end.x[4])).toBe(0);
+  });
+
+  it('keeps a circle: γmv²/r = k r', () => {
+    const [c, r, beta] = [2, 1.5, 0.8];
+    const gamma = 1 / Math.sqrt(1 - beta * beta);
+    const k = (gamma * (beta * c) ** 2) / (r * r);
+    const system = oscillator(c, k);
+    const start = moving(system, [0, 0, 0, r, 0, 0], [0, 0, 0, 0, beta * c, 0]);
+    const end = follow(system, start, method(id), (2 * Math.PI * r) / (beta * c), 3000);
+    expect(distance(end.x, start.x)).toBeLessThan(2e-4);
+    const [L0, L1] = [ledger(system, start).angularMomentum[2], ledger(system, end).angularMomentum[2]];
+    expect(Math.abs(L1 / L0 - 1)).toBeLessThan(1e-12);
+  });
+
+  it('goes round in a magnetic field at ω = qB/γm, at the speed that it has', () => {
+    const [c, q, B, beta] = [1, 2, 0.7, 0.9];
+    const system = makeSystem({
+      masses: Float64Array.of(1.5),
+      c,
+      charges: Float64Array.of(q),
+      magneticField: [0, 0, B],
+    });
+    const gamma = 1 / Math.sqrt(1 - beta * beta);
+    const start = moving(system, [0, 0, 0], [beta, 0, 0]);
+    const quarter = ((Math.PI / 2) * gamma * 1.5) / (q * B);
+    const end = follow(system, start, method(id), quarter, 3000);
+    const radius = Math.abs(start.p[0]) / (q * B);
+    // F = q v × B: to the right of the way, looking along −B.
+    expect(end.x[0]).toBeCloseTo(radius, 5);
+    expect(end.x[1]).toBeCloseTo(-radius, 5);
+    expect(Math.hypot(...end.p) / Math.hypot(...start.p)).toBeCloseTo(1, 11);
+  });
+
+  it('keeps momentum and angular momentum of what is free, and comes back when it is run backwards', () => {
+    const velocity = fc.tuple(between(-1, 1), between(-1, 1), between(-1, 1)).map(([x, y, z]): Vec3 => {
+      const size = Math.max(1, Math.hypot(x, y, z) * 1.25);
+      return [x / size, y / size, z / size];
+    });
+    const system = free();
+    fc.assert(
+      fc.property(fc.array(velocity, { minLength: 4, maxLength: 4 }), (v) => {
+        const start = moving(system, TETRAHEDRON, v.flat());
+        const [before, end] = [ledger(system, start), follow(system, start, method(id), 0.5, 40)];
+        const later = ledger(system, end);
+        for (let k = 0; k < 3; k++) {
+          expect(later.momentum[k]).toBeCloseTo(before.momentum[k], 11);
+          expect(later.angularMomentum[k]).toBeCloseTo(before.angularMomentum[k], 10);
+        }
+        const back = follow(system, { ...end, p: end.p.map((value) => -value) }, method(id), 0.5, 40);
+        expect(distance(back.x, start.x)).toBeLessThan(1e-9);
+      }),
+      { numRuns: 20 },
+    );
+  });
+
+  it('is of the order that it says', () => {
+    const system = free();
+    const start = moving(system, TETRAHEDRON, SPIN);
+    const exact = follow(system, start, method('yoshida-8'), 1, 4000);
+    const errors = [20, 40].map((steps) => distance(follow(system, start, method(id), 1, steps).x, exact.x));
+    const { order } = method(id);
+    expect(Math.log2(errors[0] / errors[1])).toBeGreaterThan(order - 0.5);
+    expect(Math.log2(errors[0] / errors[1])).toBeLessThan(order + (order > 4 ? 2.5 : 0.5));
+  });
+
+  it('is Newton’s mechanics where c is without a bound', () => {
+    const system = { ...free(), c: Number.POSITIVE_INFINITY };
+    const start = moving(system, TETRAHEDRON, SPIN);
+    const end = follow(system, start, method(id), 1, 2000);
+    expect(distance(end.x, newton(start.x, Float64Array.from(SPIN), 1, 4000))).toBeLessThan(1e-4);
+    const fast = follow({ ...free(), c: 1e6 }, start, method(id), 1, 2000);
+    expect(distance(fast.x, end.x)).toBeLessThan(1e-9);
+  });
+});
+
+/** Sides and heights of a tetrahedron, each another spring; it turns, and breathes. */
+const TETRAHEDRON = [1, 0, 0, 0, 1, 0, 0, 0, 1, -0.6, -0.6, -0.6];
+const SPIN = [[1, 0, 0] as Vec3, [0, 1, 0] as Vec3, [0, 0, 1] as Vec3, [-0.6, -0.6, -0.6] as Vec3].flatMap((place) =>
+  cross([0.2, 0.5, 0.3], place),
+);
+const ENDS = [0, 1, 0, 2, 0, 3, 1, 2, 1, 3, 2, 3];
+const STIFFNESS = [4, 9, 7, 5, 8, 6];
+const LENGTH = 1.2;
+const MASSES = [1, 2, 0.5, 1.5];
+
+const free = (): System =>
+  makeSystem({
+    masses: Float64Array.from(MASSES),
+    c: 1,
+    forces: [
+      springs({
+        ends: Uint32Array.from(ENDS),
+        stiffness: Float64Array.from(STIFFNESS),
+        lengths: new Float64Array(6).fill(LENGTH),
+      }),
+    ],
+  });
+
+/** The same springs by Newton’s second law, with Runge and Kutta’s steps: nothing of what is tested. */
+function newton(x: Float64Array, v: Float64Array, time: number, steps: number): Float64Array {
+  const h = time / steps;
+  const pulled = (at: Float64Array): Float64Array => {
+    const a = new Float64Array(at.length);
+    for (let s = 0; s < 6; s++) {
+      const [i, j] = [3 * ENDS[2 * s], 3 * ENDS[2 * s + 1]];
+      const d = [0, 1, 2].map((k) => at[j + k] - at[i + k]);
+      const r = Math.hypot(...d);
+      for (let k = 0; k < 3; k++) {
+        const f = (STIFFNESS[s] * (r - LENGTH) * d[k]) / r;
+        a[i + k] += f / MASSES[i / 3];
+        a[j + k] -= f / MASSES[j / 3];
+      }
+    }
+    return a;
+  };
+  const plus = (a: Float64Array, b: Float64Array, s: number): Float64Array => a.map((value, j) => value + s * b[j]);
+  let [place, speed] = [x, v];
+  for (let i = 0; i < steps; i++) {
+    const [a1, v1] = [pulled(place), speed];
+    const [a2, v2] = [pulled(plus(place, v1, h / 2)), plus(speed, a1, h / 2)];
+    const [a3, v3] = [pulled(plus(place, v2, h / 2)), plus(speed, a2, h / 2)];
+    const [a4, v4] = [pulled(plus(place, v3, h)), plus(speed, a3, h)];
+    place = place.map((value, j) => value + (h / 6) * (v1[j] + 2 * v2[j] + 2 * v3[j] + v4[j]));
+    speed = speed.map((value, j) => value + (h / 6) * (a1[j] + 2 * a2[j] + 2 * a3[j] + a4[j]));
+  }
+  return place;
+}
+
+describe('the energy', () => {
+  it('is kept exactly by the discrete gradient, also where steps are as long as swings', () => {
+    const system = free();
+    for (const h of [0.01, 0.1, 0.5]) {
+      const state = moving(system, TETRAHEDRON, SPIN);
+      const before = ledger(system, state);
+      const stepper = method('discrete-gradient').begin(system);
+      for (let i = 0; i < 3000; i++) stepper.step(state, h);
+      const later = ledger(system, state);
+      expect(Math.abs(later.total - before.total) / before.kinetic).toBeLessThan(1e-11);
+      expect(Math.hypot(...later.angularMomentum) / Math.hypot(...before.angularMomentum)).toBeCloseTo(1, 10);
+    }
+  });
+
+  it('swings without a trend by the splittings', () => {
+    const system = free();
+    const state = moving(system, TETRAHEDRON, SPIN);
+    const before = ledger(system, state);
+    const stepper = method('leapfrog').begin(system);
+    const worst = [0, 0];
+    for (let i = 0; i < 20_000; i++) {
+      stepper.step(state, 0.02);
+      const off = Math.abs(ledger(system, state).total - before.total) / before.kinetic;
+      const half = i < 10_000 ? 0 : 1;
+      worst[half] = Math.max(worst[half], off);
+    }
+    expect(worst[0]).toBeLessThan(2e-2);
+    expect(worst[1]).toBeLessThan(1.2 * worst[0]);
+  });
+
+  it('is kept where things bounce off each other', () => {
+    const law = new Penalty(10_000, () => 1.1);
+    const system = makeSystem({ masses: Float64Array.of(1, 2), c: 10, forces: [new Pairs(Uint32Array.of(0, 1), law)] });
+    const start = moving(system, [0, 0, 0, 4, 0.3, 0], [8, 0, 0, -6, 0, 0]);
+    const before = ledger(system, start);
+    const end = follow(system, start, method('discrete-gradient'), 1, 2000);
+    const later = ledger(system, end);
+    expect(end.p[0]).toBeLessThan(0);
+    expect(Math.abs(later.total / before.total - 1)).toBeLessThan(1e-11);
+    expect(later.momentum[0]).toBeCloseTo(before.momentum[0], 9);
+  });
+
+  it('of two charges that fall towards each other stays, and they stay below c', () => {
+    const system = makeSystem({ masses: Float64Array.of(1, 1), c: 1, forces: [coulomb(Float64Array.of(1, -1), 0.2)] });
+    const start = moving(system, [-1, 0, 0, 1, 0, 0], [0, 0.2, 0, 0, -0.2, 0]);
+    const before = ledger(system, start);
+    const state = copyOf(start);
+    const stepper = method('discrete-gradient').begin(system);
+    const v = new Float64Array(6);
+    for (let i = 0; i < 4000; i++) {
+      stepper.step(state, 1e-3);
+      velocities(system, state.p, v);
+      expect(Math.hypot(v[0], v[1], v[2])).toBeLessThan(1);
+    }
+    expect(Math.abs(ledger(system, state).total - before.total)).toBeLessThan(1e-10);
+  });
+});
+
+describe('the methods of the sources', () => {
+  // The documents say of the tangent that it turns accelerations round, and that no step is short enough for it.
+  it.each(OF_SOURCES.filter((id) => !id.endsWith('1')))('%s comes to the same as steps grow short', (id) => {
+    const system = free();
+    const start = moving(system, TETRAHEDRON, SPIN);
+    const exact = follow(system, start, method('yoshida-8'), 0.5, 1000);
+    const [coarse, fine] = [200, 800].map((steps) =>
+      distance(follow(system, start, method(id), 0.5, steps).x, exact.x),
+    );
+    expect(fine).toBeLessThan(2e-2);
+    expect(fine).toBeLessThan(coarse);
+  });
+
+  it('say when something reached the speed of light, or when a matrix gave out', () => {
+    const system = oscillator(1, 1000);
+    const start = moving(system, [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 0.5, 0]);
+    expect(() => follow(system, start, method('semi-implicit-euler-0'), 1, 50)).toThrow(/not below c = 1 m\/s/);
+    const pressed = makeSystem({
+      ...oscillator(10, 1000),
+      forces: [springs({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(1000), lengths: Float64Array.of(2) })],
+    });
+    const short = moving(pressed, [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 0.1, 0]);
+    expect(() => follow(pressed, short, method('linearly-implicit-0'), 1, 10)).toThrow(/positive definite/);
+  });
+});
