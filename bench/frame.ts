@@ -1,3 +1,4 @@
+import type { SphereLight } from '../src/scene/types.ts';
 import type { Bench, Table } from './bench.ts';
 import { interleaved } from './bench.ts';
 import { gpu, openRenderer } from './gpu.ts';
@@ -26,6 +27,9 @@ export const frame: Bench = {
     const shadows: (string | number)[][] = [];
     for (const kind of ['static', 'rigid'] as const)
       for (const detail of ['coarse', 'fine'] as const) shadows.push(await shadowRow(100_000, kind, detail));
+    const lamps: (string | number)[][] = [];
+    for (const kind of ['static', 'rigid'] as const)
+      for (const count of [1, 4]) lamps.push(await lampRow(100_000, kind, count));
     const skies: (string | number)[][] = [];
     for (const kind of ['static', 'rigid'] as const) skies.push(await occlusionRow(100_000, kind));
     const columns = ['triangles', 'motion', 'stock [ms]', 'plain [ms]', 'relativistic [ms]', '÷ plain', '÷ stock'];
@@ -34,6 +38,7 @@ export const frame: Bench = {
       table,
       { columns: COLOR_COLUMNS, rows: colors, remark: COLOR_REMARK },
       { columns: SHADOW_COLUMNS, rows: shadows, remark: SHADOW_REMARK },
+      { columns: LAMP_COLUMNS, rows: lamps, remark: LAMP_REMARK },
       { columns: OCCLUSION_COLUMNS, rows: skies, remark: OCCLUSION_REMARK },
     ];
   },
@@ -75,8 +80,14 @@ async function shadowRow(
   shadowDetail: 'coarse' | 'fine',
 ): Promise<(string | number)[]> {
   console.error(`  shadows, ${triangles.toLocaleString('en')} triangles, ${kind}, ${shadowDetail}`);
-  const { renderer, frame } = await openRenderer(SIZE.width, SIZE.height, { shadowDetail });
-  await renderer.setScene(ballScene(triangles, kind));
+  const opened = await openRenderer(SIZE.width, SIZE.height, { shadowDetail });
+  await opened.renderer.setScene(ballScene(triangles, kind));
+  const [drawn, off, on] = await withoutAndWith(opened);
+  return [drawn, kind, shadowDetail, off, on, on / off];
+}
+
+/** How many triangles there are, and how long pictures take without shadows and with them [ms]; time goes on. Lets go of the renderer. */
+async function withoutAndWith({ renderer, frame }: Awaited<ReturnType<typeof openRenderer>>) {
   let t = VIEW.t;
   const works = [false, true].map((shadows) => () => {
     t += 0.02;
@@ -85,8 +96,33 @@ async function shadowRow(
   const [off, on] = await interleaved(works, 2 * ROUNDS);
   const drawn = renderer.info.triangles;
   renderer.dispose();
-  return [drawn.toLocaleString('en'), kind, shadowDetail, off, on, on / off];
+  return [drawn.toLocaleString('en'), off, on] as const;
 }
+
+const LAMP_COLUMNS = ['triangles', 'motion', 'lamps', 'off [ms]', 'on [ms]', 'on ÷ off'];
+const LAMP_REMARK =
+  'Shadows of resting lamps of 0.2 m, fine, with time going on as above: where things rest each lamp has six tiles, which are drawn once; where they move each has tiles of the bodies that it shines on, drawn for every picture.';
+
+/** What shadows of lamps cost. */
+async function lampRow(triangles: number, kind: MotionKind, count: number): Promise<(string | number)[]> {
+  console.error(`  shadows of ${count} lamps, ${triangles.toLocaleString('en')} triangles, ${kind}`);
+  const opened = await openRenderer(SIZE.width, SIZE.height);
+  await opened.renderer.setScene({
+    ...ballScene(triangles, kind),
+    lights: Array.from({ length: count }, (_, k) => lampAt(k)),
+  });
+  const [drawn, off, on] = await withoutAndWith(opened);
+  return [drawn, kind, count, off, on, on / off];
+}
+
+const lampAt = (k: number): SphereLight => ({
+  kind: 'sphere',
+  path: `/Lamp${k}`,
+  motion: { kind: 'static', pose: { position: [4 * k - 6, 3, -6], orientation: [0, 0, 0, 1] } },
+  lifetime: { birth: Number.NEGATIVE_INFINITY, death: Number.POSITIVE_INFINITY },
+  radius: 0.1,
+  color: [300, 300, 300],
+});
 
 const OCCLUSION_COLUMNS = ['triangles', 'motion', 'off [ms]', 'on [ms]', 'on ÷ off'];
 const OCCLUSION_REMARK =

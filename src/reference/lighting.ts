@@ -6,23 +6,12 @@ import { originLine } from '../scene/motion.ts';
 import type { Lamp } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import type { Random } from './directions.ts';
+import type { LightOptions } from './lightOptions.ts';
 import { type RestFrame, restFrame } from './restFrame.ts';
 import { type Shine, shineOf } from './shine.ts';
 import { type Sky, type Sun, skyOf } from './sky.ts';
 import type { TracedScene } from './trace.ts';
 import type { SpacetimeRay } from './types.ts';
-
-/** What of the light between things a picture takes into account. Plain data, so that a worker can be told. */
-export interface LightOptions {
-  /** 0: suns and lamps light surfaces; 1: so do the sky and what glows; 2: so do surfaces lit by these; and so on. */
-  readonly bounces: number;
-  /** Surfaces mirror what is around them, smooth ones sharply; else they mirror only the sky and what glows, once. */
-  readonly mirrors: boolean;
-  /** Closed transparent bodies refract; else what is behind them is blended in. */
-  readonly glass: boolean;
-}
-
-export const DEFAULT_LIGHT: LightOptions = { bounces: 2, mirrors: true, glass: false };
 
 /** A lamp, the world line of its centre, and what it shines with. */
 export interface MovingLamp {

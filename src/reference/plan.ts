@@ -9,6 +9,7 @@ import { Plane } from './effects/frame.ts';
 import { AOVS_LOOKED_AT, AOVS_READ, applied } from './effects/library.ts';
 import { mixed } from './effects/mix.ts';
 import { AOVS_OF, falsePicture, falseValues } from './falseColor.ts';
+import { fitted } from './still.ts';
 
 /** A G-buffer of a picture as it was taken: what is asked for by `aovsOf`. */
 export interface TakenBuffer {
@@ -29,12 +30,11 @@ export interface TakenPicture {
 /** What each G-buffer of a plan is to be taken with. */
 export function aovsOf(plan: Plan): readonly (readonly AovName[])[] {
   const found = Array.from({ length: 1 + plan.others.length }, () => new Set<AovName>());
-  for (const step of plan.steps)
-    if (step.kind !== 'mix' && step.kind !== 'tone') for (const name of aovsFor(step)) found[step.buffer]!.add(name);
+  for (const step of plan.steps) if ('buffer' in step) for (const name of aovsFor(step)) found[step.buffer]!.add(name);
   return found.map((names) => [...names]);
 }
 
-function aovsFor(step: Exclude<Step, { readonly kind: 'mix' | 'tone' }>): readonly AovName[] {
+function aovsFor(step: Extract<Step, { readonly buffer: number }>): readonly AovName[] {
   switch (step.kind) {
     case 'light':
       return ['beauty'];
@@ -65,6 +65,8 @@ function made(step: Step, images: readonly Plane[], taken: TakenPicture, steps: 
   switch (step.kind) {
     case 'light':
       return new Plane(width, height, 3, taken.buffers[step.buffer]!.aovs.get('beauty'));
+    case 'still':
+      return fitted(step.still, width, height);
     case 'occlusion':
       return openness(taken.buffers[step.buffer]!, width, height);
     case 'effect': {

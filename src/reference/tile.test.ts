@@ -8,7 +8,7 @@ import { withMaterial } from '../scene/meshOps.ts';
 import { box, plane, sphere } from '../scene/primitives.ts';
 import type { Motion } from '../scene/types.ts';
 import type { AovName } from '../scene/view.ts';
-import { DEFAULT_LIGHT } from './lighting.ts';
+import { DEFAULT_LIGHT } from './lightOptions.ts';
 import { renderTile, type Tile, type TileRequest } from './tile.ts';
 import { type TracedScene, traceable } from './trace.ts';
 

@@ -2,7 +2,7 @@ import { AOVS, type AovName, type RenderSettings, type ViewPoint } from '../scen
 import { type DataAov, dataReader } from './aov.ts';
 import { fillBeauty } from './beauty.ts';
 import { cameraRay } from './camera.ts';
-import type { LightOptions } from './lighting.ts';
+import type { LightOptions } from './lightOptions.ts';
 import type { TracedScene } from './trace.ts';
 import { visibleHit } from './visible.ts';
 

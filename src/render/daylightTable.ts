@@ -48,6 +48,7 @@ export class DaylightColumns {
   readonly layers: 3 | 4;
   private readonly blackbodies: DopplerTable;
   private readonly made = new Map<string, Uint16Array>();
+  private readonly skies = new Map<number, (D: number) => Layers>();
   /** At `shifts`. */
   private bands: readonly Parameters<typeof coloredAtRest>[2][] | undefined;
 
@@ -59,58 +60,53 @@ export class DaylightColumns {
   /** Layer after layer, H beside the first one. */
   daylight(): Uint16Array {
     const { blackbodies } = this;
-    return this.known('daylight', (D) => {
+    return this.known('daylight', () => (D) => {
       const [row, column] = [rowOf(blackbodies, DAYLIGHT.temperature * D), columnOf(blackbodies, D)];
       return Array.from({ length: this.layers }, (_, layer) => tableTexel(blackbodies, layer, row, column));
     });
   }
 
   skySeen(light: number): Uint16Array {
-    return this.known(
-      `sky ${light}`,
-      overShifts((D) => [skyColor(light, D)]),
-    );
+    return this.known(`sky ${light}`, () => this.skyOverShifts(light));
   }
 
   skyOfDaylight(light: number): Uint16Array {
-    const { blackbodies } = this;
-    const seenAt = overShifts((D) => [skyColor(light, D)]);
-    return this.known(`sent ${light}`, (D) => {
-      const [seen] = seenAt(D);
-      const white = tableColor(
-        blackbodies,
-        rowOf(blackbodies, DAYLIGHT.temperature * D),
-        columnOf(blackbodies, D),
-        WHITE,
-      );
-      // Channels in which daylight is gone (blue of embers) tell nothing.
-      return [seen.map((value, k) => (value * white[k]) / (white[k] ** 2 + 1e-4))];
+    return this.known(`sent ${light}`, () => {
+      const seenAt = this.skyOverShifts(light);
+      return (D) => [overWhite(seenAt(D)[0], this.white(D))];
     });
+  }
+
+  private white(D: number): Vec3 {
+    const { blackbodies } = this;
+    return tableColor(blackbodies, rowOf(blackbodies, DAYLIGHT.temperature * D), columnOf(blackbodies, D), WHITE);
   }
 
   /** Of one of the lights of skies through each band: layer after layer. */
   skyBands(light: number): Uint16Array {
-    const bands = this.bandsAtShifts();
-    return this.known(
-      `bands ${light}`,
-      overShifts((D, i) => sampledAtRest(SKY_LIGHTS[light].spectrum, D, bands[i].surface)),
-    );
+    return this.known(`bands ${light}`, () => {
+      const bands = this.bandsAtShifts();
+      return overShifts((D, i) => sampledAtRest(SKY_LIGHTS[light].spectrum, D, bands[i].surface));
+    });
   }
 
   overlaps(): Uint16Array {
-    return this.known(
-      'overlaps',
-      overShifts((D) => overlaps(DAYLIGHT.temperature * D, D, this.layers)),
-    );
+    return this.known('overlaps', () => overShifts((D) => overlaps(DAYLIGHT.temperature * D, D, this.layers)));
   }
 
   /** Of a coloured light: layer after layer, H beside the first one. */
   colored(light: ColoredLight): Uint16Array {
-    const bands = this.bandsAtShifts();
-    return this.known(
-      `colored ${JSON.stringify(light)}`,
-      overShifts((D, i) => coloredAtRest(light, D, bands[i])),
-    );
+    return this.known(`colored ${JSON.stringify(light)}`, () => {
+      const bands = this.bandsAtShifts();
+      return overShifts((D, i) => coloredAtRest(light, D, bands[i]));
+    });
+  }
+
+  /** Skies are both seen and sent: what is integrated for one is there for the other. */
+  private skyOverShifts(light: number): (D: number) => Layers {
+    const sky = this.skies.get(light) ?? overShifts((D) => [skyColor(light, D)]);
+    this.skies.set(light, sky);
+    return sky;
   }
 
   private bandsAtShifts(): readonly Parameters<typeof coloredAtRest>[2][] {
@@ -118,12 +114,17 @@ export class DaylightColumns {
     return this.bands;
   }
 
-  private known(name: string, layersAt: (D: number) => Layers): Uint16Array {
-    const known = this.made.get(name) ?? columns(layersAt);
+  /** What is integrated takes long: only where it is not known. */
+  private known(name: string, integrated: () => (D: number) => Layers): Uint16Array {
+    const known = this.made.get(name) ?? columns(integrated());
     this.made.set(name, known);
     return known;
   }
 }
+
+/** Channels in which daylight is gone (blue of embers) tell nothing. */
+const overWhite = (seen: readonly number[], white: Vec3): readonly number[] =>
+  seen.map((value, k) => (value * white[k]) / (white[k] ** 2 + 1e-4));
 
 const skyColor = (light: number, D: number): Vec3 => seenColor(WHITE, WHITE, SKY_LIGHTS[light].spectrum, 1, D);
 

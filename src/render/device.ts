@@ -8,6 +8,8 @@ export interface Gpu {
   readonly backend: Backend;
   readonly bytesPerSample: number;
   readonly attachments: number;
+  /** Width and height that textures can have [px]. */
+  readonly largest: number;
   /** Whether 32-bit float targets can be blended into. */
   readonly floatBlending: boolean;
 }
@@ -57,6 +59,7 @@ function capabilities(renderer: WebGPURenderer): Omit<Gpu, 'renderer'> {
       backend: 'webgpu',
       bytesPerSample: device.limits.maxColorAttachmentBytesPerSample,
       attachments: device.limits.maxColorAttachments,
+      largest: device.limits.maxTextureDimension2D,
       floatBlending: device.features.has('float32-blendable'),
     };
   }
@@ -65,6 +68,7 @@ function capabilities(renderer: WebGPURenderer): Omit<Gpu, 'renderer'> {
     backend: 'webgl',
     bytesPerSample: Number.POSITIVE_INFINITY,
     attachments: gl.getParameter(gl.MAX_DRAW_BUFFERS),
+    largest: gl.getParameter(gl.MAX_TEXTURE_SIZE),
     floatBlending: gl.getExtension('EXT_float_blend') !== null,
   };
 }

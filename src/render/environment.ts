@@ -13,6 +13,7 @@ import type { FloatTable, TablePart } from './floatTable.ts';
 import {
   coloredIndex,
   coloredLights,
+  domeKind,
   type ShineColors,
   type ShineKind,
   shineColors,
@@ -98,7 +99,7 @@ export class Environment {
       table,
     );
     const [x, y] = shineNumbers(dome, this.lines);
-    this.skySource = sourceOf(shineKind(dome), [float(x), float(y)], this.lines) ?? SKY;
+    this.skySource = sourceOf(domeKind(dome), [float(x), float(y)], this.lines) ?? SKY;
     this.dome = dome;
     this.hasGradient = dome.gradient !== undefined;
     if (dome.texture) this.picture = new DomePicture(dome.texture, dome, this.uniforms.zenithColor.rgb, atlas);

@@ -35,6 +35,7 @@ export class GaugeReader {
     this.passes.set(light, pass);
     this.size.value.set(width, height);
     pass.render(this.gpu.renderer, this.target);
+    await drawn(this.gpu);
     const texels = await readFloats(this.gpu, this.target, 0, { x: 0, y: 0, width: GAUGE, height: GAUGE });
     const channel = (k: number, scale: number) =>
       Float32Array.from({ length: GAUGE * GAUGE }, (_, i) => {
@@ -64,4 +65,19 @@ export class GaugeReader {
     for (const pass of this.passes.values()) pass.dispose();
     this.target.dispose();
   }
+}
+
+/** Between two looks whether a GPU has drawn [ms]. */
+const PAUSE = 4;
+
+/** WebGL holds the page where it reads what is still being drawn; so it is only read when it is there. */
+async function drawn({ renderer, backend }: Gpu): Promise<void> {
+  if (backend !== 'webgl') return;
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  if (!sync) return;
+  gl.flush();
+  do await new Promise((resolve) => setTimeout(resolve, PAUSE));
+  while (!gl.isContextLost() && gl.getSyncParameter(sync, gl.SYNC_STATUS) !== gl.SIGNALED);
+  gl.deleteSync(sync);
 }

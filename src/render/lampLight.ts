@@ -20,15 +20,19 @@ export interface Receiver {
   readonly uniforms: Uniforms;
 }
 
-/** What a surface sends on of a lamp's light, unhidden. */
-export function lampLight(receiver: Receiver, lamp: LampTexels, eye: Gathering): void {
+/** The share of a lamp's light that gets to a surface past what is in its way. */
+export type Shelter = (lamp: LampTexels, seen: SeenLamp) => Float | undefined;
+
+/** What a surface sends on of a lamp's light; `shelter`: of one that throws shadows. */
+export function lampLight(receiver: Receiver, lamp: LampTexels, eye: Gathering, shelter?: Shelter): void {
   const { dx, time, uniforms } = receiver;
   const seen = lampSeen(lamp, dx, time, uniforms);
+  const passing = shelter?.(lamp, seen)?.toVar();
   const { source, colored } = lamp;
   const sent = ({ share, D }: Part): void =>
     eye.send(
       lamp.color,
-      share,
+      passing ? share.mul(passing) : share,
       { ...(D && { D }), ...(source && { source }), ...(colored !== undefined && { colored }) },
       IRRADIANCE,
     );

@@ -10,6 +10,8 @@ import type { Uniforms } from './uniforms.ts';
 export interface SeenLamp {
   /** Surface → lamp, unit, world. */
   readonly n: Vec3;
+  /** The same, to where it was when it sent out what meets the surface [m]. */
+  readonly offset: Vec3;
   /** Its rest frame at the event; its axes, and what follows, are given there. */
   readonly frame: Rest;
   /** Surface → its middle [m]. */
@@ -44,6 +46,7 @@ export function lampSeen(lamp: LampTexels, dx: Vec3, time: Float, uniforms: Unif
   const alive = life && elapsed && { life, exists, middle: life.z.add(elapsed).toVar() };
   return {
     n,
+    offset,
     frame,
     centre,
     ...(shape && { shape: turned ?? shape }),

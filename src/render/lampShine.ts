@@ -1,6 +1,6 @@
 import { distance, scale, type Vec3 } from '../math/vec3.ts';
 import { directLights } from '../scene/daylight.ts';
-import type { Luminary, Scene } from '../scene/types.ts';
+import type { DomeLight, Luminary, Scene } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
 import type * as gpu from '../shaders/types.ts';
 import type { ColoredLight } from '../spectrum/filterPairs.ts';
@@ -15,6 +15,12 @@ export type ShineKind = 'daylight' | 'thermal' | 'lines';
 
 export const shineKind = ({ spectrum = DAYLIGHT }: { readonly spectrum?: LightSpectrum }): ShineKind =>
   spectrum.kind !== 'thermal' ? 'lines' : spectrum.temperature === DAYLIGHT.temperature ? 'daylight' : 'thermal';
+
+/** Of a dome: where it names no spectrum its colour tells what air made of daylight, and that is apart; where it names daylight, that is a light like others. */
+export function domeKind(dome: DomeLight): ShineKind {
+  const kind = shineKind(dome);
+  return dome.spectrum && kind === 'daylight' ? 'thermal' : kind;
+}
 
 /** What light is multiplied with before its spectrum, for each way to show colours; of approximate ones what is seen of it at rest. */
 export type ShineColors = Readonly<Record<ColorMode, Vec3>>;

@@ -1,8 +1,9 @@
 import { int, Loop } from 'three/tsl';
 import { rotate } from '../math/quat.ts';
-import { length, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { dot, length, normalize, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { oneMinusSquare } from '../physics/boost.ts';
 import { type PolylineLine, positionAt, samplesUntil, velocityAt, type WorldLine } from '../physics/worldLine.ts';
+import { shownArea } from '../scene/lamps.ts';
 import { originLine, poseAt, samplePose } from '../scene/motion.ts';
 import type { Lamp } from '../scene/types.ts';
 import type { ColorMode } from '../scene/view.ts';
@@ -64,12 +65,14 @@ interface Group {
   readonly texels: readonly TexelName[];
   /** Texel of the first. */
   readonly first: number;
-  readonly lamps: readonly KnownLamp[];
+  /** The first of them throw shadows. */
+  readonly lamps: KnownLamp[];
+  readonly casting: number;
 }
 
 type TexelName = 'place' | 'color' | 'X' | 'Y' | 'life' | 'motion' | 'source';
 
-interface KnownLamp {
+export interface KnownLamp {
   readonly lamp: Lamp;
   readonly line: WorldLine;
   readonly shine: readonly [number, number];
@@ -80,6 +83,8 @@ interface KnownLamp {
 const LINE = 5e-4;
 /** So many are written out one by one: a software GPU goes through the body of a loop once more than it need. */
 const WRITTEN_OUT = { point: 4, sphere: 2, rect: 1, disk: 1, cylinder: 1 } as const;
+/** So many lamps of a scene throw shadows. */
+const MOST_CASTING = 8;
 /** Longest table that is searched. */
 const MOST_SAMPLES = 4096;
 /** (place, time) relative to the anchor, orientation. */
@@ -111,7 +116,11 @@ export class LampTable {
       alike.set(key, [...(alike.get(key) ?? []), lamp]);
     }
     let first = 0;
-    this.groups = [...alike.values()].map((members) => {
+    const shares = sharedOut(
+      [...alike.values()].map(({ length: count }) => count),
+      MOST_CASTING,
+    );
+    this.groups = [...alike.values()].map((members, k) => {
       const texels = texelsOf(members[0]);
       const group = {
         kind: kindOf(members[0]),
@@ -121,6 +130,7 @@ export class LampTable {
         texels,
         first,
         lamps: members.map((lamp) => known(lamp, lines)),
+        casting: shares[k],
       };
       first += texels.length * members.length;
       return group;
@@ -130,14 +140,30 @@ export class LampTable {
     this.samples = table.part(moved.reduce((sum, line) => sum + SAMPLE_TEXELS * keptSamples(line), 0));
   }
 
-  each(visit: (lamp: LampTexels) => void): void {
+  /** `slot`: its place among those that throw shadows. */
+  each(visit: (lamp: LampTexels, slot?: gpu.Int | number) => void): void {
+    let slots = 0;
     for (const group of this.groups) {
-      const count = group.lamps.length;
-      if (count <= WRITTEN_OUT[group.kind]) for (let i = 0; i < count; i++) visit(this.read(group, int(i)));
-      else
-        Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) =>
-          visit(this.read(group, int(i))),
-        );
+      const [first, { casting }] = [slots, group];
+      eachOf(group.kind, 0, casting, (i, k) =>
+        visit(this.read(group, i), k === undefined ? i.add(int(first)) : first + k),
+      );
+      eachOf(group.kind, casting, group.lamps.length, (i) => visit(this.read(group, i)));
+      slots += casting;
+    }
+  }
+
+  /** Those that throw shadows, by their slots. */
+  get casting(): readonly KnownLamp[] {
+    return this.groups.flatMap(({ lamps, casting }) => lamps.slice(0, casting));
+  }
+
+  /** Where not all of a group throw shadows, those do that are brightest from where the observer is. */
+  arrange(sight: Sight): void {
+    for (const { lamps, casting } of this.groups) {
+      if (casting === lamps.length) continue;
+      const shown = new Map(lamps.map((lamp) => [lamp, illuminance(lamp, sight)]));
+      lamps.sort((a, b) => shown.get(b)! - shown.get(a)!);
     }
   }
 
@@ -201,6 +227,31 @@ export class LampTable {
   }
 }
 
+/** Those from `begin` to `end`: one by one, where that is cheaper, with the number that is known then. */
+function eachOf(kind: LampKind, begin: number, end: number, visit: (i: gpu.Int, k?: number) => void): void {
+  if (end - begin <= WRITTEN_OUT[kind]) for (let i = begin; i < end; i++) visit(int(i), i);
+  else Loop({ start: int(begin), end: int(end), type: 'int', condition: '<' }, ({ i }) => visit(int(i)));
+}
+
+/** At most `most` in all, as evenly as there are some to give it to. */
+function sharedOut(counts: readonly number[], most: number): readonly number[] {
+  const shares = counts.map(() => 0);
+  const given = () => shares.reduce((a, b) => a + b, 0);
+  for (let before = -1; before < given() && given() < most; ) {
+    before = given();
+    counts.forEach((count, k) => {
+      if (shares[k] < count && given() < most) shares[k]++;
+    });
+  }
+  return shares;
+}
+
+/** At the observer, but for what is in its way. */
+function illuminance({ lamp, line }: KnownLamp, sight: Sight): number {
+  const { offset } = lampEventFor(line, sight);
+  return (Math.max(...lamp.color) * shownArea(lamp)) / Math.max(dot(offset, offset), 1e-6);
+}
+
 function texelsOf(lamp: Lamp): readonly TexelName[] {
   const { kind, motion, shaping, lifetime } = lamp;
   const mortal = Number.isFinite(lifetime.birth) || Number.isFinite(lifetime.death);
@@ -228,7 +279,7 @@ function valuesOf(
   sight: Sight,
   how: ColorMode,
 ): Readonly<Record<TexelName, readonly number[]>> & { readonly anchor: RelativeEvent } {
-  const anchor = meet(line, sight) ?? atObserversTime(line, sight);
+  const anchor = lampEventFor(line, sight);
   const time = sight.t + anchor.ahead / sight.c;
   const [inner, outer, focus] = shapingValues(lamp);
   const { x, y, radius, gain } = extents(lamp);
@@ -247,6 +298,10 @@ function valuesOf(
     source: [...shine, 0, 0],
   };
 }
+
+/** A lamp as it is seen from an event. */
+export const lampEventFor = (line: WorldLine, sight: Sight): RelativeEvent =>
+  meet(line, sight) ?? atObserversTime(line, sight);
 
 /** What is behind the observer's horizon may still light what he sees. */
 const atObserversTime = (line: WorldLine, { t, position, c }: Sight): RelativeEvent => ({

@@ -8,7 +8,7 @@ import type { DopplerTable } from '../spectrum/dopplerTable.ts';
 import { type ColoredLight, coloredTable } from '../spectrum/filterPairs.ts';
 import { thermalTable } from '../spectrum/thermalTable.ts';
 import { DaylightColumns, DaylightTable } from './daylightTable.ts';
-import { coloredLights, shineKind } from './lampShine.ts';
+import { coloredLights, domeKind, shineKind } from './lampShine.ts';
 import type { Optics } from './radiance.ts';
 import { type SpectralTables, spectral } from './spectral.ts';
 import { plain, resting, tinted } from './tinted.ts';
@@ -25,7 +25,8 @@ export function paletteOf({ view, colors, dopplerMix, beaming }: RenderSettings,
   if (colors === 'approximate') return shifted ? 'approximate' : 'plain';
   if (shifted) return dopplerMix === 1 && beaming === 1 ? 'physical' : 'spectral';
   const daylight =
-    [...directLights(scene), domeOf(scene)].every((light) => shineKind(light) === 'daylight') &&
+    domeKind(domeOf(scene)) === 'daylight' &&
+    directLights(scene).every((light) => shineKind(light) === 'daylight') &&
     !scene.materials.some(isGlowing);
   return daylight ? 'resting' : 'spectral';
 }

@@ -10,7 +10,7 @@ import { FalseColorTable, falseColored } from './falseColor.ts';
 import { GaugeReader } from './gauge.ts';
 import { Palettes } from './palette.ts';
 import { PassBook } from './passBook.ts';
-import { Composition, type Sitting } from './plan/composition.ts';
+import { Composition, type Seen, type Sitting } from './plan/composition.ts';
 import { Plate } from './plate.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 import { Smoothing, type Way } from './smoothing.ts';
@@ -56,7 +56,11 @@ export class PictureMachine {
   }
 
   get buffer(): GBuffer {
-    return this.plate(0).buffer;
+    return this.bufferOf(0);
+  }
+
+  bufferOf(index: number): GBuffer {
+    return this.plate(index).buffer;
   }
 
   setSize(width: number, height: number): void {
@@ -65,12 +69,12 @@ export class PictureMachine {
       sized.setSize(width, height);
   }
 
-  /** One sample of a picture: its G-buffers and their light, and what its plan makes of them. */
-  draw(sittings: readonly [Sitting, ...Sitting[]], camera: PerspectiveCamera, time: number): void {
+  /** One sample of a picture: its G-buffers and their light, and what its plan makes of them; `seen` is told of each of its steps. */
+  draw(sittings: readonly [Sitting, ...Sitting[]], camera: PerspectiveCamera, time: number, seen?: Seen): void {
     const [first] = sittings;
     const { plan } = first.subject.settings;
     if (plan) {
-      this.light = this.compose(plan).draw(plan, { sittings, camera, time });
+      this.light = this.compose(plan).draw(plan, { sittings, camera, time }, seen);
       return;
     }
     const plate = this.plate(0);

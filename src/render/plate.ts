@@ -109,8 +109,10 @@ export class Plate {
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawable of upload.drawables)
       if (drawable.batch.transparent)
-        dress(drawable, `forward ${projection.event} ${projection.place} ${palette} ${lighting.shadows}`, () =>
-          forwardMaterial(drawable, projection, buffer, upload.environment, optics, shadows),
+        dress(
+          drawable,
+          `forward ${projection.event} ${projection.place} ${palette} ${lighting.shadows} ${buffer.depth.id}`,
+          () => forwardMaterial(drawable, projection, buffer, upload.environment, optics, shadows),
         );
     this.drawOver(light, upload.transparent, camera);
   }

@@ -8,7 +8,7 @@ import { paletteOf } from './palette.ts';
 import { PictureMachine } from './picture.ts';
 import { type Region, readBytes, readData, readFloats, readSurfaceAt } from './readback.ts';
 import { rehearse } from './rehearsal.ts';
-import { gridPlaces, type SamplePlace, wanderingPlace } from './samplePlaces.ts';
+import { CENTRE, gridPlaces, type SamplePlace, wanderingPlace } from './samplePlaces.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
 import type { Sight } from './sight.ts';
@@ -16,12 +16,18 @@ import type { Way } from './smoothing.ts';
 import { type Motif, motifOf, projectionOf, Staging } from './staging.ts';
 import { Uploads } from './uploads.ts';
 
-const CENTRE: SamplePlace = [0, 0];
 /** Of so many samples a picture is better than one that was smoothed otherwise. */
 const WORTHWHILE = 8;
 
 /** All that a picture is made of: its G-buffers, that of the settings first. */
 type Motifs = readonly [Motif, ...Motif[]];
+
+/** What others may make pictures of, as long as they are lent it. */
+export interface Lent {
+  readonly gpu: Gpu;
+  readonly staging: Staging;
+  readonly motifs: Motifs;
+}
 
 /** Makes pictures of a scene for a page, a command line or a benchmark; see api.ts. */
 export class SceneRenderer implements PictureMaker {
@@ -72,7 +78,8 @@ export class SceneRenderer implements PictureMaker {
     const triangles = first?.refiner.triangles ?? 0;
     const tolerance = first?.refiner.toleranceReached ?? 0;
     const waiting = !uploads.isComplete;
-    return { backend: gpu.backend, objects: first?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
+    const { backend, largest } = gpu;
+    return { backend, largest, objects: first?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
   }
   get width(): number {
     return this.size.width;
@@ -114,7 +121,6 @@ export class SceneRenderer implements PictureMaker {
   private async compile(viewPoint: ViewPoint, settings: RenderSettings, way: Way): Promise<void> {
     const motifs = this.motifsOf(viewPoint, settings);
     if (!motifs || !this.stage(motifs)) return;
-    if (settings.plan) this.machine.compose(settings.plan);
     const draw = (): void => {
       this.draw(motifs, CENTRE);
       this.machine.rehearse(way, motifs[0].projection, this.toCanvas ? 'canvas' : 'screen');
@@ -141,6 +147,8 @@ export class SceneRenderer implements PictureMaker {
     this.compiled.add(shadersOf(settings, way, this.uploads.of(settings)));
     // While a picture is being compiled, its G-buffers are.
     if (!this.preparing) this.uploads.keep(motifs.length);
+    // What was let go of is not of this picture: that can be drawn again.
+    this.made = motifs;
     if (this.toCanvas) upload.refiner.countSometimes();
   }
 
@@ -162,6 +170,7 @@ export class SceneRenderer implements PictureMaker {
       seen = this.staging.stage(motif, this.wanted, ready);
       if (!seen) return undefined;
     }
+    if (settings.plan) this.machine.compose(settings.plan).develop(settings.plan);
     this.staged = motifs;
     return seen;
   }
@@ -256,6 +265,21 @@ export class SceneRenderer implements PictureMaker {
   async gauge(): Promise<Gauge> {
     this.settle();
     return this.machine.measure(this.picture().c);
+  }
+
+  /**
+   * Lends what the last picture was made of, all in its place, to who makes others of it on the same device (previews.ts); then everything is as it was.
+   * Undefined where there is none.
+   */
+  lend<Made>(use: (set: Lent) => Made): Made | undefined {
+    const { gpu, staging } = this;
+    const motifs = this.restage();
+    if (!motifs) return undefined;
+    try {
+      return use({ gpu, staging, motifs });
+    } finally {
+      staging.look(motifs[0], this.size);
+    }
   }
 
   dispose(): void {

@@ -1,5 +1,6 @@
 /** A place in a pixel, from its centre, right and down [px]: −½ … ½. */
 export type SamplePlace = readonly [x: number, y: number];
+export const CENTRE: SamplePlace = [0, 0];
 
 /** Pictures after which the places of single samples begin anew. */
 const ROUND = 16;

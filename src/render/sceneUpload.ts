@@ -82,8 +82,9 @@ export class SceneUpload {
     // Before the refiner: these draw the batches whole.
     const { bodies, drawables, points } = this;
     const detail = DETAILS[options.shadowDetail ?? 'fine'];
-    const occluders = { bodies, drawables: [...drawables], materials: scene.materials, points, detail };
-    this.shadows = new ShadowMaps(occluders, this.environment.distantLights, gpu);
+    const { radius } = this;
+    const occluders = { bodies, drawables: [...drawables], materials: scene.materials, points, detail, radius };
+    this.shadows = new ShadowMaps(occluders, this.environment, gpu);
     this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), options);
   }
 

@@ -74,6 +74,8 @@ export interface RendererInfo {
   readonly triangles: number;
   /** How far the straight edges drawn in the last frame may be from the curves that are seen [px]; more than asked for where there would be too many. */
   readonly tolerance: number;
+  /** As wide, and as high, as this device’s pictures can be [px]. */
+  readonly largest: number;
   readonly objectsDrawn: number;
   readonly objects: number;
   /** The last picture asked for was not made: samples of a deforming mesh are on their way. */

@@ -2,7 +2,7 @@ import { Fn, normalize, reflect } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../shaders/types.ts';
 import { type Look, lookOf, reflectance } from './brdf.ts';
 import type { Environment } from './environment.ts';
-import { lampLight } from './lampLight.ts';
+import { lampLight, type Shelter } from './lampLight.ts';
 import { skyShares } from './occlusion/sheltered.ts';
 import { type Filter, type Gathering, IRRADIANCE, type Optics, RADIANCE } from './radiance.ts';
 import { AT_REST, passageBetween, type Rest, restFrame } from './restFrame.ts';
@@ -41,16 +41,20 @@ export const shade = (
     const albedo = eye.filter(surface.color.rgb, surface.invisible).toVar();
     const look = lookOf(albedo, surface, N, V);
     const { dx, time } = surface;
+    const here = { dx, time, normal: N, velocity: surface.velocity };
     environment.eachSun(({ direction, color, source, colored }, index) => {
       const passage = {
         ...passageBetween(direction, rest, AT_REST),
         ...(source && { source }),
         ...(colored !== undefined && { colored }),
       };
-      const share = shadows?.share(index, { dx, time, normal: N, velocity: surface.velocity });
+      const share = shadows?.share(index, here);
       eye.send(share ? color.mul(share) : color, reflectance(look, rest.into(direction)), passage, IRRADIANCE);
     });
-    environment.lamps.each((lamp) => lampLight({ look, dx, time, rest, uniforms }, lamp, eye));
+    environment.lamps.each((lamp, slot) => {
+      const shelter: Shelter = (of, seen) => shadows?.ofLamp(slot, here, { ...of, ...seen });
+      lampLight({ look, dx, time, rest, uniforms }, lamp, eye, shelter);
+    });
     skyReflection(look, surface, rest, environment, uniforms, eye);
     eye.emit(surface.emission.rgb);
     eye.glow(surface.emission);

@@ -1,4 +1,5 @@
 import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
+import { degrees } from '../math/angle.ts';
 import { toMatrix } from '../math/quat.ts';
 import { gamma } from '../physics/boost.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view.ts';
@@ -80,7 +81,7 @@ export class Staging {
     uniforms.secondsPerMetre.value = 1 / sight.c;
     uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
     lookAtGround(uniforms, view, upload);
-    camera.fov = (view.fovY * 180) / Math.PI;
+    camera.fov = degrees(view.fovY);
     camera.aspect = aspect;
     camera.quaternion.copy(new Quaternion(...view.orientation));
     camera.matrixWorld.copy(new Matrix4().makeRotationFromQuaternion(camera.quaternion));

@@ -1,3 +1,4 @@
+import { degrees } from '../math/angle.ts';
 import { length, type Vec3 } from '../math/vec3.ts';
 import { velocity } from '../physics/boost.ts';
 import type { FalseColors } from '../spectrum/falseColor.ts';
@@ -24,7 +25,7 @@ export function aboutPicture(view: ViewPoint, settings: RenderSettings): Record<
   return {
     Software: 'Slowlight',
     ...aboutObserver(view, settings.speedOfLight),
-    fieldOfView: `${(view.fovY * 180) / Math.PI} degrees`,
+    fieldOfView: `${degrees(view.fovY)} degrees`,
     view: settings.view,
     ...(!lightDelay && { lightDelay: 'off' }),
     ...(!aberration && { aberration: 'off' }),

@@ -1,3 +1,4 @@
+import { radians } from '../math/angle.ts';
 import { normalize, type Vec3 } from '../math/vec3.ts';
 import { spectrumOfColor } from '../spectrum/lightColor.ts';
 import type { DistantLight, DomeLight, Lamp, Light, NightSky, Scene } from './types.ts';
@@ -24,7 +25,7 @@ export const SUN_DISC = {
 } as const;
 
 /** Diameter of the sun as it is seen from the earth, and UsdLux's default: 0.53° [rad]. */
-const SUN_ANGLE = (0.53 * Math.PI) / 180;
+const SUN_ANGLE = radians(0.53);
 
 /** Radius of the disc that a distant light is [rad]. */
 export const sunRadius = ({ angle }: Pick<DistantLight, 'angle'>): number => (angle ?? SUN_ANGLE) / 2;

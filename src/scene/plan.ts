@@ -1,6 +1,7 @@
 import type { FalseColor, Scale } from '../spectrum/falseColor.ts';
 import type { Tone } from '../spectrum/toneMap.ts';
 import type { EffectId, MixMode } from './effects.ts';
+import type { Still } from './still.ts';
 import type { RenderSettings } from './view.ts';
 
 /*
@@ -38,6 +39,8 @@ export interface WrittenEffect {
 export type StepOf<Image, Buffer> =
   /** The G-buffer shaded: linear light. `occlusion`: what hides the sky of a place dims its light. */
   | { readonly kind: 'light'; readonly buffer: Buffer; readonly shadows: boolean; readonly occlusion: boolean }
+  /** What was made once, for one camera at one time; it lies in the picture as `fitOf` of scene/still.ts says. */
+  | { readonly kind: 'still'; readonly still: Still }
   /** The share of the sky that each place sees, as a grey image; 1 where nothing is. `radius`: as `occlusionRadius` of the settings; 0: what fits the scene. */
   | { readonly kind: 'occlusion'; readonly buffer: Buffer; readonly radius: number }
   | {
@@ -85,9 +88,10 @@ export interface Plan {
   readonly steps: readonly Step[];
 }
 
-/** A picture takes at most so many steps, and so many G-buffers: each is a texture or several, of the picture's size. */
+/** A picture takes at most so many steps, so many G-buffers and so many stills: each is a texture or several, of the picture's size or a still's. */
 export const MOST_STEPS = 64;
 export const MOST_BUFFERS = 4;
+export const MOST_STILLS = 4;
 
 /** The settings of a plan's G-buffer. */
 export const bufferSettings = (settings: RenderSettings, buffer: number): RenderSettings =>
@@ -97,6 +101,7 @@ export const bufferSettings = (settings: RenderSettings, buffer: number): Render
 export function imagesOf<Image>(step: StepOf<Image, unknown>): readonly Image[] {
   switch (step.kind) {
     case 'light':
+    case 'still':
     case 'occlusion':
       return [];
     case 'mix':
@@ -114,6 +119,10 @@ export function imagesOf<Image>(step: StepOf<Image, unknown>): readonly Image[] 
  */
 export const isFinished = (plan: Plan | undefined): boolean => plan?.steps.some(({ kind }) => kind === 'tone') ?? false;
 
+/** Settings, plans and steps as text, by which they are told apart; a still goes by its key. */
+export const textOf = (data: unknown): string =>
+  JSON.stringify(data, (_, value: unknown) => (ArrayBuffer.isView(value) ? undefined : value));
+
 /** What a plan is like, but for its numbers: plans of one shape are drawn by the same shaders. */
 export const shapeOf = ({ others, steps }: Plan): string => JSON.stringify([others.length, steps.map(withoutNumbers)]);
 
@@ -125,6 +134,8 @@ function withoutNumbers(step: Step): unknown {
       return { ...step, alpha: 0 };
     case 'tone':
       return { ...step, exposure: 0 };
+    case 'still':
+      return { ...step, still: 0 };
     case 'occlusion':
       return { ...step, radius: 0 };
     case 'false-colour':

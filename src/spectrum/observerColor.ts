@@ -47,13 +47,17 @@ export function seenColor(a: Bands, k: Bands, spectrum: LightSpectrum, Din: numb
   if (spectrum.kind === 'lines') return seenLines(a, k, linesOf(spectrum), Din, D);
   const xyz = tristimulus(
     (wavelength) =>
-      reflectanceAt(a, Dout * wavelength, Dout * NANOMETRE) *
-      reflectanceAt(k, D * wavelength, D * NANOMETRE) *
+      passedBy(a, Dout * wavelength, Dout * NANOMETRE) *
+      passedBy(k, D * wavelength, D * NANOMETRE) *
       D *
       meanRadiance(spectrum, D * wavelength, D * NANOMETRE),
   );
   return toLinearSrgb(xyz);
 }
+
+/** What is white, as every light by itself, passes all; to ask its bands would be most of the work. */
+const passedBy = (bands: Bands, wavelength: number, width: number): number =>
+  bands === WHITE ? 1 : reflectanceAt(bands, wavelength, width);
 
 /** A line of λ is at λ/Din for the surface and seen at λ/D; its radiance gains D⁴. */
 function seenLines(a: Bands, k: Bands, lines: readonly SpectralLine[], Din: number, D: number): Vec3 {

@@ -167,6 +167,14 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     expect(most).toBeLessThan(0.02);
   });
 
+  it('of a blue sky whose light is said to be daylight, which no air scattered', async () => {
+    const view = { ...VIEW, u: properVelocity([0.2, 0, 0.3]) };
+    const blue = { ...dome([0.2, 0.4, 1]), spectrum: DAYLIGHT };
+    const { mean, most } = await difference(headless, lit([], [blue]), view, SETTINGS, 16);
+    expect(mean).toBeLessThan(0.004);
+    expect(most).toBeLessThan(0.02);
+  });
+
   it.each([
     ['blue', DAY_SKY.color],
     ['hazy', DAY_SKY.gradient.horizon],

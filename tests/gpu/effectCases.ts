@@ -5,7 +5,7 @@ import { properVelocity } from '../../src/physics/boost.ts';
 import { Plane, type Taken } from '../../src/reference/effects/frame.ts';
 import { applied } from '../../src/reference/effects/library.ts';
 import { mixed } from '../../src/reference/effects/mix.ts';
-import { DEFAULT_LIGHT } from '../../src/reference/lighting.ts';
+import { DEFAULT_LIGHT } from '../../src/reference/lightOptions.ts';
 import { renderTile } from '../../src/reference/tile.ts';
 import { traceable } from '../../src/reference/trace.ts';
 import { makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';

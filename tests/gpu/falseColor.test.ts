@@ -4,7 +4,7 @@ import { pumpFrame } from '../../src/cli/node-shim.ts';
 import { IDENTITY } from '../../src/math/quat.ts';
 import { properVelocity } from '../../src/physics/boost.ts';
 import { AOVS_OF, falsePicture, falseValues, type Taken } from '../../src/reference/falseColor.ts';
-import { DEFAULT_LIGHT } from '../../src/reference/lighting.ts';
+import { DEFAULT_LIGHT } from '../../src/reference/lightOptions.ts';
 import { renderTile } from '../../src/reference/tile.ts';
 import { traceable } from '../../src/reference/trace.ts';
 import { makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';

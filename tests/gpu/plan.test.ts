@@ -2,11 +2,25 @@ import '../../src/cli/node-shim.ts';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { pumpFrame } from '../../src/cli/node-shim.ts';
+import { fromHalf, toHalf } from '../../src/math/half.ts';
 import { aovsOf, composed } from '../../src/reference/plan.ts';
 import type { AovName } from '../../src/scene/view.ts';
 import { openModulePage } from './browser.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
-import { type Drawn, drawPlan, PLAN, SCENES, SETTINGS, SHADOWS, SIZE, VIEW } from './planScenes.ts';
+import {
+  type Drawn,
+  drawPlan,
+  drawStills,
+  PLAN,
+  SCENES,
+  SETTINGS,
+  SHADOWS,
+  SIZE,
+  STILLS,
+  showing,
+  still,
+  VIEW,
+} from './planScenes.ts';
 
 /** Of a value and the least that is told apart, through eight images of half floats; and of false colours, which the reference has in 8 bits. */
 const [TOLERANCE, LEAST] = [0.01, 0.5];
@@ -25,6 +39,21 @@ function expectAsReference({ light, buffers }: Drawn): void {
   expect(new Set(truth).size).toBeGreaterThan(1000);
 }
 
+/** One of the picture's size comes back as half floats have it, to the bit; others as the reference fits them. */
+function expectStills(lights: readonly (readonly number[])[]): void {
+  STILLS.forEach(([width, height], i) => {
+    const made = still(width, height);
+    const light = lights[i]!;
+    if (i === 0) expect(light).toEqual(Array.from(made.pixels, (value) => fromHalf(toHalf(value))));
+    const taken = { view: VIEW, settings: showing(made), ...SIZE, buffers: [] };
+    const truth = composed(taken).values;
+    expect(light.length).toBe(truth.length);
+    const off = Array.from(truth, (value, k) => Math.abs(value - light[k]!) / (value + 1e-3));
+    if (process.env.REPORT) console.log(width, height, Math.max(...off));
+    expect(Math.max(...off)).toBeLessThan(0.002);
+  });
+}
+
 describe('a plan is carried out as the reference does', () => {
   let headless: HeadlessPictures;
   beforeAll(async () => {
@@ -35,6 +64,11 @@ describe('a plan is carried out as the reference does', () => {
   it('on WebGPU (Dawn)', async () => {
     pumpFrame();
     expectAsReference(await drawPlan(headless.renderer, aovsOf(PLAN)));
+  });
+
+  it('stills lie in the picture as the reference has them, each anew, on WebGPU (Dawn)', async () => {
+    pumpFrame();
+    expectStills(await drawStills(headless.renderer));
   });
 
   it('numbers change without new shaders, and the picture comes back with them', async () => {
@@ -82,6 +116,8 @@ it('a plan is carried out on WebGL2 too', async () => {
     const drawn = await chromium.page.evaluate((needed) => window.drawPlan(needed), aovsOf(PLAN));
     chromium.assertHealthy();
     expectAsReference(drawn);
+    expectStills(await chromium.page.evaluate(() => window.drawStills()));
+    chromium.assertHealthy();
   } finally {
     await chromium.close();
   }

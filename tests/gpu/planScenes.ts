@@ -5,6 +5,7 @@ import type { PictureMaker } from '../../src/render/api.ts';
 import { makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import { bufferSettings, type Plan, type PlannedBuffer, type Step } from '../../src/scene/plan.ts';
 import { box, plane, sphere } from '../../src/scene/primitives.ts';
+import { type Still, stillOf } from '../../src/scene/still.ts';
 import type { DistantLight } from '../../src/scene/types.ts';
 import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view.ts';
 
@@ -52,8 +53,29 @@ fn effect(p: Pixel) -> vec4f {
   return vec4f(p.color.rgb * arg1 + vec3f(near, abs(normal(vec2i(1, 0)).y), doppler(vec2i(0)) * arg2), 1);
 }`;
 
+/** Of every pixel another colour; dark and bright, and no half float's. */
+export const still = (width: number, height: number): Still =>
+  stillOf(
+    width,
+    height,
+    Float32Array.from({ length: 3 * width * height }, (_, i) => (((i * 2654435761) % 1009) / 1009) ** 3 * 40),
+  );
+/** Smaller, larger and narrower than the picture, as high as it and of another shape. */
+export const STILLS = [
+  [SIZE.width, SIZE.height],
+  [31, 17],
+  [150, 131],
+  [21, SIZE.height],
+  [300, SIZE.height],
+] as const;
+/** A still, shown as it is. */
+export const showing = (shown: Still): RenderSettings => ({
+  ...base,
+  plan: { others: [], steps: [{ kind: 'still', still: shown }] },
+});
+
 const REACH = 3;
-/** Every kind of step: three G-buffers of two scenes, images that several steps read, effects of both kinds, and masks. */
+/** Every kind of step: three G-buffers of two scenes, images that several steps read, effects of both kinds, a still, and masks. */
 const EVERYTHING: readonly Step[] = [
   { kind: 'light', buffer: 0, shadows: false, occlusion: false },
   { kind: 'occlusion', buffer: 0, radius: REACH },
@@ -67,7 +89,9 @@ const EVERYTHING: readonly Step[] = [
   { kind: 'light', buffer: 2, shadows: false, occlusion: false },
   { kind: 'mix', mode: 'normal', alpha: 0.5, below: 8, above: 9 },
   { kind: 'mix', mode: 'add', alpha: 0.3, below: 10, above: 6 },
-  { kind: 'effect', effect: 'vignette', args: [1, 4, 0], image: 11, buffer: 2 },
+  { kind: 'still', still: still(20, 30) },
+  { kind: 'mix', mode: 'add', alpha: 0.01, below: 11, above: 12 },
+  { kind: 'effect', effect: 'vignette', args: [1, 4, 0], image: 13, buffer: 2 },
 ];
 export const PLAN: Plan = { others: [ORDINARY, OTHER], steps: EVERYTHING };
 export const SETTINGS: RenderSettings = { ...base, plan: PLAN };
@@ -91,6 +115,18 @@ export interface Drawn {
   readonly light: readonly number[];
   /** Of each G-buffer by itself. */
   readonly buffers: readonly Data[];
+}
+
+/** The light of stills that are shown one after another. */
+export async function drawStills(renderer: PictureMaker): Promise<number[][]> {
+  renderer.setSize(SIZE.width, SIZE.height);
+  await renderer.setScene(SCENES[0]);
+  const lights: number[][] = [];
+  for (const [width, height] of STILLS) {
+    renderer.render(VIEW, showing(still(width, height)));
+    lights.push([...(await renderer.readAov('beauty'))]);
+  }
+  return lights;
 }
 
 /** The plan's light, and what it is made of. */

@@ -8,7 +8,8 @@ import { dot, length, normalize, scale, type Vec3, ZERO } from '../../src/math/v
 import { properVelocity } from '../../src/physics/boost.ts';
 import { cameraRay } from '../../src/reference/camera.ts';
 import { departureAt } from '../../src/reference/departure.ts';
-import { DEFAULT_LIGHT, lightingOf, rayBack } from '../../src/reference/lighting.ts';
+import { lightingOf, rayBack } from '../../src/reference/lighting.ts';
+import { DEFAULT_LIGHT } from '../../src/reference/lightOptions.ts';
 import { transmitted } from '../../src/reference/passage.ts';
 import { type TracedScene, traceable } from '../../src/reference/trace.ts';
 import { visibleHit } from '../../src/reference/visible.ts';

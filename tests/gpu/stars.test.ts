@@ -2,7 +2,7 @@ import '../../src/cli/node-shim.ts';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { pumpFrame } from '../../src/cli/node-shim.ts';
 import { fromAxisAngle } from '../../src/math/quat.ts';
-import { DEFAULT_LIGHT } from '../../src/reference/lighting.ts';
+import { DEFAULT_LIGHT } from '../../src/reference/lightOptions.ts';
 import { renderTile } from '../../src/reference/tile.ts';
 import { traceable } from '../../src/reference/trace.ts';
 import { MOST_LIGHT } from '../../src/render/passes.ts';

@@ -2,7 +2,7 @@ import { IDENTITY } from '../../src/math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { rayToward } from '../../src/reference/camera.ts';
 import { eyesOf } from '../../src/reference/eye.ts';
-import type { LightOptions } from '../../src/reference/lighting.ts';
+import type { LightOptions } from '../../src/reference/lightOptions.ts';
 import { radiance } from '../../src/reference/path.ts';
 import { pixelSequence } from '../../src/reference/sequence.ts';
 import { type TracedScene, traceable } from '../../src/reference/trace.ts';

@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { fromXyz, lab, toXyz } from './colors.ts';
 import { alongColumns, alongRows, type Kernel, kernelOf } from './convolve.ts';
@@ -11,7 +12,7 @@ import type { Picture } from './picture.ts';
  */
 
 /** Of a screen 0.7 m wide with 3840 pixels, seen from 0.7 m (section 4.1). */
-export const PIXELS_PER_DEGREE = (0.7 * (3840 / 0.7) * Math.PI) / 180;
+export const PIXELS_PER_DEGREE = radians(0.7 * (3840 / 0.7));
 
 /** Both pictures: linear sRGB as it leaves the screen, 0 … 1. Symmetric in them. */
 export function flip(a: Picture, b: Picture, pixelsPerDegree = PIXELS_PER_DEGREE): Float32Array {

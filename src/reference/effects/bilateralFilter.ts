@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import { dot } from '../../math/vec3.ts';
 import { type Frame, Plane } from './frame.ts';
 import { gaussianWeights } from './gaussianBlur.ts';
@@ -8,7 +9,7 @@ import { gaussianWeights } from './gaussianBlur.ts';
  * arg3: α [°], 0 does not look at normals. With both 0 it is the Gaussian. Source: Tomasi & Manduchi 1998; separated as by Pham & van Vliet 2005.
  */
 export function bilateralFilter(frame: Frame, [sigma = 0, depthRange = 0, normalRange = 0]: readonly number[]): Plane {
-  const alike = likeness(frame, depthRange, (normalRange * Math.PI) / 180);
+  const alike = likeness(frame, depthRange, radians(normalRange));
   const weights = gaussianWeights(sigma, 1);
   const reach = weights.length >> 1;
   const along = (from: Plane, dx: number, dy: number): Plane =>

@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import { GAUSSIAN_REACH } from '../../scene/effects.ts';
 import type { Frame, Plane } from './frame.ts';
 
@@ -6,7 +7,7 @@ import type { Frame, Plane } from './frame.ts';
  * along the direction), and s is its length; between two pixels of it the picture is linear. arg1: σ [px]; arg2: angle from the right, counterclockwise [°].
  */
 export function gaussianBlur({ image }: Frame, [sigma = 0, degrees = 0]: readonly number[]): Plane {
-  const angle = (degrees * Math.PI) / 180;
+  const angle = radians(degrees);
   const [right, down] = [Math.cos(angle), -Math.sin(angle)];
   const across = Math.abs(right) >= Math.abs(down);
   const slope = across ? down / right : right / down;

@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import type { Frame, Plane } from './frame.ts';
 
 /**
@@ -6,7 +7,7 @@ import type { Frame, Plane } from './frame.ts';
  */
 export function vignette(frame: Frame, [strength = 0, power = 4, corner = 0]: readonly number[]): Plane {
   const [across, up] = frame.halfTangents;
-  const stretch = corner > 0 ? Math.tan((corner * Math.PI) / 180) ** 2 / (across * across + up * up) : 1;
+  const stretch = corner > 0 ? Math.tan(radians(corner)) ** 2 / (across * across + up * up) : 1;
   return frame.image.map((x, y) => {
     const [tx, ty] = frame.tangents(x, y);
     const kept = (1 + stretch * (tx * tx + ty * ty)) ** (-power / 2);

@@ -12,6 +12,7 @@ import type { Plate, Subject } from '../plate.ts';
 import { dataTarget } from '../targets.ts';
 import type { Uniforms } from '../uniforms.ts';
 import { lightUnder, slotsOf } from './slots.ts';
+import { StillImage } from './stillImage.ts';
 
 /** What a G-buffer is drawn of, and how all passes are told of it. */
 export interface Sitting {
@@ -27,6 +28,9 @@ interface Moment {
   /** World time of the observer [s]. */
   readonly time: number;
 }
+
+/** Hears of a step's image. */
+export type Seen = (step: number, image: RenderTarget) => void;
 
 /** A step that is drawn by passes, not by a plate. */
 interface Drawn {
@@ -45,9 +49,11 @@ export class Composition {
   private readonly uniforms: Uniforms;
   private readonly plate: (buffer: number) => Plate;
   private readonly pool: readonly RenderTarget[];
+  /** Of each step that is one. */
+  private readonly stills: readonly (StillImage | undefined)[];
   /** Of each step, where its image is; light is where its plate has it. */
   private readonly targets: readonly RenderTarget[];
-  /** Of each step; undefined of light. */
+  /** Of each step; undefined of light and stills. */
   private readonly drawn: readonly (Drawn | undefined)[];
   /** Of each step that is light, which of its G-buffer's. */
   private readonly lights: readonly number[];
@@ -60,19 +66,29 @@ export class Composition {
     const { slots, count } = slotsOf(steps);
     this.pool = Array.from({ length: count }, () => dataTarget(1, TYPE));
     this.lights = steps.map((step, i) => steps.slice(0, i).filter((other) => isLightOf(other, step)).length);
+    this.stills = steps.map((step) => (step.kind === 'still' ? new StillImage(step.still) : undefined));
     this.targets = steps.map((step, i) =>
-      step.kind === 'light' ? plate(step.buffer).light(this.lights[i]) : this.pool[slots[i]],
+      step.kind === 'light'
+        ? plate(step.buffer).light(this.lights[i])
+        : (this.stills[i]?.target ?? this.pool[slots[i]]),
     );
     this.drawn = steps.map((step, i) => this.make(step, i, steps));
   }
 
   setSize(width: number, height: number): void {
     for (const target of this.pool) target.setSize(width, height);
-    for (const drawn of this.drawn) drawn?.setSize?.(width, height);
+    for (const sized of [...this.drawn, ...this.stills]) sized?.setSize?.(width, height);
   }
 
-  /** One sample; gives the target that it is in. */
-  draw({ steps }: Plan, { sittings, camera, time }: Moment): RenderTarget {
+  /** Draws what does not change from frame to frame, where it is another; to be called before `draw` is only rehearsed. */
+  develop({ steps }: Pick<Plan, 'steps'>): void {
+    steps.forEach((step, i) => {
+      if (step.kind === 'still') this.stills[i]?.develop(this.gpu.renderer, step.still);
+    });
+  }
+
+  /** One sample; gives the target that it is in. `seen` is told of each step's image while it is there: later steps may draw over it. */
+  draw({ steps }: Plan, { sittings, camera, time }: Moment, seen?: Seen): RenderTarget {
     sittings.forEach(({ subject, look }, buffer) => {
       look();
       this.plate(buffer).drawGeometry(subject, camera);
@@ -80,6 +96,7 @@ export class Composition {
         if (step.kind === 'light' && step.buffer === buffer) this.drawLight(step, i, subject, camera);
       });
     });
+    this.develop({ steps });
     let looking = sittings.length - 1;
     const look = (buffer: number): void => {
       if (buffer !== looking) sittings[buffer].look();
@@ -88,13 +105,14 @@ export class Composition {
     steps.forEach((step, i) => {
       if ('buffer' in step) look(step.buffer);
       this.drawn[i]?.draw(step, time);
+      seen?.(i, this.targets[i]);
     });
     look(0);
     return this.targets[steps.length - 1];
   }
 
   dispose(): void {
-    for (const drawn of this.drawn) drawn?.dispose();
+    for (const made of [...this.drawn, ...this.stills]) made?.dispose();
     for (const target of this.pool) target.dispose();
   }
 
@@ -113,6 +131,7 @@ export class Composition {
   private make(step: Step, i: number, steps: readonly Step[]): Drawn | undefined {
     switch (step.kind) {
       case 'light':
+      case 'still':
         return undefined;
       case 'occlusion':
         return this.occlusion(step, i);

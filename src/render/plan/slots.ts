@@ -11,7 +11,7 @@ const read = (step: Step, steps: readonly Step[]): readonly number[] =>
   step.kind === 'false-colour' && step.of === 'radiance' ? [lightUnder(step.image, steps)] : imagesOf(step);
 
 /**
- * Which target of a pool each step is drawn into: none that is still to be read. Light has targets of its own, −1 here. A long chain needs two.
+ * Which target of a pool each step is drawn into: none that is still to be read. Light and stills have targets of their own, −1 here. A long chain needs two.
  */
 export function slotsOf(steps: readonly Step[]): { readonly slots: readonly number[]; readonly count: number } {
   const lastUse = new Map<number, number>();
@@ -22,7 +22,7 @@ export function slotsOf(steps: readonly Step[]): { readonly slots: readonly numb
   const free: number[] = [];
   let count = 0;
   steps.forEach((step, i) => {
-    slots.push(step.kind === 'light' ? -1 : (free.pop() ?? count++));
+    slots.push(step.kind === 'light' || step.kind === 'still' ? -1 : (free.pop() ?? count++));
     for (const image of new Set(read(step, steps)))
       if (lastUse.get(image) === i && slots[image] >= 0) free.push(slots[image]);
   });

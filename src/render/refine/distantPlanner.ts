@@ -27,7 +27,8 @@ const MOST_BYTES = 2 ** 28;
 
 /**
  * Has plans made by a worker (planServer.ts) and hands out the last one that came, which is a picture or two old: every vertex is still where it is
- * seen now, only how finely edges are cut is of a moment ago. Plans itself where there is none for nearly the same look.
+ * seen now, only how finely edges are cut is of a moment ago. Plans itself where there is none for nearly the same look. A picture that rests gets a plan
+ * of its own in the end, so that it is to the last bit what those see who plan while they draw.
  */
 export class DistantPlanner implements Planner {
   private readonly worker: Worker;
@@ -35,10 +36,14 @@ export class DistantPlanner implements Planner {
   /** Batches whose samples are not in this thread. */
   private readonly streamed: readonly boolean[];
   private readonly better: () => void;
-  private sent: Look | undefined;
+  private sent: PlanOrder | undefined;
+  private exactly = false;
   private busy = false;
-  private known: { readonly look: Look; readonly plans: PicturePlans } | undefined;
-  /** The last picture was drawn with a plan for another look. */
+  /** For looks nearby. */
+  private wide: { readonly look: Look; readonly plans: PicturePlans } | undefined;
+  /** For one picture and no other. */
+  private own: { readonly order: PlanOrder; readonly plans: PicturePlans } | undefined;
+  /** A better plan than that of the last picture is on its way. */
   private waiting = false;
 
   /** `better` is called when a plan has come that fits the last picture better than the one it was drawn with. */
@@ -52,12 +57,14 @@ export class DistantPlanner implements Planner {
   }
 
   plan(order: PlanOrder): PicturePlans {
-    const { known } = this;
-    const exact = known !== undefined && same(known.look, order.look);
-    if (!exact) this.ask(order);
-    const fits = known !== undefined && nearly(known.look, order.look);
-    this.waiting = (fits && !exact) || (!fits && this.streamed.includes(true));
-    return fits ? known.plans.map((plan, i) => (order.seen[i] ? plan : undefined)) : this.planHere(order);
+    const { wide, own } = this;
+    this.waiting = false;
+    if (own && same(own.order, order)) return own.plans;
+    const rests = wide !== undefined && same(wide.look, order.look);
+    this.ask(rests ? order : { look: order.look, seen: order.seen.map(() => true) }, rests);
+    const fits = wide !== undefined && nearly(wide.look, order.look);
+    this.waiting = fits || this.streamed.includes(true);
+    return fits ? wide.plans.map((plan, i) => (order.seen[i] ? plan : undefined)) : this.planHere(order);
   }
 
   starts(batch: number): Uint32Array {
@@ -80,18 +87,20 @@ export class DistantPlanner implements Planner {
     return { whole: true, clusters, leaves: new Float32Array(0), count: 0, tolerance };
   }
 
-  /** For all batches: others may have come into the picture when the answer is there. */
-  private ask({ look, seen }: PlanOrder): void {
+  /** The wide plan is of all batches: others may have come into the picture when it is there. */
+  private ask(order: PlanOrder, exactly: boolean): void {
     if (this.busy) return;
     this.busy = true;
-    this.sent = look;
-    this.post({ kind: 'plan', order: { look: widened(look), seen: seen.map(() => true) } });
+    this.sent = order;
+    this.exactly = exactly;
+    this.post({ kind: 'plan', order: exactly ? order : { ...order, look: widened(order.look) } });
   }
 
   private receive(plans: PlannerReply): void {
     this.busy = false;
-    if (!plans) return;
-    if (this.sent) this.known = { look: this.sent, plans };
+    if (!plans || !this.sent) return;
+    if (this.exactly) this.own = { order: this.sent, plans };
+    else this.wide = { look: this.sent.look, plans };
     if (this.waiting) this.better();
   }
 

@@ -1,4 +1,4 @@
-import { Discard, Fn, float, If, int, round, varyingProperty, vec4 } from 'three/tsl';
+import { Discard, Fn, If, int, round, varyingProperty, vec4 } from 'three/tsl';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -10,42 +10,39 @@ import {
   NodeMaterial,
 } from 'three/webgpu';
 import type { Material } from '../../scene/types.ts';
-import type { Int, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { Bool, Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { Batch } from '../batches.ts';
 import type { Drawable } from '../drawable.ts';
 import { MATERIAL_TEXELS } from '../surface.ts';
 import { sampled } from '../textures.ts';
 import type { VertexInput } from '../vertexInput.ts';
 import { vUv } from '../vertexStage.ts';
-import type { HeightMap } from './heightMap.ts';
-import type { LayerTable } from './layerTable.ts';
-import { onLayer, readRows, readTile } from './receiver.ts';
 
-/** Height towards the sun, column and row on the tile from 0 to 1, material. */
+/** Its place on the tile, and the material. */
 const vShadow = varyingProperty('vec4', 'v_shadow');
 
 /** On which layer a vertex is drawn, negative: on none; and where it is [m], from where the layer's places are measured. */
 export type Placing = (input: VertexInput) => { readonly layer: Int; readonly x: () => Vec3 };
 
-/** Where occluders are drawn. */
-export interface CasterTarget {
-  readonly map: HeightMap;
-  readonly table: LayerTable;
-  /** Of a tile [texels]. */
-  readonly side: number;
+/** How occluders come onto the tiles of a map. */
+export interface Projecting {
+  /** Where a point of a layer is drawn, and what is between its corners to be known of it. */
+  project(layer: Int, x: Vec3): { readonly clip: Vec4; readonly spot: Vec3 };
+  /** What is left there, unless it is outside the tile. */
+  heightOf(spot: Vec3): { readonly height: Float; readonly outside: Bool };
 }
 
 /** A batch drawn into shadow maps: whole, not cut, and from both sides, for a sheet throws a shadow from either. */
 export function makeCaster(
   drawable: Drawable,
   placing: Placing,
-  target: CasterTarget,
+  projecting: Projecting,
   materials: readonly Material[],
 ): Mesh {
   const material = new NodeMaterial();
   material.name = `shadow ${drawable.batch.kind}`;
-  material.vertexNode = casterStage(drawable, placing, target);
-  material.fragmentNode = heightOutput(drawable, isCutOut(drawable.batch, materials));
+  material.vertexNode = casterStage(drawable, placing, projecting);
+  material.fragmentNode = heightOutput(drawable, projecting, isCutOut(drawable.batch, materials));
   material.side = DoubleSide;
   material.blending = NoBlending;
   const mesh = new Mesh(wholeGeometry(drawable), material);
@@ -72,18 +69,16 @@ function instances({ first, materials }: NonNullable<Batch['worn']>): InstancedB
   return geometry.setAttribute('instance', new InstancedBufferAttribute(numbers, 1));
 }
 
-function casterStage({ vertex }: Drawable, placing: Placing, { map, table, side }: CasterTarget): Vec4 {
+function casterStage({ vertex }: Drawable, placing: Placing, projecting: Projecting): Vec4 {
   return Fn(() => {
     const input = vertex.vertex();
     const clip = vec4(2, 2, 2, 1).toVar();
     const { layer, x } = placing(input);
     If(layer.greaterThanEqual(int(0)), () => {
-      const place = onLayer(readRows(table, layer), x(), float(0)).toVar();
-      const tile = readTile(table, layer);
-      vShadow.assign(vec4(place.z, place.xy.sub(tile.xy).div(side), input.material));
+      const placed = projecting.project(layer, x());
+      vShadow.assign(vec4(placed.spot, input.material));
       vUv.assign(input.uv);
-      const at = place.xy.div(map.at.size).mul(2).sub(1).toVar();
-      clip.assign(vec4(at.x, at.y.negate(), map.depthOf(place.z.div(tile.w)), 1));
+      clip.assign(placed.clip);
     });
     return clip;
   })();
@@ -95,16 +90,16 @@ function isCutOut({ arrays, worn }: Batch, materials: readonly Material[]): bool
   return [...used].some((material) => materials[material].opacityThreshold > 0);
 }
 
-function heightOutput({ surface: { materials, textures } }: Drawable, cutOut: boolean): Vec4 {
+function heightOutput({ surface: { materials, textures } }: Drawable, projecting: Projecting, cutOut: boolean): Vec4 {
   return Fn(() => {
-    const { y, z } = vShadow;
-    const outside = y.lessThan(0).or(y.greaterThan(1)).or(z.lessThan(0)).or(z.greaterThan(1)).toVar();
+    const found = projecting.heightOf(vShadow.xyz);
+    const outside = found.outside.toVar();
     if (cutOut && textures.baseColor) {
       const first = int(round(vShadow.w)).mul(int(MATERIAL_TEXELS)).toVar();
       const [opacity, threshold] = [0, 1].map((k) => materials.texel(first.add(int(k))).w);
       outside.assign(outside.or(opacity.mul(sampled(textures.baseColor, vUv).w).lessThan(threshold)));
     }
     Discard(outside);
-    return vec4(vShadow.x, float(0), float(0), 1);
+    return vec4(found.height, 0, 0, 1);
   })();
 }

@@ -1,58 +1,108 @@
-import { abs, Fn, float, floor, int, ivec2, Loop, max, screenCoordinate, textureLoad, vec4 } from 'three/tsl';
 import {
-  FloatType,
-  NearestFilter,
-  NoColorSpace,
-  RedFormat,
-  RenderTarget,
+  abs,
+  attribute,
+  Fn,
+  float,
+  floor,
+  int,
+  ivec2,
+  Loop,
+  max,
+  screenCoordinate,
+  textureLoad,
+  varying,
+  vec4,
+} from 'three/tsl';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  Mesh,
+  NoBlending,
+  NodeMaterial,
+  PerspectiveCamera,
+  type RenderTarget,
+  Scene,
   type Texture,
   type WebGPURenderer,
 } from 'three/webgpu';
-import type { Int, Vec4 } from '../../shaders/types.ts';
+import type { Float, Int, Vec2, Vec4 } from '../../shaders/types.ts';
 import { FullScreen } from '../fullScreen.ts';
+import { heightTarget } from './heightTarget.ts';
 
-/** A bend of the surface over three texels that may be the edge of a shadow [texels]. */
-const BEND = 1;
+/** Where a map's edges lie in its texture, and what makes one. */
+export interface EdgeLayout {
+  /** Side of a cell [texels of the map], as far as the filter looks. */
+  readonly cell: number;
+  /** A change of slope from texel to texel that may be the edge of a shadow, where so high an occluder is. */
+  readonly bend: (highest: Float) => Float;
+  /** Cells, and the row of the texture at which they begin. */
+  readonly size: Vec2;
+  readonly row: Int;
+  /** Texels of the texture → clip space. */
+  readonly clipOf: (texels: Vec2) => Vec2;
+}
 
 /**
  * Where the edges of shadows can be: per cell of a map, how high the highest edge is within a cell's width of it, 0 where there is none. A point that
- * is farther from all edges above it than the filter is wide is wholly in light or wholly in shadow.
+ * is farther from all edges above it than the filter is wide is wholly in light or wholly in shadow. They lie below the map, in the same texture, for
+ * shaders have few.
  */
 export class EdgeMap {
-  private readonly own = singleChannel();
-  private readonly around = singleChannel();
-  private readonly passes: readonly [FullScreen, FullScreen];
+  private readonly own = heightTarget(false);
+  private readonly cells: FullScreen;
+  private readonly strip = new Scene();
+  private readonly camera = new PerspectiveCamera();
 
-  private readonly cell: number;
-
-  /** `cell`: its side [texels of the map], as far as the filter looks. */
-  constructor(heights: Texture, cell: number) {
-    this.cell = cell;
-    this.passes = [
-      new FullScreen(Fn(() => highestEdge(heights, cell))(), 'edges of cells'),
-      new FullScreen(Fn(() => highestAround(this.own.texture))(), 'edges near cells'),
-    ];
+  constructor(heights: Texture, layout: EdgeLayout) {
+    this.cells = new FullScreen(Fn(() => highestEdge(heights, layout))(), 'edges of cells');
+    this.strip.add(makeStrip(this.own.texture, layout));
   }
 
-  get texture(): Texture {
-    return this.around.texture;
-  }
-
-  /** Of heights that have changed. */
-  make(renderer: WebGPURenderer, width: number, height: number): void {
-    [this.own, this.around].forEach((target, k) => {
-      target.setSize(width / this.cell, height / this.cell);
-      this.passes[k].render(renderer, target);
-    });
+  /** Of the heights in `target`, which have changed: so many cells. */
+  make(renderer: WebGPURenderer, target: RenderTarget, columns: number, rows: number): void {
+    this.own.setSize(columns, rows);
+    this.cells.render(renderer, this.own);
+    renderer.setRenderTarget(target);
+    renderer.autoClear = false;
+    renderer.render(this.strip, this.camera);
+    renderer.autoClear = true;
   }
 
   dispose(): void {
-    for (const each of [...this.passes, this.own, this.around]) each.dispose();
+    for (const { geometry, material } of this.strip.children as Mesh<BufferGeometry, NodeMaterial>[]) {
+      geometry.dispose();
+      material.dispose();
+    }
+    this.cells.dispose();
+    this.own.dispose();
   }
 }
 
+/** Draws the edges near each cell where they belong. */
+function makeStrip(own: Texture, { size, row, clipOf }: EdgeLayout): Mesh {
+  const material = new NodeMaterial();
+  material.name = 'edges near cells';
+  const cell = varying(attribute<'vec3'>('position', 'vec3').xy.mul(size), 'v_cell');
+  const place = attribute<'vec3'>('position', 'vec3')
+    .xy.mul(size)
+    .add(vec4(0, row, 0, 0).xy);
+  material.vertexNode = vec4(clipOf(place), 0.5, 1);
+  material.fragmentNode = Fn(() => highestAround(own, cell))();
+  material.side = DoubleSide;
+  material.blending = NoBlending;
+  material.depthTest = false;
+  material.depthWrite = false;
+  const corners = Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
+  const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(corners, 3));
+  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  const mesh = new Mesh(geometry, material);
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
 /** Upper ends of the bends within a cell, along its rows and columns. */
-function highestEdge(heights: Texture, cell: number): Vec4 {
+function highestEdge(heights: Texture, { cell, bend }: EdgeLayout): Vec4 {
   const corner = ivec2(floor(screenCoordinate)).mul(int(cell)).toVar();
   const highest = float(0).toVar();
   const load = (x: Int, y: Int) => textureLoad(heights, corner.add(ivec2(x, y))).x.toVar();
@@ -62,8 +112,9 @@ function highestEdge(heights: Texture, cell: number): Vec4 {
       const here = at(int(0), int(j));
       Loop({ start: int(0), end: int(cell), type: 'int', condition: '<' }, ({ i }) => {
         const after = at(int(i).add(int(1)), int(j));
-        const bent = abs(before.add(after).sub(here.mul(2))).greaterThan(BEND);
-        highest.assign(max(highest, bent.select(max(before, max(here, after)), float(0))));
+        const upper = max(before, max(here, after)).toVar();
+        const bent = abs(before.add(after).sub(here.mul(2))).greaterThan(bend(upper));
+        highest.assign(max(highest, bent.select(upper, float(0))));
         before.assign(here);
         here.assign(after);
       });
@@ -71,21 +122,10 @@ function highestEdge(heights: Texture, cell: number): Vec4 {
   return vec4(highest, 0, 0, 1);
 }
 
-function highestAround(edges: Texture): Vec4 {
-  const here = ivec2(floor(screenCoordinate)).toVar();
+function highestAround(edges: Texture, cell: Vec2): Vec4 {
+  const here = ivec2(floor(cell)).toVar();
   const highest = float(0).toVar();
   for (const y of [-1, 0, 1])
     for (const x of [-1, 0, 1]) highest.assign(max(highest, textureLoad(edges, here.add(ivec2(x, y))).x));
   return vec4(highest, 0, 0, 1);
 }
-
-const singleChannel = (): RenderTarget =>
-  new RenderTarget(1, 1, {
-    type: FloatType,
-    format: RedFormat,
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    generateMipmaps: false,
-    depthBuffer: false,
-    colorSpace: NoColorSpace,
-  });

@@ -1,69 +1,79 @@
-import { uniform } from 'three/tsl';
-import {
-  FloatType,
-  type Mesh,
-  NearestFilter,
-  NoColorSpace,
-  PerspectiveCamera,
-  RedFormat,
-  RenderTarget,
-  Scene,
-  type Texture,
-  Vector2,
-} from 'three/webgpu';
-import type { Float } from '../../shaders/types.ts';
+import { float, uniform, vec2 } from 'three/tsl';
+import { type Mesh, PerspectiveCamera, Scene, type Texture, Vector2 } from 'three/webgpu';
+import type { Float, Int, Vec2 } from '../../shaders/types.ts';
 import type { Gpu } from '../device.ts';
-import { EdgeMap } from './edges.ts';
+import { type EdgeLayout, EdgeMap } from './edges.ts';
+import { heightTarget } from './heightTarget.ts';
 
-/** A texture of tiles on which occluders have left how high they are, and where between them edges are. */
+/** The scene drawn once, with the layer that its shaders read, or the first of several. */
+export interface Drawing {
+  readonly layer: number;
+  /** Called before. */
+  readonly prepare?: () => void;
+}
+
+/** A texture of tiles on which occluders have left how high they are, and below them where between them edges are. */
 export class HeightMap {
   /** Occluders in any of the layers. */
   readonly scene = new Scene();
-  /** What their shaders read: the layer that is drawn, or the first of several, and the size of the map [texels]. */
-  readonly at = { layer: uniform(0, 'int'), size: uniform(new Vector2(1, 1)) };
   readonly cell: number;
+  /** The layer that is drawn, or the first of several. */
+  readonly layer: Int;
+  /** Row of the texture at which the cells of edges begin. */
+  readonly edgeRow: Int;
+  private readonly at = { layer: uniform(0, 'int'), size: uniform(new Vector2(1, 1)), edges: uniform(0, 'int') };
+  private readonly cells = uniform(new Vector2(1, 1));
   private readonly gpu: Gpu;
-  private readonly target = heightTarget();
+  private readonly target = heightTarget(true);
   private readonly edgeMap: EdgeMap;
   private readonly camera = new PerspectiveCamera();
 
-  /** `cell`: as of edges.ts [texels]. */
-  constructor(gpu: Gpu, cell: number) {
+  /** `cell`, `bend`: as of edges.ts. */
+  constructor(gpu: Gpu, { cell, bend }: Pick<EdgeLayout, 'cell' | 'bend'>) {
     this.gpu = gpu;
     this.cell = cell;
-    this.edgeMap = new EdgeMap(this.target.texture, cell);
+    this.layer = this.at.layer;
+    this.edgeRow = this.at.edges;
+    const layout = { cell, bend, size: this.cells, row: this.at.edges, clipOf: (texels: Vec2) => this.clipOf(texels) };
+    this.edgeMap = new EdgeMap(this.target.texture, layout);
   }
 
-  /** Of the highest occluder of each texel, 0 where none is [texels]. */
+  /** Of the highest occluder of each texel, 0 where none is; of cells from `edgeRow` on, as edges.ts says. */
   get heights(): Texture {
     return this.target.texture;
   }
-  /** Of cells: edges.ts. */
-  get edges(): Texture {
-    return this.edgeMap.texture;
-  }
 
-  /** Draws all anew: the scene once for each of the numbers of layers. */
-  make(width: number, height: number, layers: readonly number[]): void {
+  /** Draws all anew. */
+  make(width: number, height: number, drawings: readonly Drawing[]): void {
     const { renderer } = this.gpu;
-    this.target.setSize(width, height);
-    this.at.size.value.set(width, height);
+    const [columns, rows] = [width / this.cell, height / this.cell];
+    this.target.setSize(width, height + rows);
+    this.at.size.value.set(width, height + rows);
+    this.at.edges.value = height;
+    this.cells.value.set(columns, rows);
     renderer.setMRT(null);
     renderer.setRenderTarget(this.target);
-    for (const [k, layer] of layers.entries()) {
+    for (const [k, { layer, prepare }] of drawings.entries()) {
+      prepare?.();
       this.at.layer.value = layer;
       renderer.autoClear = k === 0;
       renderer.render(this.scene, this.camera);
     }
     renderer.autoClear = true;
-    this.edgeMap.make(renderer, width, height);
+    this.edgeMap.make(renderer, this.target, columns, rows);
   }
 
-  /** Clip-space depth of a height from 0 to 1: nearer to the sun is nearer, as the backend and its depth buffer count. */
-  depthOf(height: Float): Float {
+  /** A place on the texture [texels] in clip space; of homogeneous places the last is `w`. */
+  clipOf(texels: Vec2, w: Float = float(1)): Vec2 {
+    const at = texels.div(this.at.size).mul(2).sub(w);
+    return vec2(at.x, at.y.negate());
+  }
+
+  /** Clip-space depth of a height from 0 to 1, or of one from 0 to w times w: the higher is the nearer, as the backend and its depth buffer count. */
+  depthOf(height: Float, w: Float = float(1)): Float {
     const { backend, renderer } = this.gpu;
     if (renderer.reversedDepthBuffer) return height;
-    return backend === 'webgl' ? height.mul(-2).add(1) : height.oneMinus();
+    return backend === 'webgl' ? w.sub(height.mul(2)) : w.sub(height);
   }
 
   dispose(): void {
@@ -75,14 +85,3 @@ export class HeightMap {
     this.edgeMap.dispose();
   }
 }
-
-const heightTarget = (): RenderTarget =>
-  new RenderTarget(1, 1, {
-    type: FloatType,
-    format: RedFormat,
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    generateMipmaps: false,
-    depthBuffer: true,
-    colorSpace: NoColorSpace,
-  });

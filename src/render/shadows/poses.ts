@@ -1,11 +1,12 @@
 import { dot, float, int, vec3, vec4 } from 'three/tsl';
 import { rotate } from '../../math/quat.ts';
-import { lerp, scale, type Vec3 } from '../../math/vec3.ts';
+import { lerp, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/boost.ts';
 import { contraction } from '../../physics/simultaneity.ts';
 import { pieceAt, samplePose } from '../../scene/motion.ts';
 import type { Int } from '../../shaders/types.ts';
 import type { Body } from '../bodies.ts';
+import type { Drawable } from '../drawable.ts';
 import { FloatTable } from '../floatTable.ts';
 import type { Placing } from './casters.ts';
 
@@ -32,6 +33,8 @@ export function turnOf({ object }: Body, worn: boolean, t: number, c: number): T
   return turn((axis) => contraction(turned(axis), u));
 }
 
+/** Slot of what has none of its own, and is drawn where all that is round a lamp is. */
+export const ROUND = -2;
 /** Texels of a body: rows of its turn with its place, and its slot. */
 const POSE_TEXELS = 4;
 
@@ -54,19 +57,31 @@ export class PoseTable {
     this.table.values.set([...rows, slot, 0, 0, 0], 4 * POSE_TEXELS * (id - 1));
   }
 
+  /** Uploads where bodies are that rest, from `origin`. */
+  setResting(resting: readonly Body[], drawables: readonly Drawable[], origin: Vec3): void {
+    const worn = new Set(drawables.flatMap(({ batch }) => (batch.worn ? batch.bodies : [])));
+    for (const body of resting) {
+      const turn = turnOf(body, worn.has(body), 0, 1);
+      if (turn && body.line.kind === 'static') this.set(body, turn, sub(body.line.position, origin), 0);
+    }
+    this.upload();
+  }
+
   upload(): void {
     this.table.upload();
   }
 
-  /** Slots are layers from `first` on. */
-  placing(first: Int): Placing {
+  /** Slots are layers from `first` on; where `round` is 1, only what is round a lamp is drawn, on that layer. */
+  placing(first: Int, round?: Int): Placing {
     return ({ object, offset }) => {
       const begin = int(object).mul(int(POSE_TEXELS)).toVar();
       const texel = (k: number) => this.table.texel(begin.add(int(k)));
       const slot = int(texel(3).x).toVar();
       const point = vec4(offset, float(1));
+      const own = slot.lessThan(int(0)).select(int(-1), slot.add(first));
+      const shared = slot.equal(int(ROUND)).select(first, int(-1));
       return {
-        layer: slot.lessThan(int(0)).select(int(-1), slot.add(first)),
+        layer: round ? round.greaterThan(int(0)).select(shared, own) : own,
         x: () => vec3(dot(texel(0), point), dot(texel(1), point), dot(texel(2), point)),
       };
     };

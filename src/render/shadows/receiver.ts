@@ -1,28 +1,10 @@
-import {
-  abs,
-  Break,
-  clamp,
-  dot,
-  float,
-  floor,
-  If,
-  int,
-  ivec2,
-  Loop,
-  log2,
-  max,
-  normalize,
-  round,
-  sqrt,
-  texture,
-  vec2,
-  vec3,
-} from 'three/tsl';
-import type { Texture } from 'three/webgpu';
-import type { Bool, Float, Int, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
-import type { HeightMap } from './heightMap.ts';
+import { abs, clamp, dot, float, floor, If, int, log2, max, normalize, round, sqrt, vec2, vec3 } from 'three/tsl';
+import type { Bool, Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { SeenLamp } from '../lampSeen.ts';
+import type { LampTexels } from '../lampTable.ts';
 import { MARGIN } from './layer.ts';
 import type { LayerTable } from './layerTable.ts';
+import { edgeNear, heightAt, type Looked, times, turned } from './lookups.ts';
 
 /** An event on a surface that may be in shadow. */
 export interface Receiver {
@@ -35,15 +17,20 @@ export interface Receiver {
   readonly velocity: Vec4 | undefined;
 }
 
-/** Says which share of a sun's light comes to an event. */
+/** Says which share of a light comes to an event. */
 export interface Shadowing {
   /** undefined of a sun without shadows; `sun`: its place in the environment. */
   share(sun: number | undefined, receiver: Receiver): Float | undefined;
+  /** Of a lamp's. `slot`: its place among those with shadows. */
+  ofLamp(slot: Int | number | undefined, receiver: Receiver, lamp: ShadowLamp): Float | undefined;
 }
+
+/** A lamp as a surface sees it: surface → lamp when it sent its light out [m], its kind and size. */
+export type ShadowLamp = Pick<SeenLamp, 'offset' | 'shape'> & Pick<LampTexels, 'kind' | 'radius' | 'path'>;
 
 /** Layers of one kind: what is in their maps, and the numbers of their projections. */
 export interface LayerMaps {
-  readonly map: Pick<HeightMap, 'heights' | 'edges' | 'cell'>;
+  readonly map: Looked;
   readonly table: LayerTable;
   /** Side of a tile [texels]. */
   readonly side: number;
@@ -66,8 +53,6 @@ const STEEPEST = 8;
 const RISE = 1.5;
 /** The sun's disc on the map is taken to have at least this radius [texels], and at most a cell of edges.ts. */
 const LEAST_RADIUS = 0.8;
-/** From each lookup to the next: the golden angle. */
-const TURN = Math.PI * (3 - Math.sqrt(5));
 
 /** Normal of the surface as it is at one moment of the world: n∥ → γ n∥ of that of the rest frame. */
 export function sliceNormal({ normal, velocity }: Pick<Receiver, 'normal' | 'velocity'>): Vec3 {
@@ -117,13 +102,6 @@ function isUnder(tile: Vec4, side: number, place: Vec3): Bool {
     .and(place.z.lessThan(tile.w));
 }
 
-function load(map: Texture, at: Vec2): Float {
-  const texel = texture(map).load(ivec2(at));
-  // Else three multiplies the whole numbers by the texture's matrix at every fetch.
-  texel.updateMatrix = false;
-  return texel.x;
-}
-
 /**
  * The share of the sun's disc that is seen past the occluders of a layer. Where no edge is near, one lookup tells; else those which fall on the part
  * of the map that the disc covers in the height of the edge (percentage-closer soft shadows, Fernando 2005). The surface itself is taken for a
@@ -142,7 +120,7 @@ function passing({ map, table, taps }: LayerMaps, layer: Int, { dx, time, normal
   const slope = clamp(n.xy.div(max(facing, 1 / STEEPEST)).negate(), -STEEPEST, STEEPEST).toVar();
   // A texel without an occluder is 0.
   const ground = max(place.z, 0).toVar();
-  const edge = load(map.edges, floor(place.xy.div(map.cell))).toVar();
+  const edge = edgeNear(map, place.xy).toVar();
   const near = edge.greaterThan(ground).toVar();
   const radius = near.select(clamp(edge.sub(ground).mul(spread), LEAST_RADIUS, map.cell), float(0)).toVar();
   const direction = vec2(1, 0).toVar();
@@ -154,27 +132,11 @@ function passing({ map, table, taps }: LayerMaps, layer: Int, { dx, time, normal
     const off = at.add(0.5).sub(place.xy).toVar();
     const aside = max(abs(off.x), abs(off.y)).mul(RISE);
     const clear = max(max(dot(slope, off), aside).add(place.z), 0);
-    held.addAssign(load(map.heights, at).greaterThan(clear).select(float(1), float(0)));
+    held.addAssign(heightAt(map, at).greaterThan(clear).select(float(1), float(0)));
     direction.assign(turned(direction));
   });
   return held.div(float(count)).oneMinus();
 }
-
-/** A loop that is left at its end: one that is left at its beginning a software GPU goes through once more, for nothing (docs/adr/0006-software-gpu.md). */
-function times(count: Int, body: (i: Int) => void): void {
-  Loop({ start: int(0), end: count, type: 'int', condition: '<' }, ({ i }) => {
-    const index = int(i);
-    body(index);
-    If(index.add(int(1)).greaterThanEqual(count), () => {
-      Break();
-    });
-  });
-}
-
-const turned = ({ x, y }: Vec2): Vec2 => {
-  const [cos, sin] = [Math.cos(TURN), Math.sin(TURN)];
-  return vec2(x.mul(cos).sub(y.mul(sin)), x.mul(sin).add(y.mul(cos)));
-};
 
 /** The share that passes all that rests: from the finest of `count` layers which holds the event. */
 export function passingResting(maps: LayerMaps, first: number, count: number, event: Event): Float {

@@ -2,15 +2,15 @@ import { sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { Float } from '../../shaders/types.ts';
 import type { Body } from '../bodies.ts';
 import type { Gpu } from '../device.ts';
-import type { Drawable } from '../drawable.ts';
 import { cascadeSizes, cascades, type LitBox, litBox } from './cascades.ts';
 import { makeCaster } from './casters.ts';
-import { HeightMap } from './heightMap.ts';
-import { lightAxes, spreadOf, type Tile } from './layer.ts';
+import { type Drawing, HeightMap } from './heightMap.ts';
+import { LAYER_TEXELS, layerTexels, lightAxes, spreadOf, type Tile } from './layer.ts';
 import { LayerTable } from './layerTable.ts';
-import { PoseTable, turnOf } from './poses.ts';
+import { PoseTable } from './poses.ts';
 import { type Event, type LayerMaps, passingResting } from './receiver.ts';
 import type { Occluders, ShadowSun } from './shadowMaps.ts';
+import { sunBend, toSun } from './sunward.ts';
 
 /** A sun's maps, one in another round the observer. */
 interface Cascades {
@@ -51,16 +51,16 @@ export class RestingShadows {
     });
     this.count = count;
     this.side = detail.resting[Math.max(0, suns.length - 1)];
-    this.map = new HeightMap(gpu, detail.cell);
-    this.table = new LayerTable(2 * count);
+    this.map = new HeightMap(gpu, { cell: detail.cell, bend: sunBend });
+    this.table = new LayerTable(2 * count, LAYER_TEXELS);
     this.origin = this.suns[0]?.box.centre ?? ZERO;
     this.poses = new PoseTable(bodies.length);
-    this.fillPoses(resting, drawables);
+    this.poses.setResting(resting, drawables, this.origin);
     const { map, table, side } = this;
-    const placing = this.poses.placing(map.at.layer);
+    const placing = this.poses.placing(map.layer);
     for (const drawable of drawables)
       if (!drawable.batch.transparent && drawable.batch.bodies.some(isAlwaysThere))
-        map.scene.add(makeCaster(drawable, placing, { map, table, side }, occluders.materials));
+        map.scene.add(makeCaster(drawable, placing, toSun(map, table, side), occluders.materials));
   }
 
   /** undefined where nothing rests. `sun`: its place among the suns. */
@@ -75,16 +75,16 @@ export class RestingShadows {
   /** Makes the maps for an observer at `position`. */
   update(position: Vec3): void {
     const { side, table, origin, count } = this;
-    const order: number[] = [];
+    const order: Drawing[] = [];
     this.suns.forEach((found, row) => {
       if (!found) return;
       const { sun, box, first } = found;
       const tiles = Array.from({ length: found.count }, (_, k): Tile => ({ x: k * side, y: row * side, size: side }));
       const spread = spreadOf(sun.radius, sun.direction, sun.direction);
       cascades(box, position, { tiles, spread }).forEach((layer, k) => {
-        table.set(first + k, { ...layer, centre: sub(layer.centre, position) });
-        table.set(count + first + k, { ...layer, centre: sub(layer.centre, origin) });
-        order.push(count + first + k);
+        table.set(first + k, layerTexels({ ...layer, centre: sub(layer.centre, position) }));
+        table.set(count + first + k, layerTexels({ ...layer, centre: sub(layer.centre, origin) }));
+        order.push({ layer: count + first + k });
       });
     });
     const key = table.keyOf(count, count);
@@ -97,14 +97,5 @@ export class RestingShadows {
   dispose(): void {
     this.map.dispose();
     this.poses.dispose();
-  }
-
-  private fillPoses(resting: readonly Body[], drawables: readonly Drawable[]): void {
-    const worn = new Set(drawables.flatMap(({ batch }) => (batch.worn ? batch.bodies : [])));
-    for (const body of resting) {
-      const turn = turnOf(body, worn.has(body), 0, 1);
-      if (turn && body.line.kind === 'static') this.poses.set(body, turn, sub(body.line.position, this.origin), 0);
-    }
-    this.poses.upload();
   }
 }

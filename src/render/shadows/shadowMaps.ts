@@ -1,21 +1,23 @@
 import { normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { sunRadius } from '../../scene/daylight.ts';
-import type { DistantLight, Material } from '../../scene/types.ts';
-import type { Float } from '../../shaders/types.ts';
+import type { Material } from '../../scene/types.ts';
+import type { Float, Int } from '../../shaders/types.ts';
 import type { Body } from '../bodies.ts';
 import type { Gpu } from '../device.ts';
 import type { Drawable } from '../drawable.ts';
+import type { Environment } from '../environment.ts';
 import type { FrameTables } from '../frame.ts';
 import type { Sight } from '../sight.ts';
 import type { ShadowDetail } from './detail.ts';
+import { LampShadows } from './lampShadows.ts';
 import { MovingShadows } from './movingShadows.ts';
-import { type Receiver, type Shadowing, sliceNormal } from './receiver.ts';
+import { type Receiver, type Shadowing, type ShadowLamp, sliceNormal } from './receiver.ts';
 import { RestingShadows } from './restingShadows.ts';
 
 /** So many suns throw shadows: the environment's first. */
 const MOST_SUNS = 2;
 
-/** What may be between a sun and a surface. */
+/** What may be between a light and a surface. */
 export interface Occluders {
   readonly bodies: readonly Body[];
   /** Of whole batches. */
@@ -23,6 +25,8 @@ export interface Occluders {
   readonly materials: readonly Material[];
   readonly points: FrameTables['points'];
   readonly detail: ShadowDetail;
+  /** Of the scene [m]. */
+  readonly radius: number;
 }
 
 /** Unit, towards it; and the radius of its disc [rad]. */
@@ -41,9 +45,10 @@ export class ShadowMaps implements Shadowing {
   private readonly taps: number;
   private readonly resting: RestingShadows;
   private readonly moving: MovingShadows;
+  private readonly lamps: LampShadows;
 
-  constructor(occluders: Occluders, lights: readonly DistantLight[], gpu: Gpu) {
-    const suns = lights.slice(0, MOST_SUNS).map((light) => ({
+  constructor(occluders: Occluders, lights: Pick<Environment, 'distantLights' | 'lamps'>, gpu: Gpu) {
+    const suns = lights.distantLights.slice(0, MOST_SUNS).map((light) => ({
       direction: normalize(scale(light.direction, -1)),
       radius: sunRadius(light),
     }));
@@ -51,6 +56,7 @@ export class ShadowMaps implements Shadowing {
     this.taps = occluders.detail.taps;
     this.resting = new RestingShadows(occluders, suns, gpu);
     this.moving = new MovingShadows(occluders, suns, gpu);
+    this.lamps = new LampShadows(occluders, lights.lamps, gpu);
   }
 
   share(sun: number | undefined, receiver: Receiver): Float | undefined {
@@ -61,20 +67,28 @@ export class ShadowMaps implements Shadowing {
     return still && moving ? still.mul(moving) : (still ?? moving);
   }
 
+  ofLamp(slot: Int | number | undefined, receiver: Receiver, lamp: ShadowLamp): Float | undefined {
+    if (slot === undefined) return undefined;
+    const event = { dx: receiver.dx, time: receiver.time, normal: sliceNormal(receiver).toVar() };
+    return this.lamps.passing(slot, event, lamp);
+  }
+
   /** Makes the maps that a picture needs; false where samples of a deforming mesh have still to come. */
   update(sight: Sight): boolean {
-    if (this.suns === 0) return true;
+    const lamps = this.lamps.update(sight);
+    if (this.suns === 0) return lamps;
     this.resting.update(sight.position);
-    return this.moving.update(sight);
+    return this.moving.update(sight) && lamps;
   }
 
   /** Whether all samples that the last maps need are on the GPU. */
   get isComplete(): boolean {
-    return this.moving.isComplete;
+    return this.moving.isComplete && this.lamps.isComplete;
   }
 
   dispose(): void {
     this.resting.dispose();
     this.moving.dispose();
+    this.lamps.dispose();
   }
 }

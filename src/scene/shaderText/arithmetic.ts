@@ -1,3 +1,4 @@
+import { degrees, radians } from '../../math/angle.ts';
 import type { Operation } from './program.ts';
 import { isFloat, type Type } from './types.ts';
 
@@ -44,8 +45,8 @@ const COMPONENTS: Readonly<Partial<Record<Operation, Component>>> = {
   round,
   trunc: Math.trunc,
   fract: (x) => x - Math.floor(x),
-  radians: (x) => (x * Math.PI) / 180,
-  degrees: (x) => (x * 180) / Math.PI,
+  radians,
+  degrees,
   saturate: (x) => clampTo(x, 0, 1),
   pow: (x, y) => x ** y,
   atan2: Math.atan2,

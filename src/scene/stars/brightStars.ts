@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import { CATALOGUE } from './catalogue.ts';
 
 /** Points of light, infinitely far away. */
@@ -40,8 +41,6 @@ function decode(bytes: Uint8Array): Stars {
   }
   return { directions, illuminances, temperatures };
 }
-
-const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
 /** [lx] of an apparent visual magnitude. */
 export const illuminanceOf = (magnitude: number): number => 10 ** (0.4 * (MAGNITUDE_OF_LUX - magnitude));

@@ -1,3 +1,5 @@
+import { radians } from '../../math/angle.ts';
+
 /** A place in the plane of a letter: x to the right, y up. */
 export type Pair = readonly [x: number, y: number];
 
@@ -28,7 +30,7 @@ export interface Outline {
 }
 
 /** Sides that meet at less than this are one smooth surface [rad]. */
-const CREASE = (25 * Math.PI) / 180;
+const CREASE = radians(25);
 
 /**
  * Cuts curves into as few pieces as leave none farther than `tolerance` from its curve: a quadratic’s chord over 1/n of it is at most
