@@ -11,7 +11,8 @@ export interface Sketch {
 type About = Required<Pick<GraphDocument, 'title' | 'lookFor'>>;
 
 const COLUMN = 260;
-const ROW = 150;
+/** Nodes that show pictures have room for them. */
+const ROW = 210;
 
 /** A project from a sketch, with its title and what to look for; each node stands a column right of all that feed it. */
 export function build(about: About, nodes: Readonly<Record<string, Sketch>>): GraphDocument {

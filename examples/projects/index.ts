@@ -1,9 +1,11 @@
 import type { GraphDocument } from '../../src/graph/document.ts';
 import { comparison } from './comparison.ts';
+import { godsEye } from './godsEye.ts';
 import { layers } from './layers.ts';
 import { lesson } from './lesson.ts';
 import { letters } from './letters.ts';
 import { plain, rush } from './presets.ts';
+import { truth } from './truth.ts';
 import { workshop } from './workshop.ts';
 
 /** Every example project, by name: a new one is added here. */
@@ -13,6 +15,8 @@ export const projects: Readonly<Record<string, () => GraphDocument>> = {
   layers,
   comparison,
   lesson,
+  'gods-eye': godsEye,
   letters,
+  truth,
   workshop,
 };

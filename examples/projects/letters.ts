@@ -3,21 +3,21 @@ import { build } from './build.ts';
 const ABOUT = {
   title: 'Letters',
   lookFor:
-    'Words of solid letters, where light goes at 10 m/s. The white ones rest; the red ones above fly by at 0.8 c, and show you their ends and colours that they do not have.',
+    'Words of solid letters, where light goes at 10 m/s. The white ones rest; the yellow ones fly by at 0.8 c, and show you their ends and colours that they do not have.',
 };
 
 /** A word at rest, and one that passes above it at 0.8 c, seen turned and shifted. c = 10 m/s. */
 export const letters = () =>
   build(ABOUT, {
     ground: { type: 'grid', set: { name: 'Ground', width: 80, length: 60, columns: 40, rows: 30 } },
-    asphalt: { type: 'material', set: { preset: 'asphalt' }, from: { geometry: 'ground.geometry' } },
+    stone: { type: 'material', set: { color: [0.42, 0.4, 0.36] }, from: { geometry: 'ground.geometry' } },
 
-    title: { type: 'solid-text', set: { name: 'Title', text: 'SLOWLIGHT · v = 0', size: 0.8, depth: 0.4 } },
+    title: { type: 'solid-text', set: { name: 'Title', text: 'SLOWLIGHT', size: 1, depth: 0.4 } },
     ivory: { type: 'material', set: { color: [0.85, 0.8, 0.7] }, from: { geometry: 'title.geometry' } },
 
-    word: { type: 'solid-text', set: { name: 'Passing', text: '慢光 · v = 0.8 c', size: 1.2, depth: 0.8 } },
-    red: { type: 'material', set: { color: [0.75, 0.1, 0.05], roughness: 0.4 }, from: { geometry: 'word.geometry' } },
-    behind: { type: 'transform', set: { position: [0, 1.6, -3] }, from: { geometry: 'red.geometry' } },
+    word: { type: 'solid-text', set: { name: 'Passing', text: '慢光 0.8 c', size: 1.3, depth: 0.5 } },
+    yellow: { type: 'material', set: { color: [0.9, 0.62, 0.2], roughness: 0.4 }, from: { geometry: 'word.geometry' } },
+    behind: { type: 'transform', set: { position: [0, 1.5, -1.5] }, from: { geometry: 'yellow.geometry' } },
     passing: { type: 'motion-uniform', set: { velocity: [8, 0, 0], at: 2 } },
     flyer: {
       type: 'move',
@@ -25,16 +25,16 @@ export const letters = () =>
       from: { geometry: 'behind.geometry', motion: 'passing.motion' },
     },
 
-    things: { type: 'merge', from: { geometry: ['ivory', 'flyer', 'asphalt'].map((id) => `${id}.geometry`) } },
+    things: { type: 'merge', from: { geometry: ['ivory', 'flyer', 'stone'].map((id) => `${id}.geometry`) } },
     written: {
       type: 'write-usd',
       set: { name: 'letters.usda', speedOfLight: 10 },
       from: { geometry: 'things.geometry', time: 'clock.time' },
     },
-    eye: { type: 'camera', set: { name: 'Eye', position: [1, 2, 7], target: [0, 1.6, 0] } },
+    eye: { type: 'camera', set: { name: 'Eye', position: [0.5, 1.7, 4.9], target: [0.2, 1.3, 0] } },
     sun: { type: 'sun', set: { brightness: 2.4, direction: [-0.5, -0.8, -0.6] } },
     sky: { type: 'sky', set: { color: [0.4, 0.55, 0.8], brightness: 0.8 } },
-    clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.8 } },
+    clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.42 } },
     scene: {
       type: 'scene',
       from: {

@@ -112,5 +112,7 @@ export const workshop = () =>
     rasterize: { type: 'relativity-rasterize', from: { view: 'camera.view' } },
     lighting: { type: 'deferred-lighting', from: { gbuffer: 'rasterize.gbuffer' } },
     toneMap: { type: 'tone-map', from: { image: 'lighting.image' } },
+    still: { type: 'save-image', set: { name: 'workshop.png' }, from: { image: 'toneMap.image' } },
+    film: { type: 'save-video', set: { name: 'workshop.mp4', hold: true }, from: { image: 'toneMap.image' } },
     output: { type: 'output', from: { image: 'toneMap.image' } },
   });

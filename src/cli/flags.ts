@@ -98,7 +98,7 @@ export function addSettingFlags(command: Command): Command {
     )
     .option('--doppler-mix <0…1>', 'how much of the Doppler shift reaches the colours', parseFraction, dopplerMix)
     .option('--beaming <0…1>', 'how much of it reaches the brightness', parseFraction, beaming)
-    .option('--no-shadows', 'suns throw none, for comparison')
+    .option('--no-shadows', 'suns and lamps throw none, for comparison')
     .option(
       '--exposure <EV>',
       'added to what the metering sets: the picture is 2^EV times as bright',

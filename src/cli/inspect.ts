@@ -1,4 +1,5 @@
 import { Command } from 'commander';
+import { degrees } from '../math/angle.ts';
 import { fastest } from '../scene/fastest.ts';
 import type { Diagnostic, Motion, Scene, SceneObject, VariantSet } from '../scene/types.ts';
 import { validate } from '../scene/validate.ts';
@@ -57,7 +58,7 @@ function summarize(scene: Scene, c: number) {
     cameras: scene.cameras.map(({ path, motion, fovY }) => ({
       path,
       motion: motion.kind,
-      fov: (fovY * 180) / Math.PI,
+      fov: degrees(fovY),
     })),
     diagnostics: [...scene.diagnostics, ...validate(scene, c)],
   };

@@ -1,38 +1,33 @@
-import { addScaled, length, type Vec3, ZERO } from '../math/vec3.ts';
-import { properVelocity } from '../physics/boost.ts';
+import { radians } from '../math/angle.ts';
+import { addScaled, length, type Vec3 } from '../math/vec3.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../scene/camera.ts';
+import { type ObserverPath, observerPathFrom } from '../scene/observerPath.ts';
 import type { Scene, SceneCamera } from '../scene/types.ts';
 import type { ViewPoint } from '../scene/view.ts';
 import { usageError } from './exit.ts';
 import type { ObserverFlags } from './flags.ts';
 
-/** The observer at world time t [s]. */
-export type ObserverPath = (t: number) => ViewPoint;
-
 /**
- * The observer that the flags ask for. The camera's path carries it where that moves; else it coasts from its place at
- * world time `start` [s] with its velocity, or stays there with `hold` (a velocity without moving, as the lock `look`).
+ * The observer that the flags ask for, who starts at world time `start` [s]. Where the camera moves, its own velocity comes before the one
+ * that the scene suggests.
  */
 export function observerPath(scene: Scene, flags: ObserverFlags, c: number, start: number, hold = false): ObserverPath {
   const camera = chooseCamera(scene, flags.camera);
+  const { position, lookAt, fov } = flags;
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
-  const orientation =
-    flags.lookAt && lookOrientation(flags, flags.lookAt, observerFromCamera(camera, start, c).position, up);
-  const given = flags.beta ?? scene.hints.beta;
-  const moves = camera.motion.kind !== 'static' && flags.position === undefined;
-  return (t) => {
-    const carried = observerFromCamera(camera, t, c);
-    const beta = flags.beta ?? (moves ? undefined : given);
-    const u = beta ? properVelocity(beta) : moves ? carried.u : ZERO;
-    const drift = moves || hold || !beta ? 0 : c * (t - start);
-    return {
-      t,
-      position: addScaled(flags.position ?? carried.position, beta ?? ZERO, drift),
-      u,
-      orientation: orientation ?? carried.orientation,
-      fovY: flags.fov === undefined ? carried.fovY : (flags.fov * Math.PI) / 180,
-    };
+  const moves = camera.motion.kind !== 'static' && position === undefined;
+  const beta = flags.beta ?? (moves ? undefined : scene.hints.beta);
+  const standpoint = {
+    camera,
+    hold,
+    ...(beta && { beta }),
+    ...(position && { position }),
+    ...(lookAt && {
+      orientation: lookOrientation(flags, lookAt, observerFromCamera(camera, start, c).position, up),
+    }),
+    ...(fov !== undefined && { fovY: radians(fov) }),
   };
+  return observerPathFrom(standpoint, c, start);
 }
 
 function chooseCamera(scene: Scene, path: string | undefined): SceneCamera {

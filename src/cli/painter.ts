@@ -1,25 +1,8 @@
+import type { PicturePainter } from '../nodes/drawing/painter.ts';
 import type { Backend } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 import { CliError, EXIT, unavailable } from './exit.ts';
-import type { AovData } from './pictures.ts';
 import type { RenderFlags } from './render.ts';
-
-export interface PictureRequest {
-  readonly view: ViewPoint;
-  readonly settings: RenderSettings;
-  /** n × n samples per pixel. */
-  readonly samples: number;
-  /** The picture itself is wanted, for a screen. */
-  readonly pixels: boolean;
-  readonly aovs: readonly AovName[];
-}
-
-export interface Picture {
-  /** sRGB, RGBA8, rows from the top; empty where it was not asked for. */
-  readonly pixels: Uint8Array;
-  readonly aovs: AovData;
-}
 
 /** What made the pictures, for `--json`. */
 export type PainterInfo =
@@ -29,13 +12,9 @@ export type PainterInfo =
 /** A picture's scene, and those of its plan's other G-buffers. */
 export type Scenes = readonly [Scene, ...Scene[]];
 
-/** Makes pictures of one scene: here on a GPU, in a browser, or on the processor. */
-export interface Painter {
+/** Here on a GPU, in a browser, or on the processor. */
+export interface Painter extends PicturePainter {
   readonly info: PainterInfo;
-  /** n × n samples per pixel where nobody says. */
-  readonly usualSamples: number;
-  /** `onPart` hears, now and then, which part of the picture is done, 0 … 1. */
-  paint(request: PictureRequest, onPart?: (part: number) => void): Promise<Picture>;
   close(): Promise<void>;
 }
 
@@ -43,18 +22,13 @@ export interface Painter {
  * `auto`: WebGPU here; where there is no GPU for that, WebGL2 in a browser; where there is none either, the reference renderer,
  * unless a backend was asked for by name.
  */
-export async function openPainter(
-  path: string,
-  scenes: Scenes,
-  flags: RenderFlags,
-  say: (text: string) => void,
-): Promise<Painter> {
+export async function openPainter(scenes: Scenes, flags: RenderFlags, say: (text: string) => void): Promise<Painter> {
   const { pipeline, backend } = flags;
   if (pipeline === 'reference') return openReference(scenes, flags);
   const missing: string[] = [];
   for (const each of backend === 'auto' ? (['webgpu', 'webgl'] as const) : [backend]) {
     try {
-      return await OPENERS[each](path, scenes, flags);
+      return await OPENERS[each](scenes, flags);
     } catch (error) {
       if (!(error instanceof CliError && error.exitCode === EXIT.unavailable)) throw error;
       missing.push(`${each}: ${error.message}`);
@@ -68,9 +42,9 @@ export async function openPainter(
 }
 
 /** Each is loaded when it is needed: they bring large libraries, and some machines cannot load them. */
-const OPENERS: Record<Backend, (path: string, scenes: Scenes, flags: RenderFlags) => Promise<Painter>> = {
-  webgpu: async (_, scenes, { size }) => (await import('./webgpu.ts')).openWebGpuPainter(scenes, size),
-  webgl: async (path, [scene], flags) => (await import('./webgl.ts')).openWebGlPainter(path, scene, flags),
+const OPENERS: Record<Backend, (scenes: Scenes, flags: RenderFlags) => Promise<Painter>> = {
+  webgpu: async (scenes, { size }) => (await import('./webgpu.ts')).openWebGpuPainter(scenes, size),
+  webgl: async (scenes, { size }) => (await import('./webgl.ts')).openWebGlPainter(scenes, size),
 };
 
 const openReference = async (scenes: Scenes, flags: RenderFlags): Promise<Painter> =>

@@ -1,6 +1,8 @@
 import { InvalidArgumentError, Option } from 'commander';
 import { parseChoice } from '../formats/choices.ts';
 import { length, type Vec3 } from '../math/vec3.ts';
+import type { Size } from '../nodes/drawing/painter.ts';
+import { MOST_BOUNCES, MOST_SAMPLES, SEEDS } from '../reference/lightOptions.ts';
 import { AOVS, type AovName } from '../scene/view.ts';
 
 /** Readers of flag values. Each throws an InvalidArgumentError, which names what was expected. */
@@ -26,14 +28,20 @@ export const parseFraction = numberWhere((x) => x >= 0 && x <= 1, 'a number from
 export const parseDamping = numberWhere((x) => x > 0 && x <= 1, 'a number above 0 and at most 1');
 export const parseFov = numberWhere((x) => x > 0 && x < 180, 'degrees between 0 and 180');
 export const parseIterations = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 64, 'a whole number, 1 to 64');
-export const parseSamples = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 16, 'a whole number, 1 to 16');
+export const parseSamples = numberWhere(
+  (x) => Number.isInteger(x) && x >= 1 && x <= MOST_SAMPLES,
+  `a whole number, 1 to ${MOST_SAMPLES}`,
+);
 export const parseLevels = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 8, 'a whole number, 0 to 8');
 export const parseThreads = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 1024, 'a whole number, 1 to 1024');
 export const parseSeed = numberWhere(
-  (x) => Number.isInteger(x) && x >= 0 && x < 2 ** 32,
-  'a whole number, 0 to 4294967295',
+  (x) => Number.isInteger(x) && x >= 0 && x < SEEDS,
+  `a whole number, 0 to ${SEEDS - 1}`,
 );
-export const parseBounces = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 64, 'a whole number, 0 to 64');
+export const parseBounces = numberWhere(
+  (x) => Number.isInteger(x) && x >= 0 && x <= MOST_BOUNCES,
+  `a whole number, 0 to ${MOST_BOUNCES}`,
+);
 export const parsePort = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 65535, 'a port, 0 to 65535');
 
 export function parseVec3(text: string): Vec3 {
@@ -59,11 +67,6 @@ export function addVariant(text: string, before: ReadonlyMap<string, string> = n
   const choice = parseChoice(text);
   if (!choice) throw new InvalidArgumentError('Expected SET=OPTION, as inspect lists them: /World/Car{paint}=red.');
   return new Map([...before, choice]);
-}
-
-export interface Size {
-  readonly width: number;
-  readonly height: number;
 }
 
 export function parseSize(text: string): Size {

@@ -1,5 +1,5 @@
 import { type Command, Option } from 'commander';
-import { DEFAULT_LIGHT } from '../reference/lighting.ts';
+import { DEFAULT_LIGHT } from '../reference/lightOptions.ts';
 import type { Backend } from '../render/settings.ts';
 import type { Solver } from '../scene/view.ts';
 import { usageError } from './exit.ts';

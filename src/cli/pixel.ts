@@ -1,4 +1,5 @@
 import { sub, type Vec3 } from '../math/vec3.ts';
+import type { Size } from '../nodes/drawing/painter.ts';
 import { apparentPosition } from '../physics/apparent.ts';
 import { properVelocity } from '../physics/boost.ts';
 import { dopplerFactor } from '../physics/doppler.ts';
@@ -9,7 +10,6 @@ import { visibleHit } from '../reference/visible.ts';
 import type { VertexProbe } from '../scene/probe.ts';
 import type { Scene } from '../scene/types.ts';
 import { DEFAULT_SETTINGS, type View, type ViewPoint } from '../scene/view.ts';
-import type { Size } from './parse.ts';
 
 /** What an observer sees at a pixel: a point of a surface, at the event where the light left it. */
 export interface SeenPoint extends Omit<VertexProbe, 'vertex' | 'visible'> {

@@ -1,7 +1,8 @@
 import { Command } from 'commander';
+import type { Size } from '../nodes/drawing/painter.ts';
 import type { View } from '../scene/view.ts';
 import { addObserverFlags, type ObserverFlags, viewOption } from './flags.ts';
-import { parseNumber, parsePixel, type Size, sizeOption } from './parse.ts';
+import { parseNumber, parsePixel, sizeOption } from './parse.ts';
 import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 
 export interface ProbeFlags extends ObserverFlags, SceneFlags {

@@ -2,6 +2,12 @@
 export class Progress {
   private shown = false;
   private readonly began = performance.now();
+  /** What it is that is being made, before all that is said of frames. */
+  private readonly what: string;
+
+  constructor(what = '') {
+    this.what = what;
+  }
 
   show(text: string): void {
     if (!process.stderr.isTTY) return;
@@ -14,7 +20,7 @@ export class Progress {
     const elapsed = (performance.now() - this.began) / 1000;
     const left = done > 0 ? `, ${duration((elapsed / done) * (total - done))} left` : '';
     const part = done % 1 > 0 ? ` ${Math.floor(100 * (done % 1))} %` : '';
-    this.show(`frame ${Math.floor(done)}/${total}${part}${left}`);
+    this.show(`${this.what}frame ${Math.floor(done)}/${total}${part}${left}`);
   }
 
   /** What a node of a project is at. */

@@ -7,11 +7,12 @@ import { type Evaluation, Evaluator } from '../graph/evaluate.ts';
 import { type ParamSpec, type Problem, refuseValue } from '../graph/nodeType.ts';
 import { parseDocument } from '../graph/read.ts';
 import { validateDocument } from '../graph/validate.ts';
+import { degrees } from '../math/angle.ts';
 import { outputIn } from '../nodes/chain.ts';
 import type { Picture } from '../nodes/define.ts';
 import { surveyed } from '../nodes/geometry/surveyed.ts';
 import { nodeLibrary } from '../nodes/library.ts';
-import { pictureOf } from '../nodes/picture.ts';
+import { pictureOf, startingBeta } from '../nodes/picture.ts';
 import { PROJECT } from '../nodes/projectArchive.ts';
 import type { Services } from '../nodes/services.ts';
 import { drawableScene } from '../scene/drawable.ts';
@@ -22,6 +23,7 @@ import { findScene, openSceneFile } from './files.ts';
 import { readFont } from './fonts.ts';
 import { heavyNodes } from './heavyNodes.ts';
 import type { RenderFlags } from './render.ts';
+import { traceHere } from './trace.ts';
 
 const isArchive = (path: string): boolean => path.toLowerCase().endsWith('.zip');
 
@@ -34,7 +36,7 @@ export async function isProject(path: string): Promise<boolean> {
 
 const inArchive = (archive: string, file: string): string => `${archive}[${file}]`;
 
-/** Reads a project of any version, of an archive that in it, and checks nothing but that it is one. */
+/** Reads a project of any version, of an archive the one in it, and checks nothing but that it is one. */
 export async function readProject(path: string): Promise<GraphDocument> {
   const bytes = isArchive(path)
     ? await readPacked(path)
@@ -46,13 +48,18 @@ export async function readProject(path: string): Promise<GraphDocument> {
   }
 }
 
+/** A file on disk or in an archive; undefined where there is none. */
+async function bytesAt(path: string): Promise<Uint8Array | undefined> {
+  const { source, entry } = await findScene(path);
+  return source.read(entry);
+}
+
 function refuseFile(path: string, { code, message }: NodeJS.ErrnoException): never {
   throw inputProblem(`${path}: ${code === 'ENOENT' ? 'no such file' : `cannot be read (${message})`}`);
 }
 
 async function readPacked(path: string): Promise<Uint8Array> {
-  const { source, entry } = await findScene(inArchive(path, PROJECT));
-  const bytes = await source.read(entry);
+  const bytes = await bytesAt(inArchive(path, PROJECT));
   if (!bytes) throw inputProblem(`${path}: it holds no ${PROJECT}; save the project with its files again`);
   return bytes;
 }
@@ -147,6 +154,7 @@ function servicesAt(project: string): Services {
   };
   return {
     readFont,
+    trace: traceHere,
     async readScene(source, { variants, interpolation }) {
       const read = await openSceneFile(at(source), {
         ...(variants && { variants }),
@@ -155,8 +163,7 @@ function servicesAt(project: string): Services {
       return surveyed(drawableScene(read).scene);
     },
     async readFile(name) {
-      const { source, entry } = await findScene(at(name));
-      const bytes = await source.read(entry);
+      const bytes = await bytesAt(at(name));
       if (!bytes) throw inputError('file.missing', name, 'there is no such file; put it beside the project');
       return bytes;
     },
@@ -172,8 +179,20 @@ export async function projectFlags<Flags extends RenderFlags>(
 ): Promise<Opened<Flags>> {
   refuseSceneFlags(given);
   const document = withParams(await readProject(path), flags.set ?? []);
-  const picture = await evaluateProject(path, document, progress);
-  const said = Object.fromEntries(Object.entries(flagsOf(picture)).filter(([name]) => !given.has(name)));
+  return pictureFlags(await evaluateProject(path, document, progress), flags, given, flags.frames !== undefined);
+}
+
+/**
+ * A picture of a project, drawn as it says; what the user says on the command line comes before it. As in the page, an observer who does not ride the
+ * camera begins at rest in it; in a film he goes with it.
+ */
+export function pictureFlags<Flags extends RenderFlags>(
+  picture: Picture,
+  flags: Flags,
+  given: ReadonlySet<string>,
+  film: boolean,
+): Opened<Flags> {
+  const said = Object.fromEntries(Object.entries(flagsOf(picture, film)).filter(([name]) => !given.has(name)));
   const { scenes, plan } = picture;
   return { scene: picture.scene, others: scenes.slice(1), ...(plan && { plan }), flags: { ...flags, ...said } };
 }
@@ -200,14 +219,14 @@ const SCENE_FLAGS = [
   'flyShape',
 ];
 
-function refuseSceneFlags(given: ReadonlySet<string>): void {
+export function refuseSceneFlags(given: ReadonlySet<string>): void {
   const odd = SCENE_FLAGS.find((name) => given.has(name));
   if (odd === undefined) return;
   const flag = `--${odd.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
   throw usageError(`${flag} is for scene files; a project says so in its nodes: use --set node.param=value`);
 }
 
-function flagsOf(picture: Picture): Partial<RenderFlags> {
+function flagsOf(picture: Picture, film: boolean): Partial<RenderFlags> {
   const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone } = picture;
   const {
     solver,
@@ -222,14 +241,14 @@ function flagsOf(picture: Picture): Partial<RenderFlags> {
     shadows,
     occlusion,
   } = picture;
+  const beta = startingBeta(picture, film);
   return {
     ...{ view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone, shadows },
     ...(!occlusion && { occlusionRadius: 0 }),
     ...{ solver, iterations, damping, antialiasing, grid, c: speedOfLight },
     ...(camera && { camera }),
-    // As in the page it comes before what a moving camera brings along.
-    ...(picture.scene.hints.beta && { beta: picture.scene.hints.beta }),
-    ...(fovY !== undefined && { fov: (fovY * 180) / Math.PI }),
+    ...(beta && { beta }),
+    ...(fovY !== undefined && { fov: degrees(fovY) }),
     ...(falseColor !== 'none' && { falseColour: falseColor }),
   };
 }

@@ -1,8 +1,8 @@
 import { Command, Option } from 'commander';
+import type { FalseColouring } from '../nodes/drawing/falseColour.ts';
 import type { AovName } from '../scene/view.ts';
 import { FALSE_COLORS } from '../spectrum/falseColor.ts';
 import { usageError } from './exit.ts';
-import type { FalseColourFlags } from './falseColour.ts';
 import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from './flags.ts';
 import {
   type FrameRange,
@@ -20,7 +20,7 @@ import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from './scene.ts';
 
 type Optional<T, K extends keyof T> = Omit<T, K> & Partial<Pick<T, K>>;
 
-export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags, FalseColourFlags {
+export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags, FalseColouring {
   readonly output: string;
   readonly time?: number;
   readonly frames?: FrameRange;
@@ -98,9 +98,10 @@ export function renderCommand(): Command {
       .addHelpText('after', examples)
       // Loaded when it is needed: the renderer is large.
       .action(async (scene: string, { output, ...flags }: Optional<RenderFlags, 'output'> & FilesFlags) => {
-        if (output === undefined) return (await import('./projectFiles.ts')).writeProjectFiles(scene, flags);
+        const given = givenTo(command);
+        if (output === undefined) return (await import('./projectFiles.ts')).writeProjectFiles(scene, flags, given);
         if (flags.folder !== undefined) throw usageError('--folder is for the files of a project; -o names its own');
-        return (await import('./renderAction.ts')).render(scene, { output, ...flags }, givenTo(command));
+        return (await import('./renderAction.ts')).render(scene, { output, ...flags }, given);
       })
   );
 }

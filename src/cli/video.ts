@@ -1,9 +1,20 @@
-import { type ChildProcessByStdio, spawn } from 'node:child_process';
+import { type ChildProcessByStdio, spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import type { Readable, Writable } from 'node:stream';
+import type { Size } from '../nodes/drawing/painter.ts';
 import { inputProblem, unavailable } from './exit.ts';
 import { OutputFile, stopWithUs } from './output.ts';
-import type { Size } from './parse.ts';
+
+/** The extension of films. */
+export const FILM = 'mp4';
+
+const noEncoder = () =>
+  unavailable('mp4 needs the program ffmpeg, which is not on the PATH. On Debian or Ubuntu: apt-get install -y ffmpeg');
+
+/** Before any work is done for a film. */
+export function checkEncoder(): void {
+  if (spawnSync('ffmpeg', ['-version'], { stdio: 'ignore' }).error) throw noEncoder();
+}
 
 /** An H.264 film in an mp4 file, encoded by ffmpeg while the frames come. */
 export class VideoWriter {
@@ -34,9 +45,7 @@ export class VideoWriter {
       await once(writer.encoder, 'spawn');
     } catch {
       writer.discard();
-      throw unavailable(
-        'mp4 needs the program ffmpeg, which is not on the PATH. On Debian or Ubuntu: apt-get install -y ffmpeg',
-      );
+      throw noEncoder();
     }
     return writer;
   }

@@ -1,54 +1,38 @@
 import { randomUUID } from 'node:crypto';
-import { relative } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
-import type { MotionChange } from '../scene/change.ts';
-import type { Scene } from '../scene/types.ts';
+import type { Painted, PictureRequest, Size } from '../nodes/drawing/painter.ts';
+import type { Gauge } from '../scene/gauge.ts';
+import { parcel } from '../scene/parcel.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
+import { readDiskFile } from './diskFiles.ts';
 import { unavailable } from './exit.ts';
-import { findScene } from './files.ts';
-import { speedOfLight } from './flags.ts';
 import { findChromium } from './icd.ts';
-import type { Painter, Picture, PictureRequest } from './painter.ts';
-import { isProject } from './project.ts';
-import type { RenderFlags } from './render.ts';
-import { motionChange, readOptions } from './scene.ts';
+import type { Painter, Scenes } from './painter.ts';
 import { serveApp } from './staticServer.ts';
 
 /** What the page headless.html offers to whoever drives it; src/app/headless.ts is the other end and says what it means. */
 interface HeadlessPage {
-  open(request: {
-    base: string;
-    entry: string;
-    width: number;
-    height: number;
-    animation?: string | number;
-    interpolation?: 'linear' | 'cubic';
-    subdivision?: number;
-    variants: (readonly [set: string, option: string])[];
-    motion: MotionChange & { speedOfLight: number };
-  }): Promise<{ adapterName: string }>;
+  open(request: { scenes: string; files: string; width: number; height: number }): Promise<{ adapterName: string }>;
   render(request: {
     view: ViewPoint;
     settings: RenderSettings;
     samples: number;
+    pixels: boolean;
     aovs: readonly AovName[];
   }): Promise<{ pixels: string; aovs: Partial<Record<AovName, string>> }>;
+  measure(request: { view: ViewPoint; settings: RenderSettings }): Promise<Record<keyof Gauge, string>>;
 }
 /** The page's window, as seen by the functions below that run in it. */
 type HeadlessWindow = { readonly slowlight: HeadlessPage };
 
-/** Draws with the page's renderer on WebGL2, in a Chromium without a window. */
-export async function openWebGlPainter(path: string, scene: Scene, flags: RenderFlags): Promise<Painter> {
-  if (await isProject(path))
-    throw unavailable('WebGL2 in a browser draws scene files, not projects: take webgpu, or --pipeline reference');
-  const { source, folder, entry } = await findScene(path);
-  const { animation, subdivision, variants = [] } = readOptions(flags);
-  const motion = { ...motionChange(flags), speedOfLight: speedOfLight(scene, flags.c) };
-  // A name that nobody else on this machine can guess: whatever the scene refers to can be read below it, as `..` leads.
-  const files = `/${randomUUID()}/`;
-  const server = await serveApp(0, async (url) =>
-    url.startsWith(files) ? source.read(relative(folder, absolutePath(url.slice(files.length)))) : undefined,
-  );
+/** Draws with the page's renderer on WebGL2, in a Chromium without a window. The scenes are read here, and sent. */
+export async function openWebGlPainter(scenes: Scenes, { width, height }: Size): Promise<Painter> {
+  // Names that nobody else on this machine can guess: below the second, whatever samples were left in can be read.
+  const [sent, files] = [`/${randomUUID()}`, `/${randomUUID()}/`];
+  const server = await serveApp(0, async (url) => {
+    if (url === sent) return parcel(scenes);
+    return url.startsWith(files) ? partOfFile(url.slice(files.length)) : undefined;
+  });
   let browser: Browser | undefined;
   const close = async (): Promise<void> => {
     await browser?.close();
@@ -59,27 +43,23 @@ export async function openWebGlPainter(path: string, scene: Scene, flags: Render
     const page = await openPage(browser, `${server.url}/headless.html`);
     const { adapterName } = await page.evaluate(
       (request) => (window as unknown as HeadlessWindow).slowlight.open(request),
-      {
-        base: `${server.url}${files}${addressOf(folder)}/`,
-        entry,
-        ...flags.size,
-        animation,
-        subdivision,
-        variants: [...variants],
-        motion,
-      },
+      { scenes: sent, files, width, height },
     );
     const info = { pipeline: 'raster', backend: 'webgl', adapter: adapterName } as const;
-    return { info, usualSamples: 1, paint: (request) => paint(page, request), close };
+    const measure = (view: ViewPoint, settings: RenderSettings) => measured(page, view, settings);
+    return { info, usualSamples: 1, paint: (request) => paint(page, request), measure, close };
   } catch (error) {
     await close();
     throw error;
   }
 }
 
-/** `/home/me/a scene` → `home/me/a%20scene`, and back. On Windows a path begins with its drive instead. */
-const addressOf = (folder: string): string => encodeURI(folder.replaceAll('\\', '/').replace(/^\//, ''));
-const absolutePath = (address: string): string => (process.platform === 'win32' ? address : `/${address}`);
+/** `from/length/{handle of the file, as JSON}` */
+function partOfFile(address: string): Uint8Array | undefined {
+  const [, at, length, handle] = /^(\d+)\/(\d+)\/(.*)$/s.exec(address) ?? [];
+  if (handle === undefined) return undefined;
+  return readDiskFile({ name: '', handle: JSON.parse(handle) }, Number(at), Number(length));
+}
 
 async function launch(): Promise<Browser> {
   const executablePath = findChromium();
@@ -125,13 +105,21 @@ async function openPage(browser: Browser, url: string): Promise<Page> {
   return page;
 }
 
-async function paint(page: Page, request: PictureRequest): Promise<Picture> {
+async function paint(page: Page, request: PictureRequest): Promise<Painted> {
   const { pixels, aovs } = await page.evaluate(
     (wanted) => (window as unknown as HeadlessWindow).slowlight.render(wanted),
     request,
   );
   const data = Object.entries(aovs).map(([name, text]) => [name as AovName, floats(text)] as const);
   return { pixels: new Uint8Array(Buffer.from(pixels, 'base64')), aovs: new Map(data) };
+}
+
+async function measured(page: Page, view: ViewPoint, settings: RenderSettings): Promise<Gauge> {
+  const { luminance, doppler, time } = await page.evaluate(
+    (wanted) => (window as unknown as HeadlessWindow).slowlight.measure(wanted),
+    { view, settings },
+  );
+  return { luminance: floats(luminance), doppler: floats(doppler), time: floats(time) };
 }
 
 /** A copy, because a Buffer may start at any byte of its memory. */

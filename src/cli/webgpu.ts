@@ -1,8 +1,9 @@
+import type { PictureRequest, Size } from '../nodes/drawing/painter.ts';
 import type { AovName } from '../scene/view.ts';
 import { openDevice } from './device.ts';
+import { refuseLarger } from './largest.ts';
 import { pumpFrame } from './node-shim.ts';
-import type { Painter, PictureRequest, Scenes } from './painter.ts';
-import type { Size } from './parse.ts';
+import type { Painter, Scenes } from './painter.ts';
 
 /** Draws in this process, on Dawn. */
 export async function openWebGpuPainter([scene, ...others]: Scenes, { width, height }: Size): Promise<Painter> {
@@ -10,6 +11,13 @@ export async function openWebGpuPainter([scene, ...others]: Scenes, { width, hei
   // Not at the top: three looks for what the shim provides while it is being loaded.
   const { SceneRenderer } = await import('../render/renderer.ts');
   const renderer = await SceneRenderer.create({ device: gpu.device, backend: 'webgpu' });
+  try {
+    refuseLarger({ width, height }, renderer.info.largest);
+  } catch (error) {
+    renderer.dispose();
+    gpu.release();
+    throw error;
+  }
   renderer.setSize(width, height);
   await renderer.setScene(scene, others);
   return {
@@ -23,6 +31,13 @@ export async function openWebGpuPainter([scene, ...others]: Scenes, { width, hei
       for (const name of aovs) data.set(name, await renderer.readAov(name));
       gpu.assertHealthy();
       return { pixels, aovs: data };
+    },
+    measure: async (view, settings) => {
+      pumpFrame();
+      renderer.render(view, settings);
+      const gauge = await renderer.gauge();
+      gpu.assertHealthy();
+      return gauge;
     },
     close: async () => {
       renderer.dispose();

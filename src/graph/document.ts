@@ -1,5 +1,7 @@
-import { z } from 'zod';
+import * as z from 'zod/mini';
 import { CURRENT_VERSION } from './migrations.ts';
+
+z.config(z.locales.en());
 
 /**
  * The document: the whole state of a project that a person can edit, save and undo. What changes by itself (the time,
@@ -16,49 +18,51 @@ const LONGEST_TEXT = 100_000;
 export const IDENTIFIER = /^[A-Za-z][A-Za-z0-9_-]{0,63}$/;
 /** A socket; `name.2` is the second edge of one that takes many. */
 const INPUT = /^[A-Za-z][A-Za-z0-9_-]{0,63}(\.[1-9][0-9]{0,3})?$/;
-const identifier = z.string().regex(IDENTIFIER);
-const text = z.string().max(LONGEST_TEXT);
-const title = z.string().max(200);
-const color = z.string().regex(/^#[0-9a-f]{6}$/);
-const point = z.tuple([z.number(), z.number()]).readonly();
+const identifier = z.string().check(z.regex(IDENTIFIER));
+const text = z.string().check(z.maxLength(LONGEST_TEXT));
+const title = z.string().check(z.maxLength(200));
+const color = z.string().check(z.regex(/^#[0-9a-f]{6}$/));
+const short = (longest: number) => z.string().check(z.minLength(1), z.maxLength(longest));
+const atMost = <T extends z.ZodMiniType>(most: number, of: T) => z.readonly(z.array(of).check(z.maxLength(most)));
+const point = z.readonly(z.tuple([z.number(), z.number()]));
 
 const paramValueSchema = z.union([
   z.number(),
   z.boolean(),
   text,
-  z.array(z.number()).max(MOST_NUMBERS).readonly(),
-  z.array(text).max(MOST_NUMBERS).readonly(),
+  atMost(MOST_NUMBERS, z.number()),
+  atMost(MOST_NUMBERS, text),
 ]);
 
 const nodeSchema = z.strictObject({
-  type: z.string().min(1).max(64),
+  type: short(64),
   /** Only what differs from the node's defaults. */
   params: z.record(identifier, paramValueSchema),
   /** What a person calls it; else it goes by the title of its type. */
-  title: title.optional(),
+  title: z.optional(title),
   /** Passes on what it gets instead of doing its work. */
-  muted: z.literal(true).optional(),
+  muted: z.optional(z.literal(true)),
   /** Shown without its parameters. */
-  collapsed: z.literal(true).optional(),
+  collapsed: z.optional(z.literal(true)),
 });
 
 const edgeSchema = z.strictObject({
   from: z.strictObject({ node: identifier, output: identifier }),
-  to: z.strictObject({ node: identifier, input: z.string().regex(INPUT) }),
+  to: z.strictObject({ node: identifier, input: z.string().check(z.regex(INPUT)) }),
 });
 
-const noteSchema = z.strictObject({ text, at: point, size: point, color: color.optional() });
+const noteSchema = z.strictObject({ text, at: point, size: point, color: z.optional(color) });
 const frameSchema = z.strictObject({
   title,
-  nodes: z.array(identifier).max(MOST_NODES).readonly(),
-  color: color.optional(),
+  nodes: atMost(MOST_NODES, identifier),
+  color: z.optional(color),
 });
 
 /** Nodes and what joins them: the document itself, and the inside of each group. */
 const graphShape = {
   nodes: z.record(identifier, nodeSchema),
   /** Keyed by the input that the edge feeds (`node.input`): an input has at most one source. */
-  edges: z.record(z.string().max(140), edgeSchema),
+  edges: z.record(z.string().check(z.maxLength(140)), edgeSchema),
   /** Where each node stands on the canvas [px]. */
   layout: z.record(identifier, point),
   notes: z.record(identifier, noteSchema),
@@ -68,39 +72,36 @@ const graphShape = {
 
 const groupSocketSchema = z.strictObject({
   name: identifier,
-  type: z.string().min(1).max(64),
-  title: title.optional(),
+  type: short(64),
+  title: z.optional(title),
 });
 const groupSchema = z.strictObject({
   title,
   ...graphShape,
   /** In the order in which they are shown. Inside, nodes of the types `group-input` and `group-output` carry them. */
-  inputs: z.array(groupSocketSchema).max(256).readonly(),
-  outputs: z.array(groupSocketSchema).max(256).readonly(),
+  inputs: atMost(256, groupSocketSchema),
+  outputs: atMost(256, groupSocketSchema),
 });
 
 const fileSchema = z.strictObject({
   /** SHA-256 of its content, where it is known. */
-  hash: z
-    .string()
-    .regex(/^[0-9a-f]{64}$/)
-    .optional(),
+  hash: z.optional(z.string().check(z.regex(/^[0-9a-f]{64}$/))),
   /** [bytes] */
-  size: z.number().int().nonnegative().optional(),
+  size: z.optional(z.int().check(z.nonnegative())),
 });
 
 export const documentSchema = z.strictObject({
   format: z.literal('slowlight'),
   version: z.literal(CURRENT_VERSION),
   /** What the project is called. */
-  title: title.optional(),
+  title: z.optional(title),
   /** What there is to be seen in it, for those who open it. */
-  lookFor: text.optional(),
+  lookFor: z.optional(text),
   ...graphShape,
   /** Subgraphs, each used by any number of nodes of the type `group` by its key. */
   groups: z.record(identifier, groupSchema),
   /** Scene files that the project refers to, by the name under which nodes read them. */
-  files: z.record(z.string().min(1).max(1000), fileSchema),
+  files: z.record(short(1000), fileSchema),
 });
 
 export type ParamValue = z.infer<typeof paramValueSchema>;

@@ -60,8 +60,8 @@ export class Evaluator<Services> {
   readonly #registry: Registry<Services>;
   readonly #heavy: RunHeavy | undefined;
   readonly #results: Results;
-  /** Work under way: a second evaluation that needs the same content waits for the first one's. */
-  readonly #pending = new Map<string, { readonly node: string; readonly result: Promise<NodeResult> }>();
+  /** Work under way, by content. */
+  readonly #pending = new Map<string, Pending<Services>>();
   #flat: { readonly of: GraphDocument; readonly graph: FlatGraph } | undefined;
   #latest: Latest<Services> | undefined;
 
@@ -87,7 +87,8 @@ export class Evaluator<Services> {
     if (latest?.flat === flat && latest.services === services && latest.asked === asked) return latest.evaluation;
     const errand = { services, signal, progress };
     const run = new Run(flat, this.#registry, (call: Call<Services>) => this.#perform(call, errand));
-    const results = await run.reach(wanted);
+    const reached = run.reach(wanted);
+    const results = await (signal ? Promise.race([reached, cancelling(signal)]) : reached);
     this.#results.trim(results.size);
     const target = results.get(first) ?? failure('graph.unknown-node', first, 'nothing was asked for');
     const evaluation = { target, results };
@@ -117,21 +118,23 @@ export class Evaluator<Services> {
     const pending = this.#pending.get(content);
     if (pending) return this.#join(pending, call, errand);
     if (errand.signal?.aborted) throw new CancelledError();
-    const work = this.#start(call, errand);
+    const shared = new Shared(errand, call.id);
+    const work = this.#start(call, errand.services, shared);
     if (!(work instanceof Promise)) return this.#finish(content, call.id, work);
     const result = work
       .then((outcome) => this.#finish(content, call.id, outcome))
       .finally(() => this.#pending.delete(content));
-    this.#pending.set(content, { node: call.id, result });
+    this.#pending.set(content, { node: call.id, shared, result });
     return result;
   }
 
-  /** Waits for the same work of another evaluation; where that is cancelled, does it. */
+  /** Waits for the same work of another evaluation; where that was cancelled already, does it. */
   async #join(
-    { node, result }: { readonly node: string; readonly result: Promise<NodeResult> },
+    { node, shared, result }: Pending<Services>,
     call: Call<Services>,
     errand: Errand<Services>,
   ): Promise<NodeResult> {
+    shared.join(errand, call.id);
     try {
       return at(await result, node, call.id);
     } catch (error) {
@@ -140,20 +143,19 @@ export class Evaluator<Services> {
     }
   }
 
-  #start(call: Call<Services>, errand: Errand<Services>): NodeResult | Promise<NodeResult> {
+  #start(call: Call<Services>, services: Services, shared: Shared<Services>): NodeResult | Promise<NodeResult> {
     const { id: node, type, inputs, params } = call;
-    const progress: Progress = (part, what) => errand.progress(node, part, what);
-    const { services, signal } = errand;
+    const { progress } = shared;
     const failed = (error: unknown): NodeResult => {
-      if (signal?.aborted || error instanceof CancelledError) throw new CancelledError();
+      if (shared.aborted || error instanceof CancelledError) throw new CancelledError();
       return { status: 'failed', problem: problemOf(error, node) };
     };
     const done = (outputs: Readonly<Record<string, unknown>>): NodeResult => ({ status: 'done', outputs });
     try {
       const outputs =
         type.heavy && this.#heavy
-          ? this.#heavy({ type: type.id, node, inputs, params }, { signal, progress })
-          : type.evaluate(inputs, params, { services, signal, progress, node });
+          ? this.#heavy({ type: type.id, node, inputs, params }, { signal: shared, progress })
+          : type.evaluate(inputs, params, { services, signal: shared, progress, node });
       return outputs instanceof Promise ? outputs.then(done, failed) : done(outputs);
     } catch (error) {
       return failed(error);
@@ -163,6 +165,56 @@ export class Evaluator<Services> {
   #finish(content: string, node: string, result: NodeResult): NodeResult {
     if (lasts(result)) this.#results.keep(content, node, result);
     return result;
+  }
+}
+
+/** Work may go on for others after that. */
+const cancelling = (signal: Cancellation): Promise<never> =>
+  new Promise((_, reject) => signal.addEventListener('abort', () => reject(new CancelledError())));
+
+/** Work under way, and the node that began it. */
+interface Pending<Services> {
+  readonly node: string;
+  readonly shared: Shared<Services>;
+  readonly result: Promise<NodeResult>;
+}
+
+/** Whom a piece of work is for: all evaluations that need it. It is cancelled when the last of them is, and all hear how far it is. */
+class Shared<Services> implements Cancellation {
+  readonly #errands: Errand<Services>[] = [];
+  readonly #tell: Progress[] = [];
+  readonly #listeners: (() => void)[] = [];
+  #ended = false;
+
+  constructor(errand: Errand<Services>, node: string) {
+    this.join(errand, node);
+  }
+
+  get aborted(): boolean {
+    return this.#ended || this.#errands.every(({ signal }) => signal?.aborted);
+  }
+
+  readonly progress: Progress = (part, what) => {
+    for (const tell of this.#tell) tell(part, what);
+  };
+
+  join(errand: Errand<Services>, node: string): void {
+    this.#errands.push(errand);
+    this.#tell.push((part, what) => errand.progress(node, part, what));
+    if (this.#listeners.length > 0) this.#watch(errand);
+  }
+
+  addEventListener(_: 'abort', listener: () => void): void {
+    this.#listeners.push(listener);
+    if (this.#listeners.length === 1) for (const errand of this.#errands) this.#watch(errand);
+  }
+
+  #watch({ signal }: Errand<Services>): void {
+    signal?.addEventListener('abort', () => {
+      if (this.#ended || !this.aborted) return;
+      this.#ended = true;
+      for (const listener of this.#listeners) listener();
+    });
   }
 }
 

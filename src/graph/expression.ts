@@ -1,3 +1,5 @@
+import { radians } from '../math/angle.ts';
+
 /**
  * What people type into a number field: `0.9*c`, `30deg`, `5 km/h`, `2*pi/3`. It is worked out when it is typed, to the number in the
  * field's own unit; the document holds that number. A small parser by recursive descent, with a value's dimensions beside it.
@@ -51,8 +53,8 @@ const UNITS: Readonly<Record<string, Quantity>> = {
   K: { value: 1, of: [0, 0, 1, 0] },
   Hz: { value: 1, of: [0, -1, 0, 0] },
   rad: { value: 1, of: ANGLE },
-  deg: { value: Math.PI / 180, of: ANGLE },
-  '°': { value: Math.PI / 180, of: ANGLE },
+  deg: { value: radians(1), of: ANGLE },
+  '°': { value: radians(1), of: ANGLE },
   turn: { value: 2 * Math.PI, of: ANGLE },
   '%': { value: 0.01, of: NONE },
   pi: { value: Math.PI, of: NONE },

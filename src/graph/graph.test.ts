@@ -4,7 +4,14 @@ import { emptyDocument, type GraphDocument } from './document.ts';
 import { CancelledError, Evaluator } from './evaluate.ts';
 import { endGesture, execute, newHistory, undo } from './history.ts';
 import { CURRENT_VERSION, migrate } from './migrations.ts';
-import { NodeRefusal, type NodeType, refuseValue, resolveParams } from './nodeType.ts';
+import {
+  type Cancellation,
+  NodeRefusal,
+  type NodeType,
+  type Progress,
+  refuseValue,
+  resolveParams,
+} from './nodeType.ts';
 import { parseDocument, readDocument } from './read.ts';
 import { serializeDocument } from './serialize.ts';
 import { refuseEdge, validateDocument } from './validate.ts';
@@ -367,23 +374,41 @@ describe('evaluation', () => {
     for (const node of ['x', 'y']) expect(results.get(node)).toMatchObject({ problem: { place: node } });
   });
 
-  it('to cancel one evaluation is not to cancel another that waits for the same work', async () => {
-    let started = 0;
+  it('work that two evaluations wait for goes on until both are cancelled, and both hear how far it is', async () => {
+    const begun: { signal?: Cancellation; progress: Progress; done: (outputs: { number: number }) => void }[] = [];
     const slow: NodeType = {
       ...value,
-      evaluate: (_inputs, _params, { signal }) =>
+      evaluate: (_inputs, _params, { signal, progress }) =>
         new Promise((done, fail) => {
-          if (++started > 1) done({ number: 7 });
-          signal?.addEventListener('abort', () => fail(new CancelledError()));
+          begun.push({ signal, progress, done });
+          signal?.addEventListener('abort', () => fail(new Error('stopped')));
         }),
     };
     const evaluator = new Evaluator({ value: slow });
-    const abort = new AbortController();
-    const first = evaluator.evaluate(build(add('x', 'value')), 'x', {}, { signal: abort.signal });
-    const second = evaluator.evaluate(build(add('x', 'value')), 'x', {});
-    abort.abort();
-    await expect(first).rejects.toThrow(CancelledError);
-    expect((await second).target).toEqual({ status: 'done', outputs: { number: 7 } });
+    const heard: string[] = [];
+    const start = (name: string) => {
+      const abort = new AbortController();
+      const progress = (node: string, part: number | undefined) => heard.push(`${name} ${node} ${part}`);
+      const how = { signal: abort.signal, progress };
+      return { abort, ended: evaluator.evaluate(build(add(name, 'value')), name, {}, how) };
+    };
+    const [first, second] = [start('x'), start('y')];
+    begun[0]?.progress(0.5);
+    expect(heard).toEqual(['x x 0.5', 'y y 0.5']);
+    first.abort.abort();
+    await expect(first.ended).rejects.toThrow(CancelledError);
+    expect(begun[0]?.signal?.aborted).toBe(false);
+    second.abort.abort();
+    await expect(second.ended).rejects.toThrow(CancelledError);
+    expect(begun[0]?.signal?.aborted).toBe(true);
+
+    const third = start('x');
+    const fourth = start('y');
+    third.abort.abort();
+    await expect(third.ended).rejects.toThrow(CancelledError);
+    begun[1]?.done({ number: 7 });
+    expect((await fourth.ended).target).toEqual({ status: 'done', outputs: { number: 7 } });
+    expect(begun).toHaveLength(2);
   });
 
   it('what went wrong by chance is tried again', async () => {

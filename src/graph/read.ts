@@ -1,4 +1,4 @@
-import type { z } from 'zod';
+import type * as z from 'zod/mini';
 import { DocumentError, documentSchema, type GraphDocument } from './document.ts';
 import { faultIn } from './integrity.ts';
 import { migrate } from './migrations.ts';
@@ -19,7 +19,7 @@ export function readDocument(data: unknown): GraphDocument {
 export const parseDocument = (text: string): GraphDocument => readDocument(parseJson(text));
 
 /** What a schema makes of data, or a DocumentError with the place. */
-export function checked<T>(schema: z.ZodType<T>, data: unknown, otherwise: string): T {
+export function checked<T>(schema: z.ZodMiniType<T>, data: unknown, otherwise: string): T {
   const result = schema.safeParse(data);
   if (result.success) return result.data;
   const issue = result.error.issues[0];

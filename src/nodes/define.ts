@@ -63,6 +63,8 @@ export interface Picture extends GBuffer {
   readonly falseColor: FalseColor | 'none';
   /** Where it is more than one G-buffer, shaded: how it is put together. */
   readonly plan?: Plan;
+  /** What it was planned of. */
+  readonly image: Image;
   /** What the plan's other G-buffers are of, with that of the first. */
   readonly scenes: readonly Scene[];
 }

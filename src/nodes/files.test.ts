@@ -60,6 +60,6 @@ describe('what a project writes', () => {
       ['scene', 'geometry.usda'],
       ['scene', 'geometry.usda'],
     ]);
-    expect(files[0]!.scene.objects[0]).toMatchObject({ path: '/Box' });
+    expect(files[0]).toMatchObject({ scene: { objects: [{ path: '/Box' }] } });
   });
 });

@@ -1,9 +1,10 @@
 import { extensionOf } from '../formats/source.ts';
 import type { Scene } from '../scene/types.ts';
+import type { Picture } from './define.ts';
 import { refusal } from './geometry/shared.ts';
 
 /** A file that a project asks for: a description. Who evaluates the project writes it, or offers it. */
-export type ProjectFile = SceneFile;
+export type ProjectFile = SceneFile | ImageFile | VideoFile;
 
 export interface SceneFile {
   readonly kind: 'scene';
@@ -12,6 +13,56 @@ export interface SceneFile {
   readonly scene: Scene;
   /** Motions that only this program knows are sampled over the scene’s time, for others to see. */
   readonly sampled: boolean;
+}
+
+/** Pictures that are to be drawn, seen by the observer that the project describes. */
+interface DrawnFile {
+  /** Without folders; its extension tells what it is. */
+  readonly name: string;
+  readonly picture: Picture;
+  /** [px] */
+  readonly width: number;
+  readonly height: number;
+  /** n × n samples per pixel, where the picture is antialiased. */
+  readonly samples: number;
+}
+
+export interface ImageFile extends DrawnFile {
+  readonly kind: 'image';
+  /** World time of the observer's event [s]. */
+  readonly time: number;
+}
+
+/** A film, or a file for each of its frames where `####` in the name takes their numbers. */
+export interface VideoFile extends DrawnFile {
+  readonly kind: 'video';
+  /** World times of the first frame and of the last, if one falls there [s]. */
+  readonly from: number;
+  readonly to: number;
+  /** Frames per second. */
+  readonly fps: number;
+  /** The observer stays in place although there is a velocity. */
+  readonly hold: boolean;
+}
+
+/** A frame's number, where there are several, and its world time [s]. */
+export interface FrameTime {
+  readonly number?: number;
+  readonly t: number;
+}
+
+/** How many frames a film has: both ends count. A frame that is missed by rounding alone is there. */
+export const frameCount = ({ from, to, fps }: Pick<VideoFile, 'from' | 'to' | 'fps'>): number =>
+  Math.floor((to - from) * fps + 1e-6) + 1;
+
+/** The frames of what is to be drawn. Frame n is at n/fps, wherever a film begins at a whole number of frames. */
+export function framesOf(file: ImageFile | VideoFile): readonly FrameTime[] {
+  if (file.kind === 'image') return [{ t: file.time }];
+  const { from, fps } = file;
+  const first = Math.round(from * fps);
+  const isWhole = Math.abs(from * fps - first) < 1e-6;
+  const time = (i: number): number => (isWhole ? (first + i) / fps : from + i / fps);
+  return Array.from({ length: frameCount(file) }, (_, i) => ({ number: first + i, t: time(i) }));
 }
 
 /** What no system has in the name of a file. */

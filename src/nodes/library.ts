@@ -42,6 +42,9 @@ import { output } from './render/output.ts';
 import { postProcess } from './render/postProcess.ts';
 import { relativityRasterize } from './render/rasterize.ts';
 import { rasterize } from './render/rasterizeOrdinary.ts';
+import { referenceRender } from './render/referenceRender.ts';
+import { saveImageNode } from './render/saveImage.ts';
+import { saveVideoNode } from './render/saveVideo.ts';
 import { toneMap } from './render/toneMap.ts';
 import type { Services } from './services.ts';
 import { colorNode } from './utility/color.ts';
@@ -96,6 +99,7 @@ const types = [
   sceneCamera,
   relativityRasterize,
   rasterize,
+  referenceRender,
   deferredLighting,
   ambientOcclusion,
   postProcess,
@@ -104,6 +108,8 @@ const types = [
   toneMap,
   falseColour,
   output,
+  saveImageNode,
+  saveVideoNode,
   numberNode,
   vectorNode,
   separateNode,

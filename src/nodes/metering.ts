@@ -2,6 +2,8 @@ import { skyDoppler } from '../reference/falseColor.ts';
 import { GAUGE, type Gauge, luminanceOf } from '../scene/gauge.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view.ts';
 import { dopplerTint } from '../spectrum/dopplerTint.ts';
+import type { FalseColor, Scale } from '../spectrum/falseColor.ts';
+import { scaleFor } from '../spectrum/falseScale.ts';
 
 /**
  * What sets the exposure. `automatic`: the picture's own light. `resting-eye`: the same light without what the observer's velocity does to
@@ -68,3 +70,15 @@ function atRest(luminance: Float32Array, view: ViewPoint, settings: RenderSettin
 /** An eye's way from one exposure to another in dt [s]; both in EV. */
 export const eased = (from: number, to: number, dt: number): number =>
   to + (from - to) * Math.exp(-Math.max(dt, 0) / EYE);
+
+/** Which of what is measured false colours stand for. */
+const MEASURED: Readonly<Record<FalseColor, keyof Gauge>> = {
+  doppler: 'doppler',
+  'emission-time': 'time',
+  radiance: 'luminance',
+  band: 'doppler',
+};
+
+/** The scale of false colours that holds what was measured. */
+export const measuredScale = (kind: FalseColor, gauge: Gauge | undefined): Scale =>
+  scaleFor(kind, gauge ? gauge[MEASURED[kind]] : []);

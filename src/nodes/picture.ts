@@ -1,5 +1,7 @@
 import type { Evaluation } from '../graph/evaluate.ts';
+import { type Vec3, ZERO } from '../math/vec3.ts';
 import { isFinished, type Plan } from '../scene/plan.ts';
+import type { SceneCamera } from '../scene/types.ts';
 import type { RenderSettings } from '../scene/view.ts';
 import type { FalseColor, Scale } from '../spectrum/falseColor.ts';
 import type { Picture } from './define.ts';
@@ -7,6 +9,17 @@ import type { Picture } from './define.ts';
 /** The picture that an evaluation of the output node gave; undefined where it failed. */
 export const pictureOf = ({ target }: Evaluation): Picture | undefined =>
   target.status === 'done' ? (target.outputs.picture as Picture) : undefined;
+
+/** The camera that a picture is taken with; the Scene node sees to it that there is one. */
+export const cameraOf = ({ scene, camera }: Picture): SceneCamera =>
+  scene.cameras.find(({ path }) => path === camera) ?? scene.cameras[0]!;
+
+/**
+ * The observer's velocity at the start [c], where the camera does not bring it along: as in the page, one who does not ride the camera begins at rest
+ * in it; in a film he goes with it.
+ */
+export const startingBeta = ({ scene, ride }: Picture, film: boolean): Vec3 | undefined =>
+  scene.hints.beta ?? (ride || film ? undefined : ZERO);
 
 /** The scale that false colours are to have; undefined: none is known yet. */
 export type ScaleOf = (kind: FalseColor) => Scale | undefined;

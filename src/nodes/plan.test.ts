@@ -3,11 +3,11 @@ import { add, build, connect, set } from '../../tests/support/graphKit.ts';
 import type { Command } from '../graph/commands.ts';
 import { Evaluator } from '../graph/evaluate.ts';
 import { makeScene } from '../scene/defaults.ts';
-import { shapeOf } from '../scene/plan.ts';
+import { shapeOf, textOf } from '../scene/plan.ts';
 import type { Picture } from './define.ts';
 import { nodeLibrary } from './library.ts';
 import { pictureOf, renderSettings } from './picture.ts';
-import { threadServices } from './services.ts';
+import { type Services, threadServices } from './services.ts';
 
 const loaded = { scene: makeScene({ name: 'a', hints: { speedOfLight: 10 } }) };
 
@@ -29,7 +29,12 @@ async function evaluated(...commands: readonly Command[]) {
     add('output', 'output'),
     ...commands,
   );
-  return new Evaluator(nodeLibrary).evaluate(document, 'output', { ...threadServices, readScene: async () => loaded });
+  const services: Services = {
+    ...threadServices,
+    readScene: async () => loaded,
+    trace: async (_scene, { width, height, seed }) => new Float32Array(3 * width * height).fill(seed),
+  };
+  return new Evaluator(nodeLibrary).evaluate(document, 'output', services);
 }
 async function pictured(...commands: readonly Command[]): Promise<Picture> {
   const evaluation = await evaluated(...commands);
@@ -103,6 +108,31 @@ describe('a plan', () => {
     );
     const { target } = await evaluated(...chain.flat(), shown('b69'));
     expect(target).toMatchObject({ problem: { place: 'output', message: expect.stringContaining('64 steps') } });
+  });
+
+  const stills = (...seeds: readonly number[]) => [
+    ...seeds.flatMap((seed, i): Command[] => [
+      add(`s${i}`, 'reference-render'),
+      connect('seen.gbuffer', `s${i}.gbuffer`),
+      set(`s${i}`, 'seed', seed),
+      add(`m${i}`, 'mix-color'),
+      connect(i === 0 ? 'light.image' : `m${i - 1}.image`, `m${i}.below`),
+      connect(`s${i}.image`, `m${i}.above`),
+    ]),
+    shown(`m${seeds.length - 1}`),
+  ];
+
+  it('has a still once, by what it shows, and is of one shape whatever that is; there is room for four', async () => {
+    const [one, other] = [(await pictured(...stills(1, 2, 1))).plan!, (await pictured(...stills(3, 2, 3))).plan!];
+    expect(one.steps.filter(({ kind }) => kind === 'still')).toMatchObject([
+      { still: { width: 480, height: 270 } },
+      {},
+    ]);
+    expect(shapeOf(one)).toBe(shapeOf(other));
+    expect(textOf(one)).not.toBe(textOf(other));
+    expect(textOf(one).length).toBeLessThan(2000);
+    const { target } = await evaluated(...stills(1, 2, 3, 4, 5));
+    expect(target).toMatchObject({ problem: { place: 'output', message: expect.stringContaining('4 stills') } });
   });
 
   it('takes a mask for an image and an image for a mask', async () => {

@@ -1,12 +1,15 @@
 import {
   BUFFER_SETTINGS,
+  type BufferSettings,
   imagesOf,
   MOST_BUFFERS,
   MOST_STEPS,
+  MOST_STILLS,
   type Plan,
   type PlannedBuffer,
   type Step,
   type StepOf,
+  textOf,
 } from '../scene/plan.ts';
 import type { Scene } from '../scene/types.ts';
 import type { GBuffer, Image, Picture } from './define.ts';
@@ -31,6 +34,7 @@ export function planned(image: Image): Picture {
   const light = toned ? toned.image : shown;
   const how = {
     ...gbuffer,
+    image,
     tone: toned?.tone ?? 'linear',
     metering: toned?.metering ?? 'manual',
     exposure: toned?.exposure ?? 0,
@@ -46,7 +50,7 @@ export function planned(image: Image): Picture {
 }
 
 /** By content: what refers to the same is the same. */
-class List<T> {
+export class List<T> {
   readonly items: T[] = [];
   private readonly places = new Map<unknown, number>();
   private readonly most: number;
@@ -72,17 +76,31 @@ function listed(image: Image, first: GBuffer): { readonly plan: Plan; readonly s
   const buffers = new List<PlannedBuffer>(MOST_BUFFERS, 'G-buffers');
   const steps = new List<Step>(MOST_STEPS, 'steps');
   const bufferPlace = (gbuffer: GBuffer): number => {
-    const settings = Object.fromEntries(BUFFER_SETTINGS.map((name) => [name, gbuffer[name]]));
-    const buffer = { scene: scenes.place(gbuffer.scene, gbuffer.scene), ...settings } as PlannedBuffer;
-    return buffers.place(buffer, JSON.stringify(buffer));
+    const buffer = plannedBuffer(gbuffer, scenes.place(gbuffer.scene, gbuffer.scene));
+    return buffers.place(buffer, textOf(buffer));
   };
   bufferPlace(first);
+  listSteps(image, steps, bufferPlace);
+  if (steps.items.filter(({ kind }) => kind === 'still').length > MOST_STILLS)
+    throw new PlanError(`a picture is put together of ${MOST_STILLS} stills at most; leave some out`);
+  return { plan: { others: buffers.items.slice(1), steps: steps.items }, scenes: scenes.items };
+}
+
+export const plannedBuffer = (settings: BufferSettings, scene: number): PlannedBuffer =>
+  ({ scene, ...Object.fromEntries(BUFFER_SETTINGS.map((name) => [name, settings[name]])) }) as PlannedBuffer;
+
+/** Adds the steps that make an image, as far as they are not there; gives where each of its images is. */
+export function listSteps(
+  image: Image,
+  steps: List<Step>,
+  bufferPlace: (gbuffer: GBuffer) => number,
+): ReadonlyMap<Image, number> {
   const places = new Map<Image, number>();
   for (const each of inOrder(image)) {
     const step = numbered(each.step, (of) => places.get(of) ?? 0, bufferPlace);
-    places.set(each, steps.place(step, JSON.stringify(step)));
+    places.set(each, steps.place(step, textOf(step)));
   }
-  return { plan: { others: buffers.items.slice(1), steps: steps.items }, scenes: scenes.items };
+  return places;
 }
 
 /** All that an image is made of, and it: each once, after all that it is made of. A graph may be deep, and what two inputs share is not to be gone through twice. */
@@ -102,6 +120,8 @@ function inOrder(image: Image): Set<Image> {
 
 function numbered(step: StepOf<Image, GBuffer>, image: (of: Image) => number, buffer: (of: GBuffer) => number): Step {
   switch (step.kind) {
+    case 'still':
+      return step;
     case 'light':
     case 'occlusion':
       return { ...step, buffer: buffer(step.buffer) };

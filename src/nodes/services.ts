@@ -3,6 +3,7 @@ import type { ReadOptions } from '../formats/registry.ts';
 import type { Cancellation, Progress } from '../graph/nodeType.ts';
 import type { FastestInScene } from '../scene/fastestIn.ts';
 import type { Scene } from '../scene/types.ts';
+import type { Trace } from './trace.ts';
 
 /** A scene as read, with what the checks need that is dear to compute: done where the file is read, off the main thread. */
 export interface LoadedScene {
@@ -27,8 +28,15 @@ export interface Services {
   readonly readFont: ReadFont;
   /** A small file whole, a table; throws an `InputError` where it is not there. */
   readFile(source: string): Promise<Uint8Array>;
+  /** Pictures by the reference renderer. */
+  readonly trace: Trace;
 }
 
-/** In the threads of heavy nodes nothing is read: what they work on comes with their orders. */
+/** In the threads of heavy nodes nothing is read, and no others are started: what they work on comes with their orders. */
 const readsNothing = () => Promise.reject(new Error('a heavy node reads no files; give it what it needs as inputs'));
-export const threadServices: Services = { readScene: readsNothing, readFont: readsNothing, readFile: readsNothing };
+export const threadServices: Services = {
+  readScene: readsNothing,
+  readFont: readsNothing,
+  readFile: readsNothing,
+  trace: () => Promise.reject(new Error('a heavy node has no threads of its own')),
+};

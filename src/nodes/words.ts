@@ -63,6 +63,35 @@ export const nodeWords = {
     'What an ordinary renderer draws: as if light were infinitely fast, without Doppler shift and beaming.',
     '普通渲染器所绘：光速视为无穷大，没有多普勒频移和聚束效应。',
   ],
+  'node.referenceRender': ['Reference render', '参考渲染'],
+  'node.referenceRender.help': [
+    'A still by the exact renderer: rays into the past, in 64-bit arithmetic, with the light that things throw at each other. It is of the camera and the time set here, not of the observer in flight. It lies in the picture as high as that, in its middle; what is wider is cut off. It takes a while, on all processors.',
+    '由精确渲染器生成的静帧：以 64 位运算向过去追踪光线，包含物体之间相互照射的光。画面取自相机和此处设定的时间，而不是飞行中的观察者。它与画面同高、居中放置，超宽部分被裁去。需要一些时间，占用全部处理器。',
+  ],
+  'param.stillSamples': ['Samples', '采样'],
+  'param.stillSamples.help': [
+    'n × n for each pixel: four times as many have half the noise.',
+    '每像素 n × n 个：采样数增至四倍，噪点减半。',
+  ],
+  'param.stillTime': ['Time', '时间'],
+  'param.stillTime.help': ['World time of the observer’s event.', '观察者所在事件的世界时间。'],
+  'param.bounces': ['Scattered', '散射次数'],
+  'param.bounces.help': [
+    'How often light of the sky and of what glows is scattered on its way. 0: suns and lamps alone; 1: the sky and what glows, too; 2: so do surfaces lit by these.',
+    '天空与发光体的光在途中散射的次数。0：只有太阳和灯；1：加上天空和发光体；2：再加上被它们照亮的表面。',
+  ],
+  'param.mirrors': ['Mirrors', '镜面反射'],
+  'param.mirrors.help': [
+    'Smooth surfaces mirror each other; else only the sky and what glows.',
+    '光滑表面相互映照；否则只映照天空和发光体。',
+  ],
+  'param.glass': ['Glass', '玻璃'],
+  'param.glass.help': [
+    'Closed transparent bodies refract light; else what is behind them is blended in.',
+    '封闭的透明体折射光线；否则与其背后的景物混合。',
+  ],
+  'param.seed': ['Seed', '随机种子'],
+  'param.seed.help': ['Of its random numbers: another one gives other noise.', '随机数的种子：换一个，噪点随之不同。'],
   'node.lighting': ['Deferred lighting', '延迟光照'],
   'node.lighting.help': [
     'Shades a G-buffer, each surface in its own rest frame: the light that the observer receives.',
@@ -134,6 +163,40 @@ export const nodeWords = {
   'node.toneMap.help': ['Brings light to what a screen can show.', '把光亮映射到屏幕可显示的范围。'],
   'node.output': ['Output', '输出'],
   'node.output.help': ['What the screen shows and what is saved.', '屏幕显示与保存的画面。'],
+  'node.saveImage': ['Save image', '保存图像'],
+  'node.saveImage.help': [
+    'Asks for what comes in to be written as a picture of one moment, seen by the observer of the project, and passes it on. The button of the node downloads it; “slowlight render PROJECT” without -o writes it.',
+    '将输入的图像写成某一时刻的图片，由项目的观察者所见，并原样传出。节点上的按钮可下载；不带 -o 的 “slowlight render PROJECT” 会写出文件。',
+  ],
+  'node.saveVideo': ['Save video', '保存视频'],
+  'node.saveVideo.help': [
+    'Asks for what comes in to be written as it goes through time, and passes it on: a film, or a file for each frame. The button of the node downloads it; “slowlight render PROJECT” without -o writes it.',
+    '将输入的图像随时间写成影片，或每帧一个文件，并原样传出。节点上的按钮可下载；不带 -o 的 “slowlight render PROJECT” 会写出文件。',
+  ],
+  'param.imageName.help': [
+    'Without folders. .png is as a screen shows it, .exr light before exposure and tone curve.',
+    '不含文件夹。.png 如屏幕所示，.exr 为曝光与色调曲线之前的光。',
+  ],
+  'param.videoName.help': [
+    'Without folders. .mp4 is a film; .png and .exr are frames, whose numbers stand for ####: film.####.png.',
+    '不含文件夹。.mp4 为影片；.png 和 .exr 为逐帧文件，编号代替 ####：film.####.png。',
+  ],
+  'param.pictureTime': ['Time', '时刻'],
+  'param.pictureTime.help': [
+    'World time of the observer’s event; unless set, that at which the scene opens.',
+    '观察者事件的世界时间；未设置时为场景打开的时刻。',
+  ],
+  'param.fps': ['Frames per second', '每秒帧数'],
+  'param.hold': ['Observer stays in place', '观察者停在原处'],
+  'param.hold.help': [
+    'On: what is seen with the observer’s velocity, from one place. Off: the observer coasts.',
+    '开：以观察者的速度、从同一位置所见。关：观察者惯性前行。',
+  ],
+  'param.samples': ['Samples', '采样'],
+  'param.samples.help': [
+    'Along each side of a pixel: 4 are 16 for each. Where the rasterizer’s antialiasing is off, a pixel shows what is at its centre.',
+    '像素每边的采样数：4 表示每像素 16 个。光栅化关闭抗锯齿时，只取像素中心。',
+  ],
   'node.number': ['Number', '数值'],
   'node.number.help': ['A number that several inputs share.', '供多个输入共用的数值。'],
   'node.vector': ['Vector', '向量'],
@@ -256,8 +319,8 @@ export const nodeWords = {
   'param.beaming.help': ['How much brighter things get ahead, and darker behind.', '前方变亮、后方变暗的程度。'],
   'param.shadows': ['Shadows', '阴影'],
   'param.shadows.help': [
-    'Suns throw shadows, each from where its thing was when the light passed it.',
-    '太阳投下阴影：每个物体的阴影取自光经过它时它所在的位置。',
+    'Suns and lamps throw shadows, each from where its thing was when the light passed it.',
+    '太阳和灯投下阴影：每个物体的阴影取自光经过它时它所在的位置。',
   ],
   'param.antialiasing': ['Antialiasing', '抗锯齿'],
   'param.antialiasing.help': [
@@ -413,8 +476,8 @@ export const nodeWords = {
   'param.tubeSegments': ['Tube segments', '管分段数'],
   'node.writeUsd': ['Write USD', '写出 USD'],
   'node.writeUsd.help': [
-    'Asks for what comes in to be written as USD, and passes it on: `slowlight render PROJECT` without `-o` writes it.',
-    '将输入的几何体写成 USD，并原样传出：不带 `-o` 的 `slowlight render PROJECT` 会写出文件。',
+    'Asks for what comes in to be written as USD, and passes it on. The button of the node downloads it; “slowlight render PROJECT” without -o writes it.',
+    '将输入的几何体写成 USD，并原样传出。节点上的按钮可下载；不带 -o 的 “slowlight render PROJECT” 会写出文件。',
   ],
   'param.fileName': ['File', '文件名'],
   'param.fileName.help': [

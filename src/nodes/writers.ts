@@ -1,4 +1,4 @@
-import type { GraphDocument } from '../graph/document.ts';
+import { type GraphDocument, own } from '../graph/document.ts';
 import type { Evaluation } from '../graph/evaluate.ts';
 import { flatten } from '../graph/flatten.ts';
 import type { ProjectFile } from './files.ts';
@@ -6,7 +6,10 @@ import { nodeLibrary } from './library.ts';
 
 /** The output of a node of that type that asks for a file. */
 const fileOutput = (type: string): string | undefined =>
-  Object.entries(nodeLibrary[type]?.outputs ?? {}).find(([, socket]) => socket.type === 'file')?.[0];
+  Object.entries(own(nodeLibrary, type)?.outputs ?? {}).find(([, socket]) => socket.type === 'file')?.[0];
+
+/** Whether nodes of that type ask for files. */
+export const writes = (type: string): boolean => fileOutput(type) !== undefined;
 
 /** The nodes of a project that ask for files, by their types: groups opened out, muted ones left out. Throws a DocumentError. */
 export function writersIn(document: GraphDocument): ReadonlyMap<string, string> {

@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
 import type { DistantLight, LightShaping } from '../../scene/types.ts';
 import { blackbodyColor } from '../../spectrum/planckian.ts';
@@ -63,7 +64,7 @@ export function shapingOf(context: StageContext, prim: PrimSpec, face: boolean):
   const [angle, softness, focus] = [given('cone:angle'), given('cone:softness'), given('focus')];
   noteUnshaped(context, prim);
   if (angle === undefined && softness === undefined && focus === undefined) return undefined;
-  const outer = (Math.min(Math.max(angle ?? 90, 0), 180) * Math.PI) / 180;
+  const outer = radians(Math.min(Math.max(angle ?? 90, 0), 180));
   const inner = outer * (1 - Math.min(Math.max(softness ?? 0, 0), 1));
   const wide = outer >= Math.PI / (face ? 2 : 1);
   if (wide && inner === outer && !focus) return undefined;

@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import * as mat4 from '../../math/mat4.ts';
 import { multiply } from '../../math/quat.ts';
 import { normalize } from '../../math/vec3.ts';
@@ -50,7 +51,7 @@ export async function lightOf(
 /** Diameter of a distant light's disc, which a file has in degrees, where it is written. */
 function angleOf(context: StageContext, prim: PrimSpec): Pick<DistantLight, 'angle'> {
   const angle = lightNumber(context, prim, 'angle');
-  return angle === undefined ? {} : { angle: (Math.min(Math.max(angle, 0), 180) * Math.PI) / 180 };
+  return angle === undefined ? {} : { angle: radians(Math.min(Math.max(angle, 0), 180)) };
 }
 
 /** The bright stars as this prim's frame turns them; their colours are their own. */
@@ -71,7 +72,7 @@ async function nightSkyOf(context: StageContext, prim: PrimSpec, frame: Frame): 
  * Where no intensity is written. UsdLux gives a distant light 50000 over its disc of 0.53°, which is an irradiance of
  * 50000 π sin²(0.265°). What is written is taken for the irradiance, whatever the angle.
  */
-const DISTANT_INTENSITY = 50000 * Math.PI * Math.sin((0.265 * Math.PI) / 180) ** 2;
+const DISTANT_INTENSITY = 50000 * Math.PI * Math.sin(radians(0.265)) ** 2;
 
 function noteWhatIsHeld(context: StageContext, prim: PrimSpec, frame: Frame, directions: Directions): void {
   const moved = frame.times.length > 0 || poseTimeOf(directions) !== undefined;

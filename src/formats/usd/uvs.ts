@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import type { PolygonValues } from '../../scene/polygons.ts';
 import { numberOf, numbersOf, textOf } from './attributes.ts';
 import type { StageContext } from './context.ts';
@@ -104,7 +105,7 @@ export function mappedByFace(
 function apply(transform: UvTransform | undefined, u: number, v: number): [number, number] {
   if (!transform) return [u, v];
   const { scale, rotation, translation } = transform;
-  const [c, s] = [Math.cos((rotation * Math.PI) / 180), Math.sin((rotation * Math.PI) / 180)];
+  const [c, s] = [Math.cos(radians(rotation)), Math.sin(radians(rotation))];
   const [x, y] = [u * scale[0], v * scale[1]];
   const [columns, rows] = transform.tiles ?? [1, 1];
   return [(c * x - s * y + translation[0]) / columns, (s * x + c * y + translation[1]) / rows];

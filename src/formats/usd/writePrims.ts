@@ -1,3 +1,4 @@
+import { degrees } from '../../math/angle.ts';
 import { conjugate, IDENTITY, multiply, shortestTurn } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { normalsAt, pointsAt } from '../../scene/points.ts';
@@ -208,7 +209,7 @@ export function lightContent(light: Light, placement: Placement, files: LightFil
   ];
   if (light.kind === 'distant') {
     const pose: Pose = { position: [0, 0, 0], orientation: shortestTurn([0, 0, -1], light.direction) };
-    const angle = light.angle === undefined ? [] : [`float inputs:angle = ${float((light.angle * 180) / Math.PI)}`];
+    const angle = light.angle === undefined ? [] : [`float inputs:angle = ${float(degrees(light.angle))}`];
     return { type: 'DistantLight', properties: [...color, ...angle, ...poseLines(pose, placement)] };
   }
   if (light.kind !== 'dome') {
@@ -273,7 +274,7 @@ function sizesOf(lamp: Lamp): readonly (readonly [name: string, size: number])[]
 function shapingLines({ inner, outer, focus }: LightShaping): Lines {
   const open = outer > Math.PI;
   return [
-    `float inputs:shaping:cone:angle = ${float(open ? 180 : (outer * 180) / Math.PI)}`,
+    `float inputs:shaping:cone:angle = ${float(open ? 180 : degrees(outer))}`,
     `float inputs:shaping:cone:softness = ${float(open ? 0 : 1 - inner / outer)}`,
     `float inputs:shaping:focus = ${float(focus)}`,
   ];

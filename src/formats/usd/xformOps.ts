@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import * as mat4 from '../../math/mat4.ts';
 import { fromAxisAngle, IDENTITY, normalizeQuat, type Quat, toMatrix } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -183,7 +184,7 @@ function byParts([x, y, z, w]: Quat): Quat {
 
 /** About one axis [degrees]. */
 function rotation(axis: number, degrees: number): mat4.Mat4 {
-  const angle = (degrees * Math.PI) / 180;
+  const angle = radians(degrees);
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   if (axis === 0) return [1, 0, 0, 0, 0, c, -s, 0, 0, s, c, 0, 0, 0, 0, 1];
   if (axis === 1) return [c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1];

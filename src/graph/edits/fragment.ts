@@ -1,4 +1,4 @@
-import { z } from 'zod';
+import * as z from 'zod/mini';
 import type { Command, Point } from '../commands.ts';
 import {
   DocumentError,
@@ -21,7 +21,7 @@ import { middleOf, partOf, renamed } from './renamed.ts';
 
 /** Nodes out of a document, with the groups that they use: what copying puts on the clipboard. */
 const fragmentSchema = z.strictObject({
-  ...documentSchema.omit({ files: true, title: true, lookFor: true }).shape,
+  ...z.omit(documentSchema, { files: true, title: true, lookFor: true }).shape,
   format: z.literal('slowlight-nodes'),
 });
 export type Fragment = z.infer<typeof fragmentSchema>;

@@ -1,3 +1,4 @@
+import { radians } from '../../math/angle.ts';
 import { sub } from '../../math/vec3.ts';
 import { lookAtOrientation } from '../../scene/camera.ts';
 import { makeScene } from '../../scene/defaults.ts';
@@ -5,8 +6,6 @@ import { defineNode } from '../define.ts';
 import { pathOf } from '../geometry/primitive.ts';
 import { vector } from '../geometry/shared.ts';
 import { nameParam } from './shine.ts';
-
-const DEGREE = Math.PI / 180;
 
 /** A place to look from, at rest. */
 export const cameraNode = defineNode({
@@ -28,7 +27,7 @@ export const cameraNode = defineNode({
     const camera = {
       path,
       motion: { kind: 'static', pose: { position, orientation } },
-      fovY: fieldOfView * DEGREE,
+      fovY: radians(fieldOfView),
     } as const;
     return { geometry: { scene: makeScene({ name, cameras: [camera] }) } };
   },

@@ -1,4 +1,5 @@
 import { NodeRefusal, type NumberParam, type TextParam, type VectorParam } from '../../graph/nodeType.ts';
+import { radians } from '../../math/angle.ts';
 import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { isChosen } from '../../scene/compose/merge.ts';
@@ -38,12 +39,10 @@ export function checkPath(scene: Scene, path: string, node: string): void {
   throw refusal('geometry.path', `${node}.which`, message, { node, param: 'which', value: '' });
 }
 
-const DEGREE = Math.PI / 180;
-
 /** Turns about x, then y, then z, by angles in degrees: as USD's rotateXYZ. */
 export const rotation = ([x, y, z]: Vec3): Quat =>
   [
-    fromAxisAngle([0, 0, 1], z * DEGREE),
-    fromAxisAngle([0, 1, 0], y * DEGREE),
-    fromAxisAngle([1, 0, 0], x * DEGREE),
+    fromAxisAngle([0, 0, 1], radians(z)),
+    fromAxisAngle([0, 1, 0], radians(y)),
+    fromAxisAngle([1, 0, 0], radians(x)),
   ].reduce(multiply, IDENTITY);

@@ -1,6 +1,5 @@
-import { readLetters } from '../../formats/font/letters.ts';
 import type { Letter } from '../../scene/text/outline.ts';
-import { MOST_TEXT_TRIANGLES, type TextStyle, textMesh, textTriangles } from '../../scene/text/textMesh.ts';
+import type { TextStyle } from '../../scene/text/textMesh.ts';
 import { InputError } from '../../scene/types.ts';
 import type { Services } from '../services.ts';
 import { definePrimitive, metres } from './primitive.ts';
@@ -42,6 +41,8 @@ export const solidTextNode = definePrimitive({
     },
   },
   async mesh({ text, align, ...measures }, { node, services }) {
+    // Loaded with the first letter: few pictures need them.
+    const { MOST_TEXT_TRIANGLES, textMesh, textTriangles } = await import('../../scene/text/textMesh.ts');
     const lines = await linesOf(text, node, services);
     const style: TextStyle = { ...measures, align: align as TextStyle['align'] };
     const triangles = textTriangles(lines, style);
@@ -70,6 +71,7 @@ async function linesOf(text: string, node: string, { readFont }: Services): Prom
     const message = `it has ${written.length} letters, more than ${MOST_LETTERS}; write less`;
     throw refusal('letters.many', `${node}.text`, message, remedy(node, written.slice(0, MOST_LETTERS).join('')));
   }
+  const { readLetters } = await import('../../formats/font/letters.ts');
   const letters = await readLetters(new Set(written), readFont).catch((error: unknown) => {
     if (!(error instanceof InputError)) throw error;
     const { code, place, message } = error.diagnostic;

@@ -1,5 +1,4 @@
 import { withObjects } from '../../scene/compose/dress.ts';
-import { canBeFiner, MOST_TRIANGLES, smooth, split, trianglesAfter } from '../../scene/compose/finer.ts';
 import { isChosen } from '../../scene/compose/merge.ts';
 import { defineNode } from '../define.ts';
 import { pieces } from './primitive.ts';
@@ -29,7 +28,9 @@ export const subdivideNode = defineNode({
   },
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
-  evaluate({ geometry: { scene } }, { which, levels, surface }, { node }) {
+  async evaluate({ geometry: { scene } }, { which, levels, surface }, { node }) {
+    // Pages evaluate it in a worker: what it needs is loaded there.
+    const { canBeFiner, MOST_TRIANGLES, smooth, split, trianglesAfter } = await import('../../scene/compose/finer.ts');
     checkPath(scene, which, node);
     const chosen = scene.objects.filter(({ path }) => isChosen(path, which));
     const triangles = chosen.reduce((sum, { mesh }) => sum + trianglesAfter(mesh, levels), 0);

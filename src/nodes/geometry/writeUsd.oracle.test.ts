@@ -51,7 +51,8 @@ async function asked(motion: 'sampled' | 'exact'): Promise<{ readonly file: Scen
   const document = edited(flying, set('usd', 'motion', motion));
   const writers = writersIn(document);
   const evaluation = await new Evaluator(nodeLibrary).evaluate(document, [...writers.keys()], services);
-  const file = filesOf(evaluation, writers).get('usd')!;
+  const file = filesOf(evaluation, writers).get('usd');
+  if (file?.kind !== 'scene') throw new Error('the node asks for no scene');
   const path = join(folder, `${motion}.usda`);
   writeFileSync(path, (await writtenScene(file, 'geometry.usda')).files.get('geometry.usda')!);
   return { file, path };

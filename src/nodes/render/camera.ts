@@ -1,7 +1,6 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
+import { radians } from '../../math/angle.ts';
 import { defineNode } from '../define.ts';
-
-const DEGREE = Math.PI / 180;
 
 /** Where the scene is looked at from. */
 export const sceneCamera = defineNode({
@@ -33,7 +32,7 @@ export const sceneCamera = defineNode({
       const remedy = { node, param: 'camera', value: '' };
       throw new NodeRefusal({ severity: 'error', code: 'camera.missing', place: node, message, remedy });
     }
-    const fovY = fieldOfView === undefined ? undefined : fieldOfView * DEGREE;
+    const fovY = fieldOfView === undefined ? undefined : radians(fieldOfView);
     return { view: { ...relativity, camera, ride, fovY } };
   },
 });

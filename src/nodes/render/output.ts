@@ -1,6 +1,5 @@
-import { NodeRefusal } from '../../graph/nodeType.ts';
 import { defineNode } from '../define.ts';
-import { PlanError, planned } from '../plan.ts';
+import { pictureFor } from './pictureFor.ts';
 
 /** What the screen shows and what is saved. */
 export const output = defineNode({
@@ -11,12 +10,5 @@ export const output = defineNode({
   params: {},
   inputs: { image: { type: 'image' } },
   outputs: { picture: { type: 'picture' } },
-  evaluate({ image }, _, { node }) {
-    try {
-      return { picture: planned(image) };
-    } catch (error) {
-      if (!(error instanceof PlanError)) throw error;
-      throw new NodeRefusal({ severity: 'error', code: 'picture.large', place: node, message: error.message });
-    }
-  },
+  evaluate: ({ image }, _, { node }) => ({ picture: pictureFor(image, node) }),
 });

@@ -1,4 +1,5 @@
 import { defineNode } from '../define.ts';
+import { rasterizing } from './rasterizing.ts';
 
 /** Draws what the observer sees into a G-buffer. */
 export const relativityRasterize = defineNode({
@@ -37,13 +38,7 @@ export const relativityRasterize = defineNode({
       step: 0.01,
       physical: 1,
     },
-    antialiasing: {
-      kind: 'boolean',
-      title: 'param.antialiasing',
-      help: 'param.antialiasing.help',
-      default: true,
-    },
-    grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },
+    ...rasterizing,
   },
   inputs: { view: { type: 'view' } },
   outputs: { gbuffer: { type: 'gbuffer' } },

@@ -1,4 +1,5 @@
 import { defineNode } from '../define.ts';
+import { rasterizing } from './rasterizing.ts';
 
 /** What an ordinary renderer draws of the same scene: light takes no time, and motion changes neither places nor colours. */
 export const rasterize = defineNode({
@@ -7,13 +8,7 @@ export const rasterize = defineNode({
   help: 'node.rasterizeOrdinary.help',
   category: 'render',
   params: {
-    antialiasing: {
-      kind: 'boolean',
-      title: 'param.antialiasing',
-      help: 'param.antialiasing.help',
-      default: true,
-    },
-    grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },
+    ...rasterizing,
   },
   inputs: { view: { type: 'view' } },
   outputs: { gbuffer: { type: 'gbuffer' } },

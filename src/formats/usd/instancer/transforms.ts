@@ -1,3 +1,4 @@
+import { radians } from '../../../math/angle.ts';
 import * as mat4 from '../../../math/mat4.ts';
 import { conjugate, fromAxisAngle, IDENTITY, multiply, type Quat, slerp, toMatrix } from '../../../math/quat.ts';
 import { add, addScaled, length, sub, type Vec3 } from '../../../math/vec3.ts';
@@ -117,7 +118,7 @@ export class InstanceTransforms {
     const rate = vec3(this.angularVelocities.held(i, base));
     if (length(rate) === 0) return orientation;
     const dt = (time - this.orientations.around(base)[0]) / this.codesPerSecond;
-    return multiply(fromAxisAngle(rate, (dt * length(rate) * Math.PI) / 180), orientation);
+    return multiply(fromAxisAngle(rate, radians(dt * length(rate))), orientation);
   }
 
   private moves(count: number, time: number): boolean {

@@ -1,0 +1,28 @@
+import { eased, exposureFor, type Metering } from '../metering.ts';
+import type { Gauges } from './gauges.ts';
+import type { PictureRequest, Size } from './painter.ts';
+
+/** Sets the exposure of one picture after another, as an eye would that follows them: each by its own light, eased over the scene's time. */
+export class ExposureMeter {
+  private readonly gauges: Gauges;
+  private readonly metering: Metering;
+  private readonly size: Size;
+  private last: { readonly t: number; readonly exposure: number } | undefined;
+
+  constructor(gauges: Gauges, metering: Metering, size: Size) {
+    this.gauges = gauges;
+    this.metering = metering;
+    this.size = size;
+  }
+
+  /** The exposure that the metering sets for a picture [EV]. */
+  async read({ view, settings }: PictureRequest): Promise<number> {
+    const { metering, size, last } = this;
+    if (metering === 'manual') return 0;
+    const gauge = await this.gauges.read(view, settings, 'radiance');
+    const target = exposureFor(metering, gauge, view, settings, size.width / size.height);
+    const exposure = last ? eased(last.exposure, target, Math.abs(view.t - last.t)) : target;
+    this.last = { t: view.t, exposure };
+    return exposure;
+  }
+}
