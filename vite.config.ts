@@ -31,6 +31,9 @@ const GALLERY = [
   'comparison',
   'layers',
   'lesson',
+  'gods-eye',
+  'letters',
+  'truth',
   'workshop',
 ];
 const SCENES = ['.usda', '.usdz', '.glb'];
@@ -42,7 +45,7 @@ export default defineConfig({
   root: join(root, 'src/app'),
   base: './',
   publicDir: false,
-  plugins: [react(), examples(), fonts()],
+  plugins: [react(), examples(), fonts(), ownDockTheme()],
   worker: { format: 'es' },
   build: {
     outDir: join(root, 'dist/app'),
@@ -87,6 +90,18 @@ function fonts(): Plugin {
         for (const file of ['LICENSE', 'unicode.json', ...files])
           this.emitFile({ type: 'asset', fileName: `fonts/${name}/${file}`, source: readFileSync(join(folder, file)) });
       }
+    },
+  };
+}
+
+/** Dockview ships all its themes in one sheet; the page has one of its own. */
+function ownDockTheme(): Plugin {
+  return {
+    name: 'slowlight-own-dock-theme',
+    transform(code, id) {
+      if (!/dockview\.css/.test(id)) return undefined;
+      const rules = code.match(/[^{}]*\{(?:[^{}]|\{[^{}]*\})*\}/g) ?? [];
+      return rules.filter((rule) => !/^[^{]*dockview-theme-/.test(rule)).join('');
     },
   };
 }

@@ -1,36 +1,32 @@
-import { urlSource } from '../editor/loading/sources.ts';
-import { openScene } from '../formats/open.ts';
-import type { Interpolation } from '../formats/registry.ts';
+import { inputError } from '../formats/fail.ts';
 import { SceneRenderer } from '../render/renderer.ts';
-import { changeMotion, type MotionChange } from '../scene/change.ts';
+import type { Gauge } from '../scene/gauge.ts';
+import { unparcel } from '../scene/parcel.ts';
+import { readFilesWith, type StoredFile } from '../scene/storedNumbers.ts';
+import type { Scene } from '../scene/types.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
 
 /**
- * The page that the command line drives where a picture is to be made with WebGL2. It draws one scene, opened from the server
- * that serves this page, and gives its pictures back as base64, which is what a remote call can carry.
+ * The page that the command line drives where a picture is to be made with WebGL2. It draws scenes that the server of this page has read, and
+ * gives their pictures back as base64, which is what a remote call can carry.
  *
  * `await page.goto('…/headless.html')`, then
- * `await page.evaluate((r) => window.slowlight.open(r), { base: 'http://127.0.0.1:1234/scene/', entry: 'street.usda', width: 640, height: 360, variants: [] })`
- * once, and `await page.evaluate((r) => window.slowlight.render(r), { view, settings, samples: 1, aovs: ['depth'] })` per picture.
- * Errors reject the call with the reader's or the renderer's own message.
+ * `await page.evaluate((r) => window.slowlight.open(r), { scenes: '/scenes', files: '/parts/', width: 640, height: 360 })`
+ * once, and `await page.evaluate((r) => window.slowlight.render(r), { view, settings, samples: 1, pixels: true, aovs: ['depth'] })` per picture.
+ * Errors reject the call with the renderer's own message.
  */
 interface HeadlessPage {
   open(request: OpenRequest): Promise<OpenReply>;
   render(request: RenderRequest): Promise<RenderReply>;
+  /** Base64 of the gauge's numbers, little-endian f32. */
+  measure(request: Pick<RenderRequest, 'view' | 'settings'>): Promise<Record<keyof Gauge, string>>;
 }
 
 interface OpenRequest {
-  /** Address of the folder of the scene, of this page's origin, ending with '/'. */
-  readonly base: string;
-  /** File in that folder. */
-  readonly entry: string;
-  /** As ReadOptions has them. */
-  readonly animation?: string | number;
-  readonly interpolation?: Interpolation;
-  readonly subdivision?: number;
-  readonly variants: readonly (readonly [set: string, option: string])[];
-  /** How its things are to move, with the speed of light that flights are measured by [m/s]. */
-  readonly motion?: MotionChange & { readonly speedOfLight: number };
+  /** Address of a parcel (scene/parcel.ts) of the scenes: the picture's, and those of its plan's other G-buffers. */
+  readonly scenes: string;
+  /** Address under which parts of files are, for what was left in them: `from/length/{handle as JSON}`. */
+  readonly files: string;
   /** Of the pictures [px]. */
   readonly width: number;
   readonly height: number;
@@ -46,11 +42,13 @@ interface RenderRequest {
   readonly settings: RenderSettings;
   /** n × n samples per pixel. */
   readonly samples: number;
+  /** The picture itself is wanted. */
+  readonly pixels: boolean;
   readonly aovs: readonly AovName[];
 }
 
 interface RenderReply {
-  /** Base64 of RGBA8, sRGB, rows from the top. */
+  /** Base64 of RGBA8, sRGB, rows from the top; empty where it was not asked for. */
   readonly pixels: string;
   /** Base64 of little-endian f32, in the AOV's own channels, rows from the top. */
   readonly aovs: Readonly<Partial<Record<AovName, string>>>;
@@ -65,34 +63,43 @@ declare global {
 let renderer: SceneRenderer | undefined;
 
 window.slowlight = {
-  async open({ base, entry, width, height, animation, interpolation, subdivision, variants, motion }) {
-    const read = await openScene(
-      urlSource(base, () => {}),
-      entry,
-      {
-        ...(animation !== undefined && { animation }),
-        ...(interpolation && { interpolation }),
-        ...(subdivision !== undefined && { subdivision }),
-        variants: new Map(variants),
-      },
-    );
-    const scene = motion ? changeMotion(read, motion, motion.speedOfLight) : read;
+  async open({ scenes, files, width, height }) {
+    readFilesWith((file, at, length) => partOfFile(files, file, at, length));
+    const [scene, ...others] = unparcel(await (await fetch(scenes)).arrayBuffer()) as [Scene, ...Scene[]];
     renderer?.dispose();
     renderer = await SceneRenderer.create({ canvas: newCanvas(width, height), backend: 'webgl' });
     renderer.setSize(width, height);
-    await renderer.setScene(scene);
+    await renderer.setScene(scene, others);
     return { adapterName: adapterName() };
   },
 
-  async render({ view, settings, samples, aovs }) {
+  async render({ view, settings, samples, pixels: wanted, aovs }) {
     if (!renderer) throw new Error('open a scene first');
     renderer.render(view, settings, samples);
-    const pixels = await base64(await renderer.readPixels());
+    const pixels = wanted ? await base64(await renderer.readPixels()) : '';
     const read: Partial<Record<AovName, string>> = {};
     for (const name of aovs) read[name] = await base64(await renderer.readAov(name));
     return { pixels, aovs: read };
   },
+
+  async measure({ view, settings }) {
+    if (!renderer) throw new Error('open a scene first');
+    renderer.render(view, settings);
+    const { luminance, doppler, time } = await renderer.gauge();
+    return { luminance: await base64(luminance), doppler: await base64(doppler), time: await base64(time) };
+  },
 };
+
+/** While the renderer waits: a window gets bytes in that way only as a text of characters whose lower halves they are. */
+function partOfFile(files: string, { name, handle }: StoredFile, at: number, length: number): Uint8Array<ArrayBuffer> {
+  const request = new XMLHttpRequest();
+  request.open('GET', `${files}${at}/${length}/${encodeURIComponent(JSON.stringify(handle))}`, false);
+  request.overrideMimeType('text/plain; charset=x-user-defined');
+  request.send();
+  if (request.status !== 200)
+    throw inputError('file.changed', name, 'it is not what was opened any more, or is gone; open the scene again');
+  return Uint8Array.from(request.responseText, (character) => character.charCodeAt(0));
+}
 
 function newCanvas(width: number, height: number): HTMLCanvasElement {
   const canvas = document.createElement('canvas');

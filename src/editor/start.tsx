@@ -1,5 +1,5 @@
 import '@fontsource-variable/inter/wght.css';
-import '@mantine/core/styles.css';
+import './mantine.css';
 import 'dockview/dist/styles/dockview.css';
 import './editor.css';
 import './viewport/legend.css';
@@ -21,6 +21,7 @@ import { legend } from './state/legend.ts';
 import { loadPreferences, prefersReducedMotion } from './state/preferences.ts';
 import { createStudio } from './state/studio.ts';
 import { theme } from './theme.ts';
+import { traceInWorkers } from './tracing/tracing.ts';
 import { chooseGraphics } from './viewport/graphics.ts';
 import { Pilot } from './viewport/pilot.ts';
 
@@ -47,7 +48,7 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
   const { beginning, view, problem, ...session } = await begin(asked, localFiles);
   const playing = view?.playing ?? !prefersReducedMotion();
   const studio = createStudio({
-    services: { readScene, readFont, readFile: fileReader(localFiles) },
+    services: { readScene, readFont, readFile: fileReader(localFiles), trace: traceInWorkers },
     beginning,
     playing,
   });

@@ -1,11 +1,9 @@
-import { readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import { AxeBuilder } from '@axe-core/playwright';
 import { zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { difference, type Guarded, Program } from './program.ts';
-import { drop, pinkShare } from './support.ts';
+import { drop, pinkShare, sceneBytes } from './support.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -14,10 +12,9 @@ beforeAll(async () => {
 afterAll(() => program.stop());
 
 const SMALL = '?backend=webgl&scene=examples/sphere.usda';
-const bytes = (name: string) => readFileSync(fileURLToPath(new URL(`scenes/${name}`, import.meta.url)));
 const text = (words: string) => new TextEncoder().encode(words);
-const TEXTURED = { name: 'textured.usda', content: bytes('textured.usda') };
-const CHECKER = { name: 'checker.png', content: bytes('textures/checker.png') };
+const TEXTURED = { name: 'textured.usda', content: sceneBytes('textured.usda') };
+const CHECKER = { name: 'checker.png', content: sceneBytes('textures/checker.png') };
 
 async function visitScenePanel(visit: Guarded): Promise<void> {
   await visit.page.getByRole('tab', { name: 'Scene' }).click();
@@ -139,6 +136,7 @@ describe('bringing a scene', () => {
     await visit.ready();
     await visit.page.goto(`${program.url}/?backend=webgl&scene=examples/asked.usda`);
     await visit.page.getByText('The square wears the picture').waitFor();
+    await visit.ready();
     await drop(visit, [CHECKER]);
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.01);
     await visit.close();

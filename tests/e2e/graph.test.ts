@@ -139,6 +139,21 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
   await page.getByText('from Number').waitFor();
   await page.getByText('Node', { exact: true }).click();
 
+  // Nodes show what they made, for eyes and for screen readers; those in sight only.
+  await page.keyboard.press('Escape');
+  const picture = page.getByRole('img', { name: 'Picture of what Tone map made' });
+  await picture.waitFor({ timeout: 60_000 });
+  const kinds = await picture.evaluate((canvas: HTMLCanvasElement) => {
+    const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+    return new Set(new Uint32Array(data.buffer)).size;
+  });
+  expect(kinds).toBeGreaterThan(100);
+  await page.getByRole('img', { name: /^Histogram of the light, in stops: half of it is below/ }).waitFor();
+  await visit.shot('graph-pictures');
+  await page.getByRole('button', { name: 'Pictures on nodes', pressed: true }).click();
+  await expect.poll(() => page.locator('.sl-node-picture').count()).toBe(0);
+  await page.getByRole('button', { name: 'Pictures on nodes', pressed: false }).click();
+
   // Groups: what was connected stays so, inside there is a way back.
   await node(page, 'box').locator('.sl-node-head').click();
   await page.keyboard.press('Control+g');

@@ -1,12 +1,10 @@
-import { readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { applyCommand, type Command } from '../../src/graph/commands.ts';
 import { sharedFragment } from '../../src/graph/share.ts';
 import { newProject } from '../../src/nodes/project.ts';
 import { connect } from '../support/graphKit.ts';
-import { difference, Program } from './program.ts';
-import { pinkShare } from './support.ts';
+import { difference, type Guarded, Program } from './program.ts';
+import { ASKED, pinkShare, serveAsked } from './support.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -14,11 +12,34 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-const bytes = (name: string) => readFileSync(fileURLToPath(new URL(`scenes/${name}`, import.meta.url)));
-const SQUARE = bytes('textured.usda');
-const CHECKER = bytes('textures/checker.png');
-
 const effect = (color: string) => `fn effect(p: Pixel) -> vec4f {\n  return vec4f(${color}, 1);\n}`;
+/** Nearly as many steps for each pixel as a text may have. */
+const SLOW = `fn effect(p: Pixel) -> vec4f {
+  var x = p.color.rgb;
+  for (var i = 0; i < 64; i++) {
+    for (var k = 0; k < 64; k++) { x = sin(x * 1.3 + vec3f(0.1)); }
+  }
+  return vec4f(x.ggg, 1);
+}`;
+
+const textOf = ({ page }: Guarded) => page.getByRole('textbox', { name: 'Shader text' });
+async function write(visit: Guarded, text: string): Promise<void> {
+  await textOf(visit).fill(text);
+  await textOf(visit).press('Control+Enter');
+}
+
+async function undo({ page }: Guarded): Promise<void> {
+  await page.getByRole('button', { name: /^Undo: Shader text/ }).click();
+  // What the button tells would lie over the picture.
+  await page.mouse.move(0, 0);
+}
+
+/** The picture as the project has it, without the checkers' magenta. */
+async function grey(visit: Guarded): Promise<Uint8Array> {
+  await visit.ready();
+  await expect.poll(async () => pinkShare(await visit.pixels())).toBeLessThan(0.005);
+  return visit.pixels();
+}
 
 /** What is lit, through an effect that somebody wrote, beside an ordinary picture of the same. */
 function project() {
@@ -41,34 +62,61 @@ function project() {
     connect('own.image', 'mix.above'),
     connect('mix.image', 'toneMap.image'),
   ];
-  return applyCommand(newProject('examples/asked.usda'), { kind: 'batch', commands }).document;
+  return applyCommand(newProject(ASKED), { kind: 'batch', commands }).document;
 }
 
 it('a picture that is put together of nodes is drawn, a text that cannot be is refused with its line, and the last good picture stays', async () => {
-  const page = await program.open(`?backend=webgl#${sharedFragment(project())}`, {}, async (tab) => {
-    await tab.route('**/examples/asked.usda', (route) => route.fulfill({ body: SQUARE }));
-    await tab.route('**/examples/textures/checker.png', (route) => route.fulfill({ body: CHECKER }));
-  });
-  await page.ready();
-  const text = page.page.getByRole('textbox', { name: 'Shader text' });
-  const write = async (color: string): Promise<void> => {
-    await text.fill(effect(color));
-    await text.press('Control+Enter');
-  };
-  await expect.poll(async () => pinkShare(await page.pixels())).toBeLessThan(0.005);
-  const before = await page.pixels();
-  await write('p.color.ggg * nothing');
+  const page = await program.open(`?backend=webgl#${sharedFragment(project())}`, {}, serveAsked);
+  const before = await grey(page);
+  await write(page, effect('p.color.ggg * nothing'));
   await page.refusals.waitFor();
   expect(await page.refusals.textContent()).toMatch(/line 2, column \d+: .*nothing/);
   expect(difference(await page.pixels(), before)).toBeLessThan(0.5);
   await page.shot('shader-text-refused');
-  await write('p.color.rgb');
+  await write(page, effect('p.color.rgb'));
   await expect.poll(async () => pinkShare(await page.pixels())).toBeGreaterThan(0.03);
   const alpha = page.page.getByRole('textbox', { name: 'Alpha' });
-  await write('p.color.ggg');
+  await write(page, effect('p.color.ggg'));
   await alpha.fill('1');
   await alpha.press('Enter');
   // The ordinary picture alone.
   await expect.poll(async () => pinkShare(await page.pixels())).toBeGreaterThan(0.03);
   await page.close();
 });
+
+it('a text that is as slow as one may be slows the picture, not the page', async () => {
+  const page = await program.open(`?backend=webgl#${sharedFragment(project())}`, {}, serveAsked);
+  const before = await grey(page);
+  await write(page, SLOW);
+  await expect.poll(async () => difference(await page.pixels(), before)).toBeGreaterThan(5);
+  await undo(page);
+  await expect.poll(async () => difference(await page.pixels(), before)).toBeLessThan(0.5);
+  await page.close();
+});
+
+it.each([
+  ['webgl', 'loses its context'],
+  ['webgpu', 'loses its device'],
+])(
+  'on %s a picture with a text of somebody’s own is there again when it %s, and so is all that was done',
+  async (backend) => {
+    const options = { viewport: { width: 640, height: 480 } };
+    const page = await program.open(`?backend=${backend}#${sharedFragment(project())}`, options, serveAsked);
+    const first = await grey(page);
+    await write(page, effect('1 - p.color.ggg'));
+    await expect.poll(async () => difference(await page.pixels(), first)).toBeGreaterThan(5);
+    const before = await page.pixels();
+    if (backend === 'webgpu') await program.crashGraphics();
+    else
+      await page.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
+        canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
+      });
+    await page.page.getByText('was lost and started again').waitFor();
+    await expect.poll(async () => difference(await page.pixels(), before)).toBeLessThan(0.5);
+    expect(await textOf(page).inputValue()).toContain('1 - p.color');
+    await undo(page);
+    await expect.poll(async () => difference(await page.pixels(), first)).toBeLessThan(0.5);
+    page.expectComplaint(/Device Lost/);
+    await page.close();
+  },
+);

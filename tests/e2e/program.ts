@@ -163,7 +163,7 @@ export class Guarded {
   async #picture(): Promise<DecodedPng> {
     const style =
       '.sl-hint, .sl-caption, .sl-legend, .sl-crosshair, .sl-notices, .sl-busy, .sl-picture::after { visibility: hidden !important }';
-    return decode(await this.page.locator('canvas').screenshot({ style }));
+    return decode(await this.page.locator('.sl-canvas').screenshot({ style }));
   }
 }
 

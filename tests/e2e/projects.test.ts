@@ -1,5 +1,4 @@
 import { readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import { AxeBuilder } from '@axe-core/playwright';
 import { unzipSync, zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
@@ -10,7 +9,7 @@ import { serializeDocument } from '../../src/graph/serialize.ts';
 import { sharedFragment } from '../../src/graph/share.ts';
 import { newProject } from '../../src/nodes/project.ts';
 import { difference, type Guarded, Program } from './program.ts';
-import { drop, pinkShare } from './support.ts';
+import { ASKED, drop, pinkShare, sceneBytes, serveAsked } from './support.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -18,9 +17,8 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-const bytes = (name: string) => readFileSync(fileURLToPath(new URL(`scenes/${name}`, import.meta.url)));
-const SQUARE = bytes('textured.usda');
-const CHECKER = bytes('textures/checker.png');
+const SQUARE = sceneBytes('textured.usda');
+const CHECKER = sceneBytes('textures/checker.png');
 
 /** The exposure is set by hand, so that the same project is the same picture from the first frame on. */
 const manual: Command = { kind: 'set-param', node: 'toneMap', param: 'metering', value: 'manual' };
@@ -28,10 +26,9 @@ const still = (source: string) => applyCommand(newProject(source), manual).docum
 
 /** A page on the smallest scene there is, which is at an address of the server. */
 async function visit(address = '', prepare?: (page: Page) => Promise<void>): Promise<Guarded> {
-  return program.open(`?backend=webgl&scene=examples/asked.usda${address}`, {}, async (page) => {
+  return program.open(`?backend=webgl&scene=${ASKED}${address}`, {}, async (page) => {
     await prepare?.(page);
-    await page.route('**/examples/asked.usda', (route) => route.fulfill({ body: SQUARE }));
-    await page.route('**/examples/textures/checker.png', (route) => route.fulfill({ body: CHECKER }));
+    await serveAsked(page);
   });
 }
 
@@ -107,7 +104,7 @@ describe('a project', () => {
     ]);
 
     // Another address is another beginning.
-    await page.page.goto(`${program.url}/?scene=examples/asked.usda&backend=webgl`);
+    await page.page.goto(`${program.url}/?scene=${ASKED}&backend=webgl`);
     await page.ready();
     await drop(page, [all]);
     await pink(page);
@@ -167,7 +164,7 @@ describe('a link', () => {
       (next) => {
         location.hash = next;
       },
-      sharedFragment(still('examples/asked.usda')),
+      sharedFragment(still(ASKED)),
     );
     await expect.poll(() => exposure(other).inputValue()).toMatch(/^0/);
     await other.page.getByRole('button', { name: /^Undo: open a project/ }).click();
@@ -190,15 +187,14 @@ describe('what is kept', () => {
     const third = await (await program.beside(page, address)).ready();
     await third.page.getByText('that was not saved: asked').waitFor();
     await third.shot('project-earlier');
-    await third.page.route('**/examples/asked.usda', (route) => route.fulfill({ body: SQUARE }));
-    await third.page.route('**/examples/textures/checker.png', (route) => route.fulfill({ body: CHECKER }));
+    await serveAsked(third.page);
     await third.page.getByRole('button', { name: 'Continue it' }).click();
     await expect.poll(() => exposure(third).inputValue()).toMatch(/^3/);
     await third.close();
   });
 
   it('where the browser keeps nothing it is told, and the page goes on; as with a link that was cut off', async () => {
-    const damaged = `#${sharedFragment(still('examples/asked.usda')).slice(0, -20)}`;
+    const damaged = `#${sharedFragment(still(ASKED)).slice(0, -20)}`;
     const page = await visit(damaged, async (tab) => {
       await tab.addInitScript(() => {
         IDBFactory.prototype.open = () => {

@@ -1,4 +1,19 @@
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import type { Page } from 'playwright-core';
 import type { Guarded } from './program.ts';
+
+export const sceneBytes = (name: string): Buffer =>
+  readFileSync(fileURLToPath(new URL(`scenes/${name}`, import.meta.url)));
+
+/** The smallest scene there is, a square with a picture, at an address of the server. */
+export const ASKED = 'examples/asked.usda';
+export async function serveAsked(page: Page): Promise<void> {
+  await page.route(`**/${ASKED}`, (route) => route.fulfill({ body: sceneBytes('textured.usda') }));
+  await page.route('**/examples/textures/checker.png', (route) =>
+    route.fulfill({ body: sceneBytes('textures/checker.png') }),
+  );
+}
 
 /** Drops files on the page as a file manager does. */
 export async function drop(visit: Guarded, given: readonly { name: string; content: Buffer }[]): Promise<void> {

@@ -79,7 +79,7 @@ function take(studio: Studio, { at, loose, onto }: Adding, id: string): void {
   if (!addition) return;
   // By its sockets where the edge ends; else with its middle where it is wanted.
   const shift = loose ? (loose.side === 'outputs' ? 0 : -NODE_WIDTH) : -NODE_WIDTH / 2;
-  const place = freePlaceIn(level, [at[0] + shift, at[1] - 40]);
+  const place = freePlaceIn(level, addition, [at[0] + shift, at[1] - 40]);
   const { node, command } = addCommand(level, addition, place, loose);
   studio.edit(command, 'edit.add');
   choose({ nodes: [node] });

@@ -19,6 +19,7 @@ import { type FlowNode, thingOf, type WireEdge } from './flow.ts';
 import { NodeCard, RerouteDot } from './NodeCard.tsx';
 import { FrameBox, NoteCard } from './NoteCard.tsx';
 import { useFlow } from './useFlow.ts';
+import { useNodePictures } from './useNodePictures.ts';
 import { useSight } from './useSight.ts';
 import { useWiring } from './useWiring.ts';
 import { Wire } from './Wire.tsx';
@@ -27,6 +28,8 @@ const NODE_TYPES: NodeTypes = { card: NodeCard, dot: RerouteDot, note: NoteCard,
 const EDGE_TYPES: EdgeTypes = { wire: Wire };
 /** The first sight of a graph is no closer than this. */
 const CLOSEST = 1.1;
+/** Graphs of hundreds of nodes are all in sight. */
+const FARTHEST = 0.03;
 /** Farther away nodes show their titles alone, and large. */
 const FAR = 0.6;
 
@@ -39,6 +42,7 @@ export function Canvas({ panel }: { readonly panel: React.RefObject<HTMLElement 
   const far = useStore(({ transform }) => transform[2] < FAR);
   const wiring = useWiring(flow.faces, panel);
   useSight(flow, panel);
+  useNodePictures(flow.faces);
   const labels = useMemo(() => ({ 'minimap.ariaLabel': t('graph.minimap') }), [t]);
   const onDoubleClick = (_event: unknown, { id, data }: FlowNode) => {
     const context = contextOf(studio);
@@ -62,12 +66,14 @@ export function Canvas({ panel }: { readonly panel: React.RefObject<HTMLElement 
       onNodesChange={flow.onNodesChange}
       onEdgesChange={flow.onEdgesChange}
       {...wiring}
+      onMoveStart={() => panel.current?.toggleAttribute('data-moving', true)}
+      onMoveEnd={() => panel.current?.toggleAttribute('data-moving', false)}
       onNodeDoubleClick={onDoubleClick}
       onFocus={chooseFocused}
       onPaneClick={() => panel.current?.querySelector<HTMLElement>('.sl-flow')?.focus({ preventScroll: true })}
       fitView
       fitViewOptions={{ maxZoom: CLOSEST, padding: 0.1 }}
-      minZoom={0.1}
+      minZoom={FARTHEST}
       maxZoom={2.5}
       selectionOnDrag
       selectionMode={SelectionMode.Partial}

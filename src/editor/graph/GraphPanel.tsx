@@ -1,16 +1,20 @@
 import '@xyflow/react/dist/base.css';
 import './sockets.css';
 import './graph.css';
+import './pictures.css';
 import { ReactFlowProvider } from '@xyflow/react';
 import { type ReactNode, useRef } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
+import { loadPreferences } from '../state/preferences.ts';
 import { AddNode } from './AddNode.tsx';
 import { Breadcrumb } from './Breadcrumb.tsx';
 import { Canvas } from './Canvas.tsx';
-import { useCanvas } from './canvas.ts';
+import { canvas, useCanvas } from './canvas.ts';
 import { Toolbar } from './Toolbar.tsx';
 import { useCanvasKeys } from './useCanvasKeys.ts';
 import { useKeptFocus } from './useKeptFocus.ts';
+
+canvas.setState({ pictures: loadPreferences().nodePictures });
 
 /** The document as a graph of nodes. */
 export default function GraphPanel(): ReactNode {

@@ -26,6 +26,7 @@ export function InputSources({ id, node, level }: InputSourcesProps): ReactNode 
       edges: endsIn(level.graph.edges),
       resultOf: () => undefined,
       problemOf: () => undefined,
+      pictures: false,
     };
     const face = faceOf(id, node, around);
     return face.rows.flatMap(({ input, title }) => (input && title === undefined ? [input] : []));

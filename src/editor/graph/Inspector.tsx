@@ -3,15 +3,16 @@ import { IconAlertTriangle } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useMemo, useRef } from 'react';
 import { type GraphNode, own } from '../../graph/document.ts';
 import { inside } from '../../graph/edits/fragment.ts';
-import { matters, meaning, type NodeType, type Problem, resolveParams } from '../../graph/nodeType.ts';
+import type { NodeType, Problem } from '../../graph/nodeType.ts';
 import type { Level } from '../../graph/sockets.ts';
 import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupOf } from '../../graph/structure.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
+import { writes } from '../../nodes/writers.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { feedersOf } from '../panels/driven.ts';
-import { ParamControl } from '../panels/ParamControl.tsx';
+import { NodeParams, shownParams } from '../panels/NodeParams.tsx';
 import { Remedy } from '../panels/Remedy.tsx';
-import { suggestion } from '../panels/suggestion.ts';
+import { SaveFileButton } from '../saving/SaveFileButton.tsx';
 import { useStudio, useStudioState } from '../state/context.tsx';
 import { chosenIn, flatName, levelAt, pathIn, useCanvas } from './canvas.ts';
 import { GroupSockets } from './GroupSockets.tsx';
@@ -68,6 +69,7 @@ function NodeInspector({ id, node, level, flat }: InspectedProps): ReactNode {
       </div>
       <Title id={id} node={node} level={level} type={type} />
       {problem && <ProblemNote problem={problem} />}
+      {!node.muted && writes(node.type) && <SaveFileButton node={flat} />}
       <InputSources id={id} node={node} level={level} />
       {type && node.type !== GROUP && <Params id={id} node={node} level={level} type={type} flat={flat} />}
       {isCarrier && level.group !== undefined && (
@@ -128,30 +130,13 @@ function ProblemNote({ problem: { message, place, remedy } }: { readonly problem
 }
 
 function Params({ id, node, level, type, flat }: InspectedProps & { readonly type: NodeType }): ReactNode {
-  const { any } = useTexts();
-  const studio = useStudio();
-  const picture = useStudioState((state) => state.picture);
   const feeders = feedersOf(level.graph, id);
-  const resolved = resolveParams(type, node.params);
-  const shown = Object.entries(type.params).flatMap(([name, spec]) =>
-    feeders[name] || matters(spec, resolved) ? [[name, meaning(type, spec, resolved)] as const] : [],
-  );
+  const shown = shownParams(type, node.params, feeders);
   if (shown.length === 0) return null;
   return (
     <>
       <Divider />
-      {shown.map(([name, spec]) => (
-        <ParamControl
-          key={name}
-          spec={spec}
-          set={node.params[name]}
-          value={resolved[name] ?? suggestion(spec, picture)}
-          choices={picture?.scene.cameras.map(({ path }) => path)}
-          drivenBy={feeders[name] && any(feeders[name])}
-          onChange={(value, gesture) => studio.set(flat, name, value, spec.title, gesture)}
-          onGestureEnd={studio.endGesture}
-        />
-      ))}
+      <NodeParams node={flat} type={type} set={node.params} shown={shown} feeders={feeders} />
     </>
   );
 }

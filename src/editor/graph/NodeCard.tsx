@@ -3,12 +3,16 @@ import { IconAlertTriangle, IconEyeOff, IconHourglass, IconSitemap } from '@tabl
 import type { NodeProps } from '@xyflow/react';
 import { memo, type ReactNode } from 'react';
 import { GROUP } from '../../graph/structure.ts';
+import { writes } from '../../nodes/writers.ts';
 import { useTexts } from '../i18n/i18n.ts';
+import { SaveFileMark } from '../saving/SaveFileButton.tsx';
 import { useStudio } from '../state/context.tsx';
 import { contextOf, enter } from './actions.ts';
-import { useCanvas } from './canvas.ts';
+import { flatName, pathIn, useCanvas } from './canvas.ts';
 import type { Face, Row, SocketFace } from './face.ts';
 import type { CardNode } from './flow.ts';
+import { NodePicture } from './NodePicture.tsx';
+import { NodeWork } from './NodeWork.tsx';
 import { SocketMark } from './Socket.tsx';
 import { Words } from './Words.tsx';
 
@@ -28,6 +32,7 @@ export const NodeCard = memo(function NodeCard({ data: { face } }: NodeProps<Car
       data-category={face.category}
       data-muted={face.muted || undefined}
       data-collapsed={face.collapsed || undefined}
+      data-picture={(!face.collapsed && face.picture) || undefined}
       data-problem={face.problem ? 'error' : undefined}
       data-unfit={(fits && fits.size === 0) || undefined}
     >
@@ -45,6 +50,8 @@ function Head({ face }: { readonly face: Face }): ReactNode {
       <span className="sl-node-title" title={face.kind && `${any(face.title)} (${any(face.kind)})`}>
         {any(face.title)}
       </span>
+      <NodeWork id={face.id} />
+      {!face.muted && writes(face.type) && <SaveMark id={face.id} />}
       {face.muted && <IconEyeOff size={14} aria-label={t('graph.muted')} />}
       {face.problem ? (
         <Tooltip label={`${face.problem.place}: ${face.problem.message}`} multiline maw={340} withinPortal>
@@ -57,6 +64,13 @@ function Head({ face }: { readonly face: Face }): ReactNode {
       )}
     </header>
   );
+}
+
+/** Hands over the file that the node asks for. */
+function SaveMark({ id }: { readonly id: string }): ReactNode {
+  const studio = useStudio();
+  const flat = useCanvas(({ path }) => flatName(pathIn(studio.store.getState().history.document, path), id));
+  return <SaveFileMark node={flat} />;
 }
 
 function EnterButton({ id }: { readonly id: string }): ReactNode {
@@ -100,6 +114,7 @@ function Body({ face, fits }: { readonly face: Face; readonly fits?: ReadonlySet
           {face.more > 0 && <div className="sl-node-row sl-node-more">{t('graph.more', { count: face.more })}</div>}
         </div>
       )}
+      {face.picture && <NodePicture face={face} />}
       {face.tells && (
         <footer className="sl-node-foot">{face.preview ? <Words of={face.preview} /> : <span>–</span>}</footer>
       )}

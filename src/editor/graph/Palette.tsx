@@ -97,7 +97,7 @@ function addNode(studio: Studio, id: string): void {
   const level = levelAt(studio.store.getState().history.document, path);
   const addition = additionsFor(level).find((each) => each.id === id);
   if (!addition) return;
-  const { node, command } = adding(level, addition, freePlaceIn(level, sight?.middle() ?? [0, 240]));
+  const { node, command } = adding(level, addition, freePlaceIn(level, addition, sight?.middle() ?? [0, 240]));
   studio.edit(command, 'edit.add');
   studio.change({ graph: true });
   choose({ nodes: [node] });

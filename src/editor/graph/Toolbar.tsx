@@ -5,6 +5,7 @@ import {
   IconFocusCentered,
   IconHierarchy2,
   IconNote,
+  IconPhoto,
   IconPlus,
   IconZoomIn,
   IconZoomOut,
@@ -13,12 +14,14 @@ import type { ReactNode } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import { useStudio } from '../state/context.tsx';
 import { ACTIONS, contextOf } from './actions.ts';
+import { useCanvas } from './canvas.ts';
 import { keysShown } from './keys.ts';
 
 const BUTTONS: readonly (readonly [action: string, icon: ReactNode])[] = [
   ['add', <IconPlus key="add" size={17} />],
   ['note', <IconNote key="note" size={17} />],
   ['arrange', <IconHierarchy2 key="arrange" size={17} />],
+  ['pictures', <IconPhoto key="pictures" size={17} />],
   ['fit', <IconFocusCentered key="fit" size={17} />],
   ['large', <IconArrowsVertical key="large" size={16} />],
   ['zoom-out', <IconZoomOut key="out" size={17} />],
@@ -29,6 +32,7 @@ const BUTTONS: readonly (readonly [action: string, icon: ReactNode])[] = [
 export function Toolbar(): ReactNode {
   const { t } = useTexts();
   const studio = useStudio();
+  const pictures = useCanvas((state) => state.pictures);
   return (
     <Group className="sl-graph-tools" gap={0} role="toolbar" aria-label={t('graph.tools')}>
       {BUTTONS.map(([id, icon]) => {
@@ -38,7 +42,13 @@ export function Toolbar(): ReactNode {
           if (context) run(context);
         };
         return (
-          <Tool key={id} label={t(title)} keys={keys[0] ? keysShown(keys[0]) : []} onClick={act}>
+          <Tool
+            key={id}
+            label={t(title)}
+            keys={keys[0] ? keysShown(keys[0]) : []}
+            onClick={act}
+            {...(id === 'pictures' && { pressed: pictures })}
+          >
             {icon}
           </Tool>
         );
@@ -54,10 +64,12 @@ interface ToolProps {
   readonly label: string;
   readonly keys: readonly string[];
   readonly onClick: () => void;
+  /** Of a switch: whether it is on. */
+  readonly pressed?: boolean;
   readonly children: ReactNode;
 }
 
-function Tool({ label, keys, onClick, children }: ToolProps): ReactNode {
+function Tool({ label, keys, onClick, pressed, children }: ToolProps): ReactNode {
   const tip = (
     <Group gap={6} wrap="nowrap">
       {label} {keys.length > 0 && <Kbd size="xs">{keys.join(' ')}</Kbd>}
@@ -65,7 +77,14 @@ function Tool({ label, keys, onClick, children }: ToolProps): ReactNode {
   );
   return (
     <Tooltip label={tip} openDelay={400}>
-      <ActionIcon variant="subtle" color="gray" size={30} aria-label={label} onClick={onClick}>
+      <ActionIcon
+        variant={pressed ? 'light' : 'subtle'}
+        color={pressed ? undefined : 'gray'}
+        size={30}
+        aria-label={label}
+        aria-pressed={pressed}
+        onClick={onClick}
+      >
         {children}
       </ActionIcon>
     </Tooltip>

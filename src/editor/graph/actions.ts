@@ -1,13 +1,14 @@
 import type { Command, Point } from '../../graph/commands.ts';
 import { CommandError } from '../../graph/commands.ts';
 import { type Alignment, alignmentOf, distributionOf } from '../../graph/edits/arrange.ts';
-import { duplicateOf, inside } from '../../graph/edits/fragment.ts';
+import { copyOf, inside, pasteOf } from '../../graph/edits/fragment.ts';
 import { groupingOf } from '../../graph/edits/group.ts';
 import { ungroupingOf } from '../../graph/edits/ungroup.ts';
 import type { Level } from '../../graph/sockets.ts';
 import { GROUP } from '../../graph/structure.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import type { MessageKey } from '../i18n/messages.ts';
+import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import type { Studio } from '../state/studio.ts';
 import {
   type CanvasState,
@@ -24,6 +25,7 @@ import { copied, cut, paste } from './clipboard.ts';
 import { framing, moving, noting, removing } from './edits.ts';
 import type { Keys } from './keys.ts';
 import { layeredLayout } from './layered.ts';
+import { bringIntoSight, freeMiddle } from './room.ts';
 
 /** What actions work on: the level that is shown, and what of it is chosen. */
 export interface Context {
@@ -82,9 +84,11 @@ function openAdding({ sight }: Context, at: Point = sight.middle()): void {
 function duplicate(context: Context): void {
   const { level, chosen, studio } = context;
   const { nodes, notes } = chosen;
-  const { command, ...added } = duplicateOf(level.document, { nodes, notes, group: level.group });
+  const fragment = copyOf(level.document, { nodes, notes, group: level.group });
+  const { command, ...added } = pasteOf(level.document, fragment, level.group, freeMiddle(level, fragment));
   studio.edit(command, 'edit.duplicate');
   choose(added);
+  bringIntoSight(added.nodes);
 }
 
 function group(context: Context): void {
@@ -137,7 +141,7 @@ function toggle(context: Context, kind: 'mute' | 'collapse'): void {
 function arrange(context: Context): void {
   const { level, chosen, sight, studio } = context;
   const nodes = chosen.nodes.length > 1 ? chosen.nodes : Object.keys(level.graph.nodes);
-  const found = layeredLayout(nodes, Object.values(level.graph.edges), sight.sizeOf);
+  const found = layeredLayout(nodes, Object.values(level.graph.edges), sight.roomFor);
   const corner = (places: readonly Point[]): Point => [
     Math.min(...places.map(([x]) => x)),
     Math.min(...places.map(([, y]) => y)),
@@ -204,6 +208,13 @@ function remove(context: Context): void {
 /** Gives the graph nearly all of the picture's room, or back what it took. */
 function makeLarge(studio: Studio): void {
   studio.change({ largeGraph: !studio.store.getState().largeGraph });
+}
+
+/** The next visit has them as they are now. */
+function togglePictures(): void {
+  const pictures = !canvas.getState().pictures;
+  canvas.setState({ pictures });
+  savePreferences({ ...loadPreferences(), nodePictures: pictures });
 }
 
 const write = (studio: Studio, words: string | undefined): void => {
@@ -306,6 +317,7 @@ export const ACTIONS: readonly Action[] = [
   distribute(0, 'graph.distribute.across'),
   distribute(1, 'graph.distribute.down'),
   { id: 'large', title: 'graph.large', keys: ['Shift+Space'], run: ({ studio }) => makeLarge(studio) },
+  { id: 'pictures', title: 'graph.pictures', keys: ['P'], run: togglePictures },
   { id: 'fit', title: 'graph.fit', keys: ['Home'], run: ({ sight }) => sight.fit() },
   {
     id: 'fit-chosen',

@@ -35,9 +35,13 @@ export interface Sight {
   fit(nodes?: readonly string[]): void;
   zoom(factor: number): void;
   sizeOf(node: string): Point;
+  /** With its picture, also where that has no room now. */
+  roomFor(node: string): Point;
   placeOf(node: string): Point;
   /** Brings a node into sight, where it is not. */
   show(node: string): void;
+  /** Whether any of a node is in sight. */
+  sees(node: string): boolean;
   /** Gives the focus to a node, or to the canvas. */
   focus(node?: string): void;
 }
@@ -55,9 +59,15 @@ export interface CanvasState {
   /** A note, frame or node whose words are being written: `note:n1`. */
   readonly writing?: string;
   readonly sight?: Sight;
+  /** Nodes show small pictures of what they made. */
+  readonly pictures: boolean;
 }
 
-export const canvas = createStore<CanvasState>(() => ({ path: [], chosen: NOTHING }));
+export const canvas = createStore<CanvasState>(() => ({
+  path: [],
+  chosen: NOTHING,
+  pictures: true,
+}));
 export const useCanvas = <T>(select: (state: CanvasState) => T): T => useStore(canvas, select);
 
 /** The entered groups, as far as the document still has them: an undo may take one away. */

@@ -4,6 +4,7 @@ import type { Level } from '../../graph/sockets.ts';
 import type { Studio } from '../state/studio.ts';
 import { canvas, choose, chosenIn, levelAt } from './canvas.ts';
 import { removing } from './edits.ts';
+import { bringIntoSight, freeMiddle } from './room.ts';
 
 /** Copied nodes are text on the system's clipboard, so that they go from tab to tab, and into a mail. */
 const levelOf = (studio: Studio): Level => levelAt(studio.store.getState().history.document, canvas.getState().path);
@@ -27,14 +28,12 @@ export function cut(studio: Studio): string | undefined {
 export function paste(studio: Studio, words: string): void {
   const level = levelOf(studio);
   try {
-    const { command, nodes, notes } = pasteOf(
-      level.document,
-      parseFragment(words),
-      level.group,
-      canvas.getState().sight?.middle(),
-    );
+    const fragment = parseFragment(words);
+    const at = freeMiddle(level, fragment, canvas.getState().sight?.middle());
+    const { command, nodes, notes } = pasteOf(level.document, fragment, level.group, at);
     studio.edit(command, 'edit.paste');
     choose({ nodes, notes });
+    bringIntoSight(nodes);
   } catch (error) {
     if (!(error instanceof DocumentError)) throw error;
     studio.notify({ kind: 'error', text: error.message, place: words.trim().slice(0, 60) });

@@ -55,6 +55,7 @@ async function facesOf(held: GraphDocument): Promise<ReadonlyMap<string, Face>> 
     edges: endsIn(held.edges),
     resultOf: (node: string) => results.get(node),
     problemOf: (node: string) => problems.get(node),
+    pictures: true,
   };
   return new Map(Object.entries(held.nodes).map(([id, node]) => [id, faceOf(id, node, around)]));
 }

@@ -6,7 +6,7 @@ import type { NodeResult } from '../../graph/results.ts';
 import { inputName, type Level, socketsOf } from '../../graph/sockets.ts';
 import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupOf, REROUTE } from '../../graph/structure.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
-import { isTold, previewOf } from './preview.ts';
+import { isPictured, isTold, pictured, previewOf } from './preview.ts';
 import { type Shown, shownParam } from './values.ts';
 
 /** A socket as a node shows it. */
@@ -48,6 +48,8 @@ export interface Face {
   /** Whether it has a line for what it made. */
   readonly tells: boolean;
   readonly preview?: Shown;
+  /** Whether it shows a picture of what it made, and with it how the light is spread that its tone curve gets. */
+  readonly picture?: 'plain' | 'metered';
   readonly problem?: Pick<Problem, 'message' | 'place'>;
   /** It waits for a node that failed. */
   readonly blocked: boolean;
@@ -61,6 +63,8 @@ export interface Surroundings {
   /** Of a node of the level, and of what lies in it. */
   resultOf(node: string): NodeResult | undefined;
   problemOf(node: string): Problem | undefined;
+  /** Nodes are to show pictures. */
+  readonly pictures: boolean;
 }
 
 /** The sockets of a node that are connected. */
@@ -86,6 +90,7 @@ export function endsIn(edges: Readonly<Record<string, GraphEdge>>): ReadonlyMap<
   return found;
 }
 
+const TONE_MAP = 'tone-map';
 /** How many parameters that are merely set are shown on a node. */
 const MOST_SET = 5;
 /** A group's node that carries its sockets has one more, to which new ones are drawn. */
@@ -123,7 +128,14 @@ export function faceOf(id: string, node: GraphNode, around: Surroundings): Face 
     more,
     tells,
     ...shownResult(around, id, first, tells),
+    ...(around.pictures && first && pictured(around.resultOf(id), first.name) && pictureFor(node, first)),
   };
+}
+
+/** Whether a node of an output can show a picture, once it made one. What is muted makes nothing of its own. */
+export function pictureFor(node: GraphNode, first: Pick<SocketFace, 'type'> | undefined): Pick<Face, 'picture'> {
+  if (node.muted || node.type === REROUTE || !first || !isPictured(first.type)) return {};
+  return { picture: node.type === TONE_MAP ? 'metered' : 'plain' };
 }
 
 const isConstant = (node: GraphNode, type: NodeType | undefined): boolean =>

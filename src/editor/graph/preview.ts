@@ -1,5 +1,5 @@
 import type { NodeResult } from '../../graph/results.ts';
-import type { Relativity, TimeRange } from '../../nodes/define.ts';
+import type { GBuffer, Image, Picture, Relativity, TimeRange } from '../../nodes/define.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import type { Course } from '../../scene/compose/paths.ts';
 import type { Light } from '../../scene/types.ts';
@@ -31,6 +31,19 @@ export function previewOf(result: NodeResult | undefined, output: string, type: 
   if (result?.status !== 'done' || !isTold(type)) return undefined;
   const value = result.outputs[output];
   return value === undefined ? undefined : TOLD[type]!(value as never);
+}
+
+const PICTURED: ReadonlySet<string> = new Set(['image', 'mask', 'gbuffer', 'picture']);
+
+/** Whether what flows out of sockets of a type can be shown as a picture. */
+export const isPictured = (type: string): boolean => PICTURED.has(type);
+
+/** What of a node's output is to be drawn, where there is any. */
+export function pictured(result: NodeResult | undefined, output: string): Image | GBuffer | undefined {
+  const value = result?.status === 'done' ? result.outputs[output] : undefined;
+  if (typeof value !== 'object' || value === null) return undefined;
+  // A whole picture is of its last image.
+  return 'image' in value ? (value as Picture).image : (value as Image | GBuffer);
 }
 
 /** How many things and vertices; of what has none, how many lights. */

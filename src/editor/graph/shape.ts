@@ -12,6 +12,10 @@ const HEAD = 30;
 const ROW = 22;
 const PAD = 5;
 const FOOT = 24;
+/** The picture on a node, with what is between it and the node's foot; and below it how its light is spread. */
+export const PICTURE: Point = [NODE_WIDTH - 12, 106];
+const PICTURE_FOOT = 6;
+const SPREAD = 44;
 /** A bend in an edge. */
 const DOT = 18;
 export const SOCKET = 12;
@@ -28,7 +32,8 @@ export function sizeOf(face: Face): Point {
   if (face.collapsed) return [NODE_WIDTH, HEAD];
   const rows = face.rows.length + (face.more > 0 ? 1 : 0);
   const body = rows > 0 ? rows * ROW + 2 * PAD : 0;
-  return [NODE_WIDTH, HEAD + body + (face.tells ? FOOT : 0)];
+  const picture = face.picture ? PICTURE[1] + PICTURE_FOOT + (face.picture === 'metered' ? SPREAD : 0) : 0;
+  return [NODE_WIDTH, HEAD + body + picture + (face.tells ? FOOT : 0)];
 }
 
 /** A socket with the middle of its mark, from the node's corner [px]. */
@@ -78,12 +83,33 @@ export function frameBox({ nodes }: Frame, boxOf: (node: string) => Box | undefi
   };
 }
 
+const overlap = (a: Box, b: Box): boolean =>
+  [0, 1].every((axis) => a.at[axis]! < b.at[axis]! + b.size[axis]! && b.at[axis]! < a.at[axis]! + a.size[axis]!);
+
+/** Nodes whose pictures would cover another node go without. */
+export function withRoom(
+  faces: ReadonlyMap<string, Face>,
+  places: Readonly<Record<string, Point>>,
+): ReadonlyMap<string, Face> {
+  const bare = [...faces.values()].map(({ picture: _, ...face }): { face: Face; box: Box } => ({
+    face,
+    box: { at: places[face.id] ?? [0, 0], size: sizeOf(face) },
+  }));
+  return new Map(
+    bare.map(({ face, box: { at, size } }) => {
+      const whole = faces.get(face.id)!;
+      const picture: Box = { at: [at[0], at[1] + size[1]], size: [size[0], sizeOf(whole)[1] - size[1]] };
+      const covers = whole.picture && bare.some((other) => other.face !== face && overlap(picture, other.box));
+      return [face.id, covers ? face : whole];
+    }),
+  );
+}
+
 /** A place that nothing covers, straight below a wanted one or at it. */
 export function freePlace(wanted: Point, size: Point, boxes: readonly Box[]): Point {
   const [x] = wanted;
   let [, y] = wanted;
-  const covers = ({ at, size: [width, height] }: Box): boolean =>
-    at[0] < x + size[0] && x < at[0] + width && at[1] < y + size[1] && y < at[1] + height;
+  const covers = (box: Box): boolean => overlap(box, { at: [x, y], size });
   for (let box = boxes.find(covers); box; box = boxes.find(covers)) y = box.at[1] + box.size[1] + FREE;
   return [x, y];
 }

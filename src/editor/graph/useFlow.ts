@@ -12,7 +12,7 @@ import { endsIn, type Face, faceOf } from './face.ts';
 import { type FlowNode, flowEdges, flowNodes, Kept, type Thing, thingOf, type WireEdge } from './flow.ts';
 import { placesIn } from './layered.ts';
 import { problemsIn } from './problems.ts';
-import { frameBox, sizeOf } from './shape.ts';
+import { frameBox, sizeOf, withRoom } from './shape.ts';
 
 type Places = Readonly<Record<string, Point>>;
 /** Where things are while they are dragged; the document hears of it when they are let go. */
@@ -26,15 +26,16 @@ const STILL: Drag = { nodes: {}, notes: {} };
 export function useFlow() {
   const level = useLevel();
   const chosen = useCanvas((state) => state.chosen);
-  const faces = useFaces(level);
+  const whole = useFaces(level);
   const placed = useMemo(
     () =>
       placesIn(level.graph, (id) => {
-        const face = faces.get(id);
+        const face = whole.get(id);
         return face ? sizeOf(face) : [0, 0];
       }),
-    [level, faces],
+    [level, whole],
   );
+  const faces = useMemo(() => withRoom(whole, placed), [whole, placed]);
   const { drag, onNodesChange } = useDrag(level, faces, placed);
   const nameOf = useNames();
   const nodeCache = useRef(new Kept<FlowNode>());
@@ -49,7 +50,7 @@ export function useFlow() {
     () => flowEdges(level, typesIn(level, nodeLibrary), present, edgeCache.current),
     [level, present],
   );
-  return { level, faces, places, nodes, edges, onNodesChange, onEdgesChange: chooseEdges };
+  return { level, whole, faces, places, nodes, edges, onNodesChange, onEdgesChange: chooseEdges };
 }
 
 function useNames(): (face: Face) => string {
@@ -73,6 +74,7 @@ function useLevel(): Level {
 function useFaces(level: Level): ReadonlyMap<string, Face> {
   const results = useStudioState((state) => state.results);
   const path = useCanvas((state) => state.path);
+  const pictures = useCanvas((state) => state.pictures);
   return useMemo(() => {
     const way = pathIn(level.document, path);
     const problems = problemsIn(results);
@@ -82,9 +84,10 @@ function useFaces(level: Level): ReadonlyMap<string, Face> {
       edges: endsIn(level.graph.edges),
       resultOf: (node: string) => results.get(flatName(way, node)),
       problemOf: (node: string) => problems.get(flatName(way, node)),
+      pictures,
     };
     return new Map(Object.entries(level.graph.nodes).map(([id, node]) => [id, faceOf(id, node, around)]));
-  }, [level, results, path]);
+  }, [level, results, path, pictures]);
 }
 
 function useDrag(level: Level, faces: ReadonlyMap<string, Face>, placed: Places) {

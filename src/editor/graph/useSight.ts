@@ -13,6 +13,8 @@ const duration = (): number => (prefersReducedMotion() ? 0 : SWING);
 const FIT = { padding: 0.1, maxZoom: 1.1 };
 
 interface Shown {
+  /** With all the pictures that there would be room for elsewhere. */
+  readonly whole: ReadonlyMap<string, Face>;
   readonly faces: ReadonlyMap<string, Face>;
   readonly places: Readonly<Record<string, Point>>;
 }
@@ -24,10 +26,11 @@ export function useSight(shown: Shown, panel: React.RefObject<HTMLElement | null
   const now = useRef(shown);
   now.current = shown;
   useEffect(() => {
-    const sizeOfNode = (id: string): Point => {
-      const face = now.current.faces.get(id);
+    const sizeIn = (faces: ReadonlyMap<string, Face>, id: string): Point => {
+      const face = faces.get(id);
       return face ? sizeOf(face) : [0, 0];
     };
+    const sizeOfNode = (id: string): Point => sizeIn(now.current.faces, id);
     const placeOf = (id: string): Point => now.current.places[id] ?? [0, 0];
     const sight: Sight = {
       middle: () => {
@@ -43,6 +46,7 @@ export function useSight(shown: Shown, panel: React.RefObject<HTMLElement | null
         void flow.fitView({ ...FIT, duration: duration(), ...(nodes && { nodes: nodes.map((id) => ({ id })) }) }),
       zoom: (factor) => void flow.zoomTo(flow.getZoom() * factor, { duration: duration() }),
       sizeOf: sizeOfNode,
+      roomFor: (id) => sizeIn(now.current.whole, id),
       placeOf,
       show: (node) => {
         const { width, height, transform } = store.getState();
@@ -52,6 +56,14 @@ export function useSight(shown: Shown, panel: React.RefObject<HTMLElement | null
           at[axis] * zoom + offset >= 0 && (at[axis] + size[axis]) * zoom + offset <= room;
         if (isIn(0, left, width) && isIn(1, top, height)) return;
         void flow.setCenter(at[0] + size[0] / 2, at[1] + size[1] / 2, { zoom, duration: duration() });
+      },
+      sees: (node) => {
+        const { width, height, transform } = store.getState();
+        const [left, top, zoom] = transform;
+        const [at, size] = [placeOf(node), sizeOfNode(node)];
+        const overlaps = (axis: 0 | 1, offset: number, room: number): boolean =>
+          (at[axis] + size[axis]) * zoom + offset > 0 && at[axis] * zoom + offset < room;
+        return overlaps(0, left, width) && overlaps(1, top, height);
       },
       focus: (node) => {
         const give = (selector: string) =>

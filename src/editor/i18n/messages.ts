@@ -117,6 +117,7 @@ export const messages = {
   'viewport.lookFor': ['What to look for', '观察要点'],
   'viewport.hide': ['Hide', '隐藏'],
   'viewport.loading': ['Opening {{name}}', '正在打开 {{name}}'],
+  'viewport.tracing': ['Reference render', '参考渲染'],
   'viewport.preparing': ['Preparing the picture…', '正在准备画面…'],
   'viewport.cancel': ['Cancel', '取消'],
   'viewport.restart': ['The graphics device was lost. Starting it again…', '图形设备丢失，正在重新启动…'],
@@ -127,6 +128,7 @@ export const messages = {
 
   'loading.fetch': ['Reading the file', '读取文件'],
   'loading.parse': ['Building the scene', '构建场景'],
+  'loading.trace': ['Following light', '追踪光线'],
 
   'gallery.title': ['Scenes', '场景'],
   'gallery.intro': ['Each shows one thing that is hard to believe until seen.', '每个场景都展示一件眼见才信的事。'],
@@ -159,6 +161,7 @@ export const messages = {
   'help.title': ['Keys', '按键'],
   'help.flying': ['Flying', '飞行'],
   'help.picture': ['Picture', '画面'],
+  'help.graph': ['Node graph, where the focus is in it', '节点图（焦点在图中时）'],
   'help.program': ['Program', '程序'],
   'help.move': ['Accelerate; release to brake', '加速；松开则刹车'],
   'help.vertical': ['Down, up', '下降、上升'],
@@ -201,6 +204,25 @@ export const messages = {
   ],
   'notice.remedy': ['Set {{what}} to {{value}}', '将{{what}}设为 {{value}}'],
   'notice.saved': ['Saved {{name}}', '已保存 {{name}}'],
+  'saving.download': ['Download the file', '下载文件'],
+  'saving.making': ['Making {{name}}', '正在生成 {{name}}'],
+  'notice.savedLosing': [
+    'Saved {{name}}, which cannot hold all: {{losses}}',
+    '已保存 {{name}}，但有内容无法保存：{{losses}}',
+  ],
+  'notice.noFilm': [
+    'This browser cannot encode films of that size. Save frames instead (a name like film.####.png), or save the project and run: {{command}}',
+    '此浏览器无法编码该尺寸的影片。请改存逐帧图片（文件名如 film.####.png），或保存项目后运行：{{command}}',
+  ],
+  'notice.tooLarge': [
+    'That is more than the {{most}} that a page can hold. Save the project and run: {{command}}',
+    '超过了页面可容纳的 {{most}}。请保存项目后运行：{{command}}',
+  ],
+  'notice.tooManyPixels': [
+    'The graphics device here draws pictures of up to {{size}} pixels along each side. Make it smaller, or save the project and run, where there is a larger one: {{command}}',
+    '此处的图形设备最多只能绘制边长 {{size}} 像素的图片。请缩小尺寸，或保存项目后在更强的设备上运行：{{command}}',
+  ],
+  'notice.copyCommand': ['Copy the command', '复制命令'],
   'notice.noScene': [
     'None of these files is a scene. Drop a USD, glTF, OBJ, PLY or STL file, or a folder or zip that holds one.',
     '这些文件中没有场景。请拖入 USD、glTF、OBJ、PLY 或 STL 文件，或含有它们的文件夹或 zip。',

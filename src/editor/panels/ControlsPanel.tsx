@@ -1,17 +1,15 @@
 import { Divider, ScrollArea, Stack, Text, Tooltip } from '@mantine/core';
 import { Fragment, type ReactNode } from 'react';
-import { type GraphDocument, graphIn, own, type ParamValue } from '../../graph/document.ts';
+import { type GraphDocument, graphIn, own } from '../../graph/document.ts';
 import { placeOf } from '../../graph/edits/place.ts';
 import type { FlatNode } from '../../graph/flatten.ts';
-import { matters, meaning, type NodeType, resolveParams } from '../../graph/nodeType.ts';
+import type { NodeType } from '../../graph/nodeType.ts';
 import { chainOf } from '../../nodes/chain.ts';
-import type { Picture } from '../../nodes/define.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { useStudio, useStudioState } from '../state/context.tsx';
+import { useStudioState } from '../state/context.tsx';
 import { feedersIn } from './driven.ts';
-import { ParamControl } from './ParamControl.tsx';
-import { suggestion } from './suggestion.ts';
+import { NodeParams, shownParams } from './NodeParams.tsx';
 
 /** What a person reaches for most comes first; other nodes follow, the nearest to the output first. */
 const ORDER = [
@@ -34,7 +32,6 @@ interface Section {
 /** The parameters of the nodes that make the picture. It is made from their descriptions and knows none of them. */
 export function ControlsPanel(): ReactNode {
   const document = useStudioState((state) => state.history.document);
-  const picture = useStudioState((state) => state.picture);
   const sections = sectionsOf(document);
   return (
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
@@ -42,7 +39,7 @@ export function ControlsPanel(): ReactNode {
         {sections.map((section, i) => (
           <Fragment key={section.node.id}>
             {i > 0 && <Divider />}
-            <NodeSection section={section} feeders={feedersIn(document, section.node.id)} picture={picture} />
+            <NodeSection section={section} feeders={feedersIn(document, section.node.id)} />
           </Fragment>
         ))}
       </Stack>
@@ -53,14 +50,12 @@ export function ControlsPanel(): ReactNode {
 interface NodeSectionProps {
   readonly section: Section;
   readonly feeders: Readonly<Record<string, string>>;
-  readonly picture?: Picture;
 }
 
-function NodeSection({ section, feeders, picture }: NodeSectionProps): ReactNode {
+function NodeSection({ section, feeders }: NodeSectionProps): ReactNode {
   const { any } = useTexts();
-  const studio = useStudio();
   const { node, type, title } = section;
-  const resolved = resolveParams(type, node.params);
+  const shown = shownParams(type, node.params);
   return (
     <Stack gap={10} component="section" aria-label={title ?? any(type.title)}>
       <Tooltip label={any(type.help)} position="top-start" openDelay={400}>
@@ -68,27 +63,10 @@ function NodeSection({ section, feeders, picture }: NodeSectionProps): ReactNode
           {title ?? any(type.title)}
         </Text>
       </Tooltip>
-      {shownParams(section, resolved).map(([name, spec]) => (
-        <ParamControl
-          key={name}
-          spec={spec}
-          set={node.params[name]}
-          value={resolved[name] ?? suggestion(spec, picture)}
-          choices={picture?.scene.cameras.map(({ path }) => path)}
-          drivenBy={feeders[name] && any(feeders[name])}
-          onChange={(value, gesture) => studio.set(node.id, name, value, spec.title, gesture)}
-          onGestureEnd={studio.endGesture}
-        />
-      ))}
+      <NodeParams node={node.id} type={type} set={node.params} shown={shown} feeders={feeders} />
     </Stack>
   );
 }
-
-/** What does not matter now is not shown: the steps of a solver that is not chosen. */
-const shownParams = ({ type }: Section, resolved: Readonly<Record<string, ParamValue | undefined>>) =>
-  Object.entries(type.params).flatMap(([name, spec]) =>
-    matters(spec, resolved) ? [[name, meaning(type, spec, resolved)] as const] : [],
-  );
 
 function sectionsOf(document: GraphDocument): Section[] {
   const place = (type: NodeType) => (ORDER.includes(type.id) ? ORDER.indexOf(type.id) : ORDER.length);

@@ -12,7 +12,7 @@ const LONG = 60;
 export function TextControl({ spec, set, value, onChange }: ParamProps<TextParam>): ReactNode {
   const text = String(value);
   const long =
-    spec.shader === true || [text, spec.default].some((words) => words.includes('\n') || words.length > LONG);
+    spec.shader || spec.lines || [text, spec.default].some((words) => words.includes('\n') || words.length > LONG);
   return <Lines {...{ spec, set, onChange }} text={text} long={long} take={onChange} />;
 }
 

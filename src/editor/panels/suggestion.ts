@@ -1,14 +1,20 @@
 import type { ParamValue } from '../../graph/document.ts';
 import type { ParamSpec } from '../../graph/nodeType.ts';
+import { degrees } from '../../math/angle.ts';
 import type { Picture } from '../../nodes/define.ts';
-import { cameraOf } from '../state/viewpoint.ts';
+import { cameraOf } from '../../nodes/picture.ts';
+
+const SUGGESTED: Readonly<Record<string, (picture: Picture) => number>> = {
+  speedOfLight: ({ speedOfLight }) => speedOfLight,
+  fieldOfView: (picture) => Math.round(10 * degrees(cameraOf(picture).fovY)) / 10,
+  openAt: ({ scene }) => scene.hints.openAt ?? scene.startTime,
+  startTime: ({ scene }) => scene.startTime,
+  endTime: ({ scene }) => scene.endTime,
+  timeCodesPerSecond: ({ scene }) => scene.timeCodesPerSecond,
+};
 
 /** What holds while the person has set nothing: the picture tells what the scene suggested. */
 export function suggestion(spec: ParamSpec, picture: Picture | undefined): ParamValue {
-  if (picture && spec.kind === 'number') {
-    if (spec.suggestion === 'speedOfLight') return picture.speedOfLight;
-    const degrees = (cameraOf(picture).fovY * 180) / Math.PI;
-    if (spec.suggestion === 'fieldOfView') return Math.round(degrees * 10) / 10;
-  }
-  return spec.default;
+  const of = spec.kind === 'number' && spec.suggestion ? SUGGESTED[spec.suggestion] : undefined;
+  return picture && of ? of(picture) : spec.default;
 }

@@ -1,8 +1,8 @@
 import { type DBSchema, type IDBPDatabase, openDB } from 'idb';
-import { z } from 'zod';
+import * as z from 'zod/mini';
 import type { HeldFiles } from '../loading/held.ts';
 
-const vector = z.tuple([z.number(), z.number(), z.number()]).readonly();
+const vector = z.readonly(z.tuple([z.number(), z.number(), z.number()]));
 
 /** From where, when and how the project is looked at: what is in no document. */
 const viewSchema = z.object({
@@ -10,7 +10,7 @@ const viewSchema = z.object({
     t: z.number(),
     position: vector,
     u: vector,
-    orientation: z.tuple([z.number(), z.number(), z.number(), z.number()]).readonly(),
+    orientation: z.readonly(z.tuple([z.number(), z.number(), z.number(), z.number()])),
     properTime: z.number(),
   }),
   lock: z.enum(['free', 'look', 'fly']),
@@ -32,7 +32,7 @@ const sessionSchema = z.object({
   at: z.number(),
   /** A person was told of it in another tab, and went on without it. */
   passed: z.boolean(),
-  view: viewSchema.optional(),
+  view: z.optional(viewSchema),
 });
 
 export type KeptView = z.infer<typeof viewSchema>;

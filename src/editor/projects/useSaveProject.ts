@@ -9,7 +9,6 @@ import { download } from '../shell/download.ts';
 import { useStudio } from '../state/context.tsx';
 import { fileName, outsideName, projectName } from './names.ts';
 import { openingProblem } from './opening.ts';
-import { packedProject, TooMuchToPack } from './packing.ts';
 
 export interface SaveProject {
   /** As a file of words, without what it reads. */
@@ -44,6 +43,7 @@ export function useSaveProject(): SaveProject {
       const state = studio.store.getState();
       const name = fileName(projectName(state), '.zip');
       studio.notify({ kind: 'info', text: t('notice.packing') });
+      const { packedProject, TooMuchToPack } = await import('./packing.ts');
       try {
         const { document, origin } = state.history;
         done((await packedProject(document, origin, localFiles)).slice(), 'application/zip', name, []);

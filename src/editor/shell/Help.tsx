@@ -1,11 +1,14 @@
-import { Group, Kbd, Modal, SimpleGrid, Stack, Text } from '@mantine/core';
-import type { ReactNode } from 'react';
+import { Modal, SimpleGrid, Stack, Text } from '@mantine/core';
+import { lazy, type ReactNode, Suspense } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import type { MessageKey } from '../i18n/messages.ts';
 import { useStudio, useStudioState } from '../state/context.tsx';
+import { type KeyRow, KeySection } from './KeySection.tsx';
 
-type Row = readonly [keys: readonly string[], what: MessageKey];
-type Section = readonly [title: MessageKey, rows: readonly Row[]];
+/** The graph's come with its own code. */
+const GraphKeys = lazy(() => import('../graph/GraphKeys.tsx'));
+
+type Section = readonly [title: MessageKey, rows: readonly KeyRow[]];
 
 const COLUMNS: readonly (readonly Section[])[] = [
   [
@@ -66,36 +69,18 @@ export function Help(): ReactNode {
       <SimpleGrid cols={{ base: 1, sm: 2 }} spacing="xl" verticalSpacing="lg">
         {COLUMNS.map((sections) => (
           <Stack key={sections[0]?.[0]} gap="lg">
-            {sections.map((section) => (
-              <KeySection key={section[0]} section={section} />
+            {sections.map(([title, rows]) => (
+              <KeySection key={title} title={title} rows={rows} />
             ))}
           </Stack>
         ))}
       </SimpleGrid>
+      <Suspense>
+        <GraphKeys />
+      </Suspense>
       <Text size="xs" c="dimmed" mt="lg">
         {t('help.gamepad')}
       </Text>
     </Modal>
-  );
-}
-
-function KeySection({ section: [title, rows] }: { readonly section: Section }): ReactNode {
-  const { t, any } = useTexts();
-  return (
-    <Stack gap={8}>
-      <Text component="h3" size="xs" fw={600} c="dimmed" className="sl-section-title">
-        {t(title)}
-      </Text>
-      {rows.map(([keys, what]) => (
-        <Group key={what} justify="space-between" wrap="nowrap" gap="md">
-          <Text size="sm">{t(what)}</Text>
-          <Group gap={4} wrap="nowrap">
-            {keys.map((key) => (
-              <Kbd key={key}>{any(key)}</Kbd>
-            ))}
-          </Group>
-        </Group>
-      ))}
-    </Stack>
   );
 }

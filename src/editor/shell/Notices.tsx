@@ -3,20 +3,26 @@ import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useRef } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import { Remedy } from '../panels/Remedy.tsx';
+import { SavingCard } from '../saving/SavingCard.tsx';
 import { useStudio, useStudioState } from '../state/context.tsx';
 import type { Notice } from '../state/studio.ts';
 
 const INFO_LASTS = 4000; // [ms]
+/** To read a letter [ms]. */
+const LETTER = 50;
 
 /** What went wrong, where, and what to do; each until it is put right or put away. */
 export function Notices(): ReactNode {
   useRemarks();
   const notices = useStudioState((state) => state.notices);
   return (
-    <Stack className="sl-notices" gap="xs" aria-live="polite">
-      {notices.map((notice) => (
-        <NoticeCard key={notice.id} notice={notice} />
-      ))}
+    <Stack className="sl-notices" gap="xs">
+      <SavingCard />
+      <Stack gap="xs" aria-live="polite">
+        {notices.map((notice) => (
+          <NoticeCard key={notice.id} notice={notice} />
+        ))}
+      </Stack>
     </Stack>
   );
 }
@@ -44,7 +50,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
   const error = notice.kind === 'error';
   useEffect(() => {
     if (error || notice.action) return;
-    const timer = setTimeout(() => studio.dismiss(notice.id), INFO_LASTS);
+    const timer = setTimeout(() => studio.dismiss(notice.id), Math.max(INFO_LASTS, LETTER * notice.text.length));
     return () => clearTimeout(timer);
   }, [error, studio, notice]);
   return (

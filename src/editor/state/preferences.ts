@@ -6,6 +6,8 @@ export interface Preferences {
   readonly captions: boolean;
   /** Of false colours. */
   readonly legend: boolean;
+  /** Pictures on the nodes of the graph. */
+  readonly nodePictures: boolean;
 }
 
 const KEY = 'slowlight.preferences';
@@ -15,7 +17,12 @@ export function loadPreferences(): Preferences {
   const kept = readKept();
   const language =
     kept.language === 'en' || kept.language === 'zh' ? kept.language : preferredLanguage(navigator.languages);
-  return { language, captions: kept.captions !== false, legend: kept.legend !== false };
+  return {
+    language,
+    captions: kept.captions !== false,
+    legend: kept.legend !== false,
+    nodePictures: kept.nodePictures !== false,
+  };
 }
 
 export function savePreferences(preferences: Preferences): void {

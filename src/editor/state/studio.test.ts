@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { applyCommand, type Command } from '../../graph/commands.ts';
 import { groupingOf } from '../../graph/edits/group.ts';
+import { CancelledError } from '../../graph/evaluate.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { newProject } from '../../nodes/project.ts';
 import { type Services, threadServices } from '../../nodes/services.ts';
@@ -51,7 +52,7 @@ it('the last good scene stays while another is refused, and undo takes the refus
 
 it('reading can be cancelled: the scene before it stays, and the document is its own again', async () => {
   const { studio, state } = await open('a.usda', 'slow.usda');
-  expect(state().loading).toEqual({ source: 'slow.usda', part: 0.5, stage: 'parse' });
+  expect(state().loading).toEqual({ node: 'read', source: 'slow.usda', part: 0.5, stage: 'parse' });
   studio.cancelLoading();
   await settled();
   expect(state()).toMatchObject({ opened: { source: 'a.usda' }, loading: undefined });
@@ -95,6 +96,62 @@ it('an edit while a scene is read does not begin the reading anew; another file 
   await settled();
   expect(state()).toMatchObject({ opened: { source: 'b.usda' }, loading: undefined, notices: [] });
   expect(state().picture?.scene.name).toBe('b.usda');
+});
+
+it('a reference render goes on while other things are edited; with numbers of its own changed it begins anew', async () => {
+  const traced: { readonly seed: number; stopped: boolean; readonly done: () => void }[] = [];
+  const tracing: Services = {
+    ...services,
+    trace: (_scene, { seed, width, height }, { signal, progress }) =>
+      new Promise((done, reject) => {
+        const job = { seed, stopped: false, done: () => done(new Float32Array(3 * width * height)) };
+        traced.push(job);
+        progress(0.25, 'trace');
+        signal?.addEventListener('abort', () => {
+          job.stopped = true;
+          reject(new CancelledError());
+        });
+      }),
+  };
+  const studio = createStudio({ services: tracing, beginning: beginningWith('a.usda'), playing: false });
+  const state = () => studio.store.getState();
+  await settled();
+  const edge = (from: string, output: string, to: string, input: string): Command => ({
+    kind: 'connect',
+    edge: { from: { node: from, output }, to: { node: to, input } },
+  });
+  const before = state().picture;
+  studio.edit(
+    {
+      kind: 'batch',
+      commands: [
+        { kind: 'add-node', node: 'truth', type: 'reference-render', at: [0, 0] },
+        edge('rasterize', 'gbuffer', 'truth', 'gbuffer'),
+        edge('truth', 'image', 'toneMap', 'image'),
+      ],
+    },
+    'add',
+  );
+  await settled();
+  expect(state().loading).toMatchObject({ node: 'truth', part: 0.25, stage: 'trace' });
+  expect(state().picture).toBe(before);
+  studio.set('toneMap', 'exposure', 1, 'exposure');
+  await settled();
+  expect(traced).toMatchObject([{ seed: 0, stopped: false }]);
+  studio.set('truth', 'seed', 5, 'seed');
+  await settled();
+  expect(traced).toMatchObject([{ stopped: true }, { seed: 5, stopped: false }]);
+  traced[1]?.done();
+  await settled();
+  expect(state()).toMatchObject({ loading: undefined, notices: [], picture: { exposure: 1 } });
+  expect(state().picture?.plan?.steps).toMatchObject([{ kind: 'still', still: { width: 480, height: 270 } }]);
+  studio.set('truth', 'seed', 6, 'seed');
+  await settled();
+  studio.cancelLoading();
+  await settled();
+  expect(traced[2]?.stopped).toBe(true);
+  expect(state().loading).toBeUndefined();
+  expect(state().picture?.plan).toBeDefined();
 });
 
 it('a node in a group is set where its definition is, and what does not fit is told', async () => {

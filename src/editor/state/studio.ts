@@ -15,12 +15,17 @@ import type { Backend } from '../../render/settings.ts';
 import type { Lock } from '../flight/flight.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
 
+/** What is taking its time. */
 export interface Loading {
+  /** In groups by `outer/inner`. */
+  readonly node: string;
+  /** The file that it reads; else the node again. */
   readonly source: string;
   /** 0 … 1; undefined where it cannot be known. */
   readonly part: number | undefined;
-  readonly stage: 'fetch' | 'parse';
+  readonly stage: (typeof STAGES)[number];
 }
+const STAGES = ['fetch', 'parse', 'trace'] as const;
 
 export interface Notice {
   readonly id: number;
@@ -90,6 +95,8 @@ export interface Studio {
   readonly openProject: (project: Beginning) => void;
   /** Says that the project as it stands is kept in a file. */
   readonly markSaved: () => void;
+  /** What a node of the project gives, beside what the output needs; nothing that is shown changes. Throws a CancelledError. */
+  readonly evaluate: (node: string, signal: AbortSignal) => Promise<Evaluation>;
   /** Stops reading; the scene before it stays, and the document goes back to it. */
   readonly cancelLoading: () => void;
   readonly notify: (notice: Omit<Notice, 'id' | 'ofDocument'>) => void;
@@ -179,6 +186,7 @@ export function createStudio({ services, beginning, playing }: StudioOptions): S
       go(endGesture);
       store.setState(({ history }) => ({ saved: markOf(history) }));
     },
+    evaluate: evaluation.ask,
     cancelLoading: () => {
       evaluation.cancel();
       const { history, opened, picture } = store.getState();
@@ -234,36 +242,41 @@ const NOTHING_SHOWN: NodeResult = {
 };
 const NO_OUTPUT: Evaluation = { target: NOTHING_SHOWN, results: new Map([['', NOTHING_SHOWN]]) };
 
-/** Keeps the picture in step with the document: one evaluation at a time, and a new file ends the reading of the last. */
+/** Keeps the picture in step with the document: each evaluation takes over what of the last one's work it needs too, and ends the rest. */
 function evaluating(store: StoreApi<StudioState>, services: Services) {
   const evaluator = new Evaluator(nodeLibrary, { heavy: heavyWorkers() });
   let abort = new AbortController();
-  let reading = '';
   let latest = 0;
 
   const update = async (): Promise<void> => {
     const { document } = store.getState().history;
     const reads = readsIn(document);
-    const request = JSON.stringify(reads);
-    if (request !== reading) abort.abort();
-    if (abort.signal.aborted) abort = new AbortController();
-    reading = request;
     const turn = ++latest;
-    const progress = (node: string, part: number | undefined, stage?: string) => {
-      const source = sourceIn(reads[node]) || node;
-      if (turn === latest) store.setState({ loading: { source, part, stage: stage === 'fetch' ? 'fetch' : 'parse' } });
+    const progress = (node: string, part: number | undefined, what?: string) => {
+      const stage = STAGES.find((each) => each === what) ?? 'parse';
+      if (turn === latest) store.setState({ loading: { node, source: sourceIn(reads[node]) || node, part, stage } });
     };
+    const before = abort;
+    abort = new AbortController();
     try {
       const output = outputIn(document);
       const how = { signal: abort.signal, progress };
-      const result = output === undefined ? NO_OUTPUT : await evaluator.evaluate(document, output, services, how);
-      if (turn === latest) settle(store, result);
+      const result = output === undefined ? NO_OUTPUT : evaluator.evaluate(document, output, services, how);
+      before.abort();
+      const evaluation = await result;
+      if (turn === latest) settle(store, evaluation);
     } catch (error) {
       if (!(error instanceof CancelledError)) throw error;
       if (turn === latest) store.setState({ loading: undefined });
     }
   };
-  return { update: () => void update(), cancel: () => abort.abort() };
+  const ask = (node: string, signal: AbortSignal): Promise<Evaluation> => {
+    const { document } = store.getState().history;
+    // What the screen shows stays in reach.
+    const output = outputIn(document);
+    return evaluator.evaluate(document, output === undefined ? [node] : [node, output], services, { signal });
+  };
+  return { update: () => void update(), cancel: () => abort.abort(), ask };
 }
 
 function settle(store: StoreApi<StudioState>, evaluation: Evaluation): void {

@@ -1,5 +1,6 @@
 import { type Vec3, ZERO } from '../../math/vec3.ts';
 import type { Picture } from '../../nodes/define.ts';
+import { cameraOf } from '../../nodes/picture.ts';
 import { properVelocity } from '../../physics/boost.ts';
 import type { ObserverState } from '../../physics/observer.ts';
 import { observerFromCamera } from '../../scene/camera.ts';
@@ -8,10 +9,6 @@ import type { ViewPoint } from '../../scene/view.ts';
 import type { Lock } from '../flight/flight.ts';
 
 export const upOf = (scene: Scene): Vec3 => (scene.upAxis === 'Y' ? [0, 1, 0] : [0, 0, 1]);
-
-/** The camera that a picture is taken with; the Scene node sees to it that there is one. */
-export const cameraOf = ({ scene, camera }: Picture): SceneCamera =>
-  scene.cameras.find(({ path }) => path === camera) ?? scene.cameras[0]!;
 
 /** Where the observer begins: in the camera, at rest unless the scene wants a velocity from the start. */
 export function startingObserver(picture: Picture): ObserverState {

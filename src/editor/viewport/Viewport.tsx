@@ -95,13 +95,14 @@ function Busy(): ReactNode {
   const studio = useStudio();
   const loading = useStudioState((state) => state.loading);
   const graphics = useStudioState((state) => state.graphics);
+  const shown = useStudioState(({ picture }) => picture !== undefined);
   if (loading) {
     const { part, stage } = loading;
     const step = t(`loading.${stage}`);
     return (
-      <Stack className="sl-busy" gap={8} role="status">
+      <Stack className="sl-busy" gap={8} role="status" data-aside={(shown && stage === 'trace') || undefined}>
         <Text size="sm" fw={600}>
-          {t('viewport.loading', { name: sceneName(loading.source) })}
+          {stage === 'trace' ? t('viewport.tracing') : t('viewport.loading', { name: sceneName(loading.source) })}
         </Text>
         {part === undefined ? (
           <div className="sl-working" role="progressbar" aria-label={step} />

@@ -1,23 +1,15 @@
 import type { Picture } from '../../nodes/define.ts';
-import { eased, exposureFor } from '../../nodes/metering.ts';
+import { eased, exposureFor, measuredScale } from '../../nodes/metering.ts';
 import type { Gauge } from '../../scene/gauge.ts';
+import { textOf } from '../../scene/plan.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
 import type { FalseColor, Scale } from '../../spectrum/falseColor.ts';
-import { scaleFor } from '../../spectrum/falseScale.ts';
 
 /** Between two measurements [ms], and how many pictures: each waits for the GPU, which has those to draw, and may draw one again. */
 const INTERVAL = 80;
 const PICTURES = 4;
 /** Nobody sees a smaller change [EV]: the eye is there, and nothing more is drawn. */
 const THERE = 0.004;
-
-/** What the places of a picture hold of what false colours can stand for. */
-const MEASURED: Readonly<Record<FalseColor, (gauge: Gauge) => Float32Array>> = {
-  doppler: ({ doppler }) => doppler,
-  'emission-time': ({ time }) => time,
-  radiance: ({ luminance }) => luminance,
-  band: ({ doppler }) => doppler,
-};
 
 /** A picture that was drawn, and the way to measure it. */
 export interface Drawn {
@@ -60,7 +52,7 @@ export class Eye {
   scale(kind: FalseColor): Scale {
     if (!this.#scaled || this.#scaled.gauge !== this.#gauge) this.#scaled = { gauge: this.#gauge, scales: new Map() };
     const { scales } = this.#scaled;
-    const scale = scales.get(kind) ?? scaleFor(kind, this.#gauge ? MEASURED[kind](this.#gauge) : []);
+    const scale = scales.get(kind) ?? measuredScale(kind, this.#gauge);
     scales.set(kind, scale);
     return scale;
   }
@@ -77,7 +69,7 @@ export class Eye {
     if (metering === 'manual' && falseColor === 'none' && !plan) return;
     // What is measured does not depend on how it is shown, as long as that is not seen in what a plan makes of it.
     const { exposure: _, tone: __, falseColors: ___, plan: ____, ...lit } = drawn.settings;
-    const what = JSON.stringify([metering, falseColor === 'none', drawn.viewPoint, lit, plan, drawn.aspect]);
+    const what = textOf([metering, falseColor === 'none', drawn.viewPoint, lit, plan, drawn.aspect]);
     if (what === this.#known) return;
     this.#known = what;
     this.#drawn = drawn;

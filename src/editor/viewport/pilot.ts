@@ -1,13 +1,14 @@
 import { IDENTITY } from '../../math/quat.ts';
 import { length, ZERO } from '../../math/vec3.ts';
 import type { Picture } from '../../nodes/define.ts';
+import { cameraOf } from '../../nodes/picture.ts';
 import type { ObserverState } from '../../physics/observer.ts';
 import type { ViewPoint } from '../../scene/view.ts';
 import { LOCKS, type Lock, look, stepFlight, wrapTime } from '../flight/flight.ts';
 import { sceneKey } from '../loading/localFiles.ts';
 import { leaveCamera } from '../shell/actions.ts';
 import type { Opened, Studio } from '../state/studio.ts';
-import { cameraOf, ridingObserver, startingObserver, upOf, viewPointOf } from '../state/viewpoint.ts';
+import { ridingObserver, startingObserver, upOf, viewPointOf } from '../state/viewpoint.ts';
 import { Inputs } from './inputs.ts';
 
 /** Where an observer goes on. */

@@ -1,7 +1,8 @@
 import type { Picture } from '../../nodes/define.ts';
-import { renderSettings } from '../../nodes/picture.ts';
+import { exposedPlan, renderSettings } from '../../nodes/picture.ts';
 import { SceneRenderer } from '../../render/renderer.ts';
 import type { Backend, Sampling } from '../../render/settings.ts';
+import { type Plan, textOf } from '../../scene/plan.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
 import { sceneName } from '../loading/localFiles.ts';
@@ -32,6 +33,22 @@ interface Drawing extends Shown {
 /** A picture to be kept: its pixels as it was shown, and of what. */
 export interface Captured extends Shown {
   readonly image: ImageData;
+}
+
+/** What there is to make pictures of nodes with, beside that which is shown (graph/useNodePictures.ts). */
+export interface Besides {
+  readonly renderer: SceneRenderer;
+  readonly picture: Picture;
+  /** Another object for every picture that was drawn. */
+  readonly shown: Shown;
+  /** It stays as it is for now. */
+  readonly rests: boolean;
+  /** The processor draws, which then cannot do much else. */
+  readonly software: boolean;
+  /** Of light that has no tone curve yet [EV]. */
+  readonly exposure: number;
+  /** A plan as this picture's is exposed. */
+  exposed(plan: Plan): Plan;
 }
 
 /** One canvas with its renderer, from start to loss: draws a frame wherever something has changed, and refines what rests. */
@@ -128,6 +145,22 @@ export class Stage {
     const { width, height } = this.#renderer;
     const pixels = new Uint8ClampedArray(await this.#renderer.readPixels());
     return { ...shown, image: new ImageData(pixels, width, height) };
+  }
+
+  /** Undefined while nothing is shown, or something else is on its way. */
+  besides(): Besides | undefined {
+    const { picture } = this.#pilot;
+    if (!picture || !this.#shown || this.#uploading || this.#prepares || this.#waits) return undefined;
+    const metered = this.#eye.exposure(picture);
+    return {
+      renderer: this.#renderer,
+      picture,
+      shown: this.#shown,
+      rests: this.#resolution.resting,
+      software: this.#finest === undefined,
+      exposure: picture.exposure + metered,
+      exposed: (plan) => exposedPlan(plan, metered, (kind) => this.#eye.scale(kind)),
+    };
   }
 
   #resize(): void {
@@ -263,5 +296,4 @@ const isSame = (a: readonly Scene[], b: readonly Scene[]): boolean =>
   a.length === b.length && a.every((scene, i) => scene === b[i]);
 
 /** Whether the same is to be seen. Plain data of numbers and short arrays: compared by its text. */
-const same = (a: Shown, b: Shown): boolean =>
-  JSON.stringify([a.viewPoint, a.settings]) === JSON.stringify([b.viewPoint, b.settings]);
+const same = (a: Shown, b: Shown): boolean => textOf([a.viewPoint, a.settings]) === textOf([b.viewPoint, b.settings]);

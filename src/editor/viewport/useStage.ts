@@ -29,6 +29,7 @@ export function useStage(canvas: RefObject<HTMLCanvasElement | null>): number {
       if (over) return started.stop();
       stage = started;
       services.stage.capture = () => started.capture();
+      services.stage.besides = () => started.besides();
       if (life > 0 && losses.current.length > 0) studio.notify({ kind: 'info', text: say.current('notice.recovered') });
     };
     const lost = () => {
@@ -49,6 +50,7 @@ export function useStage(canvas: RefObject<HTMLCanvasElement | null>): number {
     return () => {
       over = true;
       services.stage.capture = undefined;
+      services.stage.besides = undefined;
       stage?.stop();
     };
   }, [canvas, studio, services, life]);

@@ -1,0 +1,33 @@
+import { Button, Group, Paper, Progress, Text } from '@mantine/core';
+import type { ReactNode } from 'react';
+import { useTexts } from '../i18n/i18n.ts';
+import { useSaving } from './saving.ts';
+
+/** What is being made, how far that is, and the way to end it. */
+export function SavingCard(): ReactNode {
+  const { t } = useTexts();
+  const job = useSaving((state) => state.job);
+  if (!job) return null;
+  const { name, part, cancel } = job;
+  const label = t('saving.making', { name });
+  return (
+    <Paper withBorder shadow="md" p="sm" data-saving>
+      <Text size="sm" fw={600} role="status">
+        {label}
+      </Text>
+      {part === undefined ? (
+        <div className="sl-working" role="progressbar" aria-label={label} />
+      ) : (
+        <Progress value={100 * part} size="sm" my={6} aria-label={label} transitionDuration={0} />
+      )}
+      <Group justify="space-between">
+        <Text size="xs" c="dimmed">
+          {part === undefined ? '' : `${Math.floor(100 * part)} %`}
+        </Text>
+        <Button size="compact-xs" variant="default" onClick={cancel}>
+          {t('viewport.cancel')}
+        </Button>
+      </Group>
+    </Paper>
+  );
+}

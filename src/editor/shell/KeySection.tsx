@@ -1,0 +1,50 @@
+import { Group, Kbd, Stack, Text } from '@mantine/core';
+import type { ReactNode } from 'react';
+import { useTexts } from '../i18n/i18n.ts';
+import type { MessageKey } from '../i18n/messages.ts';
+
+/** What keys do; `OR` stands between such as do the same. */
+export type KeyRow = readonly [keys: readonly string[], what: MessageKey];
+export const OR = ' or ';
+
+export function KeyRows({ rows }: { readonly rows: readonly KeyRow[] }): ReactNode {
+  const { t, any } = useTexts();
+  return rows.map(([keys, what]) => (
+    <Group key={what} justify="space-between" wrap="nowrap" gap="md">
+      <Text size="sm">{t(what)}</Text>
+      <Group gap={4} wrap="nowrap">
+        {keys.map((key, i) => (
+          // biome-ignore lint/suspicious/noArrayIndexKey: the same sign may come twice
+          <Key key={i} name={key === OR ? OR : any(key)} />
+        ))}
+      </Group>
+    </Group>
+  ));
+}
+
+const Key = ({ name }: { readonly name: string }): ReactNode =>
+  name === OR ? (
+    <Text size="xs" c="dimmed">
+      /
+    </Text>
+  ) : (
+    <Kbd>{name}</Kbd>
+  );
+
+export function KeySection({
+  title,
+  rows,
+}: {
+  readonly title: MessageKey;
+  readonly rows: readonly KeyRow[];
+}): ReactNode {
+  const { t } = useTexts();
+  return (
+    <Stack gap={8}>
+      <Text component="h3" size="xs" fw={600} c="dimmed" className="sl-section-title">
+        {t(title)}
+      </Text>
+      <KeyRows rows={rows} />
+    </Stack>
+  );
+}

@@ -1,0 +1,14 @@
+import type { TracedPicture } from '../../nodes/trace.ts';
+import type { Scene } from '../../scene/types.ts';
+
+/** What the worker that has pictures traced is told, once. */
+export interface TraceOrder {
+  readonly scene: Scene;
+  readonly picture: TracedPicture;
+}
+
+/** What it answers. */
+export type TraceReply =
+  | { readonly kind: 'progress'; readonly part: number }
+  | { readonly kind: 'done'; readonly pixels: Float32Array<ArrayBuffer> }
+  | { readonly kind: 'failed'; readonly message: string };

@@ -1,0 +1,163 @@
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { decode } from 'fast-png';
+import { unzipSync } from 'fflate';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import type { Command } from '../../src/graph/commands.ts';
+import { serializeDocument } from '../../src/graph/serialize.ts';
+import { add, connect, edited, set } from '../support/graphKit.ts';
+import { savingProject } from '../support/savingGraph.ts';
+import { difference, type Guarded, Program, shots } from './program.ts';
+import { drop } from './support.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+/** The saving project in the page, with its graph. */
+async function opened(...commands: readonly Command[]): Promise<Guarded> {
+  const visit = await program.open('?backend=webgl&scene=examples/sphere.usda', {
+    viewport: { width: 1280, height: 900 },
+  });
+  await visit.ready();
+  await visit.page.keyboard.press('Control+Shift+G');
+  await node(visit.page, 'output').waitFor();
+  const content = Buffer.from(serializeDocument(edited(savingProject(), ...commands)));
+  await drop(visit, [{ name: 'passing.slowlight.json', content }]);
+  await node(visit.page, 'still').waitFor();
+  return visit.ready();
+}
+
+const node = (page: Page, id: string) => page.locator(`.react-flow__node[data-id="${id}"]`);
+
+async function downloaded({ page }: Guarded, id: string): Promise<{ readonly name: string; readonly content: Buffer }> {
+  const download = page.waitForEvent('download', { timeout: 120_000 });
+  await node(page, id).getByRole('button', { name: 'Download the file' }).click();
+  const file = await download;
+  await file.saveAs(join(shots, `download-${file.suggestedFilename()}`));
+  return { name: file.suggestedFilename(), content: readFileSync(await file.path()) };
+}
+
+it('a picture is that of the command line, a film has all its frames', async () => {
+  const visit = await opened();
+  const still = await downloaded(visit, 'still');
+  expect(still.name).toBe('picture.png');
+  const picture = decode(still.content, { checkCrc: true });
+  expect(picture).toMatchObject({ width: 64, height: 48 });
+  const [project, there] = [join(shots, 'passing.slowlight.json'), join(shots, 'passing.png')];
+  writeFileSync(project, serializeDocument(savingProject()));
+  const flags = ['--size', '64x48', '--time', '0.5', '--samples', '2', '--backend', 'webgl'];
+  execFileSync(process.execPath, ['bin/slowlight.js', 'render', project, '-o', there, ...flags]);
+  expect(still.content.equals(readFileSync(there))).toBe(true);
+
+  const film = await downloaded(visit, 'film');
+  expect(film.name).toBe('film.mp4');
+  const path = join(shots, 'download-film.mp4');
+  const told = 'stream=width,height,r_frame_rate,nb_read_frames,color_space';
+  const probed = execFileSync('ffprobe', ['-v', 'error', '-count_frames', '-show_entries', told, '-of', 'csv', path]);
+  expect(probed.toString().trim()).toBe('stream,64,48,bt709,8/1,5');
+  const raw = execFileSync('ffmpeg', [
+    '-v',
+    'error',
+    '-i',
+    path,
+    '-vf',
+    'select=eq(n\\,2)',
+    '-frames:v',
+    '1',
+    '-f',
+    'rawvideo',
+    '-pix_fmt',
+    'rgba',
+    '-',
+  ]);
+  expect(difference(Uint8Array.from(raw), Uint8Array.from(picture.data))).toBeLessThan(6);
+  await visit.close();
+});
+
+it('a film is VP9 where there is nothing else', async () => {
+  const visit = await opened();
+  await visit.page.evaluate(() => {
+    const real = VideoEncoder.isConfigSupported.bind(VideoEncoder);
+    VideoEncoder.isConfigSupported = (config) =>
+      config.codec.startsWith('avc1') ? Promise.resolve({ supported: false, config }) : real(config);
+  });
+  await downloaded(visit, 'film');
+  const path = join(shots, 'download-film.mp4');
+  const told = 'stream=codec_name,width,height,color_space,r_frame_rate,nb_read_frames';
+  const probed = execFileSync('ffprobe', ['-v', 'error', '-count_frames', '-show_entries', told, '-of', 'csv', path]);
+  expect(probed.toString().trim()).toBe('stream,vp9,64,48,bt709,8/1,5');
+  await visit.close();
+});
+
+it('frames come as a zip, scenes as they are; what no browser writes is told with a remedy; by keys too', async () => {
+  const visit = await opened(
+    ...[
+      set('film', 'name', 'f_##.png'),
+      set('film', 'to', 0.4),
+      add('usd', 'write-usd'),
+      set('usd', 'name', 'box.usdc'),
+    ],
+    connect('move.geometry', 'usd.geometry'),
+  );
+  const { page } = visit;
+  const { name, content } = await downloaded(visit, 'film');
+  expect(name).toBe('f.zip');
+  const files = unzipSync(content);
+  expect(Object.keys(files)).toEqual(['f_02.png', 'f_03.png']);
+  expect(decode(files['f_03.png']!).text).toMatchObject({ worldTime: '0.375 s' });
+
+  await node(page, 'usd').getByRole('button', { name: 'Download the file' }).click();
+  await visit.refusals.getByText('binary USD').waitFor();
+  await visit.refusals.getByRole('button', { name: 'Set File to box.usdz' }).click();
+  await node(page, 'usd').focus();
+  await page.keyboard.press('Enter');
+  const button = page.getByRole('region', { name: 'Write USD' }).getByRole('button', { name: 'Download the file' });
+  await button.waitFor();
+  const download = page.waitForEvent('download');
+  // At once: an inspector that has just been opened takes the focus.
+  await button.press('Enter');
+  const scene = await download;
+  await page.getByText('box.usdz, which cannot hold all: /Box: its uniform motion is sampled').waitFor();
+  expect(scene.suggestedFilename()).toBe('box.usdz');
+  expect(Object.keys(unzipSync(readFileSync(await scene.path())))).toEqual(['scene.usda']);
+  await visit.close();
+});
+
+it('a long film tells how far it is, and can be ended', async () => {
+  const visit = await opened(set('film', 'to', 60));
+  const { page } = visit;
+  await node(page, 'film').getByRole('button', { name: 'Download the file' }).click();
+  const card = page.locator('[data-saving]');
+  await card.getByText('Making film.mp4').waitFor();
+  await expect.poll(() => card.getByRole('progressbar').getAttribute('aria-valuenow').then(Number)).toBeGreaterThan(0);
+  expect(await node(page, 'still').getByRole('button', { name: 'Download the file' }).isDisabled()).toBe(true);
+  await visit.shot('saving-film');
+  await card.getByRole('button', { name: 'Cancel' }).click();
+  await card.waitFor({ state: 'detached' });
+  expect(await visit.refusals.count()).toBe(0);
+  await visit.close();
+});
+
+it('where the browser encodes no films, or the device is too small, it says what to do', async () => {
+  const visit = await opened();
+  const { page } = visit;
+  await page.evaluate(() => Reflect.deleteProperty(window, 'VideoEncoder'));
+  await node(page, 'film').getByRole('button', { name: 'Download the file' }).click();
+  await visit.refusals.getByText('slowlight render passing.slowlight.json').waitFor();
+  await visit.refusals.getByRole('button', { name: 'Copy the command' }).waitFor();
+  await page.evaluate(() => {
+    const { prototype } = WebGL2RenderingContext;
+    const real = prototype.getParameter;
+    prototype.getParameter = function (name) {
+      return name === this.MAX_TEXTURE_SIZE ? 32 : real.call(this, name);
+    };
+  });
+  await node(page, 'still').getByRole('button', { name: 'Download the file' }).click();
+  await visit.refusals.getByText('up to 32 pixels').waitFor();
+  await visit.close();
+});
