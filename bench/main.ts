@@ -12,6 +12,7 @@ import { formats } from './formats.ts';
 import { frame } from './frame.ts';
 import { gpu, releaseGpu } from './gpu.ts';
 import { graph } from './graph.ts';
+import { graphPage } from './graphPage.ts';
 import { instances } from './instances.ts';
 import { memory } from './memory.ts';
 import { page } from './page.ts';
@@ -32,6 +33,7 @@ const benches: readonly Bench[] = [
   cache,
   reference,
   graph,
+  graphPage,
   page,
   bundle,
 ];

@@ -1,9 +1,9 @@
 import { availableParallelism } from 'node:os';
-import { tilesOf } from '../src/cli/reference.ts';
-import { TracerPool } from '../src/cli/tracerPool.ts';
+import { tracerPool } from '../src/cli/tracerPool.ts';
 import { length, scale, type Vec3 } from '../src/math/vec3.ts';
 import { cameraRay } from '../src/reference/camera.ts';
-import { DEFAULT_LIGHT } from '../src/reference/lighting.ts';
+import { DEFAULT_LIGHT } from '../src/reference/lightOptions.ts';
+import { tilesOf } from '../src/reference/pool.ts';
 import { renderTile, type TileRequest } from '../src/reference/tile.ts';
 import { nearestHit, traceable } from '../src/reference/trace.ts';
 import type { SpacetimeRay } from '../src/reference/types.ts';
@@ -149,7 +149,7 @@ async function overColors(): Promise<Table> {
 }
 
 async function timeOfPicture(scene: Scene, threads: number): Promise<number> {
-  const pool = new TracerPool(scene, C, { threads });
+  const pool = tracerPool(scene, C, { threads });
   const draw = (): Promise<void> => pool.draw(request(SETTINGS), tilesOf(SIZE), () => {});
   // The first picture compiles, and makes what the motion's samples need.
   await draw();

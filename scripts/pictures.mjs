@@ -27,6 +27,9 @@ const thumbnails = {
   layers: [],
   comparison: [],
   lesson: [],
+  'gods-eye': [],
+  letters: [],
+  truth: ['--set', 'truth.width=480', '--set', 'truth.height=270', '--set', 'truth.samples=5'],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];
 const pictures = [

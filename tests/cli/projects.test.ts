@@ -73,12 +73,22 @@ test('an archive gives the picture of the project in it, with the files in it', 
   expect((await slowlight('graph', 'check', at('packed.zip'))).code).toBe(0);
 });
 
+/** What takes long at its full size. */
+const small: Readonly<Record<string, readonly string[]>> = {
+  truth: ['--set', 'truth.width=32', '--set', 'truth.height=18'],
+};
+
 test.each(Object.entries(projects))(
   'the example %s is what its sketch says, is sound, and makes a picture',
   async (name, make) => {
     expect(readFileSync(example(name), 'utf8')).toBe(serializeDocument(make()));
     expect((await slowlight('graph', 'check', example(name))).code).toBe(0);
-    const { code, err } = await slowlight('render', example(name), ...picture, '-o', at(`${name}.png`));
+    const { code, err } = await slowlight(
+      'render',
+      example(name),
+      ...[...picture, ...(small[name] ?? [])],
+      ...['-o', at(`${name}.png`)],
+    );
     expect(code, err).toBe(0);
   },
 );

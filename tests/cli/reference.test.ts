@@ -5,7 +5,7 @@ import { expect, test } from 'vitest';
 import type { ExrImage } from '../../src/formats/exr.ts';
 import { readExr } from '../../src/formats/exrRead.ts';
 import { decodeImage } from '../../src/formats/images.ts';
-import { DEFAULT_LIGHT } from '../../src/reference/lighting.ts';
+import { DEFAULT_LIGHT } from '../../src/reference/lightOptions.ts';
 import type { TileRequest } from '../../src/reference/tile.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
 import { AOVS, type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view.ts';
@@ -162,9 +162,9 @@ test('Ctrl-C in the midst of the pictures ends them, without a word and without 
 
 test('a thread that runs out of memory ends the picture with a word on what to do', async () => {
   const built = fileURLToPath(new URL('../../dist/lib/cli/tracerPool.js', import.meta.url));
-  const { TracerPool } = (await import(built)) as typeof import('../../src/cli/tracerPool.ts');
+  const { tracerPool } = (await import(built)) as typeof import('../../src/cli/tracerPool.ts');
   const limits = { maxOldGenerationSizeMb: 4, maxYoungGenerationSizeMb: 1 };
-  const pool = new TracerPool(makeScene({ name: 'empty' }), 10, { threads: 2, limits });
+  const pool = tracerPool(makeScene({ name: 'empty' }), 10, { threads: 2, limits });
   const view: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 };
   const request: TileRequest = {
     view,

@@ -15,6 +15,9 @@ export interface Outcome {
   readonly milliseconds: number;
 }
 
+/** Memory that a bomb, or the readings of all damaged files of a kind, may take beyond what there was before [bytes]. */
+export const MEMORY = 2 ** 30;
+
 /** A reading that takes longer hangs [ms]. The slowest of honest ones takes a tenth of a second on a quiet machine. */
 const PATIENCE = 20_000;
 

@@ -1,0 +1,153 @@
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import { expect, test } from 'vitest';
+import { build, type Sketch } from '../../examples/projects/build.ts';
+import type { ExrImage } from '../../src/formats/exr.ts';
+import { readExr } from '../../src/formats/exrRead.ts';
+import { CancelledError } from '../../src/graph/evaluate.ts';
+import { serializeDocument } from '../../src/graph/serialize.ts';
+import { DEFAULT_LIGHT } from '../../src/reference/lightOptions.ts';
+import { makeScene } from '../../src/scene/defaults.ts';
+import { DEFAULT_SETTINGS } from '../../src/scene/view.ts';
+import { outcome, outputFolder, scene, slowlight, start } from './program.ts';
+
+const folder = outputFolder();
+const at = (name: string): string => join(folder, name);
+
+function project(name: string, nodes: Readonly<Record<string, Sketch>>): string {
+  writeFileSync(at(name), serializeDocument(build({ title: name, lookFor: name }, nodes)));
+  return at(name);
+}
+
+/** What the scene's camera sees, up to the G-buffer. */
+const seenFrom = (scene: Sketch): Record<string, Sketch> => ({
+  scene,
+  console: { type: 'relativity-console', set: { speedOfLight: 10 }, from: { scene: 'scene.scene' } },
+  camera: { type: 'scene-camera', from: { relativity: 'console.relativity' } },
+  seen: { type: 'relativity-rasterize', from: { view: 'camera.view' } },
+});
+const still = (set: Sketch['set']): Sketch => ({ type: 'reference-render', set, from: { gbuffer: 'seen.gbuffer' } });
+const shaded: Sketch = { type: 'deferred-lighting', set: { occlusion: false }, from: { gbuffer: 'seen.gbuffer' } };
+const showing = (image: string): Sketch => ({ type: 'output', from: { image: `${image}.image` } });
+
+/** A file with an observer who is fast. */
+const movers = {
+  read: { type: 'read', set: { source: relative(folder, scene('movers.usda')) } },
+  fast: { type: 'observer', set: { beta: [0.1, 0, -0.5] } },
+  ...seenFrom({ type: 'scene', from: { geometry: ['read.geometry'], observer: 'fast.observer' } }),
+} as const satisfies Record<string, Sketch>;
+
+/** Matte things under a sun, in the dark. */
+const yard = {
+  ground: { type: 'grid', set: { name: 'Ground', width: 40, length: 40 } },
+  box: { type: 'box', set: { name: 'Box' } },
+  standing: { type: 'transform', set: { position: [0, 0.5, 0] }, from: { geometry: 'box.geometry' } },
+  matte: { type: 'material', set: { roughness: 1 }, from: { geometry: 'standing.geometry' } },
+  sun: { type: 'sun', set: { direction: [-0.6, -0.7, -0.5], brightness: 2 } },
+  dark: { type: 'sky', set: { brightness: 0 } },
+  eye: { type: 'camera' },
+  ...seenFrom({
+    type: 'scene',
+    from: { geometry: ['ground.geometry', 'matte.geometry', 'eye.geometry'], lights: ['sun.lights', 'dark.lights'] },
+  }),
+} as const satisfies Record<string, Sketch>;
+
+/** The light of a picture, channel by channel. */
+async function beauty(path: string, ...flags: string[]): Promise<ExrImage['channels']> {
+  const file = `${path}.exr`;
+  const { code, err } = await slowlight('render', path, '-o', file, ...flags);
+  expect(code, err).toBe(0);
+  return readExr(new Uint8Array(readFileSync(file)), file).channels;
+}
+
+test('the still is the picture of the reference renderer, pixel by pixel', async () => {
+  const size = { width: 48, height: 27 };
+  const reference = ['--size', '48x27', '--pipeline', 'reference', '--samples'];
+  const light = { samples: 2, seed: 7, bounces: 1, mirrors: false, time: 1 };
+  const flags = ['2', '--seed', '7', '--bounces', '1', '--no-mirrors', '--time', '1'];
+  const plain = project('plain.slowlight.json', { ...movers, lit: shaded, output: showing('lit') });
+  const node = project('node.slowlight.json', {
+    ...movers,
+    truth: still({ ...size, ...light }),
+    output: showing('truth'),
+  });
+  // The node's picture is of its own time and of its own noise, whatever else is asked for.
+  const [expected, found] = await Promise.all([beauty(plain, ...reference, ...flags), beauty(node, ...reference, '1')]);
+  expect(new Set(expected[0]?.data).size).toBeGreaterThan(300);
+  expect(found).toEqual(expected);
+});
+
+test('where only a sun shines on matte things, the rasterizer’s picture is the same', async () => {
+  const set = { width: 96, height: 54, samples: 4, bounces: 0 };
+  const both = { ...yard, truth: still(set), shaded };
+  const difference: Sketch = {
+    type: 'mix-color',
+    set: { mode: 'difference', alpha: 1 },
+    from: { below: 'truth.image', above: 'shaded.image' },
+  };
+  const path = project('difference.slowlight.json', { ...both, mix: difference, output: showing('mix') });
+  const off = await beauty(path, '--size', '96x54', '--backend', 'webgpu', '--samples', '4');
+  const lit = await beauty(
+    project('lit.slowlight.json', { ...both, output: showing('truth') }),
+    ...['--size', '96x54', '--pipeline', 'reference'],
+  );
+  const green = (channels: ExrImage['channels']) => Float64Array.from(channels[1]!.data).sort();
+  const mean = (channels: ExrImage['channels']) => green(channels).reduce((sum, value) => sum + value, 0) / (96 * 54);
+  expect(mean(lit)).toBeGreaterThan(0.1);
+  // Edges, and the noise of wavelengths.
+  expect(mean(off) / mean(lit)).toBeLessThan(0.02);
+  const most = green(off)[Math.floor(0.97 * 96 * 54)]!;
+  expect(most / mean(lit)).toBeLessThan(0.05);
+});
+
+test('what would take hours is refused at the node, with what to do', async () => {
+  const path = project('large.slowlight.json', { ...yard, truth: still({}), output: showing('truth') });
+  const refused = async (...sets: string[]) => {
+    const { code, err } = await slowlight('render', path, '-o', at('no.png'), ...sets.flatMap((set) => ['--set', set]));
+    return `${code} ${err}`;
+  };
+  expect(await refused('truth.width=8000', 'truth.height=8000')).toMatch(
+    /^3 .*\n.*truth: 8000 × 8000 are 64\.0 million pixels, more than 4\.2 million; make it smaller/,
+  );
+  expect(await refused('truth.width=1920', 'truth.height=1080', 'truth.samples=6')).toMatch(
+    /6 × 6 samples of 1920 × 1080 pixels are 74\.6 million, more than 67\.1 million; take 5 × 5, or fewer pixels/,
+  );
+  expect(existsSync(at('no.png'))).toBe(false);
+});
+
+test('Ctrl-C ends it in the midst', async () => {
+  const set = { width: 1280, height: 720, samples: 8 };
+  const path = project('long.slowlight.json', { ...yard, truth: still(set), output: showing('truth') });
+  const child = start('render', path, '-o', at('long.png'));
+  const ended = outcome(child);
+  // Until it has begun, also on a busy machine; there are minutes of it.
+  await new Promise((done) => setTimeout(done, 7000));
+  expect(child.exitCode).toBeNull();
+  child.kill('SIGINT');
+  expect(await ended).toMatchObject({ code: 130, err: '' });
+}, 60_000);
+
+test('it tells how far it is, and is cancelled by whoever asked for it', async () => {
+  const built = new URL('../../dist/lib/cli/trace.js', import.meta.url).href;
+  const { traceHere } = (await import(built)) as typeof import('../../src/cli/trace.ts');
+  const view = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 } as const;
+  const picture = {
+    view,
+    settings: DEFAULT_SETTINGS,
+    width: 40,
+    height: 20,
+    samples: 1,
+    seed: 0,
+    light: DEFAULT_LIGHT,
+  };
+  const parts: (number | undefined)[] = [];
+  const empty = makeScene({ name: 'empty' });
+  const pixels = await traceHere(empty, picture, { progress: (part) => parts.push(part) });
+  expect(pixels.length).toBe(3 * 40 * 20);
+  expect(parts).toEqual([1, 2, 3, 4, 5, 6].map((done) => done / 6));
+  const abort = new AbortController();
+  const large = { ...picture, width: 4096, height: 4096, samples: 16 };
+  const work = { signal: abort.signal, progress: () => abort.abort() };
+  await expect(traceHere(empty, large, work)).rejects.toMatchObject({ name: new CancelledError().name });
+  await expect(traceHere(empty, picture, work)).rejects.toMatchObject({ name: 'CancelledError' });
+});

@@ -1,0 +1,4 @@
+import { damagedFiles } from './damagedFiles.ts';
+import { seeds } from './seeds.ts';
+
+damagedFiles((await seeds()).filter(({ entry }) => !/\.usd.$/.test(entry)));
