@@ -33,6 +33,7 @@ export const messages = {
   'panel.picture': ['Picture', '画面'],
   'panel.controls': ['Controls', '控制'],
   'panel.scene': ['Scene', '场景'],
+  'panel.energy': ['Energy', '能量'],
   'panel.reset': ['Back to the default', '恢复默认值'],
 
   'node.fly': ['Flight', '飞行'],
@@ -118,6 +119,10 @@ export const messages = {
   'viewport.hide': ['Hide', '隐藏'],
   'viewport.loading': ['Opening {{name}}', '正在打开 {{name}}'],
   'viewport.tracing': ['Reference render', '参考渲染'],
+  'viewport.simulating': ['Simulating', '正在模拟'],
+  'viewport.stop': ['Stop', '停止'],
+  'viewport.stopped': ['Stopped: what there is so far is shown.', '已停止：显示目前的结果。'],
+  'viewport.goOn': ['Go on', '继续'],
   'viewport.preparing': ['Preparing the picture…', '正在准备画面…'],
   'viewport.cancel': ['Cancel', '取消'],
   'viewport.restart': ['The graphics device was lost. Starting it again…', '图形设备丢失，正在重新启动…'],
@@ -129,6 +134,7 @@ export const messages = {
   'loading.fetch': ['Reading the file', '读取文件'],
   'loading.parse': ['Building the scene', '构建场景'],
   'loading.trace': ['Following light', '追踪光线'],
+  'loading.simulate': ['Step by step', '逐步计算'],
 
   'gallery.title': ['Scenes', '场景'],
   'gallery.intro': ['Each shows one thing that is hard to believe until seen.', '每个场景都展示一件眼见才信的事。'],
