@@ -163,7 +163,7 @@ export interface NodeType<Services = unknown> {
   readonly id: string;
   readonly title: string;
   readonly help: string;
-  readonly category: 'geometry' | 'composition' | 'render' | 'utility';
+  readonly category: 'geometry' | 'dynamics' | 'composition' | 'render' | 'utility';
   readonly params: Readonly<Record<string, ParamSpec>>;
   readonly inputs: Readonly<Record<string, Socket>>;
   readonly outputs: Readonly<Record<string, Socket>>;
