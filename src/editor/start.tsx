@@ -1,4 +1,5 @@
 import '@fontsource-variable/inter/wght.css';
+import './fonts/fonts.css';
 import './mantine.css';
 import 'dockview/dist/styles/dockview.css';
 import './editor.css';

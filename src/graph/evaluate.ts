@@ -47,14 +47,14 @@ export interface HeavyOrder {
   readonly inputs: Readonly<Record<string, unknown>>;
   readonly params: Call<never>['params'];
   /** Whether interims are wanted. */
-  readonly interims: boolean;
+  readonly interims?: boolean;
   readonly resume?: Outputs;
 }
 
 /** Has heavy nodes evaluated elsewhere. */
 export type RunHeavy = (
   order: HeavyOrder,
-  work: { readonly signal?: Cancellation; readonly progress: Progress; readonly interim: (outputs: Outputs) => void },
+  work: { readonly signal?: Cancellation; readonly progress: Progress; readonly interim?: (outputs: Outputs) => void },
 ) => Promise<Outputs>;
 
 export interface EvaluatorOptions {

@@ -72,7 +72,7 @@ export function heavyThreads(start: () => HeavyThread): RunHeavy {
           return;
         }
         if (reply.kind === 'interim') {
-          interim(reply.outputs);
+          interim?.(reply.outputs);
           return;
         }
         idle.push(worker);

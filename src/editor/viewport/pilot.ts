@@ -25,6 +25,7 @@ export class Pilot {
   #picture: Picture | undefined;
   /** What it is of: files that are added to a scene do not make it another. */
   #scene = '';
+  #grows = false;
   #observer: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
 
   /** Of the first picture: where the observer was before the page was loaded again. */
@@ -42,14 +43,24 @@ export class Pilot {
     return this.#picture;
   }
 
+  /** The motion goes on to be computed: time waits at its end. */
+  get grows(): boolean {
+    return this.#grows;
+  }
+
+  isOf({ origin, source }: Pick<Opened, 'origin' | 'source'>): boolean {
+    return this.#scene === keyOf(origin, source);
+  }
+
   /**
    * What is shown from now on. Another project or file begins at its own start, another camera is gone to; any other edit leaves the
    * observer where he is.
    */
-  show(picture: Picture, { origin, source }: Pick<Opened, 'origin' | 'source'>): void {
+  show(picture: Picture, { origin, source }: Pick<Opened, 'origin' | 'source'>, grows: boolean): void {
     const before = this.#picture?.camera;
-    const scene = JSON.stringify([origin, sceneKey(source)]);
+    const scene = keyOf(origin, source);
     this.#picture = picture;
+    this.#grows = grows;
     if (scene !== this.#scene) {
       this.#scene = scene;
       this.restart();
@@ -151,9 +162,13 @@ export class Pilot {
   #keepTime({ scene }: Picture): void {
     const { playing, loop } = this.#studio.store.getState();
     const { startTime, endTime } = scene;
-    const t = playing ? wrapTime(this.#observer.t, startTime, endTime, loop) : this.#observer.t;
-    if (t === this.#observer.t) return;
+    const { t: now } = this.#observer;
+    if (!playing) return;
+    const t = this.#grows ? Math.min(now, endTime) : wrapTime(now, startTime, endTime, loop);
+    if (t === now) return;
     this.seek(t);
-    if (!loop) this.#studio.change({ playing: false });
+    if (!loop && !this.#grows) this.#studio.change({ playing: false });
   }
 }
+
+const keyOf = (origin: string, source: string): string => JSON.stringify([origin, sceneKey(source)]);
