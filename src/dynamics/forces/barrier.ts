@@ -93,6 +93,6 @@ class BarrierStiffness implements Stiffness {
   }
 
   addBlocks(blocks: Float64Array): void {
-    for (const { point, out, K } of this.pressed) addBlock(blocks, point, 0, K, out);
+    for (const { point, out, K } of this.pressed) addBlock(blocks, point, 0, K, ...out);
   }
 }

@@ -98,11 +98,15 @@ function between(x: Float64Array, i: number, j: number): number {
 
 /** sum −= ±k(d₀ + d₁) */
 function push(sum: Float64Array, i: number, j: number, x0: Float64Array, x1: Float64Array, k: number): void {
-  for (let axis = 0; axis < 3; axis++) {
-    const f = k * (x0[i + axis] - x0[j + axis] + (x1[i + axis] - x1[j + axis]));
-    sum[i + axis] -= f;
-    sum[j + axis] += f;
-  }
+  const fx = k * (x0[i] - x0[j] + (x1[i] - x1[j]));
+  const fy = k * (x0[i + 1] - x0[j + 1] + (x1[i + 1] - x1[j + 1]));
+  const fz = k * (x0[i + 2] - x0[j + 2] + (x1[i + 2] - x1[j + 2]));
+  sum[i] -= fx;
+  sum[i + 1] -= fy;
+  sum[i + 2] -= fz;
+  sum[j] += fx;
+  sum[j + 1] += fy;
+  sum[j + 2] += fz;
 }
 
 class PairStiffness implements Stiffness {
@@ -135,9 +139,8 @@ class PairStiffness implements Stiffness {
   addBlocks(blocks: Float64Array): void {
     const { ends, known } = this;
     for (let s = 0, k = 0; 2 * s < ends.length; s++, k += 5) {
-      const n = [known[k + 2], known[k + 3], known[k + 4]] as const;
-      addBlock(blocks, ends[2 * s], known[k], known[k + 1], n);
-      addBlock(blocks, ends[2 * s + 1], known[k], known[k + 1], n);
+      for (const end of [ends[2 * s], ends[2 * s + 1]])
+        addBlock(blocks, end, known[k], known[k + 1], known[k + 2], known[k + 3], known[k + 4]);
     }
   }
 }
