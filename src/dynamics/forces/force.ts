@@ -13,6 +13,8 @@ export interface Force {
   stiffness(x: Float64Array, form: StiffnessForm, spent?: Stiffness): Stiffness;
   /** bound_i += what bounds Σ_j |∂²V/∂x_i∂x_j| wherever the points are, of V's parts that pull back [N/m]. */
   addRigidity(bound: Float64Array): void;
+  /** Of what is solid: a point that went through it on its way from x₀ to x₁ within a step, so that it is pushed out on the wrong side from now on. */
+  pierced?(x0: Float64Array, x1: Float64Array): number | undefined;
 }
 
 /**
