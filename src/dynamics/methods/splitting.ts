@@ -64,7 +64,10 @@ class Splitting implements Stepper {
   /** p += h F at constant x; in a magnetic field half of it before p turns, and half of it after. */
   private kick(state: State, h: number): void {
     const { charges, magneticField } = this.system;
-    if (!charges || !magneticField) return this.push(state, h);
+    if (!charges || !magneticField) {
+      this.push(state, h);
+      return;
+    }
     this.push(state, h / 2);
     this.turn(state, h, charges, magneticField);
     this.push(state, h / 2);
