@@ -6,9 +6,10 @@ import { formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { nodeTitle } from '../panels/nodeTitle.ts';
 import { useStudioState, useTelemetry } from '../state/context.tsx';
+import { type Run, runsIn } from '../state/runs.ts';
 import { lineStyle } from './lines.ts';
 import { type Line, Plot } from './Plot.tsx';
-import { figuresOf, frameAt, QUANTITIES, type Quantity, type Run, runsIn, unitOf, valuesOf } from './series.ts';
+import { figuresOf, frameAt, QUANTITIES, type Quantity, unitOf, valuesOf } from './series.ts';
 
 /** A run with what it is called, and its line in the plot. */
 interface Named extends Run {
@@ -175,8 +176,8 @@ function Remarks({ run: { books, interim } }: { readonly run: Named }): ReactNod
 function Swatch({ n }: { readonly n: number }): ReactNode {
   const { color, dash } = lineStyle(n, useComputedColorScheme('dark'));
   return (
-    <svg width="22" height="8" aria-hidden="true" className="sl-energy-swatch">
-      <line x1="0" x2="22" y1="4" y2="4" stroke={color} strokeWidth="2" strokeDasharray={dash.join(' ')} />
+    <svg width="20" height="8" aria-hidden="true" className="sl-energy-swatch">
+      <line x1="0" x2="20" y1="4" y2="4" stroke={color} strokeWidth="2" strokeDasharray={dash.join(' ')} />
     </svg>
   );
 }
