@@ -26,6 +26,10 @@ export const messages = {
   'header.save': ['Save picture', '保存图片'],
   'header.help': ['Keys and help', '按键与帮助'],
   'header.languageLabel': ['切换到中文', 'Switch to English'],
+  'header.noLanguage': [
+    'Chinese could not be loaded. Is the server still running?',
+    '无法加载英文。服务器还在运行吗？',
+  ],
   'header.dark': ['Dark colours', '深色界面'],
   'header.light': ['Light colours', '浅色界面'],
   'header.toolbar': ['Program', '程序'],
@@ -290,4 +294,6 @@ export const messages = {
 
 export type MessageKey = keyof typeof messages;
 
-export const isMessageKey = (key: string): key is MessageKey => Object.hasOwn(messages, key);
+/** The catalogue in one language. */
+export const messagesIn = (language: 0 | 1): Readonly<Record<string, string>> =>
+  Object.fromEntries(Object.entries(messages).map(([key, texts]) => [key, texts[language]]));

@@ -74,7 +74,9 @@ export class Film {
   /** World time of frame k [s]. */
   timeOf = (k: number): number => this.order.start.t + k * this.order.every;
 
-  take({ state, ...row }: Frame): void {
+  take({ state: { x, p }, ...row }: Frame): void {
+    // A run that goes on adds up its time from another start: in the last digit it would be another.
+    const state = { t: this.timeOf(this.length), x, p };
     this.books.enter({ ...row, state });
     velocities(this.order.system, state.p, this.v);
     this.rows.push(row);

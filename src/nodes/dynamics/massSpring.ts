@@ -4,8 +4,8 @@ import { refusal, vector, whichParam } from '../geometry/shared.ts';
 import type { Pins } from './matter.ts';
 import { amount, chargeParam, massParam, parted } from './shared.ts';
 
-const stiffness = (title: string, value = 1000) =>
-  amount({ title, help: `${title}.help`, unit: 'N/m', default: value, step: 1 });
+const stiffness = (title: string, help: string, value = 1000) =>
+  amount({ title, help, unit: 'N/m', default: value, step: 1 });
 const BOX = { param: 'pins', is: 'box' } as const;
 
 /** Things as nets of masses and springs: cloth, and what is elastic. */
@@ -17,10 +17,10 @@ export const massSpringNode = defineNode({
   params: {
     which: whichParam,
     mass: massParam,
-    structural: stiffness('param.structural'),
-    shear: stiffness('param.shear'),
-    bending: stiffness('param.bending'),
-    filling: stiffness('param.filling', 0),
+    structural: stiffness('param.structural', 'param.structural.help'),
+    shear: stiffness('param.shear', 'param.shear.help'),
+    bending: stiffness('param.bending', 'param.bending.help'),
+    filling: stiffness('param.filling', 'param.filling.help', 0),
     tension: amount({
       title: 'param.tension',
       help: 'param.tension.help',

@@ -6,17 +6,17 @@ import type { Settings, Simulated } from './simulation.ts';
 
 /** Those of the source documents, which have corrections, are last. */
 const METHODS = [
-  'discrete-gradient',
-  'implicit-midpoint',
-  'leapfrog',
-  'yoshida-4',
-  'yoshida-6',
-  'yoshida-8',
-  'semi-implicit-euler',
-  'linearly-implicit',
-  'local-global',
+  { value: 'discrete-gradient', title: 'method.discreteGradient' },
+  { value: 'implicit-midpoint', title: 'method.midpoint' },
+  { value: 'leapfrog', title: 'method.leapfrog' },
+  { value: 'yoshida-4', title: 'method.yoshida4' },
+  { value: 'yoshida-6', title: 'method.yoshida6' },
+  { value: 'yoshida-8', title: 'method.yoshida8' },
+  { value: 'semi-implicit-euler', title: 'method.euler' },
+  { value: 'linearly-implicit', title: 'method.linear' },
+  { value: 'local-global', title: 'method.localGlobal' },
 ];
-const CORRECTED = METHODS.slice(6);
+const CORRECTED = METHODS.slice(6).map(({ value }) => value);
 
 /** Where it is not in a thread of its own it lets others work, and hears whether it is still wanted, so often [ms]. */
 const BREATH = 50;
@@ -64,14 +64,19 @@ export const simulateNode = defineNode({
       title: 'param.method',
       help: 'param.method.help',
       default: 'discrete-gradient',
-      options: METHODS.map((value) => ({ value, title: `method.${value}` })),
+      options: METHODS,
     },
     correction: {
       kind: 'choice',
       title: 'param.correction',
       help: 'param.correction.help',
       default: '0',
-      options: ['0', '1', '2', '3'].map((value) => ({ value, title: `correction.${value}` })),
+      options: [
+        { value: '0', title: 'correction.none' },
+        { value: '1', title: 'correction.tangent' },
+        { value: '2', title: 'correction.secant' },
+        { value: '3', title: 'correction.root' },
+      ],
       onlyWhen: { param: 'method', is: CORRECTED },
     },
     step: amount({ title: 'param.step', help: 'param.step.help', unit: 's', default: 0, max: 1e6, step: 1e-6 }),

@@ -51,6 +51,8 @@ export class Simulation {
   /** `before`: goes on from there. Throws a NodeRefusal. */
   constructor(matter: readonly Matter[], settings: Settings, node: string, before?: Reel) {
     const c = settings.newtonian ? Number.POSITIVE_INFINITY : settings.speedOfLight;
+    if (matter.every(({ kind }) => kind === 'field'))
+      throw refusal('simulate.nothing', node, 'nothing is there to move; connect a Mass spring or a Collider');
     const stage = refusing(node, () => stageOf(matter, c, settings.touch));
     this.settings = settings;
     this.node = node;
