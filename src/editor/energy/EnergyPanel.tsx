@@ -2,6 +2,7 @@ import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
 import type { GraphDocument } from '../../graph/document.ts';
+import { simulateNode } from '../../nodes/dynamics/simulate.ts';
 import { formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { nodeTitle } from '../panels/nodeTitle.ts';
@@ -71,13 +72,13 @@ function useNamed(runs: readonly Run[], quantity: Quantity, unit: string): reado
   }, [runs, quantity, unit, document, any]);
 }
 
-/** As a person calls the node, else by its method. */
+/** As a person calls the node, else by its method, with its correction where it has several. */
 function nameOf(document: GraphDocument, { node, books }: Run, any: (key: string) => string): string {
   const title = nodeTitle(document, node);
-  if (title) return any(title);
-  const [, method = '', correction] = /^(.+?)(?:-([0-3]))?$/.exec(books.method) ?? [];
-  const words = any(`method.${method}`);
-  return correction === undefined ? words : `${words} ${correction}`;
+  if (title) return title;
+  const [, method, correction] = /^(.+?)(?:-([0-3]))?$/.exec(books.method) ?? [];
+  const known = simulateNode.params.method.options.find(({ value }) => value === method);
+  return [any(known?.title ?? books.method), correction].filter(Boolean).join(' ');
 }
 
 interface ShownProps {

@@ -152,7 +152,7 @@ export const messages = {
   'energy.fastest': ['Fastest point', '最快的点'],
   'energy.momentum': ['Momentum', '动量'],
   'energy.angularMomentum': ['Angular momentum', '角动量'],
-  'energy.logarithmic': ['Logarithmic', '对数坐标'],
+  'energy.logarithmic': ['Logarithmic, of sizes', '对数坐标（绝对值）'],
   'energy.plot': ['{{quantity}} over time', '{{quantity}}随时间的变化'],
   'energy.run': ['Run', '模拟'],
   'energy.drift': ['Drift', '漂移'],

@@ -86,7 +86,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
             {notice.action.text}
           </Button>
         )}
-        {notice.ofDocument && kept && (
+        {error && notice.ofDocument && kept && (
           <Text size="xs" c="dimmed">
             {t('notice.sceneKept')}
           </Text>
