@@ -31,7 +31,7 @@ const STAGES = ['fetch', 'parse', 'trace', 'simulate'] as const;
 
 export interface Notice {
   readonly id: number;
-  readonly kind: 'error' | 'info';
+  readonly kind: 'error' | 'warning' | 'info';
   readonly text: string;
   readonly place?: string;
   readonly remedy?: Problem['remedy'];
@@ -343,7 +343,7 @@ function settle(store: StoreApi<StudioState>, evaluation: Evaluation): void {
   }));
   for (const { node, books } of stops) {
     const text = `it ended at t = ${books.stop!.t.toPrecision(4)} s: ${books.stop!.message}`;
-    addNotice(store, { kind: 'info', text, place: node, ofDocument: true });
+    addNotice(store, { kind: 'warning', text, place: node, ofDocument: true });
   }
   for (const { message, place, remedy } of failed.map(({ problem }) => problem)) {
     addNotice(store, { kind: 'error', text: message, place, remedy, ofDocument: true });
