@@ -1,6 +1,7 @@
 import type { GraphDocument } from '../../src/graph/document.ts';
 import { comparison } from './comparison.ts';
 import { godsEye } from './godsEye.ts';
+import { hangingCloth } from './hangingCloth.ts';
 import { layers } from './layers.ts';
 import { lesson } from './lesson.ts';
 import { letters } from './letters.ts';
@@ -19,4 +20,5 @@ export const projects: Readonly<Record<string, () => GraphDocument>> = {
   letters,
   truth,
   workshop,
+  'hanging-cloth': hangingCloth,
 };
