@@ -2,13 +2,15 @@ import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
 import type { GraphDocument } from '../../graph/document.ts';
+import { simulateNode } from '../../nodes/dynamics/simulate.ts';
 import { formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { nodeTitle } from '../panels/nodeTitle.ts';
 import { useStudioState, useTelemetry } from '../state/context.tsx';
+import { type Run, runsIn } from '../state/runs.ts';
 import { lineStyle } from './lines.ts';
 import { type Line, Plot } from './Plot.tsx';
-import { figuresOf, frameAt, QUANTITIES, type Quantity, type Run, runsIn, unitOf, valuesOf } from './series.ts';
+import { figuresOf, frameAt, QUANTITIES, type Quantity, unitOf, valuesOf } from './series.ts';
 
 /** A run with what it is called, and its line in the plot. */
 interface Named extends Run {
@@ -70,13 +72,13 @@ function useNamed(runs: readonly Run[], quantity: Quantity, unit: string): reado
   }, [runs, quantity, unit, document, any]);
 }
 
-/** As a person calls the node, else by its method. */
+/** As a person calls the node, else by its method, with its correction where it has several. */
 function nameOf(document: GraphDocument, { node, books }: Run, any: (key: string) => string): string {
   const title = nodeTitle(document, node);
-  if (title) return any(title);
-  const [, method = '', correction] = /^(.+?)(?:-([0-3]))?$/.exec(books.method) ?? [];
-  const words = any(`method.${method}`);
-  return correction === undefined ? words : `${words} ${correction}`;
+  if (title) return title;
+  const [, method, correction] = /^(.+?)(?:-([0-3]))?$/.exec(books.method) ?? [];
+  const known = simulateNode.params.method.options.find(({ value }) => value === method);
+  return [any(known?.title ?? books.method), correction].filter(Boolean).join(' ');
 }
 
 interface ShownProps {
@@ -175,8 +177,8 @@ function Remarks({ run: { books, interim } }: { readonly run: Named }): ReactNod
 function Swatch({ n }: { readonly n: number }): ReactNode {
   const { color, dash } = lineStyle(n, useComputedColorScheme('dark'));
   return (
-    <svg width="22" height="8" aria-hidden="true" className="sl-energy-swatch">
-      <line x1="0" x2="22" y1="4" y2="4" stroke={color} strokeWidth="2" strokeDasharray={dash.join(' ')} />
+    <svg width="20" height="8" aria-hidden="true" className="sl-energy-swatch">
+      <line x1="0" x2="20" y1="4" y2="4" stroke={color} strokeWidth="2" strokeDasharray={dash.join(' ')} />
     </svg>
   );
 }

@@ -32,9 +32,8 @@ const LARGE_STEP = 0.1;
 export function Plot({ lines, logarithmic, label, spoken }: PlotProps): ReactNode {
   const { pilot } = useServices();
   const host = useRef<HTMLDivElement>(null);
-  const plot = usePlot(host, lines, logarithmic);
   const time = useTelemetry((live) => live.t);
-  useMark(plot, time, lines);
+  const plot = usePlot(host, lines, logarithmic, time);
   const first = Math.min(...lines.map(({ times }) => times[0] ?? 0));
   const last = Math.max(...lines.map(({ times }) => times.at(-1) ?? 0));
   const seek = (t: number) => pilot.seek(Math.min(last, Math.max(first, t)));
@@ -84,17 +83,24 @@ function usePlot(
   host: React.RefObject<HTMLDivElement | null>,
   lines: readonly Line[],
   logarithmic: boolean,
+  time: number,
 ): uPlot | undefined {
   const scheme = useComputedColorScheme('dark');
   const [plot, setPlot] = useState<uPlot>();
   const data = useMemo(() => alignedData(lines, logarithmic), [lines, logarithmic]);
   const shown = useRef(data);
   shown.current = data;
+  const now = useRef(time);
+  now.current = time;
   const count = lines.length;
   useEffect(() => {
     const element = host.current;
     if (!element) return;
-    const made = new uPlot(optionsOf(count, logarithmic, scheme, element.clientWidth), shown.current, element);
+    const mark = Object.assign(document.createElement('div'), { className: 'sl-plot-now' });
+    const options = optionsOf(count, logarithmic, scheme, element.clientWidth);
+    const ready = [(made: uPlot) => void made.over.append(mark)];
+    const draw = [(made: uPlot) => place(made, now.current)];
+    const made = new uPlot({ ...options, hooks: { ready, draw } }, shown.current, element);
     const resized = new ResizeObserver(() => made.setSize({ width: element.clientWidth, height: HEIGHT }));
     resized.observe(element);
     setPlot(made);
@@ -104,21 +110,19 @@ function usePlot(
     };
   }, [host, count, logarithmic, scheme]);
   useEffect(() => plot?.setData(data), [plot, data]);
+  useEffect(() => {
+    if (plot) place(plot, time);
+  }, [plot, time]);
   return plot;
 }
 
-/** A line at the page's time. */
-function useMark(plot: uPlot | undefined, time: number, lines: readonly Line[]): void {
-  const mark = useRef<HTMLDivElement>(null);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: with other lines the axes are others
-  useEffect(() => {
-    if (!plot) return;
-    const line = (mark.current ??= Object.assign(document.createElement('div'), { className: 'sl-plot-now' }));
-    plot.over.append(line);
-    const x = plot.valToPos(time, 'x');
-    line.hidden = !(x >= 0 && x <= plot.over.clientWidth);
-    line.style.transform = `translateX(${x}px)`;
-  }, [plot, time, lines]);
+/** The line at the page's time. */
+function place({ over, valToPos }: uPlot, time: number): void {
+  const mark = over.querySelector<HTMLElement>('.sl-plot-now');
+  if (!mark) return;
+  const x = valToPos(time, 'x');
+  mark.hidden = !(x >= 0 && x <= over.clientWidth);
+  mark.style.transform = `translateX(${x}px)`;
 }
 
 /** All over the same times, with gaps where a line has none. */

@@ -1,26 +1,5 @@
 import type { Books } from '../../dynamics/books.ts';
-import type { Evaluation } from '../../graph/evaluate.ts';
-
-/** The books of a node's run. */
-export interface Run {
-  /** As evaluations name the node. */
-  readonly node: string;
-  readonly books: Books;
-  /** It was not computed to its end: there is more to come, or it was stopped by a person. */
-  readonly interim: boolean;
-}
-
-/** The books of all runs in an evaluation; what others pass on counts where it was made. */
-export function runsIn(results: Evaluation['results']): Run[] {
-  const runs = new Map<unknown, Run>();
-  for (const [node, result] of results) {
-    if (result.status !== 'done' || !isBooks(result.outputs.books) || runs.has(result.outputs.books)) continue;
-    runs.set(result.outputs.books, { node, books: result.outputs.books, interim: result.interim ?? false });
-  }
-  return [...runs.values()];
-}
-
-const isBooks = (value: unknown): value is Books => typeof value === 'object' && value !== null && 'kinetic' in value;
+import type { Run } from '../state/runs.ts';
 
 /** What is plotted over time. */
 export const QUANTITIES = [

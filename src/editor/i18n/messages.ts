@@ -141,8 +141,8 @@ export const messages = {
   'loading.simulate': ['Step by step', '逐步计算'],
 
   'energy.none': [
-    'Nothing is simulated here. Connect Mass Spring, Collider and Field to a Simulate node, and that to the scene.',
-    '此处没有模拟。请将质点弹簧、碰撞体和场连接到模拟节点，再将其连接到场景。',
+    'Nothing has been simulated yet. A Simulate node needs what is to move (Mass Spring, Collider, Field), and its geometry must lead to the output. Where something is wrong, the node says so.',
+    '尚无模拟结果。模拟节点需要连接运动的物体（质点弹簧、碰撞体、场），其几何须通向输出。如有问题，节点会给出提示。',
   ],
   'energy.quantity': ['What is plotted', '绘制的量'],
   'energy.change': ['Change of energy', '能量变化'],
@@ -152,7 +152,7 @@ export const messages = {
   'energy.fastest': ['Fastest point', '最快的点'],
   'energy.momentum': ['Momentum', '动量'],
   'energy.angularMomentum': ['Angular momentum', '角动量'],
-  'energy.logarithmic': ['Logarithmic', '对数坐标'],
+  'energy.logarithmic': ['Logarithmic, of sizes', '对数坐标（绝对值）'],
   'energy.plot': ['{{quantity}} over time', '{{quantity}}随时间的变化'],
   'energy.run': ['Run', '模拟'],
   'energy.drift': ['Drift', '漂移'],

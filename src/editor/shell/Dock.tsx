@@ -140,7 +140,7 @@ function useGraph(api: DockviewApi | undefined, host: React.RefObject<HTMLDivEle
 
 /** Plots are there where something is simulated. */
 function useEnergy(api: DockviewApi | undefined): void {
-  const shown = useStudioState(hasBooks);
+  const shown = useStudioState(simulates);
   useEffect(() => {
     if (!api?.getPanel('controls') || !shown) return;
     const position = { referencePanel: 'controls' };
@@ -151,8 +151,10 @@ function useEnergy(api: DockviewApi | undefined): void {
   }, [api, shown]);
 }
 
-const hasBooks = ({ results }: StudioState): boolean =>
-  [...results.values()].some((result) => result.status === 'done' && result.outputs.books !== undefined);
+const simulates = ({ history: { document } }: StudioState): boolean =>
+  [document, ...Object.values(document.groups)].some(({ nodes }) =>
+    Object.values(nodes).some(({ type }) => type === 'simulate'),
+  );
 
 /** A tab without a cross: panels are always there, but for the graph's, which a button of the header shows and hides. */
 function plainTab(): ITabRenderer {
@@ -184,8 +186,8 @@ function layOut(api: DockviewApi, narrow: boolean): void {
 function useTitles(api: DockviewApi | undefined): void {
   const { t } = useTexts();
   const graph = useStudioState((state) => state.graph);
-  const energy = useStudioState(hasBooks);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: with the graph and with books, panels are added
+  const energy = useStudioState(simulates);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: with the graph, and what is simulated, panels are added
   useEffect(() => {
     for (const [name, panel] of Object.entries(PANELS)) api?.getPanel(name)?.api.setTitle(t(panel.title));
   }, [api, t, graph, energy]);

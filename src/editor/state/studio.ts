@@ -15,6 +15,7 @@ import type { Backend } from '../../render/settings.ts';
 import type { Lock } from '../flight/flight.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
 import { looking } from './looking.ts';
+import { runsIn } from './runs.ts';
 
 /** What is taking its time. */
 export interface Loading {
@@ -30,7 +31,7 @@ const STAGES = ['fetch', 'parse', 'trace', 'simulate'] as const;
 
 export interface Notice {
   readonly id: number;
-  readonly kind: 'error' | 'info';
+  readonly kind: 'error' | 'warning' | 'info';
   readonly text: string;
   readonly place?: string;
   readonly remedy?: Problem['remedy'];
@@ -329,6 +330,8 @@ function settle(store: StoreApi<StudioState>, evaluation: Evaluation): void {
   const failed = [...evaluation.results].flatMap(([node, result]) =>
     result.status === 'failed' ? [{ node, problem: result.problem }] : [],
   );
+  const known = new Set(runsIn(store.getState().results).map(({ books }) => books));
+  const stops = runsIn(evaluation.results).filter(({ books }) => books.stop && !known.has(books));
   const shown = shownBy(store, evaluation);
   store.setState(({ notices }) => ({
     ...shown,
@@ -338,6 +341,10 @@ function settle(store: StoreApi<StudioState>, evaluation: Evaluation): void {
     results: evaluation.results,
     notices: notices.filter((notice) => !notice.ofDocument),
   }));
+  for (const { node, books } of stops) {
+    const text = `it ended at t = ${books.stop!.t.toPrecision(4)} s: ${books.stop!.message}`;
+    addNotice(store, { kind: 'warning', text, place: node, ofDocument: true });
+  }
   for (const { message, place, remedy } of failed.map(({ problem }) => problem)) {
     addNotice(store, { kind: 'error', text: message, place, remedy, ofDocument: true });
   }

@@ -25,7 +25,7 @@ export class Pilot {
   #picture: Picture | undefined;
   /** What it is of: files that are added to a scene do not make it another. */
   #scene = '';
-  #grows = false;
+  #until: number | undefined;
   #observer: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
 
   /** Of the first picture: where the observer was before the page was loaded again. */
@@ -43,9 +43,9 @@ export class Pilot {
     return this.#picture;
   }
 
-  /** The motion goes on to be computed: time waits at its end. */
-  get grows(): boolean {
-    return this.#grows;
+  /** So far the motion was computed [s]: time waits there for more. Undefined: it is whole. */
+  get until(): number | undefined {
+    return this.#until;
   }
 
   isOf({ origin, source }: Pick<Opened, 'origin' | 'source'>): boolean {
@@ -56,11 +56,11 @@ export class Pilot {
    * What is shown from now on. Another project or file begins at its own start, another camera is gone to; any other edit leaves the
    * observer where he is.
    */
-  show(picture: Picture, { origin, source }: Pick<Opened, 'origin' | 'source'>, grows: boolean): void {
+  show(picture: Picture, { origin, source }: Pick<Opened, 'origin' | 'source'>, until?: number): void {
     const before = this.#picture?.camera;
     const scene = keyOf(origin, source);
     this.#picture = picture;
-    this.#grows = grows;
+    this.#until = until;
     if (scene !== this.#scene) {
       this.#scene = scene;
       this.restart();
@@ -133,7 +133,8 @@ export class Pilot {
     [yaw, pitch]: readonly [number, number],
     controls: Parameters<typeof stepFlight>[1],
   ) {
-    const { lock, cruise, playing } = this.#studio.store.getState();
+    const { lock, cruise } = this.#studio.store.getState();
+    const playing = this.#passes;
     const { scene, speedOfLight: c, maxSpeed } = picture;
     const up = upOf(scene);
     const orientation = yaw || pitch ? look(this.#observer.orientation, yaw, pitch, up) : this.#observer.orientation;
@@ -148,15 +149,20 @@ export class Pilot {
   }
 
   #ride(picture: Picture, dt: number): void {
-    const { playing } = this.#studio.store.getState();
     const before = this.#observer;
     const after = ridingObserver(
       cameraOf(picture),
-      { ...before, t: before.t + (playing ? dt : 0) },
+      { ...before, t: before.t + (this.#passes ? dt : 0) },
       picture.speedOfLight,
     );
     const slow = Math.hypot(1, length(after.u));
     this.#observer = { ...after, properTime: before.properTime + (after.t - before.t) / slow };
+  }
+
+  /** Whether time passes in the world. */
+  get #passes(): boolean {
+    const { playing } = this.#studio.store.getState();
+    return playing && (this.#until === undefined || this.#observer.t < this.#until);
   }
 
   #keepTime({ scene }: Picture): void {
@@ -164,10 +170,11 @@ export class Pilot {
     const { startTime, endTime } = scene;
     const { t: now } = this.#observer;
     if (!playing) return;
-    const t = this.#grows ? Math.min(now, endTime) : wrapTime(now, startTime, endTime, loop);
+    const until = this.#until;
+    const t = until === undefined ? wrapTime(now, startTime, endTime, loop) : Math.min(now, endTime, until);
     if (t === now) return;
     this.seek(t);
-    if (!loop && !this.#grows) this.#studio.change({ playing: false });
+    if (!loop && until === undefined) this.#studio.change({ playing: false });
   }
 }
 

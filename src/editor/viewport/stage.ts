@@ -8,6 +8,7 @@ import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
 import { sceneName } from '../loading/localFiles.ts';
 import { showColors } from '../state/legend.ts';
 import { prefersReducedMotion } from '../state/preferences.ts';
+import { computedUntil } from '../state/runs.ts';
 import type { Opened, Studio } from '../state/studio.ts';
 import { report } from '../state/telemetry.ts';
 import { Eye } from './eye.ts';
@@ -214,18 +215,18 @@ export class Stage {
 
   /** Takes up a new picture; where its scene is another one, after the upload: until then the last one stays. */
   #follow(): void {
-    const { picture, opened, interim } = this.#studio.store.getState();
+    const { picture, opened, interim, results } = this.#studio.store.getState();
     if (!picture || this.#uploading) return;
-    const grows = interim === 'running';
+    const until = interim === 'running' ? computedUntil(results) : undefined;
     if (isSame(picture.scenes, this.#scenes)) {
-      if (picture !== this.#pilot.picture || grows !== this.#pilot.grows) this.#pilot.show(picture, opened, grows);
+      if (picture !== this.#pilot.picture || until !== this.#pilot.until) this.#pilot.show(picture, opened, until);
       return;
     }
     const busy = this.#began !== undefined || performance.now() < this.#next;
-    if (!grows || !this.#pilot.isOf(opened) || !busy) void this.#upload(picture, opened, grows);
+    if (until === undefined || !this.#pilot.isOf(opened) || !busy) void this.#upload(picture, opened, until);
   }
 
-  async #upload(picture: Picture, opened: Opened, grows: boolean): Promise<void> {
+  async #upload(picture: Picture, opened: Opened, until: number | undefined): Promise<void> {
     this.#uploading = true;
     this.#began = performance.now();
     this.#scenes = picture.scenes;
@@ -235,8 +236,8 @@ export class Stage {
       this.#shown = undefined;
       this.#wanted = undefined;
       // A motion that has grown is no other picture.
-      if (!this.#pilot.grows || !this.#pilot.isOf(opened)) this.#eye.blink();
-      this.#pilot.show(picture, opened, grows);
+      if (this.#pilot.until === undefined || !this.#pilot.isOf(opened)) this.#eye.blink();
+      this.#pilot.show(picture, opened, until);
     } catch (error) {
       this.#began = undefined;
       const text = error instanceof Error ? error.message : String(error);

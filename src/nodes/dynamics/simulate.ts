@@ -98,7 +98,7 @@ export const simulateNode = defineNode({
     const simulation = new Simulation(matter, settingsOf(params), node, resume?.reel as Reel | undefined);
     let breath = performance.now();
     for (const _ of simulation.run()) {
-      progress(simulation.taken / simulation.frames);
+      progress(simulation.taken / simulation.frames, 'simulate');
       interim?.(() => ({ ...simulation.outputs() }));
       if (!signal || performance.now() - breath < BREATH) continue;
       await new Promise((resolve) => setTimeout(resolve));
