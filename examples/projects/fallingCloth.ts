@@ -44,5 +44,5 @@ export const fallingCloth = () =>
       from: { matter: ['cloth.matter', 'ball.matter', 'ground.matter', 'weight.matter'] },
     },
     kept: { type: 'cache', from: { geometry: 'fall.geometry' } },
-    ...seen(['kept.geometry'], { eye: [2.5, 2.2, 3.1], target: [0, 1, 0], to: 4, openAt: 0.75, ground: {} }),
+    ...seen(['kept.geometry'], { eye: [2.5, 2.2, 3.1], target: [0, 1, 0], to: 4, openAt: 2, ground: {} }),
   });
