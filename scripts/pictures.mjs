@@ -29,6 +29,13 @@ const thumbnails = {
   lesson: [],
   'gods-eye': [],
   letters: [],
+  'hanging-cloth': [],
+  'falling-cloth': [],
+  impact: [],
+  bouncing: [],
+  pendulums: [],
+  cradle: [],
+  charges: [],
   truth: ['--set', 'truth.width=480', '--set', 'truth.height=270', '--set', 'truth.samples=5'],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];

@@ -48,7 +48,7 @@ export class Bookkeeper {
     return {
       method: order.method.id,
       speedOfLight: order.system.c,
-      step: stepsOf(order).h,
+      step: order.tolerance === undefined ? stepsOf(order).h : 0,
       pace: order.every,
       times: column(({ t }) => t),
       steps: column(({ steps }) => steps),

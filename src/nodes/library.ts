@@ -8,6 +8,7 @@ import { skyNode } from './composition/sky.ts';
 import { spectrumNode } from './composition/spectrum.ts';
 import { sunNode } from './composition/sun.ts';
 import { timeNode } from './composition/time.ts';
+import { cacheNode } from './dynamics/cache.ts';
 import { colliderNode } from './dynamics/collider.ts';
 import { fieldNode } from './dynamics/field.ts';
 import { massSpringNode } from './dynamics/massSpring.ts';
@@ -95,6 +96,7 @@ const types = [
   colliderNode,
   fieldNode,
   simulateNode,
+  cacheNode,
   scene,
   sunNode,
   lampNode,

@@ -725,6 +725,15 @@ export const nodeWords = {
   'param.magnetic': ['Magnetic field', '磁场'],
   'param.coulomb': ['Charges act on each other', '电荷相互作用'],
   'param.coulomb.help': ['At once, without fields that travel.', '瞬时作用，没有传播的场。'],
+  'node.cache': ['Cache', '缓存'],
+  'node.cache.help': [
+    'Reads what a simulation was written to instead of running it again; without a file what comes in passes. “slowlight simulate PROJECT -o FILE” writes it, or Write USD.',
+    '读取已写出的模拟结果，不再重新计算；未指定文件时原样传递输入。用 “slowlight simulate PROJECT -o FILE” 或“写出 USD”写出。',
+  ],
+  'param.cached.help': [
+    'It is shown as it is: what comes in is not looked at, also where it would be another by now.',
+    '按文件显示：不再查看输入，即使输入已经改变。',
+  ],
   'node.simulate': ['Simulate', '模拟'],
   'node.simulate.help': [
     'Computes how matter moves, by momentum, so that nothing reaches c, and keeps books of energy and momentum. The result moves along cubics between its frames. “slowlight simulate PROJECT” does it on the command line.',

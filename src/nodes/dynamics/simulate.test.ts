@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { add, build, connect } from '../../../tests/support/graphKit.ts';
 import type { Books } from '../../dynamics/books.ts';
+import { openScene } from '../../formats/open.ts';
 import type { Command } from '../../graph/commands.ts';
 import type { GraphDocument, ParamValue } from '../../graph/document.ts';
 import { CancelledError, Evaluator } from '../../graph/evaluate.ts';
@@ -9,10 +10,11 @@ import { length, sub, type Vec3 } from '../../math/vec3.ts';
 import { poseAt, vertexPositions } from '../../scene/motion.ts';
 import { grid } from '../../scene/primitives.ts';
 import { probeVertices } from '../../scene/probe.ts';
-import type { Scene, SceneObject } from '../../scene/types.ts';
+import { InputError, type Scene, type SceneObject } from '../../scene/types.ts';
 import { validate } from '../../scene/validate.ts';
 import { nodeLibrary } from '../library.ts';
-import { type LoadedScene, threadServices } from '../services.ts';
+import { type LoadedScene, type Services, threadServices } from '../services.ts';
+import { writtenScene } from '../writtenScene.ts';
 
 type Params = Readonly<Record<string, ParamValue>>;
 const sets = (node: string, params: Params): Command[] =>
@@ -390,6 +392,58 @@ describe('a run', () => {
     });
     expect(await refusalOf(...node('weight', 'field'), ...running(['weight'], {}))).toMatchObject({
       code: 'simulate.nothing',
+    });
+  });
+});
+
+describe('a cache', () => {
+  const hung = [
+    ...sheet('Sheet', 4, [0, 1, 0], { pins: 'corners' }),
+    ...node('weight', 'field'),
+    ...running(['Sheet', 'weight'], { duration: 0.5 }),
+    ...node('kept', 'cache'),
+    connect('run.geometry', 'kept.geometry'),
+  ];
+  const keptOf = async (services: Services, ...more: Command[]) => {
+    const { target } = await new Evaluator(nodeLibrary).evaluate(build(...hung, ...more), 'kept', services);
+    return target;
+  };
+
+  it('passes on what comes in, and reads what was written of it instead, as it moved, without running it', async () => {
+    const before = await keptOf(threadServices);
+    if (before.status !== 'done') throw new Error('nothing comes through');
+    const { scene } = before.outputs.geometry as LoadedScene;
+    const { files } = await writtenScene({ kind: 'scene', name: 'a.usda', scene, sampled: true }, 'a.usda');
+    const asked: unknown[] = [];
+    const services: Services = {
+      ...threadServices,
+      readScene: async (source, { interpolation }) => {
+        asked.push(source, interpolation);
+        const read = async (path: string) => files.get(path);
+        return { scene: await openScene({ read }, source, { interpolation: 'cubic' }) };
+      },
+    };
+    // What comes in could not be made any more: there is no such thing.
+    const after = await keptOf(services, ...sets('kept', { file: 'a.usda' }), ...sets('Sheet', { which: '/Gone' }));
+    if (after.status !== 'done') throw new Error(JSON.stringify(after));
+    expect(asked).toEqual(['a.usda', 'cubic']);
+    const read = (after.outputs.geometry as LoadedScene).scene;
+    for (const t of [0, 0.1, 0.333, 0.5]) {
+      const [a, b] = [scene, read].map(({ objects }) => vertexPositions(objects[0]!, t, 10));
+      expect(largest(a!.map((x, i) => x - b![i]!))).toBeLessThan(1e-6);
+    }
+  });
+
+  it('says which file is not there', async () => {
+    const missing = {
+      code: 'file.missing',
+      place: 'a.usda',
+      message: 'there is no such file',
+      severity: 'error',
+    } as const;
+    const services = { ...threadServices, readScene: () => Promise.reject(new InputError(missing)) };
+    expect(await keptOf(services, ...sets('kept', { file: 'a.usda' }))).toMatchObject({
+      problem: { code: 'file.missing', remedy: { node: 'kept', param: 'file', value: '' } },
     });
   });
 });
