@@ -1,14 +1,13 @@
 import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
-import type { GraphDocument } from '../../graph/document.ts';
-import { simulateNode } from '../../nodes/dynamics/simulate.ts';
-import { formatNumber, formatSeconds } from '../format.ts';
+import { formatBeta, formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { nodeTitle } from '../panels/nodeTitle.ts';
 import { useStudioState, useTelemetry } from '../state/context.tsx';
 import { type Run, runsIn } from '../state/runs.ts';
 import { lineStyle } from './lines.ts';
+import { namesOf } from './names.ts';
 import { type Line, Plot } from './Plot.tsx';
 import { figuresOf, frameAt, QUANTITIES, type Quantity, unitOf, valuesOf } from './series.ts';
 
@@ -63,22 +62,12 @@ function useNamed(runs: readonly Run[], quantity: Quantity, unit: string): reado
   const { any } = useTexts();
   const document = useStudioState((state) => state.history.document);
   return useMemo(() => {
-    const names = runs.map((run) => nameOf(document, run, any));
+    const names = namesOf(runs, (node) => nodeTitle(document, node), any);
     return runs.map((run, i) => {
-      const name = names[i]!;
       const line = { times: run.books.times, values: valuesOf(run.books, quantity, unit) };
-      return { ...run, name: names.indexOf(name) === names.lastIndexOf(name) ? name : `${name} (${run.node})`, line };
+      return { ...run, name: names[i]!, line };
     });
   }, [runs, quantity, unit, document, any]);
-}
-
-/** As a person calls the node, else by its method, with its correction where it has several. */
-function nameOf(document: GraphDocument, { node, books }: Run, any: (key: string) => string): string {
-  const title = nodeTitle(document, node);
-  if (title) return title;
-  const [, method, correction] = /^(.+?)(?:-([0-3]))?$/.exec(books.method) ?? [];
-  const known = simulateNode.params.method.options.find(({ value }) => value === method);
-  return [any(known?.title ?? books.method), correction].filter(Boolean).join(' ');
 }
 
 interface ShownProps {
@@ -147,12 +136,15 @@ function Row({ run, n }: { readonly run: Named; readonly n: number }): ReactNode
         </th>
         <td>{now}</td>
         <td>{drift === undefined ? '–' : formatNumber(drift, 2)}</td>
-        <td>{Number.isFinite(c) ? `${formatNumber(fastest / c, 2)} c` : `${formatNumber(fastest, 2)} m/s`}</td>
+        <td>{Number.isFinite(c) ? `${shareOfLight(fastest / c)} c` : `${formatNumber(fastest, 2)} m/s`}</td>
       </tr>
       <Remarks run={run} />
     </tbody>
   );
 }
+
+/** What is below c is told so. */
+const shareOfLight = (beta: number): string => (beta > 0.1 ? formatBeta(beta) : formatNumber(beta, 2));
 
 /** With which step, and how far it came. */
 function Remarks({ run: { books, interim } }: { readonly run: Named }): ReactNode {

@@ -3,6 +3,7 @@ import type { Books } from '../../dynamics/books.ts';
 import type { NodeResult } from '../../graph/results.ts';
 import { computedUntil, runsIn } from '../state/runs.ts';
 import { lineStyle } from './lines.ts';
+import { namesOf } from './names.ts';
 import { figuresOf, frameAt, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
 import { tick } from './ticks.ts';
 
@@ -64,6 +65,29 @@ describe('the books of an evaluation', () => {
     expect(figuresOf(books)).toEqual({ drift: 0.5, fastest: 8, until: 1 });
     expect(figuresOf({ ...books, kinetic: Float64Array.of(0, 0, 0) }).drift).toBeUndefined();
   });
+});
+
+it('runs are called by title or method, and where these are the same by what tells them apart', () => {
+  const run = (node: string, method: string, speedOfLight = 10) => ({
+    node,
+    interim: false,
+    books: { ...books, method, speedOfLight },
+  });
+  const names = (...runs: Parameters<typeof namesOf>[0]) =>
+    namesOf(
+      runs,
+      (node) => (node === 'mine' ? 'My cloth' : undefined),
+      (key) => key.replace('method.', ''),
+    );
+  expect(
+    names(run('mine', 'leapfrog'), run('a', 'leapfrog'), run('b', 'local-global-2'), run('e', 'yoshida-4')),
+  ).toEqual(['My cloth', 'leapfrog', 'localGlobal 2', 'yoshida4']);
+  expect(names(run('a', 'leapfrog', 1), run('b', 'leapfrog', 100), run('c', 'yoshida-4'))).toEqual([
+    'leapfrog, c = 1 m/s',
+    'leapfrog, c = 100 m/s',
+    'yoshida4',
+  ]);
+  expect(names(run('a', 'leapfrog'), run('b', 'leapfrog'))).toEqual(['leapfrog (a)', 'leapfrog (b)']);
 });
 
 it('what is read at a time is of the frame before', () => {

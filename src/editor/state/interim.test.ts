@@ -10,7 +10,7 @@ import { createStudio } from './studio.ts';
 /** Heavy work, as the test leads it. */
 interface Led extends HeavyOrder {
   readonly give: (name: string) => void;
-  readonly end: (name: string) => void;
+  readonly end: (name: string, more?: Outputs) => void;
   readonly progress: (part: number) => void;
   stopped: boolean;
 }
@@ -23,7 +23,13 @@ vi.mock('./heavyWorkers.ts', () => ({
       new Promise<Outputs>((done, fail) => {
         const progress = (part: number) => (work.progress as (part: number, what: string) => void)(part, 'simulate');
         const give = (name: string) => work.interim(outputs(name));
-        const job: Led = { ...order, give, end: (name) => done(outputs(name)), progress, stopped: false };
+        const job: Led = {
+          ...order,
+          give,
+          end: (name, more) => done({ ...outputs(name), ...more }),
+          progress,
+          stopped: false,
+        };
         led.push(job);
         work.signal?.addEventListener('abort', () => {
           job.stopped = true;
@@ -143,4 +149,17 @@ it('where other work has just begun, to cancel ends that, and does not begin it 
   expect(led.map(({ stopped }) => stopped)).toEqual([true, true]);
   expect(state()).toMatchObject({ interim: 'stopped' });
   expect(state().loading).toBeUndefined();
+});
+
+it('that a run ended before its time is said, once', async () => {
+  const { studio, state } = await open();
+  const books = { kinetic: Float64Array.of(0), stop: { t: 1.5, message: 'too fast' } };
+  led[0]!.end('abc', { books });
+  await settled();
+  expect(state().notices).toMatchObject([
+    { kind: 'warning', place: 'work', text: 'it ended at t = 1.500 s: too fast' },
+  ]);
+  studio.set('toneMap', 'exposure', 1, 'exposure');
+  await settled();
+  expect(state().notices).toEqual([]);
 });
