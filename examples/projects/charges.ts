@@ -15,7 +15,7 @@ const AWAY = 1.6;
 
 const charge = (name: string, color: readonly [number, number, number], side: 1 | -1): Sketches => ({
   [`${name}Ball`]: { type: 'sphere', set: { name, radius: 0.16, segments: 48, rings: 24 } },
-  [`${name}Paint`]: painted(`${name}Ball.geometry`, color, { roughness: 0.4, glow: 0.5 }),
+  [`${name}Paint`]: painted(`${name}Ball.geometry`, color, { roughness: 0.4, glow: 0.1 }),
   [`${name}At`]: {
     type: 'transform',
     set: { position: [side * AWAY, 0.5, 0] },
@@ -40,7 +40,7 @@ export const charges = () =>
       from: { matter: ['Positive.matter', 'Negative.matter', 'field.matter'] },
     },
     circle: { type: 'torus', set: { name: 'Circle', ring: AWAY, tube: 0.008, segments: 160, rings: 8 } },
-    line: painted('circle.geometry', [0.9, 0.85, 0.7], { glow: 0.5 }),
+    line: painted('circle.geometry', [0.9, 0.85, 0.7], { glow: 0.1 }),
     round: { type: 'transform', set: { position: [0, 0.5, 0] }, from: { geometry: 'line.geometry' } },
     floor: { type: 'grid', set: { name: 'Floor', width: 40, length: 40, columns: 40, rows: 40 } },
     night: painted('floor.geometry', [0.05, 0.055, 0.07], { roughness: 0.8 }),

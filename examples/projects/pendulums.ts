@@ -41,7 +41,7 @@ function pendulum(c: number, i: number): Sketches {
     [`sign${c}`]: painted(`name${c}.geometry`, COLORS[i]),
     [`label${c}`]: {
       type: 'transform',
-      set: { position: [1.5, 0, z + 0.3] },
+      set: { position: [0.75, 0, z + 0.3], rotation: [0, 40, 0] },
       from: { geometry: `sign${c}.geometry` },
     },
   };
@@ -57,8 +57,8 @@ export const pendulums = () => {
     iron: painted('hung.geometry', [0.16, 0.16, 0.17], { roughness: 0.5 }),
   };
   const picture = seen(['iron.geometry', ...SPEEDS.flatMap((c) => [`swing${c}.geometry`, `label${c}.geometry`])], {
-    eye: [3, 1.9, 3.3],
-    target: [0.15, 0.8, 0],
+    eye: [3.1, 2, 3.5],
+    target: [0.2, 0.72, 0.05],
     to: 14,
     openAt: 1,
   });

@@ -773,6 +773,11 @@ export const nodeWords = {
   'correction.tangent': ['By the tangent', '切线'],
   'correction.secant': ['By the secant', '割线'],
   'correction.root': ['By the root between', '求根'],
+  'param.errorASecond': ['Error a second', '每秒误差'],
+  'param.errorASecond.help': [
+    'Steps follow what they get wrong of any place [m] and velocity [m/s] in a second; 0: all steps are alike.',
+    '步长随误差调整：每秒内任一点的位置误差 [m] 与速度误差 [m/s] 不超过此值；0 表示步长固定。',
+  ],
   'param.step': ['Step', '步长'],
   'param.step.help': [
     'The longest; 0: a tenth of what an explicit method can take.',

@@ -25,7 +25,7 @@ const endless = serializeDocument(
 
 /** What the panel tells of the run: until when it is computed [s]. */
 async function computed({ page }: Guarded): Promise<number> {
-  const text = await page.locator('.sl-energy tbody').innerText();
+  const text = (await page.locator('.sl-energy tbody').textContent()) ?? '';
   return Number(/(?:until|stopped at) ([\d.]+) s/.exec(text)?.[1]);
 }
 
@@ -54,9 +54,9 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
 
   // The air takes energy, and gives none.
   const cells = page.locator('.sl-energy tbody td');
-  expect(await cells.nth(0).innerText()).toMatch(/^−[\d.]+$/);
-  expect(Number(await cells.nth(1).innerText())).toBeGreaterThan(0);
-  expect(await cells.nth(2).innerText()).toMatch(/^0\.\d+ c$/);
+  expect(await cells.nth(0).textContent()).toMatch(/^−[\d.]+$/);
+  expect(Number(await cells.nth(1).textContent())).toBeGreaterThan(0);
+  expect(await cells.nth(2).textContent()).toMatch(/^0\.\d+ c$/);
   expect(await plot.getAttribute('aria-valuetext')).toMatch(/^[\d.]+ s: Leapfrog −[\d.]+ J$/);
   expect((await new AxeBuilder({ page }).include('.sl-energy').include('.sl-plot').analyze()).violations).toEqual([]);
 

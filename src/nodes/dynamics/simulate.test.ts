@@ -294,7 +294,7 @@ describe('what meets', () => {
   it('stays out of planes, turned boxes and fixed balls, and of other nets', async () => {
     const dropped = async (kind: readonly [string, Params], params: Params): Promise<Vec3[]> => {
       const { scene } = await simulated(
-        ...sheet('Sheet', 8, [0, 1, 0], { structural: 200, shear: 50, bending: 5 }),
+        ...sheet('Sheet', 6, [0, 1, 0], { structural: 200, shear: 50, bending: 5 }),
         ...matter('Solid', kind, [0, 0, 0], 'collider', params),
         ...node('weight', 'field', { drag: 2 }),
         ...running(['Sheet', 'Solid', 'weight'], { speedOfLight: 50, duration: 1, method: 'leapfrog' }),
@@ -362,7 +362,7 @@ describe('a run', () => {
     const { scene, books } = await simulated(
       ...hanging({ method: 'semi-implicit-euler', step: 0.02, speedOfLight: 1 }),
     );
-    expect(books.stop).toMatchObject({ reason: 'light' });
+    expect(books.stop).toMatchObject({ reason: 'unstable' });
     expect(books.times.length).toBeLessThan(25);
     expect(scene.diagnostics.map(({ code }) => code)).toContain('simulate.stopped');
     expect(scene.endTime).toBeCloseTo(Math.max(books.times.at(-1)!, 1 / 24), 9);

@@ -79,6 +79,14 @@ export const simulateNode = defineNode({
       ],
       onlyWhen: { param: 'method', is: CORRECTED },
     },
+    tolerance: amount({
+      title: 'param.errorASecond',
+      help: 'param.errorASecond.help',
+      unit: 'm',
+      default: 0,
+      max: 1e6,
+      step: 1e-6,
+    }),
     step: amount({ title: 'param.step', help: 'param.step.help', unit: 's', default: 0, max: 1e6, step: 1e-6 }),
     reach: amount({ title: 'param.touchReach', help: 'param.touchReach.help', unit: 'm', default: 0 }),
     stiffness: amount({
@@ -121,7 +129,7 @@ export function settingsOf(params: Readonly<Record<string, unknown>>): Settings 
   };
 }
 
-interface Params extends Pick<Settings, 'speedOfLight' | 'duration' | 'rate' | 'step' | 'method'> {
+interface Params extends Pick<Settings, 'speedOfLight' | 'duration' | 'rate' | 'step' | 'tolerance' | 'method'> {
   readonly correction: string;
   readonly mechanics: string;
   readonly reach: number;

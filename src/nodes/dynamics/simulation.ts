@@ -25,6 +25,8 @@ export interface Settings {
   readonly rate: number;
   /** The longest step [s]; 0: a tenth of what an explicit method can take. */
   readonly step: number;
+  /** What steps may get wrong in each second, which they then follow [m, m/s]; 0: they are all alike. */
+  readonly tolerance: number;
   readonly touch: Touch;
 }
 
@@ -139,7 +141,7 @@ function refusing<T>(node: string, make: () => T): T {
 }
 
 function orderOf({ system, start, casts }: Stage, settings: Settings, node: string): Order {
-  const { duration, rate, step } = settings;
+  const { duration, rate, step, tolerance } = settings;
   const frames = Math.max(1, Math.round(duration * rate));
   const set = (param: string, value: number) => ({ node, param, value });
   if (frames > MOST_FRAMES) {
@@ -157,6 +159,7 @@ function orderOf({ system, start, casts }: Stage, settings: Settings, node: stri
   const order: Order = {
     ...{ system, start, method: METHODS.get(settings.method)!, duration, every: duration / frames },
     ...(step > 0 && { step }),
+    ...(tolerance > 0 && { tolerance }),
   };
   const { h, perFrame } = stepsOf(order);
   if (perFrame * frames > MOST_STEPS) {
