@@ -1,5 +1,7 @@
+import type { SceneWords } from './i18n.ts';
+
 /** The words of the example scenes and projects in Chinese; in English they are the scenes' own, in their files. */
-export const exampleWords: Readonly<Record<string, { readonly title: string; readonly lookFor: string }>> = {
+export const exampleWords: Readonly<Record<string, SceneWords>> = {
   street: {
     title: '街道',
     lookFor:

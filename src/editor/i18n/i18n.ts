@@ -15,7 +15,23 @@ const catalogue = (place: 0 | 1) =>
 export const preferredLanguage = (wanted: readonly string[]): Language =>
   wanted.map((tag) => tag.slice(0, 2)).find((tag): tag is Language => tag === 'en' || tag === 'zh') ?? 'en';
 
+export interface SceneWords {
+  readonly title: string;
+  readonly lookFor: string;
+}
+
+/** What the examples are called in languages other than their files' own; read with the language. */
+const ofExamples: Partial<Record<Language, Readonly<Record<string, SceneWords>>>> = {};
+const readExampleWords = async (language: Language): Promise<void> => {
+  if (language === 'zh') ofExamples.zh ??= (await import('./exampleWords.ts')).exampleWords;
+};
+
+/** Undefined where the file's own words are to be shown. */
+export const exampleWordsOf = (name: string, language: Language): SceneWords | undefined =>
+  ofExamples[language]?.[name];
+
 export async function startTranslation(language: Language): Promise<void> {
+  await readExampleWords(language);
   await i18next.use(initReactI18next).init({
     lng: language,
     fallbackLng: 'en',
@@ -26,7 +42,10 @@ export async function startTranslation(language: Language): Promise<void> {
   });
 }
 
-export const setLanguage = (language: Language): Promise<unknown> => i18next.changeLanguage(language);
+export async function setLanguage(language: Language): Promise<void> {
+  await readExampleWords(language);
+  await i18next.changeLanguage(language);
+}
 
 /** The catalogue in the language of the page; the component is drawn again when it changes. */
 export function useTexts(): {

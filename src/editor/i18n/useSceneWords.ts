@@ -1,25 +1,19 @@
 import { useStudioState } from '../state/context.tsx';
-import { exampleWords } from './exampleWords.ts';
-import { useTexts } from './i18n.ts';
-
-interface Words {
-  readonly title: string;
-  readonly lookFor: string;
-}
+import { exampleWordsOf, type SceneWords, useTexts } from './i18n.ts';
 
 /** The title of a scene or project and what to look for: its file's own words; of the examples the page has them in its other language too. */
-export function useSceneWords(source: string, own: { readonly title?: string; readonly lookFor?: string }): Words {
+export function useSceneWords(source: string, own: { readonly title?: string; readonly lookFor?: string }): SceneWords {
   const { language } = useTexts();
   const name = source
     .slice(source.lastIndexOf('/') + 1)
     .replace(/\.slowlight\.json$/, '')
     .replace(/\.\w+$/, '');
-  const translated = language === 'zh' && source.startsWith('examples/') ? exampleWords[name] : undefined;
+  const translated = source.startsWith('examples/') ? exampleWordsOf(name, language) : undefined;
   return translated ?? { title: own.title ?? name, lookFor: own.lookFor ?? '' };
 }
 
 /** The words of what is shown: the project's own, where it says what to look for, else those of its scene. */
-export function useOpenedWords(): Words {
+export function useOpenedWords(): SceneWords {
   const { origin, source, title, lookFor } = useStudioState(({ opened }) => opened);
   const hints = useStudioState(({ picture }) => picture?.scene.hints);
   const speaks = lookFor !== undefined || source === '';
