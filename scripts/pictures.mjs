@@ -29,7 +29,7 @@ const thumbnails = {
   lesson: [],
   'gods-eye': [],
   letters: [],
-  truth: ['--set', 'truth.width=480', '--set', 'truth.height=270', '--set', 'truth.samples=5'],
+  truth: ['--set', 'truth.width=384', '--set', 'truth.height=216', '--set', 'truth.samples=8'],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];
 const pictures = [
