@@ -15,7 +15,7 @@ const thumbnails = {
   sphere: [],
   hall: ['--time', '4.6', '--beta', '0,0,-0.2'],
   lamps: [],
-  prism: [],
+  prism: ['--fov', '30', '--exposure', '0.6'],
   sunset: [],
   starfield: [],
   saturn: ['--time', '7.7', '--beta', '0,0,-0.1', '--fov', '44'],
