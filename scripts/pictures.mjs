@@ -29,6 +29,13 @@ const thumbnails = {
   lesson: [],
   'gods-eye': [],
   letters: [],
+  'hanging-cloth': [],
+  'falling-cloth': [],
+  impact: [],
+  bouncing: [],
+  pendulums: [],
+  cradle: [],
+  charges: [],
   truth: ['--set', 'truth.width=384', '--set', 'truth.height=216', '--set', 'truth.samples=8'],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];

@@ -8,6 +8,11 @@ import { skyNode } from './composition/sky.ts';
 import { spectrumNode } from './composition/spectrum.ts';
 import { sunNode } from './composition/sun.ts';
 import { timeNode } from './composition/time.ts';
+import { cacheNode } from './dynamics/cache.ts';
+import { colliderNode } from './dynamics/collider.ts';
+import { fieldNode } from './dynamics/field.ts';
+import { massSpringNode } from './dynamics/massSpring.ts';
+import { simulateNode } from './dynamics/simulate.ts';
 import { boxNode } from './geometry/box.ts';
 import { cylinderNode } from './geometry/cylinder.ts';
 import { flyNode } from './geometry/fly.ts';
@@ -88,6 +93,11 @@ const types = [
   retimeNode,
   writeUsdNode,
   flyNode,
+  massSpringNode,
+  colliderNode,
+  fieldNode,
+  simulateNode,
+  cacheNode,
   scene,
   sunNode,
   lampNode,

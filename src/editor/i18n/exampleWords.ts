@@ -1,7 +1,5 @@
-import type { SceneWords } from './i18n.ts';
-
 /** The words of the example scenes and projects in Chinese; in English they are the scenes' own, in their files. */
-export const exampleWords: Readonly<Record<string, SceneWords>> = {
+export const exampleWords: Readonly<Record<string, { readonly title: string; readonly lookFor: string }>> = {
   street: {
     title: '街道',
     lookFor:
@@ -111,5 +109,40 @@ export const exampleWords: Readonly<Record<string, SceneWords>> = {
     title: '梯子与谷仓',
     lookFor:
       '16 米长的梯子以 0.6 c 穿过 14 米长的谷仓。在谷仓的参考系中它长 12.8 米，两扇门有一刻同时关闭，把它全部关在里面。在梯子的参考系中（用“同时面”视图跟随相机 /World/Rider），谷仓长 11.2 米，两扇门从不同时关闭。',
+  },
+  'hanging-cloth': {
+    title: '悬挂的布',
+    lookFor:
+      '一块由 625 个质点和弹簧组成的布，两角固定，水平放开，此处光速为 10 m/s。下摆像鞭子一样甩动时，有一点达到 0.86 c；但没有一点能达到 c，因为力改变的是动量。靠近时明亮，远离时暗淡，你看到的每一处都是它过去的样子。切换到“同时面”视图，看看它现在在哪里。',
+  },
+  'falling-cloth': {
+    title: '落在球上的布',
+    lookFor:
+      '一块布落在固定的球上，光速为 10 m/s。中间被挡住，四角继续下落，荡到球下方。球和地面把侵入的部分推出，陷得越深推得越狠，所以猛烈撞击会陷进一些。只有空气带走能量：打开能量面板看看它去了哪里。',
+  },
+  impact: {
+    title: '弹性球撞刚性球',
+    lookFor:
+      '弹簧组成的球以 0.6 c 撞上一个质量相同、可自由运动的刚性球。动量分毫不差地传递，弹簧却留下一部分能量：红球从此颤动不止，蓝球以 0.57 c 离开。若是两个刚性球，能量会全部传递。',
+  },
+  bouncing: {
+    title: '弹跳的晶格',
+    lookFor:
+      '弹性杆组成的晶格一角着地后弹起，光速为 10 m/s。撞击以波的形式穿过晶格；上方要晚些才得知，那时还在下落。快速横过视线的直杆看上去是弯的，因为远端的光出发得更早。',
+  },
+  pendulums: {
+    title: 'c = 1、10 和 100 的单摆',
+    lookFor:
+      '三个一米长的单摆从水平位置放开，所处世界的光速分别为 1、10 和 100 m/s。10 和 100 的摆动几乎与牛顿力学相同，周期 2.4 s。1 m/s 的那个几乎全程都以接近 1 m/s 运动，来回要 6.7 s。你用 10 m/s 的光看它们。',
+  },
+  cradle: {
+    title: '相对论牛顿摆',
+    lookFor:
+      '五个球挂在 3 m 长的杆上，光速为 10 m/s。第一个球落下，以 0.47 c 撞上其余的球；最后一个带走它全部的动量荡出去，其余几乎不动。质量相等的物体接近光速时也像低速时一样交换速度：动量和能量不容许别的结果。迎面而来的球比远去的更亮。',
+  },
+  charges: {
+    title: '两个电荷',
+    lookFor:
+      '质量相同的一正一负两个电荷互相绕行，最快 0.6 c。按牛顿力学它们永远沿同一个椭圆运动；这里动量比速度增长得更快，使椭圆每圈转过 45°，画出玫瑰花形。相距最远时两者都碰到圆环。你看到的都是各自过去的位置，所以它们看上去并不正对。力是瞬时作用的，没有真实电荷会损失的辐射。',
   },
 };

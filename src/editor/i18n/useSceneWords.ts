@@ -1,19 +1,24 @@
 import { useStudioState } from '../state/context.tsx';
-import { exampleWordsOf, type SceneWords, useTexts } from './i18n.ts';
+import { useTexts } from './i18n.ts';
+
+interface Words {
+  readonly title: string;
+  readonly lookFor: string;
+}
 
 /** The title of a scene or project and what to look for: its file's own words; of the examples the page has them in its other language too. */
-export function useSceneWords(source: string, own: { readonly title?: string; readonly lookFor?: string }): SceneWords {
-  const { language } = useTexts();
+export function useSceneWords(source: string, own: { readonly title?: string; readonly lookFor?: string }): Words {
+  const { example } = useTexts();
   const name = source
     .slice(source.lastIndexOf('/') + 1)
     .replace(/\.slowlight\.json$/, '')
     .replace(/\.\w+$/, '');
-  const translated = source.startsWith('examples/') ? exampleWordsOf(name, language) : undefined;
+  const translated = source.startsWith('examples/') ? example(name) : undefined;
   return translated ?? { title: own.title ?? name, lookFor: own.lookFor ?? '' };
 }
 
 /** The words of what is shown: the project's own, where it says what to look for, else those of its scene. */
-export function useOpenedWords(): SceneWords {
+export function useOpenedWords(): Words {
   const { origin, source, title, lookFor } = useStudioState(({ opened }) => opened);
   const hints = useStudioState(({ picture }) => picture?.scene.hints);
   const speaks = lookFor !== undefined || source === '';
