@@ -37,6 +37,7 @@ import { keyframesNode } from './motion/keyframes.ts';
 import { pathNode } from './motion/path.ts';
 import { spinNode } from './motion/spin.ts';
 import { uniformNode } from './motion/uniform.ts';
+import { antialiasing } from './render/antialiasing.ts';
 import { sceneCamera } from './render/camera.ts';
 import { depthOfField } from './render/depthOfField.ts';
 import { falseColour } from './render/falseColour.ts';
@@ -114,6 +115,7 @@ const types = [
   ambientOcclusion,
   postProcess,
   depthOfField,
+  antialiasing,
   mixColor,
   toneMap,
   falseColour,
