@@ -7,6 +7,7 @@ import { memorySource } from '../src/formats/source.ts';
 import { properVelocity } from '../src/physics/boost.ts';
 import { interleaved, median, timed } from './bench.ts';
 import type { CachePlayed, CacheTask } from './cache.ts';
+import { type ClothTask, fallingBy } from './dynamics.ts';
 import type { LoadTask } from './formats.ts';
 import { openRenderer, releaseGpu, SETTINGS } from './gpu.ts';
 import { ballScene } from './scenes.ts';
@@ -24,6 +25,7 @@ else if (task === 'three') await three(argument);
 else if (task === 'instances') await instances(argument);
 else if (task === 'cache') await playCache(JSON.parse(argument) as CacheTask);
 else if (task === 'memory') await memory(Number(argument));
+else if (task === 'dynamics') await clothMemory(JSON.parse(argument) as ClothTask);
 else throw new Error(`no task ${task}`);
 
 /** Subdivision surfaces are refined once. */
@@ -116,6 +118,15 @@ async function memory(samples: number): Promise<void> {
   console.log(JSON.stringify({ vertices, bytes: (await resident()) - before }));
   renderer.dispose();
   await releaseGpu();
+}
+
+/** Resident bytes of a cloth, its springs and a method's room for work. */
+async function clothMemory({ side, method }: ClothTask): Promise<void> {
+  const before = await resident();
+  const { fall } = fallingBy(method, side, 1, 1);
+  fall();
+  console.log(JSON.stringify({ bytes: (await resident()) - before }));
+  fall();
 }
 
 async function resident(): Promise<number> {

@@ -6,6 +6,7 @@ import { type Bench, markdown } from './bench.ts';
 import { bundle } from './bundle.ts';
 import { cache } from './cache.ts';
 import { cubic } from './cubic.ts';
+import { dynamics } from './dynamics.ts';
 import { effects } from './effects.ts';
 import { emission } from './emission.ts';
 import { formats } from './formats.ts';
@@ -32,6 +33,7 @@ const benches: readonly Bench[] = [
   instances,
   cache,
   reference,
+  dynamics,
   graph,
   graphPage,
   page,

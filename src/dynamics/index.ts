@@ -1,3 +1,4 @@
+export { Bookkeeper, type Books, booksCsv } from './books.ts';
 export { type Ledger, ledger } from './energy.ts';
 export { barrier, box, type Obstacle, plane } from './forces/barrier.ts';
 export { type Ball, ballContacts, CONTACT, type Contact, Penalty } from './forces/contact.ts';

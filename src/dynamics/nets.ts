@@ -25,94 +25,114 @@ const MOST_SPRINGS = 10_000_000;
  * faces of four: straight on) or over an edge between triangles. At rest they are as long as they are in x, times `tension`.
  */
 export function meshSprings(x: Float64Array, faces: Faces, stiffness: NetStiffness, tension = 1): Springs {
-  const net = new Net(x.length / 3);
-  const { structural, shear, bending } = stiffness;
-  const polygons = polygonsOf(faces, x.length / 3);
-  const edges = new Map<number, number[]>();
-  polygons.forEach((polygon, f) => {
-    polygon.forEach((a, k) => {
-      const key = net.key(a, polygon[(k + 1) % polygon.length]);
-      edges.set(key, [...(edges.get(key) ?? []), f]);
-    });
-  });
-  for (const key of edges.keys()) net.add(key, structural);
-  for (const polygon of polygons) for (const [a, b] of diagonals(polygon)) net.add(net.key(a, b), shear);
-  if (bending > 0)
-    for (const [key, sides] of edges)
-      if (sides.length === 2)
-        for (const [a, b] of across(
-          net.ends(key),
-          sides.map((f) => polygons[f]),
-        ))
-          net.add(net.key(a, b), bending);
+  const points = x.length / 3;
+  const sides = sidesOf(faces, points);
+  const order = sortedByEnds(sides.ends, points);
+  const net = new Net();
+  for (let k = 0, end = 0; k < order.length; k = end) {
+    end = endOfEqual(sides.ends, order, k);
+    net.add(sides.ends[2 * order[k]], sides.ends[2 * order[k] + 1], stiffness.structural);
+  }
+  addDiagonals(net, faces, stiffness.shear);
+  for (let k = 0, end = 0; k < order.length; k = end) {
+    end = endOfEqual(sides.ends, order, k);
+    if (end === k + 2) addBends(net, sides, faces.corners, order[k], order[k + 1], stiffness.bending);
+  }
   return net.springs(x, tension);
 }
 
-function polygonsOf({ counts, corners }: Faces, points: number): number[][] {
-  let at = 0;
-  return Array.from(counts, (count) => {
-    const polygon = Array.from({ length: count }, (_, k) => corners[at + k]);
-    at += count;
-    const odd = polygon.find((point) => !(point >= 0 && point < points));
-    if (odd !== undefined) throw new SystemError(`a face has point ${odd}, and there are ${points}`);
-    return polygon;
-  });
+/** Of each corner, the side from it to the next corner of its face. */
+interface Sides {
+  /** The lower and the higher point of each. */
+  readonly ends: Uint32Array;
+  /** The corners before and after each, round its face. */
+  readonly before: Uint32Array;
+  readonly after: Uint32Array;
+}
+
+function sidesOf({ counts, corners }: Faces, points: number): Sides {
+  const count = Array.prototype.reduce.call(counts, (sum, n) => (sum as number) + (n as number), 0) as number;
+  const [ends, before, after] = [new Uint32Array(2 * count), new Uint32Array(count), new Uint32Array(count)];
+  for (let f = 0, first = 0; f < counts.length; first += counts[f++])
+    for (let k = 0; k < counts[f]; k++) {
+      const corner = first + k;
+      const point = corners[corner];
+      if (!(point >= 0 && point < points)) throw new SystemError(`a face has point ${point}, and there are ${points}`);
+      after[corner] = first + ((k + 1) % counts[f]);
+      before[after[corner]] = corner;
+      const next = corners[after[corner]];
+      ends[2 * corner] = Math.min(point, next);
+      ends[2 * corner + 1] = Math.max(point, next);
+    }
+  return { ends, before, after };
 }
 
 /** Pairs of corners that no side joins. */
-function diagonals(polygon: readonly number[]): (readonly [number, number])[] {
-  const n = polygon.length;
-  return polygon.flatMap((a, i) =>
-    polygon.flatMap((b, j) => (j > i + 1 && !(i === 0 && j === n - 1) ? [[a, b] as const] : [])),
-  );
+function addDiagonals(net: Net, { counts, corners }: Faces, k: number): void {
+  for (let f = 0, first = 0; f < counts.length; first += counts[f++])
+    for (let i = 0; i < counts[f]; i++)
+      for (let j = i + 2; j < counts[f]; j++)
+        if (i > 0 || j < counts[f] - 1) net.add(corners[first + i], corners[first + j], k);
 }
 
-/** Of two faces with an edge between them: the pairs of corners, one of each face, that lie on both sides of an end of it. */
-function across(
-  [a, b]: readonly [number, number],
-  faces: readonly (readonly number[])[],
-): (readonly [number, number])[] {
-  const [one, other] = faces.map((polygon) => {
-    const beside = (of: number, not: number): number => {
-      const k = polygon.indexOf(of);
-      const [before, after] = [polygon[(k + polygon.length - 1) % polygon.length], polygon[(k + 1) % polygon.length]];
-      return before === not ? after : before;
-    };
-    return [beside(a, b), beside(b, a)];
+/** Of two faces with a side between them: the pairs of corners, one of each face, that lie beyond an end of it. */
+function addBends(net: Net, sides: Sides, corners: ArrayLike<number>, one: number, other: number, k: number): void {
+  const [a, b] = [one, other].map((side) => {
+    const [back, ahead] = [corners[sides.before[side]], corners[sides.after[sides.after[side]]]];
+    return corners[side] === sides.ends[2 * side] ? [back, ahead] : [ahead, back];
   });
-  return [
-    [one[0], other[0]],
-    [one[1], other[1]],
-  ];
+  net.add(a[0], b[0], k);
+  net.add(a[1], b[1], k);
 }
 
 /** Springs by their ends: the first that joins two points counts. */
 class Net {
-  private readonly points: number;
-  private readonly stiffness = new Map<number, number>();
+  /** The lower and the higher end of each. */
+  private readonly ends: number[] = [];
+  private readonly stiffness: number[] = [];
 
-  constructor(points: number) {
-    this.points = points;
-  }
-
-  key = (a: number, b: number): number => Math.min(a, b) * this.points + Math.max(a, b);
-  ends = (key: number): readonly [number, number] => [Math.floor(key / this.points), key % this.points];
-
-  add(key: number, k: number): void {
-    const [a, b] = this.ends(key);
-    if (!(k > 0) || a === b || this.stiffness.has(key)) return;
-    this.stiffness.set(key, k);
-    if (this.stiffness.size > MOST_SPRINGS)
+  add(a: number, b: number, k: number): void {
+    if (!(k > 0) || a === b) return;
+    if (this.stiffness.length === MOST_SPRINGS)
       throw new SystemError(`the mesh makes more than ${MOST_SPRINGS} springs; take a coarser one`);
+    this.ends.push(Math.min(a, b), Math.max(a, b));
+    this.stiffness.push(k);
   }
 
   springs(x: Float64Array, tension: number): Springs {
-    const keys = [...this.stiffness.keys()].sort((a, b) => a - b);
-    const ends = Uint32Array.from(keys.flatMap((key) => this.ends(key)));
-    const lengths = Float64Array.from(keys, (key) => {
-      const [a, b] = this.ends(key);
-      return tension * Math.hypot(x[3 * a] - x[3 * b], x[3 * a + 1] - x[3 * b + 1], x[3 * a + 2] - x[3 * b + 2]);
+    const all = sortedByEnds(this.ends, x.length / 3);
+    const order = all.filter((s, k) => k === 0 || !equalEnds(this.ends, all[k - 1], s));
+    const ends = new Uint32Array(2 * order.length);
+    const lengths = new Float64Array(order.length);
+    order.forEach((s, k) => {
+      const [a, b] = [this.ends[2 * s], this.ends[2 * s + 1]];
+      ends.set([a, b], 2 * k);
+      lengths[k] = tension * Math.hypot(x[3 * a] - x[3 * b], x[3 * a + 1] - x[3 * b + 1], x[3 * a + 2] - x[3 * b + 2]);
     });
-    return { ends, stiffness: Float64Array.from(keys, (key) => this.stiffness.get(key)!), lengths };
+    return { ends, stiffness: Float64Array.from(order, (s) => this.stiffness[s]), lengths };
   }
+}
+
+/** The order of pairs by their first ends, and of those by their second; pairs that are equal stay in theirs. By counting, so that the time grows like their number. */
+function sortedByEnds(ends: ArrayLike<number>, points: number): Uint32Array {
+  let order = Uint32Array.from({ length: ends.length / 2 }, (_, s) => s);
+  for (const end of [1, 0]) {
+    const from = new Uint32Array(points + 1);
+    for (const s of order) from[ends[2 * s + end] + 1]++;
+    for (let i = 0; i < points; i++) from[i + 1] += from[i];
+    const next = new Uint32Array(order.length);
+    for (const s of order) next[from[ends[2 * s + end]]++] = s;
+    order = next;
+  }
+  return order;
+}
+
+const equalEnds = (ends: ArrayLike<number>, s: number, t: number): boolean =>
+  ends[2 * s] === ends[2 * t] && ends[2 * s + 1] === ends[2 * t + 1];
+
+/** Where the pairs end that are equal to the k-th. */
+function endOfEqual(ends: ArrayLike<number>, order: Uint32Array, k: number): number {
+  let end = k + 1;
+  while (end < order.length && equalEnds(ends, order[k], order[end])) end++;
+  return end;
 }

@@ -2,16 +2,20 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { uniform as between } from '../../tests/physicsArbitraries.ts';
 import { random } from '../math/random.ts';
-import { Penalty } from './forces/contact.ts';
+import { AdaptiveSteps } from './adaptive.ts';
+import { barrier, box } from './forces/barrier.ts';
+import { ballContacts, Penalty } from './forces/contact.ts';
+import { coulomb } from './forces/coulomb.ts';
 import { NearPairs } from './forces/near.ts';
 import { Pairs } from './forces/pairs.ts';
 import { springs } from './forces/springs.ts';
 import { uniform } from './forces/uniform.ts';
 import { METHODS } from './methods/library.ts';
+import { Mover } from './mover.ts';
 import { meshSprings } from './nets.ts';
 import { type Frame, type Order, run, type Stop, stepsOf } from './run.ts';
 import { fastestOscillation } from './stability.ts';
-import { makeSystem, restingAt, type System, SystemError } from './system.ts';
+import { copyOf, makeSystem, momenta, restingAt, type System, SystemError, velocities } from './system.ts';
 
 /** n × n points of a cloth of a metre, in the plane y = 0, by quads. */
 function cloth(n: number) {
@@ -160,14 +164,27 @@ describe('a run', () => {
     expect(frames[2].state.p[0]).toBeCloseTo(5 * Math.exp(-1.4), 12);
   });
 
-  it('stops with its last good state where the method of the sources explodes, and says why', () => {
-    const order = { ...hanging(8, 10), method: method('semi-implicit-euler-0'), duration: 5, every: 0.02, step: 0.01 };
+  it('stops with its last good state where steps are above the stability bound, and names the bound', () => {
+    const order = { ...hanging(8, 10), method: method('leapfrog'), duration: 5, every: 0.02, step: 0.01 };
     expect(stepsOf(order).stable).toBe(false);
     const { frames, stop } = whole(order);
-    expect(stop?.reason).toBe('light');
-    expect(stop?.message).toMatch(/^point \d+ goes at .* m\/s, not below c = 10 m\/s; take a smaller step$/);
-    expect(frames.at(-1)!.state.x.every(Number.isFinite)).toBe(true);
+    expect(stop?.reason).toBe('unstable');
+    expect(stop?.message).toContain('steps of 0.0100 s are longer than leapfrog can take here, ');
+    const energies = frames.map(({ ledger }) => ledger);
+    expect(energies.every(({ total, kinetic }) => total - energies[0].total <= 0.5 * kinetic)).toBe(true);
     expect(frames.length).toBeLessThan(250);
+  });
+
+  it('stops where a method of the sources passes c, and says what did', () => {
+    const tight = springs({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(100), lengths: Float64Array.of(0) });
+    const system = makeSystem({ masses: Float64Array.of(1, 1), c: 1, forces: [tight] });
+    const start = restingAt(Float64Array.of(0, 0, 0, 1, 0, 0));
+    const order = { system, start, method: method('semi-implicit-euler-0'), duration: 1, every: 0.1, step: 0.05 };
+    expect(stepsOf(order).stable).toBe(true);
+    const { frames, stop } = whole(order);
+    expect(stop).toMatchObject({ reason: 'light', t: 0 });
+    expect(stop?.message).toMatch(/^point \d+ goes at .* m\/s, not below c = 1 m\/s; take a smaller step$/);
+    expect(frames).toHaveLength(1);
   });
 
   it('takes a tenth of the longest stable step where nobody says how long', () => {
@@ -186,3 +203,156 @@ describe('a run', () => {
     expect(() => makeSystem(given)).toThrow(message);
   });
 });
+
+describe('what is solid', () => {
+  /** A kilogram that flies at a fixed ball of 0.5 m, and reaches 0.55 m by 1.1 times its size. */
+  const thrown = (speed: number, stiffness: number, step: number): Order => {
+    const masses = Float64Array.of(1, 1);
+    const pinned = Uint8Array.of(1, 0);
+    const contacts = ballContacts([{ point: 0, radius: 0.5 }], [1], { stiffness, scale: 1.1 });
+    const system = makeSystem({ masses, pinned, c: 100, forces: [contacts] });
+    const p = momenta(system, [0, 0, 0, speed, 0, 0]);
+    const start = { t: 0, x: Float64Array.of(0, 0, 0, -2, 0.01, 0), p };
+    return { system, start, method: method('leapfrog'), duration: 1, every: 0.1, step };
+  };
+
+  it('throws back what is slow, or what it is hard for', () => {
+    const { frames, stop } = whole(thrown(5, 10_000, 1e-3));
+    expect(stop).toBeUndefined();
+    expect(frames.at(-1)!.state.p[3]).toBeLessThan(0);
+  });
+
+  it.each([
+    ['in one step', 50, 10_000, 0.05],
+    ['in many steps, for it gives way', 5, 10, 1e-3],
+  ])('stops the run where something goes through it %s', (_, speed, stiffness, step) => {
+    const { frames, stop } = whole(thrown(speed, stiffness, step));
+    expect(stop).toMatchObject({ reason: 'pierced', point: 1 });
+    expect(stop?.message).toMatch(/^point 1 went through what is solid, to \(.+\) m; take a smaller step/);
+    // ½K·0.55² = 1.5 J are less than ½·25: it arrives within half of the reach after 1.7 m at 5 m/s, or somewhat later.
+    expect(stop!.t).toBeGreaterThan(1.725 / speed);
+    expect(stop!.t).toBeLessThan(2.2 / speed + step);
+    expect(frames.at(-1)!.state.t).toBeLessThanOrEqual(stop!.t + 1e-9);
+    expect(frames.at(-1)!.state.x[3]).toBeLessThan(0);
+  });
+
+  it('is a box too, but not what passes beside it', () => {
+    const system = makeSystem({
+      masses: Float64Array.of(1, 1),
+      c: 100,
+      forces: [barrier(box([0, 0, 0], [1, 1, 1]), [0, 1], 10_000, 0.05)],
+    });
+    const p = momenta(system, [0, 50, 0, 0, 50, 0]);
+    const order = { system, method: method('leapfrog'), duration: 1, every: 0.1, step: 0.05 };
+    const beside = { t: 0, x: Float64Array.of(0.6, -1.2, 0, 0, -9, 0), p };
+    expect(whole({ ...order, start: beside, duration: 0.1 }).stop).toBeUndefined();
+    const through = { t: 0, x: Float64Array.of(0.6, -1.2, 0, 0, -1.2, 0), p };
+    expect(whole({ ...order, start: through }).stop).toMatchObject({ reason: 'pierced', point: 1, t: 0.05 });
+  });
+});
+
+describe('steps that adapt', () => {
+  /** Two charges that attract each other pass; the smaller `aside` [m], the nearer. */
+  const flyBy = (c: number, strength: number, aside: number): Pick<Order, 'system' | 'start'> => {
+    const forces = [coulomb(Float64Array.of(1, -1), strength)];
+    const system = makeSystem({ masses: Float64Array.of(1, 1), c, forces });
+    const p = momenta(system, [0.5, 0, 0, -0.5, 0, 0]);
+    return { system, start: { t: 0, x: Float64Array.of(-4, aside, 0, 4, -aside, 0), p } };
+  };
+  /** Angle between the first way and the last. */
+  const turned = ({ state }: Frame): number => Math.atan2(state.p[1], state.p[0]);
+
+  it('turn a fly-by as Rutherford says, where as many equal steps fail', () => {
+    const order = { ...flyBy(Number.POSITIVE_INFINITY, 1, 0.05), method: method('yoshida-4'), duration: 8, every: 8 };
+    const { frames, stop } = whole({ ...order, tolerance: 1e-5 });
+    expect(stop).toBeUndefined();
+    const end = hyperbola(order.start.x, order.start.p, frames[1].state);
+    expect(end.off).toBeLessThan(1e-3);
+    const equal = whole({ ...order, step: 8 / frames[1].steps });
+    const blind = hyperbola(order.start.x, order.start.p, equal.frames[1].state);
+    expect(blind.off).toBeGreaterThan(30 * end.off);
+    expect(Math.abs(turned(frames[1]))).toBeGreaterThan(1);
+  });
+
+  it.each([
+    ['leapfrog', 1],
+    ['yoshida-4', 1],
+    ['discrete-gradient', 1],
+    ['implicit-midpoint', 2],
+  ])('keep what they promise of %s: each second’s steps err by no more than the tolerance', (id, c) => {
+    const { system, start } = flyBy(c, 0.3, 0.3);
+    const tolerance = 1e-4;
+    const mover = new Mover(system, method(id));
+    const adaptive = new AdaptiveSteps(mover, system, { order: method(id).order, tolerance, longest: 1 });
+    const state = copyOf(start);
+    const exact = METHODS.get('yoshida-8')!.begin(system);
+    const v = [new Float64Array(6), new Float64Array(6)];
+    // In so short a time the fly-by makes little of errors that were there before.
+    for (let k = 0; k < 320; k++) {
+      const before = copyOf(state);
+      adaptive.advance(state, 0.05);
+      for (let i = 0; i < 1000; i++) exact.step(before, 0.05 / 1000);
+      velocities(system, state.p, v[0]);
+      velocities(system, before.p, v[1]);
+      for (const [a, b] of [[state.x, before.x], v] as const)
+        for (let j = 0; j < 6; j += 3)
+          expect(Math.hypot(a[j] - b[j], a[j + 1] - b[j + 1], a[j + 2] - b[j + 2])).toBeLessThan(
+            SLACK * 0.05 * tolerance,
+          );
+    }
+  });
+
+  it('stay below the stability bound, and go on from any frame as if they had never stopped', () => {
+    const order = { ...hanging(6, 10), method: method('leapfrog'), duration: 0.3, every: 0.05, tolerance: 10 };
+    const omega = fastestOscillation(order.system);
+    expect(stepsOf(order).h * omega).toBeLessThan(2);
+    const { frames, stop } = whole(order);
+    expect(stop).toBeUndefined();
+    const steps = frames.map(({ steps: each }) => each);
+    for (let k = 1; k < frames.length; k++) expect(steps[k] - steps[k - 1]).toBeGreaterThanOrEqual((0.05 * omega) / 2);
+    const again = whole({ ...order, start: frames[3].state, duration: 0.15 });
+    expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
+  });
+
+  it('say where no step is short enough', () => {
+    const { stop } = whole({
+      ...flyBy(1, 0.3, 0.3),
+      method: method('leapfrog'),
+      duration: 1,
+      every: 1,
+      tolerance: 1e-300,
+    });
+    expect(stop?.reason).toBe('tolerance');
+  });
+});
+
+/** Of bounds that hold for small steps. */
+const SLACK = 2;
+
+/**
+ * How far two bodies' first one is from Kepler's hyperbola after their time, over its distance: r = p/(1 + e cos θ) with reduced mass ½ and strength 1. Its orbit follows from energy and angular
+ * momentum; where it is there, from Kepler's equation M = e sinh F − F.
+ */
+function hyperbola(x: Float64Array, p: Float64Array, end: { t: number; x: Float64Array }): { readonly off: number } {
+  const [rx, ry] = [x[3] - x[0], x[4] - x[1]];
+  const [vx, vy] = [p[3] - p[0], p[4] - p[1]];
+  // r̈ = −μ r/r³ with μ = 1/m_red = 2.
+  const mu = 2;
+  const r = Math.hypot(rx, ry);
+  const energy = (vx * vx + vy * vy) / 2 - mu / r;
+  const a = mu / (2 * energy);
+  const spin = rx * vy - ry * vx;
+  const [ex, ey] = [(vy * spin) / mu - rx / r, (-vx * spin) / mu - ry / r];
+  const e = Math.hypot(ex, ey);
+  const n = Math.sqrt(mu / a ** 3);
+  const F0 = Math.asinh((rx * vx + ry * vy) / Math.sqrt(mu * a) / e);
+  const M = e * Math.sinh(F0) - F0 + n * end.t;
+  let F = Math.asinh(M / e);
+  for (let k = 0; k < 60; k++) F -= (e * Math.sinh(F) - F - M) / (e * Math.cosh(F) - 1);
+  const along = a * (e - Math.cosh(F));
+  const across = Math.sign(spin) * a * Math.sqrt(e * e - 1) * Math.sinh(F);
+  const [ux, uy] = [ex / e, ey / e];
+  const [wx, wy] = [along * ux - across * uy, along * uy + across * ux];
+  const [fx, fy] = [end.x[3] - end.x[0], end.x[4] - end.x[1]];
+  return { off: Math.hypot(fx - wx, fy - wy) / Math.hypot(wx, wy) };
+}

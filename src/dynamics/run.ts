@@ -1,7 +1,9 @@
+import { AdaptiveSteps } from './adaptive.ts';
 import { type Ledger, ledger } from './energy.ts';
-import { type Failure, type Method, StepFailure, type Stepper } from './methods/method.ts';
+import { type Failure, type Method, StepFailure } from './methods/method.ts';
+import { Mover, refuseInfinite } from './mover.ts';
 import { fastestOscillation } from './stability.ts';
-import { assign, copyOf, type State, type System } from './system.ts';
+import { copyOf, type State, type System } from './system.ts';
 
 /** What is to be computed. */
 export interface Order {
@@ -15,6 +17,11 @@ export interface Order {
   readonly every: number;
   /** The longest step [s]; absent: a tenth of what an explicit method can take at most. A whole number of equal steps goes into `every`. */
   readonly step?: number;
+  /**
+   * Steps follow what they get wrong: of each second, the errors of all steps add up to no more than this, in the place of any point [m] and in its velocity [m/s] (adaptive.ts). `step` is then
+   * the longest; absent: a frame, or what an explicit method can take.
+   */
+  readonly tolerance?: number;
 }
 
 /** What a run gives, from time to time. */
@@ -31,29 +38,42 @@ export interface Stop {
   /** [s] */
   readonly t: number;
   readonly message: string;
+  /** That it happened to, where it is one. */
+  readonly point?: number;
 }
 
 /** Share of 2/ω that steps take where nobody says how long they are to be. */
 const CAREFUL = 0.1;
+/** Share of 2/ω that steps which follow their error take at most, where 2/ω bounds them. */
+const BOUNDED = 0.9;
 /** Where nothing swings, and nobody says how long steps are to be, so many go into a frame. */
 const FREE_STEPS = 10;
 const MOST_STEPS = 1e9;
+/** What may be gained of the energy where steps are longer than the stability bound, over the kinetic energy: more is not a swing. */
+const SWING = 0.5;
 
 export interface Steps {
-  /** [s] */
+  /** The longest that there are [s]. */
   readonly h: number;
+  /** So many, or more where they adapt. */
   readonly perFrame: number;
   /** Whether h < 2/ω, where the method asks for that: else what is small may grow in every step. */
   readonly stable: boolean;
 }
 
 /** The steps that an order is computed with. */
-export function stepsOf({ system, method, every, step }: Order): Steps {
+export function stepsOf(order: Order): Steps {
+  const { system, method, every } = order;
   const omega = fastestOscillation(system);
-  const careful = omega > 0 ? (CAREFUL * 2) / omega : every / FREE_STEPS;
-  const perFrame = Math.max(1, Math.ceil(every / (step ?? careful) - 1e-9));
+  const perFrame = Math.max(1, Math.ceil(every / longest(order, omega) - 1e-9));
   const h = every / perFrame;
   return { h, perFrame, stable: !method.bounded || h * omega < 2 };
+}
+
+function longest({ method, every, step, tolerance }: Order, omega: number): number {
+  if (tolerance === undefined) return step ?? (omega > 0 ? (CAREFUL * 2) / omega : every / FREE_STEPS);
+  const bound = method.bounded && omega > 0 ? (BOUNDED * 2) / omega : every;
+  return Math.min(step ?? every, bound);
 }
 
 /**
@@ -61,48 +81,53 @@ export function stepsOf({ system, method, every, step }: Order): Steps {
  * it goes on, so that it can be cancelled, and taken up again from any frame's state.
  */
 export function* run(order: Order): Generator<Frame, Stop | undefined> {
-  const { system, start, method, duration, every } = order;
-  const { h, perFrame } = stepsOf(order);
+  const { system, start, duration, every } = order;
+  const taken = stepsOf(order);
   const frames = Math.round(duration / every);
-  if (!(frames * perFrame <= MOST_STEPS)) throw new RangeError(`${frames * perFrame} steps are too many`);
-  const stepper = method.begin(system);
+  if (!(frames * taken.perFrame <= MOST_STEPS)) throw new RangeError(`${frames * taken.perFrame} steps are too many`);
+  const advance = advancer(order, taken);
   const state = copyOf(start);
-  yield { state: copyOf(state), ledger: ledger(system, state), steps: 0 };
+  const first = ledger(system, state);
+  let [now, steps] = [first, 0];
+  yield { state: copyOf(state), ledger: now, steps };
   for (let frame = 1; frame <= frames; frame++) {
-    const before = copyOf(state);
     try {
-      for (let i = 0; i < perFrame; i++) stepWithDrag(stepper, system, state, h);
-      // Sums of many steps drift away from what a clock shows.
-      state.t = start.t + frame * every;
+      steps += advance(state);
       refuseInfinite(state);
+      now = ledger(system, state);
+      refuseGrowth(order, taken, first, now);
     } catch (error) {
       if (!(error instanceof StepFailure)) throw error;
-      const t = state.t;
-      assign(state, before);
-      return { reason: error.reason, t, message: error.message };
+      return { reason: error.reason, t: state.t, message: error.message, ...pointOf(error) };
     }
-    yield { state: copyOf(state), ledger: ledger(system, state), steps: frame * perFrame };
+    // Sums of many steps drift away from what a clock shows.
+    state.t = start.t + frame * every;
+    yield { state: copyOf(state), ledger: now, steps };
   }
   return undefined;
 }
 
-/** Air before and after, half of it each, so that a step stays the same when it is run backwards. */
-function stepWithDrag(stepper: Stepper, { drag }: System, state: State, h: number): void {
-  slowDown(state, (drag * h) / 2);
-  stepper.step(state, h);
-  slowDown(state, (drag * h) / 2);
-}
+const pointOf = ({ point }: StepFailure): { readonly point?: number } => (point === undefined ? {} : { point });
 
-function slowDown({ p }: State, much: number): void {
-  if (much === 0) return;
-  const share = Math.exp(-much);
-  for (let j = 0; j < p.length; j++) p[j] *= share;
-}
-
-function refuseInfinite({ x, p }: State): void {
-  const odd = x.findIndex((value, j) => !Number.isFinite(value) || !Number.isFinite(p[j]));
-  if (odd >= 0) {
-    const point = Math.floor(odd / 3);
-    throw new StepFailure('infinite', `point ${point} has no place any more; take a smaller step`, point);
+/** Takes a state one frame further, and tells in how many steps. */
+function advancer(order: Order, { h, perFrame }: Steps): (state: State) => number {
+  const { system, method, every, tolerance } = order;
+  const mover = new Mover(system, method);
+  if (tolerance !== undefined) {
+    const adaptive = new AdaptiveSteps(mover, system, { order: method.order, tolerance, longest: h });
+    return (state) => adaptive.advance(state, every);
   }
+  return (state) => {
+    for (let i = 0; i < perFrame; i++) mover.step(state, h);
+    return perFrame;
+  };
+}
+
+/** Where steps are longer than the stability bound, energy that comes from nowhere is the end. */
+function refuseGrowth(order: Order, { h, stable }: Steps, first: Ledger, now: Ledger): void {
+  if (stable || now.total - first.total <= SWING * now.kinetic) return;
+  const bound = (2 / fastestOscillation(order.system)).toPrecision(3);
+  const gain = (now.total - first.total).toPrecision(3);
+  const message = `the energy has grown by ${gain} J: steps of ${h.toPrecision(3)} s are longer than ${order.method.id} can take here, ${bound} s; take shorter ones`;
+  throw new StepFailure('unstable', message);
 }

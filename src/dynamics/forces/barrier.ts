@@ -29,6 +29,9 @@ export function box(middle: Vec3, size: Vec3): Obstacle {
   };
 }
 
+/** A third is cut off so often. */
+const SEARCH = 40;
+
 /**
  * Pushes points out of an obstacle: V = Σ ½K(margin − d)² of those whose distance d is below the margin. `K` [N/m], `margin` [m]. Its discrete gradient is Gonzalez's:
  * the gradient halfway, and along the way what is missing of V₁ − V₀.
@@ -62,7 +65,24 @@ export function barrier(obstacle: Obstacle, points: readonly number[], K: number
     addRigidity(bound) {
       for (const i of points) bound[i] += K;
     },
+    pierced: (x0, x1) => points.find((i) => wentThrough(obstacle, at(x0, i), at(x1, i))),
   };
+}
+
+/** Whether the way out is the opposite one at the other end of a straight way that leads through the inside. */
+function wentThrough(obstacle: Obstacle, from: Vec3, to: Vec3): boolean {
+  if (dot(obstacle.outside(from)[1], obstacle.outside(to)[1]) >= 0) return false;
+  const way = sub(to, from);
+  const outside = (share: number): number => obstacle.outside(addScaled(from, way, share))[0];
+  // What is solid is convex, and so is the distance from it along a straight way.
+  let [a, b] = [0, 1];
+  for (let k = 0; k < SEARCH; k++) {
+    const [p, q] = [a + (b - a) / 3, b - (b - a) / 3];
+    if (Math.min(outside(p), outside(q)) < 0) return true;
+    if (outside(p) < outside(q)) b = q;
+    else a = p;
+  }
+  return false;
 }
 
 const at = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
@@ -93,6 +113,6 @@ class BarrierStiffness implements Stiffness {
   }
 
   addBlocks(blocks: Float64Array): void {
-    for (const { point, out, K } of this.pressed) addBlock(blocks, point, 0, K, out);
+    for (const { point, out, K } of this.pressed) addBlock(blocks, point, 0, K, ...out);
   }
 }

@@ -33,6 +33,8 @@ export class Penalty implements PairLaw {
   }
 
   rigidity = (): number => this.K;
+
+  solid = (pair: number): number => this.reach(pair);
 }
 
 /** A rigid ball: a point of the system, which may be pinned, with a radius. */

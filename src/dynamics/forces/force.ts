@@ -9,9 +9,12 @@ export interface Force {
    * Source: Gonzalez 1996, J. Nonlinear Sci. 6, 449; Hairer, Lubich, Wanner, "Geometric Numerical Integration", §V.5.
    */
   addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void;
-  stiffness(x: Float64Array, form: StiffnessForm): Stiffness;
+  /** `spent`: one from before that is needed no more, whose room may be taken. */
+  stiffness(x: Float64Array, form: StiffnessForm, spent?: Stiffness): Stiffness;
   /** bound_i += what bounds Σ_j |∂²V/∂x_i∂x_j| wherever the points are, of V's parts that pull back [N/m]. */
   addRigidity(bound: Float64Array): void;
+  /** Of what is solid: a point that went through it on its way from x₀ to x₁ within a step, so that it is pushed out on the wrong side from now on. */
+  pierced?(x0: Float64Array, x1: Float64Array): number | undefined;
 }
 
 /**
@@ -28,10 +31,17 @@ export interface Stiffness {
   addBlocks(blocks: Float64Array): void;
 }
 
-/** Adds s·(a I + b n nᵀ) to the block of a point. */
-export function addBlock(blocks: Float64Array, point: number, a: number, b: number, n: Direction): void {
+/** Adds a I + b n nᵀ, n = (x, y, z), to the block of a point. */
+export function addBlock(
+  blocks: Float64Array,
+  point: number,
+  a: number,
+  b: number,
+  x: number,
+  y: number,
+  z: number,
+): void {
   const k = 6 * point;
-  const [x, y, z] = n;
   blocks[k] += a + b * x * x;
   blocks[k + 1] += b * x * y;
   blocks[k + 2] += b * x * z;
@@ -39,5 +49,3 @@ export function addBlock(blocks: Float64Array, point: number, a: number, b: numb
   blocks[k + 4] += b * y * z;
   blocks[k + 5] += a + b * z * z;
 }
-
-type Direction = readonly [number, number, number];

@@ -1,3 +1,4 @@
+import { addScaled, dot, length, sub, type Vec3 } from '../../math/vec3.ts';
 import { addBlock, type Force, type Stiffness, type StiffnessForm } from './force.ts';
 
 /** A potential φ of the distance of two points. */
@@ -12,6 +13,8 @@ export interface PairLaw {
   quotient(r0: number, r1: number, pair: number): number;
   /** The most that φ″ and φ′/r are above 0 [N/m]. */
   rigidity(pair: number): number;
+  /** Where one end is solid: what comes nearer than this touches it [m]. */
+  solid?(pair: number): number;
 }
 
 /**
@@ -81,6 +84,20 @@ export class Pairs implements Force {
     return [k, k];
   }
 
+  /** The second end of a pair whose ends came nearer than half of where they touch, or passed each other within touch: from before to behind the middle. */
+  pierced(x0: Float64Array, x1: Float64Array): number | undefined {
+    const { ends, law } = this;
+    if (!law.solid) return undefined;
+    for (let s = 0; 2 * s < ends.length; s++) {
+      const i = 3 * ends[2 * s];
+      const j = 3 * ends[2 * s + 1];
+      const touch = law.solid(s);
+      const passed = product(x0, x1, i, j) < 0 && nearest(x0, x1, i, j) < touch;
+      if (passed || product(x1, x1, i, j) < (touch * touch) / 4) return ends[2 * s + 1];
+    }
+    return undefined;
+  }
+
   addRigidity(bound: Float64Array): void {
     const { ends, law } = this;
     for (let s = 0; 2 * s < ends.length; s++) {
@@ -96,13 +113,30 @@ function between(x: Float64Array, i: number, j: number): number {
   return Math.sqrt(dx * dx + dy * dy + dz * dz);
 }
 
+/** d₀·d₁ */
+const product = (x0: Float64Array, x1: Float64Array, i: number, j: number): number =>
+  (x0[i] - x0[j]) * (x1[i] - x1[j]) +
+  (x0[i + 1] - x0[j + 1]) * (x1[i + 1] - x1[j + 1]) +
+  (x0[i + 2] - x0[j + 2]) * (x1[i + 2] - x1[j + 2]);
+
+/** How near two points come that go straight on from x₀ to x₁ and pass each other. */
+function nearest(x0: Float64Array, x1: Float64Array, i: number, j: number): number {
+  const from: Vec3 = [x0[i] - x0[j], x0[i + 1] - x0[j + 1], x0[i + 2] - x0[j + 2]];
+  const way = sub([x1[i] - x1[j], x1[i + 1] - x1[j + 1], x1[i + 2] - x1[j + 2]], from);
+  return length(addScaled(from, way, -dot(from, way) / dot(way, way)));
+}
+
 /** sum −= ±k(d₀ + d₁) */
 function push(sum: Float64Array, i: number, j: number, x0: Float64Array, x1: Float64Array, k: number): void {
-  for (let axis = 0; axis < 3; axis++) {
-    const f = k * (x0[i + axis] - x0[j + axis] + (x1[i + axis] - x1[j + axis]));
-    sum[i + axis] -= f;
-    sum[j + axis] += f;
-  }
+  const fx = k * (x0[i] - x0[j] + (x1[i] - x1[j]));
+  const fy = k * (x0[i + 1] - x0[j + 1] + (x1[i + 1] - x1[j + 1]));
+  const fz = k * (x0[i + 2] - x0[j + 2] + (x1[i + 2] - x1[j + 2]));
+  sum[i] -= fx;
+  sum[i + 1] -= fy;
+  sum[i + 2] -= fz;
+  sum[j] += fx;
+  sum[j + 1] += fy;
+  sum[j + 2] += fz;
 }
 
 class PairStiffness implements Stiffness {
@@ -135,9 +169,8 @@ class PairStiffness implements Stiffness {
   addBlocks(blocks: Float64Array): void {
     const { ends, known } = this;
     for (let s = 0, k = 0; 2 * s < ends.length; s++, k += 5) {
-      const n = [known[k + 2], known[k + 3], known[k + 4]] as const;
-      addBlock(blocks, ends[2 * s], known[k], known[k + 1], n);
-      addBlock(blocks, ends[2 * s + 1], known[k], known[k + 1], n);
+      for (const end of [ends[2 * s], ends[2 * s + 1]])
+        addBlock(blocks, end, known[k], known[k + 1], known[k + 2], known[k + 3], known[k + 4]);
     }
   }
 }

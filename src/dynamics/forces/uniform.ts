@@ -2,15 +2,19 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { Force, Stiffness } from './force.ts';
 
 /** The same force everywhere, times what a point has of it: V = −Σ a_i f·x_i. Weight: a = m, f = g [m/s²]; an electric field: a = q, f = E [V/m]. */
-export function uniform(amounts: Float64Array, f: Vec3): Force {
+export function uniform(amounts: Float64Array, [fx, fy, fz]: Vec3): Force {
   const add = (sum: Float64Array): void => {
-    for (let i = 0; i < amounts.length; i++) for (let k = 0; k < 3; k++) sum[3 * i + k] += amounts[i] * f[k];
+    for (let i = 0, j = 0; i < amounts.length; i++, j += 3) {
+      sum[j] += amounts[i] * fx;
+      sum[j + 1] += amounts[i] * fy;
+      sum[j + 2] += amounts[i] * fz;
+    }
   };
   return {
     energy(x) {
       let sum = 0;
-      for (let i = 0; i < amounts.length; i++)
-        sum -= amounts[i] * (f[0] * x[3 * i] + f[1] * x[3 * i + 1] + f[2] * x[3 * i + 2]);
+      for (let i = 0, j = 0; i < amounts.length; i++, j += 3)
+        sum -= amounts[i] * (fx * x[j] + fy * x[j + 1] + fz * x[j + 2]);
       return sum;
     },
     add: (_, sum) => add(sum),

@@ -41,16 +41,19 @@ export class ConjugateGradients {
     A.precondition(r, z);
     d.set(z);
     let rz = inner(r, z);
+    let rr = inner(r, r);
     const enough = tolerance * tolerance * inner(b, b);
     for (let iterations = 0; iterations < most; iterations++) {
-      if (inner(r, r) <= enough) return { iterations, converged: true, indefinite: false };
+      if (rr <= enough) return { iterations, converged: true, indefinite: false };
       A.multiply(d, Ad);
       const dAd = inner(d, Ad);
       if (!(dAd > 0)) return { iterations, converged: false, indefinite: true };
       const alpha = rz / dAd;
+      rr = 0;
       for (let i = 0; i < r.length; i++) {
         x[i] += alpha * d[i];
         r[i] -= alpha * Ad[i];
+        rr += r[i] * r[i];
       }
       A.precondition(r, z);
       const next = inner(r, z);
@@ -58,6 +61,6 @@ export class ConjugateGradients {
       rz = next;
       for (let i = 0; i < r.length; i++) d[i] = z[i] + beta * d[i];
     }
-    return { iterations: most, converged: inner(r, r) <= enough, indefinite: false };
+    return { iterations: most, converged: rr <= enough, indefinite: false };
   }
 }

@@ -28,7 +28,9 @@ function matrix(seed: number, form: 'exact' | 'safe' | 'isotropic', size = 2): S
   const next = random(seed + 1);
   const weights = Float64Array.from({ length: N }, () => 0.5 + next());
   const u = Float64Array.from({ length: 3 * N }, () => 2 * next() - 1);
-  return new StepMatrix(Uint8Array.of(0, 1, 0, 0, 0, 0), [net(seed, form, size)], 1, weights, u);
+  const A = new StepMatrix(Uint8Array.of(0, 1, 0, 0, 0, 0));
+  A.set([net(seed, form, size)], weights, u);
+  return A;
 }
 
 const column = (A: StepMatrix, j: number): Float64Array => {
@@ -83,21 +85,30 @@ describe('conjugate gradients', () => {
 });
 
 describe('Anderson’s mixing', () => {
-  it('finds the end of a linear row in as many rounds as there are unknowns, also where the row itself runs away', () => {
-    // x → Bx + b with eigenvalues 0.9, −1.4 and 0.3: its end is (1 − B)⁻¹ b.
-    const [B, b] = [
-      [0.9, -1.4, 0.3],
-      [1, 2, 3],
-    ];
-    const x = Float64Array.of(0, 0, 0);
-    const mixing = new Anderson();
-    for (let round = 0; round < 5; round++)
+  it('finds the end of a row in three rounds where all goes one way, also where the row itself runs away', () => {
+    const x = Float64Array.of(1, 2, 3);
+    const mixing = new Anderson(3);
+    const end = [5, -1, 2];
+    for (let round = 0; round < 3; round++)
       mixing.next(
         x,
-        Float64Array.from(x, (value, k) => B[k] * value + b[k] - value),
+        x.map((value, k) => -2.4 * (value - end[k])),
       );
     x.forEach((value, k) => {
-      expect(value).toBeCloseTo(b[k] / (1 - B[k]), 8);
+      expect(value).toBeCloseTo(end[k], 12);
     });
+  });
+
+  it('comes nearer in each round than the row itself, whose errors shrink at different rates', () => {
+    // x → Bx has its end in 0.
+    const B = [-0.25, -0.1, 0, -0.2];
+    const mixing = new Anderson(4);
+    const x = Float64Array.of(1, 1, 1, 1);
+    for (let round = 0; round < 12; round++)
+      mixing.next(
+        x,
+        x.map((value, k) => B[k] * value - value),
+      );
+    expect(Math.hypot(...x)).toBeLessThan(1e-3 * 0.25 ** 12);
   });
 });

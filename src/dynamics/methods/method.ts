@@ -25,7 +25,13 @@ export type Failure =
   /** The equations of an implicit step were not solved. */
   | 'unsolved'
   /** Something is no number. */
-  | 'infinite';
+  | 'infinite'
+  /** A point went through what is solid. */
+  | 'pierced'
+  /** Steps are longer than the stability bound, and the energy grows. */
+  | 'unstable'
+  /** No step is short enough for the tolerance. */
+  | 'tolerance';
 
 export class StepFailure extends Error {
   readonly reason: Failure;

@@ -1,5 +1,5 @@
 import { potentialEnergy } from '../energy.ts';
-import type { StiffnessForm } from '../forces/force.ts';
+import type { Stiffness, StiffnessForm } from '../forces/force.ts';
 import { ConjugateGradients } from '../linear/conjugateGradients.ts';
 import { StepMatrix } from '../linear/stepMatrix.ts';
 import { momenta, type State, type System, SystemError, velocities } from '../system.ts';
@@ -36,20 +36,17 @@ export const localGlobal = (correction: Correction): Method =>
  */
 function towards(system: System, rounds: number, form: StiffnessForm): Change {
   const linear = new ConjugateGradients(3 * system.masses.length);
+  const matrix = new StepMatrix(system.pinned);
+  let stiffnesses: Stiffness[] = [];
   return (x0, v, h) => {
     const { u, weights } = inertia(system, v, h);
     const x = x0.slice();
     for (let round = 0; round < rounds; round++) {
       const b = missing(system, { x0, x, v, h, u, weights });
-      const stiffnesses = system.forces.map((each) => each.stiffness(x, form));
+      stiffnesses = system.forces.map((each, k) => each.stiffness(x, form, stiffnesses[k]));
+      matrix.set(stiffnesses, weights, u);
       const dx = new Float64Array(x.length);
-      const { indefinite } = linear.solve(
-        new StepMatrix(system.pinned, stiffnesses, 1, weights, u),
-        b,
-        dx,
-        1e-10,
-        1000,
-      );
+      const { indefinite } = linear.solve(matrix, b, dx, 1e-10, 1000);
       if (indefinite)
         throw new StepFailure('indefinite', 'the matrix of the step is not positive definite; take a smaller step');
       for (let j = 0; j < x.length; j++) x[j] += dx[j];

@@ -1,4 +1,5 @@
-import { movingMasses, type State, type System } from '../system.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import type { State, System } from '../system.ts';
 import { forceAt, type Method, type Stepper } from './method.ts';
 
 /**
@@ -28,40 +29,51 @@ class Splitting implements Stepper {
   private readonly system: System;
   private readonly shares: readonly number[];
   private readonly force: Float64Array;
-  private readonly M: Float64Array;
 
   constructor(system: System, shares: readonly number[]) {
     this.system = system;
     this.shares = shares;
     this.force = new Float64Array(3 * system.masses.length);
-    this.M = new Float64Array(system.masses.length);
   }
 
+  /** Between two kicks the two drifts are one. */
   step(state: State, h: number): void {
-    for (const share of this.shares) {
-      this.drift(state, (share * h) / 2);
-      forceAt(this.system, state.x, this.force);
-      this.kick(state, (share * h) / 2);
-      this.turn(state, share * h);
-      this.kick(state, (share * h) / 2);
-      this.drift(state, (share * h) / 2);
-    }
+    const { system, shares, force } = this;
+    this.drift(state, (shares[0] * h) / 2);
+    shares.forEach((share, k) => {
+      forceAt(system, state.x, force);
+      this.kick(state, share * h);
+      this.drift(state, ((share + (shares[k + 1] ?? 0)) * h) / 2);
+    });
     state.t += h;
   }
 
   /** x += h p/γm */
   private drift({ x, p }: State, h: number): void {
-    const { system, M } = this;
-    movingMasses(system, p, M);
-    for (let i = 0, j = 0; i < M.length; i++, j += 3) {
-      const s = h / M[i];
-      x[j] += s * p[j];
-      x[j + 1] += s * p[j + 1];
-      x[j + 2] += s * p[j + 2];
+    const { c, masses } = this.system;
+    const perSquare = 1 / (c * c);
+    for (let i = 0, j = 0; i < masses.length; i++, j += 3) {
+      const [px, py, pz] = [p[j], p[j + 1], p[j + 2]];
+      const s = h / Math.sqrt(masses[i] * masses[i] + (px * px + py * py + pz * pz) * perSquare);
+      x[j] += s * px;
+      x[j + 1] += s * py;
+      x[j + 2] += s * pz;
     }
   }
 
-  private kick({ p }: State, h: number): void {
+  /** p += h F at constant x; in a magnetic field half of it before p turns, and half of it after. */
+  private kick(state: State, h: number): void {
+    const { charges, magneticField } = this.system;
+    if (!charges || !magneticField) {
+      this.push(state, h);
+      return;
+    }
+    this.push(state, h / 2);
+    this.turn(state, h, charges, magneticField);
+    this.push(state, h / 2);
+  }
+
+  private push({ p }: State, h: number): void {
     const { force } = this;
     const { pinned } = this.system;
     for (let i = 0, j = 0; i < pinned.length; i++, j += 3) {
@@ -73,18 +85,17 @@ class Splitting implements Stepper {
   }
 
   /** dp/dt = q p × B/γm turns p about −B by q|B|h/γm, exactly. */
-  private turn({ p }: State, h: number): void {
-    const { charges, magneticField: B, pinned } = this.system;
-    if (!charges || !B) return;
+  private turn({ p }: State, h: number, charges: Float64Array, B: Vec3): void {
+    const { c: light, masses, pinned } = this.system;
     const strength = Math.hypot(...B);
     if (strength === 0) return;
     const [bx, by, bz] = B.map((value) => value / strength);
-    movingMasses(this.system, p, this.M);
     for (let i = 0, j = 0; i < charges.length; i++, j += 3) {
       if (pinned[i] || charges[i] === 0) continue;
-      const angle = (-charges[i] * strength * h) / this.M[i];
-      const [c, s] = [Math.cos(angle), Math.sin(angle)];
       const [x, y, z] = [p[j], p[j + 1], p[j + 2]];
+      const M = Math.sqrt(masses[i] * masses[i] + (x * x + y * y + z * z) / (light * light));
+      const angle = (-charges[i] * strength * h) / M;
+      const [c, s] = [Math.cos(angle), Math.sin(angle)];
       const along = (1 - c) * (x * bx + y * by + z * bz);
       p[j] = c * x + s * (by * z - bz * y) + along * bx;
       p[j + 1] = c * y + s * (bz * x - bx * z) + along * by;

@@ -1,0 +1,158 @@
+import { ledger } from '../src/dynamics/energy.ts';
+import { springs } from '../src/dynamics/forces/springs.ts';
+import { uniform } from '../src/dynamics/forces/uniform.ts';
+import { METHODS } from '../src/dynamics/methods/library.ts';
+import { meshSprings } from '../src/dynamics/nets.ts';
+import { fastestOscillation } from '../src/dynamics/stability.ts';
+import { copyOf, makeSystem, restingAt, type State, type System } from '../src/dynamics/system.ts';
+import type { Vec3 } from '../src/math/vec3.ts';
+import { type Bench, interleaved, type Table } from './bench.ts';
+import { inChild } from './inChild.ts';
+import { PlainCloth } from './plainCloth.ts';
+
+/** Points along a side. */
+const SIDES = [32, 100, 316];
+/** hω of a step of 1/240 s. At 10,000 points and 1000 N/m: 26 t, 116 kg and 1 kg of cloth, or, of 1 kg, 0.04, 9 and 1000 N/m. */
+const STIFF = [0.4, 6, 64];
+/** [s] */
+const STEP = 1 / 240;
+/** Explicit methods take steps of hω = 1, half of what is stable. */
+const EXPLICIT = 1;
+const ROUNDS = 3;
+/** Points times steps of 1/240 s in a round. */
+const WORK = 50_000;
+/** [m/s], [m/s²], [N/m] */
+const [C, GRAVITY, K]: readonly [number, Vec3, number] = [10, [0, -9.8, 0], 1000];
+const PLAIN = 'as in the sources';
+const COMPARED = [PLAIN, 'leapfrog', 'yoshida-4', 'discrete-gradient'];
+
+/** What a process of its own measures. */
+export interface ClothTask {
+  readonly side: number;
+  readonly method: string;
+}
+
+export const dynamics: Bench = {
+  name: 'dynamics',
+  title: 'Relativistic cloth: real time and memory',
+  about:
+    'A square cloth of a metre that hangs at two corners, with springs of 1000 N/m along edges, across faces and to the next neighbour (six a point), c = 10 m/s, in one thread. ' +
+    'How hard it is to compute is hω: the fastest swing of its points in a step of 1/240 s, by the mass of a point (0.4: 2.6 kg, 6: 12 g, 64: 0.1 g at 10,000 points). ' +
+    'Explicit methods take as many steps as hω ≤ 1 asks for, the discrete gradient takes one, and keeps the energy to rounding. ' +
+    '“As in the sources”: semi-implicit Euler on velocities with (I − ββᵀ) for each point, written plainly, with as many steps; all take turns.',
+  async run() {
+    return [await times(), memory()];
+  },
+};
+
+async function times(): Promise<Table> {
+  const rows: (string | number)[][] = [];
+  for (const side of SIDES)
+    for (const stiff of STIFF) {
+      const mass = massFor(side, stiff);
+      const parts = Math.ceil(stiff / EXPLICIT);
+      const frames = Math.max(1, Math.round(WORK / side ** 2));
+      const cloths = COMPARED.map((method) => fallingBy(method, side, mass, bounded(method) ? parts : 1));
+      const works = cloths.map(({ fall }) => () => {
+        for (let i = 0; i < frames; i++) fall();
+      });
+      const ms = (await interleaved(works, ROUNDS)).map((each) => each / frames);
+      rows.push([
+        (side * side).toLocaleString('en'),
+        stiff,
+        parts,
+        ...ms,
+        ms[0] / ms[1],
+        ...ms.slice(1).map((each) => `**${((STEP * 1000) / each).toPrecision(2)}**`),
+        cloths[COMPARED.indexOf('discrete-gradient')].off().toExponential(0),
+      ]);
+    }
+  return {
+    columns: [
+      'points',
+      'hω',
+      'explicit steps',
+      ...COMPARED.map((method) => `${method} [ms]`),
+      'sources ÷ leapfrog',
+      ...COMPARED.slice(1).map((method) => `${method}: × real time`),
+      'discrete gradient: energy off, over kinetic',
+    ],
+    rows,
+    remark: 'Times are of 1/240 s of motion, with the steps that this takes; above 1 × it is faster than real time.',
+  };
+}
+
+function memory(): Table {
+  const rows = SIDES.map((side) => [
+    (side * side).toLocaleString('en'),
+    ...COMPARED.map((method) => inChild<{ bytes: number }>('dynamics', JSON.stringify({ side, method })).bytes),
+  ]);
+  return {
+    columns: ['points', ...COMPARED.map((method) => `${method} [MiB]`), 'discrete gradient, bytes a point'],
+    rows: rows.map(([points, ...bytes], i) => [
+      points,
+      ...bytes.map((each) => Number(each) / 2 ** 20),
+      Number(bytes.at(-1)) / SIDES[i] ** 2,
+    ]),
+    remark:
+      'Growth of resident memory, in a process of its own: the cloth, its springs, and the room a method works in.',
+  };
+}
+
+const bounded = (method: string): boolean => METHODS.get(method)?.bounded ?? true;
+
+/** Mass of a point [kg] by which a step has this hω. */
+function massFor(side: number, stiff: number): number {
+  const omega = fastestOscillation(cloth(side, 1).system);
+  return ((omega * STEP) / stiff) ** 2;
+}
+
+interface Falling {
+  /** Lets the cloth fall by a step, in its parts. */
+  fall(): void;
+  /** How far the energy is off, over the kinetic energy. */
+  off(): number;
+}
+
+export function fallingBy(id: string, side: number, mass: number, parts: number): Falling {
+  const { system, net, start } = cloth(side, mass);
+  if (id === PLAIN) {
+    const plain = new PlainCloth(start.x, system.pinned, net, mass, GRAVITY, C);
+    return {
+      fall() {
+        for (let i = 0; i < parts; i++) plain.step(STEP / parts);
+      },
+      off: () => Number.NaN,
+    };
+  }
+  const state = copyOf(start);
+  const stepper = METHODS.get(id)!.begin(system);
+  const before = ledger(system, state).total;
+  return {
+    fall() {
+      for (let i = 0; i < parts; i++) stepper.step(state, STEP / parts);
+    },
+    off() {
+      const { total, kinetic } = ledger(system, state);
+      return Math.abs(total - before) / kinetic;
+    },
+  };
+}
+
+function cloth(side: number, mass: number): { system: System; net: ReturnType<typeof meshSprings>; start: State } {
+  const x = new Float64Array(3 * side * side);
+  const corners: number[] = [];
+  for (let i = 0; i < side; i++)
+    for (let j = 0; j < side; j++) {
+      const at = i * side + j;
+      x.set([j / (side - 1), 0, i / (side - 1)], 3 * at);
+      if (i + 1 < side && j + 1 < side) corners.push(at, at + 1, at + side + 1, at + side);
+    }
+  const masses = new Float64Array(side * side).fill(mass);
+  const pinned = new Uint8Array(side * side);
+  pinned[0] = pinned[side - 1] = 1;
+  const faces = { counts: new Uint8Array((side - 1) ** 2).fill(4), corners };
+  const net = meshSprings(x, faces, { structural: K, shear: K, bending: K });
+  const forces = [springs(net), uniform(masses, GRAVITY)];
+  return { system: makeSystem({ masses, pinned, c: C, forces }), net, start: restingAt(x) };
+}

@@ -1,0 +1,71 @@
+import { describe, expect, it } from 'vitest';
+import { Bookkeeper, type Books, booksCsv } from './books.ts';
+import { springs } from './forces/springs.ts';
+import { METHODS } from './methods/library.ts';
+import { type Order, run } from './run.ts';
+import { makeSystem, momenta } from './system.ts';
+
+/** Two masses on a spring, one of which is thrown at 0.6 c: γ = 1.25. */
+function thrown(): Order {
+  const system = makeSystem({
+    masses: Float64Array.of(2, 3),
+    c: 5,
+    forces: [springs({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(8), lengths: Float64Array.of(1) })],
+  });
+  const start = {
+    t: 0.5,
+    x: Float64Array.of(0, 0, 0, 2, 0, 0),
+    p: momenta(system, [0, 3, 0, 0, 0, 0]),
+  };
+  return { system, start, method: METHODS.get('discrete-gradient')!, duration: 1, every: 0.25, step: 0.01 };
+}
+
+function kept(order: Order): Books {
+  const keeper = new Bookkeeper(order);
+  const running = run(order);
+  for (let next = running.next(); ; next = running.next()) {
+    if (next.done) return keeper.books(next.value);
+    keeper.enter(next.value);
+  }
+}
+
+describe('the books of a run', () => {
+  it('tell of each frame what mechanics says of it', () => {
+    const books = kept(thrown());
+    expect([books.method, books.speedOfLight, books.step, books.pace]).toEqual(['discrete-gradient', 5, 0.01, 0.25]);
+    expect([...books.times]).toEqual([0.5, 0.75, 1, 1.25, 1.5]);
+    expect([...books.steps]).toEqual([0, 25, 50, 75, 100]);
+    // (γ − 1) m c² = 0.25 · 2 · 25; ½k(r − L)² = 4; p = γmv = 7.5 along y, in the origin.
+    expect([books.kinetic[0], books.potential[0], books.fastest[0]]).toEqual([12.5, 4, expect.closeTo(3, 12)]);
+    expect([...books.momentum.subarray(0, 3)]).toEqual([0, 7.5, 0]);
+    for (let i = 0; i < 5; i++) {
+      expect(books.total[i]).toBeCloseTo(16.5, 11);
+      expect(books.momentum[3 * i + 1]).toBeCloseTo(7.5, 11);
+      expect(books.angularMomentum[3 * i + 2]).toBeCloseTo(0, 11);
+    }
+    expect(books.stop).toBeUndefined();
+  });
+
+  it('end where the run does, and say why', () => {
+    const { stop, times } = kept({
+      ...thrown(),
+      method: METHODS.get('semi-implicit-euler-0')!,
+      step: 2,
+      every: 2,
+      duration: 200,
+    });
+    expect(stop?.reason).toBe('light');
+    expect(times.length).toBeLessThan(100);
+  });
+
+  it('are a table with units, which reads back to the same numbers', () => {
+    const books = kept(thrown());
+    const [head, ...rows] = booksCsv(books).trimEnd().split('\n');
+    expect(head.split(',').slice(0, 3)).toEqual(['time [s]', 'steps', 'kinetic energy [J]']);
+    const numbers = rows.map((row) => row.split(',').map(Number));
+    expect(numbers.every((row) => row.length === head.split(',').length)).toBe(true);
+    expect(numbers.map((row) => row[4])).toEqual([...books.total]);
+    expect(numbers.map((row) => row.at(-1))).toEqual([...books.fastest]);
+    expect(numbers.map((row) => row[6])).toEqual(Array.from({ length: 5 }, (_, i) => books.momentum[3 * i + 1]));
+  });
+});

@@ -1,0 +1,85 @@
+import { type Frame, type Order, type Stop, stepsOf } from './run.ts';
+
+/** What a run kept of its state from frame to frame, for plots and tables: plain data. World frame, SI units. */
+export interface Books {
+  /** Id of the method. */
+  readonly method: string;
+  /** [m/s]; Infinity: Newton's mechanics. */
+  readonly speedOfLight: number;
+  /** [s]; 0 where it adapts. */
+  readonly step: number;
+  /** Between frames [s]. */
+  readonly pace: number;
+  /** Of each frame [s]. */
+  readonly times: Float64Array;
+  /** Taken until each frame. */
+  readonly steps: Float64Array;
+  /** Of each frame [J]; as in `Ledger`. */
+  readonly kinetic: Float64Array;
+  readonly potential: Float64Array;
+  readonly total: Float64Array;
+  /** x, y, z of each frame [kg m/s]. */
+  readonly momentum: Float64Array;
+  /** x, y, z of each frame [kg m²/s]. */
+  readonly angularMomentum: Float64Array;
+  /** [m/s] */
+  readonly fastest: Float64Array;
+  /** Why it ended before its time. */
+  readonly stop?: Stop;
+}
+
+/** Keeps the books of a run: each of its frames is entered once. */
+export class Bookkeeper {
+  private readonly order: Order;
+  private readonly rows: Row[] = [];
+
+  constructor(order: Order) {
+    this.order = order;
+  }
+
+  enter({ state, ledger, steps }: Frame): void {
+    this.rows.push({ t: state.t, steps, ...ledger });
+  }
+
+  /** The books so far. */
+  books(stop?: Stop): Books {
+    const { rows, order } = this;
+    const column = (of: (row: Row) => number): Float64Array => Float64Array.from(rows, of);
+    return {
+      method: order.method.id,
+      speedOfLight: order.system.c,
+      step: order.tolerance === undefined ? stepsOf(order).h : 0,
+      pace: order.every,
+      times: column(({ t }) => t),
+      steps: column(({ steps }) => steps),
+      kinetic: column(({ kinetic }) => kinetic),
+      potential: column(({ potential }) => potential),
+      total: column(({ total }) => total),
+      momentum: Float64Array.from(rows.flatMap(({ momentum }) => [...momentum])),
+      angularMomentum: Float64Array.from(rows.flatMap(({ angularMomentum }) => [...angularMomentum])),
+      fastest: column(({ fastest }) => fastest),
+      ...(stop && { stop }),
+    };
+  }
+}
+
+type Row = Frame['ledger'] & { readonly t: number; readonly steps: number };
+
+const COLUMNS =
+  'time [s],steps,kinetic energy [J],potential energy [J],total energy [J],px [kg m/s],py [kg m/s],pz [kg m/s],Lx [kg m²/s],Ly [kg m²/s],Lz [kg m²/s],fastest [m/s]';
+
+/** The books as a table of comma-separated values: a head with units, and a row for each frame, in full precision. */
+export function booksCsv(books: Books): string {
+  const { times, steps, kinetic, potential, total, momentum, angularMomentum, fastest } = books;
+  const rows = Array.from(times, (t, i) => [
+    t,
+    steps[i],
+    kinetic[i],
+    potential[i],
+    total[i],
+    ...momentum.subarray(3 * i, 3 * i + 3),
+    ...angularMomentum.subarray(3 * i, 3 * i + 3),
+    fastest[i],
+  ]);
+  return `${[COLUMNS, ...rows.map((row) => row.join(','))].join('\n')}\n`;
+}
