@@ -63,14 +63,14 @@ describe('a title seen from afar', () => {
     expect(farTitle('Box', CARD, [30, 30], 2)).toEqual({ text: 'Box', size: 26, lines: 1, reach: [0, 0] });
     expect(farTitle('Relativity console', CARD, [30, 30], 2)).toMatchObject({ size: 26, lines: 2, reach: [0, 0] });
     const small = farTitle('Relativity console', CARD, [30, 30], 4)!;
-    expect(small.size).toBeGreaterThanOrEqual(8 * 4);
+    expect(small.size).toBeGreaterThanOrEqual(7.5 * 4);
     expect(small.size).toBeLessThan(13 * 4);
   });
 
   it('goes beyond its node before it is cut off', () => {
     expect(farTitle('Transform', CARD, [30, 30], 5)).toMatchObject({ text: 'Transform', lines: 1, reach: [30, 30] });
     const cut = farTitle('A title of very many words that nobody can read from there', CARD, [30, 30], 5)!;
-    expect(cut.size).toBe(8 * 5);
+    expect(cut.size).toBe(7.5 * 5);
     expect(cut.lines * LINE_HEIGHT * cut.size).toBeLessThanOrEqual(96 + 60);
   });
 

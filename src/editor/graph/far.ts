@@ -51,7 +51,7 @@ const gap = (a: Box, b: Box, axis: 0 | 1): number =>
 /** Of letters [px of the window]: what is large enough; what should be, on a node; and what can just be read. */
 const MOST = 13;
 const GOOD = 9;
-const LEAST = 8;
+const LEAST = 7.5;
 export const LINE_HEIGHT = 1.1;
 /** From a title to the edge of its node. */
 const PAD = 5;
