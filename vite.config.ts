@@ -3,6 +3,8 @@ import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import react from '@vitejs/plugin-react';
 import { defineConfig, type Plugin } from 'vite';
+import * as chinese from './src/editor/i18n/chinese.ts';
+import * as english from './src/editor/i18n/english.ts';
 import type { Example } from './src/editor/loading/examples.ts';
 import { FONTS, fontFile } from './src/formats/font/letters.ts';
 
@@ -45,7 +47,7 @@ export default defineConfig({
   root: join(root, 'src/app'),
   base: './',
   publicDir: false,
-  plugins: [react(), examples(), fonts(), ownDockTheme()],
+  plugins: [react(), oneLanguage(), examples(), fonts(), ownDockTheme()],
   worker: { format: 'es' },
   build: {
     outDir: join(root, 'dist/app'),
@@ -59,6 +61,19 @@ export default defineConfig({
     },
   },
 });
+
+/** The catalogue has its languages side by side (messages.ts); the page gets each by itself, and loads the one that it is in. */
+function oneLanguage(): Plugin {
+  return {
+    name: 'slowlight-one-language',
+    load(id) {
+      const language = /i18n\/(english|chinese)\.ts$/.exec(id)?.[1];
+      if (!language) return undefined;
+      const texts = Object.entries(language === 'english' ? english : chinese);
+      return texts.map(([name, value]) => `export const ${name} = ${JSON.stringify(value)};`).join('\n');
+    },
+  };
+}
 
 /** Ships examples/ beside the page, with an index of what to look for, taken from the scenes' own hints. */
 function examples(): Plugin {

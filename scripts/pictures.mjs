@@ -15,7 +15,7 @@ const thumbnails = {
   sphere: [],
   hall: ['--time', '4.6', '--beta', '0,0,-0.2'],
   lamps: [],
-  prism: [],
+  prism: ['--fov', '30', '--exposure', '0.6'],
   sunset: [],
   starfield: [],
   saturn: ['--time', '7.7', '--beta', '0,0,-0.1', '--fov', '44'],
@@ -29,7 +29,14 @@ const thumbnails = {
   lesson: [],
   'gods-eye': [],
   letters: [],
-  truth: ['--set', 'truth.width=480', '--set', 'truth.height=270', '--set', 'truth.samples=5'],
+  'hanging-cloth': [],
+  'falling-cloth': [],
+  impact: [],
+  bouncing: [],
+  pendulums: [],
+  cradle: [],
+  charges: [],
+  truth: ['--set', 'truth.width=384', '--set', 'truth.height=216', '--set', 'truth.samples=8'],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];
 const pictures = [

@@ -11,3 +11,5 @@ declare class TextEncoder {
 declare function atob(data: string): string;
 /** One character per byte → base64. */
 declare function btoa(data: string): string;
+/** [ms], from some time on. */
+declare const performance: { now(): number };

@@ -1,9 +1,16 @@
 import type { GraphDocument } from '../../src/graph/document.ts';
+import { bouncing } from './bouncing.ts';
+import { charges } from './charges.ts';
 import { comparison } from './comparison.ts';
+import { cradle } from './cradle.ts';
+import { fallingCloth } from './fallingCloth.ts';
 import { godsEye } from './godsEye.ts';
+import { hangingCloth } from './hangingCloth.ts';
+import { impact } from './impact.ts';
 import { layers } from './layers.ts';
 import { lesson } from './lesson.ts';
 import { letters } from './letters.ts';
+import { pendulums } from './pendulums.ts';
 import { plain, rush } from './presets.ts';
 import { truth } from './truth.ts';
 import { workshop } from './workshop.ts';
@@ -19,4 +26,11 @@ export const projects: Readonly<Record<string, () => GraphDocument>> = {
   letters,
   truth,
   workshop,
+  'hanging-cloth': hangingCloth,
+  'falling-cloth': fallingCloth,
+  impact,
+  bouncing,
+  pendulums,
+  cradle,
+  charges,
 };

@@ -10,7 +10,11 @@ const ABOUT = {
 export const letters = () =>
   build(ABOUT, {
     ground: { type: 'grid', set: { name: 'Ground', width: 80, length: 60, columns: 40, rows: 30 } },
-    stone: { type: 'material', set: { color: [0.42, 0.4, 0.36] }, from: { geometry: 'ground.geometry' } },
+    stone: {
+      type: 'material',
+      set: { color: [0.05, 0.13, 0.15], roughness: 0.8 },
+      from: { geometry: 'ground.geometry' },
+    },
 
     title: { type: 'solid-text', set: { name: 'Title', text: 'SLOWLIGHT', size: 1, depth: 0.4 } },
     ivory: { type: 'material', set: { color: [0.85, 0.8, 0.7] }, from: { geometry: 'title.geometry' } },
@@ -31,10 +35,10 @@ export const letters = () =>
       set: { name: 'letters.usda', speedOfLight: 10 },
       from: { geometry: 'things.geometry', time: 'clock.time' },
     },
-    eye: { type: 'camera', set: { name: 'Eye', position: [0.5, 1.7, 4.9], target: [0.2, 1.3, 0] } },
+    eye: { type: 'camera', set: { name: 'Eye', position: [3.2, 1.9, 5.6], target: [0.1, 1.3, -0.6], fieldOfView: 48 } },
     sun: { type: 'sun', set: { brightness: 2.4, direction: [-0.5, -0.8, -0.6] } },
-    sky: { type: 'sky', set: { color: [0.4, 0.55, 0.8], brightness: 0.8 } },
-    clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.42 } },
+    sky: { type: 'sky', set: { color: [0.2, 0.4, 0.75], brightness: 0.8 } },
+    clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.6 } },
     scene: {
       type: 'scene',
       from: {

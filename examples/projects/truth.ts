@@ -61,7 +61,7 @@ export const truth = () =>
     lighting: { type: 'deferred-lighting', from: { gbuffer: 'seen.gbuffer' } },
     truth: {
       type: 'reference-render',
-      set: { width: 320, height: 180, samples: 2 },
+      set: { width: 320, height: 180, samples: 3 },
       from: { gbuffer: 'seen.gbuffer' },
     },
     both: {

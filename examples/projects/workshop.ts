@@ -12,17 +12,17 @@ export const workshop = () =>
     ground: { type: 'grid', set: { name: 'Ground', width: 60, length: 60, columns: 30, rows: 30 } },
     sand: {
       type: 'material',
-      set: { color: [0.6, 0.52, 0.38], roughness: 0.9 },
+      set: { color: [0.42, 0.3, 0.19], roughness: 0.9 },
       from: { geometry: 'ground.geometry' },
     },
 
     post: { type: 'cylinder', set: { name: 'Post', radius: 0.15, height: 3 } },
     standing: { type: 'transform', set: { position: [0, 1.5, 0] }, from: { geometry: 'post.geometry' } },
-    white: { type: 'material', set: { color: [0.85, 0.84, 0.8] }, from: { geometry: 'standing.geometry' } },
+    clay: { type: 'material', set: { color: [0.6, 0.2, 0.09] }, from: { geometry: 'standing.geometry' } },
     posts: {
       type: 'instances',
       set: { arrangement: 'ring', count: 18, radius: 14 },
-      from: { geometry: 'white.geometry' },
+      from: { geometry: 'clay.geometry' },
     },
 
     frame: { type: 'lattice', set: { name: 'Frame', x: 3, y: 3, z: 3, cell: 0.9, thickness: 0.08 } },
@@ -62,12 +62,16 @@ export const workshop = () =>
 
     crate: { type: 'box', set: { name: 'Crate', width: 0.9, height: 0.9, depth: 0.9 } },
     smooth: { type: 'subdivide', set: { levels: 3, surface: 'smooth' }, from: { geometry: 'crate.geometry' } },
-    green: { type: 'material', set: { preset: 'leaf' }, from: { geometry: 'smooth.geometry' } },
+    yellow: {
+      type: 'material',
+      set: { color: [0.8, 0.55, 0.05], roughness: 0.4 },
+      from: { geometry: 'smooth.geometry' },
+    },
     track: {
       type: 'motion-path',
       set: { places: ['-8 0.5 4', '-2 0.5 6', '4 0.5 4', '8 0.5 6'], from: 0, to: 4 },
     },
-    runner: { type: 'move', from: { geometry: 'green.geometry', motion: 'track.motion' } },
+    runner: { type: 'move', from: { geometry: 'yellow.geometry', motion: 'track.motion' } },
 
     tile: { type: 'box', set: { name: 'Tile', width: 1.2, height: 0.12, depth: 1.2 } },
     snow: { type: 'material', set: { preset: 'snow' }, from: { geometry: 'tile.geometry' } },
@@ -85,10 +89,10 @@ export const workshop = () =>
       },
     },
     later: { type: 'retime', set: { offset: 0 }, from: { geometry: 'things.geometry' } },
-    eye: { type: 'camera', set: { name: 'Eye', position: [1, 3.2, 11.5], target: [0.4, 1.6, 0], fieldOfView: 46 } },
+    eye: { type: 'camera', set: { name: 'Eye', position: [1.2, 2.8, 8.8], target: [0.1, 1.5, 0], fieldOfView: 48 } },
 
     sun: { type: 'sun', set: { brightness: 2.2, color: [1, 0.92, 0.8], direction: [-0.6, -0.7, -0.5] } },
-    sky: { type: 'sky', set: { color: [0.35, 0.5, 0.8], brightness: 0.8 } },
+    sky: { type: 'sky', set: { color: [0.25, 0.42, 0.8], brightness: 0.7 } },
     glow: { type: 'spectrum', set: { kind: 'lamp', lamp: 'sodium' } },
     lamp: {
       type: 'lamp',
@@ -96,7 +100,7 @@ export const workshop = () =>
       from: { spectrum: 'glow.spectrum' },
     },
 
-    clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.2 } },
+    clock: { type: 'time', set: { from: 0, to: 5, openAt: 2.85 } },
     start: { type: 'observer', set: { beta: [0, 0, -0.1] } },
     scene: {
       type: 'scene',

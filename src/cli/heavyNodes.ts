@@ -13,7 +13,7 @@ export const heavyNodes = (): RunHeavy =>
       },
       listen: (hear, fail) => {
         worker.on('message', (reply) => {
-          if (reply.kind !== 'progress') worker.unref();
+          if (reply.kind === 'done' || reply.kind === 'failed') worker.unref();
           hear(reply);
         });
         worker.on('error', fail);

@@ -10,6 +10,7 @@ import { stoppedWith } from './output.ts';
 import { probeCommand } from './probe.ts';
 import { renderCommand } from './render.ts';
 import { serveCommand } from './serve.ts';
+import { simulateCommand } from './simulate.ts';
 
 const exitCodes = `
 Exit codes:
@@ -42,6 +43,7 @@ function program(): Command {
     inspectCommand,
     compareCommand,
     convertCommand,
+    simulateCommand,
     graphCommand,
     serveCommand,
   ])

@@ -15,7 +15,7 @@ export class OutputFile {
     this.path = resolve(path);
     this.temporary = join(dirname(this.path), `.${basename(this.path)}.${process.pid}.partial`);
     checkWritable(this.path);
-    watchSignals();
+    heedSignals();
     begun.add(this);
   }
 
@@ -58,7 +58,7 @@ const helpers = new Set<{ kill(signal: NodeJS.Signals): unknown }>();
 
 /** Stops `helper` too when this program is stopped; returns how to forget it. */
 export function stopWithUs(helper: { kill(signal: NodeJS.Signals): unknown }): () => void {
-  watchSignals();
+  heedSignals();
   helpers.add(helper);
   return () => helpers.delete(helper);
 }
@@ -75,7 +75,8 @@ export function endIfStopped(): void {
   if (stopped !== undefined) throw new CliError(stopped, 'stopped');
 }
 
-function watchSignals(): void {
+/** From here on signals are heard: work that has begun no file asks `stoppedWith` whether it is to end. */
+export function heedSignals(): void {
   if (watching) return;
   watching = true;
   process.on('SIGINT', () => stop(EXIT.cancelled));

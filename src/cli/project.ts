@@ -3,7 +3,7 @@ import { dirname, isAbsolute, join } from 'node:path';
 import { inputError } from '../formats/fail.ts';
 import { applyCommand, type Command } from '../graph/commands.ts';
 import { type GraphDocument, own, type ParamValue } from '../graph/document.ts';
-import { type Evaluation, Evaluator } from '../graph/evaluate.ts';
+import { type Evaluation, Evaluator, type RunHeavy } from '../graph/evaluate.ts';
 import { type ParamSpec, type Problem, refuseValue } from '../graph/nodeType.ts';
 import { parseDocument } from '../graph/read.ts';
 import { validateDocument } from '../graph/validate.ts';
@@ -121,8 +121,9 @@ export const evaluateNodes = (
   document: GraphDocument,
   nodes: readonly string[],
   progress: (node: string, part: number | undefined) => void,
+  heavy: RunHeavy = heavyNodes(),
 ): Promise<Evaluation> =>
-  new Evaluator(nodeLibrary, { heavy: heavyNodes() }).evaluate(document, nodes, servicesAt(path), { progress });
+  new Evaluator(nodeLibrary, { heavy }).evaluate(document, nodes, servicesAt(path), { progress });
 
 /** The picture that a project describes. Files are looked for beside it. */
 async function evaluateProject(

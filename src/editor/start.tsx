@@ -1,4 +1,5 @@
 import '@fontsource-variable/inter/wght.css';
+import './fonts/fonts.css';
 import './mantine.css';
 import 'dockview/dist/styles/dockview.css';
 import './editor.css';
@@ -32,9 +33,8 @@ export interface StartOptions extends Wanted {
 /** Puts the program on a page. */
 export async function startEditor(root: Root, { backend: wanted, ...asked }: StartOptions): Promise<void> {
   const { language, legend: withLegend } = loadPreferences();
-  await startTranslation(language);
   legend.setState({ shown: withLegend });
-  const backend = await chooseGraphics(wanted);
+  const [backend] = await Promise.all([chooseGraphics(wanted), startTranslation(language)]);
   if (!backend) {
     root.render(
       <Page>

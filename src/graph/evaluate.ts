@@ -1,8 +1,17 @@
 import { DocumentError, type GraphDocument } from './document.ts';
 import { type FlatGraph, flatten } from './flatten.ts';
-import { type Cancellation, NodeRefusal, type Problem, type Progress, type Registry } from './nodeType.ts';
+import { paced, Stopped } from './interim.ts';
+import {
+  type Cancellation,
+  NodeRefusal,
+  type Outputs,
+  type Problem,
+  type Progress,
+  type Registry,
+} from './nodeType.ts';
 import { at, failure, type NodeResult, Results } from './results.ts';
 import { type Call, Run } from './run.ts';
+import { type Errand, Shared } from './shared.ts';
 
 export interface Evaluation {
   /** Of the first node that was asked for. */
@@ -22,6 +31,13 @@ export class CancelledError extends Error {
 export interface EvaluateOptions {
   readonly signal?: Cancellation;
   readonly progress?: (node: string, ...report: Parameters<Progress>) => void;
+  /** Told whenever work that is waited for has given an interim. */
+  readonly onInterim?: (node: string) => void;
+  /**
+   * Which interims are taken as if they were results. `stopped`: of work that was cancelled, which is then not begun again. `all`: also
+   * of work that is under way, which this evaluation does not keep going. Without: none.
+   */
+  readonly interims?: 'stopped' | 'all';
 }
 
 /** A heavy node's work, in words that can be sent to another thread. */
@@ -30,26 +46,22 @@ export interface HeavyOrder {
   readonly node: string;
   readonly inputs: Readonly<Record<string, unknown>>;
   readonly params: Call<never>['params'];
+  /** Whether interims are wanted. */
+  readonly interims?: boolean;
+  readonly resume?: Outputs;
 }
 
 /** Has heavy nodes evaluated elsewhere. */
 export type RunHeavy = (
   order: HeavyOrder,
-  work: { readonly signal?: Cancellation; readonly progress: Progress },
-) => Promise<Readonly<Record<string, unknown>>>;
+  work: { readonly signal?: Cancellation; readonly progress: Progress; readonly interim?: (outputs: Outputs) => void },
+) => Promise<Outputs>;
 
 export interface EvaluatorOptions {
   /** How many results are kept beside those of the latest evaluation, for an undo to find. */
   readonly capacity?: number;
   /** Without: heavy nodes are evaluated where all others are. */
   readonly heavy?: RunHeavy;
-}
-
-/** What an evaluation brings along. */
-interface Errand<Services> {
-  readonly services: Services;
-  readonly signal?: Cancellation;
-  readonly progress: NonNullable<EvaluateOptions['progress']>;
 }
 
 /**
@@ -62,6 +74,9 @@ export class Evaluator<Services> {
   readonly #results: Results;
   /** Work under way, by content. */
   readonly #pending = new Map<string, Pending<Services>>();
+  readonly #stopped = new Stopped();
+  /** What the latest evaluation made of interims. */
+  #passing: ReadonlyMap<string, NodeResult> = new Map();
   #flat: { readonly of: GraphDocument; readonly graph: FlatGraph } | undefined;
   #latest: Latest<Services> | undefined;
 
@@ -76,7 +91,7 @@ export class Evaluator<Services> {
     document: GraphDocument,
     targets: string | readonly string[],
     services: Services,
-    { signal, progress = () => {} }: EvaluateOptions = {},
+    { progress = () => {}, ...how }: EvaluateOptions = {},
   ): Promise<Evaluation> {
     const wanted = typeof targets === 'string' ? [targets] : targets;
     const [first = ''] = wanted;
@@ -85,11 +100,13 @@ export class Evaluator<Services> {
     const asked = wanted.join(' ');
     const latest = this.#latest;
     if (latest?.flat === flat && latest.services === services && latest.asked === asked) return latest.evaluation;
-    const errand = { services, signal, progress };
+    const { signal } = how;
+    const errand: Errand<Services> = { ...how, services, progress, passing: new Map() };
     const run = new Run(flat, this.#registry, (call: Call<Services>) => this.#perform(call, errand));
     const reached = run.reach(wanted);
     const results = await (signal ? Promise.race([reached, cancelling(signal)]) : reached);
     this.#results.trim(results.size);
+    this.#passing = errand.passing;
     const target = results.get(first) ?? failure('graph.unknown-node', first, 'nothing was asked for');
     const evaluation = { target, results };
     this.#latest = [...results.values()].every(lasts) ? { flat, services, asked, evaluation } : undefined;
@@ -113,19 +130,35 @@ export class Evaluator<Services> {
 
   #perform(call: Call<Services>, errand: Errand<Services>): NodeResult | Promise<NodeResult> {
     const content = this.#results.content(call.type.id, call.paramsKey, valuesOf(call));
-    const known = this.#results.recall(content, call.id);
+    const known = this.#results.recall(content, call.id) ?? this.#passed(content, errand);
     if (known) return known;
     const pending = this.#pending.get(content);
+    if (pending && errand.interims === 'all') return soFar(pending, call.id);
+    const stopped = this.#stopped.get(content);
+    if (stopped && errand.interims) return interimOf(stopped);
     if (pending) return this.#join(pending, call, errand);
     if (errand.signal?.aborted) throw new CancelledError();
-    const shared = new Shared(errand, call.id);
-    const work = this.#start(call, errand.services, shared);
-    if (!(work instanceof Promise)) return this.#finish(content, call.id, work);
+    const shared = new Shared(errand, call.id, stopped);
+    const work = this.#start(call, errand, shared, stopped);
+    if (!(work instanceof Promise)) return this.#finish(content, call, work, errand);
     const result = work
-      .then((outcome) => this.#finish(content, call.id, outcome))
+      .then(
+        (outcome) => this.#finish(content, call, outcome, errand),
+        (error) => {
+          if (shared.interim) this.#stopped.keep(content, shared.interim);
+          throw error;
+        },
+      )
       .finally(() => this.#pending.delete(content));
     this.#pending.set(content, { node: call.id, shared, result });
     return result;
+  }
+
+  /** What the evaluation before made of the same interims. */
+  #passed(content: string, { passing }: Errand<Services>): NodeResult | undefined {
+    const passed = this.#passing.get(content);
+    if (passed) passing.set(content, passed);
+    return passed;
   }
 
   /** Waits for the same work of another evaluation; where that was cancelled already, does it. */
@@ -143,29 +176,55 @@ export class Evaluator<Services> {
     }
   }
 
-  #start(call: Call<Services>, services: Services, shared: Shared<Services>): NodeResult | Promise<NodeResult> {
-    const { id: node, type, inputs, params } = call;
-    const { progress } = shared;
+  #start(
+    { id: node, type, inputs, params }: Call<Services>,
+    { services, onInterim }: Errand<Services>,
+    shared: Shared<Services>,
+    stopped: Outputs | undefined,
+  ): NodeResult | Promise<NodeResult> {
+    const { progress, give } = shared;
+    const resume = stopped && { resume: stopped };
     const failed = (error: unknown): NodeResult => {
       if (shared.aborted || error instanceof CancelledError) throw new CancelledError();
       return { status: 'failed', problem: problemOf(error, node) };
     };
-    const done = (outputs: Readonly<Record<string, unknown>>): NodeResult => ({ status: 'done', outputs });
+    const done = (outputs: Outputs): NodeResult => ({ status: 'done', outputs });
     try {
+      const order = { type: type.id, node, inputs, params, interims: onInterim !== undefined, ...resume };
+      const interim = onInterim && { interim: paced(give) };
       const outputs =
         type.heavy && this.#heavy
-          ? this.#heavy({ type: type.id, node, inputs, params }, { signal: shared, progress })
-          : type.evaluate(inputs, params, { services, signal: shared, progress, node });
+          ? this.#heavy(order, { signal: shared, progress, interim: give })
+          : type.evaluate(inputs, params, { services, signal: shared, progress, node, ...interim, ...resume });
       return outputs instanceof Promise ? outputs.then(done, failed) : done(outputs);
     } catch (error) {
       return failed(error);
     }
   }
 
-  #finish(content: string, node: string, result: NodeResult): NodeResult {
-    if (lasts(result)) this.#results.keep(content, node, result);
-    return result;
+  #finish(
+    content: string,
+    { id, interim }: Call<Services>,
+    result: NodeResult,
+    { passing }: Errand<Services>,
+  ): NodeResult {
+    this.#stopped.forget(content);
+    if (!interim) {
+      if (lasts(result)) this.#results.keep(content, id, result);
+      return result;
+    }
+    const passed: NodeResult = result.status === 'done' ? { ...result, interim } : result;
+    if (result.status === 'done') passing.set(content, passed);
+    return passed;
   }
+}
+
+const interimOf = (outputs: Outputs): NodeResult => ({ status: 'done', outputs, interim: true });
+
+/** What there is of work under way, as soon as there is something; of such as gives no interims, its result. */
+async function soFar<Services>({ node, shared, result }: Pending<Services>, id: string): Promise<NodeResult> {
+  await Promise.race([shared.begun, result]);
+  return shared.interim ? interimOf(shared.interim) : at(await result, node, id);
 }
 
 /** Work may go on for others after that. */
@@ -179,45 +238,6 @@ interface Pending<Services> {
   readonly result: Promise<NodeResult>;
 }
 
-/** Whom a piece of work is for: all evaluations that need it. It is cancelled when the last of them is, and all hear how far it is. */
-class Shared<Services> implements Cancellation {
-  readonly #errands: Errand<Services>[] = [];
-  readonly #tell: Progress[] = [];
-  readonly #listeners: (() => void)[] = [];
-  #ended = false;
-
-  constructor(errand: Errand<Services>, node: string) {
-    this.join(errand, node);
-  }
-
-  get aborted(): boolean {
-    return this.#ended || this.#errands.every(({ signal }) => signal?.aborted);
-  }
-
-  readonly progress: Progress = (part, what) => {
-    for (const tell of this.#tell) tell(part, what);
-  };
-
-  join(errand: Errand<Services>, node: string): void {
-    this.#errands.push(errand);
-    this.#tell.push((part, what) => errand.progress(node, part, what));
-    if (this.#listeners.length > 0) this.#watch(errand);
-  }
-
-  addEventListener(_: 'abort', listener: () => void): void {
-    this.#listeners.push(listener);
-    if (this.#listeners.length === 1) for (const errand of this.#errands) this.#watch(errand);
-  }
-
-  #watch({ signal }: Errand<Services>): void {
-    signal?.addEventListener('abort', () => {
-      if (this.#ended || !this.aborted) return;
-      this.#ended = true;
-      for (const listener of this.#listeners) listener();
-    });
-  }
-}
-
 /** The last evaluation, of which all would come out the same. */
 interface Latest<Services> {
   readonly flat: FlatGraph;
@@ -226,9 +246,10 @@ interface Latest<Services> {
   readonly evaluation: Evaluation;
 }
 
-/** What is neither done nor refused: a network that is down may be up the next time. */
+/** What is neither done nor refused: a network that is down may be up the next time. And an interim is followed by another. */
 const UNFORESEEN = 'graph.evaluation';
-const lasts = (result: NodeResult): boolean => result.status !== 'failed' || result.problem.code !== UNFORESEEN;
+const lasts = (result: NodeResult): boolean =>
+  result.status === 'failed' ? result.problem.code !== UNFORESEEN : result.status === 'blocked' || !result.interim;
 
 /** Every value that flows in by itself: each of an input that takes many. */
 const valuesOf = ({ type, inputs }: Call<never>): (readonly [string, unknown])[] =>

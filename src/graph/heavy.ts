@@ -1,5 +1,6 @@
 import { CancelledError, type HeavyOrder, type RunHeavy } from './evaluate.ts';
-import { NodeRefusal, type Problem, type Registry } from './nodeType.ts';
+import { paced } from './interim.ts';
+import { NodeRefusal, type Outputs, type Problem, type Registry } from './nodeType.ts';
 import { transferables } from './transfer.ts';
 
 /**
@@ -8,7 +9,8 @@ import { transferables } from './transfer.ts';
  */
 type HeavyReply =
   | { readonly kind: 'progress'; readonly part: number | undefined; readonly what: string | undefined }
-  | { readonly kind: 'done'; readonly outputs: Readonly<Record<string, unknown>> }
+  | { readonly kind: 'interim'; readonly outputs: Outputs }
+  | { readonly kind: 'done'; readonly outputs: Outputs }
   /** `problem` where the node refused its inputs; else something unforeseen. */
   | { readonly kind: 'failed'; readonly message: string; readonly problem?: Problem };
 
@@ -20,11 +22,14 @@ export interface HeavyPort {
 
 /** Evaluates what it is told to, one order at a time. */
 export function serveHeavy<Services>(registry: Registry<Services>, services: Services, port: HeavyPort): void {
-  port.listen(async ({ type, node, inputs, params }) => {
+  port.listen(async ({ type, node, inputs, params, interims, resume }) => {
     const progress = (part: number | undefined, what?: string): void =>
       port.reply({ kind: 'progress', part, what }, []);
+    // It is copied: the work goes on with what it is made of.
+    const interim = interims && { interim: paced((outputs) => port.reply({ kind: 'interim', outputs }, [])) };
+    const work = { services, progress, node, ...interim, ...(resume && { resume }) };
     try {
-      const outputs = await registry[type]!.evaluate(inputs, params, { services, progress, node });
+      const outputs = await registry[type]!.evaluate(inputs, params, work);
       port.reply({ kind: 'done', outputs }, transferables(outputs));
     } catch (error) {
       const message = error instanceof Error ? error.message : String(error);
@@ -51,7 +56,7 @@ interface Worker {
 /** Has heavy nodes evaluated by threads, one for each at a time; to cancel is to end the thread, whatever it is doing. */
 export function heavyThreads(start: () => HeavyThread): RunHeavy {
   const idle: Worker[] = [];
-  return (order, { signal, progress }) => {
+  return (order, { signal, progress, interim }) => {
     if (signal?.aborted) return Promise.reject(new CancelledError());
     const worker = idle.pop() ?? started(start);
     const end = (): void => worker.thread.end();
@@ -64,6 +69,10 @@ export function heavyThreads(start: () => HeavyThread): RunHeavy {
       worker.hear = (reply) => {
         if (reply.kind === 'progress') {
           progress(reply.part, reply.what);
+          return;
+        }
+        if (reply.kind === 'interim') {
+          interim?.(reply.outputs);
           return;
         }
         idle.push(worker);

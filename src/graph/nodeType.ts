@@ -118,10 +118,23 @@ export interface Cancellation {
 /** Reports a part done, 0 … 1, or undefined where it cannot be known, and what is being done. */
 export type Progress = (part: number | undefined, what?: string) => void;
 
+/** By the names of the outputs. Under other names a node may put what only itself needs, to go on from an interim. */
+export type Outputs = Readonly<Record<string, unknown>>;
+
+/**
+ * Gives what there is so far, as outputs that are right as far as they go. To be called as often as there is something new: what is not
+ * wanted now is not made.
+ */
+export type GiveInterim = (make: () => Outputs) => void;
+
 export interface Work<Services> {
   readonly services: Services;
   readonly signal?: Cancellation;
   readonly progress: Progress;
+  /** Absent where nobody looks. */
+  readonly interim?: GiveInterim;
+  /** The last interim of the same content, whose work was cancelled. */
+  readonly resume?: Outputs;
 }
 
 /** Cause and remedy of a refusal, as it is shown on the node. */
@@ -150,7 +163,7 @@ export interface NodeType<Services = unknown> {
   readonly id: string;
   readonly title: string;
   readonly help: string;
-  readonly category: 'geometry' | 'composition' | 'render' | 'utility';
+  readonly category: 'geometry' | 'dynamics' | 'composition' | 'render' | 'utility';
   readonly params: Readonly<Record<string, ParamSpec>>;
   readonly inputs: Readonly<Record<string, Socket>>;
   readonly outputs: Readonly<Record<string, Socket>>;

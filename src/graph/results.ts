@@ -1,8 +1,9 @@
 import type { ParamValue } from './document.ts';
-import type { Problem } from './nodeType.ts';
+import type { Outputs, Problem } from './nodeType.ts';
 
 export type NodeResult =
-  | { readonly status: 'done'; readonly outputs: Readonly<Record<string, unknown>> }
+  /** `interim`: it is, or was made of, what work has given on its way. */
+  | { readonly status: 'done'; readonly outputs: Outputs; readonly interim?: true }
   | { readonly status: 'failed'; readonly problem: Problem }
   /** A node before it failed: the first that did. */
   | { readonly status: 'blocked'; readonly by: string };

@@ -15,6 +15,8 @@ export interface Call<Services> {
   /** What tells the parameters from others. */
   readonly paramsKey: string;
   readonly inputs: Readonly<Record<string, unknown>>;
+  /** Something of that is an interim's. */
+  readonly interim: boolean;
 }
 
 /** Does a node's work, or finds what it gave before. */
@@ -33,6 +35,8 @@ interface Task<Services> {
   result?: NodeResult;
   /** What its generic sockets are of. */
   generic: string;
+  /** Something that it was made of is an interim's. */
+  interim: boolean;
 }
 
 /**
@@ -78,7 +82,7 @@ export class Run<Services> {
     if (source.kind === 'nothing') return failure('graph.input', target, source.why);
     const { result } = this.#tasks.get(source.node)!;
     if (result?.status !== 'done') return blocked(source.node, result);
-    return { status: 'done', outputs: { [output]: result.outputs[source.output] } };
+    return { ...result, outputs: { [output]: result.outputs[source.output] } };
   }
 
   #task(id: string): Task<Services> {
@@ -86,7 +90,7 @@ export class Run<Services> {
     if (known) return known;
     const node = this.#graph.nodes.get(id);
     const type = node && own(this.#types, node.type);
-    const task: Task<Services> = { id, node, type, waiting: 0, waiters: [], generic: ANY };
+    const task: Task<Services> = { id, node, type, waiting: 0, waiters: [], generic: ANY, interim: false };
     this.#tasks.set(id, task);
     this.#ready.push(task);
     return task;
@@ -119,7 +123,7 @@ export class Run<Services> {
   #callOf(task: Task<Services>, node: FlatNode, type: NodeType<Services>): Call<Services> | NodeResult | undefined {
     if (!task.params) {
       if (this.#waits(task, node, driven(node, type))) return undefined;
-      const params = this.#params(node, type);
+      const params = this.#params(task, node, type);
       if ('status' in params) return params;
       task.params = params;
     }
@@ -127,7 +131,8 @@ export class Run<Services> {
     const names = type.needs?.(params) ?? Object.keys(type.inputs);
     if (this.#waits(task, node, names)) return undefined;
     const found = this.#inputs(task, node, type, names);
-    return 'status' in found ? found : { id: node.id, type, params, paramsKey, inputs: found.values };
+    if ('status' in found) return found;
+    return { id: node.id, type, params, paramsKey, inputs: found.values, interim: task.interim };
   }
 
   #start(task: Task<Services>, call: Call<Services>): void {
@@ -164,7 +169,7 @@ export class Run<Services> {
     return task.waiting > 0;
   }
 
-  #params(node: FlatNode, type: NodeType<Services>): OwnParams | NodeResult {
+  #params(task: Task<Services>, node: FlatNode, type: NodeType<Services>): OwnParams | NodeResult {
     const known = ownParams(type, node.params);
     if (known.refusal) return paramFailure(node.id, type, known.refusal.param, known.refusal.message);
     const names = driven(node, type);
@@ -173,7 +178,7 @@ export class Run<Services> {
     for (const name of names) {
       const [source] = node.inputs.get(name)!;
       if (source?.kind !== 'output') continue;
-      const found = this.#value(source, node.id, name, socketsOfType(type).inputs[name]!.type);
+      const found = this.#value(source, task, name, socketsOfType(type).inputs[name]!.type);
       if ('status' in found) return found;
       const value = drivenValue(type.params[name]!, found.value);
       const message = refuseValue(type.params[name]!, value);
@@ -191,7 +196,7 @@ export class Run<Services> {
       const found: unknown[] = [];
       for (const source of sources) {
         if (source.kind === 'nothing') continue;
-        const value = this.#value(source, node.id, name, socket.type);
+        const value = this.#value(source, task, name, socket.type);
         if ('status' in value) return value;
         if (socket.type === ANY) task.generic = value.type;
         found.push(value.value);
@@ -203,23 +208,24 @@ export class Run<Services> {
     return { values };
   }
 
-  /** What a settled node gives, as the type that is wanted, and the type that it was. */
+  /** What a settled node gives a task, as the type that is wanted, and the type that it was. */
   #value(
     source: FlatOutput,
-    node: string,
+    task: Task<Services>,
     input: string,
     wanted: string,
   ): { value: unknown; type: string } | NodeResult {
     const { result, type, generic } = this.#tasks.get(source.node)!;
     if (result?.status !== 'done') return blocked(source.node, result);
+    if (result.interim) task.interim = true;
     const from = `${source.node}.${source.output}`;
     const declared = type && own(type.outputs, source.output)?.type;
-    if (declared === undefined) return failure('graph.edge', node, `there is no output ${from}; connect another`);
+    if (declared === undefined) return failure('graph.edge', task.id, `there is no output ${from}; connect another`);
     const actual = declared === ANY ? generic : declared;
     const convert = conversion(actual, wanted);
     if (convert) return { value: convert(result.outputs[source.output]), type: actual };
     const message = `${actual} (${from}) does not fit ${wanted} (${input}); connect something else`;
-    return failure('graph.edge', node, message);
+    return failure('graph.edge', task.id, message);
   }
 }
 

@@ -1,24 +1,36 @@
 import { DocumentError, type GraphDocument, type ParamValue } from '../graph/document.ts';
-import { type FlatGraph, type FlatNode, flatten } from '../graph/flatten.ts';
+import { type FlatAlias, type FlatGraph, type FlatNode, flatten } from '../graph/flatten.ts';
 import { nodeLibrary } from './library.ts';
 
 /** The node whose image is the project's: its first output. */
 export const outputIn = ({ nodes }: GraphDocument): string | undefined =>
   Object.entries(nodes).find(([, { type }]) => type === 'output')?.[0];
 
-const found = new WeakMap<GraphDocument['nodes'], Pick<GraphDocument, 'edges' | 'groups'> & { chain: FlatNode[] }>();
+interface Known extends Pick<GraphDocument, 'edges' | 'groups'> {
+  readonly flat: FlatGraph | undefined;
+  readonly chain: readonly FlatNode[];
+}
+const found = new WeakMap<GraphDocument['nodes'], Known>();
+
+function knownOf(document: GraphDocument): Known {
+  const { nodes, edges, groups } = document;
+  const known = found.get(nodes);
+  if (known?.edges === edges && known.groups === groups) return known;
+  const flat = flattened(document);
+  const fresh = { edges, groups, flat, chain: feeding(flat, outputIn(document)) };
+  found.set(nodes, fresh);
+  return fresh;
+}
 
 /**
  * The nodes that feed a project's output, with it, the nearest first: groups opened out, muted nodes left out, ids as an evaluation has
  * them. Empty where there is no output.
  */
-export function chainOf(document: GraphDocument): readonly FlatNode[] {
-  const known = found.get(document.nodes);
-  if (known?.edges === document.edges && known.groups === document.groups) return known.chain;
-  const chain = feeding(flattened(document), outputIn(document));
-  found.set(document.nodes, { edges: document.edges, groups: document.groups, chain });
-  return chain;
-}
+export const chainOf = (document: GraphDocument): readonly FlatNode[] => knownOf(document).chain;
+
+/** What the first output of a group is, or of another node that computes nothing, by its id as an evaluation has it. */
+export const firstOutputOf = (document: GraphDocument, id: string): FlatAlias | undefined =>
+  knownOf(document).flat?.aliases.get(id);
 
 /** Of a type, the node that is nearest to the output. */
 export const nearestOf = (document: GraphDocument, type: string): FlatNode | undefined =>

@@ -1,3 +1,4 @@
+import type { Books } from '../dynamics/books.ts';
 import type { NodeType, ParamOf, ParamSpec, Socket, Work } from '../graph/nodeType.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Course } from '../scene/compose/paths.ts';
@@ -7,6 +8,7 @@ import type { ColorMode, Solver, View } from '../scene/view.ts';
 import type { FalseColor } from '../spectrum/falseColor.ts';
 import type { LightSpectrum } from '../spectrum/lightSpectrum.ts';
 import type { Tone } from '../spectrum/toneMap.ts';
+import type { Matter } from './dynamics/matter.ts';
 import type { ProjectFile } from './files.ts';
 import type { Metering } from './metering.ts';
 import type { LoadedScene, Services } from './services.ts';
@@ -82,6 +84,10 @@ interface SocketValues {
   /** Things, lamps and cameras that are to be part of a scene. */
   readonly geometry: LoadedScene;
   readonly motion: Course;
+  /** What is to be simulated. */
+  readonly matter: Matter;
+  /** What a simulation did. */
+  readonly books: Books;
   readonly lights: readonly Light[];
   /** The observer's velocity at the start, in units of c. */
   readonly observer: Vec3;

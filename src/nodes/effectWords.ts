@@ -45,6 +45,11 @@ export const effectWords = {
     'A thin lens that the observer carries: it focuses by how far away an event is in the observer’s frame.',
     '观察者携带的薄透镜：按事件在观察者参考系中的距离对焦。',
   ],
+  'effect.antialiasing': ['Antialiasing', '抗锯齿'],
+  'effect.antialiasing.help': [
+    'Smooths the stairs of hard edges in a finished picture. Put it after Tone Map.',
+    '平滑成品画面中硬边的锯齿。宜接在色调映射之后。',
+  ],
   'effect.sigma': ['Width (σ)', '宽度（σ）'],
   'effect.angle': ['Direction', '方向'],
   'effect.depthRange': ['Range of distances', '距离范围'],
@@ -68,5 +73,8 @@ export const effectWords = {
   'effect.overSky': ['Over the sky', '覆盖天空'],
   'effect.focus': ['In focus at', '对焦距离'],
   'effect.aperture': ['Aperture', '光圈直径'],
+  'effect.contrast': ['Least contrast', '最小对比度'],
+  'effect.search': ['Search along edges', '沿边搜索'],
+  'effect.single': ['Spread single pixels', '扩散孤立像素'],
   'effect.mostBlur': ['Largest blur', '最大模糊'],
 } as const satisfies Record<string, readonly [en: string, zh: string]>;

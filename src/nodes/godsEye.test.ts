@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-
+import { readFont } from '../cli/fonts.ts';
 import { Evaluator } from '../graph/evaluate.ts';
 import { parseDocument } from '../graph/read.ts';
 import { nodeLibrary } from './library.ts';
@@ -13,7 +13,8 @@ it('the preset shows one instant from above, in which the passing train is as mu
   const document = parseDocument(readFileSync(file, 'utf8'));
   const evaluation = await new Evaluator(nodeLibrary).evaluate(document, 'output', {
     ...threadServices,
-    readScene: () => Promise.reject(new Error('it is made of nodes alone')),
+    readFont,
+    readScene: () => Promise.reject(new Error('it reads no scene')),
   });
   const picture = pictureOf(evaluation)!;
   expect(picture).toMatchObject({ view: 'simultaneity', speedOfLight: 10 });

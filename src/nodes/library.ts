@@ -8,6 +8,11 @@ import { skyNode } from './composition/sky.ts';
 import { spectrumNode } from './composition/spectrum.ts';
 import { sunNode } from './composition/sun.ts';
 import { timeNode } from './composition/time.ts';
+import { cacheNode } from './dynamics/cache.ts';
+import { colliderNode } from './dynamics/collider.ts';
+import { fieldNode } from './dynamics/field.ts';
+import { massSpringNode } from './dynamics/massSpring.ts';
+import { simulateNode } from './dynamics/simulate.ts';
 import { boxNode } from './geometry/box.ts';
 import { cylinderNode } from './geometry/cylinder.ts';
 import { flyNode } from './geometry/fly.ts';
@@ -32,6 +37,7 @@ import { keyframesNode } from './motion/keyframes.ts';
 import { pathNode } from './motion/path.ts';
 import { spinNode } from './motion/spin.ts';
 import { uniformNode } from './motion/uniform.ts';
+import { antialiasing } from './render/antialiasing.ts';
 import { sceneCamera } from './render/camera.ts';
 import { depthOfField } from './render/depthOfField.ts';
 import { falseColour } from './render/falseColour.ts';
@@ -87,6 +93,11 @@ const types = [
   retimeNode,
   writeUsdNode,
   flyNode,
+  massSpringNode,
+  colliderNode,
+  fieldNode,
+  simulateNode,
+  cacheNode,
   scene,
   sunNode,
   lampNode,
@@ -104,6 +115,7 @@ const types = [
   ambientOcclusion,
   postProcess,
   depthOfField,
+  antialiasing,
   mixColor,
   toneMap,
   falseColour,

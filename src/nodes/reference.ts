@@ -10,6 +10,7 @@ const word = (key: string): string => (Object.hasOwn(words, key) ? words[key as 
 
 const CATEGORIES = [
   ['geometry', 'Geometry'],
+  ['dynamics', 'Dynamics'],
   ['composition', 'Composition'],
   ['render', 'Render'],
   ['utility', 'Utility'],

@@ -153,6 +153,17 @@ export const EFFECTS = {
     ],
     reads: ['depth'],
   },
+  antialiasing: {
+    title: 'effect.antialiasing',
+    help: 'effect.antialiasing.help',
+    category: 'lines',
+    args: [
+      share('effect.contrast', 0.1),
+      { title: 'effect.search', default: 16, min: 1, max: 64, step: 1, unit: 'px' },
+      share('effect.single', 0.5),
+    ],
+    reads: [],
+  },
 } as const satisfies Record<string, EffectInfo>;
 
 export type EffectId = keyof typeof EFFECTS;
@@ -175,6 +186,8 @@ export const BLOOM_LEVELS = 6;
 export const FOG = { grey: [1, 1, 1], haze: [0.55, 0.75, 1] } as const;
 /** At most so many places of the lens are looked through for each pixel; and the cells in which the widest blur is looked up [px]. */
 export const LENS = { samples: 256, cell: 4 } as const;
+/** Contrast is of what eyes make of light, its root, over the brighter of the two; but over that of 1/100 of white where both are darker. */
+export const BLACK_CONTRAST = 0.1;
 /** How wide the border of a wipe is, as a share of the picture. */
 export const WIPE_WIDTH = 0.1;
 

@@ -199,6 +199,8 @@ describe('the page', () => {
     expect(bytes).toBeGreaterThan(200_000);
     console.log(`${bytes} bytes`);
     expect(bytes).toBeLessThan(1_000_000);
+    // The other language, and letters of alphabets that are not shown.
+    expect([...asked].filter((url) => /chinese|greek-wght|latin-wght/.test(url))).toEqual([]);
     await visit.close();
   });
 });

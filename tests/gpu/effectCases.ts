@@ -86,7 +86,24 @@ function scene(): Taken {
   };
 }
 
-const PICTURES = { noise, scene };
+/** Hard slanted edges between few colours, dark and bright, up to the picture's sides, and single pixels. */
+function shapes(): Taken {
+  const [width, height] = [90, 70];
+  const colors = [
+    [0.02, 0.02, 0.02],
+    [0.7, 0.1, 0.05],
+    [30, 25, 20],
+    [0.3, 0.3, 0.35],
+  ] as const;
+  const image = Plane.of(width, height, 3, (x, y) => {
+    const disc = Math.hypot(x - 60.3, y - 30.8) < 19 ? 1 : 0;
+    const wedge = y > 0.11 * x + 20 && x < 0.31 * y + 40 ? 2 : 0;
+    return colors[x % 17 === 3 && y % 13 === 5 ? 2 : disc + wedge]!;
+  });
+  return { ...noise(), image };
+}
+
+const PICTURES = { noise, scene, shapes };
 const taken = new Map<string, Taken>();
 
 export function pictureOf({ picture }: EffectCase): Taken {
@@ -213,6 +230,10 @@ export const EFFECT_CASES: readonly EffectCase[] = [
   ...both('fog', [20, 2, 0, 0.3]),
   ...both('depth-of-field', [4, 300, 12]),
   ...both('depth-of-field', [6, 2000, 24]),
+  ...both('antialiasing', [0.1, 16, 0.5]),
+  ...both('antialiasing', [0.02, 5, 1]),
+  { name: 'antialiasing of hard edges', of: 'antialiasing', args: [0.1, 16, 0.5], picture: 'shapes' },
+  { name: 'antialiasing under a mask', of: 'antialiasing', args: [0.1, 64, 0], picture: 'shapes', masked: true },
   ...both({ mode: 'normal' }, [0.4]),
   ...both({ mode: 'multiply' }, [1]),
   ...both({ mode: 'add' }, [0.8]),

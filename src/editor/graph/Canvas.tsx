@@ -9,13 +9,15 @@ import {
   SelectionMode,
   useStore,
 } from '@xyflow/react';
-import { type FocusEvent, type ReactNode, useMemo } from 'react';
+import { type CSSProperties, type FocusEvent, type ReactNode, useMemo } from 'react';
 import { GROUP } from '../../graph/structure.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { useStudio } from '../state/context.tsx';
 import { contextOf, enter } from './actions.ts';
 import { canvas, choose } from './canvas.ts';
+import { BARE, FarPixel, pixelAt } from './far.ts';
 import { type FlowNode, thingOf, type WireEdge } from './flow.ts';
+import { FARTHEST } from './framing.ts';
 import { NodeCard, RerouteDot } from './NodeCard.tsx';
 import { FrameBox, NoteCard } from './NoteCard.tsx';
 import { useFlow } from './useFlow.ts';
@@ -26,20 +28,13 @@ import { Wire } from './Wire.tsx';
 
 const NODE_TYPES: NodeTypes = { card: NodeCard, dot: RerouteDot, note: NoteCard, frame: FrameBox };
 const EDGE_TYPES: EdgeTypes = { wire: Wire };
-/** The first sight of a graph is no closer than this. */
-const CLOSEST = 1.1;
-/** Graphs of hundreds of nodes are all in sight. */
-const FARTHEST = 0.03;
-/** Farther away nodes show their titles alone, and large. */
-const FAR = 0.6;
-
 /** The nodes and edges of the level that is shown. */
 export function Canvas({ panel }: { readonly panel: React.RefObject<HTMLElement | null> }): ReactNode {
   const { t } = useTexts();
   const studio = useStudio();
   const scheme = useComputedColorScheme('dark');
   const flow = useFlow();
-  const far = useStore(({ transform }) => transform[2] < FAR);
+  const pixel = useStore(({ transform }) => pixelAt(transform[2]));
   const wiring = useWiring(flow.faces, panel);
   useSight(flow, panel);
   useNodePictures(flow.faces);
@@ -53,49 +48,50 @@ export function Canvas({ panel }: { readonly panel: React.RefObject<HTMLElement 
     else studio.change({ inspecting: true });
   };
   return (
-    <ReactFlow<FlowNode, WireEdge>
-      className="sl-flow"
-      aria-label={t('graph.canvas')}
-      tabIndex={-1}
-      data-far={far || undefined}
-      colorMode={scheme}
-      nodes={flow.nodes}
-      edges={flow.edges}
-      nodeTypes={NODE_TYPES}
-      edgeTypes={EDGE_TYPES}
-      onNodesChange={flow.onNodesChange}
-      onEdgesChange={flow.onEdgesChange}
-      {...wiring}
-      onMoveStart={() => panel.current?.toggleAttribute('data-moving', true)}
-      onMoveEnd={() => panel.current?.toggleAttribute('data-moving', false)}
-      onNodeDoubleClick={onDoubleClick}
-      onFocus={chooseFocused}
-      onPaneClick={() => panel.current?.querySelector<HTMLElement>('.sl-flow')?.focus({ preventScroll: true })}
-      fitView
-      fitViewOptions={{ maxZoom: CLOSEST, padding: 0.1 }}
-      minZoom={FARTHEST}
-      maxZoom={2.5}
-      selectionOnDrag
-      selectionMode={SelectionMode.Partial}
-      panOnDrag={[1, 2]}
-      zoomOnDoubleClick={false}
-      elevateNodesOnSelect
-      edgesFocusable={false}
-      disableKeyboardA11y
-      deleteKeyCode={null}
-      selectionKeyCode={null}
-      panActivationKeyCode={null}
-      zoomActivationKeyCode={null}
-      multiSelectionKeyCode={['Shift', 'Control', 'Meta']}
-      connectionRadius={24}
-      reconnectRadius={9}
-      nodeDragThreshold={3}
-      ariaLabelConfig={labels}
-      attributionPosition="bottom-left"
-    >
-      <Background variant={BackgroundVariant.Dots} gap={20} size={1} />
-      <MiniMap<FlowNode> pannable zoomable nodeClassName={minimapClass} nodeBorderRadius={12} />
-    </ReactFlow>
+    <FarPixel value={pixel}>
+      <ReactFlow<FlowNode, WireEdge>
+        className="sl-flow"
+        aria-label={t('graph.canvas')}
+        tabIndex={-1}
+        data-far={pixel === undefined ? undefined : pixel > BARE ? 'bare' : 'far'}
+        style={{ '--sl-pixel': `${pixel ?? 1}px` } as CSSProperties}
+        colorMode={scheme}
+        nodes={flow.nodes}
+        edges={flow.edges}
+        nodeTypes={NODE_TYPES}
+        edgeTypes={EDGE_TYPES}
+        onNodesChange={flow.onNodesChange}
+        onEdgesChange={flow.onEdgesChange}
+        {...wiring}
+        onMoveStart={() => panel.current?.toggleAttribute('data-moving', true)}
+        onMoveEnd={() => panel.current?.toggleAttribute('data-moving', false)}
+        onNodeDoubleClick={onDoubleClick}
+        onFocus={chooseFocused}
+        onPaneClick={() => panel.current?.querySelector<HTMLElement>('.sl-flow')?.focus({ preventScroll: true })}
+        minZoom={FARTHEST}
+        maxZoom={2.5}
+        selectionOnDrag
+        selectionMode={SelectionMode.Partial}
+        panOnDrag={[1, 2]}
+        zoomOnDoubleClick={false}
+        elevateNodesOnSelect
+        edgesFocusable={false}
+        disableKeyboardA11y
+        deleteKeyCode={null}
+        selectionKeyCode={null}
+        panActivationKeyCode={null}
+        zoomActivationKeyCode={null}
+        multiSelectionKeyCode={['Shift', 'Control', 'Meta']}
+        connectionRadius={24}
+        reconnectRadius={9}
+        nodeDragThreshold={3}
+        ariaLabelConfig={labels}
+        attributionPosition="bottom-left"
+      >
+        <Background variant={BackgroundVariant.Dots} gap={20} size={1} />
+        <MiniMap<FlowNode> pannable zoomable nodeClassName={minimapClass} nodeBorderRadius={12} />
+      </ReactFlow>
+    </FarPixel>
   );
 }
 

@@ -1,7 +1,8 @@
 import { Tooltip } from '@mantine/core';
 import { IconAlertTriangle, IconEyeOff, IconHourglass, IconSitemap } from '@tabler/icons-react';
 import type { NodeProps } from '@xyflow/react';
-import { memo, type ReactNode } from 'react';
+import { memo, type ReactNode, useContext } from 'react';
+import type { Point } from '../../graph/commands.ts';
 import { GROUP } from '../../graph/structure.ts';
 import { writes } from '../../nodes/writers.ts';
 import { useTexts } from '../i18n/i18n.ts';
@@ -10,10 +11,12 @@ import { useStudio } from '../state/context.tsx';
 import { contextOf, enter } from './actions.ts';
 import { flatName, pathIn, useCanvas } from './canvas.ts';
 import type { Face, Row, SocketFace } from './face.ts';
+import { BARE, FarPixel, farTitle, LINE_HEIGHT } from './far.ts';
 import type { CardNode } from './flow.ts';
 import { NodePicture } from './NodePicture.tsx';
 import { NodeWork } from './NodeWork.tsx';
 import { SocketMark } from './Socket.tsx';
+import { titleRoom } from './shape.ts';
 import { Words } from './Words.tsx';
 
 const NONE: ReadonlySet<string> = new Set();
@@ -24,8 +27,9 @@ function useFits(id: string): ReadonlySet<string> | undefined {
 }
 
 /** A node: what it is called, its sockets, what of its parameters is set, what it made, and what is wrong. */
-export const NodeCard = memo(function NodeCard({ data: { face } }: NodeProps<CardNode>): ReactNode {
+export const NodeCard = memo(function NodeCard({ data: { face, reach } }: NodeProps<CardNode>): ReactNode {
   const fits = useFits(face.id);
+  const pixel = useContext(FarPixel);
   return (
     <article
       className="sl-node"
@@ -37,6 +41,7 @@ export const NodeCard = memo(function NodeCard({ data: { face } }: NodeProps<Car
       data-unfit={(fits && fits.size === 0) || undefined}
     >
       <Head face={face} />
+      {pixel !== undefined && <FarWords face={face} reach={reach} pixel={pixel} />}
       {face.collapsed ? <CollapsedSockets face={face} /> : <Body face={face} fits={fits} />}
     </article>
   );
@@ -63,6 +68,27 @@ function Head({ face }: { readonly face: Face }): ReactNode {
         face.blocked && <IconHourglass size={14} aria-label={t('graph.waits')} />
       )}
     </header>
+  );
+}
+
+interface FarWordsProps {
+  readonly face: Face;
+  readonly reach: Point;
+  readonly pixel: number;
+}
+
+/** What is shown of a node from afar: its title, in the middle of it, or above its picture. */
+function FarWords({ face, reach, pixel }: FarWordsProps): ReactNode {
+  const { any } = useTexts();
+  const room = titleRoom(face, pixel <= BARE);
+  const set = farTitle(any(face.title), room, reach, pixel);
+  if (!set) return null;
+  const [x, y] = set.reach;
+  const place = { left: -x, right: -x, top: -y, height: room[1] + 2 * y };
+  return (
+    <div className="sl-far" style={{ ...place, fontSize: set.size, lineHeight: LINE_HEIGHT }} aria-hidden>
+      <span style={{ WebkitLineClamp: set.lines }}>{set.text}</span>
+    </div>
   );
 }
 

@@ -2,8 +2,9 @@ import './sockets.css';
 import './graph.css';
 import { Modal } from '@mantine/core';
 import { type ReactNode, useMemo } from 'react';
+import { inEveryLanguage } from '../i18n/everyLanguage.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { type MessageKey, messages } from '../i18n/messages.ts';
+import type { MessageKey } from '../i18n/messages.ts';
 import { useSaveProject } from '../projects/useSaveProject.ts';
 import { nextFalseColor, nextView, toggleGrid } from '../shell/actions.ts';
 import { useSavePicture } from '../shell/useSavePicture.ts';
@@ -59,7 +60,7 @@ function Commands({ close }: { readonly close: () => void }): ReactNode {
     id,
     label: t(title),
     group,
-    words: messages[title].join(' '),
+    words: inEveryLanguage(title),
     disabled,
     ...(keys && { keys: keysShown(keys) }),
   });

@@ -32,7 +32,8 @@ export interface Sight {
   middle(): Point;
   /** From a place on the canvas to one in the panel [px]. */
   inPanel(at: Point): Point;
-  fit(nodes?: readonly string[]): void;
+  /** Brings nodes into sight, or all that there is; `swing`: how long that takes [ms]. */
+  fit(nodes?: readonly string[], swing?: number): void;
   zoom(factor: number): void;
   sizeOf(node: string): Point;
   /** With its picture, also where that has no room now. */

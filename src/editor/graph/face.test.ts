@@ -112,7 +112,14 @@ it('what is not changed by an edit stays the same object, so that it is not draw
   const [nodes, edges] = [new Kept<FlowNode>(), new Kept<WireEdge>()];
   const shown = async (held: GraphDocument) => {
     const level = levelOf(held)!;
-    const scenery = { level, faces: await facesOf(held), places: held.layout, notes: {}, chosen: NOTHING };
+    const scenery = {
+      level,
+      faces: await facesOf(held),
+      places: held.layout,
+      notes: {},
+      chosen: NOTHING,
+      reaches: new Map(),
+    };
     return {
       nodes: flowNodes({ ...scenery, nameOf: ({ title }) => title }, nodes),
       edges: flowEdges(level, typesIn(level, nodeLibrary), NOTHING, edges),

@@ -13,7 +13,7 @@ import { type Box, frameBox, SOCKET, sizeOf, socketPlaces } from './shape.ts';
  * A level of the document as React Flow has it. It is made anew from the document whenever that changes; what came out the same stays
  * the same object, and is not drawn again.
  */
-export type CardNode = Node<{ readonly face: Face }, 'card' | 'dot'>;
+export type CardNode = Node<{ readonly face: Face; readonly reach: Point }, 'card' | 'dot'>;
 export type NoteNode = Node<{ readonly id: string; readonly note: Note }, 'note'>;
 export type FrameNode = Node<{ readonly id: string; readonly frame: Frame }, 'frame'>;
 export type FlowNode = CardNode | NoteNode | FrameNode;
@@ -58,13 +58,15 @@ export interface Scenery {
   /** Where notes are while they are dragged. */
   readonly notes: Readonly<Record<string, Point>>;
   readonly chosen: Chosen;
+  /** How far titles may reach beyond their nodes (far.ts). */
+  readonly reaches: ReadonlyMap<string, Point>;
   /** What a node is to screen readers. */
   nameOf(face: Face): string;
 }
 
 /** Frames lie under notes, notes under nodes. */
 export function flowNodes(scenery: Scenery, kept: Kept<FlowNode>): FlowNode[] {
-  const { level, faces, places, chosen } = scenery;
+  const { level, faces, places, chosen, reaches } = scenery;
   const boxOf = (id: string): Box | undefined => {
     const [face, at] = [faces.get(id), places[id]];
     return face && at && { at, size: sizeOf(face) };
@@ -85,8 +87,9 @@ export function flowNodes(scenery: Scenery, kept: Kept<FlowNode>): FlowNode[] {
     const at = places[face.id] ?? [0, 0];
     const isSelected = selected.has(face.id);
     const name = scenery.nameOf(face);
-    return kept.take(face.id, JSON.stringify([face, at, isSelected, name]), () => ({
-      ...cardNode(face, at, isSelected),
+    const reach = reaches.get(face.id) ?? [0, 0];
+    return kept.take(face.id, JSON.stringify([face, at, isSelected, name, reach]), () => ({
+      ...cardNode(face, at, isSelected, reach),
       ariaLabel: name,
     }));
   });
@@ -126,7 +129,7 @@ const noteNode = (id: string, note: Note, at: Point, selected: boolean): NoteNod
   ariaLabel: note.text,
 });
 
-const cardNode = (face: Face, at: Point, selected: boolean): CardNode => ({
+const cardNode = (face: Face, at: Point, selected: boolean, reach: Point): CardNode => ({
   id: face.id,
   type: face.type === REROUTE ? 'dot' : 'card',
   position: position(at),
@@ -143,7 +146,7 @@ const cardNode = (face: Face, at: Point, selected: boolean): CardNode => ({
       height: SOCKET,
     }),
   ),
-  data: { face },
+  data: { face, reach },
   selected,
 });
 

@@ -32,8 +32,16 @@ export function sizeOf(face: Face): Point {
   if (face.collapsed) return [NODE_WIDTH, HEAD];
   const rows = face.rows.length + (face.more > 0 ? 1 : 0);
   const body = rows > 0 ? rows * ROW + 2 * PAD : 0;
-  const picture = face.picture ? PICTURE[1] + PICTURE_FOOT + (face.picture === 'metered' ? SPREAD : 0) : 0;
-  return [NODE_WIDTH, HEAD + body + picture + (face.tells ? FOOT : 0)];
+  return [NODE_WIDTH, HEAD + body + pictureHeight(face) + (face.tells ? FOOT : 0)];
+}
+
+const pictureHeight = ({ picture }: Face): number =>
+  picture ? PICTURE[1] + PICTURE_FOOT + (picture === 'metered' ? SPREAD : 0) : 0;
+
+/** What of a node its title has where it is seen from afar: all, or what is above its picture. */
+export function titleRoom(face: Face, picture: boolean): Point {
+  const [width, height] = sizeOf(face);
+  return [width, picture && !face.collapsed ? height - pictureHeight(face) : height];
 }
 
 /** A socket with the middle of its mark, from the node's corner [px]. */

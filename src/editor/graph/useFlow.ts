@@ -9,8 +9,10 @@ import { useStudio, useStudioState } from '../state/context.tsx';
 import { type Chosen, canvas, chosenIn, flatName, levelAt, pathIn, useCanvas } from './canvas.ts';
 import { moving } from './edits.ts';
 import { endsIn, type Face, faceOf } from './face.ts';
+import { reaches } from './far.ts';
 import { type FlowNode, flowEdges, flowNodes, Kept, type Thing, thingOf, type WireEdge } from './flow.ts';
 import { placesIn } from './layered.ts';
+import { outcomeOf } from './outcome.ts';
 import { problemsIn } from './problems.ts';
 import { frameBox, sizeOf, withRoom } from './shape.ts';
 
@@ -36,6 +38,10 @@ export function useFlow() {
     [level, whole],
   );
   const faces = useMemo(() => withRoom(whole, placed), [whole, placed]);
+  const beyond = useMemo(
+    () => reaches(new Map([...faces].map(([id, face]) => [id, { at: placed[id] ?? [0, 0], size: sizeOf(face) }]))),
+    [faces, placed],
+  );
   const { drag, onNodesChange } = useDrag(level, faces, placed);
   const nameOf = useNames();
   const nodeCache = useRef(new Kept<FlowNode>());
@@ -43,8 +49,12 @@ export function useFlow() {
   const places = useMemo(() => ({ ...placed, ...drag.nodes }), [placed, drag]);
   const present = useMemo(() => chosenIn(level, chosen), [level, chosen]);
   const nodes = useMemo(
-    () => flowNodes({ level, faces, places, notes: drag.notes, chosen: present, nameOf }, nodeCache.current),
-    [level, faces, places, drag, present, nameOf],
+    () =>
+      flowNodes(
+        { level, faces, places, notes: drag.notes, chosen: present, reaches: beyond, nameOf },
+        nodeCache.current,
+      ),
+    [level, faces, places, drag, present, beyond, nameOf],
   );
   const edges = useMemo(
     () => flowEdges(level, typesIn(level, nodeLibrary), present, edgeCache.current),
@@ -82,7 +92,7 @@ function useFaces(level: Level): ReadonlyMap<string, Face> {
       level,
       types: typesIn(level, nodeLibrary),
       edges: endsIn(level.graph.edges),
-      resultOf: (node: string) => results.get(flatName(way, node)),
+      resultOf: (node: string) => outcomeOf(results, level.document, flatName(way, node), level.graph.nodes[node]),
       problemOf: (node: string) => problems.get(flatName(way, node)),
       pictures,
     };

@@ -1,7 +1,7 @@
 import { useMemo } from 'react';
 import type { Level } from '../../graph/sockets.ts';
+import { inEveryLanguage } from '../i18n/everyLanguage.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { isMessageKey, messages } from '../i18n/messages.ts';
 import { additionsFor } from './additions.ts';
 import type { Loose } from './fit.ts';
 import type { Item } from './ranking.ts';
@@ -18,7 +18,7 @@ export function useNodeItems(level: Level, loose?: Loose): readonly Item[] {
           group: any(`category.${category}`),
           category,
           ...(help && { detail: any(help) }),
-          words: `${isMessageKey(title) ? messages[title].join(' ') : title} ${id} ${any(`category.${category}`)}`,
+          words: `${inEveryLanguage(title)} ${id} ${any(`category.${category}`)}`,
         }),
       ),
     [level, loose, any],

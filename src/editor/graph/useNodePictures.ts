@@ -7,6 +7,7 @@ import type { Studio } from '../state/studio.ts';
 import { canvas, flatName, pathIn, useCanvas } from './canvas.ts';
 import type { Face } from './face.ts';
 import { NodePainter } from './nodePictures.ts';
+import { outcomeOf } from './outcome.ts';
 import { Patience } from './patience.ts';
 import { pictured } from './preview.ts';
 
@@ -53,10 +54,12 @@ function nodesWithPictures(faces: ReadonlyMap<string, Face>, studio: Studio) {
   const way = pathIn(history.document, path);
   const made = new Map<string, Image | GBuffer>();
   const inSight = new Set<string>();
-  for (const { id, picture, rows, collapsed } of faces.values()) {
+  for (const face of faces.values()) {
+    const { id, picture, rows, collapsed } = face;
     const name = flatName(way, id);
     const output = rows.find((row) => row.output)?.output?.name;
-    const value = picture && output !== undefined ? pictured(results.get(name), output) : undefined;
+    const result = picture && outcomeOf(results, history.document, name, face);
+    const value = result && output !== undefined ? pictured(result, output) : undefined;
     if (!value) continue;
     made.set(name, value);
     if (!collapsed && sight?.sees(id)) inSight.add(name);

@@ -5,18 +5,37 @@ import { prefersReducedMotion } from '../state/preferences.ts';
 import { canvas, type Sight } from './canvas.ts';
 import type { Face } from './face.ts';
 import type { FlowNode, WireEdge } from './flow.ts';
-import { sizeOf } from './shape.ts';
+import { viewOf } from './framing.ts';
+import { type Box, sizeOf } from './shape.ts';
 
 const SWING = 200; // [ms]
 const duration = (): number => (prefersReducedMotion() ? 0 : SWING);
-/** Around what is fitted in; and how close that may be. */
-const FIT = { padding: 0.1, maxZoom: 1.1 };
+/** What lies over the canvas. */
+const OVERLAYS = '.sl-graph-tools, .sl-breadcrumb, .react-flow__minimap';
 
 interface Shown {
   /** With all the pictures that there would be room for elsewhere. */
   readonly whole: ReadonlyMap<string, Face>;
   readonly faces: ReadonlyMap<string, Face>;
   readonly places: Readonly<Record<string, Point>>;
+  /** As they are drawn, with notes and frames. */
+  readonly nodes: readonly FlowNode[];
+}
+
+/** Of some nodes, or of all that there is. */
+const boxesOf = (nodes: readonly FlowNode[], ids?: readonly string[]): readonly Box[] =>
+  nodes
+    .filter(({ id }) => !ids || ids.includes(id))
+    .map(({ position: { x, y }, width = 0, height = 0 }) => ({ at: [x, y], size: [width, height] }));
+
+function overlaysIn(panel: HTMLElement | null): readonly Box[] {
+  const corner = panel?.getBoundingClientRect();
+  if (!panel || !corner) return [];
+  const boxes = [...panel.querySelectorAll(OVERLAYS)].map((element): Box => {
+    const { left, top, width, height } = element.getBoundingClientRect();
+    return { at: [left - corner.left, top - corner.top], size: [width, height] };
+  });
+  return boxes.filter(({ size }) => size[0] > 0);
 }
 
 /** Lets actions know, and change, what part of the canvas is seen. */
@@ -42,8 +61,11 @@ export function useSight(shown: Shown, panel: React.RefObject<HTMLElement | null
         const [left, top, zoom] = store.getState().transform;
         return [x * zoom + left, y * zoom + top];
       },
-      fit: (nodes) =>
-        void flow.fitView({ ...FIT, duration: duration(), ...(nodes && { nodes: nodes.map((id) => ({ id })) }) }),
+      fit: (nodes, swing = duration()) => {
+        const { width, height } = store.getState();
+        const view = viewOf(boxesOf(now.current.nodes, nodes), [width, height], overlaysIn(panel.current));
+        if (view) void flow.setViewport(view, { duration: swing });
+      },
       zoom: (factor) => void flow.zoomTo(flow.getZoom() * factor, { duration: duration() }),
       sizeOf: sizeOfNode,
       roomFor: (id) => sizeIn(now.current.whole, id),
@@ -80,6 +102,16 @@ export function useSight(shown: Shown, panel: React.RefObject<HTMLElement | null
       },
     };
     canvas.setState({ sight });
-    return () => canvas.setState({ sight: undefined, adding: undefined, writing: undefined });
+    // At first all is in sight, once the panel has its size.
+    const look = (): boolean => {
+      if (store.getState().width === 0) return false;
+      sight.fit(undefined, 0);
+      return true;
+    };
+    const unwatch = look() ? () => {} : store.subscribe(() => look() && unwatch());
+    return () => {
+      unwatch();
+      canvas.setState({ sight: undefined, adding: undefined, writing: undefined });
+    };
   }, [flow, store, panel]);
 }

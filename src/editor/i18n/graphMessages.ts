@@ -122,6 +122,7 @@ export const graphMessages = {
   'edit.rename': ['rename', '重命名'],
 
   'category.geometry': ['Geometry', '几何'],
+  'category.dynamics': ['Dynamics', '动力学'],
   'category.composition': ['Composition', '组成'],
   'category.render': ['Render', '渲染'],
   'category.utility': ['Utility', '工具'],
@@ -129,6 +130,8 @@ export const graphMessages = {
 
   'type.geometry': ['Geometry', '几何'],
   'type.motion': ['Motion', '运动'],
+  'type.matter': ['Matter', '物质'],
+  'type.books': ['Books', '账目'],
   'type.lights': ['Lights', '光源'],
   'type.observer': ['Observer', '观察者'],
   'type.time': ['Time', '时间'],

@@ -1,6 +1,7 @@
 import i18next from 'i18next';
 import { initReactI18next, useTranslation } from 'react-i18next';
-import { isMessageKey, type MessageKey, messages } from './messages.ts';
+import type { exampleWords } from './exampleWords.ts';
+import type { MessageKey } from './messages.ts';
 
 export const LANGUAGES = ['en', 'zh'] as const;
 export type Language = (typeof LANGUAGES)[number];
@@ -8,8 +9,17 @@ export type Language = (typeof LANGUAGES)[number];
 /** A text of the catalogue. */
 export type Translate = (key: MessageKey, values?: Readonly<Record<string, string | number>>) => string;
 
-const catalogue = (place: 0 | 1) =>
-  Object.fromEntries(Object.entries(messages).map(([key, texts]) => [key, texts[place]]));
+interface Texts {
+  readonly words: Readonly<Record<string, string>>;
+  /** Of the examples, where they are not as their files have them. */
+  readonly examples?: typeof exampleWords;
+}
+
+/** A page loads the language that it is in. */
+const TEXTS: Readonly<Record<Language, () => Promise<Texts>>> = {
+  en: () => import('./english.ts'),
+  zh: () => import('./chinese.ts'),
+};
 
 /** The language that a browser's list of preferences asks for. */
 export const preferredLanguage = (wanted: readonly string[]): Language =>
@@ -18,27 +28,41 @@ export const preferredLanguage = (wanted: readonly string[]): Language =>
 export async function startTranslation(language: Language): Promise<void> {
   await i18next.use(initReactI18next).init({
     lng: language,
-    fallbackLng: 'en',
-    resources: { en: { translation: catalogue(0) }, zh: { translation: catalogue(1) } },
+    fallbackLng: false,
+    resources: { [language]: await resourcesOf(language) },
     keySeparator: false,
     nsSeparator: false,
     interpolation: { escapeValue: false },
   });
 }
 
-export const setLanguage = (language: Language): Promise<unknown> => i18next.changeLanguage(language);
+/** Rejects where the language cannot be loaded; the page stays as it is. */
+export async function setLanguage(language: Language): Promise<void> {
+  for (const [namespace, texts] of Object.entries(await resourcesOf(language))) {
+    i18next.addResourceBundle(language, namespace, texts);
+  }
+  await i18next.changeLanguage(language);
+}
+
+async function resourcesOf(language: Language): Promise<{ readonly translation: object; readonly examples: object }> {
+  const { words, examples = {} } = await TEXTS[language]();
+  return { translation: words, examples };
+}
 
 /** The catalogue in the language of the page; the component is drawn again when it changes. */
 export function useTexts(): {
   readonly t: Translate;
   readonly language: Language;
   readonly any: (key: string, values?: Readonly<Record<string, string>>) => string;
+  readonly example: (name: string) => (typeof exampleWords)[string] | undefined;
 } {
   const { t, i18n } = useTranslation();
   return {
     t: (key, values) => t(key, values ?? {}),
     language: i18n.language === 'zh' ? 'zh' : 'en',
     /** For keys that come out of descriptions: what is not in the catalogue stands for itself. */
-    any: (key, values) => (isMessageKey(key) ? t(key, values ?? {}) : key),
+    any: (key, values) => (i18n.exists(key) ? t(key, values ?? {}) : key),
+    /** What is said of an example scene or project, where its file does not say it in this language. */
+    example: (name) => i18n.getResource(i18n.language, 'examples', name),
   };
 }

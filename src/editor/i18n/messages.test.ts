@@ -30,7 +30,7 @@ describe('the catalogue of messages', () => {
     ).join('\n');
     // Keys that are put together: `lock.${lock}.help`.
     const composed =
-      /^(lock|loading|header)\.(free|look|fly|fetch|parse|trace|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^(band|preset|light|math|vectorMath|relation|category|type|graph\.course)\./;
+      /^(lock|loading|header)\.(free|look|fly|fetch|parse|trace|simulate|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^(band|preset|light|math|vectorMath|relation|category|type|graph\.course)\.|^energy\.(change|total|kinetic|potential|fastest|momentum|angularMomentum)$/;
     const unused = Object.keys(messages).filter((key) => !sources.includes(`'${key}'`) && !composed.test(key));
     expect(unused).toEqual([]);
   });

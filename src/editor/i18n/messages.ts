@@ -1,3 +1,4 @@
+import { largestWords } from '../../nodes/drawing/largest.ts';
 import { effectWords } from '../../nodes/effectWords.ts';
 import { nodeWords } from '../../nodes/words.ts';
 import { graphMessages } from './graphMessages.ts';
@@ -7,6 +8,7 @@ import { projectMessages } from './projectMessages.ts';
 export const messages = {
   ...nodeWords,
   ...effectWords,
+  ...largestWords,
   ...projectMessages,
   ...graphMessages,
   'app.title': ['Slowlight', 'Slowlight 慢光'],
@@ -26,6 +28,10 @@ export const messages = {
   'header.save': ['Save picture', '保存图片'],
   'header.help': ['Keys and help', '按键与帮助'],
   'header.languageLabel': ['切换到中文', 'Switch to English'],
+  'header.noLanguage': [
+    'Chinese could not be loaded. Is the server still running?',
+    '无法加载英文。服务器还在运行吗？',
+  ],
   'header.dark': ['Dark colours', '深色界面'],
   'header.light': ['Light colours', '浅色界面'],
   'header.toolbar': ['Program', '程序'],
@@ -33,6 +39,7 @@ export const messages = {
   'panel.picture': ['Picture', '画面'],
   'panel.controls': ['Controls', '控制'],
   'panel.scene': ['Scene', '场景'],
+  'panel.energy': ['Energy', '能量'],
   'panel.reset': ['Back to the default', '恢复默认值'],
 
   'node.fly': ['Flight', '飞行'],
@@ -118,6 +125,10 @@ export const messages = {
   'viewport.hide': ['Hide', '隐藏'],
   'viewport.loading': ['Opening {{name}}', '正在打开 {{name}}'],
   'viewport.tracing': ['Reference render', '参考渲染'],
+  'viewport.simulating': ['Simulating', '正在模拟'],
+  'viewport.stop': ['Stop', '停止'],
+  'viewport.stopped': ['Stopped: what there is so far is shown.', '已停止：显示目前的结果。'],
+  'viewport.goOn': ['Go on', '继续'],
   'viewport.preparing': ['Preparing the picture…', '正在准备画面…'],
   'viewport.cancel': ['Cancel', '取消'],
   'viewport.restart': ['The graphics device was lost. Starting it again…', '图形设备丢失，正在重新启动…'],
@@ -129,6 +140,35 @@ export const messages = {
   'loading.fetch': ['Reading the file', '读取文件'],
   'loading.parse': ['Building the scene', '构建场景'],
   'loading.trace': ['Following light', '追踪光线'],
+  'loading.simulate': ['Step by step', '逐步计算'],
+
+  'energy.none': [
+    'Nothing has been simulated yet. A Simulate node needs what is to move (Mass Spring, Collider, Field), and its geometry must lead to the output. Where something is wrong, the node says so.',
+    '尚无模拟结果。模拟节点需要连接运动的物体（质点弹簧、碰撞体、场），其几何须通向输出。如有问题，节点会给出提示。',
+  ],
+  'energy.quantity': ['What is plotted', '绘制的量'],
+  'energy.change': ['Change of energy', '能量变化'],
+  'energy.total': ['Total energy', '总能量'],
+  'energy.kinetic': ['Kinetic energy', '动能'],
+  'energy.potential': ['Potential energy', '势能'],
+  'energy.fastest': ['Fastest point', '最快的点'],
+  'energy.momentum': ['Momentum', '动量'],
+  'energy.angularMomentum': ['Angular momentum', '角动量'],
+  'energy.logarithmic': ['Logarithmic, of sizes', '对数坐标（绝对值）'],
+  'energy.plot': ['{{quantity}} over time', '{{quantity}}随时间的变化'],
+  'energy.run': ['Run', '模拟'],
+  'energy.drift': ['Drift', '漂移'],
+  'energy.drift.help': [
+    'The largest change of the energy, as a part of the largest kinetic energy',
+    '能量的最大变化，以最大动能为单位',
+  ],
+  'energy.mostSpeed': ['Fastest', '最快'],
+  'energy.step': ['h = {{step}} ms', 'h = {{step}} ms'],
+  'energy.adaptive': ['h adapts', '自适应步长'],
+  'energy.newton': ['Newton', '牛顿力学'],
+  'energy.running': ['computed until {{time}}', '已计算到 {{time}}'],
+  'energy.stopped': ['stopped at {{time}}', '停止于 {{time}}'],
+  'energy.failed': ['Ended at {{time}}: {{why}}', '结束于 {{time}}：{{why}}'],
 
   'gallery.title': ['Scenes', '场景'],
   'gallery.intro': ['Each shows one thing that is hard to believe until seen.', '每个场景都展示一件眼见才信的事。'],
@@ -218,9 +258,9 @@ export const messages = {
     'That is more than the {{most}} that a page can hold. Save the project and run: {{command}}',
     '超过了页面可容纳的 {{most}}。请保存项目后运行：{{command}}',
   ],
-  'notice.tooManyPixels': [
-    'The graphics device here draws pictures of up to {{size}} pixels along each side. Make it smaller, or save the project and run, where there is a larger one: {{command}}',
-    '此处的图形设备最多只能绘制边长 {{size}} 像素的图片。请缩小尺寸，或保存项目后在更强的设备上运行：{{command}}',
+  'notice.elsewhere': [
+    'Or save the project and run, where there is a larger device: {{command}}',
+    '或保存项目后在更强的设备上运行：{{command}}',
   ],
   'notice.copyCommand': ['Copy the command', '复制命令'],
   'notice.noScene': [
@@ -256,4 +296,6 @@ export const messages = {
 
 export type MessageKey = keyof typeof messages;
 
-export const isMessageKey = (key: string): key is MessageKey => Object.hasOwn(messages, key);
+/** The catalogue in one language. */
+export const messagesIn = (language: 0 | 1): Readonly<Record<string, string>> =>
+  Object.fromEntries(Object.entries(messages).map(([key, texts]) => [key, texts[language]]));

@@ -1,5 +1,4 @@
 import { useStudioState } from '../state/context.tsx';
-import { exampleWords } from './exampleWords.ts';
 import { useTexts } from './i18n.ts';
 
 interface Words {
@@ -9,12 +8,12 @@ interface Words {
 
 /** The title of a scene or project and what to look for: its file's own words; of the examples the page has them in its other language too. */
 export function useSceneWords(source: string, own: { readonly title?: string; readonly lookFor?: string }): Words {
-  const { language } = useTexts();
+  const { example } = useTexts();
   const name = source
     .slice(source.lastIndexOf('/') + 1)
     .replace(/\.slowlight\.json$/, '')
     .replace(/\.\w+$/, '');
-  const translated = language === 'zh' && source.startsWith('examples/') ? exampleWords[name] : undefined;
+  const translated = source.startsWith('examples/') ? example(name) : undefined;
   return translated ?? { title: own.title ?? name, lookFor: own.lookFor ?? '' };
 }
 

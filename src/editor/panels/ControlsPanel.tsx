@@ -1,7 +1,6 @@
 import { Divider, ScrollArea, Stack, Text, Tooltip } from '@mantine/core';
 import { Fragment, type ReactNode } from 'react';
-import { type GraphDocument, graphIn, own } from '../../graph/document.ts';
-import { placeOf } from '../../graph/edits/place.ts';
+import { type GraphDocument, own } from '../../graph/document.ts';
 import type { FlatNode } from '../../graph/flatten.ts';
 import type { NodeType } from '../../graph/nodeType.ts';
 import { chainOf } from '../../nodes/chain.ts';
@@ -10,6 +9,7 @@ import { useTexts } from '../i18n/i18n.ts';
 import { useStudioState } from '../state/context.tsx';
 import { feedersIn } from './driven.ts';
 import { NodeParams, shownParams } from './NodeParams.tsx';
+import { nodeTitle } from './nodeTitle.ts';
 
 /** What a person reaches for most comes first; other nodes follow, the nearest to the output first. */
 const ORDER = [
@@ -73,15 +73,10 @@ function sectionsOf(document: GraphDocument): Section[] {
   return chainOf(document)
     .flatMap((node): Section[] => {
       const type = own(nodeLibrary, node.type);
-      const title = titleOf(document, node.id);
+      const title = nodeTitle(document, node.id);
       return type && isShown(type, title) ? [{ node, type, title }] : [];
     })
     .sort((a, b) => place(a.type) - place(b.type));
-}
-
-function titleOf(document: GraphDocument, id: string): string | undefined {
-  const place = placeOf(document, id);
-  return place && own(graphIn(document, place.group)?.nodes ?? {}, place.node)?.title;
 }
 
 /** What is in the scene and how it moves is the Scene panel's; of what only computes, what a person has given a name is a control. */

@@ -7,16 +7,20 @@ import type { MessageKey } from '../i18n/messages.ts';
 import { ControlsPanel } from '../panels/ControlsPanel.tsx';
 import { ScenePanel } from '../panels/scene/ScenePanel.tsx';
 import { useStudio, useStudioState } from '../state/context.tsx';
+import type { StudioState } from '../state/studio.ts';
 import { Viewport } from '../viewport/Viewport.tsx';
 
 /** The graph comes when it is asked for: opening the page does not wait for it. */
 const GraphPanel = lazy(() => import('../graph/GraphPanel.tsx'));
 const Inspector = lazy(() => import('../graph/Inspector.tsx'));
+/** And the plots of simulations when there are some. */
+const EnergyPanel = lazy(() => import('../energy/EnergyPanel.tsx'));
 
 const PANELS = {
   picture: { title: 'panel.picture', content: <Viewport /> },
   controls: { title: 'panel.controls', content: <ControlsPanel /> },
   scene: { title: 'panel.scene', content: <ScenePanel /> },
+  energy: { title: 'panel.energy', content: <EnergyPanel /> },
   graph: { title: 'panel.graph', content: <GraphPanel /> },
   node: { title: 'panel.node', content: <Inspector /> },
 } as const satisfies Record<string, { title: MessageKey; content: ReactNode }>;
@@ -40,6 +44,7 @@ export function Dock(): ReactNode {
   const [elements, setElements] = useState<Partial<Record<PanelName, HTMLElement>>>({});
   const api = useDockview(host, setElements);
   useGraph(api, host);
+  useEnergy(api);
   useTitles(api);
   const maximized = useStudioState((state) => state.maximized);
   useEffect(() => {
@@ -133,6 +138,24 @@ function useGraph(api: DockviewApi | undefined, host: React.RefObject<HTMLDivEle
   }, [api, inspecting, studio]);
 }
 
+/** Plots are there where something is simulated. */
+function useEnergy(api: DockviewApi | undefined): void {
+  const shown = useStudioState(simulates);
+  useEffect(() => {
+    if (!api?.getPanel('controls') || !shown) return;
+    const position = { referencePanel: 'controls' };
+    const energy = api.addPanel({ id: 'energy', component: 'energy', position, inactive: true });
+    return () => {
+      if (api.getPanel('energy')) api.removePanel(energy);
+    };
+  }, [api, shown]);
+}
+
+const simulates = ({ history: { document } }: StudioState): boolean =>
+  [document, ...Object.values(document.groups)].some(({ nodes }) =>
+    Object.values(nodes).some(({ type }) => type === 'simulate'),
+  );
+
 /** A tab without a cross: panels are always there, but for the graph's, which a button of the header shows and hides. */
 function plainTab(): ITabRenderer {
   const element = document.createElement('span');
@@ -163,8 +186,9 @@ function layOut(api: DockviewApi, narrow: boolean): void {
 function useTitles(api: DockviewApi | undefined): void {
   const { t } = useTexts();
   const graph = useStudioState((state) => state.graph);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: with the graph, panels are added
+  const energy = useStudioState(simulates);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: with the graph, and what is simulated, panels are added
   useEffect(() => {
     for (const [name, panel] of Object.entries(PANELS)) api?.getPanel(name)?.api.setTitle(t(panel.title));
-  }, [api, t, graph]);
+  }, [api, t, graph, energy]);
 }

@@ -133,13 +133,15 @@ function GraphButton(): ReactNode {
 
 function LanguageButton(): ReactNode {
   const { t, language } = useTexts();
+  const studio = useStudio();
   const other = language === 'en' ? 'zh' : 'en';
-  const change = () => {
-    savePreferences({ ...loadPreferences(), language: other });
-    void setLanguage(other);
-  };
+  const change = () =>
+    setLanguage(other).then(
+      () => savePreferences({ ...loadPreferences(), language: other }),
+      () => studio.notify({ kind: 'error', text: t('header.noLanguage') }),
+    );
   return (
-    <IconButton label={t('header.languageLabel')} lang={other} onClick={change}>
+    <IconButton label={t('header.languageLabel')} lang={other} onClick={() => void change()}>
       <IconLanguage size={17} />
     </IconButton>
   );

@@ -11,6 +11,8 @@ const INFO_LASTS = 4000; // [ms]
 /** To read a letter [ms]. */
 const LETTER = 50;
 
+const COLORS = { error: 'red', warning: 'yellow', info: 'teal' } as const;
+
 /** What went wrong, where, and what to do; each until it is put right or put away. */
 export function Notices(): ReactNode {
   useRemarks();
@@ -49,15 +51,15 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
   const kept = useStudioState((state) => state.picture !== undefined);
   const error = notice.kind === 'error';
   useEffect(() => {
-    if (error || notice.action) return;
+    if (notice.kind !== 'info' || notice.action) return;
     const timer = setTimeout(() => studio.dismiss(notice.id), Math.max(INFO_LASTS, LETTER * notice.text.length));
     return () => clearTimeout(timer);
-  }, [error, studio, notice]);
+  }, [studio, notice]);
   return (
     <Notification
       withBorder
-      color={error ? 'red' : 'teal'}
-      icon={error ? <IconAlertTriangle size={18} /> : <IconCheck size={18} />}
+      color={COLORS[notice.kind]}
+      icon={notice.kind === 'info' ? <IconCheck size={18} /> : <IconAlertTriangle size={18} />}
       title={error ? t('notice.error') : undefined}
       role={error ? 'alert' : 'status'}
       closeButtonProps={{ 'aria-label': t('close') }}
@@ -86,7 +88,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
             {notice.action.text}
           </Button>
         )}
-        {notice.ofDocument && kept && (
+        {error && notice.ofDocument && kept && (
           <Text size="xs" c="dimmed">
             {t('notice.sceneKept')}
           </Text>

@@ -14,6 +14,8 @@ import type { Services } from '../../nodes/services.ts';
 import type { Backend } from '../../render/settings.ts';
 import type { Lock } from '../flight/flight.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
+import { looking } from './looking.ts';
+import { runsIn } from './runs.ts';
 
 /** What is taking its time. */
 export interface Loading {
@@ -25,11 +27,11 @@ export interface Loading {
   readonly part: number | undefined;
   readonly stage: (typeof STAGES)[number];
 }
-const STAGES = ['fetch', 'parse', 'trace'] as const;
+const STAGES = ['fetch', 'parse', 'trace', 'simulate'] as const;
 
 export interface Notice {
   readonly id: number;
-  readonly kind: 'error' | 'info';
+  readonly kind: 'error' | 'warning' | 'info';
   readonly text: string;
   readonly place?: string;
   readonly remedy?: Problem['remedy'];
@@ -60,6 +62,8 @@ export interface StudioState {
   readonly results: Evaluation['results'];
   /** The last good one: it stays while an edit cannot be evaluated. */
   readonly picture?: Picture;
+  /** The picture and the results show what work has given so far, which goes on, or was cancelled. */
+  readonly interim?: 'running' | 'stopped';
   readonly opened: Opened;
   /** The node that could not read its file. */
   readonly refused?: string;
@@ -97,12 +101,17 @@ export interface Studio {
   readonly markSaved: () => void;
   /** What a node of the project gives, beside what the output needs; nothing that is shown changes. Throws a CancelledError. */
   readonly evaluate: (node: string, signal: AbortSignal) => Promise<Evaluation>;
-  /** Stops reading; the scene before it stays, and the document goes back to it. */
+  /**
+   * Stops reading; the scene before it stays, and the document goes back to it. Of what has given something on its way that is kept, until
+   * `goOn`.
+   */
   readonly cancelLoading: () => void;
+  /** With the work that was cancelled, from where it was. */
+  readonly goOn: () => void;
   readonly notify: (notice: Omit<Notice, 'id' | 'ofDocument'>) => void;
   readonly dismiss: (id: number) => void;
   readonly change: (
-    change: Partial<Omit<StudioState, 'history' | 'saved' | 'picture' | 'results' | 'loading' | 'notices'>>,
+    change: Partial<Omit<StudioState, 'history' | 'saved' | 'picture' | 'results' | 'interim' | 'loading' | 'notices'>>,
   ) => void;
 }
 
@@ -187,8 +196,9 @@ export function createStudio({ services, beginning, playing }: StudioOptions): S
       store.setState(({ history }) => ({ saved: markOf(history) }));
     },
     evaluate: evaluation.ask,
+    goOn: evaluation.goOn,
     cancelLoading: () => {
-      evaluation.cancel();
+      if (evaluation.stop()) return;
       const { history, opened, picture } = store.getState();
       if (!picture || isSame(readsIn(history.document), opened.reads)) return;
       if (history.origin !== opened.origin) go((now) => undoneTo(now, opened.reads));
@@ -245,29 +255,49 @@ const NO_OUTPUT: Evaluation = { target: NOTHING_SHOWN, results: new Map([['', NO
 /** Keeps the picture in step with the document: each evaluation takes over what of the last one's work it needs too, and ends the rest. */
 function evaluating(store: StoreApi<StudioState>, services: Services) {
   const evaluator = new Evaluator(nodeLibrary, { heavy: heavyWorkers() });
+  const quick: Services = { ...services, trace: () => Promise.reject(new Error('it waits for what is under way')) };
   let abort = new AbortController();
   let latest = 0;
+  /** Work that was cancelled stays as far as it came. */
+  let held = false;
+  /** The picture is of what the work has given that goes on now. */
+  let seen = false;
 
   const update = async (): Promise<void> => {
     const { document } = store.getState().history;
     const reads = readsIn(document);
     const turn = ++latest;
+    let over = false;
+    seen = false;
     const progress = (node: string, part: number | undefined, what?: string) => {
       const stage = STAGES.find((each) => each === what) ?? 'parse';
       if (turn === latest) store.setState({ loading: { node, source: sourceIn(reads[node]) || node, part, stage } });
     };
     const before = abort;
     abort = new AbortController();
+    const { signal } = abort;
+    const output = outputIn(document);
+    const onInterim = looking(async () => {
+      if (over || turn !== latest || output === undefined) return;
+      const soFar = await evaluator.evaluate(document, output, quick, { signal, interims: 'all' });
+      if (over || turn !== latest) return;
+      seen = true;
+      settleSoFar(store, soFar);
+    });
+    const interims = held ? ({ interims: 'stopped' } as const) : undefined;
+    const how = { signal, progress, onInterim, ...interims };
     try {
-      const output = outputIn(document);
-      const how = { signal: abort.signal, progress };
       const result = output === undefined ? NO_OUTPUT : evaluator.evaluate(document, output, services, how);
       before.abort();
       const evaluation = await result;
-      if (turn === latest) settle(store, evaluation);
+      if (turn !== latest) return;
+      held &&= isInterim(evaluation);
+      settle(store, evaluation);
     } catch (error) {
       if (!(error instanceof CancelledError)) throw error;
-      if (turn === latest) store.setState({ loading: undefined });
+      if (turn === latest) store.setState(({ interim }) => ({ loading: undefined, interim: interim && 'stopped' }));
+    } finally {
+      over = true;
     }
   };
   const ask = (node: string, signal: AbortSignal): Promise<Evaluation> => {
@@ -276,27 +306,64 @@ function evaluating(store: StoreApi<StudioState>, services: Services) {
     const output = outputIn(document);
     return evaluator.evaluate(document, output === undefined ? [node] : [node, output], services, { signal });
   };
-  return { update: () => void update(), cancel: () => abort.abort(), ask };
+  /** Ends what goes on; whether the picture is made of that, and stays. */
+  const stop = (): boolean => {
+    abort.abort();
+    if (!seen) return false;
+    held = true;
+    void update();
+    return true;
+  };
+  const goOn = (): void => {
+    held = false;
+    void update();
+  };
+  return { update: () => void update(), stop, goOn, ask };
 }
 
+const isInterim = ({ results }: Evaluation): boolean =>
+  [...results.values()].some((result) => result.status === 'done' && result.interim);
+
 function settle(store: StoreApi<StudioState>, evaluation: Evaluation): void {
-  const { document, origin } = store.getState().history;
-  const { title, lookFor } = document;
-  const picture = pictureOf(evaluation);
+  const { document } = store.getState().history;
   const reads = readsIn(document);
   const failed = [...evaluation.results].flatMap(([node, result]) =>
     result.status === 'failed' ? [{ node, problem: result.problem }] : [],
   );
+  const known = new Set(runsIn(store.getState().results).map(({ books }) => books));
+  const stops = runsIn(evaluation.results).filter(({ books }) => books.stop && !known.has(books));
+  const shown = shownBy(store, evaluation);
   store.setState(({ notices }) => ({
+    ...shown,
     loading: undefined,
+    interim: isInterim(evaluation) ? 'stopped' : undefined,
     refused: failed.find(({ node }) => Object.hasOwn(reads, node))?.node,
     results: evaluation.results,
     notices: notices.filter((notice) => !notice.ofDocument),
-    ...(picture ? { picture, opened: { origin, title, lookFor, source: sourceOf(document), reads } } : {}),
   }));
+  for (const { node, books } of stops) {
+    const text = `it ended at t = ${books.stop!.t.toPrecision(4)} s: ${books.stop!.message}`;
+    addNotice(store, { kind: 'warning', text, place: node, ofDocument: true });
+  }
   for (const { message, place, remedy } of failed.map(({ problem }) => problem)) {
     addNotice(store, { kind: 'error', text: message, place, remedy, ofDocument: true });
   }
+}
+
+/** What cannot be made of an interim is told when the work has ended. */
+function settleSoFar(store: StoreApi<StudioState>, evaluation: Evaluation): void {
+  const done = [...evaluation.results].filter(([, { status }]) => status === 'done');
+  store.setState({ ...shownBy(store, evaluation), interim: 'running', results: new Map(done) });
+}
+
+/** Of a picture, where there is one, and what it was made of. */
+function shownBy(store: StoreApi<StudioState>, evaluation: Evaluation): Partial<StudioState> {
+  const { document, origin } = store.getState().history;
+  const picture = pictureOf(evaluation);
+  const { title, lookFor } = document;
+  return picture
+    ? { picture, opened: { origin, title, lookFor, source: sourceOf(document), reads: readsIn(document) } }
+    : {};
 }
 
 let notices = 0;

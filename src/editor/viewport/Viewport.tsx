@@ -29,6 +29,7 @@ export function Viewport(): ReactNode {
       <Caption />
       <Preparing />
       <Busy />
+      <Stopped />
     </div>
   );
 }
@@ -89,6 +90,9 @@ function Preparing(): ReactNode {
   ) : null;
 }
 
+/** What does not read a scene, and may take minutes. */
+const LONG = { trace: 'viewport.tracing', simulate: 'viewport.simulating' } as const;
+
 /** A scene being read, or the device starting again. */
 function Busy(): ReactNode {
   const { t } = useTexts();
@@ -96,13 +100,15 @@ function Busy(): ReactNode {
   const loading = useStudioState((state) => state.loading);
   const graphics = useStudioState((state) => state.graphics);
   const shown = useStudioState(({ picture }) => picture !== undefined);
+  const running = useStudioState(({ interim }) => interim === 'running');
   if (loading) {
     const { part, stage } = loading;
     const step = t(`loading.${stage}`);
+    const long = stage === 'trace' || stage === 'simulate';
     return (
-      <Stack className="sl-busy" gap={8} role="status" data-aside={(shown && stage === 'trace') || undefined}>
+      <Stack className="sl-busy" gap={8} role="status" data-aside={(shown && long) || undefined}>
         <Text size="sm" fw={600}>
-          {stage === 'trace' ? t('viewport.tracing') : t('viewport.loading', { name: sceneName(loading.source) })}
+          {long ? t(LONG[stage]) : t('viewport.loading', { name: sceneName(loading.source) })}
         </Text>
         {part === undefined ? (
           <div className="sl-working" role="progressbar" aria-label={step} />
@@ -114,7 +120,7 @@ function Busy(): ReactNode {
             {part === undefined ? step : `${step}, ${Math.round(100 * part)} %`}
           </Text>
           <Button size="compact-xs" variant="default" onClick={studio.cancelLoading}>
-            {t('viewport.cancel')}
+            {t(running ? 'viewport.stop' : 'viewport.cancel')}
           </Button>
         </Group>
       </Stack>
@@ -125,5 +131,20 @@ function Busy(): ReactNode {
     <Text className="sl-busy" size="sm" role="status">
       {text}
     </Text>
+  ) : null;
+}
+
+/** The picture shows what there was of work that was stopped. */
+function Stopped(): ReactNode {
+  const { t } = useTexts();
+  const studio = useStudio();
+  const stopped = useStudioState(({ interim, loading }) => interim === 'stopped' && !loading);
+  return stopped ? (
+    <Group className="sl-busy" justify="space-between" wrap="nowrap" role="status" data-aside>
+      <Text size="xs">{t('viewport.stopped')}</Text>
+      <Button size="compact-xs" variant="default" onClick={studio.goOn}>
+        {t('viewport.goOn')}
+      </Button>
+    </Group>
   ) : null;
 }

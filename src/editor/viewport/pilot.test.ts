@@ -32,10 +32,10 @@ let studio: Studio;
 let pilot: Pilot;
 const settled = () => new Promise((done) => setTimeout(done));
 /** Takes up what the document says now. */
-async function follow(): Promise<void> {
+async function follow(until?: number): Promise<void> {
   await settled();
   const { picture, opened } = studio.store.getState();
-  pilot.show(picture!, opened);
+  pilot.show(picture!, opened, until);
 }
 
 beforeEach(async () => {
@@ -62,6 +62,23 @@ it('stays where it is through an edit, and goes to another camera that is chosen
   studio.set('camera', 'camera', '/b', 'camera');
   await follow();
   expect(pilot.observer).toMatchObject({ t: 3, position: [5, 0, 0] });
+});
+
+it('waits at the end of a motion that is still computed, and goes on when there is more; at the last end it begins again', async () => {
+  studio.change({ loop: false });
+  await follow(6);
+  pilot.seek(5.9);
+  pilot.advance(0.25);
+  expect(pilot.observer.t).toBe(6);
+  const { properTime } = pilot.observer;
+  pilot.advance(0.25);
+  expect(pilot.observer).toMatchObject({ t: 6, properTime });
+  expect(studio.store.getState().playing).toBe(true);
+  studio.change({ loop: true });
+  await follow();
+  pilot.seek(10);
+  pilot.advance(0.25);
+  expect(pilot.observer.t).toBeCloseTo(0.25, 12);
 });
 
 it('rides a camera with its velocity and its slow clock, until a key takes over', async () => {

@@ -25,6 +25,7 @@ export class Pilot {
   #picture: Picture | undefined;
   /** What it is of: files that are added to a scene do not make it another. */
   #scene = '';
+  #until: number | undefined;
   #observer: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
 
   /** Of the first picture: where the observer was before the page was loaded again. */
@@ -42,14 +43,24 @@ export class Pilot {
     return this.#picture;
   }
 
+  /** So far the motion was computed [s]: time waits there for more. Undefined: it is whole. */
+  get until(): number | undefined {
+    return this.#until;
+  }
+
+  isOf({ origin, source }: Pick<Opened, 'origin' | 'source'>): boolean {
+    return this.#scene === keyOf(origin, source);
+  }
+
   /**
    * What is shown from now on. Another project or file begins at its own start, another camera is gone to; any other edit leaves the
    * observer where he is.
    */
-  show(picture: Picture, { origin, source }: Pick<Opened, 'origin' | 'source'>): void {
+  show(picture: Picture, { origin, source }: Pick<Opened, 'origin' | 'source'>, until?: number): void {
     const before = this.#picture?.camera;
-    const scene = JSON.stringify([origin, sceneKey(source)]);
+    const scene = keyOf(origin, source);
     this.#picture = picture;
+    this.#until = until;
     if (scene !== this.#scene) {
       this.#scene = scene;
       this.restart();
@@ -122,7 +133,8 @@ export class Pilot {
     [yaw, pitch]: readonly [number, number],
     controls: Parameters<typeof stepFlight>[1],
   ) {
-    const { lock, cruise, playing } = this.#studio.store.getState();
+    const { lock, cruise } = this.#studio.store.getState();
+    const playing = this.#passes;
     const { scene, speedOfLight: c, maxSpeed } = picture;
     const up = upOf(scene);
     const orientation = yaw || pitch ? look(this.#observer.orientation, yaw, pitch, up) : this.#observer.orientation;
@@ -137,23 +149,33 @@ export class Pilot {
   }
 
   #ride(picture: Picture, dt: number): void {
-    const { playing } = this.#studio.store.getState();
     const before = this.#observer;
     const after = ridingObserver(
       cameraOf(picture),
-      { ...before, t: before.t + (playing ? dt : 0) },
+      { ...before, t: before.t + (this.#passes ? dt : 0) },
       picture.speedOfLight,
     );
     const slow = Math.hypot(1, length(after.u));
     this.#observer = { ...after, properTime: before.properTime + (after.t - before.t) / slow };
   }
 
+  /** Whether time passes in the world. */
+  get #passes(): boolean {
+    const { playing } = this.#studio.store.getState();
+    return playing && (this.#until === undefined || this.#observer.t < this.#until);
+  }
+
   #keepTime({ scene }: Picture): void {
     const { playing, loop } = this.#studio.store.getState();
     const { startTime, endTime } = scene;
-    const t = playing ? wrapTime(this.#observer.t, startTime, endTime, loop) : this.#observer.t;
-    if (t === this.#observer.t) return;
+    const { t: now } = this.#observer;
+    if (!playing) return;
+    const until = this.#until;
+    const t = until === undefined ? wrapTime(now, startTime, endTime, loop) : Math.min(now, endTime, until);
+    if (t === now) return;
     this.seek(t);
-    if (!loop) this.#studio.change({ playing: false });
+    if (!loop && until === undefined) this.#studio.change({ playing: false });
   }
 }
+
+const keyOf = (origin: string, source: string): string => JSON.stringify([origin, sceneKey(source)]);

@@ -8,6 +8,7 @@ import type { RenderSettings, ViewPoint } from '../../scene/view.ts';
 import { sceneName } from '../loading/localFiles.ts';
 import { showColors } from '../state/legend.ts';
 import { prefersReducedMotion } from '../state/preferences.ts';
+import { computedUntil } from '../state/runs.ts';
 import type { Opened, Studio } from '../state/studio.ts';
 import { report } from '../state/telemetry.ts';
 import { Eye } from './eye.ts';
@@ -19,6 +20,8 @@ import { Resolution } from './resolution.ts';
 /** Longest step of flight in one frame [s]: after a pause of the page the observer does not leap. */
 const LONGEST_STEP = 0.25;
 const MOST_PIXELS_PER_POINT = 2;
+/** Of work under way the next scene is taken up after so many times as long as the one before took. */
+const PAUSE = 3;
 
 interface Shown {
   readonly viewPoint: ViewPoint;
@@ -67,6 +70,11 @@ export class Stage {
   /** In the renderer now. */
   #scenes: readonly Scene[] = [];
   #uploading = false;
+  /** When the scene was taken up that is not on the canvas yet [ms], and whether it is the one before with a motion that has grown. */
+  #began: number | undefined;
+  #grew = false;
+  /** When the next is taken up of work that is under way [ms]. */
+  #next = 0;
   /** On the canvas; undefined while there is nothing of this scene. */
   #shown: Drawing | undefined;
   /** What was to be seen at the last tick. */
@@ -208,23 +216,31 @@ export class Stage {
 
   /** Takes up a new picture; where its scene is another one, after the upload: until then the last one stays. */
   #follow(): void {
-    const { picture, opened } = this.#studio.store.getState();
+    const { picture, opened, interim, results } = this.#studio.store.getState();
     if (!picture || this.#uploading) return;
-    if (!isSame(picture.scenes, this.#scenes)) void this.#upload(picture, opened);
-    else if (picture !== this.#pilot.picture) this.#pilot.show(picture, opened);
+    const until = interim === 'running' ? computedUntil(results) : undefined;
+    if (isSame(picture.scenes, this.#scenes)) {
+      if (picture !== this.#pilot.picture || until !== this.#pilot.until) this.#pilot.show(picture, opened, until);
+      return;
+    }
+    const busy = this.#began !== undefined || performance.now() < this.#next;
+    if (until === undefined || !this.#pilot.isOf(opened) || !busy) void this.#upload(picture, opened, until);
   }
 
-  async #upload(picture: Picture, opened: Opened): Promise<void> {
+  async #upload(picture: Picture, opened: Opened, until: number | undefined): Promise<void> {
     this.#uploading = true;
+    this.#began = performance.now();
     this.#scenes = picture.scenes;
     this.#lost = false;
     try {
       await this.#renderer.setScene(picture.scene, picture.scenes.slice(1));
       this.#shown = undefined;
       this.#wanted = undefined;
-      this.#eye.blink();
-      this.#pilot.show(picture, opened);
+      this.#grew = this.#pilot.until !== undefined && this.#pilot.isOf(opened);
+      if (!this.#grew) this.#eye.blink();
+      this.#pilot.show(picture, opened, until);
     } catch (error) {
+      this.#began = undefined;
       const text = error instanceof Error ? error.message : String(error);
       this.#studio.notify({ kind: 'error', text, place: sceneName(opened.source || opened.origin) });
     } finally {
@@ -276,6 +292,12 @@ export class Stage {
     const { settings, sampling } = drawing;
     this.#renderer.render(viewPoint, settings, sampling);
     if (this.#renderer.info.waiting) return false;
+    if (this.#began !== undefined) {
+      const now = performance.now();
+      // The first takes longest, and tells nothing about those that follow.
+      this.#next = this.#grew ? now + PAUSE * (now - this.#began) : now;
+      this.#began = undefined;
+    }
     showColors(settings.falseColors);
     const aspect = clientWidth / Math.max(1, clientHeight);
     this.#eye.see({ picture, viewPoint, settings, aspect, gauge: () => this.#renderer.gauge() });

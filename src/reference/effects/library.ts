@@ -1,6 +1,7 @@
 import { argumentsOf, type EffectChannel, type EffectId } from '../../scene/effects.ts';
 import type { Channel, Program } from '../../scene/shaderText/program.ts';
 import type { AovName } from '../../scene/view.ts';
+import { antialiasing } from './antialiasing.ts';
 import { bilateralFilter } from './bilateralFilter.ts';
 import { bloom } from './bloom.ts';
 import { depthOfField } from './depthOfField.ts';
@@ -26,6 +27,7 @@ const EFFECTS_OF: Readonly<Record<EffectId, Effect>> = {
   vignette,
   fog,
   'depth-of-field': depthOfField,
+  antialiasing,
 };
 
 /** The data that a picture is to be taken with, by what an effect reads. */

@@ -1,4 +1,5 @@
 import type { EffectId } from '../../scene/effects.ts';
+import { antialiasing } from './antialiasing.ts';
 import { bilateralFilter } from './bilateralFilter.ts';
 import { bloom } from './bloom.ts';
 import { depthOfField } from './depthOfField.ts';
@@ -21,4 +22,5 @@ export const effectLibrary: Readonly<Record<EffectId, Effect>> = {
   vignette,
   fog,
   'depth-of-field': depthOfField,
+  antialiasing,
 };

@@ -4,6 +4,7 @@ import { subdividePolygons } from '../subdivide/mesh.ts';
 import { makeTopology } from '../subdivide/topology.ts';
 import { makeUnit } from '../transformPoints.ts';
 import type { Mesh, SampledPointsMotion, SceneObject } from '../types.ts';
+import { weld } from './weld.ts';
 
 /** Most triangles that a mesh may become. */
 export const MOST_TRIANGLES = 4_000_000;
@@ -88,7 +89,7 @@ function splitSamples(motion: SampledPointsMotion, middles: Middles): SampledPoi
 /** A smooth surface through and round the mesh (Loop 1987), of triangles `levels` times cut, its points on the limit. */
 export function smooth(object: SceneObject, levels: number): SceneObject {
   const { mesh, motion } = object;
-  const { welded, vertexOfPoint } = weld(mesh);
+  const { pointOfVertex: welded, vertexOfPoint } = weld(mesh.positions);
   const cage = cageOf(mesh, welded, vertexOfPoint);
   const topology = makeTopology({
     points: vertexOfPoint.length,
@@ -119,23 +120,6 @@ export function smooth(object: SceneObject, levels: number): SceneObject {
       ...(velocities && { velocities: velocities.map((each) => gathered(at(each).positions)) }),
     },
   };
-}
-
-/** Vertices at one place are one point, with the first of them. */
-function weld({ positions }: Mesh): { readonly welded: Uint32Array; readonly vertexOfPoint: Uint32Array } {
-  const points = new Map<string, number>();
-  const vertexOfPoint: number[] = [];
-  const welded = new Uint32Array(positions.length / 3);
-  for (let v = 0; v < welded.length; v++) {
-    const key = `${positions[3 * v]} ${positions[3 * v + 1]} ${positions[3 * v + 2]}`;
-    const point = points.get(key) ?? vertexOfPoint.length;
-    if (point === vertexOfPoint.length) {
-      points.set(key, point);
-      vertexOfPoint.push(v);
-    }
-    welded[v] = point;
-  }
-  return { welded, vertexOfPoint: Uint32Array.from(vertexOfPoint) };
 }
 
 /** Triangles whose corners are one point are left out. */

@@ -1,0 +1,74 @@
+import { build } from './build.ts';
+import { painted, type Sketches, seen } from './simulated.ts';
+
+const ABOUT = {
+  title: "Relativistic Newton's cradle",
+  lookFor:
+    'Five balls on rods of 3 m, with light at 10 m/s. The first one falls and meets the row at 0.47 c; the last one takes all of its momentum and swings out, the others hardly move. Equal masses hand their velocities on near c as they do at rest: momentum and energy leave them no other choice. The ball that comes towards you is brighter than the one that goes.',
+};
+
+const LENGTH = 3;
+const RADIUS = 0.2;
+/** Between neighbours: they touch one after the other. */
+const GAP = 0.02;
+const PIVOT = 3.5;
+/** How far the first one is out. */
+const ANGLE = (57 * Math.PI) / 180;
+const PITCH = 2 * RADIUS + GAP;
+const COUNT = 5;
+
+const held = {
+  type: 'collider',
+  set: { free: true, rods: 'pivot', rodStiffness: 200_000, thickness: 0.035, stiffness: 1_000_000, scale: 1 },
+} as const;
+
+const balls: Sketches = {
+  round: { type: 'sphere', set: { name: 'Ball', radius: RADIUS, segments: 64, rings: 32 } },
+  steel: painted('round.geometry', [0.62, 0.64, 0.68], { roughness: 0.25 }),
+  row: {
+    type: 'instances',
+    set: { countX: COUNT - 1, countZ: 1, spacing: [PITCH, 0, 0] },
+    from: { geometry: 'steel.geometry' },
+  },
+  hanging: {
+    type: 'transform',
+    set: { position: [PITCH / 2, PIVOT - LENGTH, 0] },
+    from: { geometry: 'row.geometry' },
+  },
+  others: { ...held, set: { ...held.set, pivot: [0, LENGTH, 0] }, from: { geometry: 'hanging.geometry' } },
+  apple: { type: 'sphere', set: { name: 'First', radius: RADIUS, segments: 64, rings: 32 } },
+  copper: painted('apple.geometry', [0.85, 0.25, 0.1], { roughness: 0.3 }),
+  raised: {
+    type: 'transform',
+    set: {
+      position: [(-(COUNT - 1) / 2) * PITCH - LENGTH * Math.sin(ANGLE), PIVOT - LENGTH * Math.cos(ANGLE), 0],
+    },
+    from: { geometry: 'copper.geometry' },
+  },
+  first: {
+    ...held,
+    set: { ...held.set, pivot: [LENGTH * Math.sin(ANGLE), LENGTH * Math.cos(ANGLE), 0] },
+    from: { geometry: 'raised.geometry' },
+  },
+};
+
+/** Balls on rods in a row, of which the first is raised and let go. */
+export const cradle = () =>
+  build(ABOUT, {
+    ...balls,
+    weight: { type: 'field' },
+    swing: {
+      type: 'simulate',
+      set: { duration: 6, rate: 60, method: 'leapfrog', step: 0.0001 },
+      from: { matter: ['first.matter', 'others.matter', 'weight.matter'] },
+    },
+    beam: { type: 'box', set: { name: 'Beam', width: 2.8, height: 0.09, depth: 0.14 } },
+    over: { type: 'transform', set: { position: [0, PIVOT + 0.04, 0] }, from: { geometry: 'beam.geometry' } },
+    iron: painted('over.geometry', [0.14, 0.14, 0.15], { roughness: 0.5 }),
+    ...seen(['swing.geometry', 'iron.geometry'], {
+      eye: [1.9, 1.9, 6],
+      target: [0, 1.85, 0],
+      to: 6,
+      openAt: 1.4,
+    }),
+  });

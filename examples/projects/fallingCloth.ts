@@ -1,0 +1,48 @@
+import { build } from './build.ts';
+import { painted, seen } from './simulated.ts';
+
+const ABOUT = {
+  title: 'Cloth on a ball',
+  lookFor:
+    'A cloth falls on a ball that stands fast, with light at 10 m/s. Its middle is stopped, its corners fall on and swing under the ball. Ball and floor push back what gets into them, the harder the deeper it is, so that a fast blow goes in a little. The air takes energy, nothing else does: open the energy panel to see where it goes.',
+};
+
+/** A cloth that falls on a fixed ball over a floor. */
+export const fallingCloth = () =>
+  build(ABOUT, {
+    sheet: { type: 'grid', set: { name: 'Cloth', width: 2.4, length: 2.4, columns: 28, rows: 28 } },
+    linen: painted('sheet.geometry', [0.12, 0.32, 0.75], { roughness: 0.7 }),
+    above: {
+      type: 'transform',
+      set: { position: [0, 2.2, 0], rotation: [0, 30, 0] },
+      from: { geometry: 'linen.geometry' },
+    },
+    cloth: {
+      type: 'mass-spring',
+      set: { mass: 3, structural: 400, shear: 200, bending: 15 },
+      from: { geometry: 'above.geometry' },
+    },
+    round: { type: 'sphere', set: { name: 'Ball', radius: 0.6, segments: 96, rings: 48 } },
+    gold: { type: 'material', set: { preset: 'gold' }, from: { geometry: 'round.geometry' } },
+    lying: { type: 'transform', set: { position: [0, 0.9, 0] }, from: { geometry: 'gold.geometry' } },
+    ball: {
+      type: 'collider',
+      set: { shape: 'ball', scale: 1.05, stiffness: 2000 },
+      from: { geometry: 'lying.geometry' },
+    },
+    floor: { type: 'grid', set: { name: 'Floor', width: 60, length: 60, columns: 60, rows: 60 } },
+    stone: painted('floor.geometry', [0.42, 0.4, 0.37], { roughness: 0.95 }),
+    ground: {
+      type: 'collider',
+      set: { shape: 'plane', margin: 0.02, stiffness: 2000 },
+      from: { geometry: 'stone.geometry' },
+    },
+    weight: { type: 'field', set: { drag: 1 } },
+    fall: {
+      type: 'simulate',
+      set: { duration: 4, rate: 60, method: 'leapfrog', step: 0.0006 },
+      from: { matter: ['cloth.matter', 'ball.matter', 'ground.matter', 'weight.matter'] },
+    },
+    kept: { type: 'cache', from: { geometry: 'fall.geometry' } },
+    ...seen(['kept.geometry'], { eye: [2.5, 2.2, 3.1], target: [0, 1, 0], to: 4, openAt: 2, ground: {} }),
+  });

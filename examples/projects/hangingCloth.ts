@@ -1,0 +1,57 @@
+import { grid } from '../../src/scene/primitives.ts';
+import { build } from './build.ts';
+import { painted, seen } from './simulated.ts';
+
+const ABOUT = {
+  title: 'Hanging cloth',
+  lookFor:
+    'A cloth of 625 masses with springs between them is let go level, held at two corners, where light goes at 10 m/s. When its hem cracks like a whip a point comes to 0.86 c; none reaches c, for what forces change is its momentum. It is bright while it comes and dark while it goes, and you see each part of it where it was. Set the view to Simultaneity to see where it is.',
+};
+
+/** [m/s] */
+const C = 10;
+const SIDE = 2;
+const CELLS = 24;
+
+/** The numbers of the vertices at both ends of the far edge. */
+function farCorners(): string {
+  const { positions } = grid(SIDE, SIDE, CELLS, CELLS, 'Y');
+  const at = (x: number): number =>
+    Array.from({ length: positions.length / 3 }, (_, v) => v).find(
+      (v) => positions[3 * v] === x && positions[3 * v + 2] === -SIDE / 2,
+    )!;
+  return `${at(-SIDE / 2)}, ${at(SIDE / 2)}`;
+}
+
+/** A level cloth that is let go, held at the two corners of its far edge. */
+export const hangingCloth = () =>
+  build(ABOUT, {
+    sheet: { type: 'grid', set: { name: 'Cloth', width: SIDE, length: SIDE, columns: CELLS, rows: CELLS } },
+    silk: painted('sheet.geometry', [0.85, 0.3, 0.08], { roughness: 0.6 }),
+    hung: { type: 'transform', set: { position: [0, 2.6, 0] }, from: { geometry: 'silk.geometry' } },
+    cloth: {
+      type: 'mass-spring',
+      set: { structural: 200, shear: 100, bending: 10, pins: 'points', pinned: farCorners() },
+      from: { geometry: 'hung.geometry' },
+    },
+    weight: { type: 'field', set: { drag: 0.25 } },
+    swing: {
+      type: 'simulate',
+      set: { speedOfLight: C, duration: 6, rate: 48, method: 'leapfrog', step: 0.0004 },
+      from: { matter: ['cloth.matter', 'weight.matter'] },
+    },
+    post: { type: 'cylinder', set: { name: 'Post', radius: 0.035, height: 2.65 } },
+    posts: {
+      type: 'instances',
+      set: { countX: 2, countZ: 1, spacing: [2.07, 0, 0] },
+      from: { geometry: 'post.geometry' },
+    },
+    standing: { type: 'transform', set: { position: [0, 1.325, -1] }, from: { geometry: 'posts.geometry' } },
+    wood: painted('standing.geometry', [0.3, 0.18, 0.09]),
+    ...seen(['swing.geometry', 'wood.geometry'], {
+      eye: [2.6, 1.7, 3.6],
+      target: [0, 1.35, -0.5],
+      to: 6,
+      openAt: 1.35,
+    }),
+  });

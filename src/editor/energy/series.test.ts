@@ -1,0 +1,112 @@
+import { describe, expect, it } from 'vitest';
+import type { Books } from '../../dynamics/books.ts';
+import type { NodeResult } from '../../graph/results.ts';
+import { computedUntil, runsIn } from '../state/runs.ts';
+import { lineStyle } from './lines.ts';
+import { namesOf } from './names.ts';
+import { figuresOf, frameAt, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
+import { tick } from './ticks.ts';
+
+/** Three frames: of 3 J of motion at most, 1.5 J are lost. */
+const books: Books = {
+  method: 'leapfrog',
+  speedOfLight: 10,
+  step: 0.01,
+  pace: 0.5,
+  times: Float64Array.of(0, 0.5, 1),
+  steps: Float64Array.of(0, 50, 100),
+  kinetic: Float64Array.of(0, 3, 1),
+  potential: Float64Array.of(4, 0, 1.5),
+  total: Float64Array.of(4, 3, 2.5),
+  momentum: Float64Array.of(0, 0, 0, 3, 0, -4, 0, 5, 12),
+  angularMomentum: Float64Array.of(0, 0, 0, 1, 2, 2, 0, 0, 0),
+  fastest: Float64Array.of(0, 8, 5),
+};
+const done = (outputs: Record<string, unknown>, interim?: true): NodeResult => ({
+  status: 'done',
+  outputs,
+  ...(interim && { interim }),
+});
+
+describe('the books of an evaluation', () => {
+  it('are told of once, by the node that made them, also where they are passed on', () => {
+    const results = new Map<string, NodeResult>([
+      ['box', done({ geometry: {} })],
+      ['run', done({ geometry: {}, books }, true)],
+      ['passed', done({ books }, true)],
+      ['gone', { status: 'blocked', by: 'box' }],
+      ['outer/run', done({ books: { ...books, times: Float64Array.of(0, 3) } })],
+    ]);
+    expect(runsIn(results).map(({ node, interim }) => [node, interim])).toEqual([
+      ['run', true],
+      ['outer/run', false],
+    ]);
+    // Of what is still computed only.
+    expect(computedUntil(results)).toBe(1);
+    expect(computedUntil(new Map())).toBe(Number.POSITIVE_INFINITY);
+  });
+
+  it('give what is plotted', () => {
+    expect([...valuesOf(books, 'change', 'J')]).toEqual([0, -1, -1.5]);
+    expect([...valuesOf(books, 'potential', 'J')]).toEqual([4, 0, 1.5]);
+    expect([...valuesOf(books, 'momentum', 'kg m/s')]).toEqual([0, 5, 13]);
+    expect([...valuesOf(books, 'angularMomentum', 'kg m²/s')]).toEqual([0, 3, 0]);
+    expect([...valuesOf(books, 'fastest', 'c')]).toEqual([0, 0.8, 0.5]);
+  });
+
+  it('tell speeds in m/s as soon as one of them knows no speed of light', () => {
+    const run = (speedOfLight: number) => ({ node: 'run', interim: false, books: { ...books, speedOfLight } });
+    expect(unitOf('fastest', [run(10), run(1)])).toBe('c');
+    expect(unitOf('fastest', [run(10), run(Number.POSITIVE_INFINITY)])).toBe('m/s');
+    expect([...valuesOf(books, 'fastest', 'm/s')]).toEqual([0, 8, 5]);
+  });
+
+  it('come to a drift in parts of the motion there was, a top speed and an end', () => {
+    expect(figuresOf(books)).toEqual({ drift: 0.5, fastest: 8, until: 1 });
+    expect(figuresOf({ ...books, kinetic: Float64Array.of(0, 0, 0) }).drift).toBeUndefined();
+  });
+});
+
+it('runs are called by title or method, and where these are the same by what tells them apart', () => {
+  const run = (node: string, method: string, speedOfLight = 10) => ({
+    node,
+    interim: false,
+    books: { ...books, method, speedOfLight },
+  });
+  const names = (...runs: Parameters<typeof namesOf>[0]) =>
+    namesOf(
+      runs,
+      (node) => (node === 'mine' ? 'My cloth' : undefined),
+      (key) => key.replace('method.', ''),
+    );
+  expect(
+    names(run('mine', 'leapfrog'), run('a', 'leapfrog'), run('b', 'local-global-2'), run('e', 'yoshida-4')),
+  ).toEqual(['My cloth', 'leapfrog', 'localGlobal 2', 'yoshida4']);
+  expect(names(run('a', 'leapfrog', 1), run('b', 'leapfrog', 100), run('c', 'yoshida-4'))).toEqual([
+    'leapfrog, c = 1 m/s',
+    'leapfrog, c = 100 m/s',
+    'yoshida4',
+  ]);
+  expect(names(run('a', 'leapfrog'), run('b', 'leapfrog'))).toEqual(['leapfrog (a)', 'leapfrog (b)']);
+});
+
+it('what is read at a time is of the frame before', () => {
+  expect([-1, 0, 0.49, 0.5, 7].map((t) => frameAt(books.times, t))).toEqual([-1, 0, 0, 1, 2]);
+});
+
+it('a logarithmic axis has sizes, and nothing for what has none', () => {
+  expect(onLogarithmicAxis(Float64Array.of(-1e-12, 0, 2, Number.NaN))).toEqual([1e-12, null, 2, null]);
+});
+
+it('numbers at an axis are short', () => {
+  const numbers = [0.1 + 0.2, -2500, 1e-10, 3e6, 0, null];
+  expect(numbers.map(tick)).toEqual(['0.3', '−2500', '1e−10', '3e6', '0', '']);
+});
+
+it('each of six lines has its own colour and its own dashes', () => {
+  for (const scheme of ['light', 'dark'] as const) {
+    const styles = Array.from({ length: 6 }, (_, i) => lineStyle(i, scheme));
+    expect(new Set(styles.map(({ color }) => color)).size).toBe(6);
+    expect(new Set(styles.map(({ dash }) => dash.join())).size).toBe(6);
+  }
+});

@@ -1,0 +1,12 @@
+/** A number at an axis: as short as it is exact, for it is a round one. */
+export function tick(value: number | null): string {
+  if (value === null) return '';
+  const round = Number(value.toPrecision(6));
+  const size = Math.abs(round);
+  const text = size !== 0 && (size >= 1e5 || size < 1e-3) ? round.toExponential() : String(round);
+  return text.replace('e+', 'e').replaceAll('-', '−');
+}
+
+/** Room for the numbers of an axis [px]. */
+export const ticksWidth = (texts: readonly string[] | null): number =>
+  14 + 6.5 * Math.max(2, ...(texts ?? []).map((text) => text.length));

@@ -1,0 +1,29 @@
+import { readFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import { messages } from '../i18n/messages.ts';
+
+const text = (path: string): string => readFileSync(new URL(path, import.meta.url), 'utf8');
+const greek = (words: string): readonly string[] => [...new Set(words.match(/\p{Script=Greek}/gu))].toSorted();
+
+/** The letters of `U+03B1-03B3, U+03C9`. */
+function lettersOf(ranges: string): string {
+  const bounds = ranges.split(',').map((range) => range.match(/[0-9A-F]+/g)!.map((code) => Number.parseInt(code, 16)));
+  return bounds
+    .flatMap(([first = 0, last = first]) => Array.from({ length: last - first + 1 }, (_, i) => first + i))
+    .map((code) => String.fromCodePoint(code))
+    .join('');
+}
+
+const [inFont = ''] = /(?<=FORMULAS = ").*(?=")/.exec(text('../../../scripts/pageFonts.py')) ?? [];
+const inSheet = lettersOf(/inter-greek\.woff2[^}]*unicode-range:([^;]*)/.exec(text('fonts.css'))?.[1] ?? '');
+
+it('the sheet offers the Greek letters that the font was cut to, and no others', () => {
+  expect(greek(inSheet)).toEqual(greek(inFont));
+  expect(inFont).toContain('γ');
+});
+
+it('the page’s own words need no other Greek letters', () => {
+  const used = greek(Object.values(messages).flat().join(''));
+  expect(used).toContain('γ');
+  expect(used.filter((letter) => !inFont.includes(letter))).toEqual([]);
+});

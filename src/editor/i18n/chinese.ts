@@ -1,0 +1,6 @@
+import { exampleWords } from './exampleWords.ts';
+import { messagesIn } from './messages.ts';
+
+// The build puts the texts themselves here (vite.config.ts), so that the page loads one language.
+export const words = messagesIn(1);
+export const examples = exampleWords;

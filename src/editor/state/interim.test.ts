@@ -1,0 +1,165 @@
+import { beforeEach, expect, it, vi } from 'vitest';
+import { applyCommand, type Command } from '../../graph/commands.ts';
+import { CancelledError, type HeavyOrder } from '../../graph/evaluate.ts';
+import type { Outputs } from '../../graph/nodeType.ts';
+import { newProject } from '../../nodes/project.ts';
+import { type Services, threadServices } from '../../nodes/services.ts';
+import { makeScene } from '../../scene/defaults.ts';
+import { createStudio } from './studio.ts';
+
+/** Heavy work, as the test leads it. */
+interface Led extends HeavyOrder {
+  readonly give: (name: string) => void;
+  readonly end: (name: string, more?: Outputs) => void;
+  readonly progress: (part: number) => void;
+  stopped: boolean;
+}
+const led = vi.hoisted((): Led[] => []);
+const outputs = (name: string): Outputs => ({ geometry: { scene: makeScene({ name, endTime: name.length }) } });
+vi.mock('./heavyWorkers.ts', () => ({
+  heavyWorkers:
+    () =>
+    (order: HeavyOrder, work: { signal?: AbortSignal; progress: Led['progress']; interim: (of: Outputs) => void }) =>
+      new Promise<Outputs>((done, fail) => {
+        const progress = (part: number) => (work.progress as (part: number, what: string) => void)(part, 'simulate');
+        const give = (name: string) => work.interim(outputs(name));
+        const job: Led = {
+          ...order,
+          give,
+          end: (name, more) => done({ ...outputs(name), ...more }),
+          progress,
+          stopped: false,
+        };
+        led.push(job);
+        work.signal?.addEventListener('abort', () => {
+          job.stopped = true;
+          fail(new CancelledError());
+        });
+      }),
+}));
+
+const edge = (from: string, to: string, input: string): Command => ({
+  kind: 'connect',
+  edge: { from: { node: from, output: 'geometry' }, to: { node: to, input } },
+});
+const document = applyCommand(newProject('a.usda'), {
+  kind: 'batch',
+  commands: [
+    { kind: 'add-node', node: 'work', type: 'subdivide', at: [0, 0] },
+    edge('retime', 'work', 'geometry'),
+    edge('work', 'scene', 'geometry.1'),
+  ],
+}).document;
+const services: Services = { ...threadServices, readScene: async () => ({ scene: makeScene({ name: 'a' }) }) };
+const settled = () => new Promise((done) => setTimeout(done, 30));
+
+async function open() {
+  const studio = createStudio({ services, beginning: { document, origin: 'p', unsaved: false }, playing: false });
+  await settled();
+  return { studio, state: () => studio.store.getState(), end: () => studio.store.getState().picture?.scene.endTime };
+}
+beforeEach(() => {
+  led.length = 0;
+});
+
+it('the picture shows the motion so far, while it goes on to be loaded', async () => {
+  const { state, end } = await open();
+  led[0]!.progress(0.25);
+  expect(state()).toMatchObject({ loading: { node: 'work', part: 0.25, stage: 'simulate' } });
+  expect(state().picture).toBeUndefined();
+  led[0]!.give('ab');
+  await vi.waitFor(() => expect(state().interim).toBe('running'));
+  expect(state()).toMatchObject({ opened: { origin: 'p' }, loading: { part: 0.25 } });
+  expect(end()).toBe(2);
+  expect(state().results.get('work')).toMatchObject({ status: 'done', interim: true });
+  led[0]!.give('abc');
+  led[0]!.give('abcd');
+  await vi.waitFor(() => expect(end()).toBe(4));
+  led[0]!.end('abcdef');
+  await settled();
+  expect([state().loading, state().interim, state().notices]).toEqual([undefined, undefined, []]);
+  expect(end()).toBe(6);
+  expect(led).toHaveLength(1);
+});
+
+it('stopped work stays as it is through edits, and goes on from there when it is asked to', async () => {
+  const { studio, state, end } = await open();
+  led[0]!.give('abc');
+  await settled();
+  studio.cancelLoading();
+  await settled();
+  expect(led[0]!.stopped).toBe(true);
+  expect(state().interim).toBe('stopped');
+  expect(state().loading).toBeUndefined();
+  expect(end()).toBe(3);
+  expect(state().history.document).toBe(document);
+  studio.set('toneMap', 'exposure', 1, 'exposure');
+  await settled();
+  expect(state()).toMatchObject({ interim: 'stopped', picture: { exposure: 1 } });
+  expect(led).toHaveLength(1);
+
+  studio.goOn();
+  await settled();
+  expect(led[1]).toMatchObject({ interims: true, resume: outputs('abc') });
+  expect(state()).toMatchObject({ interim: 'running' });
+  led[1]!.end('abcdef');
+  await settled();
+  expect(state().interim).toBeUndefined();
+  expect(end()).toBe(6);
+});
+
+it('other work begins, whatever was stopped; back at that, it is as it was', async () => {
+  const { studio, state, end } = await open();
+  led[0]!.give('abc');
+  await settled();
+  studio.cancelLoading();
+  await settled();
+  studio.set('work', 'levels', 2, 'levels');
+  await settled();
+  expect(led[1]).toMatchObject({ params: { levels: 2 } });
+  expect(led[1]!.resume).toBeUndefined();
+  led[1]!.give('ab');
+  await settled();
+  expect(state().interim).toBe('running');
+  studio.undo();
+  await settled();
+  expect([led.length, led[1]!.stopped]).toEqual([2, true]);
+  expect(state().interim).toBe('stopped');
+  expect(state().loading).toBeUndefined();
+  expect(end()).toBe(3);
+});
+
+it('work that has given nothing yet is just cancelled', async () => {
+  const { studio, state } = await open();
+  studio.cancelLoading();
+  await settled();
+  expect(led[0]!.stopped).toBe(true);
+  expect(state().loading).toBeUndefined();
+  expect(state().picture).toBeUndefined();
+});
+
+it('where other work has just begun, to cancel ends that, and does not begin it again', async () => {
+  const { studio, state } = await open();
+  led[0]!.give('abc');
+  await settled();
+  studio.set('work', 'levels', 2, 'levels');
+  await settled();
+  studio.cancelLoading();
+  await settled();
+  expect(led.map(({ stopped }) => stopped)).toEqual([true, true]);
+  expect(state()).toMatchObject({ interim: 'stopped' });
+  expect(state().loading).toBeUndefined();
+});
+
+it('that a run ended before its time is said, once', async () => {
+  const { studio, state } = await open();
+  const books = { kinetic: Float64Array.of(0), stop: { t: 1.5, message: 'too fast' } };
+  led[0]!.end('abc', { books });
+  await settled();
+  expect(state().notices).toMatchObject([
+    { kind: 'warning', place: 'work', text: 'it ended at t = 1.500 s: too fast' },
+  ]);
+  studio.set('toneMap', 'exposure', 1, 'exposure');
+  await settled();
+  expect(state().notices).toEqual([]);
+});

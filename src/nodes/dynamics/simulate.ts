@@ -1,0 +1,137 @@
+import { CancelledError } from '../../graph/evaluate.ts';
+import { defineNode } from '../define.ts';
+import type { Reel } from './film.ts';
+import { amount } from './shared.ts';
+import type { Settings, Simulated } from './simulation.ts';
+
+/** Those of the source documents, which have corrections, are last. */
+const METHODS = [
+  { value: 'discrete-gradient', title: 'method.discreteGradient' },
+  { value: 'implicit-midpoint', title: 'method.midpoint' },
+  { value: 'leapfrog', title: 'method.leapfrog' },
+  { value: 'yoshida-4', title: 'method.yoshida4' },
+  { value: 'yoshida-6', title: 'method.yoshida6' },
+  { value: 'yoshida-8', title: 'method.yoshida8' },
+  { value: 'semi-implicit-euler', title: 'method.euler' },
+  { value: 'linearly-implicit', title: 'method.linear' },
+  { value: 'local-global', title: 'method.localGlobal' },
+];
+const CORRECTED = METHODS.slice(6).map(({ value }) => value);
+
+/** Where it is not in a thread of its own it lets others work, and hears whether it is still wanted, so often [ms]. */
+const BREATH = 50;
+
+/** Computes how matter moves, and keeps books of its energy. */
+export const simulateNode = defineNode({
+  id: 'simulate',
+  title: 'node.simulate',
+  help: 'node.simulate.help',
+  category: 'dynamics',
+  heavy: true,
+  params: {
+    speedOfLight: {
+      kind: 'number',
+      title: 'param.speedOfLight',
+      help: 'param.simulatedLight.help',
+      unit: 'm/s',
+      default: 10,
+      min: 0.1,
+      max: 299_792_458,
+      step: 0.1,
+      scale: 'log',
+    },
+    mechanics: {
+      kind: 'choice',
+      title: 'param.mechanics',
+      help: 'param.mechanics.help',
+      default: 'einstein',
+      options: [
+        { value: 'einstein', title: 'mechanics.einstein' },
+        { value: 'newton', title: 'mechanics.newton' },
+      ],
+    },
+    duration: amount({ title: 'param.duration', unit: 's', default: 4, min: 1e-6, max: 1e6 }),
+    rate: amount({
+      title: 'param.frameRate',
+      help: 'param.frameRate.help',
+      unit: '1/s',
+      default: 24,
+      min: 1e-3,
+      max: 1e6,
+    }),
+    method: {
+      kind: 'choice',
+      title: 'param.method',
+      help: 'param.method.help',
+      default: 'discrete-gradient',
+      options: METHODS,
+    },
+    correction: {
+      kind: 'choice',
+      title: 'param.correction',
+      help: 'param.correction.help',
+      default: '0',
+      options: [
+        { value: '0', title: 'correction.none' },
+        { value: '1', title: 'correction.tangent' },
+        { value: '2', title: 'correction.secant' },
+        { value: '3', title: 'correction.root' },
+      ],
+      onlyWhen: { param: 'method', is: CORRECTED },
+    },
+    tolerance: amount({
+      title: 'param.errorASecond',
+      help: 'param.errorASecond.help',
+      unit: 'm',
+      default: 0,
+      max: 1e6,
+      step: 1e-6,
+    }),
+    step: amount({ title: 'param.step', help: 'param.step.help', unit: 's', default: 0, max: 1e6, step: 1e-6 }),
+    reach: amount({ title: 'param.touchReach', help: 'param.touchReach.help', unit: 'm', default: 0 }),
+    stiffness: amount({
+      title: 'param.penalty',
+      help: 'param.penalty.help',
+      unit: 'N/m',
+      default: 10_000,
+      min: 1e-6,
+      step: 1,
+    }),
+  },
+  inputs: { matter: { type: 'matter', many: true } },
+  outputs: { geometry: { type: 'geometry' }, books: { type: 'books' } },
+  async evaluate({ matter }, params, { node, progress, interim, resume, signal }) {
+    // Pages evaluate it in a worker: what computes is loaded there.
+    const { Simulation } = await import('./simulation.ts');
+    const simulation = new Simulation(matter, settingsOf(params), node, resume?.reel as Reel | undefined);
+    let breath = performance.now();
+    for (const _ of simulation.run()) {
+      progress(simulation.taken / simulation.frames, 'simulate');
+      interim?.(() => ({ ...simulation.outputs() }));
+      if (!signal || performance.now() - breath < BREATH) continue;
+      await new Promise((resolve) => setTimeout(resolve));
+      if (signal.aborted) throw new CancelledError();
+      breath = performance.now();
+    }
+    const { geometry, books }: Simulated = simulation.outputs();
+    return { geometry, books };
+  },
+});
+
+/** What the parameters say; shared with the command line, which simulates by itself. */
+export function settingsOf(params: Readonly<Record<string, unknown>>): Settings {
+  const { method, correction, mechanics, reach, stiffness, ...rest } = params as unknown as Params;
+  return {
+    ...rest,
+    method: CORRECTED.includes(method) ? `${method}-${correction}` : method,
+    newtonian: mechanics === 'newton',
+    touch: { reach, stiffness },
+  };
+}
+
+interface Params extends Pick<Settings, 'speedOfLight' | 'duration' | 'rate' | 'step' | 'tolerance' | 'method'> {
+  readonly correction: string;
+  readonly mechanics: string;
+  readonly reach: number;
+  readonly stiffness: number;
+}

@@ -1,0 +1,170 @@
+import type { Books } from '../../dynamics/books.ts';
+import { ledger } from '../../dynamics/energy.ts';
+import { METHODS } from '../../dynamics/methods/library.ts';
+import { type Frame, type Order, run, type Stop, stepsOf } from '../../dynamics/run.ts';
+import { type State, SystemError } from '../../dynamics/system.ts';
+import type { Diagnostic } from '../../scene/types.ts';
+import { refusal } from '../geometry/shared.ts';
+import { surveyed } from '../geometry/surveyed.ts';
+import type { LoadedScene } from '../services.ts';
+import { Film, type Reel } from './film.ts';
+import type { Matter } from './matter.ts';
+import { type Stage, stageOf, type Touch } from './stage.ts';
+
+/** How a simulation is to be computed. */
+export interface Settings {
+  /** Id of the method. */
+  readonly method: string;
+  /** [m/s] */
+  readonly speedOfLight: number;
+  /** By Newton's mechanics, as if c were infinite. */
+  readonly newtonian: boolean;
+  /** [s] */
+  readonly duration: number;
+  /** Frames that are kept of a second. */
+  readonly rate: number;
+  /** The longest step [s]; 0: a tenth of what an explicit method can take. */
+  readonly step: number;
+  /** What steps may get wrong in each second, which they then follow [m, m/s]; 0: they are all alike. */
+  readonly tolerance: number;
+  readonly touch: Touch;
+}
+
+/** What the node gives; under `reel` what only itself needs, to go on. */
+export interface Simulated {
+  readonly geometry: LoadedScene;
+  readonly books: Books;
+  readonly reel?: Reel;
+}
+
+/** Most vertices times frames that are kept: at 36 bytes each. */
+const MOST_SAMPLES = 10_000_000;
+const MOST_FRAMES = 100_000;
+const MOST_STEPS = 100_000_000;
+
+/** A run from frame to frame, of what parts make together. */
+export class Simulation {
+  readonly order: Order;
+  private readonly settings: Settings;
+  private readonly node: string;
+  private readonly film: Film;
+  private stop: Stop | undefined;
+
+  /** `before`: goes on from there. Throws a NodeRefusal. */
+  constructor(matter: readonly Matter[], settings: Settings, node: string, before?: Reel) {
+    const c = settings.newtonian ? Number.POSITIVE_INFINITY : settings.speedOfLight;
+    if (matter.every(({ kind }) => kind === 'field'))
+      throw refusal('simulate.nothing', node, 'nothing is there to move; connect a Mass spring or a Collider');
+    const stage = refusing(node, () => stageOf(matter, c, settings.touch));
+    this.settings = settings;
+    this.node = node;
+    this.order = orderOf(stage, settings, node);
+    this.film = new Film(this.order, stage.casts, before);
+  }
+
+  /** Frames that there will be. */
+  get frames(): number {
+    return Math.round(this.order.duration / this.order.every) + 1;
+  }
+
+  /** Frames that there are. */
+  get taken(): number {
+    return this.film.length;
+  }
+
+  /** Takes further frames, one each time it is asked. */
+  *run(): Generator<Frame, void> {
+    const { order, film } = this;
+    const { length } = film;
+    if (length === this.frames) return;
+    const before = film.reel();
+    const start = length === 0 ? order.start : before.last;
+    const running = run({ ...order, start, duration: (this.frames - Math.max(1, length)) * order.every });
+    // The first frame is the one that it goes on from.
+    if (length > 0) running.next();
+    const steps = before.rows.at(-1)?.steps ?? 0;
+    for (;;) {
+      const { done, value } = running.next();
+      if (done) {
+        this.stop = value;
+        return;
+      }
+      const frame = { ...value, steps: steps + value.steps };
+      film.take(frame);
+      yield frame;
+    }
+  }
+
+  /** Enters a frame that was computed before. */
+  enter(state: State, steps: number): void {
+    this.film.take({ state, steps, ledger: ledger(this.order.system, state) });
+  }
+
+  /** All there is so far. */
+  outputs(): Simulated {
+    const { film, settings } = this;
+    const whole = film.scene(this.notes());
+    const hints = { ...whole.hints, speedOfLight: settings.speedOfLight };
+    return {
+      geometry: surveyed({ ...whole, hints }),
+      books: film.accounts(this.stop),
+      ...(film.length < this.frames && { reel: film.reel() }),
+    };
+  }
+
+  private notes(): Diagnostic[] {
+    const { stop, node, order } = this;
+    const { h, stable } = stepsOf(order);
+    const note = (code: string, message: string): Diagnostic => ({ severity: 'warning', code, place: node, message });
+    return [
+      ...(stable
+        ? []
+        : [
+            note(
+              'simulate.unstable',
+              `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`,
+            ),
+          ]),
+      ...(stop ? [note('simulate.stopped', `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`)] : []),
+    ];
+  }
+}
+
+/** What cannot be a system is refused at the node. */
+function refusing<T>(node: string, make: () => T): T {
+  try {
+    return make();
+  } catch (error) {
+    if (error instanceof SystemError) throw refusal('simulate.system', node, error.message);
+    throw error;
+  }
+}
+
+function orderOf({ system, start, casts }: Stage, settings: Settings, node: string): Order {
+  const { duration, rate, step, tolerance } = settings;
+  const frames = Math.max(1, Math.round(duration * rate));
+  const set = (param: string, value: number) => ({ node, param, value });
+  if (frames > MOST_FRAMES) {
+    const message = `${frames} frames are more than ${MOST_FRAMES}; keep fewer a second, or let it end sooner`;
+    throw refusal('simulate.frames', `${node}.rate`, message, set('duration', MOST_FRAMES / rate));
+  }
+  const vertices = casts
+    .flatMap(({ actors }) => actors)
+    .reduce((sum, actor) => sum + (actor.kind === 'net' ? actor.pointOfVertex.length : 0), 0);
+  if (vertices * frames > MOST_SAMPLES) {
+    const message = `${vertices} vertices in ${frames} frames are more than ${MOST_SAMPLES} samples; keep fewer frames a second, let it end sooner, or take coarser meshes`;
+    const most = Math.floor(MOST_SAMPLES / vertices / duration);
+    throw refusal('simulate.samples', `${node}.rate`, message, most >= 1 ? set('rate', most) : undefined);
+  }
+  const order: Order = {
+    ...{ system, start, method: METHODS.get(settings.method)!, duration, every: duration / frames },
+    ...(step > 0 && { step }),
+    ...(tolerance > 0 && { tolerance }),
+  };
+  const { h, perFrame } = stepsOf(order);
+  if (perFrame * frames > MOST_STEPS) {
+    const message = `it would take ${(perFrame * frames).toExponential(1)} steps of ${h.toExponential(1)} s, more than ${MOST_STEPS}; set a longer step, take softer springs, or let it end sooner`;
+    throw refusal('simulate.steps', `${node}.step`, message, set('step', duration / MOST_STEPS));
+  }
+  return order;
+}

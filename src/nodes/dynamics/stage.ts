@@ -1,0 +1,417 @@
+import { barrier, box, type Obstacle, plane } from '../../dynamics/forces/barrier.ts';
+import { Penalty } from '../../dynamics/forces/contact.ts';
+import { coulomb } from '../../dynamics/forces/coulomb.ts';
+import type { Force } from '../../dynamics/forces/force.ts';
+import { NearPairs } from '../../dynamics/forces/near.ts';
+import { Pairs } from '../../dynamics/forces/pairs.ts';
+import { type Springs, springs } from '../../dynamics/forces/springs.ts';
+import { uniform } from '../../dynamics/forces/uniform.ts';
+import { meshSprings } from '../../dynamics/nets.ts';
+import { makeSystem, momenta, type State, type System } from '../../dynamics/system.ts';
+import { conjugate, rotate } from '../../math/quat.ts';
+import { add, cross, length, normalize, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { boundingBox } from '../../scene/bounds.ts';
+import { flatFaces } from '../../scene/compose/flatFaces.ts';
+import { weld } from '../../scene/compose/weld.ts';
+import { placed } from '../../scene/motion.ts';
+import { pointAt } from '../../scene/polygons.ts';
+import type { Pose, Scene, SceneObject } from '../../scene/types.ts';
+import { refusal } from '../geometry/shared.ts';
+import type { FieldMatter, Matter, NetMatter, Rods, SolidMatter, Start } from './matter.ts';
+
+/** A thing, and which points of the system it follows. */
+export type Actor =
+  | { readonly kind: 'net'; readonly object: SceneObject; readonly pointOfVertex: Uint32Array }
+  | { readonly kind: 'ball'; readonly object: SceneObject; readonly point: number }
+  | { readonly kind: 'rod'; readonly of: SceneObject; readonly ends: readonly [number, number]; readonly width: number }
+  | { readonly kind: 'fixed'; readonly object: SceneObject };
+
+/** The things of one part, in the scene that their materials are of. */
+export interface Cast {
+  readonly scene: Scene;
+  readonly actors: readonly Actor[];
+}
+
+/** What is simulated, and what is shown of it. */
+export interface Stage {
+  readonly system: System;
+  readonly start: State;
+  readonly casts: readonly Cast[];
+}
+
+/** What acts between points of different things that come near. */
+export interface Touch {
+  /** 0: nothing does [m]. */
+  readonly reach: number;
+  /** [N/m] */
+  readonly stiffness: number;
+}
+
+/** Vertices are one point where they are as near as this share of their thing's size. */
+const WELD = 1e-6;
+/** Most pairs of a ball and a point, and of charges. */
+const MOST_PAIRS = 4_000_000;
+/** What is flat is thinner than this share of its size. */
+const FLAT = 1e-3;
+
+/** The system that parts make together. Throws a NodeRefusal that names the part, or a SystemError. */
+export function stageOf(parts: readonly Matter[], c: number, touch: Touch): Stage {
+  const builder = new Builder(c);
+  const casts = parts.flatMap((part): Cast[] => {
+    if (part.kind === 'field') return [];
+    const actors = part.kind === 'net' ? builder.net(part) : builder.solid(part);
+    return [{ scene: part.scene, actors }];
+  });
+  const fields = parts.filter((part) => part.kind === 'field');
+  return { ...builder.finish(fields, touch), casts };
+}
+
+interface Ball {
+  readonly point: number;
+  readonly radius: number;
+  readonly of: SolidMatter;
+}
+
+/** Collects points and what acts between them. */
+class Builder {
+  private readonly c: number;
+  private readonly x: number[] = [];
+  private readonly v: number[] = [];
+  private readonly masses: number[] = [];
+  private readonly pinned: number[] = [];
+  private readonly charges: number[] = [];
+  /** The thing that each point is of, where it is of a net; else −1. */
+  private readonly bodies: number[] = [];
+  private readonly nets: Springs[] = [];
+  private readonly balls: Ball[] = [];
+  private readonly obstacles: { readonly obstacle: Obstacle; readonly of: SolidMatter }[] = [];
+  private bodyCount = 0;
+
+  constructor(c: number) {
+    this.c = c;
+  }
+
+  net(part: NetMatter): Actor[] {
+    const up = part.scene.upAxis === 'Y' ? 1 : 2;
+    let held = 0;
+    const actors = part.scene.objects.map((object): Actor => {
+      const { points, pointOfVertex, net } = netOf(object, part);
+      const count = points.length / 3;
+      const filled = part.stiffness.filling > 0;
+      const middle = middleOf(points);
+      const pins = pinnedIn(points, pointOfVertex, part, up, object.path);
+      held += pins.size;
+      const first = this.masses.length;
+      const share = 1 / (count + Number(filled));
+      const body = this.bodyCount++;
+      for (let i = 0; i < count; i++) {
+        const at = pointAt(points, i);
+        const v = add(part.velocity, cross(part.spin, sub(at, middle)));
+        this.point(at, v, part, share, pins.has(i), body);
+      }
+      this.springsFrom(first, net);
+      if (filled) this.fill(first, points, middle, part, share);
+      return { kind: 'net', object, pointOfVertex: pointOfVertex.map((point) => first + point) };
+    });
+    if (part.pins.kind === 'box' && held === 0)
+      throw refusal('pins.none', `${part.node}.pinCenter`, 'no point is in the box that holds points; put it on some');
+    return actors;
+  }
+
+  /** A point in the middle, tied to all others. */
+  private fill(first: number, points: Float64Array, middle: Vec3, part: NetMatter, share: number): void {
+    const count = points.length / 3;
+    const center = this.point(middle, part.velocity, part, share, false, -1);
+    const ends = Uint32Array.from({ length: 2 * count }, (_, k) => (k % 2 === 0 ? center : first + (k >> 1)));
+    const lengths = Float64Array.from(
+      { length: count },
+      (_, i) => part.tension * length(sub(pointAt(points, i), middle)),
+    );
+    this.nets.push({ ends, stiffness: new Float64Array(count).fill(part.stiffness.filling), lengths });
+  }
+
+  private springsFrom(first: number, net: Springs): void {
+    if (net.lengths.length > 0) this.nets.push({ ...net, ends: net.ends.map((point) => first + point) });
+  }
+
+  solid(part: SolidMatter): Actor[] {
+    if (part.shape !== 'ball') {
+      for (const object of part.scene.objects) this.obstacles.push({ obstacle: obstacleOf(object, part), of: part });
+      return part.scene.objects.map((object) => ({ kind: 'fixed', object }));
+    }
+    const balls = part.scene.objects.map((object) => ({ object, ...this.ball(object, part) }));
+    const shown = balls.map(
+      ({ object, point }): Actor => (part.free ? { kind: 'ball', object, point } : { kind: 'fixed', object }),
+    );
+    return [...shown, ...(part.free?.rods ? this.rods(balls, part.free.rods) : [])];
+  }
+
+  private ball(object: SceneObject, part: SolidMatter): { readonly point: number; readonly center: Vec3 } {
+    const { min, max } = boundsOf(object);
+    const center = placed(poseOf(object), scale(add(min, max), 0.5));
+    const radius = Math.max(...sub(max, min)) / 2;
+    const { node, charge, free = { mass: 1, velocity: ZERO } } = part;
+    const point = this.point(center, free.velocity, { ...free, node, charge }, 1, !part.free, -1);
+    this.balls.push({ point, radius, of: part });
+    return { point, center };
+  }
+
+  private rods(
+    balls: readonly { readonly object: SceneObject; readonly point: number; readonly center: Vec3 }[],
+    rods: Rods,
+  ): Actor[] {
+    return balls.flatMap(({ object, point, center }, i): Actor[] => {
+      const before = rods.to === 'chain' ? balls[i - 1] : undefined;
+      const place = before?.center ?? add(center, rods.pivot);
+      const held = before?.point ?? this.point(place, ZERO, PIVOT, 1, true, -1);
+      const lengths = Float64Array.of(length(sub(place, center)));
+      this.nets.push({ ends: Uint32Array.of(point, held), stiffness: Float64Array.of(rods.stiffness), lengths });
+      return rods.thickness > 0 ? [{ kind: 'rod', of: object, ends: [point, held], width: rods.thickness }] : [];
+    });
+  }
+
+  private point(
+    at: Vec3,
+    v: Vec3,
+    start: Start & { readonly node: string },
+    share: number,
+    pin: boolean,
+    body: number,
+  ): number {
+    const speed = length(v);
+    if (!pin && !(speed < this.c)) {
+      const message = `it begins at ${speed.toPrecision(3)} m/s, not below the speed of light, ${this.c} m/s; let it begin slower, or raise the speed of light of the simulation`;
+      throw refusal('simulate.light', start.node, message);
+    }
+    this.x.push(...at);
+    this.v.push(...v);
+    this.charges.push(start.charge * share);
+    this.pinned.push(Number(pin));
+    this.bodies.push(body);
+    return this.masses.push(start.mass * share) - 1;
+  }
+
+  finish(fields: readonly FieldMatter[], touch: Touch): Pick<Stage, 'system' | 'start'> {
+    const { c } = this;
+    const masses = Float64Array.from(this.masses);
+    const charges = Float64Array.from(this.charges);
+    const sum = (of: (field: FieldMatter) => Vec3): Vec3 => fields.map(of).reduce(add, ZERO);
+    const [gravity, electric, magnetic] = [
+      sum((field) => field.gravity),
+      sum((field) => field.electric),
+      sum((field) => field.magnetic),
+    ];
+    const isCharged = charges.some((charge) => charge !== 0);
+    const forces: Force[] = [
+      ...(this.nets.length > 0 ? [springs(joined(this.nets))] : []),
+      ...this.ballContacts(),
+      ...this.barriers(),
+      ...this.touches(touch),
+      ...(length(gravity) > 0 ? [uniform(masses, gravity)] : []),
+      ...(isCharged && length(electric) > 0 ? [uniform(charges, electric)] : []),
+      ...(isCharged && fields.some((field) => field.coulomb) ? [this.coulomb(charges)] : []),
+    ];
+    const drag = fields.reduce((all, field) => all + field.drag, 0);
+    const pinned = Uint8Array.from(this.pinned);
+    const magneticField = isCharged && length(magnetic) > 0 ? { magneticField: magnetic } : {};
+    const system = makeSystem({
+      masses,
+      pinned,
+      forces,
+      c,
+      drag,
+      ...(isCharged && { charges }),
+      ...magneticField,
+    });
+    return { system, start: { t: 0, x: Float64Array.from(this.x), p: momenta(system, this.v) } };
+  }
+
+  /** Balls against each other and against points of nets; of those that are as hard, one force. */
+  private ballContacts(): Force[] {
+    const points = this.bodies.flatMap((body, i) => (body < 0 ? [] : [i]));
+    const { balls, pinned } = this;
+    if (balls.length * (points.length + balls.length) > MOST_PAIRS) {
+      const message = `${balls.length} balls and ${points.length} points are too many to meet; take fewer balls, or coarser meshes`;
+      throw refusal('collider.many', balls[0].of.node, message);
+    }
+    const hard = new Map<number, { readonly ends: number[]; readonly reach: number[] }>();
+    const meet = (K: number, a: number, b: number, reach: number): void => {
+      if (pinned[a] && pinned[b]) return;
+      const known = hard.get(K) ?? { ends: [], reach: [] };
+      hard.set(K, known);
+      known.ends.push(a, b);
+      known.reach.push(reach);
+    };
+    balls.forEach(({ point, radius, of }, i) => {
+      for (const other of balls.slice(i + 1)) {
+        const reach = of.scale * radius + other.of.scale * other.radius;
+        meet(Math.max(of.stiffness, other.of.stiffness), point, other.point, reach);
+      }
+      for (const other of points) meet(of.stiffness, point, other, of.scale * radius);
+    });
+    return [...hard].map(
+      ([K, { ends, reach }]) => new Pairs(Uint32Array.from(ends), new Penalty(K, (pair) => reach[pair])),
+    );
+  }
+
+  private barriers(): Force[] {
+    const moving = (i: number): boolean => !this.pinned[i];
+    const points = this.bodies.flatMap((body, i) => (body >= 0 && moving(i) ? [i] : []));
+    return this.obstacles.flatMap(({ obstacle, of: { stiffness, margin } }) => [
+      barrier(obstacle, points, stiffness, margin),
+      ...this.balls
+        .filter(({ point }) => moving(point))
+        .map(({ point, radius }) => barrier(obstacle, [point], stiffness, margin + radius)),
+    ]);
+  }
+
+  private touches({ reach, stiffness }: Touch): Force[] {
+    if (reach === 0 || this.bodyCount < 2) return [];
+    return [new NearPairs(Int32Array.from(this.bodies), reach, new Penalty(stiffness, () => reach))];
+  }
+
+  private coulomb(charges: Float64Array): Force {
+    const charged = charges.filter((charge) => charge !== 0).length;
+    if (charged ** 2 / 2 > MOST_PAIRS) {
+      const message = `${charged} charged points are too many to act on each other; charge fewer things, or coarser ones`;
+      throw refusal('field.charges', 'charge', message);
+    }
+    return coulomb(charges);
+  }
+}
+
+const PIVOT = { node: '', mass: 1, velocity: ZERO, charge: 0 };
+
+/** A thing at rest has one pose. */
+export const poseOf = ({ motion }: SceneObject): Pose => {
+  if (motion.kind !== 'static') throw new TypeError('only things at rest come here');
+  return motion.pose;
+};
+
+/** The points of a thing in the world, and the springs between them. */
+function netOf(object: SceneObject, { stiffness, tension }: NetMatter) {
+  const { positions, indices } = object.mesh;
+  const { min, max } = boundsOf(object);
+  const { pointOfVertex, vertexOfPoint } = weld(positions, WELD * length(sub(max, min)));
+  const pose = poseOf(object);
+  const points = new Float64Array(3 * vertexOfPoint.length);
+  vertexOfPoint.forEach((vertex, i) => void points.set(placed(pose, pointAt(positions, vertex)), 3 * i));
+  const faces = flatFaces(
+    points,
+    indices.map((vertex) => pointOfVertex[vertex]),
+  );
+  return { points, pointOfVertex, net: meshSprings(points, faces, stiffness, tension) };
+}
+
+function boundsOf({ mesh, path }: SceneObject) {
+  const bounds = boundingBox(mesh.positions);
+  if (!bounds) throw refusal('matter.empty', path, 'it has no points; leave it out');
+  return bounds;
+}
+
+const middleOf = (points: Float64Array): Vec3 => {
+  const { min, max } = boundingBox(points)!;
+  return scale(add(min, max), 0.5);
+};
+
+/** The points of a thing that are held. */
+function pinnedIn(
+  points: Float64Array,
+  pointOfVertex: Uint32Array,
+  { pins, node }: NetMatter,
+  up: number,
+  path: string,
+): ReadonlySet<number> {
+  const all = Array.from({ length: points.length / 3 }, (_, i) => i);
+  switch (pins.kind) {
+    case 'none':
+      return new Set();
+    case 'points': {
+      const odd = pins.vertices.find((vertex) => vertex >= pointOfVertex.length);
+      if (odd === undefined) return new Set(pins.vertices.map((vertex) => pointOfVertex[vertex]));
+      const message = `it has no point ${odd}: they are numbered from 0 to ${pointOfVertex.length - 1}`;
+      throw refusal('pins.numbers', path, message, { node, param: 'pinned', value: '0' });
+    }
+    case 'box': {
+      const isIn = (i: number): boolean =>
+        [0, 1, 2].every((k) => Math.abs(points[3 * i + k] - pins.center[k]) <= pins.size[k] / 2);
+      return new Set(all.filter(isIn));
+    }
+    case 'top': {
+      const { min, max } = boundingBox(points)!;
+      const least = max[up] - FLAT * length(sub(max, min));
+      return new Set(all.filter((i) => points[3 * i + up] >= least));
+    }
+    case 'corners':
+      return new Set(cornersOf(points, up).map((corner) => nearestTo(points, corner)));
+  }
+}
+
+/** The four upper corners of the box round points. */
+function cornersOf(points: Float64Array, up: number): Vec3[] {
+  const { min, max } = boundingBox(points)!;
+  const [a, b] = [0, 1, 2].filter((k) => k !== up);
+  return [min[a], max[a]].flatMap((p) =>
+    [min[b], max[b]].map((q) => {
+      const corner = [max[0], max[1], max[2]];
+      corner[a] = p;
+      corner[b] = q;
+      return corner as unknown as Vec3;
+    }),
+  );
+}
+
+function nearestTo(points: Float64Array, place: Vec3): number {
+  let [nearest, least] = [0, Number.POSITIVE_INFINITY];
+  for (let i = 0; 3 * i < points.length; i++) {
+    const away = length(sub(pointAt(points, i), place));
+    if (away < least) [nearest, least] = [i, away];
+  }
+  return nearest;
+}
+
+/** What a thing at rest is for what would get into it. */
+function obstacleOf(object: SceneObject, part: SolidMatter): Obstacle {
+  const { min, max } = boundsOf(object);
+  const pose = poseOf(object);
+  const middle = scale(add(min, max), 0.5);
+  if (part.shape === 'box') return turned(box(middle, sub(max, min)), pose);
+  const { normals, positions } = object.mesh;
+  const sum = [0, 1, 2].map((k) => normals.reduce((all, x, i) => (i % 3 === k ? all + x : all), 0));
+  const front = normalize(sum as unknown as Vec3);
+  const depths = Array.from({ length: positions.length / 3 }, (_, i) => {
+    const d = sub(pointAt(positions, i), middle);
+    return Math.abs(d[0] * front[0] + d[1] * front[1] + d[2] * front[2]);
+  });
+  const thick = depths.reduce((most, depth) => Math.max(most, depth), 0);
+  if (length(front) > 0 && thick <= FLAT * length(sub(max, min))) {
+    return plane(placed(pose, middle), rotate(pose.orientation, front));
+  }
+  const message = 'it is not flat, so that it is no plane; choose the shape box or ball';
+  throw refusal('collider.plane', object.path, message, { node: part.node, param: 'shape', value: 'box' });
+}
+
+/** An obstacle in the frame of a thing, as one of the world. */
+const turned = (obstacle: Obstacle, { position, orientation }: Pose): Obstacle => ({
+  outside(place) {
+    const [distance, out] = obstacle.outside(rotate(conjugate(orientation), sub(place, position)));
+    return [distance, rotate(orientation, out)];
+  },
+});
+
+function joined(nets: readonly Springs[]): Springs {
+  const count = nets.reduce((all, { lengths }) => all + lengths.length, 0);
+  const all = {
+    ends: new Uint32Array(2 * count),
+    stiffness: new Float64Array(count),
+    lengths: new Float64Array(count),
+  };
+  let at = 0;
+  for (const { ends, stiffness, lengths } of nets) {
+    all.ends.set(ends, 2 * at);
+    all.stiffness.set(stiffness, at);
+    all.lengths.set(lengths, at);
+    at += lengths.length;
+  }
+  return all;
+}

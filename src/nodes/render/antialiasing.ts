@@ -1,0 +1,33 @@
+import { EFFECTS } from '../../scene/effects.ts';
+import { defineNode } from '../define.ts';
+
+const { title, help, args } = EFFECTS.antialiasing;
+const [contrast, search, single] = args;
+
+/** Hard edges of a finished picture without their stairs. */
+export const antialiasing = defineNode({
+  id: 'antialiasing',
+  title,
+  help,
+  category: 'render',
+  params: {
+    contrast: { kind: 'number', ...contrast },
+    search: { kind: 'number', ...search, integer: true },
+    single: { kind: 'number', ...single },
+  },
+  inputs: { image: { type: 'image' }, mask: { type: 'mask', optional: true } },
+  outputs: { image: { type: 'image' } },
+  evaluate: ({ image, mask }, params) => ({
+    image: {
+      step: {
+        kind: 'effect',
+        effect: 'antialiasing',
+        args: [params.contrast, params.search, params.single],
+        image,
+        buffer: image.gbuffer,
+        ...(mask && { mask }),
+      },
+      gbuffer: image.gbuffer,
+    },
+  }),
+});

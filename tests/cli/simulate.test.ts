@@ -1,0 +1,86 @@
+import { readFileSync, statSync, truncateSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import { serializeDocument } from '../../src/graph/serialize.ts';
+import { add, build, connect, set } from '../support/graphKit.ts';
+import { hasUsdCore, python } from '../usdCore.ts';
+import { outcome, outputFolder, slowlight, slowlightJson, start } from './program.ts';
+
+const folder = outputFolder();
+const at = (name: string): string => join(folder, name);
+const project = at('cloth.slowlight.json');
+const cloth = build(
+  ...[add('sheet', 'grid'), add('cloth', 'mass-spring'), add('weight', 'field'), add('run', 'simulate')],
+  ...[set('sheet', 'width', 1), set('sheet', 'length', 1), set('cloth', 'pins', 'corners')],
+  ...[set('run', 'duration', 0.5), set('run', 'method', 'leapfrog')],
+  ...[connect('sheet.geometry', 'cloth.geometry'), connect('cloth.matter', 'run.matter.1')],
+  connect('weight.matter', 'run.matter.2'),
+);
+writeFileSync(project, serializeDocument(cloth));
+
+test('a simulation is written as USD, which usd-core reads, and as a table of its energies', async () => {
+  const made = await slowlightJson<{ files: string[]; frames: number; energyChange: number; fastest: number }>(
+    ...['simulate', project, '-o', at('cloth.usda'), '--csv', at('energy.csv')],
+  );
+  expect(made).toMatchObject({ files: [at('cloth.usda'), at('energy.csv')], frames: 13, method: 'leapfrog' });
+  expect(made.energyChange).toBeLessThan(1e-3);
+  const rows = readFileSync(at('energy.csv'), 'utf8').trim().split('\n');
+  expect(rows).toHaveLength(14);
+  expect(rows[0]).toMatch(/^time \[s\],steps,kinetic energy \[J\]/);
+  const read = await slowlightJson<{ objects: { path: string }[] }>('inspect', at('cloth.usda'));
+  expect(JSON.stringify(read)).toContain('/Grid');
+  if (!hasUsdCore()) return;
+  const [times, low, fast] = JSON.parse(
+    python(
+      '-c',
+      `
+import json
+from pxr import Usd, UsdGeom
+stage = Usd.Stage.Open(r'${at('cloth.usda')}')
+mesh = UsdGeom.Mesh(next(p for p in stage.Traverse() if p.IsA(UsdGeom.Mesh)))
+points, velocities = mesh.GetPointsAttr(), mesh.GetVelocitiesAttr()
+codes = points.GetTimeSamples()
+world = UsdGeom.Xformable(mesh).ComputeLocalToWorldTransform(codes[-1])
+print(json.dumps([codes, min(world.Transform(p)[1] for p in points.Get(codes[-1])), max(v.GetLength() for v in velocities.Get(codes[-1]))]))`,
+    ),
+  ) as [number[], number, number];
+  expect(times).toEqual(Array.from({ length: 13 }, (_, k) => k));
+  expect(low).toBeLessThan(-0.02);
+  expect(fast).toBeCloseTo(Number(rows.at(-1)!.split(',').at(-1)), 4);
+});
+
+test('what was stopped goes on from its checkpoint, to the same last digit', async () => {
+  const args = ['simulate', project, '--set', 'run.duration=2', '--set', 'run.method=discrete-gradient', '--csv'];
+  await slowlight(...args, at('whole.csv'));
+  const child = start(...args, at('part.csv'), '--checkpoint', at('cloth.run'));
+  const ended = outcome(child);
+  for (let size = 0; size < 100_000; size = statSync(at('cloth.run'), { throwIfNoEntry: false })?.size ?? 0)
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  child.kill('SIGINT');
+  const { code, err } = await ended;
+  expect(code, err).toBe(130);
+  expect(err).toMatch(/stopped after \d+ of 49 frames; --resume goes on from/);
+  // A frame of which only a part was written is computed again.
+  truncateSync(at('cloth.run'), statSync(at('cloth.run')).size - 7);
+  const rest = await slowlight(...args, at('part.csv'), '--checkpoint', at('cloth.run'), '--resume');
+  expect(rest.code, rest.err).toBe(0);
+  expect(readFileSync(at('part.csv'), 'utf8')).toBe(readFileSync(at('whole.csv'), 'utf8'));
+  const other = [...args, at('part.csv'), '--checkpoint', at('cloth.run'), '--resume', '--set', 'cloth.mass=2'];
+  const { code: refused, err: why } = await slowlight(...other);
+  expect(refused).toBe(3);
+  expect(why).toMatch(/another simulation/);
+});
+
+test.each([
+  ['nothing to write', [], 2, /-o.*--csv/],
+  ['no checkpoint to resume from', ['--csv', at('x.csv'), '--resume'], 2, /--checkpoint/],
+  ['a checkpoint that is none', ['--csv', at('x.csv'), '--checkpoint', project, '--resume'], 3, /no checkpoint/],
+  ['another kind of file', ['-o', at('x.png')], 2, /\.usda/],
+  ['no such node', ['--csv', at('x.csv'), '--node', 'cloth'], 2, /there is run/],
+  ['no folder', ['--csv', at('nowhere/x.csv')], 3, /there is no folder/],
+  ['what a node refuses', ['--csv', at('x.csv'), '--set', 'cloth.which=/Gone'], 3, /cloth\.which: there is nothing at/],
+])('nothing is written: %s', async (_, args, wanted, message) => {
+  const { code, err } = await slowlight('simulate', project, ...args);
+  expect(code, err).toBe(wanted);
+  expect(err).toMatch(message);
+});

@@ -1,0 +1,83 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { hangingCloth } from '../../examples/projects/hangingCloth.ts';
+import { applyCommand } from '../../src/graph/commands.ts';
+import { serializeDocument } from '../../src/graph/serialize.ts';
+import { colours, difference, type Guarded, Program } from './program.ts';
+import { drop } from './support.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+/** So long, in such short steps, that no test sees its end. */
+const endless = serializeDocument(
+  applyCommand(hangingCloth(), {
+    kind: 'batch',
+    commands: [
+      { kind: 'set-param', node: 'swing', param: 'step', value: 4e-5 },
+      { kind: 'set-param', node: 'swing', param: 'duration', value: 300 },
+    ],
+  }).document,
+);
+
+/** What the panel tells of the run: until when it is computed [s]. */
+async function computed({ page }: Guarded): Promise<number> {
+  const text = (await page.locator('.sl-energy tbody').textContent()) ?? '';
+  return Number(/(?:until|stopped at) ([\d.]+) s/.exec(text)?.[1]);
+}
+
+it('a simulation is seen while it is computed, with its energy; it is stopped, kept, and goes on from there', async () => {
+  const options = { viewport: { width: 1100, height: 760 } };
+  const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usda', options)).ready();
+  const { page } = visit;
+  const before = await visit.pixels();
+  await drop(visit, [{ name: 'cloth.slowlight.json', content: Buffer.from(endless) }]);
+  await page.getByRole('tab', { name: 'Energy' }).click();
+  await expect.poll(() => computed(visit)).toBeGreaterThan(0.1);
+  await page.getByText('Simulating').waitFor();
+
+  // The cloth where it is when a part of its way is computed, and not only where it was let go.
+  await expect.poll(async () => difference(await visit.pixels(), before)).toBeGreaterThan(5);
+  const plot = page.getByRole('slider', { name: 'Change of energy over time' });
+  await plot.press('Home');
+  await expect.poll(() => visit.status('world-time')).toBe('t = 0.00 s');
+  const level = await visit.pixels();
+  expect(colours(level)).toBeGreaterThan(200);
+  const shown = await computed(visit);
+  await expect.poll(() => computed(visit)).toBeGreaterThan(shown + 0.1);
+  await plot.press('End');
+  await expect.poll(async () => difference(await visit.pixels(), level)).toBeGreaterThan(0.5);
+  await visit.shot('simulation-runs');
+
+  // The air takes energy, and gives none.
+  const cells = page.locator('.sl-energy tbody td');
+  expect(await cells.nth(0).textContent()).toMatch(/^−[\d.]+$/);
+  expect(Number(await cells.nth(1).textContent())).toBeGreaterThan(0);
+  expect(await cells.nth(2).textContent()).toMatch(/^0\.\d+ c$/);
+  expect(await plot.getAttribute('aria-valuetext')).toMatch(/^[\d.]+ s: Leapfrog −[\d.]+ J$/);
+  expect((await new AxeBuilder({ page }).include('.sl-energy').include('.sl-plot').analyze()).violations).toEqual([]);
+
+  await page.getByRole('button', { name: 'Stop' }).click();
+  await page.getByText('Stopped: what there is so far is shown.').waitFor();
+  await page.getByText('Simulating').waitFor({ state: 'detached' });
+  const kept = await computed(visit);
+  expect(kept).toBeGreaterThanOrEqual(shown);
+  await visit.shot('simulation-stopped');
+  // Another edit does not begin it again.
+  await page.getByRole('tab', { name: 'Controls' }).click();
+  await page.getByRole('textbox', { name: 'Exposure' }).fill('1');
+  await page.getByRole('textbox', { name: 'Exposure' }).press('Enter');
+  await page.getByRole('tab', { name: 'Energy' }).click();
+  expect(await computed(visit)).toBe(kept);
+  expect(await page.getByText('Simulating').count()).toBe(0);
+
+  await page.getByRole('button', { name: 'Go on' }).click();
+  await page.getByText('Simulating').waitFor();
+  const first = await computed(visit);
+  expect(first).toBeGreaterThanOrEqual(kept);
+  await expect.poll(() => computed(visit)).toBeGreaterThan(kept + 0.1);
+  await visit.close();
+});

@@ -1,0 +1,197 @@
+import { describe, expect, it } from 'vitest';
+import { projects } from '../../examples/projects/index.ts';
+import { readFont } from '../../src/cli/fonts.ts';
+import type { Books } from '../../src/dynamics/books.ts';
+import { COULOMB } from '../../src/dynamics/forces/coulomb.ts';
+import { Evaluator } from '../../src/graph/evaluate.ts';
+import { length, sub, type Vec3 } from '../../src/math/vec3.ts';
+import { nodeLibrary } from '../../src/nodes/library.ts';
+import { type LoadedScene, threadServices } from '../../src/nodes/services.ts';
+import { poseAt, vertexPositions } from '../../src/scene/motion.ts';
+import type { SampledPointsMotion, Scene, SceneObject } from '../../src/scene/types.ts';
+import { validate } from '../../src/scene/validate.ts';
+
+/** [m/s] */
+const C = 10;
+
+/** What the simulations of an example give, by their nodes. */
+async function run(name: string): Promise<(node: string) => { readonly scene: Scene; readonly books: Books }> {
+  const document = projects[name]!();
+  const nodes = Object.entries(document.nodes).flatMap(([id, { type }]) => (type === 'simulate' ? [id] : []));
+  const services = { ...threadServices, readFont };
+  const { results } = await new Evaluator(nodeLibrary).evaluate(document, nodes, services);
+  return (node) => {
+    const result = results.get(node);
+    if (result?.status !== 'done') throw new Error(JSON.stringify(result));
+    const { scene } = result.outputs.geometry as LoadedScene;
+    expect(scene.diagnostics).toEqual([]);
+    expect(validate(scene, scene.hints.speedOfLight!).filter(({ severity }) => severity === 'error')).toEqual([]);
+    return { scene, books: result.outputs.books as Books };
+  };
+}
+
+const thing = (scene: Scene, path: string): SceneObject => scene.objects.find((object) => object.path === path)!;
+const placeOf = (scene: Scene, path: string, t: number): Vec3 => poseAt(thing(scene, path).motion, t, C).position;
+const most = (values: Iterable<number>): number => Array.from(values).reduce((a, b) => Math.max(a, b), -Infinity);
+const least = (values: Iterable<number>): number => -most(Array.from(values, (value) => -value));
+const framesOf = (scene: Scene, path: string) => {
+  const { points, origin, times } = thing(scene, path).motion as SampledPointsMotion;
+  return (points as Float32Array[]).map((at, k) => ({ t: times[k]!, at, origin }));
+};
+/** The most that a quantity with a value for each frame rises from one to the next, of all that it changes. */
+const rises = (values: Float64Array): number =>
+  most(values.slice(1).map((value, k) => value - values[k]!)) / (most(values) - least(values));
+
+describe('hanging cloth', () => {
+  it('hangs at two corners, comes near c and never to it, and only loses energy', async () => {
+    const { scene, books } = (await run('hanging-cloth'))('swing');
+    const [start, end] = [0, 6].map((t) => vertexPositions(thing(scene, '/Cloth'), t, C));
+    const held = Array.from({ length: 625 }, (_, v) => v).filter((v) =>
+      [0, 1, 2].every((k) => start![3 * v + k] === end![3 * v + k]),
+    );
+    expect(held.map((v) => [...start!.subarray(3 * v, 3 * v + 3)].map((x) => Math.round(10 * x) / 10)).sort()).toEqual([
+      [-1, 2.6, -1],
+      [1, 2.6, -1],
+    ]);
+    expect(most(books.fastest) / C).toBeCloseTo(0.86, 1);
+    expect(rises(books.total)).toBeLessThan(1e-3);
+  });
+});
+
+describe('cloth on a ball', () => {
+  it('stays out of ball and floor, and only loses energy', async () => {
+    const { scene, books } = (await run('falling-cloth'))('fall');
+    const frames = framesOf(scene, '/Cloth');
+    let [near, low] = [Infinity, Infinity];
+    for (const { at, origin } of frames)
+      for (let i = 0; i < at.length; i += 3) {
+        const p: Vec3 = [at[i]! + origin[0], at[i + 1]! + origin[1], at[i + 2]! + origin[2]];
+        near = Math.min(near, length(sub(p, [0, 0.9, 0])));
+        low = Math.min(low, p[1]);
+      }
+    expect(near).toBeGreaterThan(0.6);
+    expect(low).toBeGreaterThan(0);
+    expect(rises(books.total)).toBeLessThan(1e-3);
+  });
+});
+
+describe('elastic ball against rigid ball', () => {
+  it('keeps momentum and energy; the rigid one leaves more slowly than the other came', async () => {
+    const { scene, books } = (await run('impact'))('meeting');
+    for (let i = 0; i < books.momentum.length; i++) expect(books.momentum[i]).toBeCloseTo(books.momentum[i % 3]!, 9);
+    const swing = (most(books.total) - least(books.total)) / most(books.kinetic);
+    const speed = (placeOf(scene, '/Rigid', 1.6)[0] - placeOf(scene, '/Rigid', 1.5)[0]) / 0.1;
+    expect(swing).toBeLessThan(1e-3);
+    expect(speed / C).toBeCloseTo(0.57, 2);
+  });
+});
+
+describe('bouncing lattice', () => {
+  it('is stopped below before it is stopped above, and springs back', async () => {
+    const { scene, books } = (await run('bouncing'))('fall');
+    const frames = framesOf(scene, '/Lattice');
+    const heights = frames.map(({ at, origin }) => least(at.filter((_, i) => i % 3 === 1)) + origin[1]);
+    const tops = frames.map(({ at, origin }) => most(at.filter((_, i) => i % 3 === 1)) + origin[1]);
+    const middles = frames.map(({ at, origin }) => {
+      const ys = at.filter((_, i) => i % 3 === 1);
+      return ys.reduce((a, b) => a + b, 0) / ys.length + origin[1];
+    });
+    const hit = heights.findIndex((height) => height < 0.02);
+    const speed = (of: readonly number[], k: number): number => (of[k + 1]! - of[k]!) * 48;
+    // A frame on, what is below rests, and what is above falls on as fast as before.
+    expect(Math.abs(speed(heights, hit + 1))).toBeLessThan(1);
+    expect(speed(tops, hit + 1)).toBeLessThan(0.98 * speed(tops, hit - 3));
+    expect(most(heights.slice(hit))).toBeGreaterThan(0.25);
+    expect(least(heights)).toBeGreaterThan(-0.05);
+    const lowest = middles.indexOf(least(middles.slice(0, hit + 15)));
+    expect(most(middles.slice(lowest))).toBeGreaterThan(middles[lowest]! + 0.4);
+    expect(rises(books.total)).toBeLessThan(1e-3);
+    expect(most(books.fastest)).toBeLessThan(C);
+  });
+});
+
+describe('pendulums', () => {
+  /** Of a mass on a rod of 1 m that is let go level: by energy γ = 1 + g h/c², T = 4 ∫ dθ/v; θ = π/2 − w² takes the root at the start away. */
+  function period(c: number): number {
+    const [g, n] = [9.8, 20_000];
+    const top = Math.sqrt(Math.PI / 2);
+    let sum = 0;
+    for (let i = 0; i < n; i++) {
+      const w = (top * (i + 0.5)) / n;
+      const rise = (g * Math.sin(w * w)) / (c * c);
+      sum += (2 * w) / ((c * Math.sqrt(rise * (2 + rise))) / (1 + rise));
+    }
+    return (4 * sum * top) / n;
+  }
+
+  it('swing in the time that energy gives them, at c = 1, 10 and 100', async () => {
+    const of = await run('pendulums');
+    for (const c of [1, 10, 100]) {
+      const { scene, books } = of(`swing${c}`);
+      const x = (t: number): number => placeOf(scene, `/Bob${c}`, t)[0];
+      const times = Array.from({ length: 1399 }, (_, i) => i / 100);
+      const turns = times.filter((t) => x(t) > 0 !== x(t + 0.01) > 0);
+      expect(turns[2]! - turns[0]!).toBeCloseTo(period(c), 1);
+      expect(most(books.fastest)).toBeLessThan(c);
+    }
+  });
+});
+
+describe("Newton's cradle", () => {
+  it('hands nearly all of the momentum and energy of the first ball to the last', async () => {
+    const { scene } = (await run('cradle'))('swing');
+    const paths = ['/First', '/Ball', '/Ball/copy2', '/Ball/copy3', '/Ball/copy4'];
+    const speed = (path: string, t: number): number =>
+      (placeOf(scene, path, t + 0.01)[0] - placeOf(scene, path, t - 0.01)[0]) / 0.02;
+    const times = Array.from({ length: 280 }, (_, i) => 0.05 + i / 100);
+    const first = most(times.map((t) => speed(paths[0]!, t)));
+    const last = most(times.map((t) => speed(paths[4]!, t)));
+    const hit = times.find((t) => speed(paths[4]!, t) > 0.95 * last)! + 0.05;
+    expect(first / C).toBeCloseTo(0.47, 2);
+    expect(last / first).toBeGreaterThan(0.97);
+    for (const path of paths.slice(0, -1)) expect(Math.abs(speed(path, hit))).toBeLessThan(0.12 * first);
+  });
+});
+
+describe('two charges', () => {
+  it('turn back at the distances that energy and angular momentum leave them, and draw a rosette', async () => {
+    const { scene, books } = (await run('charges'))('dance');
+    const way = Array.from({ length: 721 }, (_, i) => {
+      const t = i / 60;
+      const [x, , z] = sub(placeOf(scene, '/Positive', t), placeOf(scene, '/Negative', t));
+      return { r: Math.hypot(x, z), angle: Math.atan2(z, x) };
+    });
+    const [v, k] = [2.6, COULOMB * 9.37e-5 ** 2];
+    const gamma = 1 / Math.sqrt(1 - (v / C) ** 2);
+    const L = 2 * 1.6 * gamma * v;
+    const E = 2 * (gamma - 1) * C * C - k / 3.2;
+    // At a turning point p = L/r: 2(√(p²c² + c⁴) − c²) − k/r = E. Bisected between the middle and near.
+    const over = (r: number): number => 2 * (Math.sqrt((L * C) ** 2 / r ** 2 + C ** 4) - C * C) - k / r - E;
+    let [a, b] = [0.01, 1.5];
+    for (let i = 0; i < 100; i++) {
+      const middle = (a + b) / 2;
+      if (over(middle) > 0) a = middle;
+      else b = middle;
+    }
+    // Farthest apart: between frames by a parabola through three.
+    const turned = way.flatMap(({ r, angle }, i) => {
+      const [before, after] = [way[i - 1], way[i + 1]];
+      if (!before || !after || r < before.r || r < after.r) return [];
+      const part = (after.r - before.r) / (2 * r - before.r - after.r) / 2;
+      const step = ((after.angle - before.angle + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
+      return [angle + (part * step) / 2];
+    });
+    // An orbit of momentum p about a force centre of half the strength, for both move: Sommerfeld 1916.
+    const turn = 2 * Math.PI * (1 / Math.sqrt(1 - (k / (2 * L * C)) ** 2) - 1);
+    expect((turn * 180) / Math.PI).toBeCloseTo(45, 0);
+    turned.forEach((angle, i) => {
+      const off = angle + turn * (i + 1);
+      expect(off - 2 * Math.PI * Math.round(off / (2 * Math.PI))).toBeCloseTo(0, 1);
+    });
+    expect(turned.length).toBeGreaterThan(3);
+    expect(most(books.fastest) / C).toBeCloseTo(0.6, 1);
+    expect(least(way.map(({ r }) => r)) / a).toBeCloseTo(1, 2);
+    expect(most(way.map(({ r }) => r))).toBeCloseTo(3.2, 3);
+    expect((most(books.total) - least(books.total)) / most(books.kinetic)).toBeLessThan(1e-9);
+  });
+});
