@@ -49,6 +49,7 @@ export const dynamics: Bench = {
 
 async function times(): Promise<Table> {
   const rows: (string | number)[][] = [];
+  let off = 0;
   for (const side of SIDES)
     for (const stiff of STIFF) {
       const mass = massFor(side, stiff);
@@ -60,6 +61,7 @@ async function times(): Promise<Table> {
         for (let i = 0; i < frames; i++) fall();
       });
       const ms = (await interleaved(works, ROUNDS, cpuTimed)).map((each) => each / frames);
+      off = Math.max(off, cloths[COMPARED.indexOf('discrete-gradient')].off());
       rows.push([
         (side * side).toLocaleString('en'),
         stiff,
@@ -67,7 +69,6 @@ async function times(): Promise<Table> {
         ...ms,
         ms[0] / ms[1],
         ...ms.slice(1).map((each) => `**${((STEP * 1000) / each).toPrecision(2)}**`),
-        cloths[COMPARED.indexOf('discrete-gradient')].off().toExponential(0),
       ]);
     }
   return {
@@ -78,10 +79,9 @@ async function times(): Promise<Table> {
       ...COMPARED.map((method) => `${method} [ms]`),
       'sources ÷ leapfrog',
       ...COMPARED.slice(1).map((method) => `${method}: × real time`),
-      'discrete gradient: energy off, over kinetic',
     ],
     rows,
-    remark: 'Times are of 1/240 s of motion, with the steps that this takes; above 1 × it is faster than real time.',
+    remark: `Times are of 1/240 s of motion, with the steps that this takes; above 1 × it is faster than real time. The discrete gradient’s energy was off by ${off.toExponential(0)} of the kinetic energy at most.`,
   };
 }
 
