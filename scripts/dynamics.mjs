@@ -286,7 +286,7 @@ function drawn(curves, title, time) {
   });
   const axis = text(x(time / 2), HEIGHT - 8, 'time [s]', 'text-anchor="middle"');
   const head = text(LEFT, 18, title, 'font-weight="bold"');
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${HEIGHT}" font-family="sans-serif" font-size="12"><rect width="100%" height="100%" fill="#fff"/>${head}${axis}${rules.join('')}${times.join('')}${lines.join('')}</svg>\n`;
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${HEIGHT}" font-family="sans-serif" font-size="12"><title>${title}</title><rect width="100%" height="100%" fill="#fff"/>${head}${axis}${rules.join('')}${times.join('')}${lines.join('')}</svg>\n`;
 }
 
 try {
