@@ -98,7 +98,7 @@ async function opened(browser: Browser, url: string, size: number): Promise<Page
 
 /** What is measured within the page. */
 interface Watched {
-  /** Settles in the frame after the canvas stopped changing; from when that began [ms]. */
+  /** Settles in the frame after the canvas, or the view of it, stopped changing; from when that began [ms]; NaN where nothing did. */
   settled(): Promise<number>;
   began: number;
   intervals: number[];
@@ -111,6 +111,7 @@ declare global {
 /** Runs in the page. */
 function listening(): void {
   const QUIET = 400;
+  const PATIENCE = 60_000;
   let changed = 0;
   const note = (): void => {
     changed = performance.now();
@@ -118,11 +119,14 @@ function listening(): void {
   // The frame that shows it comes after this one's work.
   const isOfGraph = (node: Node): boolean =>
     node instanceof Element && node.matches('.sl-graph, .react-flow__node, .react-flow__edge, .react-flow__edge *');
+  const isOfView = (node: Node): boolean => node instanceof Element && node.matches('.react-flow__viewport');
   const seen = new MutationObserver((records) => {
-    const ofGraph = records.some(({ addedNodes, removedNodes }) => [...addedNodes, ...removedNodes].some(isOfGraph));
+    const ofGraph = records.some(({ type, target, addedNodes, removedNodes }) =>
+      type === 'attributes' ? isOfView(target) : [...addedNodes, ...removedNodes].some(isOfGraph),
+    );
     if (ofGraph) requestAnimationFrame(() => requestAnimationFrame(note));
   });
-  seen.observe(document.body, { childList: true, subtree: true });
+  seen.observe(document.body, { childList: true, subtree: true, attributeFilter: ['style'] });
   let before = performance.now();
   const tick = (now: number): void => {
     watched.intervals.push(now - before);
@@ -142,7 +146,10 @@ function listening(): void {
     intervals: [],
     drawn: 0,
     async settled() {
-      while (changed < watched.began || performance.now() - changed < QUIET) await later(20);
+      while (changed < watched.began || performance.now() - changed < QUIET) {
+        if (performance.now() - watched.began > PATIENCE) return Number.NaN;
+        await later(20);
+      }
       return changed - watched.began;
     },
   };

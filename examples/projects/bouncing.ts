@@ -35,5 +35,5 @@ export const bouncing = () =>
       set: { duration: 3, rate: 48, method: 'leapfrog', step: 0.0003 },
       from: { matter: ['lattice.matter', 'ground.matter', 'weight.matter'] },
     },
-    ...seen(['fall.geometry'], { eye: [1.6, 1.5, 4.2], target: [0.1, 1, 0], to: 3, openAt: 0.5, ground: {} }),
+    ...seen(['fall.geometry'], { eye: [1.6, 1.5, 4.2], target: [0.1, 1, 0], to: 3, openAt: 0.8, ground: {} }),
   });

@@ -15,7 +15,7 @@ const AWAY = 1.6;
 
 const charge = (name: string, color: readonly [number, number, number], side: 1 | -1): Sketches => ({
   [`${name}Ball`]: { type: 'sphere', set: { name, radius: 0.16, segments: 48, rings: 24 } },
-  [`${name}Paint`]: painted(`${name}Ball.geometry`, color, { roughness: 0.4, glow: 0.1 }),
+  [`${name}Paint`]: painted(`${name}Ball.geometry`, color, { roughness: 0.4 }),
   [`${name}At`]: {
     type: 'transform',
     set: { position: [side * AWAY, 0.5, 0] },
@@ -31,8 +31,8 @@ const charge = (name: string, color: readonly [number, number, number], side: 1 
 /** Two opposite charges round each other. */
 export const charges = () =>
   build(ABOUT, {
-    ...charge('Positive', [0.85, 0.1, 0.06], 1),
-    ...charge('Negative', [0.06, 0.25, 0.85], -1),
+    ...charge('Positive', [0.8, 0.04, 0.02], 1),
+    ...charge('Negative', [0.02, 0.1, 0.75], -1),
     field: { type: 'field', set: { gravity: [0, 0, 0], coulomb: true } },
     dance: {
       type: 'simulate',
@@ -43,7 +43,7 @@ export const charges = () =>
     line: painted('circle.geometry', [0.9, 0.85, 0.7], { glow: 0.1 }),
     round: { type: 'transform', set: { position: [0, 0.5, 0] }, from: { geometry: 'line.geometry' } },
     floor: { type: 'grid', set: { name: 'Floor', width: 40, length: 40, columns: 40, rows: 40 } },
-    night: painted('floor.geometry', [0.05, 0.055, 0.07], { roughness: 0.8 }),
+    night: painted('floor.geometry', [0.2, 0.21, 0.24], { roughness: 0.8 }),
     ...seen(['dance.geometry', 'round.geometry', 'night.geometry'], {
       eye: [0, 3.3, 3.3],
       target: [0, 0.35, 0.1],

@@ -10,13 +10,14 @@ import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
  * The page that the command line drives where a picture is to be made with WebGL2. It draws scenes that the server of this page has read, and
  * gives their pictures back as base64, which is what a remote call can carry.
  *
- * `await page.goto('…/headless.html')`, then
+ * `await page.goto('…/headless.html')`, `await page.evaluate(() => window.slowlight.start())`, then
  * `await page.evaluate((r) => window.slowlight.open(r), { scenes: '/scenes', files: '/parts/', width: 640, height: 360 })`
  * once, and `await page.evaluate((r) => window.slowlight.render(r), { view, settings, samples: 1, pixels: true, aovs: ['depth'] })` per picture.
  * Errors reject the call with the renderer's own message.
  */
 interface HeadlessPage {
-  open(request: OpenRequest): Promise<OpenReply>;
+  start(): Promise<StartReply>;
+  open(request: OpenRequest): Promise<void>;
   render(request: RenderRequest): Promise<RenderReply>;
   /** Base64 of the gauge's numbers, little-endian f32. */
   measure(request: Pick<RenderRequest, 'view' | 'settings'>): Promise<Record<keyof Gauge, string>>;
@@ -32,9 +33,11 @@ interface OpenRequest {
   readonly height: number;
 }
 
-interface OpenReply {
+interface StartReply {
   /** What draws, as the browser names it. */
   readonly adapterName: string;
+  /** The most pixels of a side that it can draw. */
+  readonly largest: number;
 }
 
 interface RenderRequest {
@@ -63,14 +66,18 @@ declare global {
 let renderer: SceneRenderer | undefined;
 
 window.slowlight = {
+  async start() {
+    renderer?.dispose();
+    renderer = await SceneRenderer.create({ canvas: newCanvas(), backend: 'webgl' });
+    return { adapterName: adapterName(), largest: renderer.info.largest };
+  },
+
   async open({ scenes, files, width, height }) {
+    if (!renderer) throw new Error('start first');
     readFilesWith((file, at, length) => partOfFile(files, file, at, length));
     const [scene, ...others] = unparcel(await (await fetch(scenes)).arrayBuffer()) as [Scene, ...Scene[]];
-    renderer?.dispose();
-    renderer = await SceneRenderer.create({ canvas: newCanvas(width, height), backend: 'webgl' });
     renderer.setSize(width, height);
     await renderer.setScene(scene, others);
-    return { adapterName: adapterName() };
   },
 
   async render({ view, settings, samples, pixels: wanted, aovs }) {
@@ -101,10 +108,8 @@ function partOfFile(files: string, { name, handle }: StoredFile, at: number, len
   return Uint8Array.from(request.responseText, (character) => character.charCodeAt(0));
 }
 
-function newCanvas(width: number, height: number): HTMLCanvasElement {
+function newCanvas(): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
-  canvas.width = width;
-  canvas.height = height;
   document.body.replaceChildren(canvas);
   return canvas;
 }

@@ -1,3 +1,4 @@
+import { PictureTooLarge } from '../nodes/drawing/largest.ts';
 import type { PicturePainter } from '../nodes/drawing/painter.ts';
 import type { Backend } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
@@ -30,7 +31,7 @@ export async function openPainter(scenes: Scenes, flags: RenderFlags, say: (text
     try {
       return await OPENERS[each](scenes, flags);
     } catch (error) {
-      if (!(error instanceof CliError && error.exitCode === EXIT.unavailable)) throw error;
+      if (!isLack(error)) throw error;
       missing.push(`${each}: ${error.message}`);
     }
   }
@@ -40,6 +41,10 @@ export async function openPainter(scenes: Scenes, flags: RenderFlags, say: (text
   say(`slowlight: no usable GPU, so the reference renderer draws: slower, and exact.\n${missing.join('\n')}`);
   return openReference(scenes, flags);
 }
+
+/** What another way of drawing may have. */
+const isLack = (error: unknown): error is Error =>
+  error instanceof PictureTooLarge || (error instanceof CliError && error.exitCode === EXIT.unavailable);
 
 /** Each is loaded when it is needed: they bring large libraries, and some machines cannot load them. */
 const OPENERS: Record<Backend, (scenes: Scenes, flags: RenderFlags) => Promise<Painter>> = {

@@ -1,5 +1,6 @@
 import { randomUUID } from 'node:crypto';
 import type { Browser, Page } from 'playwright-core';
+import { refuseLarger } from '../nodes/drawing/largest.ts';
 import type { Painted, PictureRequest, Size } from '../nodes/drawing/painter.ts';
 import type { Gauge } from '../scene/gauge.ts';
 import { parcel } from '../scene/parcel.ts';
@@ -12,7 +13,8 @@ import { serveApp } from './staticServer.ts';
 
 /** What the page headless.html offers to whoever drives it; src/app/headless.ts is the other end and says what it means. */
 interface HeadlessPage {
-  open(request: { scenes: string; files: string; width: number; height: number }): Promise<{ adapterName: string }>;
+  start(): Promise<{ adapterName: string; largest: number }>;
+  open(request: { scenes: string; files: string; width: number; height: number }): Promise<void>;
   render(request: {
     view: ViewPoint;
     settings: RenderSettings;
@@ -41,10 +43,14 @@ export async function openWebGlPainter(scenes: Scenes, { width, height }: Size):
   try {
     browser = await launch();
     const page = await openPage(browser, `${server.url}/headless.html`);
-    const { adapterName } = await page.evaluate(
-      (request) => (window as unknown as HeadlessWindow).slowlight.open(request),
-      { scenes: sent, files, width, height },
-    );
+    const { adapterName, largest } = await page.evaluate(() => (window as unknown as HeadlessWindow).slowlight.start());
+    refuseLarger({ width, height }, largest);
+    await page.evaluate((request) => (window as unknown as HeadlessWindow).slowlight.open(request), {
+      scenes: sent,
+      files,
+      width,
+      height,
+    });
     const info = { pipeline: 'raster', backend: 'webgl', adapter: adapterName } as const;
     const measure = (view: ViewPoint, settings: RenderSettings) => measured(page, view, settings);
     return { info, usualSamples: 1, paint: (request) => paint(page, request), measure, close };

@@ -1,7 +1,7 @@
+import { refuseLarger } from '../nodes/drawing/largest.ts';
 import type { PictureRequest, Size } from '../nodes/drawing/painter.ts';
 import type { AovName } from '../scene/view.ts';
 import { openDevice } from './device.ts';
-import { refuseLarger } from './largest.ts';
 import { pumpFrame } from './node-shim.ts';
 import type { Painter, Scenes } from './painter.ts';
 

@@ -125,22 +125,33 @@ export function greatestSpeed(motion: CubicPointsMotion, k: number): number {
   return greatest[k];
 }
 
-/** Without an object per point, for meshes are large. */
-function greatestSquare({ times, points, velocities }: CubicPointsMotion, k: number): number {
-  const [a, b, va, vb] = [points[k], points[k + 1], velocities[k], velocities[k + 1]];
-  const threefold = 3 / (times[k + 1] - times[k]);
+function greatestSquare(motion: CubicPointsMotion, k: number): number {
   let most = 0;
-  for (let i = 0; i < a.length; i += 3) {
-    let [begin, middle, end] = [0, 0, 0];
-    for (let j = i; j < i + 3; j++) {
-      begin += va[j] ** 2;
-      middle += (threefold * (b[j] - a[j]) - va[j] - vb[j]) ** 2;
-      end += vb[j] ** 2;
-    }
-    most = Math.max(most, begin, middle, end);
-  }
+  for (let i = 0; 3 * i < motion.points[k].length; i++) most = Math.max(most, controlSquare(motion, k, i));
   return most;
 }
+
+/** The square of the greatest control velocity of point i between samples k and k + 1. Without an object per point, for meshes are large. */
+function controlSquare({ times, points, velocities }: CubicPointsMotion, k: number, i: number): number {
+  const a = points[k];
+  const b = points[k + 1];
+  const va = velocities[k];
+  const vb = velocities[k + 1];
+  const threefold = 3 / (times[k + 1] - times[k]);
+  let begin = 0;
+  let middle = 0;
+  let end = 0;
+  for (let j = 3 * i; j < 3 * i + 3; j++) {
+    begin += va[j] ** 2;
+    middle += (threefold * (b[j] - a[j]) - va[j] - vb[j]) ** 2;
+    end += vb[j] ** 2;
+  }
+  return Math.max(begin, middle, end);
+}
+
+/** Point i is nowhere faster between samples k and k + 1, however much of its bend is kept [m/s]. */
+export const pointBound = (motion: CubicPointsMotion, k: number, i: number): number =>
+  Math.sqrt(controlSquare(motion, k, i));
 
 /**
  * How much of its bend the piece after sample k keeps at the speed of light c [m/s], all points alike: all of it, unless some would go nearly

@@ -4,7 +4,15 @@ import { add, length, sub, type Vec3 } from '../math/vec3.ts';
 import { eased } from '../physics/cubic.ts';
 import { velocityAt } from '../physics/worldLine.ts';
 import { type Sphere, sphereOfMesh } from './bounds.ts';
-import { bendOf, type CubicPointsMotion, greatestSpeed, isCubic, pieceSpeed, pointPiece } from './cubicPoints.ts';
+import {
+  bendOf,
+  type CubicPointsMotion,
+  greatestSpeed,
+  isCubic,
+  pieceSpeed,
+  pointBound,
+  pointPiece,
+} from './cubicPoints.ts';
 import { samplePose, vertexWorldLine } from './motion.ts';
 import { longestWay } from './pointFacts.ts';
 import { isStreamed } from './points.ts';
@@ -142,6 +150,7 @@ function fastestCubic(motion: CubicPointsMotion, c: number, atLeast: number): Fa
     if (greatestSpeed(motion, k) <= best.speed) continue;
     const bend = bendOf(motion, k, c);
     for (let i = 0; 3 * i < motion.points[k].length; i++) {
+      if (pointBound(motion, k, i) <= best.speed) continue;
       const speed = pieceSpeed(eased(pointPiece(motion, k, i), bend), best.speed);
       if (speed > best.speed) best = { speed, vertex: i, from: times[k], to: times[k + 1] };
     }

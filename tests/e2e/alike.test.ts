@@ -79,3 +79,21 @@ it.each([
   expect(colours(wanted)).toBeGreaterThan(50);
   await visit.close();
 });
+
+it('the page that the command line drives tells how large its device draws, before it is asked to', async () => {
+  const visit = await program.open('headless.html', {}, async (page) => {
+    await page.addInitScript(() => {
+      const of = WebGL2RenderingContext.prototype;
+      const { getParameter } = of;
+      of.getParameter = function (name) {
+        return name === of.MAX_TEXTURE_SIZE ? 4321 : getParameter.call(this, name);
+      };
+    });
+  });
+  const started = await visit.page.evaluate(() => window.slowlight.start());
+  expect(started.largest).toBe(4321);
+  expect(started.adapterName).not.toBe('');
+  // It has no icon.
+  visit.expectComplaint(/404/);
+  await visit.close();
+});

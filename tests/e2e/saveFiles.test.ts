@@ -42,6 +42,16 @@ async function downloaded({ page }: Guarded, id: string): Promise<{ readonly nam
   return { name: file.suggestedFilename(), content: readFileSync(await file.path()) };
 }
 
+/** When each frame of a film is to be seen [s], as ffprobe reads it. */
+function frameTimes(path: string): number[] {
+  const asked = ['-v', 'error', '-show_entries', 'frame=pts_time', '-of', 'csv=p=0', path];
+  return execFileSync('ffprobe', asked)
+    .toString()
+    .trim()
+    .split(/\s+/)
+    .map((line) => Number.parseFloat(line));
+}
+
 it('a picture is that of the command line, a film has all its frames', async () => {
   const visit = await opened();
   const still = await downloaded(visit, 'still');
@@ -60,21 +70,10 @@ it('a picture is that of the command line, a film has all its frames', async () 
   const told = 'stream=width,height,r_frame_rate,nb_read_frames,color_space';
   const probed = execFileSync('ffprobe', ['-v', 'error', '-count_frames', '-show_entries', told, '-of', 'csv', path]);
   expect(probed.toString().trim()).toBe('stream,64,48,bt709,8/1,5');
-  const raw = execFileSync('ffmpeg', [
-    '-v',
-    'error',
-    '-i',
-    path,
-    '-vf',
-    'select=eq(n\\,2)',
-    '-frames:v',
-    '1',
-    '-f',
-    'rawvideo',
-    '-pix_fmt',
-    'rgba',
-    '-',
-  ]);
+  expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
+  // A jump to its time finds the third.
+  const jump = ['-v', 'error', '-ss', '0.25', '-i', path, '-frames:v', '1', '-f', 'rawvideo', '-pix_fmt', 'rgba', '-'];
+  const raw = execFileSync('ffmpeg', jump);
   expect(difference(Uint8Array.from(raw), Uint8Array.from(picture.data))).toBeLessThan(6);
   await visit.close();
 });
@@ -91,6 +90,7 @@ it('a film is VP9 where there is nothing else', async () => {
   const told = 'stream=codec_name,width,height,color_space,r_frame_rate,nb_read_frames';
   const probed = execFileSync('ffprobe', ['-v', 'error', '-count_frames', '-show_entries', told, '-of', 'csv', path]);
   expect(probed.toString().trim()).toBe('stream,vp9,64,48,bt709,8/1,5');
+  expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
   await visit.close();
 });
 
@@ -158,6 +158,8 @@ it('where the browser encodes no films, or the device is too small, it says what
     };
   });
   await node(page, 'still').getByRole('button', { name: 'Download the file' }).click();
-  await visit.refusals.getByText('up to 32 pixels').waitFor();
+  await visit.refusals
+    .getByText('64 × 48 pixels are too many for the graphics device here, which draws up to 32 along each side')
+    .waitFor();
   await visit.close();
 });

@@ -18,7 +18,7 @@ const endless = serializeDocument(
     kind: 'batch',
     commands: [
       { kind: 'set-param', node: 'swing', param: 'step', value: 4e-5 },
-      { kind: 'set-param', node: 'swing', param: 'duration', value: 90 },
+      { kind: 'set-param', node: 'swing', param: 'duration', value: 300 },
     ],
   }).document,
 );

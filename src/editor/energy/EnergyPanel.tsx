@@ -124,7 +124,7 @@ function Now({ unit }: { readonly unit: string }): ReactNode {
 
 function Row({ run, n }: { readonly run: Named; readonly n: number }): ReactNode {
   const { name, books, line } = run;
-  const { drift, fastest } = useMemo(() => figuresOf(books), [books]);
+  const { drift, fastest, until } = useMemo(() => figuresOf(books), [books]);
   const now = useTelemetry((live) => valueAt(line, live.t));
   const { speedOfLight: c } = books;
   return (
@@ -138,7 +138,7 @@ function Row({ run, n }: { readonly run: Named; readonly n: number }): ReactNode
         <td>{drift === undefined ? '–' : formatNumber(drift, 2)}</td>
         <td>{Number.isFinite(c) ? `${shareOfLight(fastest / c)} c` : `${formatNumber(fastest, 2)} m/s`}</td>
       </tr>
-      <Remarks run={run} />
+      <Remarks run={run} until={until} />
     </tbody>
   );
 }
@@ -147,11 +147,11 @@ function Row({ run, n }: { readonly run: Named; readonly n: number }): ReactNode
 const shareOfLight = (beta: number): string => (beta > 0.1 ? formatBeta(beta) : formatNumber(beta, 2));
 
 /** With which step, and how far it came. */
-function Remarks({ run: { books, interim } }: { readonly run: Named }): ReactNode {
+function Remarks({ run, until }: { readonly run: Named; readonly until: number }): ReactNode {
   const { t } = useTexts();
   const running = useStudioState((state) => state.interim === 'running');
+  const { books, interim } = run;
   const { step, stop, speedOfLight } = books;
-  const { until } = figuresOf(books);
   const h = step > 0 ? t('energy.step', { step: formatNumber(step * 1000, 2) }) : t('energy.adaptive');
   const c = Number.isFinite(speedOfLight) ? `c = ${formatNumber(speedOfLight)} m/s` : t('energy.newton');
   const far = interim && t(running ? 'energy.running' : 'energy.stopped', { time: formatSeconds(until) });

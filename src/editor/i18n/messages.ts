@@ -1,3 +1,4 @@
+import { largestWords } from '../../nodes/drawing/largest.ts';
 import { effectWords } from '../../nodes/effectWords.ts';
 import { nodeWords } from '../../nodes/words.ts';
 import { graphMessages } from './graphMessages.ts';
@@ -7,6 +8,7 @@ import { projectMessages } from './projectMessages.ts';
 export const messages = {
   ...nodeWords,
   ...effectWords,
+  ...largestWords,
   ...projectMessages,
   ...graphMessages,
   'app.title': ['Slowlight', 'Slowlight 慢光'],
@@ -256,9 +258,9 @@ export const messages = {
     'That is more than the {{most}} that a page can hold. Save the project and run: {{command}}',
     '超过了页面可容纳的 {{most}}。请保存项目后运行：{{command}}',
   ],
-  'notice.tooManyPixels': [
-    'The graphics device here draws pictures of up to {{size}} pixels along each side. Make it smaller, or save the project and run, where there is a larger one: {{command}}',
-    '此处的图形设备最多只能绘制边长 {{size}} 像素的图片。请缩小尺寸，或保存项目后在更强的设备上运行：{{command}}',
+  'notice.elsewhere': [
+    'Or save the project and run, where there is a larger device: {{command}}',
+    '或保存项目后在更强的设备上运行：{{command}}',
   ],
   'notice.copyCommand': ['Copy the command', '复制命令'],
   'notice.noScene': [

@@ -36,7 +36,7 @@ export function SaveFileMark({ node }: SaveFileProps): ReactNode {
   return (
     <button
       type="button"
-      className="sl-node-enter nodrag"
+      className="sl-node-enter sl-node-save nodrag"
       tabIndex={-1}
       disabled={busy}
       aria-label={t('saving.download')}

@@ -1,6 +1,6 @@
 import { i420 } from '../../formats/i420.ts';
-import { type EncodedFrame, type FilmCodec, mp4 } from '../../formats/mp4.ts';
 import type { Size } from '../../nodes/drawing/painter.ts';
+import { FilmFile } from './filmFile.ts';
 
 /** Bits for each pixel of each frame: films are kept, so they are to be good. */
 const BITS = 0.25;
@@ -17,17 +17,18 @@ const CODECS = ['avc1.640034', 'avc1.64003e', 'avc1.42003e', 'vp09.00.51.08', 'v
 export class FilmEncoder {
   readonly #size: Size;
   readonly #fps: number;
-  readonly #config: VideoEncoderConfig;
   readonly #encoder: VideoEncoder;
-  readonly #frames: EncodedFrame[] = [];
-  #description: Uint8Array | undefined;
-  /** Never comes to anything but the encoder's error. */
+  readonly #file: FilmFile;
+  /** What was encoded last is in the file. */
+  #filed: Promise<void> = Promise.resolve();
+  readonly #fail: (error: unknown) => void;
+  /** Never comes to anything but what went wrong. */
   readonly #failed: Promise<never>;
   #count = 0;
   #bytes = 0;
 
-  /** Undefined where this browser has no encoder for films of that size. */
-  static async open(size: Size, fps: number): Promise<FilmEncoder | undefined> {
+  /** Undefined where this browser has no encoder for films of that size; `count`: of the frames. */
+  static async open(size: Size, fps: number, count: number): Promise<FilmEncoder | undefined> {
     // Absent from old browsers, and from pages that are not secure, whatever its type says.
     if (typeof VideoEncoder === 'undefined') return undefined;
     for (const codec of CODECS) {
@@ -40,20 +41,23 @@ export class FilmEncoder {
         ...(codec.startsWith('avc1') && { avc: { format: 'avc' } }),
       };
       const { supported } = await VideoEncoder.isConfigSupported(config).catch(() => ({ supported: false }));
-      if (supported) return new FilmEncoder(size, fps, config);
+      if (!supported) continue;
+      const file = await FilmFile.begin({ codec: codec.startsWith('avc1') ? 'avc' : 'vp9', fps, count });
+      return new FilmEncoder(size, fps, config, file);
     }
     return undefined;
   }
 
-  private constructor(size: Size, fps: number, config: VideoEncoderConfig) {
+  private constructor(size: Size, fps: number, config: VideoEncoderConfig, file: FilmFile) {
     this.#size = size;
     this.#fps = fps;
-    this.#config = config;
-    let fail: (error: Error) => void = () => {};
+    this.#file = file;
+    let fail: (error: unknown) => void = () => {};
     this.#failed = new Promise((_, reject) => {
       fail = reject;
     });
     this.#failed.catch(() => {});
+    this.#fail = fail;
     this.#encoder = new VideoEncoder({ output: (chunk, metadata) => this.#take(chunk, metadata), error: fail });
     this.#encoder.configure(config);
   }
@@ -81,11 +85,12 @@ export class FilmEncoder {
       await Promise.race([this.#failed, this.#dequeued()]);
   }
 
-  /** The whole film, as the parts of a file. */
-  async finish(): Promise<Uint8Array<ArrayBuffer>[]> {
+  /** The whole film. */
+  async finish(): Promise<ArrayBuffer> {
     await Promise.race([this.#failed, this.#encoder.flush()]);
+    await Promise.race([this.#failed, this.#filed]);
     this.close();
-    return mp4({ ...this.#size, fps: this.#fps, codec: this.#codec(), frames: this.#frames });
+    return this.#file.finish();
   }
 
   close(): void {
@@ -96,13 +101,6 @@ export class FilmEncoder {
     return new Promise((resolve) => this.#encoder.addEventListener('dequeue', resolve, { once: true }));
   }
 
-  #codec(): FilmCodec {
-    const { codec } = this.#config;
-    if (codec.startsWith('vp09')) return { kind: 'vp9', level: Number(codec.split('.')[2]) };
-    if (!this.#description) throw new Error('the encoder does not tell how its film is to be read');
-    return { kind: 'h264', description: this.#description };
-  }
-
   /** [µs] */
   #timeOf(place: number): number {
     return Math.round((place * 1e6) / this.#fps);
@@ -111,13 +109,9 @@ export class FilmEncoder {
   #take(chunk: EncodedVideoChunk, metadata: EncodedVideoChunkMetadata | undefined): void {
     const data = new Uint8Array(chunk.byteLength);
     chunk.copyTo(data);
-    const place = Math.round((chunk.timestamp * this.#fps) / 1e6);
+    const frame = { data, key: chunk.type === 'key', place: Math.round((chunk.timestamp * this.#fps) / 1e6) };
     this.#bytes += data.length;
-    this.#frames.push({ data, key: chunk.type === 'key', place });
-    const told = metadata?.decoderConfig?.description;
-    if (told)
-      this.#description = ArrayBuffer.isView(told)
-        ? new Uint8Array(told.buffer, told.byteOffset, told.byteLength).slice()
-        : new Uint8Array(told).slice();
+    this.#filed = this.#filed.then(() => this.#file.add(frame, metadata));
+    this.#filed.catch(this.#fail);
   }
 }

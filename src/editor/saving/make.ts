@@ -8,7 +8,6 @@ import { type Frame, framesOfSequence, type Sequence } from '../../nodes/drawing
 import type { ImageFile, ProjectFile, SceneFile, VideoFile } from '../../nodes/files.ts';
 import { writtenScene } from '../../nodes/writtenScene.ts';
 import type { Backend } from '../../render/settings.ts';
-import { FilmEncoder } from './filmEncoder.ts';
 import { MOST, NotHere } from './notHere.ts';
 import { PagePainter } from './pagePainter.ts';
 
@@ -33,14 +32,15 @@ export async function makeFile(file: ProjectFile, making: Making): Promise<MadeF
   if (file.kind === 'scene') return sceneFile(file, making);
   const picture = sequenceOf(file);
   if (extensionOf(file.name) !== 'mp4') return pictureFile(file, picture, making);
-  const encoder = await FilmEncoder.open(picture.size, file.kind === 'video' ? file.fps : 1);
+  const { FilmEncoder } = await import('./filmEncoder.ts');
+  const encoder = await FilmEncoder.open(picture.size, file.kind === 'video' ? file.fps : 1, picture.frames.length);
   if (!encoder) throw new NotHere('notice.noFilm');
   try {
     await drawn(file, picture, making, async (frame) => {
       await encoder.add(frame.painted.pixels);
       checkSize(encoder.size);
     });
-    return { name: file.name, content: new Blob(await encoder.finish(), { type: 'video/mp4' }) };
+    return { name: file.name, content: new Blob([await encoder.finish()], { type: 'video/mp4' }) };
   } finally {
     encoder.close();
   }

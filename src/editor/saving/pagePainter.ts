@@ -1,10 +1,10 @@
+import { refuseLarger } from '../../nodes/drawing/largest.ts';
 import type { Painted, PicturePainter, PictureRequest, Size } from '../../nodes/drawing/painter.ts';
 import { SceneRenderer } from '../../render/renderer.ts';
 import type { Backend } from '../../render/settings.ts';
 import type { Gauge } from '../../scene/gauge.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../scene/view.ts';
-import { NotHere } from './notHere.ts';
 
 /** Draws pictures of any size beside the one on show, with a device of its own: what is shown goes on. */
 export class PagePainter implements PicturePainter {
@@ -22,10 +22,11 @@ export class PagePainter implements PicturePainter {
       onProblem: (error) => troubles.meet(error),
       onLost: (reason) => troubles.meet(new Error(reason)),
     });
-    const { largest } = renderer.info;
-    if (Math.max(size.width, size.height) > largest) {
+    try {
+      refuseLarger(size, renderer.info.largest);
+    } catch (error) {
       renderer.dispose();
-      throw new NotHere('notice.tooManyPixels', { size: largest });
+      throw error;
     }
     renderer.setSize(size.width, size.height);
     await renderer.setScene(scenes[0]!, scenes.slice(1));

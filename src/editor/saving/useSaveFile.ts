@@ -1,6 +1,7 @@
 import { useCallback } from 'react';
 import { CancelledError, type Evaluation } from '../../graph/evaluate.ts';
 import { NodeRefusal, type Problem } from '../../graph/nodeType.ts';
+import { PictureTooLarge } from '../../nodes/drawing/largest.ts';
 import type { ProjectFile } from '../../nodes/files.ts';
 import { filesOf, writersIn } from '../../nodes/writers.ts';
 import { type Translate, useTexts } from '../i18n/i18n.ts';
@@ -74,7 +75,15 @@ function wanted({ target, results }: Evaluation, file: ProjectFile | undefined):
 
 function tell(studio: Studio, t: Translate, error: unknown): void {
   if (error instanceof NotHere) {
-    tellCommand(studio, t, error);
+    tellCommand(studio, (command) => t(error.why, { ...error.fill, command }), t);
+    return;
+  }
+  if (error instanceof PictureTooLarge) {
+    tellCommand(
+      studio,
+      (command) => `${t('picture.tooLarge', { ...error.fill })} ${t('notice.elsewhere', { command })}`,
+      t,
+    );
     return;
   }
   const { message, place, remedy }: Pick<Problem, 'message' | 'remedy'> & { place?: string } =
@@ -83,12 +92,12 @@ function tell(studio: Studio, t: Translate, error: unknown): void {
 }
 
 /** How the command line makes it. */
-function tellCommand(studio: Studio, t: Translate, { why, fill }: NotHere): void {
+function tellCommand(studio: Studio, words: (command: string) => string, t: Translate): void {
   const project = fileName(projectName(studio.store.getState()), '.slowlight.json');
   const command = `slowlight render ${/^[\w.-]+$/.test(project) ? project : `'${project.replaceAll("'", "'\\''")}'`}`;
   studio.notify({
     kind: 'error',
-    text: t(why, { ...fill, command }),
+    text: words(command),
     action: { text: t('notice.copyCommand'), act: () => void navigator.clipboard.writeText(command) },
   });
 }

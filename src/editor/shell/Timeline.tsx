@@ -5,6 +5,7 @@ import { formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { useServices } from '../services.tsx';
 import { useStudio, useStudioState, useTelemetry } from '../state/context.tsx';
+import { computedUntil } from '../state/runs.ts';
 
 /** The world's time: play, pause, scrub, loop. */
 export function Timeline(): ReactNode {
@@ -44,6 +45,8 @@ function Scrubber(): ReactNode {
   const time = useTelemetry((live) => live.t);
   const start = useStudioState((state) => state.picture?.scene.startTime ?? 0);
   const end = useStudioState((state) => state.picture?.scene.endTime ?? 0);
+  // Of a motion that is not whole.
+  const until = useStudioState(({ interim, results }) => (interim ? computedUntil(results) : end));
   return (
     <>
       <Text size="xs" className="sl-figure sl-clock" data-status="world-time">
@@ -57,6 +60,7 @@ function Scrubber(): ReactNode {
           max={end}
           step={(end - start) / 1000}
           label={null}
+          marks={until < end ? [{ value: until }] : []}
           value={Math.min(end, Math.max(start, time))}
           onChange={(value) => pilot.seek(value)}
           thumbLabel={t('timeline.time')}

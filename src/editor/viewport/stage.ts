@@ -70,8 +70,9 @@ export class Stage {
   /** In the renderer now. */
   #scenes: readonly Scene[] = [];
   #uploading = false;
-  /** When the scene was taken up that is not on the canvas yet [ms]. */
+  /** When the scene was taken up that is not on the canvas yet [ms], and whether it is the one before with a motion that has grown. */
   #began: number | undefined;
+  #grew = false;
   /** When the next is taken up of work that is under way [ms]. */
   #next = 0;
   /** On the canvas; undefined while there is nothing of this scene. */
@@ -235,8 +236,8 @@ export class Stage {
       await this.#renderer.setScene(picture.scene, picture.scenes.slice(1));
       this.#shown = undefined;
       this.#wanted = undefined;
-      // A motion that has grown is no other picture.
-      if (this.#pilot.until === undefined || !this.#pilot.isOf(opened)) this.#eye.blink();
+      this.#grew = this.#pilot.until !== undefined && this.#pilot.isOf(opened);
+      if (!this.#grew) this.#eye.blink();
       this.#pilot.show(picture, opened, until);
     } catch (error) {
       this.#began = undefined;
@@ -293,7 +294,8 @@ export class Stage {
     if (this.#renderer.info.waiting) return false;
     if (this.#began !== undefined) {
       const now = performance.now();
-      this.#next = now + PAUSE * (now - this.#began);
+      // The first takes longest, and tells nothing about those that follow.
+      this.#next = this.#grew ? now + PAUSE * (now - this.#began) : now;
       this.#began = undefined;
     }
     showColors(settings.falseColors);

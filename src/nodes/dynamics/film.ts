@@ -71,8 +71,13 @@ export class Film {
   /** What was taken so far. */
   reel = (): Reel => ({ rows: this.rows.slice(), last: this.last, tracks: this.tracks.map(copyOf) });
 
-  /** World time of frame k [s]. */
-  timeOf = (k: number): number => this.order.start.t + k * this.order.every;
+  /** World time of frame k [s]: by their rate, whose digits are fewer, so that in a file they have whole numbers. */
+  timeOf = (k: number): number => this.order.start.t + k / this.rate;
+
+  /** Frames a second. */
+  private get rate(): number {
+    return Number((1 / this.order.every).toPrecision(12));
+  }
 
   take({ state: { x, p }, ...row }: Frame): void {
     // A run that goes on adds up its time from another start: in the last digit it would be another.
@@ -97,12 +102,11 @@ export class Film {
       return { ...scene, objects };
     });
     const whole = mergeScenes(parts);
-    const frequency = 1 / this.order.every;
     return {
       ...whole,
       startTime: this.timeOf(0),
       endTime: this.timeOf(Math.max(1, this.length - 1)),
-      timeCodesPerSecond: frequency,
+      timeCodesPerSecond: this.rate,
       diagnostics: [...whole.diagnostics, ...notes],
     };
   }

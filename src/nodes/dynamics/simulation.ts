@@ -38,7 +38,7 @@ export interface Simulated {
 }
 
 /** Most vertices times frames that are kept: at 36 bytes each. */
-const MOST_SAMPLES = 20_000_000;
+const MOST_SAMPLES = 10_000_000;
 const MOST_FRAMES = 100_000;
 const MOST_STEPS = 100_000_000;
 
