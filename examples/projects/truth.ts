@@ -3,7 +3,7 @@ import { build } from './build.ts';
 const ABOUT = {
   title: 'Two renderers',
   lookFor:
-    'A room at 0.1 c, drawn twice. Left: a still by the exact renderer, which follows light from thing to thing, so that walls colour what is white and the ball mirrors the room. Right: the renderer that draws while you fly. Edges run on from one to the other. Set the mode of the mix to difference: what is left is that light, and noise, of which more samples leave less. Turn or fly, and the still stays what it is.',
+    'A room at 0.1 c, drawn twice. Left: a still by the exact renderer, which follows light from thing to thing, so that walls colour what is white, and the brass ball has the colours of the room. Right: the renderer that draws while you fly. Edges run on from one to the other. Set the mode of the mix to difference: what is left is that light, and noise, of which more samples leave less. Turn or fly, and the still stays what it is.',
 };
 
 /** A wall of the room: `at` is its middle. */
@@ -40,7 +40,7 @@ export const truth = () =>
     lying: { type: 'transform', set: { position: [-0.85, 0.6, 0.2] }, from: { geometry: 'ball.geometry' } },
     brass: {
       type: 'material',
-      set: { color: [0.9, 0.6, 0.22], metallic: 1, roughness: 0.4 },
+      set: { color: [0.9, 0.6, 0.22], metallic: 1, roughness: 0.6 },
       from: { geometry: 'lying.geometry' },
     },
 
