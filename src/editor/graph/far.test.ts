@@ -9,7 +9,7 @@ describe('a pixel of the window', () => {
       fc.property(fc.double({ min: 0.03, max: 0.599, noNaN: true }), (zoom) => {
         const pixel = pixelAt(zoom)!;
         expect(pixel * zoom).toBeGreaterThanOrEqual(1 - 1e-12);
-        expect(pixel * zoom).toBeLessThan(1.13);
+        expect(pixel * zoom).toBeLessThan(1.27);
       }),
     );
     expect(pixelAt(0.6)).toBeUndefined();
@@ -17,7 +17,7 @@ describe('a pixel of the window', () => {
 
   it('stays the same while a zoom changes a little', () => {
     const pixels = Array.from({ length: 1000 }, (_, i) => pixelAt(0.15 + (0.15 * i) / 1000));
-    expect(new Set(pixels).size).toBeLessThanOrEqual(7);
+    expect(new Set(pixels).size).toBeLessThanOrEqual(4);
   });
 });
 

@@ -10,7 +10,7 @@ import type { Box } from './shape.ts';
 /** Farther away than this zoom nodes show their titles alone. */
 const FAR = 0.6;
 /** In an octave of zoom titles are set anew so many times, not with every frame. */
-const STEPS = 6;
+const STEPS = 3;
 
 /** What of the canvas a pixel of the window shows, seldom more than it does; undefined where nodes are near. */
 export const pixelAt = (zoom: number): number | undefined =>
