@@ -35,15 +35,24 @@ export async function timed(work: () => void | Promise<void>): Promise<number> {
   return performance.now() - began;
 }
 
+/** What `work` and the collector take of processors, whatever else they do [ms]. */
+export async function cpuTimed(work: () => void | Promise<void>): Promise<number> {
+  const before = process.cpuUsage();
+  await work();
+  const { user, system } = process.cpuUsage(before);
+  return (user + system) / 1000;
+}
+
 /** Medians of several kinds of work that take turns, so that what else the machine does meets them alike [ms]. */
 export async function interleaved(
   works: readonly (() => void | Promise<void>)[],
   rounds: number,
+  clock = timed,
 ): Promise<readonly number[]> {
   const times = works.map((): number[] => []);
   for (let round = 0; round <= rounds; round++) {
     for (const [i, work] of works.entries()) {
-      const ms = await timed(work);
+      const ms = await clock(work);
       // The first round compiles.
       if (round > 0) times[i].push(ms);
     }

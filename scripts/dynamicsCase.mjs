@@ -1,19 +1,20 @@
 // A thread of `npm run dynamics`: lets the source documents' cloth hang by one method after another, and tells what became of its energy.
 import { parentPort, workerData } from 'node:worker_threads';
 
-const { side, stiffness, gravity } = workerData;
-const { makeSystem, meshSprings, METHODS, restingAt, run, springs, uniform } = await import(
+const { stiffness, gravity } = workerData;
+const { makeSystem, meshSprings, METHODS, momenta, restingAt, run, springs, uniform } = await import(
   '../dist/lib/dynamics/index.js'
 );
+const { random } = await import('../dist/lib/math/index.js');
 
 parentPort.on('message', (order) => parentPort.postMessage(followed(order)));
 parentPort.postMessage(undefined);
 
 /** Energies [J] at their times, the largest kinetic energy [J], why it stopped, and what a step cost [ms], where nothing else kept the machine busy: in the quickest tenth of frames. */
-function followed({ id, c, h, every, duration }) {
+function followed({ id, c, h, every, duration, side, shaken }) {
   const energies = [];
   const costs = [];
-  const running = run({ ...cloth(c), method: METHODS.get(id), duration, every, step: h });
+  const running = run({ ...cloth(side, c, shaken), method: METHODS.get(id), duration, every, step: h });
   let [kinetic, steps, began] = [0, 0, performance.now()];
   for (;;) {
     const { done, value } = running.next();
@@ -29,8 +30,8 @@ function followed({ id, c, h, every, duration }) {
   }
 }
 
-/** A square cloth of a metre and a kilogram, level, held at two corners. */
-function cloth(c) {
+/** A square cloth of a metre and a kilogram, level, held at two corners; each point is thrown by up to `shaken` along each axis [m/s]. */
+function cloth(side, c, shaken = 0) {
   const points = side * side;
   const x = new Float64Array(3 * points);
   const corners = [];
@@ -46,5 +47,7 @@ function cloth(c) {
   const faces = { counts: new Array((side - 1) ** 2).fill(4), corners };
   const net = springs(meshSprings(x, faces, { structural: stiffness, shear: stiffness, bending: stiffness }));
   const system = makeSystem({ masses, pinned, c, forces: [net, uniform(masses, gravity)] });
-  return { system, start: restingAt(x) };
+  const next = random(1);
+  const v = Array.from(x, () => shaken * (2 * next() - 1));
+  return { system, start: { ...restingAt(x), p: momenta(system, v) } };
 }

@@ -36,7 +36,7 @@ const thumbnails = {
   pendulums: [],
   cradle: [],
   charges: [],
-  truth: ['--set', 'truth.width=384', '--set', 'truth.height=216', '--set', 'truth.samples=8'],
+  truth: ['--set', 'truth.width=384', '--set', 'truth.height=216', '--set', 'truth.samples=4'],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];
 const pictures = [

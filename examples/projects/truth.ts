@@ -3,7 +3,7 @@ import { build } from './build.ts';
 const ABOUT = {
   title: 'Two renderers',
   lookFor:
-    'A room at 0.1 c, drawn twice. Left: a still by the exact renderer, which follows light from thing to thing, so that walls colour what is white and the ball mirrors the room. Right: the renderer that draws while you fly. Edges run on from one to the other. Set the mode of the mix to difference: what is left is that light, and noise, of which more samples leave less. Turn or fly, and the still stays what it is.',
+    'A room at 0.1 c, drawn twice. Left: a still by the exact renderer, which follows light from thing to thing, so that walls colour what is white, and the brass ball has the colours of the room. Right: the renderer that draws while you fly. Edges run on from one to the other. Set the mode of the mix to difference: what is left is that light, and noise, of which more samples leave less. Turn or fly, and the still stays what it is.',
 };
 
 /** A wall of the room: `at` is its middle. */
@@ -38,7 +38,11 @@ export const truth = () =>
     chalk: painted('standing', [0.8, 0.8, 0.78]),
     ball: { type: 'sphere', set: { name: 'Ball', radius: 0.6 } },
     lying: { type: 'transform', set: { position: [-0.85, 0.6, 0.2] }, from: { geometry: 'ball.geometry' } },
-    gold: { type: 'material', set: { preset: 'gold' }, from: { geometry: 'lying.geometry' } },
+    brass: {
+      type: 'material',
+      set: { color: [0.9, 0.6, 0.22], metallic: 1, roughness: 0.6 },
+      from: { geometry: 'lying.geometry' },
+    },
 
     eye: { type: 'camera', set: { name: 'Eye', position: [0, 1.4, 4.6], target: [0, 1.3, 0], fieldOfView: 44 } },
     lamp: {
@@ -50,7 +54,7 @@ export const truth = () =>
     scene: {
       type: 'scene',
       from: {
-        geometry: ['white', 'red', 'green', 'chalk', 'gold', 'eye'].map((id) => `${id}.geometry`),
+        geometry: ['white', 'red', 'green', 'chalk', 'brass', 'eye'].map((id) => `${id}.geometry`),
         lights: ['lamp.lights', 'sky.lights'],
         observer: 'start.observer',
       },

@@ -149,13 +149,21 @@ describe('a run', () => {
     expect(Math.max(...total) - Math.min(...total)).toBeLessThan(1e-11 * kinetic);
   });
 
-  it('is the same each time, and when it is taken up again from a frame', () => {
-    const order = { ...hanging(5, 5), method: method('leapfrog'), every: 0.05 };
-    const { frames } = whole({ ...order, duration: 0.4 });
-    const again = whole({ ...order, start: frames[4].state, duration: 0.2 });
-    expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
-    expect(again.frames.at(-1)!.state.p).toEqual(frames.at(-1)!.state.p);
-  });
+  it.each([
+    ['leapfrog', 1],
+    ['discrete-gradient', 1],
+    ['discrete-gradient', 20],
+  ])(
+    'is the same each time, and when it is taken up again from a frame: %s, in steps %i times as long',
+    (id, times) => {
+      const step = times * stepsOf({ ...hanging(5, 5), method: method(id), every: 0.05, duration: 1 }).h;
+      const order = { ...hanging(5, 5), method: method(id), every: 0.05, step };
+      const { frames } = whole({ ...order, duration: 0.4 });
+      const again = whole({ ...order, start: frames[4].state, duration: 0.2 });
+      expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
+      expect(again.frames.at(-1)!.state.p).toEqual(frames.at(-1)!.state.p);
+    },
+  );
 
   it('loses to the air what it should: p falls as exp(−drag t)', () => {
     const system = makeSystem({ masses: Float64Array.of(2), c: 3, drag: 0.7 });
@@ -248,6 +256,58 @@ describe('what is solid', () => {
     expect(whole({ ...order, start: beside, duration: 0.1 }).stop).toBeUndefined();
     const through = { t: 0, x: Float64Array.of(0.6, -1.2, 0, 0, -1.2, 0), p };
     expect(whole({ ...order, start: through }).stop).toMatchObject({ reason: 'pierced', point: 1, t: 0.05 });
+  });
+});
+
+/** Slope of the line through the means of parts of a row, and its standard error, by their time in parts. */
+function trend(values: readonly number[], parts: number): { readonly slope: number; readonly error: number } {
+  const size = Math.floor(values.length / parts);
+  const mean = (of: readonly number[]): number => of.reduce((sum, value) => sum + value, 0) / of.length;
+  const means = Array.from({ length: parts }, (_, k) => mean(values.slice(k * size, (k + 1) * size)));
+  const [middle, level] = [(parts - 1) / 2, mean(means)];
+  const spread = means.reduce((sum, _, k) => sum + (k - middle) ** 2, 0);
+  const slope = means.reduce((sum, value, k) => sum + (k - middle) * (value - level), 0) / spread;
+  const left = means.reduce((sum, value, k) => sum + (value - level - slope * (k - middle)) ** 2, 0);
+  return { slope, error: Math.sqrt(left / (parts - 2) / spread) };
+}
+
+// `npm run dynamics` asks the same of larger cloths and more steps.
+describe('the energy of a cloth', () => {
+  /** A cloth whose points are thrown by up to `shaken` m/s along each axis: its energy at 100 steps' distance, less what it was, over the largest kinetic energy. */
+  const followed = (id: string, shaken: number, step: number, steps: number): number[] => {
+    const { system, start } = hanging(4, 10);
+    const next = random(3);
+    const p = momenta(
+      system,
+      Array.from(start.x, () => shaken * (2 * next() - 1)),
+    );
+    const order = { system, start: { ...start, p }, method: method(id), step, every: 100 * step };
+    const { frames, stop } = whole({ ...order, duration: steps * step });
+    expect(stop).toBeUndefined();
+    const kinetic = Math.max(...frames.map(({ ledger }) => ledger.kinetic));
+    return frames.map(({ ledger }) => (ledger.total - frames[0].ledger.total) / kinetic);
+  };
+
+  it('is kept by the discrete gradient to 10⁻¹¹ over 10⁴ steps', () => {
+    expect(Math.max(...followed('discrete-gradient', 3, 1e-3, 10_000).map(Math.abs))).toBeLessThan(1e-11);
+  });
+
+  it.each([
+    ['leapfrog', 3e-3],
+    ['yoshida-4', 3e-5],
+  ])(
+    'swings by %s, by less than %s of the kinetic energy, and has no trend once all swings have their share',
+    (id, most) => {
+      const off = followed(id, 3, 5e-4, 200_000);
+      expect(Math.max(...off.map(Math.abs))).toBeLessThan(most);
+      const { slope, error } = trend(off.slice(off.length / 2), 20);
+      expect(Math.abs(slope)).toBeLessThan(3 * error);
+    },
+  );
+
+  it('has a trend by what is not symplectic: it fades where steps are linearly implicit', () => {
+    const { slope, error } = trend(followed('linearly-implicit-0', 3, 5e-4, 10_000), 20);
+    expect(slope).toBeLessThan(-3 * error);
   });
 });
 

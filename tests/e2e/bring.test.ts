@@ -167,7 +167,7 @@ describe('bringing a scene', () => {
         });
       })
     ).ready();
-    const before = await visit.pixels();
+    const before = await (await visit.finest()).pixels();
     await visit.page.getByRole('button', { name: 'Scenes' }).click();
     await visit.page.locator('[data-example="street"]').click();
     const bar = visit.page.getByRole('progressbar', { name: 'Reading the file' });

@@ -130,7 +130,7 @@ describe('the page', () => {
   });
 
   it('recovers from the loss of its WebGL context, where it was', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await (await (await program.open(SMALL)).ready()).finest();
     const before = await visit.pixels();
     await visit.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
       canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
@@ -147,6 +147,7 @@ describe('the page', () => {
     const options = { viewport: { width: 800, height: 480 } };
     const visit = await (await program.open('?backend=webgpu&scene=examples/sphere.usda', options)).ready();
     expect(await visit.status('backend')).toBe('WebGPU');
+    await visit.finest();
     const before = await visit.pixels();
     expect(colours(before)).toBeGreaterThan(50);
     await program.crashGraphics();

@@ -43,7 +43,7 @@ describe('scenes', () => {
   }, 300_000);
 
   it('a dropped scene opens with its texture, and undo goes back to the one before', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await (await (await program.open(SMALL)).ready()).finest();
     const before = await visit.pixels();
     await drop(visit, [
       { name: 'textured.usda', content: readFileSync(path('textured.usda')) },
@@ -97,7 +97,7 @@ describe('scenes', () => {
   });
 
   it('a file that cannot be read is refused with its place, and the scene stays', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await (await (await program.open(SMALL)).ready()).finest();
     const before = await visit.pixels();
     await visit.page
       .locator('input[type=file]')

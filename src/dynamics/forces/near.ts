@@ -53,26 +53,55 @@ export class NearPairs implements Force {
   private search(x: Float64Array, way: number): Pairs {
     const { bodies } = this;
     const width = this.reach + 2 * way;
-    const cells = new Map<string, number[]>();
-    const cellOf = (i: number): [number, number, number] => [
-      Math.floor(x[3 * i] / width),
-      Math.floor(x[3 * i + 1] / width),
-      Math.floor(x[3 * i + 2] / width),
-    ];
+    const cells = new Cells(x, bodies, width);
     const ends: number[] = [];
-    bodies.forEach((body, i) => {
-      if (body < 0) return;
-      const [cx, cy, cz] = cellOf(i);
-      for (const [dx, dy, dz] of AROUND)
-        for (const j of cells.get(`${cx + dx} ${cy + dy} ${cz + dz}`) ?? [])
-          if (bodies[j] !== body && apart(x, i, j) <= width) ends.push(j, i);
-      const own = `${cx} ${cy} ${cz}`;
-      const members = cells.get(own);
-      if (members) members.push(i);
-      else cells.set(own, [i]);
-    });
+    for (let i = 0; i < bodies.length; i++)
+      if (bodies[i] >= 0)
+        cells.around(i, (j) => {
+          if (j < i && bodies[j] !== bodies[i] && apart(x, i, j) <= width) ends.push(j, i);
+        });
     return new Pairs(Uint32Array.from(ends), this.law);
   }
+}
+
+/** Points by the cells of a grid that they are in, found by a hash of the cell. Source: Teschner et al. 2003, "Optimized Spatial Hashing for Collision Detection of Deformable Objects". */
+class Cells {
+  /** x, y, z of each point's cell. */
+  private readonly cells: Int32Array;
+  /** Where the points of each hash begin. */
+  private readonly from: Uint32Array;
+  private readonly points: Uint32Array;
+
+  constructor(x: Float64Array, bodies: Int32Array, width: number) {
+    const count = bodies.length;
+    this.cells = Int32Array.from(x, (value) => Math.floor(value / width));
+    this.from = new Uint32Array(2 ** Math.ceil(Math.log2(count + 1)) + 1);
+    this.points = new Uint32Array(count);
+    for (let i = 0; i < count; i++) if (bodies[i] >= 0) this.from[this.hashOf(i) + 1]++;
+    for (let h = 1; h < this.from.length; h++) this.from[h] += this.from[h - 1];
+    const free = this.from.slice();
+    for (let i = 0; i < count; i++) if (bodies[i] >= 0) this.points[free[this.hashOf(i)]++] = i;
+  }
+
+  /** Tells all points of the cell of a point and of those around it. */
+  around(i: number, tell: (j: number) => void): void {
+    const { cells, from, points } = this;
+    for (const [dx, dy, dz] of AROUND) {
+      const cx = cells[3 * i] + dx;
+      const cy = cells[3 * i + 1] + dy;
+      const cz = cells[3 * i + 2] + dz;
+      const hash = this.hash(cx, cy, cz);
+      for (let k = from[hash]; k < from[hash + 1]; k++) {
+        const j = points[k];
+        if (cells[3 * j] === cx && cells[3 * j + 1] === cy && cells[3 * j + 2] === cz) tell(j);
+      }
+    }
+  }
+
+  private hashOf = (i: number): number => this.hash(this.cells[3 * i], this.cells[3 * i + 1], this.cells[3 * i + 2]);
+
+  private hash = (x: number, y: number, z: number): number =>
+    (Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) & (this.from.length - 2);
 }
 
 const AROUND = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z] as const)));

@@ -205,14 +205,16 @@ class Implicit implements Stepper {
     this.rule.weights(system, this.begun, p, W);
     let off = 0;
     let size = 0;
-    for (let i = 0, j = 0; i < W.length; i++) {
+    for (let i = 0, j = 0; i < W.length; i++, j += 3) {
       const s = h / W[i];
-      for (const end = j + 3; j < end; j++) {
-        const place = x0[j] + s * (p0[j] + p[j]);
-        next[j] = place;
-        off = Math.max(off, Math.abs(place - x[j]));
-        size = Math.max(size, Math.abs(place));
-      }
+      const a = x0[j] + s * (p0[j] + p[j]);
+      const b = x0[j + 1] + s * (p0[j + 1] + p[j + 1]);
+      const c = x0[j + 2] + s * (p0[j + 2] + p[j + 2]);
+      next[j] = a;
+      next[j + 1] = b;
+      next[j + 2] = c;
+      off = Math.max(off, Math.abs(a - x[j]), Math.abs(b - x[j + 1]), Math.abs(c - x[j + 2]));
+      size = Math.max(size, Math.abs(a), Math.abs(b), Math.abs(c));
     }
     return [Number.isNaN(off) ? Number.POSITIVE_INFINITY : off, size];
   }
