@@ -21,14 +21,24 @@ export function folderSource(folder: string): FileSource {
       try {
         return new Uint8Array(await readFile(onDisk(path)));
       } catch (error) {
-        const code = (error as NodeJS.ErrnoException).code;
-        if (code === 'ENOENT' || code === 'ENOTDIR') return undefined;
+        if (isAbsent(error)) return undefined;
         throw error;
       }
     },
-    list: async () => (await readdir(folder, { withFileTypes: true })).filter((e) => e.isFile()).map((e) => e.name),
+    list: async () => {
+      try {
+        const entries = await readdir(folder, { withFileTypes: true });
+        return entries.filter((entry) => entry.isFile()).map(({ name }) => name);
+      } catch (error) {
+        if (isAbsent(error)) return [];
+        throw error;
+      }
+    },
   };
 }
+
+const isAbsent = (error: unknown): boolean =>
+  ['ENOENT', 'ENOTDIR'].includes((error as NodeJS.ErrnoException).code ?? '');
 
 /** Where a scene is: its file, among those that it may refer to. */
 export interface SceneFile {

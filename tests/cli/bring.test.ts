@@ -59,6 +59,13 @@ test('a zip with nothing to see, one that is none and one that is not there are 
   }
 });
 
+test('a file that is not there is told, and a folder that is not', async () => {
+  for (const path of ['none.usda', 'none/car.usda']) {
+    const { code, err } = await slowlight('inspect', at(path));
+    expect([code, err]).toEqual([3, expect.stringMatching(/(none|car)\.usda: no such file/)]);
+  }
+});
+
 test('variants are listed and chosen', async () => {
   writeFileSync(at('car.usda'), CAR);
   const usual = await slowlightJson<Inspection>('inspect', at('car.usda'));
