@@ -2,7 +2,7 @@ import { NodeRefusal } from '../../graph/nodeType.ts';
 import { defineNode } from '../define.ts';
 import { vector, whichParam } from '../geometry/shared.ts';
 import type { SolidMatter } from './matter.ts';
-import { amount, chargeParam, massParam, parted } from './shared.ts';
+import { amount, chargeParam, massParam, parted, penaltyParam } from './shared.ts';
 
 const FREE = { param: 'free', is: true } as const;
 const HELD = { param: 'rods', is: ['pivot', 'chain'] } as const;
@@ -26,14 +26,7 @@ export const colliderNode = defineNode({
         { value: 'ball', title: 'solid.ball' },
       ],
     },
-    stiffness: amount({
-      title: 'param.penalty',
-      help: 'param.penalty.help',
-      unit: 'N/m',
-      default: 10_000,
-      min: 1e-6,
-      step: 1,
-    }),
+    stiffness: penaltyParam,
     scale: {
       ...amount({ title: 'param.contactScale', help: 'param.contactScale.help', unit: '×', default: 1.1, min: 0.01 }),
       max: 100,

@@ -27,6 +27,14 @@ export const massParam = amount({
   default: 1,
   min: 1e-9,
 });
+export const penaltyParam = amount({
+  title: 'param.penalty',
+  help: 'param.penalty.help',
+  unit: 'N/m',
+  default: 10_000,
+  min: 1e-6,
+  step: 1,
+});
 export const chargeParam = signed({
   title: 'param.charge',
   help: 'param.charge.help',

@@ -1,7 +1,7 @@
 import { CancelledError } from '../../graph/evaluate.ts';
 import { defineNode } from '../define.ts';
 import type { Reel } from './film.ts';
-import { amount } from './shared.ts';
+import { amount, penaltyParam } from './shared.ts';
 import type { Settings, Simulated } from './simulation.ts';
 
 /** Those of the source documents, which have corrections, are last. */
@@ -89,14 +89,7 @@ export const simulateNode = defineNode({
     }),
     step: amount({ title: 'param.step', help: 'param.step.help', unit: 's', default: 0, max: 1e6, step: 1e-6 }),
     reach: amount({ title: 'param.touchReach', help: 'param.touchReach.help', unit: 'm', default: 0 }),
-    stiffness: amount({
-      title: 'param.penalty',
-      help: 'param.penalty.help',
-      unit: 'N/m',
-      default: 10_000,
-      min: 1e-6,
-      step: 1,
-    }),
+    stiffness: penaltyParam,
   },
   inputs: { matter: { type: 'matter', many: true } },
   outputs: { geometry: { type: 'geometry' }, books: { type: 'books' } },
