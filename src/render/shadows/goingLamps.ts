@@ -5,7 +5,6 @@ import type { Body } from '../bodies.ts';
 import type { Gpu } from '../device.ts';
 import { type KnownLamp, lampEventFor } from '../lampTable.ts';
 import { meet, type RelativeEvent, type Sight } from '../sight.ts';
-import { makeCaster } from './casters.ts';
 import { type Drawing, HeightMap } from './heightMap.ts';
 import { type Beam, BODY_TEXELS, type PointMaps, passingBodies, passingRound } from './lampReceiver.ts';
 import { facesOf, lampLayer, middleOf, setRoom } from './lampRoom.ts';
@@ -45,7 +44,7 @@ export class GoingLamps {
   private made = '';
 
   constructor(occluders: Occluders, lamps: readonly KnownLamp[], gpu: Gpu) {
-    const { bodies, drawables, detail, materials, radius } = occluders;
+    const { bodies, detail, radius } = occluders;
     const goes = lamps.some(({ lamp }) => lamp.motion.kind !== 'static');
     this.lamps = lamps.length;
     this.radius = radius;
@@ -61,15 +60,7 @@ export class GoingLamps {
     this.bodies = new MovingBodies(occluders);
     if (all === 0) return;
     const own = new Set([...this.moving, ...this.resting]);
-    const projecting = toPoint(this.map, this.table, side);
-    for (const drawable of drawables) {
-      const shown = drawable.batch.bodies.filter((body) => own.has(body));
-      if (drawable.batch.transparent || shown.length === 0) continue;
-      const placing = this.bodies.placing(drawable, this.map.layer, this.round);
-      const mesh = makeCaster(drawable, placing, projecting, materials);
-      this.map.scene.add(mesh);
-      this.bodies.add(mesh, shown);
-    }
+    this.bodies.drawInto(this.map, own, toPoint(this.map, this.table, side), this.round);
   }
 
   /** undefined where nothing goes; `moves`: whether the lamp does. */

@@ -9,7 +9,8 @@ import { FloatTable } from '../floatTable.ts';
 import { Frame, type FrameTables, OBJECT_TEXELS } from '../frame.ts';
 import { meet, type RelativeEvent, type Sight } from '../sight.ts';
 import { shownPoint } from '../vertexStage.ts';
-import type { Placing } from './casters.ts';
+import { makeCaster, type Placing, type Projecting } from './casters.ts';
+import type { HeightMap } from './heightMap.ts';
 import { PoseTable, ROUND, turnOf } from './poses.ts';
 import type { Occluders } from './shadowMaps.ts';
 
@@ -26,13 +27,16 @@ export interface Mover extends RelativeEvent {
 
 /** Occluders that have tiles of their own, in coordinates that move with them: as they are at the events of their centres, from which they are measured. */
 export class MovingBodies {
+  private readonly occluders: Occluders;
   private readonly poses: PoseTable;
   private readonly frame: Frame;
   private readonly tables: FrameTables;
   private readonly worn: ReadonlySet<Body>;
   private readonly casters: { readonly mesh: Mesh; readonly bodies: readonly Body[] }[] = [];
 
-  constructor({ bodies, drawables, points }: Occluders) {
+  constructor(occluders: Occluders) {
+    const { bodies, drawables, points } = occluders;
+    this.occluders = occluders;
     this.poses = new PoseTable(bodies.length);
     this.tables = { objects: new FloatTable(256), samples: new FloatTable(1024), points };
     this.tables.objects.reserve(bodies.length * OBJECT_TEXELS);
@@ -45,9 +49,16 @@ export class MovingBodies {
     return this.frame.isComplete;
   }
 
-  /** `bodies`: for which it is drawn. */
-  add(mesh: Mesh, bodies: readonly Body[]): void {
-    this.casters.push({ mesh, bodies });
+  /** Has them drawn into a map; `round`: 1 while what is drawn is measured from elsewhere. */
+  drawInto(map: HeightMap, bodies: ReadonlySet<Body>, projecting: Projecting, round?: Int): void {
+    const { drawables, materials } = this.occluders;
+    for (const drawable of drawables) {
+      const own = drawable.batch.bodies.filter((body) => bodies.has(body));
+      if (drawable.batch.transparent || own.length === 0) continue;
+      const mesh = makeCaster(drawable, this.placing(drawable, map.layer, round), projecting, materials);
+      map.scene.add(mesh);
+      this.casters.push({ mesh, bodies: own });
+    }
   }
 
   /** From now on what none of these needs is not drawn. */
@@ -56,7 +67,7 @@ export class MovingBodies {
   }
 
   /** As of `PoseTable`: rigid bodies by their turn, in the slot of each from layer `first` on; what deforms by its samples, from the event of its centre. */
-  placing({ batch, vertex }: Drawable, first: Int, round?: Int): Placing {
+  private placing({ batch, vertex }: Drawable, first: Int, round?: Int): Placing {
     const rigid = this.poses.placing(first, round);
     if (batch.kind !== 'sampled-points' && batch.kind !== 'hyperbolic') return rigid;
     const { objects, samples } = this.tables;

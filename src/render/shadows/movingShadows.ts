@@ -5,7 +5,6 @@ import type { Float } from '../../shaders/types.ts';
 import type { Body } from '../bodies.ts';
 import type { Gpu } from '../device.ts';
 import type { Sight } from '../sight.ts';
-import { makeCaster } from './casters.ts';
 import { HeightMap } from './heightMap.ts';
 import { LAYER_TEXELS, type Layer, layerTexels, lightAxes, spreadOf, type Tile, wayToSun } from './layer.ts';
 import { LayerTable } from './layerTable.ts';
@@ -33,7 +32,7 @@ export class MovingShadows {
   private made = '';
 
   constructor(occluders: Occluders, suns: readonly ShadowSun[], gpu: Gpu) {
-    const { bodies, drawables, detail, materials } = occluders;
+    const { bodies, detail } = occluders;
     this.suns = suns;
     this.bodies = bodies.filter((body) => !isAlwaysThere(body));
     this.most = Math.min(detail.movers, this.bodies.length);
@@ -41,14 +40,7 @@ export class MovingShadows {
     this.map = new HeightMap(gpu, { cell: detail.cell, bend: sunBend });
     this.table = new LayerTable(2 * suns.length * this.most, LAYER_TEXELS);
     this.moving = new MovingBodies(occluders);
-    for (const drawable of drawables) {
-      const moving = drawable.batch.bodies.filter((body) => !isAlwaysThere(body));
-      if (drawable.batch.transparent || moving.length === 0) continue;
-      const placing = this.moving.placing(drawable, this.map.layer);
-      const mesh = makeCaster(drawable, placing, toSun(this.map, this.table, this.side), materials);
-      this.map.scene.add(mesh);
-      this.moving.add(mesh, moving);
-    }
+    this.moving.drawInto(this.map, new Set(this.bodies), toSun(this.map, this.table, this.side));
   }
 
   /** undefined where nothing moves. `sun`: its place among the suns. */
