@@ -11,7 +11,8 @@ import { FOREVER } from '../../scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/normals.ts';
 import { pointAt } from '../../scene/polygons.ts';
 import type { Diagnostic, Mesh, Motion, Scene, SceneObject } from '../../scene/types.ts';
-import { type Actor, type Cast, poseOf } from './stage.ts';
+import type { Actor, Cast } from './stage.ts';
+import { poseOf } from './things.ts';
 
 /** What was taken of a run so far: plain data, from which a film goes on. */
 export interface Reel {

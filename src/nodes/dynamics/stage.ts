@@ -1,4 +1,4 @@
-import { barrier, box, type Obstacle, plane } from '../../dynamics/forces/barrier.ts';
+import { barrier, type Obstacle } from '../../dynamics/forces/barrier.ts';
 import { Penalty } from '../../dynamics/forces/contact.ts';
 import { coulomb } from '../../dynamics/forces/coulomb.ts';
 import type { Force } from '../../dynamics/forces/force.ts';
@@ -8,16 +8,18 @@ import { type Springs, springs } from '../../dynamics/forces/springs.ts';
 import { uniform } from '../../dynamics/forces/uniform.ts';
 import { meshSprings } from '../../dynamics/nets.ts';
 import { makeSystem, momenta, type State, type System } from '../../dynamics/system.ts';
-import { conjugate, rotate } from '../../math/quat.ts';
-import { add, cross, length, normalize, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { add, cross, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { boundingBox } from '../../scene/bounds.ts';
 import { flatFaces } from '../../scene/compose/flatFaces.ts';
 import { weld } from '../../scene/compose/weld.ts';
 import { placed } from '../../scene/motion.ts';
 import { pointAt } from '../../scene/polygons.ts';
-import type { Pose, Scene, SceneObject } from '../../scene/types.ts';
+import type { Scene, SceneObject } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
 import type { FieldMatter, Matter, NetMatter, Rods, SolidMatter, Start } from './matter.ts';
+import { obstacleOf } from './obstacle.ts';
+import { pinnedIn } from './pins.ts';
+import { boundsOf, poseOf } from './things.ts';
 
 /** A thing, and which points of the system it follows. */
 export type Actor =
@@ -51,8 +53,6 @@ export interface Touch {
 const WELD = 1e-6;
 /** Most pairs of a ball and a point, and of charges. */
 const MOST_PAIRS = 4_000_000;
-/** What is flat is thinner than this share of its size. */
-const FLAT = 1e-3;
 
 /** The system that parts make together. Throws a NodeRefusal that names the part, or a SystemError. */
 export function stageOf(parts: readonly Matter[], c: number, touch: Touch): Stage {
@@ -282,12 +282,6 @@ class Builder {
 
 const PIVOT = { node: '', mass: 1, velocity: ZERO, charge: 0 };
 
-/** A thing at rest has one pose. */
-export const poseOf = ({ motion }: SceneObject): Pose => {
-  if (motion.kind !== 'static') throw new TypeError('only things at rest come here');
-  return motion.pose;
-};
-
 /** The points of a thing in the world, and the springs between them. */
 function netOf(object: SceneObject, { stiffness, tension }: NetMatter) {
   const { positions, indices } = object.mesh;
@@ -303,101 +297,10 @@ function netOf(object: SceneObject, { stiffness, tension }: NetMatter) {
   return { points, pointOfVertex, net: meshSprings(points, faces, stiffness, tension) };
 }
 
-function boundsOf({ mesh, path }: SceneObject) {
-  const bounds = boundingBox(mesh.positions);
-  if (!bounds) throw refusal('matter.empty', path, 'it has no points; leave it out');
-  return bounds;
-}
-
 const middleOf = (points: Float64Array): Vec3 => {
   const { min, max } = boundingBox(points)!;
   return scale(add(min, max), 0.5);
 };
-
-/** The points of a thing that are held. */
-function pinnedIn(
-  points: Float64Array,
-  pointOfVertex: Uint32Array,
-  { pins, node }: NetMatter,
-  up: number,
-  path: string,
-): ReadonlySet<number> {
-  const all = Array.from({ length: points.length / 3 }, (_, i) => i);
-  switch (pins.kind) {
-    case 'none':
-      return new Set();
-    case 'points': {
-      const odd = pins.vertices.find((vertex) => vertex >= pointOfVertex.length);
-      if (odd === undefined) return new Set(pins.vertices.map((vertex) => pointOfVertex[vertex]));
-      const message = `it has no point ${odd}: they are numbered from 0 to ${pointOfVertex.length - 1}`;
-      throw refusal('pins.numbers', path, message, { node, param: 'pinned', value: '0' });
-    }
-    case 'box': {
-      const isIn = (i: number): boolean =>
-        [0, 1, 2].every((k) => Math.abs(points[3 * i + k] - pins.center[k]) <= pins.size[k] / 2);
-      return new Set(all.filter(isIn));
-    }
-    case 'top': {
-      const { min, max } = boundingBox(points)!;
-      const least = max[up] - FLAT * length(sub(max, min));
-      return new Set(all.filter((i) => points[3 * i + up] >= least));
-    }
-    case 'corners':
-      return new Set(cornersOf(points, up).map((corner) => nearestTo(points, corner)));
-  }
-}
-
-/** The four upper corners of the box round points. */
-function cornersOf(points: Float64Array, up: number): Vec3[] {
-  const { min, max } = boundingBox(points)!;
-  const [a, b] = [0, 1, 2].filter((k) => k !== up);
-  return [min[a], max[a]].flatMap((p) =>
-    [min[b], max[b]].map((q) => {
-      const corner = [max[0], max[1], max[2]];
-      corner[a] = p;
-      corner[b] = q;
-      return corner as unknown as Vec3;
-    }),
-  );
-}
-
-function nearestTo(points: Float64Array, place: Vec3): number {
-  let [nearest, least] = [0, Number.POSITIVE_INFINITY];
-  for (let i = 0; 3 * i < points.length; i++) {
-    const away = length(sub(pointAt(points, i), place));
-    if (away < least) [nearest, least] = [i, away];
-  }
-  return nearest;
-}
-
-/** What a thing at rest is for what would get into it. */
-function obstacleOf(object: SceneObject, part: SolidMatter): Obstacle {
-  const { min, max } = boundsOf(object);
-  const pose = poseOf(object);
-  const middle = scale(add(min, max), 0.5);
-  if (part.shape === 'box') return turned(box(middle, sub(max, min)), pose);
-  const { normals, positions } = object.mesh;
-  const sum = [0, 1, 2].map((k) => normals.reduce((all, x, i) => (i % 3 === k ? all + x : all), 0));
-  const front = normalize(sum as unknown as Vec3);
-  const depths = Array.from({ length: positions.length / 3 }, (_, i) => {
-    const d = sub(pointAt(positions, i), middle);
-    return Math.abs(d[0] * front[0] + d[1] * front[1] + d[2] * front[2]);
-  });
-  const thick = depths.reduce((most, depth) => Math.max(most, depth), 0);
-  if (length(front) > 0 && thick <= FLAT * length(sub(max, min))) {
-    return plane(placed(pose, middle), rotate(pose.orientation, front));
-  }
-  const message = 'it is not flat, so that it is no plane; choose the shape box or ball';
-  throw refusal('collider.plane', object.path, message, { node: part.node, param: 'shape', value: 'box' });
-}
-
-/** An obstacle in the frame of a thing, as one of the world. */
-const turned = (obstacle: Obstacle, { position, orientation }: Pose): Obstacle => ({
-  outside(place) {
-    const [distance, out] = obstacle.outside(rotate(conjugate(orientation), sub(place, position)));
-    return [distance, rotate(orientation, out)];
-  },
-});
 
 function joined(nets: readonly Springs[]): Springs {
   const count = nets.reduce((all, { lengths }) => all + lengths.length, 0);
