@@ -55,7 +55,8 @@ it('a reference render tells on its node how far it is, is shown, stays while an
 
   await page.locator('.react-flow__node[data-id="truth"] .sl-node-head').click();
   await sample('16');
-  await work.waitFor();
+  // From afar it is a bar alone.
+  await work.waitFor({ state: 'attached' });
   await expect.poll(() => work.textContent()).toMatch(/^[1-9]\d?\u202f%$/);
   expect(tracers()).toHaveLength(1);
   await visit.shot('reference-node-works');
