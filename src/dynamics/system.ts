@@ -70,7 +70,8 @@ export function momenta({ c, masses, pinned }: System, v: ArrayLike<number>): Fl
   for (let i = 0; i < masses.length; i++) {
     const [vx, vy, vz] = [v[3 * i], v[3 * i + 1], v[3 * i + 2]];
     const rest = 1 - (vx * vx + vy * vy + vz * vz) / (c * c);
-    if (!(rest > 0)) throw new SystemError(`point ${i} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`);
+    if (!(rest > 0))
+      throw new SystemError(`point ${i} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`);
     const mass = pinned[i] ? 0 : masses[i] / Math.sqrt(rest);
     p[3 * i] = mass * vx;
     p[3 * i + 1] = mass * vy;
