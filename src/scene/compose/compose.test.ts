@@ -245,6 +245,19 @@ describe('copies', () => {
     expectClose([...places.reduce(add)], [0, 0, 0], 1e-12);
   });
 
+  it('of copies have names of their own too, below the same thing', () => {
+    const paths = [2, 3, 2]
+      .reduce((all, count) => copies(all, block([count, 1, 1], [1, 1, 1])), scene)
+      .objects.map(({ path }) => path);
+    expect(new Set(paths).size).toBe(12);
+    expect(paths.filter((path) => !path.startsWith('/It'))).toEqual([]);
+    expect(paths.slice(0, 6)).toEqual([
+      ...['/It', '/It/copy2'],
+      ...['/It/copy3', '/It/copy2/copy2'],
+      ...['/It/copy4', '/It/copy2/copy3'],
+    ]);
+  });
+
   it('on a circle are as far from its axis as asked, evenly, each carried with the turn', () => {
     const spots = ring(5, 3, [0, 0, 1]);
     for (const [k, { position, orientation }] of spots.entries()) {

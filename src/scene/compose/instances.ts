@@ -12,12 +12,21 @@ export interface Spot {
 /** Most copies of one thing. */
 export const MOST_COPIES = 10_000;
 
-/** The scene's objects once at each spot; all wear the same meshes. The first keeps its paths, the others are `/Ball/copy2` and so on. */
+/** The scene's objects once at each spot; all wear the same meshes. The first keeps its paths, the others are `/Ball/copy2` and so on, past those that there are. */
 export function copies(scene: Scene, spots: readonly Spot[]): Scene {
+  const taken = new Set(scene.objects.map(({ path }) => path));
+  const latest = new Map<string, number>();
+  const copyOf = (path: string): string => {
+    let n = latest.get(path) ?? 1;
+    do n++;
+    while (taken.has(`${path}/copy${n}`));
+    latest.set(path, n);
+    return `${path}/copy${n}`;
+  };
   const objects = spots.flatMap((spot, i) =>
     scene.objects.map((object) => {
       const copy = placeObject(object, { ...spot, scale: 1 });
-      return i === 0 ? copy : { ...copy, path: `${object.path}/copy${i + 1}` };
+      return i === 0 ? copy : { ...copy, path: copyOf(object.path) };
     }),
   );
   return { ...scene, objects };
