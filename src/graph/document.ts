@@ -18,10 +18,11 @@ const LONGEST_TEXT = 100_000;
 export const IDENTIFIER = /^[A-Za-z][A-Za-z0-9_-]{0,63}$/;
 /** A socket; `name.2` is the second edge of one that takes many. */
 const INPUT = /^[A-Za-z][A-Za-z0-9_-]{0,63}(\.[1-9][0-9]{0,3})?$/;
-const identifier = z.string().check(z.regex(IDENTIFIER));
+const NAME = 'a name is a letter and at most 63 more letters, digits, - or _';
+const identifier = z.string().check(z.regex(IDENTIFIER, NAME));
 const text = z.string().check(z.maxLength(LONGEST_TEXT));
 const title = z.string().check(z.maxLength(200));
-const color = z.string().check(z.regex(/^#[0-9a-f]{6}$/));
+const color = z.string().check(z.regex(/^#[0-9a-f]{6}$/, 'a colour is # and six digits of 0…9, a…f'));
 const short = (longest: number) => z.string().check(z.minLength(1), z.maxLength(longest));
 const atMost = <T extends z.ZodMiniType>(most: number, of: T) => z.readonly(z.array(of).check(z.maxLength(most)));
 const point = z.readonly(z.tuple([z.number(), z.number()]));
@@ -48,7 +49,10 @@ const nodeSchema = z.strictObject({
 
 const edgeSchema = z.strictObject({
   from: z.strictObject({ node: identifier, output: identifier }),
-  to: z.strictObject({ node: identifier, input: z.string().check(z.regex(INPUT)) }),
+  to: z.strictObject({
+    node: identifier,
+    input: z.string().check(z.regex(INPUT, `${NAME}, here with a number after a dot where it takes many`)),
+  }),
 });
 
 const noteSchema = z.strictObject({ text, at: point, size: point, color: z.optional(color) });
@@ -85,7 +89,7 @@ const groupSchema = z.strictObject({
 
 const fileSchema = z.strictObject({
   /** SHA-256 of its content, where it is known. */
-  hash: z.optional(z.string().check(z.regex(/^[0-9a-f]{64}$/))),
+  hash: z.optional(z.string().check(z.regex(/^[0-9a-f]{64}$/, 'a hash is 64 digits of 0…9, a…f'))),
   /** [bytes] */
   size: z.optional(z.int().check(z.nonnegative())),
 });

@@ -87,6 +87,11 @@ describe('the document', () => {
     [JSON.stringify({ ...example(), version: CURRENT_VERSION + 1 }), /^version/],
     [JSON.stringify({ ...example(), extra: 1 }), /extra/],
     [JSON.stringify({ ...example(), nodes: { x: { type: 'value' } } }), /nodes\.x\.params/],
+    [JSON.stringify({ ...example(), title: 7 }), /^title: .*it is 7$/],
+    [
+      JSON.stringify({ ...example(), frames: { f: { title: '', nodes: ['1st'], color: '#ffffff' } } }),
+      /^frames\.f\.nodes\.0: a name is a letter .*it is "1st"$/,
+    ],
   ])('refuses %s with the place', (input, message) => {
     expect(() => parseDocument(input)).toThrow(message);
   });

@@ -7,6 +7,7 @@ import { migrate } from './migrations.ts';
 const LONGEST_PROJECT = 2 ** 24;
 /** What of a place is told: a damaged file may have keys of any length [characters]. */
 const LONGEST_PLACE = 200;
+const LONGEST_VALUE = 80;
 
 /** Reads parsed JSON of any version. Throws a DocumentError with the place of the first fault. */
 export function readDocument(data: unknown): GraphDocument {
@@ -24,7 +25,20 @@ export function checked<T>(schema: z.ZodMiniType<T>, data: unknown, otherwise: s
   if (result.success) return result.data;
   const issue = result.error.issues[0];
   const place = issue?.path.join('.').slice(0, LONGEST_PLACE);
-  throw new DocumentError(`${place || 'the file'}: ${issue?.message ?? otherwise}`);
+  throw new DocumentError(
+    `${place || 'the file'}: ${issue?.message ?? otherwise}${issue ? told(data, issue.path) : ''}`,
+  );
+}
+
+/** What stands at a place, where it is short to tell. */
+function told(data: unknown, path: readonly PropertyKey[]): string {
+  const value = path.reduce<unknown>(
+    (within, key) => (within as Record<PropertyKey, unknown> | undefined)?.[key],
+    data,
+  );
+  return ['string', 'number', 'boolean'].includes(typeof value)
+    ? `; it is ${JSON.stringify(value).slice(0, LONGEST_VALUE)}`
+    : '';
 }
 
 export function parseJson(text: string): unknown {
