@@ -65,7 +65,7 @@ async function times(): Promise<Table> {
       rows.push([
         (side * side).toLocaleString('en'),
         stiff,
-        parts,
+        String(parts),
         ...ms,
         ms[0] / ms[1],
         ...ms.slice(1).map((each) => `**${((STEP * 1000) / each).toPrecision(2)}**`),

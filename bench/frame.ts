@@ -112,7 +112,7 @@ async function lampRow(triangles: number, kind: MotionKind, count: number): Prom
     lights: Array.from({ length: count }, (_, k) => lampAt(k)),
   });
   const [drawn, off, on] = await withoutAndWith(opened);
-  return [drawn, kind, count, off, on, on / off];
+  return [drawn, kind, String(count), off, on, on / off];
 }
 
 const lampAt = (k: number): SphereLight => ({
