@@ -1,5 +1,5 @@
 import { build } from './build.ts';
-import { painted, seen } from './simulated.ts';
+import { painted, seen, solidGround } from './simulated.ts';
 
 const ABOUT = {
   title: 'Bouncing lattice',
@@ -22,13 +22,7 @@ export const bouncing = () =>
       set: { structural: 800, shear: 400, bending: 0, velocity: [0.3, -3, 0], spin: [0, 1.2, 0] },
       from: { geometry: 'high.geometry' },
     },
-    floor: { type: 'grid', set: { name: 'Floor', width: 60, length: 60, columns: 60, rows: 60 } },
-    stone: painted('floor.geometry', [0.42, 0.4, 0.37], { roughness: 0.95 }),
-    ground: {
-      type: 'collider',
-      set: { shape: 'plane', stiffness: 300, margin: 0.02 },
-      from: { geometry: 'stone.geometry' },
-    },
+    ...solidGround({ stiffness: 300, margin: 0.02 }),
     weight: { type: 'field', set: { drag: 0.15 } },
     fall: {
       type: 'simulate',

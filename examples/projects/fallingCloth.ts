@@ -1,5 +1,5 @@
 import { build } from './build.ts';
-import { painted, seen } from './simulated.ts';
+import { painted, seen, solidGround } from './simulated.ts';
 
 const ABOUT = {
   title: 'Cloth on a ball',
@@ -30,13 +30,7 @@ export const fallingCloth = () =>
       set: { shape: 'ball', scale: 1.05, stiffness: 2000 },
       from: { geometry: 'lying.geometry' },
     },
-    floor: { type: 'grid', set: { name: 'Floor', width: 60, length: 60, columns: 60, rows: 60 } },
-    stone: painted('floor.geometry', [0.42, 0.4, 0.37], { roughness: 0.95 }),
-    ground: {
-      type: 'collider',
-      set: { shape: 'plane', margin: 0.02, stiffness: 2000 },
-      from: { geometry: 'stone.geometry' },
-    },
+    ...solidGround({ margin: 0.02, stiffness: 2000 }),
     weight: { type: 'field', set: { drag: 1 } },
     fall: {
       type: 'simulate',

@@ -22,10 +22,19 @@ interface Looks {
   readonly ground?: Sketches;
 }
 
+const STONE: Vec3 = [0.42, 0.4, 0.37];
+const ROUGH = { roughness: 0.95 };
 const GROUND: Sketches = {
   floor: { type: 'grid', set: { name: 'Ground', width: 60, length: 60, columns: 60, rows: 60 } },
-  ground: painted('floor.geometry', [0.42, 0.4, 0.37], { roughness: 0.95 }),
+  ground: painted('floor.geometry', STONE, ROUGH),
 };
+
+/** A ground that things fall on; its matter is `ground.matter`. */
+export const solidGround = (set: NonNullable<Sketch['set']>): Sketches => ({
+  floor: { type: 'grid', set: { name: 'Floor', width: 60, length: 60, columns: 60, rows: 60 } },
+  stone: painted('floor.geometry', STONE, ROUGH),
+  ground: { type: 'collider', set: { shape: 'plane', ...set }, from: { geometry: 'stone.geometry' } },
+});
 
 /** What all simulations stand on and are lit by, the eye, and what leads to the picture. `things`: outputs that are in the scene. */
 export const seen = (

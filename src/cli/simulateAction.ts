@@ -1,6 +1,6 @@
 import { basename, dirname, extname, resolve } from 'node:path';
 import { setImmediate } from 'node:timers/promises';
-import { type Books, booksCsv } from '../dynamics/books.ts';
+import { type Books, booksCsv, figuresOf } from '../dynamics/books.ts';
 import { stepsOf } from '../dynamics/run.ts';
 import { writtenExtensions } from '../formats/save.ts';
 import { DocumentError, type GraphDocument } from '../graph/document.ts';
@@ -143,9 +143,8 @@ function checkpointOf(
 }
 
 function report(books: Books, files: readonly string[], { json }: SimulateFlags): void {
-  const { method, speedOfLight, step, times, total, kinetic, fastest, stop, steps } = books;
-  const most = kinetic.reduce((greatest, energy) => Math.max(greatest, energy), 0);
-  const off = total.reduce((greatest, energy) => Math.max(greatest, Math.abs(energy - total[0])), 0);
+  const { method, speedOfLight, step, times, stop, steps } = books;
+  const { until, fastest, drift = 0 } = figuresOf(books);
   const summary = {
     files,
     method,
@@ -153,10 +152,10 @@ function report(books: Books, files: readonly string[], { json }: SimulateFlags)
     step,
     steps: steps.at(-1),
     frames: times.length,
-    until: times.at(-1),
-    fastest: fastest.reduce((greatest, speed) => Math.max(greatest, speed), 0),
+    until,
+    fastest,
     /** The most that the energy was from the first, of the greatest kinetic energy. */
-    energyChange: most > 0 ? off / most : 0,
+    energyChange: drift,
     ...(stop && { stop }),
   };
   if (json) console.log(JSON.stringify(summary, null, 2));

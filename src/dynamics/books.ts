@@ -28,6 +28,24 @@ export interface Books {
   readonly stop?: Stop;
 }
 
+/** What a run comes to. */
+export interface Figures {
+  /** The largest change of the energy, in units of the largest kinetic energy; undefined where nothing moved. */
+  readonly drift: number | undefined;
+  /** [m/s] */
+  readonly fastest: number;
+  /** Of the last frame [s]. */
+  readonly until: number;
+}
+
+export function figuresOf({ total, kinetic, fastest, times }: Books): Figures {
+  const most = largest(kinetic);
+  const change = largest(total.map((energy) => energy - total[0]));
+  return { drift: most > 0 ? change / most : undefined, fastest: largest(fastest), until: times.at(-1) ?? 0 };
+}
+
+const largest = (values: Float64Array): number => values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+
 /** Keeps the books of a run: each of its frames is entered once. */
 export class Bookkeeper {
   private readonly order: Order;

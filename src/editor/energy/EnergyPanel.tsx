@@ -1,6 +1,7 @@
 import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
+import { figuresOf } from '../../dynamics/books.ts';
 import { formatBeta, formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { nodeTitle } from '../panels/nodeTitle.ts';
@@ -9,7 +10,7 @@ import { type Run, runsIn } from '../state/runs.ts';
 import { lineStyle } from './lines.ts';
 import { namesOf } from './names.ts';
 import { type Line, Plot } from './Plot.tsx';
-import { figuresOf, frameAt, QUANTITIES, type Quantity, unitOf, valuesOf } from './series.ts';
+import { frameAt, QUANTITIES, type Quantity, unitOf, valuesOf } from './series.ts';
 
 /** A run with what it is called, and its line in the plot. */
 interface Named extends Run {

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import type { Books } from '../../dynamics/books.ts';
+import { type Books, figuresOf } from '../../dynamics/books.ts';
 import type { NodeResult } from '../../graph/results.ts';
 import { computedUntil, runsIn } from '../state/runs.ts';
 import { lineStyle } from './lines.ts';
 import { namesOf } from './names.ts';
-import { figuresOf, frameAt, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
+import { frameAt, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
 import { tick } from './ticks.ts';
 
 /** Three frames: of 3 J of motion at most, 1.5 J are lost. */

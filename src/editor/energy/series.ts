@@ -1,4 +1,5 @@
 import type { Books } from '../../dynamics/books.ts';
+import { samplesUntil } from '../../physics/worldLine.ts';
 import type { Run } from '../state/runs.ts';
 
 /** What is plotted over time. */
@@ -35,38 +36,8 @@ const lengths = (vectors: Float64Array): Float64Array =>
     Math.hypot(vectors[3 * i]!, vectors[3 * i + 1]!, vectors[3 * i + 2]!),
   );
 
-/** What a table tells of a run. */
-export interface Figures {
-  /** The largest change of the energy, in units of the largest kinetic energy; undefined where nothing moved. */
-  readonly drift: number | undefined;
-  /** [m/s] */
-  readonly fastest: number;
-  /** Of the last frame [s]. */
-  readonly until: number;
-}
-
-export function figuresOf(books: Books): Figures {
-  const change = largest(valuesOf(books, 'change', 'J'));
-  const kinetic = largest(books.kinetic);
-  return {
-    drift: kinetic > 0 ? change / kinetic : undefined,
-    fastest: largest(books.fastest),
-    until: books.times.at(-1) ?? 0,
-  };
-}
-
-const largest = (values: Float64Array): number => values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-
 /** The place of the last frame that is not after t; −1: all are. */
-export function frameAt(times: Float64Array, t: number): number {
-  let [from, to] = [0, times.length];
-  while (from < to) {
-    const middle = (from + to) >> 1;
-    if (times[middle]! <= t) from = middle + 1;
-    else to = middle;
-  }
-  return from - 1;
-}
+export const frameAt = (times: Float64Array, t: number): number => samplesUntil(times, t) - 1;
 
 /** What a logarithmic axis can show of a value. */
 export const onLogarithmicAxis = (values: Float64Array): (number | null)[] =>

@@ -69,6 +69,11 @@ export class Film {
     return this.rows.length;
   }
 
+  /** The last frame that was taken, or the start; and steps until then. */
+  get latest(): { readonly state: State; readonly steps: number } {
+    return { state: this.last, steps: this.rows.at(-1)?.steps ?? 0 };
+  }
+
   /** What was taken so far. */
   reel = (): Reel => ({ rows: this.rows.slice(), last: this.last, tracks: this.tracks.map(copyOf) });
 

@@ -77,12 +77,10 @@ export class Simulation {
     const { order, film } = this;
     const { length } = film;
     if (length === this.frames) return;
-    const before = film.reel();
-    const start = length === 0 ? order.start : before.last;
+    const { state: start, steps } = film.latest;
     const running = run({ ...order, start, duration: (this.frames - Math.max(1, length)) * order.every });
     // The first frame is the one that it goes on from.
     if (length > 0) running.next();
-    const steps = before.rows.at(-1)?.steps ?? 0;
     for (;;) {
       const { done, value } = running.next();
       if (done) {
