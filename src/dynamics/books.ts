@@ -6,6 +6,8 @@ export interface Books {
   readonly method: string;
   /** [m/s]; Infinity: Newton's mechanics. */
   readonly speedOfLight: number;
+  /** A GPU took the steps, in 32-bit numbers. */
+  readonly onGpu?: boolean;
   /** [s]; 0 where it adapts. */
   readonly step: number;
   /** Between frames [s]. */

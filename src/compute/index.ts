@@ -1,0 +1,1 @@
+export { runOnGpu } from './run.ts';
