@@ -1,1 +1,2 @@
+export { type ComputeGpu, openWebGpu } from './gpu.ts';
 export { runOnGpu } from './run.ts';

@@ -142,13 +142,28 @@ fn touched(i: u32) -> vec3f {
   return force;
 }
 
+// sin and cos to 32 bits: WGSL's own need only be right to 2⁻¹¹. By the nearest multiple of π/2, and polynomials of what is left (Moshier, Cephes, sinf.c).
+fn sinCos(angle: f32) -> vec2f {
+  let quarters = round(angle * 0.63661977);
+  let x = ((angle - quarters * 1.5703125) - quarters * 4.837512969970703e-4) - quarters * 7.54978995489188e-8;
+  let z = x * x;
+  let s = x + x * z * ((-1.9515295891e-4 * z + 8.3321608736e-3) * z - 1.6666654611e-1);
+  let c = 1.0 - 0.5 * z + z * z * ((2.443315711809948e-5 * z - 1.388731625493765e-3) * z + 4.166664568298827e-2);
+  switch (i32(quarters) & 3) {
+    case 1: { return vec2f(c, -s); }
+    case 2: { return vec2f(-s, -c); }
+    case 3: { return vec2f(-c, s); }
+    default: { return vec2f(s, c); }
+  }
+}
+
 // dp/dt = q p × B/γm turns p about −B by q|B|h/γm.
 fn turned(p: vec3f, body: Body, h: f32) -> vec3f {
   let u = p / body.mass;
   let angle = -body.charge * world.strength * h / (body.mass * sqrt(1.0 + dot(u, u) * world.perSquare));
   let b = world.field;
-  let less = 2.0 * sin(0.5 * angle) * sin(0.5 * angle);
-  return sin(angle) * cross(b, p) - less * (p - dot(p, b) * b);
+  let half = sinCos(0.5 * angle);
+  return 2.0 * half.x * (half.y * cross(b, p) - half.x * (p - dot(p, b) * b));
 }
 
 fn advance(i: u32, force: vec3f) {
