@@ -85,11 +85,14 @@ describe('points that are near', () => {
     const next = random(5);
     const bodies = Int32Array.from({ length: n }, (_, i) => (i % 4) - 1);
     const law = new Penalty(10, () => 0.3);
-    const near = new NearPairs(bodies, 0.3, law);
+    const rest = Float64Array.from({ length: 3 * n }, next);
+    const far = (i: number, j: number): boolean =>
+      Math.hypot(...[0, 1, 2].map((k) => rest[3 * i + k] - rest[3 * j + k])) > 0.3;
+    const near = new NearPairs(bodies, rest, 0.3, law);
     const all = new Pairs(
       Uint32Array.from(
         Array.from({ length: n * n }, (_, k) => [Math.floor(k / n), k % n])
-          .filter(([i, j]) => i < j && bodies[i] >= 0 && bodies[j] >= 0 && bodies[i] !== bodies[j])
+          .filter(([i, j]) => i < j && bodies[i] >= 0 && bodies[j] >= 0 && (bodies[i] !== bodies[j] || far(i, j)))
           .flat(),
       ),
       law,
@@ -109,6 +112,54 @@ describe('points that are near', () => {
       });
       x = to;
     }
+  });
+});
+
+describe('two leaves of one thing that are thrown at each other', () => {
+  const side = 5;
+  const count = 2 * side * side;
+  const leaf = (i: number): number => (i < count / 2 ? -1 : 1);
+  const x = Float64Array.from({ length: 3 * count }, (_, j) => {
+    const i = Math.floor(j / 3);
+    const [row, column] = [Math.floor((i % (side * side)) / side), i % side];
+    return [0.2 * leaf(i), 0.1 * row + 0.03 * leaf(i), 0.1 * column][j % 3];
+  });
+  const corners = [0, 1].flatMap((which) =>
+    Array.from({ length: (side - 1) ** 2 }, (_, k) => {
+      const a = which * side * side + Math.floor(k / (side - 1)) * side + (k % (side - 1));
+      return [a, a + 1, a + side + 1, a + side];
+    }).flat(),
+  );
+  const faces = { counts: new Uint8Array(2 * (side - 1) ** 2).fill(4), corners };
+  const net = springs(meshSprings(x, faces, { structural: 300, shear: 300, bending: 100 }));
+  const masses = new Float64Array(count).fill(0.01);
+  const touch = new NearPairs(new Int32Array(count), x, 0.12, new Penalty(500, () => 0.12));
+  const flight = (forces: System['forces']) => {
+    const system = makeSystem({ masses, c: 10, forces });
+    const v = x.map((_, j) => (j % 3 === 0 ? -2 * leaf(Math.floor(j / 3)) : 0));
+    const start = { t: 0, x, p: momenta(system, v) };
+    const method = METHODS.get('discrete-gradient')!;
+    return [...run({ system, start, method, duration: 0.4, every: 0.02, step: 1e-3 })];
+  };
+  const isApart = ({ state }: Frame): boolean => {
+    const sides = [-1, 1].map((which) => Array.from(masses.keys()).filter((i) => leaf(i) === which));
+    const [left, right] = sides.map((points) => points.map((i) => state.x[3 * i]));
+    return Math.max(...left) < Math.min(...right);
+  };
+
+  it('come apart again, with the energy and the momentum that they had', () => {
+    const frames = flight([net, touch]);
+    const [first, last] = [frames[0].ledger, frames.at(-1)!.ledger];
+    expect(frames).toHaveLength(21);
+    expect(frames.every(isApart)).toBe(true);
+    expect(Math.min(...frames.map(({ ledger }) => ledger.kinetic))).toBeLessThan(0.9 * first.kinetic);
+    expect(Math.abs(last.total - first.total)).toBeLessThan(1e-10 * first.kinetic);
+    expect(Math.hypot(...last.momentum)).toBeLessThan(1e-12);
+    const outward = frames
+      .at(-1)!
+      .state.p.reduce((sum, p, j) => sum + (j % 3 === 0 ? p * leaf(Math.floor(j / 3)) : 0), 0);
+    expect(outward).toBeGreaterThan(0);
+    expect(flight([net]).every(isApart)).toBe(false);
   });
 });
 
