@@ -1,5 +1,5 @@
 import { colorAt, type FalseColor, type FalseColors, partOf } from '../spectrum/falseColor.ts';
-import { ticksOf } from '../spectrum/falseScale.ts';
+import { tickDigits, ticksOf } from '../spectrum/falseScale.ts';
 import { BANDS, type BandName } from '../spectrum/spectralBands.ts';
 import { type Canvas, canvas, paste } from './compare/canvas.ts';
 import { GROUND, type LegendBar, legendBar, legendHeight, letterSize } from './compare/legendBar.ts';
@@ -41,6 +41,8 @@ export function withLegend(picture: Canvas, colors: FalseColors): Canvas {
 function rowsOf({ kind, ...scale }: FalseColors): LegendBar['rows'] {
   const at = (value: number, text: string) => ({ part: partOf(kind, value, scale), text });
   const ticks = ticksOf(kind, scale);
+  const digits = tickDigits(ticks);
+  const plain = (value: number): string => String(Number(value.toPrecision(digits)));
   if (kind !== 'band') return [[scale.from, scale.to, ...ticks.slice(1, -1)].map((value) => at(value, plain(value)))];
   const names = BANDS.map(({ name, from }, i) => {
     const [start, end] = [Math.max(from, scale.from), Math.min(BANDS[i + 1]?.from ?? scale.to, scale.to)];
@@ -50,5 +52,3 @@ function rowsOf({ kind, ...scale }: FalseColors): LegendBar['rows'] {
   const visible = BANDS.findIndex(({ name }) => name === 'visible');
   return [ticks.map((value) => at(value, plain(value * 1e9))), [names[visible]!, ...names]];
 }
-
-const plain = (value: number): string => String(Number(value.toPrecision(2)));

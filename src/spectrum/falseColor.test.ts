@@ -4,7 +4,7 @@ import { invert, transform } from '../math/mat3.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type Color, coolWarm, viridis } from './colorMaps.ts';
 import { colorRow, FALSE_COLORS, falseColor, NOTHING, partOf, type Scale, valueAt } from './falseColor.ts';
-import { scaleFor, ticksOf } from './falseScale.ts';
+import { scaleFor, tickDigits, ticksOf } from './falseScale.ts';
 import { decodeSrgb, encodeSrgb } from './srgb.ts';
 
 const largest = (a: Color, b: readonly number[]): number => Math.max(...a.map((value, k) => Math.abs(value - b[k]!)));
@@ -87,6 +87,16 @@ describe('a scale', () => {
       if (i > 0) expect(tick).toBeGreaterThan(ticks[i - 1]!);
     });
     expect(new Set(colorRow(kind, scale, 33).map(String)).size).toBeGreaterThan(5);
+  });
+
+  it('has numbers of which no two read alike, and no longer ones than that needs', () => {
+    const read = (most: number): string[] => {
+      const ticks = ticksOf('doppler', scaleFor('doppler', [1, most]));
+      return ticks.map((tick) => String(Number(tick.toPrecision(tickDigits(ticks)))));
+    };
+    expect(read(1)).toEqual(['0.98', '0.99', '1', '1.01', '1.02']);
+    expect(read(1.04)).toEqual(['0.952', '0.976', '1', '1.02', '1.05']);
+    expect(read(3)).toEqual(['0.33', '0.58', '1', '1.7', '3']);
   });
 
   it('of D is centred at 1: grey there, blue where light is blue-shifted', () => {

@@ -10,6 +10,8 @@ const OUTSIDE = 0.01;
 const SHIFTS = [1.02, 1.05, 1.1, 1.2, 1.5, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 1e4, 1e5, 1e6];
 /** A scale of light has no more decades, counted from its brightest. */
 const MOST_DECADES = 6;
+/** Numbers beside a bar are no longer. */
+const MOST_DIGITS = 6;
 /** Of 550 nm light: all that observers up to some 0.99 c see [m]. */
 const WAVELENGTHS: Scale = { from: 3e-8, to: 1e-5 };
 
@@ -74,4 +76,12 @@ function steps({ from, to }: Scale, step: number): number[] {
 function decades({ from, to }: Scale): number[] {
   const [first, last] = [Math.round(Math.log10(from)), Math.round(Math.log10(to))];
   return Array.from({ length: last - first + 1 }, (_, i) => 10 ** (first + i));
+}
+
+/** Significant digits at which no two numbers beside the bar read alike: two, where these do. */
+export function tickDigits(ticks: readonly number[]): number {
+  const alike = (digits: number): boolean => new Set(ticks.map((tick) => tick.toPrecision(digits))).size < ticks.length;
+  let digits = 2;
+  while (digits < MOST_DIGITS && alike(digits)) digits++;
+  return digits;
 }

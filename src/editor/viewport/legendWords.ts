@@ -1,5 +1,5 @@
 import { colorRow, type FalseColor, type FalseColors, partOf } from '../../spectrum/falseColor.ts';
-import { ticksOf } from '../../spectrum/falseScale.ts';
+import { tickDigits, ticksOf } from '../../spectrum/falseScale.ts';
 import { BANDS, bandOf } from '../../spectrum/spectralBands.ts';
 import { formatLength, formatNumber } from '../format.ts';
 import type { Translate } from '../i18n/i18n.ts';
@@ -20,10 +20,12 @@ export interface LegendWords {
 }
 
 export function legendWords({ kind, ...scale }: FalseColors, t: Translate): LegendWords {
+  const ticks = ticksOf(kind, scale);
+  const digits = tickDigits(ticks);
   return {
     title: t(`legend.${kind}`),
     stops: colorRow(kind, scale, STOPS).map(css),
-    ticks: ticksOf(kind, scale).map((value) => ({ part: partOf(kind, value, scale), text: shortText(kind, value) })),
+    ticks: ticks.map((value) => ({ part: partOf(kind, value, scale), text: shortText(kind, value, digits) })),
     range: t('legend.range', { from: valueText(kind, scale.from), to: valueText(kind, scale.to) }),
     bands: kind === 'band' ? BANDS.map(({ name, color }) => ({ name: t(`band.${name}`), color: css(color) })) : [],
   };
@@ -55,8 +57,8 @@ function valueText(kind: FalseColor, value: number): string {
 }
 
 /** Beside the bar there is little room. */
-function shortText(kind: FalseColor, value: number): string {
-  const text = formatNumber(kind === 'band' ? value * 1e9 : value, 2);
+function shortText(kind: FalseColor, value: number, digits: number): string {
+  const text = formatNumber(kind === 'band' ? value * 1e9 : value, digits);
   const short = text.includes('.') ? text.replace(/\.?0+$/, '') : text;
   return kind === 'emission-time' ? `${short} s` : short;
 }
