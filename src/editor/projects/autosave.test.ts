@@ -11,6 +11,7 @@ import type { KeptSession, Sessions } from './sessions.ts';
 const sessions = {
   keep: vi.fn<(session: KeptSession) => Promise<void>>(async () => {}),
   keepFiles: vi.fn(async () => {}),
+  forget: vi.fn<(id: string) => Promise<void>>(async () => {}),
 };
 let studio: Studio;
 let localFiles: LocalFiles;
@@ -20,6 +21,7 @@ let autosave: Autosave;
 beforeEach(async () => {
   vi.useFakeTimers();
   vi.clearAllMocks();
+  sessions.keep.mockResolvedValue();
   vi.stubGlobal('navigator', {});
   told = [];
   localFiles = new LocalFiles();
@@ -94,4 +96,32 @@ it('a full store is told once, and again when it was well in between', async () 
   sessions.keep.mockRejectedValue(new Error('gone'));
   await autosave.now();
   expect(told).toHaveLength(2);
+});
+
+it('what was not saved is put aside where another project takes its place, with its files; the latest three', async () => {
+  studio.open(localFiles.add(new Map([['s.usda', new Blob(['x'])]]), 's.usda'));
+  studio.openProject(beginningWith('b.usda'));
+  await vi.advanceTimersByTimeAsync(400);
+  const others = () => sessions.keep.mock.calls.map(([session]) => session).filter(({ id }) => id !== 'tab');
+  expect(others(), 'of who only looked').toEqual([]);
+  studio.undo();
+  await vi.advanceTimersByTimeAsync(400);
+  expose(1);
+  studio.openProject(beginningWith('b.usda'));
+  await vi.advanceTimersByTimeAsync(400);
+  const [aside] = others();
+  expect(aside).toMatchObject({ name: 's', unsaved: true, passed: true });
+  expect(aside?.document).toMatchObject({ nodes: { toneMap: { params: { exposure: 1 } } } });
+  expect(sessions.keepFiles).toHaveBeenCalledWith(aside?.id, '1', localFiles.setOf('local:1/s.usda')?.files);
+  studio.undo();
+  studio.redo();
+  await vi.advanceTimersByTimeAsync(400);
+  expect(others(), 'doing it again').toHaveLength(1);
+  for (const exposure of [2, 3, 4]) {
+    expose(exposure);
+    studio.openProject(beginningWith('c.usda'));
+    await vi.advanceTimersByTimeAsync(400);
+  }
+  expect(others()).toHaveLength(4);
+  expect(sessions.forget.mock.calls).toEqual([[aside?.id]]);
 });

@@ -4,16 +4,18 @@ import { filesIn } from '../../graph/files.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import type { HeldFile, HeldFiles } from '../loading/held.ts';
 import type { LocalFiles } from '../loading/localFiles.ts';
-import { isUnsaved, type Studio } from '../state/studio.ts';
+import { isUnsaved, type Studio, type StudioState } from '../state/studio.ts';
 import type { Pilot } from '../viewport/pilot.ts';
 import { projectName } from './names.ts';
-import type { KeptSession, Sessions } from './sessions.ts';
+import { freshId, type KeptSession, type Sessions } from './sessions.ts';
 
 /** After the last edit, and at the latest after the first [ms]. */
 const PAUSE = 300;
 const LATEST = 2000;
 /** Of the files that a person gave, all sets of a session together [bytes]. */
 const MOST_KEPT = 2 ** 28;
+/** So many projects that others took the place of, of one tab; so that they do not crowd out the work of closed tabs. */
+const MOST_ASIDE = 3;
 
 /** What cannot be kept, and why; told once each. */
 export type Unkept =
@@ -32,31 +34,42 @@ export interface AutosaveOptions {
   readonly kept?: Iterable<string>;
 }
 
-/** Keeps every edit in the browser, a moment after it was made and when the page is left. */
+/** The sets of files of one session that are in the store. */
+interface KeptSets {
+  readonly ids: Set<string>;
+  bytes: number;
+}
+
+/**
+ * Keeps every edit in the browser, a moment after it was made and when the page is left; and what was not saved when another project
+ * took its place, since undo begins anew where the page is loaded again.
+ */
 export class Autosave {
   /** Hears of what cannot be kept. */
   onUnkept: (unkept: Unkept) => void = () => {};
   /** The page came back where it was. */
   readonly isRestored: boolean;
   readonly #options: AutosaveOptions;
-  readonly #keptSets: Set<string>;
+  readonly #keptSets: KeptSets;
+  /** Put aside, the oldest first. */
+  readonly #aside: string[] = [];
   readonly #told = new Set<Unkept['kind']>();
   /** Of the first edit that is not kept yet [ms]. */
   #since: number | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** There is something of this tab in the store, or to be put there. */
   #touched: boolean;
-  #keptBytes = 0;
 
   constructor(options: AutosaveOptions) {
     this.#options = options;
-    this.#keptSets = new Set(options.kept);
+    this.#keptSets = { ids: new Set(options.kept), bytes: 0 };
     this.isRestored = options.kept !== undefined;
     this.#touched = this.isRestored;
     const { studio } = options;
     studio.store.subscribe((now, before) => {
       if (now.history.document === before.history.document && isUnsaved(now) === isUnsaved(before)) return;
       this.#touched = true;
+      if (isReplaced(now, before) && isUnsaved(before)) void this.#putAside(before);
       this.#later();
     });
     addEventListener('pagehide', () => void this.now());
@@ -73,10 +86,11 @@ export class Autosave {
     const { sessions } = this.#options;
     try {
       if ('refusal' in sessions) throw new Error(sessions.refusal);
-      const session = this.#session();
-      const written = sessions.keep(session);
-      await this.#keepFiles(sessions, session);
-      await written;
+      const { studio, pilot, id } = this.#options;
+      const state = studio.store.getState();
+      const { lock, cruise, playing, loop } = state;
+      const view = state.picture && { observer: pilot.observer, lock, cruise, playing, loop };
+      await this.#keep(sessions, { ...this.#session(id, state), ...(view && { view }) }, this.#keptSets);
       this.#told.delete('work');
       return !this.#told.has('files');
     } catch (error) {
@@ -92,39 +106,57 @@ export class Autosave {
     this.#timer = setTimeout(() => void this.now(), Math.max(0, Math.min(PAUSE, left)));
   }
 
-  #session(): KeptSession {
-    const { studio, pilot, id, address } = this.#options;
-    const state = studio.store.getState();
-    const { lock, cruise, playing, loop } = state;
+  /** It is offered in the menu, as the work of closed tabs is. */
+  async #putAside(state: StudioState): Promise<void> {
+    const { sessions } = this.#options;
+    if ('refusal' in sessions) return;
+    const id = freshId();
+    this.#aside.push(id);
+    try {
+      await this.#keep(sessions, { ...this.#session(id, state), passed: true }, { ids: new Set(), bytes: 0 });
+      if (this.#aside.length > MOST_ASIDE) await sessions.forget(this.#aside.shift()!);
+    } catch (error) {
+      this.#tell({ kind: 'work', why: messageOf(error) });
+    }
+  }
+
+  #session(id: string, state: StudioState): KeptSession {
+    const { document, origin } = state.history;
     return {
       id,
-      address: address(),
+      address: this.#options.address(),
       name: projectName(state),
-      document: state.history.document,
-      origin: state.history.origin,
+      document,
+      origin,
       unsaved: isUnsaved(state),
       at: Date.now(),
       passed: false,
-      ...(state.picture && { view: { observer: pilot.observer, lock, cruise, playing, loop } }),
     };
   }
 
-  async #keepFiles(sessions: Sessions, { document, origin }: KeptSession): Promise<void> {
-    const { localFiles, id } = this.#options;
+  /** The document is written although the page may go at once. */
+  async #keep(sessions: Sessions, session: KeptSession, kept: KeptSets): Promise<void> {
+    const written = sessions.keep(session);
+    await this.#keepFiles(sessions, session, kept);
+    await written;
+  }
+
+  async #keepFiles(sessions: Sessions, { id, document, origin }: KeptSession, kept: KeptSets): Promise<void> {
+    const { localFiles } = this.#options;
     for (const name of [origin, ...filesIn(document as GraphDocument, nodeLibrary)]) {
       const set = localFiles.setOf(name);
-      if (!set || this.#keptSets.has(set.id)) continue;
-      this.#keptSets.add(set.id);
+      if (!set || kept.ids.has(set.id)) continue;
+      kept.ids.add(set.id);
       const size = sizeOf(set.files);
-      if (this.#keptBytes + size > MOST_KEPT) {
+      if (kept.bytes + size > MOST_KEPT) {
         this.#tell({ kind: 'files', size: formatBytes(size) });
         continue;
       }
-      this.#keptBytes += size;
+      kept.bytes += size;
       try {
         await sessions.keepFiles(id, set.id, set.files);
       } catch (error) {
-        this.#keptSets.delete(set.id);
+        kept.ids.delete(set.id);
         throw error;
       }
     }
@@ -135,6 +167,12 @@ export class Autosave {
     this.#told.add(unkept.kind);
     this.onUnkept(unkept);
   }
+}
+
+/** Another project was opened; not by doing again what was undone. */
+function isReplaced({ history: now }: StudioState, { history: before }: StudioState): boolean {
+  const step = now.past.at(-1);
+  return step?.origins !== undefined && now.past.length > before.past.length && step !== before.future[0];
 }
 
 /** Archives count once, whatever of them is used. */
