@@ -108,6 +108,8 @@ describe('bringing a scene', () => {
     const visit = await (await program.open(SMALL)).ready();
     await drop(visit, [TEXTURED]);
     await visit.page.getByText('The square wears the picture').waitFor();
+    const warning = visit.page.getByText(/^Missing files: 1 \(\.\/textures\/checker\.png\)/);
+    await warning.waitFor();
     await visitScenePanel(visit);
     const item = visit.page.locator('[data-missing="./textures/checker.png"]');
     await item.waitFor();
@@ -122,6 +124,7 @@ describe('bringing a scene', () => {
     await drop(visit, [CHECKER]);
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.01);
     await expect.poll(() => item.count()).toBe(0);
+    await expect.poll(() => warning.count()).toBe(0);
     expect(own).toMatch(/^local:1\//);
     await visit.page.getByRole('button', { name: /^Undo: add missing files/ }).click();
     await item.waitFor();

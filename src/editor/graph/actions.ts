@@ -221,7 +221,9 @@ const write = (studio: Studio, words: string | undefined): void => {
   if (words === undefined) return;
   navigator.clipboard.writeText(words).catch((error) => refused(studio, error));
 };
-const refused = (studio: Studio, error: unknown): void => studio.notify({ kind: 'error', text: String(error) });
+const refused = (studio: Studio, error: unknown): void => {
+  studio.notify({ kind: 'error', text: String(error) });
+};
 
 export const ACTIONS: readonly Action[] = [
   { id: 'add', title: 'graph.add', keys: ['Shift+A', 'Space'], run: (context) => openAdding(context) },

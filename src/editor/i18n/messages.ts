@@ -242,6 +242,10 @@ export const messages = {
     'Remarks about this file: {{count}}. See the Scene panel',
     '此文件有 {{count}} 条说明，见“场景”面板',
   ],
+  'notice.missing': [
+    'Missing files: {{count}} ({{files}}). What needs them is not in the picture, or grey. Drop them on the page, or the folder that holds all.',
+    '缺少 {{count}} 个文件（{{files}}），相关内容不会显示，或显示为灰色。请将这些文件或包含它们的文件夹拖放到页面上。',
+  ],
   'notice.remedy': ['Set {{what}} to {{value}}', '将{{what}}设为 {{value}}'],
   'notice.saved': ['Saved {{name}}', '已保存 {{name}}'],
   'saving.download': ['Download the file', '下载文件'],
@@ -266,6 +270,10 @@ export const messages = {
   'notice.noScene': [
     'None of these files is a scene. Drop a USD, glTF, OBJ, PLY or STL file, or a folder or zip that holds one.',
     '这些文件中没有场景。请拖入 USD、glTF、OBJ、PLY 或 STL 文件，或含有它们的文件夹或 zip。',
+  ],
+  'notice.unreadable': [
+    'The browser could not read what was dropped: {{why}}. Check that the files are still there and may be read, or use Project › Open file.',
+    '浏览器无法读取拖放的内容：{{why}}。请确认文件仍在且可读，或使用“项目 › 打开文件”。',
   ],
   'notice.recovered': ['The graphics device was lost and started again.', '图形设备曾丢失，现已恢复。'],
   'notice.noGraphics': [

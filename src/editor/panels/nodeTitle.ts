@@ -1,8 +1,17 @@
-import { type GraphDocument, graphIn, own } from '../../graph/document.ts';
+import { type GraphDocument, type GraphNode, graphIn, own } from '../../graph/document.ts';
 import { placeOf } from '../../graph/edits/place.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
 
 /** What a person calls a node, which is named as evaluations name it. */
-export function nodeTitle(document: GraphDocument, id: string): string | undefined {
+export const nodeTitle = (document: GraphDocument, id: string): string | undefined => nodeAt(document, id)?.title;
+
+/** What a node is called in the graph, by the person or after its kind; undefined where there is no such node. */
+export function shownTitle(document: GraphDocument, id: string): string | undefined {
+  const node = nodeAt(document, id);
+  return node && (node.title || own(nodeLibrary, node.type)?.title);
+}
+
+function nodeAt(document: GraphDocument, id: string): GraphNode | undefined {
   const place = placeOf(document, id);
-  return place && own(graphIn(document, place.group)?.nodes ?? {}, place.node)?.title;
+  return place && own(graphIn(document, place.group)?.nodes ?? {}, place.node);
 }

@@ -1,6 +1,6 @@
 import { resolvePath } from '../../formats/source.ts';
 import { localParts, sceneName } from '../loading/localFiles.ts';
-import type { StudioState } from '../state/studio.ts';
+import { type StudioState, sourceOf } from '../state/studio.ts';
 
 const ENDING = '.slowlight.json';
 
@@ -23,7 +23,8 @@ export function projectName({ history, opened }: Pick<StudioState, 'history' | '
   // Of an archive: `yard.zip/project.slowlight.json`.
   const archive = /([^/]+)\.zip\/[^/]*$/i.exec(origin)?.[1];
   if (isProject(file)) return archive ?? file.slice(0, -ENDING.length);
-  return sceneName(opened.source).replace(/\.\w+$/, '');
+  // What could not be shown was never opened.
+  return sceneName(opened.source || sourceOf(history.document)).replace(/\.\w+$/, '');
 }
 
 /** A name that every system takes for a file. */

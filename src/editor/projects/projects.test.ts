@@ -43,6 +43,8 @@ describe('the names of files', () => {
     expect(projectName(state('examples/workshop.slowlight.json'))).toBe('workshop');
     expect(projectName(state('examples/workshop.slowlight.json', 'Mine'))).toBe('Mine');
     expect(projectName(state(''))).toBe('street.v2');
+    const refused = { document: newProject('examples/wheel.usda'), origin: '', past: [], future: [] };
+    expect(projectName({ history: refused, opened: { origin: '', source: '', reads: {} } })).toBe('wheel');
     expect(fileName('a/b: "c"?\n', '.zip')).toBe('a b c.zip');
     expect(fileName('///', '.zip')).toBe('project.zip');
   });

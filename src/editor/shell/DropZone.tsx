@@ -1,13 +1,16 @@
 import { Text } from '@mantine/core';
 import { IconDownload } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useState } from 'react';
+import { messageOf } from '../../formats/fail.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { droppedFiles } from '../loading/picked.ts';
+import { useStudio } from '../state/context.tsx';
 import { useOpenFiles } from './useOpenFiles.ts';
 
 /** The whole page takes files; panels that are dragged about inside it are not files. */
 export function DropZone(): ReactNode {
   const { t } = useTexts();
+  const studio = useStudio();
   const open = useOpenFiles();
   const [over, setOver] = useState(false);
   useEffect(() => {
@@ -24,7 +27,9 @@ export function DropZone(): ReactNode {
       if (!isFiles(event) || !event.dataTransfer) return;
       event.preventDefault();
       setOver(false);
-      void droppedFiles(event.dataTransfer).then(open);
+      droppedFiles(event.dataTransfer).then(open, (error: unknown) =>
+        studio.notify({ kind: 'error', text: t('notice.unreadable', { why: messageOf(error) }) }),
+      );
     };
     addEventListener('dragover', onOver);
     addEventListener('dragleave', onLeave);
@@ -34,7 +39,7 @@ export function DropZone(): ReactNode {
       removeEventListener('dragleave', onLeave);
       removeEventListener('drop', onDrop);
     };
-  }, [open]);
+  }, [open, studio, t]);
   return over ? (
     <div className="sl-drop">
       <IconDownload size={32} />

@@ -2,6 +2,7 @@ import { Button, Notification, Stack, Text } from '@mantine/core';
 import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useRef } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
+import { shownTitle } from '../panels/nodeTitle.ts';
 import { Remedy } from '../panels/Remedy.tsx';
 import { SavingCard } from '../saving/SavingCard.tsx';
 import { useStudio, useStudioState } from '../state/context.tsx';
@@ -10,6 +11,9 @@ import type { Notice } from '../state/studio.ts';
 const INFO_LASTS = 4000; // [ms]
 /** To read a letter [ms]. */
 const LETTER = 50;
+
+/** Of missing files; the Scene panel lists all. */
+const MOST_NAMED = 3;
 
 const COLORS = { error: 'red', warning: 'yellow', info: 'teal' } as const;
 
@@ -29,7 +33,7 @@ export function Notices(): ReactNode {
   );
 }
 
-/** Says that the reader of a newly opened file had something to remark. */
+/** Says what a newly opened file lacks, for as long as it does; else that its reader had something to remark. */
 function useRemarks(): void {
   const { t } = useTexts();
   const studio = useStudio();
@@ -37,11 +41,18 @@ function useRemarks(): void {
   say.current = t;
   const source = useStudioState((state) => state.opened.source);
   useEffect(() => {
-    const remarks =
-      studio.store.getState().picture?.scene.diagnostics.filter(({ severity }) => severity !== 'info') ?? [];
-    if (source && remarks.length > 0) {
+    const notes = studio.store.getState().picture?.scene.diagnostics ?? [];
+    const remarks = notes.filter(({ severity }) => severity !== 'info');
+    const missing = [...new Set(notes.flatMap(({ missing: file }) => (file ? [file.name] : [])))];
+    if (!source || remarks.length === 0) return;
+    if (missing.length === 0) {
       studio.notify({ kind: 'info', text: say.current('notice.warnings', { count: remarks.length }) });
+      return;
     }
+    const files = [...missing.slice(0, MOST_NAMED), ...(missing.length > MOST_NAMED ? ['…'] : [])].join(', ');
+    const text = say.current('notice.missing', { count: missing.length, files });
+    const id = studio.notify({ kind: 'warning', text });
+    return () => studio.dismiss(id);
   }, [studio, source]);
 }
 
@@ -49,6 +60,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
   const { t } = useTexts();
   const studio = useStudio();
   const kept = useStudioState((state) => state.picture !== undefined);
+  const place = usePlace(notice);
   const error = notice.kind === 'error';
   useEffect(() => {
     if (notice.kind !== 'info' || notice.action) return;
@@ -66,9 +78,9 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
       onClose={() => studio.dismiss(notice.id)}
     >
       <Stack gap={6}>
-        {notice.place && (
+        {place && (
           <Text size="xs" ff="monospace" className="sl-place">
-            {notice.place}
+            {place}
           </Text>
         )}
         <Text size="sm" c="var(--mantine-color-text)">
@@ -96,4 +108,13 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
       </Stack>
     </Notification>
   );
+}
+
+/** A node by what it is called in the graph. */
+function usePlace({ place, ofDocument }: Notice): string | undefined {
+  const { any } = useTexts();
+  const title = useStudioState(({ history }) =>
+    place && ofDocument ? shownTitle(history.document, place) : undefined,
+  );
+  return title ? any(title) : place;
 }

@@ -108,7 +108,8 @@ export interface Studio {
   readonly cancelLoading: () => void;
   /** With the work that was cancelled, from where it was. */
   readonly goOn: () => void;
-  readonly notify: (notice: Omit<Notice, 'id' | 'ofDocument'>) => void;
+  /** Gives the key by which the notice can be dismissed. */
+  readonly notify: (notice: Omit<Notice, 'id' | 'ofDocument'>) => number;
   readonly dismiss: (id: number) => void;
   readonly change: (
     change: Partial<Omit<StudioState, 'history' | 'saved' | 'picture' | 'results' | 'interim' | 'loading' | 'notices'>>,
@@ -367,7 +368,8 @@ function shownBy(store: StoreApi<StudioState>, evaluation: Evaluation): Partial<
 }
 
 let notices = 0;
-function addNotice(store: StoreApi<StudioState>, notice: Omit<Notice, 'id'>): void {
+function addNotice(store: StoreApi<StudioState>, notice: Omit<Notice, 'id'>): number {
   const id = ++notices;
   store.setState((state) => ({ notices: [...state.notices.slice(-3), { ...notice, id }] }));
+  return id;
 }
