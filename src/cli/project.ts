@@ -97,17 +97,23 @@ function valueFor(document: GraphDocument, node: string, param: string, text: st
 function parsed(spec: ParamSpec, text: string): ParamValue {
   switch (spec.kind) {
     case 'number':
-      return Number(text);
+      return text.includes(',') ? text : (numbersIn(text)?.[0] ?? text);
     case 'boolean':
       return text === 'true' || text === 'on' ? true : text === 'false' || text === 'off' ? false : text;
     case 'vector':
     case 'color':
-      return text.split(',').map(Number);
+      return numbersIn(text) ?? text;
     case 'list':
       return text === '' ? [] : text.split(';');
     default:
       return text;
   }
+}
+
+/** Undefined where one of them is none; nothing is not 0. */
+function numbersIn(text: string): number[] | undefined {
+  const parts = text.split(',');
+  return parts.some((part) => part.trim() === '' || Number.isNaN(Number(part))) ? undefined : parts.map(Number);
 }
 
 /** What is wrong with a project as it stands; files are not opened. */

@@ -14,6 +14,7 @@ describe('openScene', () => {
 
   it.each([
     ['a.blend', /^a\.blend: \.blend is not a scene format that can be opened; .*glTF \(\.gltf, \.glb\).* can$/],
+    ['a.slowlight.json', /^a\.slowlight\.json: this is a project, not a scene; render, .* \?project=/],
     ['scene', /^scene: the name has no extension; /],
     ['b.gltf', /^b\.gltf: no such file; there is good\.gltf, empty\.glb$/],
     ['empty.glb', /^empty\.glb: the file is empty \(0 bytes\); export or copy it again$/],

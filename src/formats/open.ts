@@ -34,6 +34,10 @@ export async function openScene(files: FileSource, entry: string, options: OpenO
 }
 
 function unknownFormat(path: string): InputError {
+  if (/\.slowlight\.json$/i.test(path)) {
+    const use = 'render, simulate and graph check take it, and the page opens it at ?project=…';
+    return inputError('file.unknown-format', path, `this is a project, not a scene; ${use}`);
+  }
   const known = sceneFormats.map((f) => `${f.name} (${f.extensions.map((e) => `.${e}`).join(', ')})`).join(', ');
   const extension = extensionOf(path);
   const what = extension ? `.${extension} is not a scene format that can be opened` : 'the name has no extension';

@@ -100,8 +100,13 @@ test('what cannot be is refused by name and place', async () => {
     return `${code} ${err}`;
   };
   expect(await refused(project, '--set', 'toneMap.exposure=bright')).toMatch(
-    /^2 .*toneMap\.exposure=bright: NaN is not a number/,
+    /^2 .*toneMap\.exposure=bright: bright is not a number/,
   );
+  for (const none of ['', '1,5']) {
+    expect(await refused(project, '--set', `toneMap.exposure=${none}`)).toMatch(
+      /^2 .*=(1,5)?: (1,5)? ?is not a number/,
+    );
+  }
   expect(await refused(project, '--set', 'nobody.x=1')).toMatch(/^2 .*no such node; it has .*toneMap/);
   expect(await refused(project, '--set', 'toneMap.x=1')).toMatch(/^2 .*no such parameter; it has .*exposure/);
   expect(await refused(project, '--set', 'toneMap')).toMatch(/^2 .*write node\.param=value/);
