@@ -25,6 +25,11 @@ describe('openScene', () => {
     expect(error.message).toMatch(message);
   });
 
+  it('says what to do where nobody knows what files there are', async () => {
+    const nowhere = openScene({ read: async () => undefined }, 'b.gltf');
+    await expect(nowhere).rejects.toThrow(/^b\.gltf: no such file; check its name, and where it is$/);
+  });
+
   it('bounds what a scene may read, all files together', async () => {
     const json = { asset: { version: '2.0' }, buffers: [{ byteLength: 900, uri: 'b.bin' }] };
     const files = memorySource({ 'a.gltf': text(JSON.stringify(json)), 'b.bin': new Uint8Array(900) });

@@ -46,7 +46,7 @@ function unknownFormat(path: string): InputError {
 
 async function missingFile(files: FileSource, path: string): Promise<InputError> {
   const known = (await files.list?.())?.filter((file) => formatOf(file)) ?? [];
-  const hint = known.length > 0 ? `; there is ${known.slice(0, 5).join(', ')}` : '';
+  const hint = known.length > 0 ? `; there is ${known.slice(0, 5).join(', ')}` : '; check its name, and where it is';
   return inputError('file.missing', path, `no such file${hint}`);
 }
 

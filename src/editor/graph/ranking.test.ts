@@ -1,6 +1,7 @@
 import { expect, it } from 'vitest';
 import { isPressed } from './keys.ts';
 import { type Item, ranked } from './ranking.ts';
+import { choicesOf } from './useNodeItems.ts';
 
 const items: Item[] = [
   { id: 'transform', label: 'Transform', group: 'a', detail: 'Turns and carries', words: '变换 transform' },
@@ -18,6 +19,13 @@ it('what begins with the query comes first, then what has it in its name, then i
   expect(found('circular mot')).toEqual(['motion']);
   expect(found('变换')).toEqual(['transform']);
   expect(found('zzz')).toEqual([]);
+});
+
+it('a node is found by what it offers to choose, in every language', () => {
+  const nodes = ['post-process', 'tone-map', 'group'].map((id) => ({ id, label: id, group: '', words: choicesOf(id) }));
+  for (const query of ['bloom', 'Bloom', '泛光'])
+    expect(ranked(nodes, query).map(({ id }) => id)).toEqual(['post-process']);
+  expect(ranked(nodes, 'agx').map(({ id }) => id)).toEqual(['tone-map']);
 });
 
 const press = (
