@@ -27,6 +27,8 @@ interface ParamBase {
   readonly help?: string;
   /** Matters only while another parameter of the node has this value, or one of these. */
   readonly onlyWhen?: { readonly param: string; readonly is: ParamValue | readonly ParamValue[] };
+  /** The value that is nature's: at any other the control is marked as not physical. */
+  readonly physical?: ParamValue;
 }
 export interface NumberParam extends ParamBase {
   readonly kind: 'number';
@@ -39,8 +41,6 @@ export interface NumberParam extends ParamBase {
   /** As written beside the number: `m/s`, `c`, `EV`, `°`. */
   readonly unit?: string;
   readonly integer?: boolean;
-  /** The value that is nature's: at any other the control is marked as not physical. */
-  readonly physical?: number;
   /** False: it has no range that a slider could go through, and is only typed. */
   readonly slider?: boolean;
   /** While the parameter is not set, what the scene suggests under this name comes before the default. */
@@ -213,6 +213,10 @@ export function matters(spec: ParamSpec, params: Readonly<Record<string, ParamVa
   if (spec.kind === 'number' && spec.as) return Object.hasOwn(spec.as.cases, String(params[spec.as.param]));
   return onlyWhen === undefined || [onlyWhen.is].flat().includes(params[onlyWhen.param] ?? '');
 }
+
+/** Whether nature has another value. */
+export const isUnphysical = ({ physical }: ParamSpec, value: ParamValue): boolean =>
+  physical !== undefined && value !== physical;
 
 /** Why a value cannot stand for a parameter, or undefined where it can. */
 export function refuseValue(spec: ParamSpec, value: ParamValue): string | undefined {

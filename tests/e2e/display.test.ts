@@ -131,5 +131,9 @@ it('what nature does not have is marked where it is set, and in the status bar',
   await visit.shot('unphysical-zh');
   await visit.page.keyboard.press('Control+z');
   await expect.poll(() => note.count()).toBe(0);
+  await visit.page.getByRole('switch', { name: '光的延迟' }).press('Space');
+  await expect.poll(() => note.textContent()).toBe('非物理: 光的延迟');
+  await visit.page.getByText('c = ∞', { exact: true }).click();
+  await expect.poll(() => note.count(), { message: 'where it does not matter' }).toBe(0);
   await visit.close();
 });

@@ -1,7 +1,14 @@
 import { Badge, Group, SegmentedControl, Select, Slider, Stack, Switch, Tooltip } from '@mantine/core';
 import { type ReactNode, useId } from 'react';
 import type { ParamValue } from '../../graph/document.ts';
-import type { ChoiceParam, NumberParam, ParamSpec, TextParam, VectorParam } from '../../graph/nodeType.ts';
+import {
+  type ChoiceParam,
+  isUnphysical,
+  type NumberParam,
+  type ParamSpec,
+  type TextParam,
+  type VectorParam,
+} from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { ColorControl } from './ColorControl.tsx';
 import { ExpressionField } from './ExpressionField.tsx';
@@ -67,7 +74,7 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
       <Group gap={4} wrap="nowrap" justify="space-between">
         <Label spec={spec} id={id} />
         <Group gap={2} wrap="nowrap">
-          <Unphysical spec={spec} number={number} />
+          <Unphysical spec={spec} value={number} nature={String(spec.physical)} />
           <Reset set={set} onChange={onChange} />
           <NumberField {...{ spec, number, onChange }} label={any(spec.title)} precision={precision} />
         </Group>
@@ -90,12 +97,19 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
   );
 }
 
+interface UnphysicalProps {
+  readonly spec: ParamSpec;
+  readonly value: ParamValue;
+  /** What nature has, in words. */
+  readonly nature: string;
+}
+
 /** A value that nature does not have is for teaching, and says so. */
-function Unphysical({ spec, number }: { readonly spec: NumberParam; readonly number: number }): ReactNode {
+function Unphysical({ spec, value, nature }: UnphysicalProps): ReactNode {
   const { t } = useTexts();
-  if (spec.physical === undefined || number === spec.physical) return null;
+  if (!isUnphysical(spec, value)) return null;
   return (
-    <Tooltip label={t('param.unphysical.help', { value: spec.physical })} openDelay={400}>
+    <Tooltip label={t('param.unphysical.help', { value: nature })} openDelay={400}>
       <Badge size="xs" variant="light" color="orange" autoContrast className="sl-unphysical">
         {t('param.unphysical')}
       </Badge>
@@ -130,12 +144,13 @@ function NumberField({ spec, number, onChange, label, precision }: NumberFieldPr
 const decimals = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step)));
 
 function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
-  const { any } = useTexts();
+  const { any, t } = useTexts();
   const id = useId();
   return (
     <Group gap={4} wrap="nowrap" justify="space-between" mih={24}>
       <Label spec={spec} id={id} />
       <Group gap={6} wrap="nowrap">
+        <Unphysical spec={spec} value={value} nature={t(spec.physical === false ? 'graph.off' : 'graph.on')} />
         <Reset set={set} onChange={onChange} />
         <Switch
           size="xs"

@@ -1,7 +1,8 @@
 import { Group, Text, Tooltip, UnstyledButton } from '@mantine/core';
 import { IconEye, IconGauge, IconLockOpen, IconPlane } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
-import type { GraphDocument } from '../../graph/document.ts';
+import { type GraphDocument, own } from '../../graph/document.ts';
+import { isUnphysical, matters, resolveParams } from '../../graph/nodeType.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import type { Lock } from '../flight/flight.ts';
 import { formatBeta, formatCount, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
@@ -123,15 +124,16 @@ function Unphysical(): ReactNode {
   ) : null;
 }
 
-/** Titles of the parameters that are set to what nature does not have. */
+/** Titles of the parameters that are set to what nature does not have, where they matter. */
 const unphysical = ({ nodes }: GraphDocument): string[] =>
-  Object.values(nodes).flatMap(({ type, params }) =>
-    Object.entries(nodeLibrary[type]?.params ?? {}).flatMap(([name, spec]) =>
-      spec.kind === 'number' && spec.physical !== undefined && (params[name] ?? spec.default) !== spec.physical
-        ? [spec.title]
-        : [],
-    ),
-  );
+  Object.values(nodes).flatMap((node) => {
+    const type = own(nodeLibrary, node.type);
+    if (!type) return [];
+    const params = resolveParams(type, node.params);
+    return Object.entries(type.params).flatMap(([name, spec]) =>
+      isUnphysical(spec, params[name]!) && matters(spec, params) ? [spec.title] : [],
+    );
+  });
 
 function Clock(): ReactNode {
   const { t } = useTexts();

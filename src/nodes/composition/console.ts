@@ -55,6 +55,7 @@ export const relativityConsole = defineNode({
       title: 'param.lightDelay',
       help: 'param.lightDelay.help',
       default: true,
+      physical: true,
       onlyWhen: { param: 'view', is: 'light-cone' },
     },
     aberration: {
@@ -62,6 +63,7 @@ export const relativityConsole = defineNode({
       title: 'param.aberration',
       help: 'param.aberration.help',
       default: true,
+      physical: true,
       onlyWhen: { param: 'view', is: 'light-cone' },
     },
     solver: {
