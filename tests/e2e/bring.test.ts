@@ -131,6 +131,16 @@ describe('bringing a scene', () => {
     await visit.close();
   });
 
+  it('a file without objects says so, until another is open', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await drop(visit, [{ name: 'empty.usda', content: Buffer.from('#usda 1.0\n') }]);
+    const warning = visit.page.getByText(/^There are no objects in empty\.usda/);
+    await warning.waitFor();
+    await openCar(visit);
+    await expect.poll(() => warning.count()).toBe(0);
+    await visit.close();
+  });
+
   it('missing files of a scene on the server can be given too', async () => {
     const visit = await program.open(SMALL, {}, async (page) => {
       await page.route('**/examples/asked.usda', (route) => route.fulfill({ body: TEXTURED.content }));

@@ -246,6 +246,10 @@ export const messages = {
     'Missing files: {{count}} ({{files}}). What needs them is not in the picture, or grey. Drop them on the page, or the folder that holds all.',
     '缺少 {{count}} 个文件（{{files}}），相关内容不会显示，或显示为灰色。请将这些文件或包含它们的文件夹拖放到页面上。',
   ],
+  'notice.empty': [
+    'There are no objects in {{name}}, so that only the sky is seen. Check what was exported; the Scene panel may say more.',
+    '{{name}} 中没有物体，因此只能看到天空。请检查导出的内容；“场景”面板可能有更多说明。',
+  ],
   'notice.remedy': ['Set {{what}} to {{value}}', '将{{what}}设为 {{value}}'],
   'notice.saved': ['Saved {{name}}', '已保存 {{name}}'],
   'saving.download': ['Download the file', '下载文件'],

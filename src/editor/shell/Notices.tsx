@@ -2,6 +2,7 @@ import { Button, Notification, Stack, Text } from '@mantine/core';
 import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useRef } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
+import { sceneName } from '../loading/localFiles.ts';
 import { shownTitle } from '../panels/nodeTitle.ts';
 import { Remedy } from '../panels/Remedy.tsx';
 import { SavingCard } from '../saving/SavingCard.tsx';
@@ -33,7 +34,7 @@ export function Notices(): ReactNode {
   );
 }
 
-/** Says what a newly opened file lacks, for as long as it does; else that its reader had something to remark. */
+/** Says what a newly opened file lacks, for as long as it is open; else that its reader had something to remark. */
 function useRemarks(): void {
   const { t } = useTexts();
   const studio = useStudio();
@@ -41,18 +42,21 @@ function useRemarks(): void {
   say.current = t;
   const source = useStudioState((state) => state.opened.source);
   useEffect(() => {
-    const notes = studio.store.getState().picture?.scene.diagnostics ?? [];
-    const remarks = notes.filter(({ severity }) => severity !== 'info');
-    const missing = [...new Set(notes.flatMap(({ missing: file }) => (file ? [file.name] : [])))];
-    if (!source || remarks.length === 0) return;
-    if (missing.length === 0) {
-      studio.notify({ kind: 'info', text: say.current('notice.warnings', { count: remarks.length }) });
-      return;
+    const scene = studio.store.getState().picture?.scene;
+    if (!source || !scene) return;
+    const missing = [...new Set(scene.diagnostics.flatMap(({ missing: file }) => (file ? [file.name] : [])))];
+    const remarks = scene.diagnostics.filter(({ severity }) => severity !== 'info');
+    const warn = (text: string) => {
+      const id = studio.notify({ kind: 'warning', text });
+      return () => studio.dismiss(id);
+    };
+    if (missing.length > 0) {
+      const files = [...missing.slice(0, MOST_NAMED), ...(missing.length > MOST_NAMED ? ['…'] : [])].join(', ');
+      return warn(say.current('notice.missing', { count: missing.length, files }));
     }
-    const files = [...missing.slice(0, MOST_NAMED), ...(missing.length > MOST_NAMED ? ['…'] : [])].join(', ');
-    const text = say.current('notice.missing', { count: missing.length, files });
-    const id = studio.notify({ kind: 'warning', text });
-    return () => studio.dismiss(id);
+    if (scene.objects.length === 0) return warn(say.current('notice.empty', { name: sceneName(source) }));
+    if (remarks.length > 0)
+      studio.notify({ kind: 'info', text: say.current('notice.warnings', { count: remarks.length }) });
   }, [studio, source]);
 }
 
@@ -111,10 +115,8 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
 }
 
 /** A node by what it is called in the graph. */
-function usePlace({ place, ofDocument }: Notice): string | undefined {
+function usePlace({ place }: Notice): string | undefined {
   const { any } = useTexts();
-  const title = useStudioState(({ history }) =>
-    place && ofDocument ? shownTitle(history.document, place) : undefined,
-  );
+  const title = useStudioState(({ history }) => (place ? shownTitle(history.document, place) : undefined));
   return title ? any(title) : place;
 }
