@@ -111,6 +111,34 @@ describe('points that are near', () => {
   });
 });
 
+describe('points that are near', () => {
+  /** Sixty points of four bodies that are soft to each other, in a crowd. */
+  const crowd = (): Pick<Order, 'system' | 'start'> => {
+    const n = 60;
+    const next = random(8);
+    const bodies = Int32Array.from({ length: n }, (_, i) => i % 4);
+    const near = new NearPairs(bodies, 0.3, new Penalty(0.05, () => 0.3));
+    const system = makeSystem({ masses: new Float64Array(n).fill(0.1), c: 3, forces: [near] });
+    const x = Float64Array.from({ length: 3 * n }, next);
+    const p = momenta(
+      system,
+      Array.from(x, () => next() - 0.5),
+    );
+    return { system, start: { t: 0, x, p } };
+  };
+
+  it.each([
+    'leapfrog',
+    'discrete-gradient',
+  ])('push to the same last digit where a run is taken up again, though they are sought from another place: %s', (id) => {
+    const order = { method: method(id), step: 2e-3, every: 0.07 };
+    const { frames } = whole({ ...crowd(), ...order, duration: 0.56 });
+    const again = whole({ ...crowd(), ...order, start: frames[3].state, duration: 0.35 });
+    expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
+    expect(again.frames.at(-1)!.ledger).toEqual(frames.at(-1)!.ledger);
+  });
+});
+
 describe('the fastest oscillation', () => {
   it('is never faster than the bound: leapfrog below it is stable, and the chain nears it', () => {
     fc.assert(

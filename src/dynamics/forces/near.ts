@@ -49,17 +49,20 @@ export class NearPairs implements Force {
     return largestWay(this.found!.at, x) <= (SKIN / 2) * this.reach;
   }
 
-  /** Pairs that are within reach where each point goes `way` at most. */
+  /** Pairs that are within reach where each point goes `way` at most. In the order of their numbers, so that sums are the same to the bit wherever points were when they were sought. */
   private search(x: Float64Array, way: number): Pairs {
     const { bodies } = this;
     const width = this.reach + 2 * way;
     const cells = new Cells(x, bodies, width);
     const ends: number[] = [];
-    for (let i = 0; i < bodies.length; i++)
-      if (bodies[i] >= 0)
-        cells.around(i, (j) => {
-          if (j < i && bodies[j] !== bodies[i] && apart(x, i, j) <= width) ends.push(j, i);
-        });
+    for (let i = 0; i < bodies.length; i++) {
+      if (bodies[i] < 0) continue;
+      const near: number[] = [];
+      cells.around(i, (j) => {
+        if (j < i && bodies[j] !== bodies[i] && apart(x, i, j) <= width) near.push(j);
+      });
+      for (const j of near.sort((a, b) => a - b)) ends.push(j, i);
+    }
     return new Pairs(Uint32Array.from(ends), this.law);
   }
 }
