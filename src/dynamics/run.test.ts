@@ -111,7 +111,7 @@ describe('points that are near', () => {
   });
 });
 
-describe('points that are near', () => {
+describe('what touches', () => {
   /** Sixty points of four bodies that are soft to each other, in a crowd. */
   const crowd = (): Pick<Order, 'system' | 'start'> => {
     const n = 60;
@@ -127,16 +127,16 @@ describe('points that are near', () => {
     return { system, start: { t: 0, x, p } };
   };
 
-  it.each([
-    'leapfrog',
-    'discrete-gradient',
-  ])('push to the same last digit where a run is taken up again, though they are sought from another place: %s', (id) => {
-    const order = { method: method(id), step: 2e-3, every: 0.07 };
-    const { frames } = whole({ ...crowd(), ...order, duration: 0.56 });
-    const again = whole({ ...crowd(), ...order, start: frames[3].state, duration: 0.35 });
-    expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
-    expect(again.frames.at(-1)!.ledger).toEqual(frames.at(-1)!.ledger);
-  });
+  it.each(['leapfrog', 'discrete-gradient'])(
+    'pushes to the same last digit where a run is taken up again, though what is near is sought from another place: %s',
+    (id) => {
+      const order = { method: method(id), step: 2e-3, every: 0.07 };
+      const { frames } = whole({ ...crowd(), ...order, duration: 0.56 });
+      const again = whole({ ...crowd(), ...order, start: frames[3].state, duration: 0.35 });
+      expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
+      expect(again.frames.at(-1)!.ledger).toEqual(frames.at(-1)!.ledger);
+    },
+  );
 });
 
 describe('the fastest oscillation', () => {

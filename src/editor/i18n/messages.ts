@@ -168,6 +168,10 @@ export const messages = {
   'energy.newton': ['Newton', '牛顿力学'],
   'energy.running': ['computed until {{time}}', '已计算到 {{time}}'],
   'energy.stopped': ['stopped at {{time}}', '停止于 {{time}}'],
+  'energy.grown': [
+    'Until {{time}} energy came from nowhere: the method’s error',
+    '到 {{time}} 为止能量凭空增加：方法的误差',
+  ],
   'energy.failed': ['Ended at {{time}}: {{why}}', '结束于 {{time}}：{{why}}'],
 
   'gallery.title': ['Scenes', '场景'],

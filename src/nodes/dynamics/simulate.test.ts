@@ -369,6 +369,20 @@ describe('a run', () => {
     expect(validate(scene, 1).filter(({ severity }) => severity === 'error')).toEqual([]);
   });
 
+  it('tells where energy comes from nowhere, though steps are below the stability bound', async () => {
+    const noted = async (params: Params) => {
+      const { scene } = await simulated(...hanging({ speedOfLight: 1, duration: 3, step: 0.0015, ...params }));
+      return scene.diagnostics.filter(({ code }) => code.startsWith('simulate.'));
+    };
+    const [note] = await noted({ method: 'semi-implicit-euler', correction: '2' });
+    expect(note).toMatchObject({ code: 'simulate.grows', place: 'run.method', severity: 'warning' });
+    expect(note.message).toMatch(
+      /^until t = [\d.]+ s more energy came from nowhere .* semi-implicit-euler-2; set a shorter/,
+    );
+    expect(await noted({ method: 'leapfrog' })).toEqual([]);
+    expect(await noted({ method: 'leapfrog', tolerance: 1e-300 })).toMatchObject([{ place: 'run.tolerance' }]);
+  });
+
   it('refuses what is too much, too fast or not there, with what to do', async () => {
     expect(await refusalOf(...hanging({ rate: 1e6 }))).toMatchObject({ code: 'simulate.frames', place: 'run.rate' });
     expect(await refusalOf(...hanging({ duration: 1e5, rate: 0.1 }))).toMatchObject({ code: 'simulate.steps' });
@@ -383,6 +397,8 @@ describe('a run', () => {
     const many = { pins: 'points', pinned: '9' };
     expect(await refusalOf(...sheet('Sheet', 2, [0, 0, 0], many), ...running(['Sheet'], {}))).toMatchObject({
       code: 'pins.numbers',
+      place: 'Sheet.pinned',
+      message: '/Sheet has no point 9: they are numbered from 0 to 8',
       remedy: { param: 'pinned' },
     });
     const thick = matter('Solid', ['box', {}], [0, 0, 0], 'collider', { shape: 'plane' });

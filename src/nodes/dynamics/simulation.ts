@@ -1,4 +1,4 @@
-import type { Books } from '../../dynamics/books.ts';
+import { type Books, figuresOf } from '../../dynamics/books.ts';
 import { ledger } from '../../dynamics/energy.ts';
 import { METHODS } from '../../dynamics/methods/library.ts';
 import { type Frame, type Order, run, type Stop, stepsOf } from '../../dynamics/run.ts';
@@ -101,30 +101,37 @@ export class Simulation {
   /** All there is so far. */
   outputs(): Simulated {
     const { film, settings } = this;
-    const whole = film.scene(this.notes());
+    const books = film.accounts(this.stop);
+    const whole = film.scene(this.notes(books));
     const hints = { ...whole.hints, speedOfLight: settings.speedOfLight };
     return {
       geometry: surveyed({ ...whole, hints }),
-      books: film.accounts(this.stop),
+      books,
       ...(film.length < this.frames && { reel: film.reel() }),
     };
   }
 
-  private notes(): Diagnostic[] {
-    const { stop, node, order } = this;
+  private notes(books: Books): Diagnostic[] {
+    const { node, order } = this;
+    const { stop } = books;
     const { h, stable } = stepsOf(order);
-    const note = (code: string, message: string): Diagnostic => ({ severity: 'warning', code, place: node, message });
-    return [
-      ...(stable
-        ? []
-        : [
-            note(
-              'simulate.unstable',
-              `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`,
-            ),
-          ]),
-      ...(stop ? [note('simulate.stopped', `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`)] : []),
-    ];
+    const { grown } = figuresOf(books);
+    const notes: Diagnostic[] = [];
+    const note = (code: string, param: string, message: string): void =>
+      void notes.push({ severity: 'warning', code, place: param ? `${node}.${param}` : node, message });
+    if (!stable) {
+      const message = `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`;
+      note('simulate.unstable', 'step', message);
+    }
+    if (grown !== undefined) {
+      const message = `until t = ${grown.toPrecision(4)} s more energy came from nowhere than half of what moves has: the error of ${order.method.id}; set a shorter step, or another method`;
+      note('simulate.grows', 'method', message);
+    }
+    if (stop) {
+      const param = stop.reason === 'tolerance' ? 'tolerance' : '';
+      note('simulate.stopped', param, `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`);
+    }
+    return notes;
   }
 }
 
