@@ -160,6 +160,24 @@ describe('the fastest oscillation', () => {
   });
 });
 
+describe('the fastest oscillation of what is unlike', () => {
+  it('is bounded by the lightest: two masses on a spring swing with √(k/μ)', () => {
+    fc.assert(
+      fc.property(between(0.01, 100), between(0.01, 100), between(1, 1000), (m, n, k) => {
+        const one = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(1) };
+        const masses = Float64Array.of(m, n);
+        const exact = Math.sqrt(k / m + k / n);
+        const bound = fastestOscillation(makeSystem({ masses, forces: [springs(one)] }));
+        expect(bound).toBeGreaterThan(exact * (1 - 1e-12));
+        expect(bound).toBeLessThan(Math.SQRT2 * exact * (1 + 1e-12));
+        // What is pinned does not swing: its bound is that of the other alone.
+        const held = fastestOscillation(makeSystem({ masses, pinned: Uint8Array.of(1, 0), forces: [springs(one)] }));
+        expect(held).toBeCloseTo(Math.sqrt((2 * k) / n), 9);
+      }),
+    );
+  });
+});
+
 describe('a run', () => {
   it('gives frames at their times, with equal steps between them, and loses no energy', () => {
     const { frames, stop } = whole({
