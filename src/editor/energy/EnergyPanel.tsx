@@ -6,7 +6,7 @@ import { formatBeta, formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { nodeTitle } from '../panels/nodeTitle.ts';
 import { useStudioState, useTelemetry } from '../state/context.tsx';
-import { type Run, runsIn } from '../state/runs.ts';
+import { type Run, runsIn, unseenIn } from '../state/runs.ts';
 import { lineStyle } from './lines.ts';
 import { namesOf } from './names.ts';
 import { type Line, Plot } from './Plot.tsx';
@@ -54,8 +54,27 @@ export default function EnergyPanel(): ReactNode {
             <Table runs={named} quantity={quantity} unit={unit} />
           </>
         )}
+        <Unseen />
       </Stack>
     </ScrollArea>
+  );
+}
+
+/** Simulate nodes that nothing is asked of: only what leads to the picture is computed. */
+function Unseen(): ReactNode {
+  const { t } = useTexts();
+  const document = useStudioState((state) => state.history.document);
+  const results = useStudioState((state) => state.results);
+  const busy = useStudioState((state) => state.loading !== undefined);
+  const names = useMemo(
+    () => unseenIn(document, results).map((node) => nodeTitle(document, node) ?? node),
+    [document, results],
+  );
+  if (busy || names.length === 0 || results.size === 0) return null;
+  return (
+    <Text size="xs" c="dimmed" lh={1.5}>
+      {t('energy.unseen', { names: names.join(', ') })}
+    </Text>
   );
 }
 
