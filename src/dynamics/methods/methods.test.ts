@@ -10,7 +10,7 @@ import { springs } from '../forces/springs.ts';
 import { uniform } from '../forces/uniform.ts';
 import { copyOf, makeSystem, momenta, type State, type System, velocities } from '../system.ts';
 import { METHODS } from './library.ts';
-import type { Method } from './method.ts';
+import { type Method, StepFailure } from './method.ts';
 
 const method = (id: string): Method => METHODS.get(id)!;
 /** Those with momenta as their state, which keep below c by construction. */
@@ -130,6 +130,48 @@ describe.each(OURS)('%s', (id) => {
         expect(distance(back.x, start.x)).toBeLessThan(1e-9);
       }),
       { numRuns: 20 },
+    );
+  });
+});
+
+describe.each(OURS)('%s', (id) => {
+  it('keeps all below c, however hard what pushes and however long its steps', () => {
+    const size = (low: number, high: number) => between(low, high).map((power) => 10 ** power);
+    fc.assert(
+      fc.property(size(-3, 5), size(-3, 2), size(-2, 4), size(-1, 8), (push, h, stiff, c) => {
+        const masses = Float64Array.from(MASSES);
+        const net = { ends: Uint32Array.from(ENDS), lengths: new Float64Array(6).fill(LENGTH) };
+        const forces = [
+          springs({ ...net, stiffness: new Float64Array(6).fill(stiff) }),
+          uniform(masses, [0.6 * push * c, 0, 0.8 * push * c]),
+        ];
+        const system = makeSystem({ masses, c, forces });
+        const state = moving(system, TETRAHEDRON, new Array(12).fill(0.5 * c));
+        const stepper = method(id).begin(system);
+        try {
+          for (let i = 0; i < 5; i++) {
+            const before = state.x.slice();
+            stepper.step(state, h);
+            // Rounding alone makes c of what is nearer to it than 64 bits can tell: γ > 10⁸.
+            const { fastest } = ledger(system, state);
+            expect(fastest).toBeLessThanOrEqual(c * (1 + 4 * Number.EPSILON));
+            const momentum = Math.max(...state.p.map(Math.abs));
+            if (momentum < 1e6 * c) expect(fastest).toBeLessThan(c);
+            // Splittings also go back on their way: by their rows, up to seven times as far.
+            const far = Math.max(
+              ...[0, 1, 2, 3].map((k) =>
+                distance(state.x.subarray(3 * k, 3 * k + 3), before.subarray(3 * k, 3 * k + 3)),
+              ),
+            );
+            expect(far).toBeLessThanOrEqual((id.startsWith('yoshida') ? 7 : 1 + 1e-9) * c * h);
+          }
+        } catch (error) {
+          // An implicit step may resist; it says so.
+          if (!(error instanceof StepFailure)) throw error;
+          expect(error.reason).toBe('unsolved');
+        }
+      }),
+      { numRuns: 40 },
     );
   });
 });

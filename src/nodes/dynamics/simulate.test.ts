@@ -327,16 +327,16 @@ describe('a run', () => {
     ...running(['Sheet', 'weight'], { duration: 1, ...params }),
   ];
 
-  it('gives the same to the bit whenever it is asked, and where it was stopped and goes on', async () => {
-    const [first, second] = await Promise.all([
-      simulated(...hanging({ rate: 200 })),
-      simulated(...hanging({ rate: 200 })),
-    ]);
+  it.each([
+    ['by equal steps', { rate: 200 }],
+    ['by steps that adapt', { rate: 200, tolerance: 1e-3 }],
+  ])('gives the same to the bit whenever it is asked, and where it was stopped and goes on: %s', async (_, params) => {
+    const [first, second] = await Promise.all([simulated(...hanging(params)), simulated(...hanging(params))]);
     expect(second).toEqual(first);
     const evaluator = new Evaluator(nodeLibrary);
     const abort = new AbortController();
     let seen: Outputs | undefined;
-    const document = build(...hanging({ rate: 200 }));
+    const document = build(...hanging(params));
     const stopped = evaluator.evaluate(document, 'run', threadServices, {
       signal: abort.signal,
       onInterim: () => {},
