@@ -236,7 +236,7 @@ describe('a run', () => {
     const order = { system, start, method: method('semi-implicit-euler-0'), duration: 1, every: 0.1, step: 0.05 };
     expect(stepsOf(order).stable).toBe(true);
     const { frames, stop } = whole(order);
-    expect(stop).toMatchObject({ reason: 'light', t: 0 });
+    expect(stop).toMatchObject({ reason: 'light', t: 0, point: 0 });
     expect(stop?.message).toMatch(/^point \d+ goes at .* m\/s, not below c = 1 m\/s; take a smaller step$/);
     expect(frames).toHaveLength(1);
   });

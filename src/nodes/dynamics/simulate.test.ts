@@ -369,6 +369,26 @@ describe('a run', () => {
     expect(validate(scene, 1).filter(({ severity }) => severity === 'error')).toEqual([]);
   });
 
+  it('that fails tells which thing it happened to', async () => {
+    const parts = [
+      ...sheet('Sheet', 2, [0, 0, 0], { pins: 'corners' }),
+      ...ball('Hard', 0.3, [0, -2, 0], { mass: 1e3, stiffness: 10, velocity: [0, 8, 0] }),
+    ];
+    const { books, scene } = await simulated(...parts, ...running(['Sheet', 'Hard'], { duration: 1 }));
+    expect(books.stop).toMatchObject({ reason: 'pierced' });
+    expect(books.stop!.message).toMatch(/^vertex \d of \/Sheet went through what is solid, to \(/);
+    expect(scene.diagnostics.map(({ message }) => message).join()).toContain(books.stop!.message);
+    const light = { method: 'semi-implicit-euler', speedOfLight: 1, duration: 3 };
+    const thrown = ball('Ball', 0.1, [0, 1, 0], {
+      velocity: [0.9, 0, 0],
+      rods: 'pivot',
+      rodStiffness: 10_000,
+      pivot: [0, 2, 0],
+    });
+    const { books: bad } = await simulated(...thrown, ...running(['Ball'], { ...light, step: 0.09, rate: 10 }));
+    expect(bad.stop?.message).toMatch(/^\/Ball goes at [\d.]+ m\/s, not below c = 1 m\/s; take a smaller step$/);
+  });
+
   it('tells where energy comes from nowhere, though steps are below the stability bound', async () => {
     const noted = async (params: Params) => {
       const { scene } = await simulated(...hanging({ speedOfLight: 1, duration: 3, step: 0.0015, ...params }));

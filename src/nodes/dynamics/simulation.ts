@@ -9,7 +9,7 @@ import { surveyed } from '../geometry/surveyed.ts';
 import type { LoadedScene } from '../services.ts';
 import { Film, type Reel } from './film.ts';
 import type { Matter } from './matter.ts';
-import { type Stage, stageOf, type Touch } from './stage.ts';
+import { type Cast, type Stage, stageOf, type Touch } from './stage.ts';
 
 /** How a simulation is to be computed. */
 export interface Settings {
@@ -48,6 +48,7 @@ export class Simulation {
   private readonly settings: Settings;
   private readonly node: string;
   private readonly film: Film;
+  private readonly casts: readonly Cast[];
   private stop: Stop | undefined;
 
   /** `before`: goes on from there. Throws a NodeRefusal. */
@@ -59,6 +60,7 @@ export class Simulation {
     this.settings = settings;
     this.node = node;
     this.order = orderOf(stage, settings, node);
+    this.casts = stage.casts;
     this.film = new Film(this.order, stage.casts, before);
   }
 
@@ -84,7 +86,7 @@ export class Simulation {
     for (;;) {
       const { done, value } = running.next();
       if (done) {
-        this.stop = value;
+        this.stop = value && named(value, this.casts);
         return;
       }
       const frame = { ...value, steps: steps + value.steps };
@@ -133,6 +135,21 @@ export class Simulation {
     }
     return notes;
   }
+}
+
+/** Why a run ended, with the thing that it happened to instead of the number of a point. */
+function named(stop: Stop, casts: readonly Cast[]): Stop {
+  const { point } = stop;
+  if (point === undefined) return stop;
+  for (const actor of casts.flatMap(({ actors }) => actors)) {
+    const vertex = actor.kind === 'net' ? actor.pointOfVertex.indexOf(point) : -1;
+    const name =
+      actor.kind === 'net' && vertex >= 0
+        ? `vertex ${vertex} of ${actor.object.path}`
+        : actor.kind === 'ball' && actor.point === point && actor.object.path;
+    if (name) return { ...stop, message: stop.message.replace(`point ${point}`, name) };
+  }
+  return stop;
 }
 
 /** What cannot be a system is refused at the node. */
