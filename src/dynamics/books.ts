@@ -6,6 +6,8 @@ export interface Books {
   readonly method: string;
   /** [m/s]; Infinity: Newton's mechanics. */
   readonly speedOfLight: number;
+  /** A GPU took the steps, in 32-bit numbers. */
+  readonly onGpu?: boolean;
   /** [s]; 0 where it adapts. */
   readonly step: number;
   /** Between frames [s]. */
@@ -42,8 +44,8 @@ export interface Figures {
 
 /** What is slower than this does not move: rounding makes so much [m/s]. */
 const STILL = 1e-9;
-/** Of energies, by rounding. */
-const ROUNDING = 1e-12;
+/** Of energies, by rounding: of places in 32 bits too, which a GPU computes with. */
+const ROUNDING = 1e-6;
 
 export function figuresOf({ total, kinetic, fastest, times }: Books): Figures {
   const top = largest(fastest);

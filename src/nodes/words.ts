@@ -773,6 +773,11 @@ export const nodeWords = {
   'correction.tangent': ['By the tangent', '切线'],
   'correction.secant': ['By the secant', '割线'],
   'correction.root': ['By the root between', '求根'],
+  'param.onGpu': ['On the GPU', '在 GPU 上'],
+  'param.onGpu.help': [
+    'The graphics processor takes the steps, in 32-bit numbers: for cloths of many thousands of points. Their rounding is about a millionth of the kinetic energy.',
+    '由图形处理器以 32 位数计算各步：适合有成千上万个点的布料；舍入误差约为动能的百万分之一。',
+  ],
   'param.errorASecond': ['Error a second', '每秒误差'],
   'param.errorASecond.help': [
     'Steps follow what they get wrong of any place [m] and velocity [m/s] in a second; 0: all steps are alike.',

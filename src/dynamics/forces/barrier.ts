@@ -1,33 +1,6 @@
-import { addScaled, dot, normalize, sub, type Vec3 } from '../../math/vec3.ts';
+import { addScaled, dot, sub, type Vec3 } from '../../math/vec3.ts';
 import { addBlock, type Force, type Stiffness } from './force.ts';
-
-/** Something that stands fast: how far a place is outside of it (below 0: inside), and the unit direction that leads out. */
-export interface Obstacle {
-  outside(place: Vec3): readonly [distance: number, out: Vec3];
-}
-
-/** All on the side that `normal` does not point to. */
-export function plane(point: Vec3, normal: Vec3): Obstacle {
-  const n = normalize(normal);
-  return { outside: (place) => [dot(sub(place, point), n), n] };
-}
-
-/** A box along the axes; from inside it leads out by the nearest side. */
-export function box(middle: Vec3, size: Vec3): Obstacle {
-  return {
-    outside(place) {
-      const d = sub(place, middle);
-      const over = d.map((value, k) => Math.abs(value) - size[k] / 2);
-      const beyond: Vec3 = [0, 1, 2].map((k) => Math.max(0, over[k]) * Math.sign(d[k])) as unknown as Vec3;
-      const far = Math.hypot(...beyond);
-      if (far > 0) return [far, normalize(beyond)];
-      const nearest = over.indexOf(Math.max(...over));
-      const out = [0, 0, 0];
-      out[nearest] = d[nearest] < 0 ? -1 : 1;
-      return [over[nearest], out as unknown as Vec3];
-    },
-  };
-}
+import type { Obstacle } from './obstacle.ts';
 
 /** A third is cut off so often. */
 const SEARCH = 40;
@@ -43,6 +16,7 @@ export function barrier(obstacle: Obstacle, points: readonly number[], K: number
   };
   const energyAt = (place: Vec3): number => 0.5 * K * depth(place)[0] ** 2;
   return {
+    plain: { kind: 'barrier', obstacle, points, strength: K, margin },
     energy: (x) => points.reduce((sum, i) => sum + energyAt(at(x, i)), 0),
     add(x, sum) {
       for (const i of points) {

@@ -1,4 +1,4 @@
-import type { Force, Stiffness, StiffnessForm } from './force.ts';
+import type { Force, PlainNear, Stiffness, StiffnessForm } from './force.ts';
 import { type PairLaw, Pairs } from './pairs.ts';
 
 /** Points are looked at anew when one has gone this share of the reach. */
@@ -13,12 +13,15 @@ export class NearPairs implements Force {
   private readonly bodies: Int32Array;
   private readonly reach: number;
   private readonly law: PairLaw;
+  readonly plain: PlainNear;
   private found: { readonly at: Float64Array; readonly pairs: Pairs } | undefined;
 
   constructor(bodies: Int32Array, reach: number, law: PairLaw) {
     this.bodies = bodies;
     this.reach = reach;
     this.law = law;
+    const candidates = (x: Float64Array, way: number): Uint32Array => this.candidates(x, way);
+    this.plain = { kind: 'near', strength: law.strength(0), reach, candidates };
   }
 
   energy = (x: Float64Array): number => this.pairs(x).energy(x);
@@ -27,7 +30,7 @@ export class NearPairs implements Force {
   addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
     const pairs = this.pairs(x0);
     if (this.holds(x1)) pairs.addMean(x0, x1, sum);
-    else this.search(x0, largestWay(x0, x1)).addMean(x0, x1, sum);
+    else this.among(x0, largestWay(x0, x1)).addMean(x0, x1, sum);
   }
 
   stiffness = (x: Float64Array, form: StiffnessForm): Stiffness => this.pairs(x).stiffness(x, form);
@@ -40,7 +43,7 @@ export class NearPairs implements Force {
   }
 
   private pairs(x: Float64Array): Pairs {
-    if (!this.found || !this.holds(x)) this.found = { at: x.slice(), pairs: this.search(x, (SKIN / 2) * this.reach) };
+    if (!this.found || !this.holds(x)) this.found = { at: x.slice(), pairs: this.among(x, (SKIN / 2) * this.reach) };
     return this.found.pairs;
   }
 
@@ -49,8 +52,10 @@ export class NearPairs implements Force {
     return largestWay(this.found!.at, x) <= (SKIN / 2) * this.reach;
   }
 
-  /** Pairs that are within reach where each point goes `way` at most. In the order of their numbers, so that sums are the same to the bit wherever points were when they were sought. */
-  private search(x: Float64Array, way: number): Pairs {
+  private among = (x: Float64Array, way: number): Pairs => new Pairs(this.candidates(x, way), this.law);
+
+  /** Both ends of all pairs that are within reach where each point goes `way` at most. In the order of their numbers, so that sums are the same to the bit wherever points were when they were sought. */
+  private candidates(x: Float64Array, way: number): Uint32Array {
     const { bodies } = this;
     const width = this.reach + 2 * way;
     const cells = new Cells(x, bodies, width);
@@ -63,7 +68,7 @@ export class NearPairs implements Force {
       });
       for (const j of near.sort((a, b) => a - b)) ends.push(j, i);
     }
-    return new Pairs(Uint32Array.from(ends), this.law);
+    return Uint32Array.from(ends);
   }
 }
 
@@ -112,7 +117,8 @@ const AROUND = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].ma
 const apart = (x: Float64Array, i: number, j: number): number =>
   Math.hypot(x[3 * i] - x[3 * j], x[3 * i + 1] - x[3 * j + 1], x[3 * i + 2] - x[3 * j + 2]);
 
-function largestWay(a: Float64Array, b: Float64Array): number {
+/** How far the point is that is farthest from where it was. */
+export function largestWay(a: Float64Array, b: Float64Array): number {
   let most = 0;
   for (let j = 0; j < a.length; j += 3)
     most = Math.max(most, (a[j] - b[j]) ** 2 + (a[j + 1] - b[j + 1]) ** 2 + (a[j + 2] - b[j + 2]) ** 2);

@@ -1,9 +1,9 @@
-import { box, type Obstacle, plane } from '../../dynamics/forces/barrier.ts';
-import { conjugate, rotate } from '../../math/quat.ts';
+import { box, type Obstacle, plane } from '../../dynamics/forces/obstacle.ts';
+import { rotate } from '../../math/quat.ts';
 import { add, length, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { placed } from '../../scene/motion.ts';
 import { pointAt } from '../../scene/polygons.ts';
-import type { Pose, SceneObject } from '../../scene/types.ts';
+import type { SceneObject } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
 import type { SolidMatter } from './matter.ts';
 import { boundsOf, FLAT, poseOf } from './things.ts';
@@ -13,7 +13,7 @@ export function obstacleOf(object: SceneObject, part: SolidMatter): Obstacle {
   const { min, max } = boundsOf(object);
   const pose = poseOf(object);
   const middle = scale(add(min, max), 0.5);
-  if (part.shape === 'box') return turned(box(middle, sub(max, min)), pose);
+  if (part.shape === 'box') return box(placed(pose, middle), sub(max, min), pose.orientation);
   const { normals, positions } = object.mesh;
   const sum = [0, 1, 2].map((k) => normals.reduce((all, x, i) => (i % 3 === k ? all + x : all), 0));
   const front = normalize(sum as unknown as Vec3);
@@ -28,11 +28,3 @@ export function obstacleOf(object: SceneObject, part: SolidMatter): Obstacle {
   const message = 'it is not flat, so that it is no plane; choose the shape box or ball';
   throw refusal('collider.plane', object.path, message, { node: part.node, param: 'shape', value: 'box' });
 }
-
-/** An obstacle in the frame of a thing, as one of the world. */
-const turned = (obstacle: Obstacle, { position, orientation }: Pose): Obstacle => ({
-  outside(place) {
-    const [distance, out] = obstacle.outside(rotate(conjugate(orientation), sub(place, position)));
-    return [distance, rotate(orientation, out)];
-  },
-});

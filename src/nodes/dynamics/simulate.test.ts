@@ -406,6 +406,14 @@ describe('a run', () => {
   it('refuses what is too much, too fast or not there, with what to do', async () => {
     expect(await refusalOf(...hanging({ rate: 1e6 }))).toMatchObject({ code: 'simulate.frames', place: 'run.rate' });
     expect(await refusalOf(...hanging({ duration: 1e5, rate: 0.1 }))).toMatchObject({ code: 'simulate.steps' });
+    // Here there is none; what it computes is in tests/gpu/compute.test.ts.
+    expect(await refusalOf(...hanging({ method: 'leapfrog', onGpu: true }))).toMatchObject({
+      ...{ code: 'simulate.gpu', place: 'run.onGpu', remedy: { param: 'onGpu', value: false } },
+      message: 'there is no GPU here that computes (WebGPU); compute it on the processor',
+    });
+    expect(await refusalOf(...hanging({ method: 'leapfrog', onGpu: true, tolerance: 1e-6 }))).toMatchObject({
+      ...{ code: 'simulate.gpu', place: 'run.tolerance', remedy: { param: 'tolerance', value: 0 } },
+    });
     const fast = await refusalOf(...ball('Ball', 1, [0, 0, 0], { velocity: [11, 0, 0] }), ...running(['Ball'], {}));
     expect(fast).toMatchObject({ code: 'simulate.light', place: 'Ball' });
     const nowhere = [...sheet('Sheet', 2, [0, 0, 0], { which: '/Gone' }), ...running(['Sheet'], {})];

@@ -1,3 +1,5 @@
+import type { ComputeGpu } from '../../compute/gpu.ts';
+import { runOnGpu } from '../../compute/run.ts';
 import { type Books, figuresOf } from '../../dynamics/books.ts';
 import { ledger } from '../../dynamics/energy.ts';
 import { METHODS } from '../../dynamics/methods/library.ts';
@@ -6,7 +8,7 @@ import { type State, SystemError } from '../../dynamics/system.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
 import { surveyed } from '../geometry/surveyed.ts';
-import type { LoadedScene } from '../services.ts';
+import type { LoadedScene, Services } from '../services.ts';
 import { Film, type Reel } from './film.ts';
 import type { Matter } from './matter.ts';
 import { type Cast, type Stage, stageOf, type Touch } from './stage.ts';
@@ -27,6 +29,8 @@ export interface Settings {
   readonly step: number;
   /** What steps may get wrong in each second, which they then follow [m, m/s]; 0: they are all alike. */
   readonly tolerance: number;
+  /** By a GPU, in 32-bit numbers. */
+  readonly onGpu: boolean;
   readonly touch: Touch;
 }
 
@@ -74,24 +78,31 @@ export class Simulation {
     return this.film.length;
   }
 
-  /** Takes further frames, one each time it is asked. */
-  *run(): Generator<Frame, void> {
+  /** Takes further frames, one each time it is asked. `device`: of the GPU, where one takes the steps. Throws a NodeRefusal where it cannot. */
+  async *run(device?: GPUDevice): AsyncGenerator<Frame, void> {
     const { order, film } = this;
     const { length } = film;
     if (length === this.frames) return;
     const { state: start, steps } = film.latest;
-    const running = run({ ...order, start, duration: (this.frames - Math.max(1, length)) * order.every });
-    // The first frame is the one that it goes on from.
-    if (length > 0) running.next();
-    for (;;) {
-      const { done, value } = running.next();
-      if (done) {
-        this.stop = value && named(value, this.casts);
-        return;
+    const rest = { ...order, start, duration: (this.frames - Math.max(1, length)) * order.every };
+    const running = device ? runOnGpu(device, rest) : run(rest);
+    try {
+      // The first frame is the one that it goes on from.
+      if (length > 0) await running.next();
+      for (;;) {
+        const { done, value } = await running.next();
+        if (done) {
+          this.stop = value && named(value, this.casts);
+          return;
+        }
+        const frame = { ...value, steps: steps + value.steps };
+        film.take(frame);
+        yield frame;
       }
-      const frame = { ...value, steps: steps + value.steps };
-      film.take(frame);
-      yield frame;
+    } catch (error) {
+      throw error instanceof SystemError ? gpuRefusal(this.node, error) : error;
+    } finally {
+      await running.return(undefined);
     }
   }
 
@@ -103,7 +114,7 @@ export class Simulation {
   /** All there is so far. */
   outputs(): Simulated {
     const { film, settings } = this;
-    const books = film.accounts(this.stop);
+    const books: Books = { ...film.accounts(this.stop), ...(settings.onGpu && { onGpu: true }) };
     const whole = film.scene(this.notes(books));
     const hints = { ...whole.hints, speedOfLight: settings.speedOfLight };
     return {
@@ -152,6 +163,21 @@ function named(stop: Stop, casts: readonly Cast[]): Stop {
   return stop;
 }
 
+/** A GPU, or a refusal where there is none. */
+export async function openedGpu({ openGpu }: Pick<Services, 'openGpu'>, node: string): Promise<ComputeGpu> {
+  try {
+    return await openGpu();
+  } catch (error) {
+    throw error instanceof SystemError ? gpuRefusal(node, error) : error;
+  }
+}
+
+/** What a GPU cannot do is refused with the way round it. */
+const gpuRefusal = (node: string, { message }: SystemError): Error =>
+  refusal('simulate.gpu', `${node}.onGpu`, `${message}; compute it on the processor`, {
+    ...{ node, param: 'onGpu', value: false },
+  });
+
 /** What cannot be a system is refused at the node. */
 function refusing<T>(node: string, make: () => T): T {
   try {
@@ -163,7 +189,7 @@ function refusing<T>(node: string, make: () => T): T {
 }
 
 function orderOf({ system, start, casts }: Stage, settings: Settings, node: string): Order {
-  const { duration, rate, step, tolerance } = settings;
+  const { duration, rate, step, tolerance, onGpu } = settings;
   const frames = Math.max(1, Math.round(duration * rate));
   const set = (param: string, value: number) => ({ node, param, value });
   if (frames > MOST_FRAMES) {
@@ -177,6 +203,10 @@ function orderOf({ system, start, casts }: Stage, settings: Settings, node: stri
     const message = `${vertices} vertices in ${frames} frames are more than ${MOST_SAMPLES} samples; keep fewer frames a second, let it end sooner, or take coarser meshes`;
     const most = Math.floor(MOST_SAMPLES / vertices / duration);
     throw refusal('simulate.samples', `${node}.rate`, message, most >= 1 ? set('rate', most) : undefined);
+  }
+  if (onGpu && tolerance > 0) {
+    const message = 'steps that follow their error are not taken on the GPU; let them be all alike, with 0';
+    throw refusal('simulate.gpu', `${node}.tolerance`, message, set('tolerance', 0));
   }
   const order: Order = {
     ...{ system, start, method: METHODS.get(settings.method)!, duration, every: duration / frames },

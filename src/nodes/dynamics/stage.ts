@@ -1,8 +1,9 @@
-import { barrier, type Obstacle } from '../../dynamics/forces/barrier.ts';
+import { barrier } from '../../dynamics/forces/barrier.ts';
 import { Penalty } from '../../dynamics/forces/contact.ts';
 import { coulomb } from '../../dynamics/forces/coulomb.ts';
 import type { Force } from '../../dynamics/forces/force.ts';
 import { NearPairs } from '../../dynamics/forces/near.ts';
+import type { Obstacle } from '../../dynamics/forces/obstacle.ts';
 import { Pairs } from '../../dynamics/forces/pairs.ts';
 import { type Springs, springs } from '../../dynamics/forces/springs.ts';
 import { uniform } from '../../dynamics/forces/uniform.ts';
