@@ -37,8 +37,8 @@ const DAMPING = 0.995;
 const DAMPED = /^(semi-implicit-euler|linearly-implicit)-/;
 /** Over the kinetic energy: less is rounding. */
 const LEAST_GAIN = 1e-6;
-/** Time in which each method's cost is measured when all else is done, in so many parts [s]: before any of them ends early. */
-const [TIMED, TIMED_PARTS] = [0.6, 30];
+/** Time in which each method's cost is measured when all else is done, in so many parts, and so often [s]: before any of them ends early. */
+const [TIMED, TIMED_PARTS, TIMED_OFTEN] = [0.6, 30, 3];
 /** c of what is followed for long [m/s], and for so many steps. */
 const LONG = 10;
 const LONG_STEPS = 100_000;
@@ -66,7 +66,7 @@ It hangs at two corners and is let go level, for ${TIME} s. Its fastest swing ha
 
 Each cell tells how far the energy went from what it was at the start, over the largest kinetic energy that the cloth truly has (${EXACT}, h = ${STEPS.at(-1) * 1000} ms): at most, and what became of it.
 *Explodes*: more than all of it came from nowhere; *passes c*: a point was given the speed of light or more; *matrix gives out*: it is not positive definite any more; *fades* and *grows*: more than a twentieth was lost or gained at the end.
-The numbers behind the methods of the sources are their corrections of the energy: 0 none, 1 by the tangent, 2 by the secant, 3 by the root between them. The last column is the time that a step of ${STEPS.at(-1) * 1000} ms took to compute when all else was done: the median of ${TIMED_PARTS} parts of ${TIMED} s of motion.
+The numbers behind the methods of the sources are their corrections of the energy: 0 none, 1 by the tangent, 2 by the secant, 3 by the root between them. The last column is the time that a step of ${STEPS.at(-1) * 1000} ms took to compute when all else was done: the median of ${TIMED_PARTS} parts of ${TIMED} s of motion, each the quickest of ${TIMED_OFTEN} times.
 `;
 
 /** What takes longest first, so that all cores end at about the same time. */
@@ -99,14 +99,23 @@ async function orders(ids, share) {
   return [...long, ...short, ...damped, ...told].sort((a, b) => weight(b) - weight(a));
 }
 
-/** One after the other: what steps cost where nothing else runs. */
+/** One after the other, all of them several times: what steps cost where nothing else runs. */
 const timings = (ids) =>
-  ids.flatMap((id) =>
-    SPEEDS.map((c) => ({
-      ...{ id, c, h: STEPS.at(-1), side: SIDE },
-      ...{ every: TIMED / TIMED_PARTS, duration: TIMED, kind: 'timed' },
-    })),
+  Array.from({ length: TIMED_OFTEN }, () => ids).flatMap((round) =>
+    round.flatMap((id) =>
+      SPEEDS.map((c) => ({
+        ...{ id, c, h: STEPS.at(-1), side: SIDE },
+        ...{ every: TIMED / TIMED_PARTS, duration: TIMED, kind: 'timed' },
+      })),
+    ),
   );
+
+/** What a step cost [ms]. */
+function costOf(results, id, c) {
+  const [first, ...others] = results.filter((each) => each.kind === 'timed' && each.id === id && each.c === c);
+  const quickest = first.costs.map((cost, k) => Math.min(cost, ...others.map(({ costs }) => costs[k])));
+  return quickest.sort((a, b) => a - b)[Math.floor(quickest.length / 2)];
+}
 
 /** Gives each of so many threads the next order when it is done with one. */
 async function studied(queue, threads) {
@@ -176,8 +185,7 @@ function written(results) {
   const tables = SPEEDS.map((c) => {
     const rows = ids.map((id) => {
       const cells = STEPS.map((h) => verdict(find(results, id, c, h), scaleOf(results, c)));
-      const { ms } = find(results, id, c, STEPS.at(-1), 'timed');
-      return `| ${id} | ${cells.join(' | ')} | ${ms.toPrecision(2)} |`;
+      return `| ${id} | ${cells.join(' | ')} | ${costOf(results, id, c).toPrecision(2)} |`;
     });
     const head = `| method | ${STEPS.map((h) => `h = ${h * 1000} ms`).join(' | ')} | ms a step |`;
     const plotted = `![Energy over time, ${lightOf(c)}](${pictureOf(c)})`;
@@ -258,7 +266,7 @@ function toldTable(results) {
     '## The runs that the documents name',
     '',
     `They tell neither how many points their cloth has nor for how long they look. Here it is let go for ${TOLD_TIME} s, without damping; one of 20 × 20 points swings twice as fast, so that h = 1 ms is beyond what explicit methods can take.`,
-    `That their implicit steps explode at c = 10 m/s, and not at c = 1 m/s with the secant, is the one thing that does not come about here: their equation, solved as it stands, fades at 10 m/s and explodes at 1 m/s.`,
+    'Semi-implicit steps come to what they tell, where the cloth is fine enough, or the time long. Two things do not come about here: steps of 0.1 ms do not explode by the tangent, though it keeps the energy no better than none; and implicit steps, of their equation as it stands, fade at c = 10 m/s whatever the correction but the tangent, and explode at 1 m/s with the secant too.',
     '',
     `| method | c [m/s] | h | the documents | ${TOLD_SIDES.map((side) => `${side} × ${side}`).join(' | ')} |`,
     `|${'---|'.repeat(TOLD_SIDES.length + 4)}`,
