@@ -790,7 +790,7 @@ export const nodeWords = {
   ],
   'param.touchReach': ['Things touch within', '接触距离'],
   'param.touchReach.help': [
-    'Points of different nets that come nearer push each other apart; 0: they pass through.',
-    '不同弹簧网的点近于此距离时互相推开；0 表示互不作用。',
+    'Points of nets that come nearer push each other apart: of different things, and of one that folds, where at rest they are farther apart. About the length of an edge; 0: they pass through.',
+    '弹簧网的点近于此距离时互相推开：不同物体之间如此，同一物体折叠时，静止时相距更远的点之间也如此。约取一条边的长度；0 表示互不作用。',
   ],
 } as const satisfies Record<string, readonly [en: string, zh: string]>;

@@ -129,7 +129,10 @@ function sheetsThatTouch(speed: number): Order {
   const net = { ends: Uint32Array.from(ends), stiffness: both(a.net.stiffness), lengths: both(a.net.lengths) };
   const masses = new Float64Array(128).fill(0.01);
   const bodies = Int32Array.from(masses, (_, i) => Number(i >= 64));
-  const forces = [springs(net), new NearPairs(bodies, 0.06, new Penalty(300, () => 0.06))];
+  const forces = [
+    springs(net),
+    new NearPairs(bodies, Float64Array.from([...a.x, ...b.x]), 0.06, new Penalty(300, () => 0.06)),
+  ];
   const x = [...a.x, ...b.x];
   const v = x.map((_, j) => (j % 3 === 1 ? (j < 192 ? speed : -speed) : 0));
   return order(makeSystem({ masses, c: 30, forces }), x, v, 'leapfrog', 1e-4);

@@ -41,7 +41,7 @@ const FORCES: readonly (readonly [string, Force])[] = [
   ['a plane', barrier(plane([0, 0.2, 0], [0.2, 1, -0.1]), [0, 1, 2, 3], 80, 0.05)],
   ['a box', barrier(box([0.1, 0, 0], [1.8, 1.2, 2]), [0, 1, 2, 3], 80, 0.1)],
   ['a turned box', barrier(box([0.1, 0, 0], [1.8, 1.2, 2], TURNED), [0, 1, 2, 3], 80, 0.1)],
-  ['points that are near', new NearPairs(Int32Array.of(0, 0, 1, 1), 1, new Penalty(60, () => 1))],
+  ['points that are near', new NearPairs(Int32Array.of(0, 0, 1, 1), new Float64Array(12), 1, new Penalty(60, () => 1))],
 ];
 
 const zeros = (): Float64Array => new Float64Array(3 * POINTS);

@@ -5,19 +5,21 @@ import { type PairLaw, Pairs } from './pairs.ts';
 const SKIN = 0.5;
 
 /**
- * A short force between points of different bodies: of all pairs only those are looked at that can be within reach. They are found by cells as wide as the reach and a
+ * A short force between points of different bodies, and of one body where at rest they are farther apart than it reaches, so that what is folded is not drawn through itself. Of all pairs only those are looked at that can be within reach. They are found by cells as wide as the reach and a
  * skin, and found anew when a point has gone half of the skin: so none is ever missed. Source: Verlet 1967, Phys. Rev. 159, 98.
  */
 export class NearPairs implements Force {
-  /** Of each point; pairs of one body are left out, and so are points of none (−1). */
   private readonly bodies: Int32Array;
+  private readonly rest: Float64Array;
   private readonly reach: number;
   private readonly law: PairLaw;
   readonly plain: PlainNear;
   private found: { readonly at: Float64Array; readonly pairs: Pairs } | undefined;
 
-  constructor(bodies: Int32Array, reach: number, law: PairLaw) {
+  /** `bodies`: of each point; those of none (−1) are left out. `rest`: where points are before anything has bent. */
+  constructor(bodies: Int32Array, rest: Float64Array, reach: number, law: PairLaw) {
     this.bodies = bodies;
+    this.rest = rest;
     this.reach = reach;
     this.law = law;
     const candidates = (x: Float64Array, way: number): Uint32Array => this.candidates(x, way);
@@ -64,12 +66,15 @@ export class NearPairs implements Force {
       if (bodies[i] < 0) continue;
       const near: number[] = [];
       cells.around(i, (j) => {
-        if (j < i && bodies[j] !== bodies[i] && apart(x, i, j) <= width) near.push(j);
+        if (j < i && apart(x, i, j) <= width && this.meet(i, j)) near.push(j);
       });
       for (const j of near.sort((a, b) => a - b)) ends.push(j, i);
     }
     return Uint32Array.from(ends);
   }
+
+  private meet = (i: number, j: number): boolean =>
+    this.bodies[i] !== this.bodies[j] || apart(this.rest, i, j) > this.reach;
 }
 
 /** Points by the cells of a grid that they are in, found by a hash of the cell. Source: Teschner et al. 2003, "Optimized Spatial Hashing for Collision Detection of Deformable Objects". */

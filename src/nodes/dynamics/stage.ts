@@ -42,7 +42,7 @@ export interface Stage {
   readonly casts: readonly Cast[];
 }
 
-/** What acts between points of different things that come near. */
+/** What acts between points that come near: of different things, and of one that is folded. */
 export interface Touch {
   /** 0: nothing does [m]. */
   readonly reach: number;
@@ -267,8 +267,9 @@ class Builder {
   }
 
   private touches({ reach, stiffness }: Touch): Force[] {
-    if (reach === 0 || this.bodyCount < 2) return [];
-    return [new NearPairs(Int32Array.from(this.bodies), reach, new Penalty(stiffness, () => reach))];
+    if (reach === 0) return [];
+    const law = new Penalty(stiffness, () => reach);
+    return [new NearPairs(Int32Array.from(this.bodies), Float64Array.from(this.x), reach, law)];
   }
 
   private coulomb(charges: Float64Array): Force {
