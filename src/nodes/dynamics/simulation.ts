@@ -53,6 +53,8 @@ export class Simulation {
   private readonly node: string;
   private readonly film: Film;
   private stop: Stop | undefined;
+  /** The GPU is a program on the processor. */
+  private onSoftware = false;
 
   /** `before`: goes on from there. Throws a NodeRefusal. */
   constructor(matter: readonly Matter[], settings: Settings, node: string, before?: Reel) {
@@ -76,14 +78,15 @@ export class Simulation {
     return this.film.length;
   }
 
-  /** Takes further frames, one each time it is asked. `device`: of the GPU, where one takes the steps. Throws a NodeRefusal where it cannot. */
-  async *run(device?: GPUDevice): AsyncGenerator<Frame, void> {
+  /** Takes further frames, one each time it is asked. `gpu`: takes the steps, where there is one. Throws a NodeRefusal where it cannot. */
+  async *run(gpu?: ComputeGpu): AsyncGenerator<Frame, void> {
+    this.onSoftware = gpu?.software ?? false;
     const { order, film } = this;
     const { length } = film;
     if (length === this.frames) return;
     const { state: start, steps } = film.latest;
     const rest = { ...order, start, duration: (this.frames - Math.max(1, length)) * order.every };
-    const running = device ? runOnGpu(device, rest) : run(rest);
+    const running = gpu ? runOnGpu(gpu.device, rest) : run(rest);
     try {
       // The first frame is the one that it goes on from.
       if (length > 0) await running.next();
@@ -122,20 +125,21 @@ export class Simulation {
   }
 
   private notes(): Diagnostic[] {
-    const { stop, node, order } = this;
+    const { stop, node, order, onSoftware } = this;
     const { h, stable } = stepsOf(order);
-    const note = (code: string, message: string): Diagnostic => ({ severity: 'warning', code, place: node, message });
-    return [
-      ...(stable
-        ? []
-        : [
-            note(
-              'simulate.unstable',
-              `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`,
-            ),
-          ]),
-      ...(stop ? [note('simulate.stopped', `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`)] : []),
-    ];
+    const notes: Diagnostic[] = [];
+    const note = (severity: 'warning' | 'info', code: string, message: string): void =>
+      void notes.push({ severity, code, place: node, message });
+    if (!stable) {
+      const message = `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`;
+      note('warning', 'simulate.unstable', message);
+    }
+    if (onSoftware) {
+      const message = 'the GPU here is a program on the processor; without it the simulation takes less time';
+      note('info', 'simulate.software', message);
+    }
+    if (stop) note('warning', 'simulate.stopped', `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`);
+    return notes;
   }
 }
 
