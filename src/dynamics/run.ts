@@ -50,7 +50,7 @@ const BOUNDED = 0.9;
 const FREE_STEPS = 10;
 const MOST_STEPS = 1e9;
 /** What may be gained of the energy where steps are longer than the stability bound, over the kinetic energy: more is not a swing. */
-const SWING = 0.5;
+export const SWING = 0.5;
 
 export interface Steps {
   /** The longest that there are [s]. */

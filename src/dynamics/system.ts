@@ -39,7 +39,15 @@ export function assign(to: State, from: State): void {
 }
 
 /** Something about a system that cannot be, with what to do. */
-export class SystemError extends Error {}
+export class SystemError extends Error {
+  /** That it is about, where it is one. */
+  readonly point: number | undefined;
+
+  constructor(message: string, point?: number) {
+    super(message);
+    this.point = point;
+  }
+}
 
 const MOST_POINTS = 1_000_000;
 
@@ -71,7 +79,10 @@ export function momenta({ c, masses, pinned }: System, v: ArrayLike<number>): Fl
     const [vx, vy, vz] = [v[3 * i], v[3 * i + 1], v[3 * i + 2]];
     const rest = 1 - (vx * vx + vy * vy + vz * vz) / (c * c);
     if (!(rest > 0))
-      throw new SystemError(`point ${i} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`);
+      throw new SystemError(
+        `point ${i} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`,
+        i,
+      );
     const mass = pinned[i] ? 0 : masses[i] / Math.sqrt(rest);
     p[3 * i] = mass * vx;
     p[3 * i + 1] = mass * vy;

@@ -119,7 +119,8 @@ class OfSources implements Stepper {
     try {
       return momenta(this.system, this.v);
     } catch (error) {
-      if (error instanceof SystemError) throw new StepFailure('light', `${error.message}; take a smaller step`);
+      if (error instanceof SystemError)
+        throw new StepFailure('light', `${error.message}; take a smaller step`, error.point);
       throw error;
     }
   }

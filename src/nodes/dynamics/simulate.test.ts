@@ -327,16 +327,16 @@ describe('a run', () => {
     ...running(['Sheet', 'weight'], { duration: 1, ...params }),
   ];
 
-  it('gives the same to the bit whenever it is asked, and where it was stopped and goes on', async () => {
-    const [first, second] = await Promise.all([
-      simulated(...hanging({ rate: 200 })),
-      simulated(...hanging({ rate: 200 })),
-    ]);
+  it.each([
+    ['by equal steps', { rate: 200 }],
+    ['by steps that adapt', { rate: 200, tolerance: 1e-3 }],
+  ])('gives the same to the bit whenever it is asked, and where it was stopped and goes on: %s', async (_, params) => {
+    const [first, second] = await Promise.all([simulated(...hanging(params)), simulated(...hanging(params))]);
     expect(second).toEqual(first);
     const evaluator = new Evaluator(nodeLibrary);
     const abort = new AbortController();
     let seen: Outputs | undefined;
-    const document = build(...hanging({ rate: 200 }));
+    const document = build(...hanging(params));
     const stopped = evaluator.evaluate(document, 'run', threadServices, {
       signal: abort.signal,
       onInterim: () => {},
@@ -369,6 +369,40 @@ describe('a run', () => {
     expect(validate(scene, 1).filter(({ severity }) => severity === 'error')).toEqual([]);
   });
 
+  it('that fails tells which thing it happened to', async () => {
+    const parts = [
+      ...sheet('Sheet', 2, [0, 0, 0], { pins: 'corners' }),
+      ...ball('Hard', 0.3, [0, -2, 0], { mass: 1e3, stiffness: 10, velocity: [0, 8, 0] }),
+    ];
+    const { books, scene } = await simulated(...parts, ...running(['Sheet', 'Hard'], { duration: 1 }));
+    expect(books.stop).toMatchObject({ reason: 'pierced' });
+    expect(books.stop!.message).toMatch(/^vertex \d of \/Sheet went through what is solid, to \(/);
+    expect(scene.diagnostics.map(({ message }) => message).join()).toContain(books.stop!.message);
+    const light = { method: 'semi-implicit-euler', speedOfLight: 1, duration: 3 };
+    const thrown = ball('Ball', 0.1, [0, 1, 0], {
+      velocity: [0.9, 0, 0],
+      rods: 'pivot',
+      rodStiffness: 10_000,
+      pivot: [0, 2, 0],
+    });
+    const { books: bad } = await simulated(...thrown, ...running(['Ball'], { ...light, step: 0.09, rate: 10 }));
+    expect(bad.stop?.message).toMatch(/^\/Ball goes at [\d.]+ m\/s, not below c = 1 m\/s; take a smaller step$/);
+  });
+
+  it('tells where energy comes from nowhere, though steps are below the stability bound', async () => {
+    const noted = async (params: Params) => {
+      const { scene } = await simulated(...hanging({ speedOfLight: 1, duration: 3, step: 0.0015, ...params }));
+      return scene.diagnostics.filter(({ code }) => code.startsWith('simulate.'));
+    };
+    const [note] = await noted({ method: 'semi-implicit-euler', correction: '2' });
+    expect(note).toMatchObject({ code: 'simulate.grows', place: 'run.method', severity: 'warning' });
+    expect(note.message).toMatch(
+      /^until t = [\d.]+ s more energy came from nowhere .* semi-implicit-euler-2; set a shorter/,
+    );
+    expect(await noted({ method: 'leapfrog' })).toEqual([]);
+    expect(await noted({ method: 'leapfrog', tolerance: 1e-300 })).toMatchObject([{ place: 'run.tolerance' }]);
+  });
+
   it('refuses what is too much, too fast or not there, with what to do', async () => {
     expect(await refusalOf(...hanging({ rate: 1e6 }))).toMatchObject({ code: 'simulate.frames', place: 'run.rate' });
     expect(await refusalOf(...hanging({ duration: 1e5, rate: 0.1 }))).toMatchObject({ code: 'simulate.steps' });
@@ -391,6 +425,8 @@ describe('a run', () => {
     const many = { pins: 'points', pinned: '9' };
     expect(await refusalOf(...sheet('Sheet', 2, [0, 0, 0], many), ...running(['Sheet'], {}))).toMatchObject({
       code: 'pins.numbers',
+      place: 'Sheet.pinned',
+      message: '/Sheet has no point 9: they are numbered from 0 to 8',
       remedy: { param: 'pinned' },
     });
     const thick = matter('Solid', ['box', {}], [0, 0, 0], 'collider', { shape: 'plane' });

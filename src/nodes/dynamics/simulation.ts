@@ -1,6 +1,6 @@
 import type { ComputeGpu } from '../../compute/gpu.ts';
 import { runOnGpu } from '../../compute/run.ts';
-import type { Books } from '../../dynamics/books.ts';
+import { type Books, figuresOf } from '../../dynamics/books.ts';
 import { ledger } from '../../dynamics/energy.ts';
 import { METHODS } from '../../dynamics/methods/library.ts';
 import { type Frame, type Order, run, type Stop, stepsOf } from '../../dynamics/run.ts';
@@ -11,7 +11,7 @@ import { surveyed } from '../geometry/surveyed.ts';
 import type { LoadedScene, Services } from '../services.ts';
 import { Film, type Reel } from './film.ts';
 import type { Matter } from './matter.ts';
-import { type Stage, stageOf, type Touch } from './stage.ts';
+import { type Cast, type Stage, stageOf, type Touch } from './stage.ts';
 
 /** How a simulation is to be computed. */
 export interface Settings {
@@ -52,6 +52,7 @@ export class Simulation {
   private readonly settings: Settings;
   private readonly node: string;
   private readonly film: Film;
+  private readonly casts: readonly Cast[];
   private stop: Stop | undefined;
   /** The GPU is a program on the processor. */
   private onSoftware = false;
@@ -65,6 +66,7 @@ export class Simulation {
     this.settings = settings;
     this.node = node;
     this.order = orderOf(stage, settings, node);
+    this.casts = stage.casts;
     this.film = new Film(this.order, stage.casts, before);
   }
 
@@ -93,7 +95,7 @@ export class Simulation {
       for (;;) {
         const { done, value } = await running.next();
         if (done) {
-          this.stop = value;
+          this.stop = value && named(value, this.casts);
           return;
         }
         const frame = { ...value, steps: steps + value.steps };
@@ -115,32 +117,57 @@ export class Simulation {
   /** All there is so far. */
   outputs(): Simulated {
     const { film, settings } = this;
-    const whole = film.scene(this.notes());
+    const books: Books = { ...film.accounts(this.stop), ...(settings.onGpu && { onGpu: true }) };
+    const whole = film.scene(this.notes(books));
     const hints = { ...whole.hints, speedOfLight: settings.speedOfLight };
     return {
       geometry: surveyed({ ...whole, hints }),
-      books: { ...film.accounts(this.stop), ...(settings.onGpu && { onGpu: true }) },
+      books,
       ...(film.length < this.frames && { reel: film.reel() }),
     };
   }
 
-  private notes(): Diagnostic[] {
-    const { stop, node, order, onSoftware } = this;
+  private notes(books: Books): Diagnostic[] {
+    const { node, order, onSoftware } = this;
+    const { stop } = books;
     const { h, stable } = stepsOf(order);
+    const { grown } = figuresOf(books);
     const notes: Diagnostic[] = [];
-    const note = (severity: 'warning' | 'info', code: string, message: string): void =>
-      void notes.push({ severity, code, place: node, message });
+    const note = (code: string, param: string, message: string, severity: 'warning' | 'info' = 'warning'): void =>
+      void notes.push({ severity, code, place: param ? `${node}.${param}` : node, message });
     if (!stable) {
       const message = `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`;
-      note('warning', 'simulate.unstable', message);
+      note('simulate.unstable', 'step', message);
     }
     if (onSoftware) {
       const message = 'the GPU here is a program on the processor; without it the simulation takes less time';
-      note('info', 'simulate.software', message);
+      note('simulate.software', 'onGpu', message, 'info');
     }
-    if (stop) note('warning', 'simulate.stopped', `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`);
+    if (grown !== undefined) {
+      const message = `until t = ${grown.toPrecision(4)} s more energy came from nowhere than half of what moves has: the error of ${order.method.id}; set a shorter step, or another method`;
+      note('simulate.grows', 'method', message);
+    }
+    if (stop) {
+      const param = stop.reason === 'tolerance' ? 'tolerance' : '';
+      note('simulate.stopped', param, `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`);
+    }
     return notes;
   }
+}
+
+/** Why a run ended, with the thing that it happened to instead of the number of a point. */
+function named(stop: Stop, casts: readonly Cast[]): Stop {
+  const { point } = stop;
+  if (point === undefined) return stop;
+  for (const actor of casts.flatMap(({ actors }) => actors)) {
+    const vertex = actor.kind === 'net' ? actor.pointOfVertex.indexOf(point) : -1;
+    const name =
+      actor.kind === 'net' && vertex >= 0
+        ? `vertex ${vertex} of ${actor.object.path}`
+        : actor.kind === 'ball' && actor.point === point && actor.object.path;
+    if (name) return { ...stop, message: stop.message.replace(`point ${point}`, name) };
+  }
+  return stop;
 }
 
 /** A GPU, or a refusal where there is none. */
