@@ -109,7 +109,7 @@ async function followed(
   const gpu = settings.onGpu ? await openGpu() : undefined;
   let breath = performance.now();
   try {
-    for await (const frame of simulation.run(gpu?.device)) {
+    for await (const frame of simulation.run(gpu)) {
       kept?.add(frame);
       progress.frames(simulation.taken, simulation.frames);
       if (performance.now() - breath < BREATH) continue;

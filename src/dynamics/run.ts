@@ -10,6 +10,8 @@ export interface Order {
   readonly system: System;
   /** Not changed. */
   readonly start: State;
+  /** Of a run that goes on: when the whole began [s], and which of its frames `start` is. Its times are then those of the whole, to the last digit. */
+  readonly since?: { readonly t: number; readonly frames: number };
   readonly method: Method;
   /** From `start.t` on [s]. */
   readonly duration: number;
@@ -130,7 +132,8 @@ export class Course {
     this.taken += steps;
     this.frame++;
     // Sums of many steps drift away from what a clock shows.
-    state.t = order.start.t + this.frame * order.every;
+    const { t, frames } = order.since ?? { t: order.start.t, frames: 0 };
+    state.t = t + (frames + this.frame) * order.every;
     return { state: copyOf(state), ledger: now, steps: this.taken };
   }
 }

@@ -7,8 +7,10 @@ export interface System {
   readonly c: number;
   /** At rest, of each point [kg], above 0. */
   readonly masses: Float64Array;
-  /** 1 where a point is held where it is. */
+  /** 1 where a point is held: where it is, or where it is led. */
   readonly pinned: Uint8Array;
+  /** Where some of those that are held go. */
+  readonly led?: readonly Led[];
   /** All that has a potential; the force is the sum of theirs. */
   readonly forces: readonly Force[];
   /** Of each point [C]; absent: none is charged. */
@@ -17,6 +19,13 @@ export interface System {
   readonly magneticField?: Vec3;
   /** What air takes away: dp/dt = −drag · p [1/s]. */
   readonly drag: number;
+}
+
+/** A point that goes its way whatever pushes it, slower than light. What it takes and gives is in no books. */
+export interface Led {
+  readonly point: number;
+  /** [m], at t [s]. */
+  place(t: number): Vec3;
 }
 
 /** Where all points are, and how they go, at a time. x, y, z of one point after the other. */

@@ -54,6 +54,8 @@ export class Simulation {
   private readonly film: Film;
   private readonly casts: readonly Cast[];
   private stop: Stop | undefined;
+  /** The GPU is a program on the processor. */
+  private onSoftware = false;
 
   /** `before`: goes on from there. Throws a NodeRefusal. */
   constructor(matter: readonly Matter[], settings: Settings, node: string, before?: Reel) {
@@ -78,14 +80,15 @@ export class Simulation {
     return this.film.length;
   }
 
-  /** Takes further frames, one each time it is asked. `device`: of the GPU, where one takes the steps. Throws a NodeRefusal where it cannot. */
-  async *run(device?: GPUDevice): AsyncGenerator<Frame, void> {
+  /** Takes further frames, one each time it is asked. `gpu`: takes the steps, where there is one. Throws a NodeRefusal where it cannot. */
+  async *run(gpu?: ComputeGpu): AsyncGenerator<Frame, void> {
+    this.onSoftware = gpu?.software ?? false;
     const { order, film } = this;
     const { length } = film;
     if (length === this.frames) return;
     const { state: start, steps } = film.latest;
     const rest = { ...order, start, duration: (this.frames - Math.max(1, length)) * order.every };
-    const running = device ? runOnGpu(device, rest) : run(rest);
+    const running = gpu ? runOnGpu(gpu.device, rest) : run(rest);
     try {
       // The first frame is the one that it goes on from.
       if (length > 0) await running.next();
@@ -125,16 +128,20 @@ export class Simulation {
   }
 
   private notes(books: Books): Diagnostic[] {
-    const { node, order } = this;
+    const { node, order, onSoftware } = this;
     const { stop } = books;
     const { h, stable } = stepsOf(order);
     const { grown } = figuresOf(books);
     const notes: Diagnostic[] = [];
-    const note = (code: string, param: string, message: string): void =>
-      void notes.push({ severity: 'warning', code, place: param ? `${node}.${param}` : node, message });
+    const note = (code: string, param: string, message: string, severity: 'warning' | 'info' = 'warning'): void =>
+      void notes.push({ severity, code, place: param ? `${node}.${param}` : node, message });
     if (!stable) {
       const message = `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`;
       note('simulate.unstable', 'step', message);
+    }
+    if (onSoftware) {
+      const message = 'the GPU here is a program on the processor; without it the simulation takes less time';
+      note('simulate.software', 'onGpu', message, 'info');
     }
     if (grown !== undefined) {
       const message = `until t = ${grown.toPrecision(4)} s more energy came from nowhere than half of what moves has: the error of ${order.method.id}; set a shorter step, or another method`;
