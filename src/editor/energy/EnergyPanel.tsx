@@ -152,8 +152,10 @@ function Row({ run, n }: { readonly run: Named; readonly n: number }): ReactNode
     <tbody>
       <tr>
         <th scope="row">
-          <Swatch n={n} />
-          {name}
+          <span className="sl-energy-name">
+            <Swatch n={n} />
+            {name}
+          </span>
         </th>
         <td>{now}</td>
         <td>{drift === undefined ? '–' : formatNumber(drift, 2)}</td>

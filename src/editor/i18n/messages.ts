@@ -173,8 +173,8 @@ export const messages = {
   'energy.running': ['computed until {{time}}', '已计算到 {{time}}'],
   'energy.stopped': ['stopped at {{time}}', '停止于 {{time}}'],
   'energy.grown': [
-    'Until {{time}} energy came from nowhere: the method’s error',
-    '到 {{time}} 为止能量凭空增加：方法的误差',
+    'By {{time}} energy had come from nowhere: the method’s error',
+    '至 {{time}} 已有能量凭空出现：方法的误差',
   ],
   'energy.failed': ['Ended at {{time}}: {{why}}', '结束于 {{time}}：{{why}}'],
 

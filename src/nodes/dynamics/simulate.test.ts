@@ -397,7 +397,7 @@ describe('a run', () => {
     const [note] = await noted({ method: 'semi-implicit-euler', correction: '2' });
     expect(note).toMatchObject({ code: 'simulate.grows', place: 'run.method', severity: 'warning' });
     expect(note.message).toMatch(
-      /^until t = [\d.]+ s more energy came from nowhere .* semi-implicit-euler-2; set a shorter/,
+      /^by t = [\d.]+ s more energy had come from nowhere .* semi-implicit-euler-2; set a shorter/,
     );
     expect(await noted({ method: 'leapfrog' })).toEqual([]);
     expect(await noted({ method: 'leapfrog', tolerance: 1e-300 })).toMatchObject([{ place: 'run.tolerance' }]);

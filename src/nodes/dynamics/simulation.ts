@@ -144,7 +144,7 @@ export class Simulation {
       note('simulate.software', 'onGpu', message, 'info');
     }
     if (grown !== undefined) {
-      const message = `until t = ${grown.toPrecision(4)} s more energy came from nowhere than half of what moves has: the error of ${order.method.id}; set a shorter step, or another method`;
+      const message = `by t = ${grown.toPrecision(4)} s more energy had come from nowhere than half of what moves has: the error of ${order.method.id}; set a shorter step, or another method`;
       note('simulate.grows', 'method', message);
     }
     if (stop) {
