@@ -8,6 +8,8 @@ export interface Books {
   readonly speedOfLight: number;
   /** A GPU took the steps, in 32-bit numbers. */
   readonly onGpu?: boolean;
+  /** Something is led its way, and gives energy and takes it. */
+  readonly led?: boolean;
   /** [s]; 0 where it adapts. */
   readonly step: number;
   /** Between frames [s]. */
@@ -47,13 +49,13 @@ const STILL = 1e-9;
 /** Of energies, by rounding: of places in 32 bits too, which a GPU computes with. */
 const ROUNDING = 1e-6;
 
-export function figuresOf({ total, kinetic, fastest, times }: Books): Figures {
+export function figuresOf({ total, kinetic, fastest, times, led }: Books): Figures {
   const top = largest(fastest);
   const until = times.at(-1) ?? 0;
   const most = largest(kinetic);
   if (top < STILL || most === 0) return { drift: undefined, fastest: top, until };
   const drift = largest(total.map((energy) => energy - total[0])) / most;
-  const frame = growth(total, kinetic);
+  const frame = led ? -1 : growth(total, kinetic);
   return { drift, fastest: top, until, ...(frame >= 0 && { grown: times[frame] }) };
 }
 
@@ -89,6 +91,7 @@ export class Bookkeeper {
     return {
       method: order.method.id,
       speedOfLight: order.system.c,
+      ...(order.system.led && { led: true }),
       step: order.tolerance === undefined ? stepsOf(order).h : 0,
       pace: order.every,
       times: column(({ t }) => t),

@@ -87,7 +87,10 @@ export class Simulation {
     const { length } = film;
     if (length === this.frames) return;
     const { state: start, steps } = film.latest;
-    const rest = { ...order, start, duration: (this.frames - Math.max(1, length)) * order.every };
+    const known = Math.max(1, length) - 1;
+    const since = { t: order.start.t, frames: known };
+    const left = (this.frames - 1 - known) * order.every;
+    const rest: Order = { ...order, since, duration: left, start: { ...start, t: since.t + known * order.every } };
     const running = gpu ? runOnGpu(gpu.device, rest) : run(rest);
     try {
       // The first frame is the one that it goes on from.
