@@ -3,34 +3,29 @@ import { paint, SceneBuilder, sky, sun } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { Canvas } from '../kit/paint.ts';
 import { bar, block, quad } from '../kit/parts.ts';
+import { floorOf, type Room, wallsOf } from '../kit/room.ts';
 
 export const set: ExampleScene = { name: 'classroom', make };
 
-/** Half its width, where its walls are, and their height [m]. */
-const [HALF, BACK, FRONT, TOP] = [6, -3.4, 7, 4.4];
+const ROOM: Room = { half: 6, back: -3.4, front: 7 };
+const TOP = 4.4;
 /** A stand for a rail along z: half as long as it, and how high it holds it [m]. */
 const [REACH, HIGH] = [1.75, 1.52];
 
 /** A classroom with a board, a floor in fields of half a metre, and a stand for pendulums. */
 function make(): Scene {
   const builder = new SceneBuilder();
-  const [w, l] = [2 * HALF, FRONT - BACK];
   const linoleum = builder.material('linoleum', '#ffffff', { texture: tiles(), roughness: 0.5 });
-  const floor = quad([-HALF, 0, FRONT], [HALF, 0, FRONT], [HALF, 0, BACK], [-HALF, 0, BACK], w, l);
-  builder.object('/World/Floor', [paint(floor, linoleum)]);
+  builder.object('/World/Floor', [paint(floorOf(ROOM, 0, 1), linoleum)]);
   const cream = builder.material('cream', '#e4d9bf', { roughness: 0.95 });
   const olive = builder.material('olive', '#7f8f6c', { roughness: 0.8 });
-  const around = (bottom: number, top: number, out: number) => [
-    block(w, top - bottom, 0.2, 1, [0, bottom, BACK - 0.1 + out]),
-    ...[-1, 1].map((side) => block(0.2, top - bottom, l, 1, [side * (HALF + 0.1 - out), bottom, (FRONT + BACK) / 2])),
-  ];
   builder.object('/World/Walls', [
-    ...around(0, 0.9, 0.02).map((m) => paint(m, olive)),
-    ...around(0.9, TOP, 0).map((m) => paint(m, cream)),
+    ...wallsOf(ROOM, 0, 0.9, 0.02).map((m) => paint(m, olive)),
+    ...wallsOf(ROOM, 0.9, TOP).map((m) => paint(m, cream)),
   ]);
 
   const slate = builder.material('slate', '#ffffff', { texture: chalked(), roughness: 0.9 });
-  const [x, bottom, top, z] = [2.6, 1.1, 2.75, BACK + 0.06];
+  const [x, bottom, top, z] = [2.6, 1.1, 2.75, ROOM.back + 0.06];
   builder.object('/World/Board', [paint(quad([-x, bottom, z], [x, bottom, z], [x, top, z], [-x, top, z]), slate)]);
   const oak = builder.material('oak', '#9a6a3a', { roughness: 0.6 });
   const frame = [

@@ -1,13 +1,14 @@
 import type { Scene } from '../../src/scene/types.ts';
-import { type Part, paint, place, placePart, SceneBuilder, sky, sun } from '../kit/builder.ts';
+import { paint, place, placePart, SceneBuilder, sky, sun } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { Canvas, checker, tone } from '../kit/paint.ts';
 import { bar, block, quad } from '../kit/parts.ts';
+import { floorOf, type Room, wallsOf } from '../kit/room.ts';
 
 export const set: ExampleScene = { name: 'gym', make };
 
-/** Half its width, where its walls are, and their height [m]. */
-const [HALF, BACK, FRONT, TOP] = [9, -5, 9, 6];
+const HALL: Room = { half: 9, back: -5, front: 9 };
+const TOP = 6;
 /** Half the side of the mat, and how thick it is [m]. */
 const [MAT, THICK] = [3, 0.15];
 
@@ -22,18 +23,12 @@ function make(): Scene {
   builder.object('/World/Rim', [paint(block(2 * MAT, THICK - 0.001, 2 * MAT, 1, [0, -THICK, 0]), rim)]);
 
   const planks = builder.material('planks', '#ffffff', { texture: parquet(), roughness: 0.4 });
-  const corners = [
-    [-HALF, -THICK, FRONT],
-    [HALF, -THICK, FRONT],
-    [HALF, -THICK, BACK],
-    [-HALF, -THICK, BACK],
-  ] as const;
-  builder.object('/World/Floor', [paint(quad(...corners, HALF, (FRONT - BACK) / 2), planks)]);
+  builder.object('/World/Floor', [paint(floorOf(HALL, -THICK, 2), planks)]);
   const line = builder.material('line', '#f1efe6', { roughness: 0.6 });
-  const [x, z] = [HALF - 1.2, MAT + 0.9];
+  const [x, from, to] = [HALL.half - 1.2, -MAT - 0.9, HALL.front - 1];
   const court = [
-    block(2 * x, 0.004, 0.08, 1, [0, -THICK, -z]),
-    ...[-1, 1].map((side) => block(0.08, 0.004, z + FRONT - 1, 1, [side * x, -THICK, (FRONT - 1 - z) / 2])),
+    block(2 * x, 0.004, 0.08, 1, [0, -THICK, from]),
+    ...[-1, 1].map((side) => block(0.08, 0.004, to - from, 1, [side * x, -THICK, (from + to) / 2])),
   ];
   builder.object(
     '/World/Court',
@@ -48,14 +43,11 @@ function walls(builder: SceneBuilder): void {
   const panel = builder.material('panel', '#c58f55', { roughness: 0.7 });
   const plaster = builder.material('plaster', '#dcd8cc', { roughness: 0.95 });
   const glass = builder.material('glass', '#cfe2ee', { emissive: '#a9c4d6', roughness: 0.3 });
-  const l = FRONT - BACK;
-  const wall = (bottom: number, top: number, material: number): Part =>
-    [
-      block(2 * HALF, top - bottom, 0.2, 1, [0, bottom, BACK - 0.1]),
-      ...[-1, 1].map((side) => block(0.2, top - bottom, l, 1, [side * (HALF + 0.1), bottom, (FRONT + BACK) / 2])),
-    ].map((m) => paint(m, material));
-  builder.object('/World/Walls', [...wall(-THICK, 2.5, panel), ...wall(2.5, TOP, plaster)]);
-  const windows = Array.from({ length: 6 }, (_, k) => block(2.2, 1.7, 0.05, 1, [-7.25 + 2.9 * k, 3.4, BACK]));
+  builder.object('/World/Walls', [
+    ...wallsOf(HALL, -THICK, 2.5).map((m) => paint(m, panel)),
+    ...wallsOf(HALL, 2.5, TOP).map((m) => paint(m, plaster)),
+  ]);
+  const windows = Array.from({ length: 6 }, (_, k) => block(2.2, 1.7, 0.05, 1, [-7.25 + 2.9 * k, 3.4, HALL.back]));
   builder.object(
     '/World/Windows',
     windows.map((m) => paint(m, glass)),
@@ -66,7 +58,7 @@ function walls(builder: SceneBuilder): void {
   const cheeks = [-0.47, 0.47].map((at) => block(0.05, 2.3, 0.1, 1, [at, 0, 0]));
   const ladder = [...rungs, ...cheeks].map((m) => paint(m, beech));
   for (let k = 0; k < 9; k++)
-    builder.object(`/World/WallBars${k}`, placePart(ladder, place([-4.2 + 1.05 * k, -THICK, BACK + 0.14])));
+    builder.object(`/World/WallBars${k}`, placePart(ladder, place([-4.2 + 1.05 * k, -THICK, HALL.back + 0.14])));
 }
 
 /** Two metres of boards, each 2/16 m wide. */

@@ -3,43 +3,37 @@ import { paint, SceneBuilder, sky, sun } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { Canvas, checker } from '../kit/paint.ts';
 import { block, quad } from '../kit/parts.ts';
+import { floorOf, type Room, wallsOf } from '../kit/room.ts';
 
 export const set: ExampleScene = { name: 'laboratory', make };
 
-/** From left to right, and where the board stands [m]. */
-const [LEFT, RIGHT, BOARD] = [-8, 10, -1.5];
+const ROOM: Room = { half: 14, back: -1.5, front: 9 };
+const TOP = 5;
 
-/** Where fast things are photographed: a dark board with lines every 0.1 m, and a rule of fields of 0.1 m under their way. */
+/** Where fast things are photographed: dark walls with lines every 0.1 m, and a rule of fields of 0.1 m under their way. */
 function make(): Scene {
   const builder = new SceneBuilder();
-  const width = RIGHT - LEFT;
-  const middle = (LEFT + RIGHT) / 2;
   const tiles = builder.material('tiles', '#ffffff', {
     texture: checker('#5d666e', '#444c55', 'tiles'),
     roughness: 0.6,
   });
-  const floor = quad([LEFT, 0, 9], [RIGHT, 0, 9], [RIGHT, 0, BOARD], [LEFT, 0, BOARD], width / 2, (9 - BOARD) / 2);
-  builder.object('/World/Floor', [paint(floor, tiles)]);
+  builder.object('/World/Floor', [paint(floorOf(ROOM, 0, 2), tiles)]);
 
   const slate = builder.material('slate', '#ffffff', { texture: graph(), roughness: 0.9 });
-  const [bottom, top] = [0, 5];
-  const board = quad(
-    [LEFT, bottom, BOARD],
-    [RIGHT, bottom, BOARD],
-    [RIGHT, top, BOARD],
-    [LEFT, top, BOARD],
-    width,
-    top,
+  builder.object(
+    '/World/Boards',
+    wallsOf(ROOM, 0, TOP).map((m) => paint(m, slate)),
   );
-  builder.object('/World/Board', [paint(board, slate)]);
 
+  const width = 2 * ROOM.half;
   const metal = builder.material('metal', '#8d949b', { roughness: 0.5, metallic: 0.3 });
   const rule = builder.material('rule', '#ffffff', {
     texture: checker('#f2ead8', '#b3261e', 'rule', 2, 16),
     roughness: 0.7,
   });
-  const bench = [block(width, 0.16, 0.5, 1, [middle, 0.02, 0]), block(width, 0.02, 0.6, 1, [middle, 0.18, 0])];
-  const front = quad([LEFT, 0.04, 0.26], [RIGHT, 0.04, 0.26], [RIGHT, 0.16, 0.26], [LEFT, 0.16, 0.26], 5 * width, 0.5);
+  const bench = [block(width, 0.16, 0.5, 1, [0, 0.02, 0]), block(width, 0.02, 0.6, 1, [0, 0.18, 0])];
+  const [x, z] = [width / 2, 0.26];
+  const front = quad([-x, 0.04, z], [x, 0.04, z], [x, 0.16, z], [-x, 0.16, z], 5 * width, 0.5);
   builder.object('/World/Bench', [...bench.map((m) => paint(m, metal)), paint(front, rule)]);
   const light = [sun([-0.3, 0.75, 0.8], '#fff6ea', 2.6), sky('#8fa0b8', '#79828e', '#3a3f46')];
   return builder.finish('laboratory', {}, [0, 0], [], light);

@@ -4,11 +4,11 @@ import { paint, SceneBuilder, sky, sun } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { Canvas, tone } from '../kit/paint.ts';
 import { bar, block, moved, quad, roundedBox } from '../kit/parts.ts';
+import { floorOf, type Room, wallsOf } from '../kit/room.ts';
 
 export const set: ExampleScene = { name: 'library', make };
 
-/** Half its width, where its shelves and its front are [m]. */
-const [HALF, BACK, FRONT] = [12, -3.6, 9];
+const ROOM: Room = { half: 10, back: -3.6, front: 9 };
 /** From shelf to shelf, and how many there are [m]. */
 const [SHELF, SHELVES] = [0.85, 6];
 /** The frame that the cradle hangs in: half its length and depth, and its height [m]. */
@@ -18,28 +18,35 @@ const [LONG, DEEP, HIGH] = [1.45, 0.6, 3.54];
 function make(): Scene {
   const builder = new SceneBuilder();
   const oak = builder.material('oak', '#ffffff', { texture: boards(), roughness: 0.45 });
-  const floor = quad([-HALF, 0, FRONT], [HALF, 0, FRONT], [HALF, 0, BACK], [-HALF, 0, BACK], HALF, (FRONT - BACK) / 2);
-  builder.object('/World/Floor', [paint(floor, oak)]);
+  builder.object('/World/Floor', [paint(floorOf(ROOM, 0, 2), oak)]);
+  const { half, back } = ROOM;
   const wood = builder.material('wood', '#5a3420', { roughness: 0.5 });
   const top = SHELF * SHELVES + 0.1;
   const shelves = Array.from({ length: SHELVES + 1 }, (_, k) =>
-    block(2 * HALF, 0.07, 0.4, 1, [0, 0.1 + SHELF * k, BACK + 0.2]),
+    block(2 * half, 0.07, 0.4, 1, [0, 0.1 + SHELF * k, back + 0.2]),
   );
-  const uprights = Array.from({ length: 13 }, (_, k) => block(0.08, top, 0.42, 1, [-HALF + 2 * k, 0, BACK + 0.2]));
+  const uprights = Array.from({ length: half + 1 }, (_, k) =>
+    block(0.08, top, 0.42, 1, [-half + 2 * k, 0, back + 0.2]),
+  );
   builder.object(
     '/World/Shelves',
     [...shelves, ...uprights].map((m) => paint(m, wood)),
   );
+  const damask = builder.material('damask', '#5f2f2a', { roughness: 0.9 });
+  builder.object(
+    '/World/Walls',
+    wallsOf(ROOM, 0, top).map((m) => paint(m, damask)),
+  );
   const spines = builder.material('spines', '#ffffff', { texture: books(), roughness: 0.7 });
-  const z = BACK + 0.25;
+  const z = back + 0.25;
   const rows = Array.from({ length: SHELVES }, (_, k) => {
     const [y, u] = [0.17 + SHELF * k, 0.37 * k];
     const row = quad(
-      [-HALF, y, z],
-      [HALF, y, z],
-      [HALF, y + SHELF - 0.12, z],
-      [-HALF, y + SHELF - 0.12, z],
-      HALF / 2,
+      [-half, y, z],
+      [half, y, z],
+      [half, y + SHELF - 0.12, z],
+      [-half, y + SHELF - 0.12, z],
+      half / 2,
       1,
     );
     return { ...row, uvs: row.uvs.map((x, i) => (i % 2 === 0 ? x + u : x)) };

@@ -9,8 +9,8 @@ import { AWAY, C, CHARGE, SPEED } from '../projects/charges.ts';
 export const set: ExampleScene = { name: 'planetarium', make };
 
 const RADIUS = 2.3;
-/** It turns by this each time round, and closes after so many. */
-const [RAY, ROUNDS] = [Math.PI / 4, 8];
+/** The way turns by this from one time out to the next, so that it closes after eight times out and this often round. */
+const [RAY, ROUNDS] = [Math.PI / 4, 9];
 /** Of the chart [pixels]. */
 const [SIZE, FIELD] = [1024, '#16264a'];
 
@@ -64,7 +64,7 @@ function chart(): Texture {
     const [r, angle] = [Math.hypot(x, y), Math.atan2(y, x)];
     const ray = (angle / RAY - Math.round(angle / RAY)) * RAY * r;
     const lines = Array.from({ length: ROUNDS }, (_, n) => {
-      const { away, slope } = way(angle + 2 * Math.PI * (n - ROUNDS / 2));
+      const { away, slope } = way(angle + 2 * Math.PI * (n - (ROUNDS - 1) / 2));
       return near((r - away) / Math.hypot(1, slope / away), 0.014);
     });
     const thin = Math.max(r < RADIUS - 0.12 ? 0.5 * near(ray, 0.009) : 0, near(r - AWAY, 0.012));

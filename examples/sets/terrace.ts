@@ -2,33 +2,26 @@ import type { Scene } from '../../src/scene/types.ts';
 import { paint, place, placePart, SceneBuilder, sky, sun } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { Canvas, tone } from '../kit/paint.ts';
-import { block, quad, turned } from '../kit/parts.ts';
+import { turned } from '../kit/parts.ts';
+import { floorOf, type Room, wallsOf } from '../kit/room.ts';
 import { broadTree } from '../kit/trees.ts';
 
 export const set: ExampleScene = { name: 'terrace', make };
 
-/** Half its width, from its back to its front [m]. */
-const [HALF, BACK, FRONT] = [5, -4, 6];
+const ROOF: Room = { half: 5, back: -4, front: 6 };
 
 /** A roof terrace of tiles of half a metre, over the sea: here washing dries. */
 function make(): Scene {
   const builder = new SceneBuilder();
   const tiles = builder.material('tiles', '#ffffff', { texture: terracotta(), roughness: 0.85 });
-  const [w, l] = [2 * HALF, FRONT - BACK];
-  const floor = quad([-HALF, 0, FRONT], [HALF, 0, FRONT], [HALF, 0, BACK], [-HALF, 0, BACK], w / 2, l / 2);
-  builder.object('/World/Floor', [paint(floor, tiles)]);
+  builder.object('/World/Floor', [paint(floorOf(ROOF, 0, 1), tiles)]);
 
   const plaster = builder.material('plaster', '#e9e2d3', { roughness: 0.95 });
   const coping = builder.material('coping', '#a65a3a', { roughness: 0.8 });
-  const walls = [
-    block(w + 0.5, 0.8, 0.25, 1, [0, 0, BACK - 0.125]),
-    ...[-1, 1].map((side) => block(0.25, 0.8, l, 1, [side * (HALF + 0.125), 0, (FRONT + BACK) / 2])),
-  ];
-  const tops = [
-    block(w + 0.6, 0.07, 0.37, 1, [0, 0.8, BACK - 0.125]),
-    ...[-1, 1].map((side) => block(0.37, 0.07, l, 1, [side * (HALF + 0.125), 0.8, (FRONT + BACK) / 2])),
-  ];
-  builder.object('/World/Parapet', [...walls.map((m) => paint(m, plaster)), ...tops.map((m) => paint(m, coping))]);
+  builder.object('/World/Parapet', [
+    ...wallsOf(ROOF, 0, 0.8, 0, 0.25).map((m) => paint(m, plaster)),
+    ...wallsOf(ROOF, 0.8, 0.87, 0.06, 0.37).map((m) => paint(m, coping)),
+  ]);
 
   const clay = builder.material('clay', '#b0623f', { roughness: 0.9 });
   const bark = builder.material('bark', '#5b4634', { roughness: 0.9 });
@@ -47,7 +40,7 @@ function make(): Scene {
   );
   const bush = [paint(pot, clay), ...placePart(broadTree(1.5, bark, leaf, 5), place([0, 0.4, 0]))];
   for (const [i, x] of [-4.3, -2.6, 2.9, 4.3].entries())
-    builder.object(`/World/Pot${i}`, placePart(bush, place([x, 0, BACK + 0.55], i)));
+    builder.object(`/World/Pot${i}`, placePart(bush, place([x, 0, ROOF.back + 0.55], i)));
   const light = [sun([0.45, 0.7, 0.6], '#ffeccb', 2.9), sky('#4f8fd8', '#d8e8f0', '#1d5a80')];
   return builder.finish('terrace', {}, [0, 0], [], light);
 }
