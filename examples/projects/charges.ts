@@ -4,7 +4,7 @@ import { painted, type Sketches, seen } from './simulated.ts';
 const ABOUT = {
   title: 'Two charges',
   lookFor:
-    'A positive and a negative charge of one mass draw each other round, at up to 0.6 c. Newton would have them on one ellipse for ever; here their momentum grows faster than their speed, which turns the ellipse by 45° each time round: they draw a rosette. Both touch the ring when they are farthest apart. Each is seen where it was, so that they do not stand opposite each other. The force acts at once, without the waves that real charges would lose.',
+    'A positive and a negative charge of one mass draw each other round, at up to 0.6 c. Newton would have them on one ellipse for ever; here their momentum grows faster than their speed, which turns the ellipse by 45° each time round: they draw a rosette. The gold line on the table is the way that Sommerfeld found for it by formula, and the balls keep to it; they touch the blue ring when they are farthest apart. Each is seen where it was, so that they do not stand opposite each other. The force acts at once, without the waves that real charges would lose.',
 };
 
 /** [m/s] */

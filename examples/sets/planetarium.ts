@@ -41,7 +41,7 @@ function make(): Scene {
  * Where two opposite charges of one mass go (Sommerfeld 1916, for a force centre that moves as well): of their distance r = 1/u,
  * u″ + κ²u = kW/(4c²L²) by the angle, κ² = 1 − k²/(4c²L²), W = E + 2mc². Here m = 1 kg, and they begin farthest apart.
  */
-function orbit(): (angle: number) => { readonly away: number; readonly slope: number } {
+export function orbit(): (angle: number) => { readonly away: number; readonly slope: number } {
   const k = COULOMB * CHARGE ** 2;
   const gamma = 1 / Math.sqrt(1 - (SPEED / C) ** 2);
   const L = 2 * AWAY * gamma * SPEED;

@@ -17,6 +17,8 @@ const endless = serializeDocument(
   applyCommand(hangingCloth(), {
     kind: 'batch',
     commands: [
+      // A project that is dropped reads beside the page, not beside itself.
+      { kind: 'set-param', node: 'place', param: 'source', value: 'examples/sets/terrace.usda' },
       { kind: 'set-param', node: 'swing', param: 'step', value: 4e-5 },
       { kind: 'set-param', node: 'swing', param: 'duration', value: 300 },
     ],
