@@ -14,7 +14,7 @@ export function floorOf({ half, back, front }: Room, y: number, pattern: number)
   return quad([-half, y, front], [half, y, front], [half, y, back], [-half, y, back], u, v);
 }
 
-/** Walls on all four sides from one height to another, so much within its edge [m]. */
+/** Walls on all four sides from one height to another, so much within its edge [m]: below the floor where they stand on it, for no light to come through. */
 export function wallsOf({ half, back, front }: Room, bottom: number, top: number, within = 0, thick = 0.2): Mesh[] {
   const [width, length, out] = [2 * (half + thick), front - back, thick / 2 - within];
   return [

@@ -20,7 +20,7 @@ function make(): Scene {
   const cream = builder.material('cream', '#e4d9bf', { roughness: 0.95 });
   const olive = builder.material('olive', '#7f8f6c', { roughness: 0.8 });
   builder.object('/World/Walls', [
-    ...wallsOf(ROOM, 0, 0.9, 0.02).map((m) => paint(m, olive)),
+    ...wallsOf(ROOM, -0.1, 0.9, 0.02).map((m) => paint(m, olive)),
     ...wallsOf(ROOM, 0.9, TOP).map((m) => paint(m, cream)),
   ]);
 

@@ -44,7 +44,7 @@ function walls(builder: SceneBuilder): void {
   const plaster = builder.material('plaster', '#dcd8cc', { roughness: 0.95 });
   const glass = builder.material('glass', '#cfe2ee', { emissive: '#a9c4d6', roughness: 0.3 });
   builder.object('/World/Walls', [
-    ...wallsOf(HALL, -THICK, 2.5).map((m) => paint(m, panel)),
+    ...wallsOf(HALL, -0.3, 2.5).map((m) => paint(m, panel)),
     ...wallsOf(HALL, 2.5, TOP).map((m) => paint(m, plaster)),
   ]);
   const windows = Array.from({ length: 6 }, (_, k) => block(2.2, 1.7, 0.05, 1, [-7.25 + 2.9 * k, 3.4, HALL.back]));

@@ -22,7 +22,7 @@ function make(): Scene {
   const slate = builder.material('slate', '#ffffff', { texture: graph(), roughness: 0.9 });
   builder.object(
     '/World/Boards',
-    wallsOf(ROOM, 0, TOP).map((m) => paint(m, slate)),
+    wallsOf(ROOM, -1, TOP).map((m) => paint(m, slate)),
   );
 
   const width = 2 * ROOM.half;

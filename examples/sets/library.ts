@@ -35,7 +35,7 @@ function make(): Scene {
   const damask = builder.material('damask', '#5f2f2a', { roughness: 0.9 });
   builder.object(
     '/World/Walls',
-    wallsOf(ROOM, 0, top).map((m) => paint(m, damask)),
+    wallsOf(ROOM, -0.1, top).map((m) => paint(m, damask)),
   );
   const spines = builder.material('spines', '#ffffff', { texture: books(), roughness: 0.7 });
   const z = back + 0.25;

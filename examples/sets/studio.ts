@@ -22,7 +22,7 @@ function make(): Scene {
   const hall = { ...ROOM, back: ROOM.back - BEND - 0.05 };
   builder.object(
     '/World/Walls',
-    wallsOf(hall, 0, TOP).map((m) => paint(m, felt)),
+    wallsOf(hall, -0.1, TOP).map((m) => paint(m, felt)),
   );
   const foot = turned(
     [

@@ -19,7 +19,7 @@ function make(): Scene {
   const plaster = builder.material('plaster', '#e9e2d3', { roughness: 0.95 });
   const coping = builder.material('coping', '#a65a3a', { roughness: 0.8 });
   builder.object('/World/Parapet', [
-    ...wallsOf(ROOF, 0, 0.8, 0, 0.25).map((m) => paint(m, plaster)),
+    ...wallsOf(ROOF, -0.1, 0.8, 0, 0.25).map((m) => paint(m, plaster)),
     ...wallsOf(ROOF, 0.8, 0.87, 0.06, 0.37).map((m) => paint(m, coping)),
   ]);
 
