@@ -15,7 +15,7 @@ const SIDES = [32, 100, 316];
 /** hω of a step of 1/240 s. With 1000 N/m a point has 2.6 kg, 12 g or 0.1 g; a cloth of 10,000 points and 1 kg has 0.04, 9 or 1000 N/m. */
 const STIFF = [0.4, 6, 64];
 /** [s] */
-const STEP = 1 / 240;
+export const STEP = 1 / 240;
 /** Explicit methods take steps of hω = 1, half of what is stable. */
 const EXPLICIT = 1;
 const ROUNDS = 3;
@@ -105,7 +105,7 @@ function memory(): Table {
 const bounded = (method: string): boolean => METHODS.get(method)?.bounded ?? true;
 
 /** Mass of a point [kg] by which a step has this hω. */
-function massFor(side: number, stiff: number): number {
+export function massFor(side: number, stiff: number): number {
   const omega = fastestOscillation(cloth(side, 1).system);
   return ((omega * STEP) / stiff) ** 2;
 }
@@ -142,7 +142,11 @@ export function fallingBy(id: string, side: number, mass: number, parts: number)
   };
 }
 
-function cloth(side: number, mass: number): { system: System; net: ReturnType<typeof meshSprings>; start: State } {
+/** A square cloth of a metre that hangs at two corners, with springs of 1000 N/m, where light goes at 10 m/s. */
+export function cloth(
+  side: number,
+  mass: number,
+): { system: System; net: ReturnType<typeof meshSprings>; start: State } {
   const x = new Float64Array(3 * side * side);
   const corners: number[] = [];
   for (let i = 0; i < side; i++)

@@ -5,6 +5,7 @@ import { antialiasing } from './antialiasing.ts';
 import { type Bench, markdown } from './bench.ts';
 import { bundle } from './bundle.ts';
 import { cache } from './cache.ts';
+import { computing } from './computing.ts';
 import { cubic } from './cubic.ts';
 import { dynamics } from './dynamics.ts';
 import { effects } from './effects.ts';
@@ -34,6 +35,7 @@ const benches: readonly Bench[] = [
   cache,
   reference,
   dynamics,
+  computing,
   graph,
   graphPage,
   page,

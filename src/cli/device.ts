@@ -1,3 +1,4 @@
+import type { ComputeGpu } from '../compute/gpu.ts';
 import { RAISED_LIMITS } from '../render/limits.ts';
 import { unavailable } from './exit.ts';
 import { findSwiftShader, hasVulkanDriver } from './icd.ts';
@@ -50,6 +51,12 @@ export async function openDevice(): Promise<HeadlessDevice> {
       for (const thing of [gpu, adapter, device]) held.delete(thing);
     },
   };
+}
+
+/** The same, for what is computed. */
+export async function openGpu(): Promise<ComputeGpu> {
+  const { device, software, release } = await openDevice();
+  return { device, software, release };
 }
 
 /** Loaded here and not at the top: on a machine that it does not support, all that needs no GPU still works. */

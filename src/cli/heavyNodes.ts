@@ -1,9 +1,24 @@
 import { Worker } from 'node:worker_threads';
 import type { RunHeavy } from '../graph/evaluate.ts';
 import { heavyThreads } from '../graph/heavy.ts';
+import { nodeLibrary } from '../nodes/library.ts';
+import { threadServices } from '../nodes/services.ts';
+import { openGpu } from './device.ts';
 
-/** Has heavy nodes evaluated in threads of Node's, which do not keep the program from ending. */
-export const heavyNodes = (): RunHeavy =>
+/** Has heavy nodes evaluated in threads of Node's, which do not keep the program from ending; but here, where they need a GPU: to end a thread that has one ends the program. */
+export const heavyNodes = (): RunHeavy => {
+  const threads = inThreads();
+  return (order, work) => (order.onGpu ? here(order, work) : threads(order, work));
+};
+
+const here: RunHeavy = async ({ type, node, inputs, params, resume }, { signal, progress }) =>
+  nodeLibrary[type]!.evaluate(inputs, params, {
+    ...{ services: { ...threadServices, openGpu }, progress, node },
+    ...(signal && { signal }),
+    ...(resume && { resume }),
+  });
+
+const inThreads = (): RunHeavy =>
   heavyThreads(() => {
     const worker = new Worker(new URL('./heavyNodeWorker.js', import.meta.url));
     return {

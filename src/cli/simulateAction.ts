@@ -12,6 +12,7 @@ import { type Simulated, Simulation } from '../nodes/dynamics/simulation.ts';
 import { nodeLibrary } from '../nodes/library.ts';
 import { writtenScene } from '../nodes/writtenScene.ts';
 import { Checkpoint, contentOf, readCheckpoint } from './checkpoint.ts';
+import { openGpu } from './device.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { inputProblem, usageError } from './exit.ts';
 import { heavyNodes } from './heavyNodes.ts';
@@ -102,11 +103,13 @@ async function followed(
   progress: Progress,
 ): Promise<Readonly<Record<string, unknown>>> {
   const matter = inputs.matter as readonly Matter[];
-  const simulation = new Simulation(matter, settingsOf(params), node);
+  const settings = settingsOf(params);
+  const simulation = new Simulation(matter, settings, node);
   const kept = checkpointOf(simulation, matter, params, flags);
+  const gpu = settings.onGpu ? await openGpu() : undefined;
   let breath = performance.now();
   try {
-    for (const frame of simulation.run()) {
+    for await (const frame of simulation.run(gpu)) {
       kept?.add(frame);
       progress.frames(simulation.taken, simulation.frames);
       if (performance.now() - breath < BREATH) continue;
@@ -116,6 +119,7 @@ async function followed(
     }
   } finally {
     kept?.close();
+    gpu?.release();
   }
   if (stoppedWith() !== undefined) {
     const how = kept ? `; --resume goes on from ${flags.checkpoint}` : '; nothing is written';
@@ -143,11 +147,12 @@ function checkpointOf(
 }
 
 function report(books: Books, files: readonly string[], { json }: SimulateFlags): void {
-  const { method, speedOfLight, step, times, stop, steps } = books;
+  const { method, onGpu = false, speedOfLight, step, times, stop, steps } = books;
   const { until, fastest, drift = 0 } = figuresOf(books);
   const summary = {
     files,
     method,
+    onGpu,
     speedOfLight: Number.isFinite(speedOfLight) ? speedOfLight : 'infinite',
     step,
     steps: steps.at(-1),

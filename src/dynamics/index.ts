@@ -1,10 +1,11 @@
 export { Bookkeeper, type Books, booksCsv } from './books.ts';
 export { type Ledger, ledger } from './energy.ts';
-export { barrier, box, type Obstacle, plane } from './forces/barrier.ts';
+export { barrier } from './forces/barrier.ts';
 export { type Ball, ballContacts, CONTACT, type Contact, Penalty } from './forces/contact.ts';
 export { COULOMB, coulomb } from './forces/coulomb.ts';
-export type { Force, Stiffness, StiffnessForm } from './forces/force.ts';
+export type { Force, PlainForce, Stiffness, StiffnessForm } from './forces/force.ts';
 export { NearPairs } from './forces/near.ts';
+export { box, type Obstacle, plane } from './forces/obstacle.ts';
 export { type PairLaw, Pairs } from './forces/pairs.ts';
 export { type Springs, springs } from './forces/springs.ts';
 export { uniform } from './forces/uniform.ts';

@@ -3,10 +3,11 @@ import { describe, expect, it } from 'vitest';
 import { uniform as between } from '../../tests/physicsArbitraries.ts';
 import { random } from '../math/random.ts';
 import { AdaptiveSteps } from './adaptive.ts';
-import { barrier, box } from './forces/barrier.ts';
+import { barrier } from './forces/barrier.ts';
 import { ballContacts, Penalty } from './forces/contact.ts';
 import { coulomb } from './forces/coulomb.ts';
 import { NearPairs } from './forces/near.ts';
+import { box } from './forces/obstacle.ts';
 import { Pairs } from './forces/pairs.ts';
 import { springs } from './forces/springs.ts';
 import { uniform } from './forces/uniform.ts';
@@ -84,11 +85,14 @@ describe('points that are near', () => {
     const next = random(5);
     const bodies = Int32Array.from({ length: n }, (_, i) => (i % 4) - 1);
     const law = new Penalty(10, () => 0.3);
-    const near = new NearPairs(bodies, 0.3, law);
+    const rest = Float64Array.from({ length: 3 * n }, next);
+    const far = (i: number, j: number): boolean =>
+      Math.hypot(...[0, 1, 2].map((k) => rest[3 * i + k] - rest[3 * j + k])) > 0.3;
+    const near = new NearPairs(bodies, rest, 0.3, law);
     const all = new Pairs(
       Uint32Array.from(
         Array.from({ length: n * n }, (_, k) => [Math.floor(k / n), k % n])
-          .filter(([i, j]) => i < j && bodies[i] >= 0 && bodies[j] >= 0 && bodies[i] !== bodies[j])
+          .filter(([i, j]) => i < j && bodies[i] >= 0 && bodies[j] >= 0 && (bodies[i] !== bodies[j] || far(i, j)))
           .flat(),
       ),
       law,
@@ -111,6 +115,86 @@ describe('points that are near', () => {
   });
 });
 
+describe('what touches', () => {
+  /** Points of four bodies that are soft to each other, in a crowd. */
+  const crowd = (seed: number): Pick<Order, 'system' | 'start'> => {
+    const n = 80;
+    const next = random(seed);
+    const bodies = Int32Array.from({ length: n }, (_, i) => i % 4);
+    const x = Float64Array.from({ length: 3 * n }, next);
+    const near = new NearPairs(bodies, x, 0.3, new Penalty(0.05, () => 0.3));
+    const system = makeSystem({ masses: new Float64Array(n).fill(0.1), c: 3, forces: [near] });
+    const p = momenta(
+      system,
+      Array.from(x, () => next() - 0.5),
+    );
+    return { system, start: { t: 0, x, p } };
+  };
+
+  it.each(['leapfrog', 'discrete-gradient'])(
+    'pushes to the same last digit where a run is taken up again, though what is near is sought from another place: %s',
+    (id) => {
+      const order = { method: method(id), step: 2e-3, every: 0.07 };
+      for (let seed = 1; seed <= 4; seed++) {
+        const { frames } = whole({ ...crowd(seed), ...order, duration: 0.56 });
+        for (const from of [1, 3, 5]) {
+          const again = whole({ ...crowd(seed), ...order, start: frames[from].state, duration: 0.56 - 0.07 * from });
+          expect(again.frames.map(({ ledger }) => ledger)).toEqual(frames.slice(from).map(({ ledger }) => ledger));
+          expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
+        }
+      }
+    },
+  );
+});
+
+describe('two leaves of one thing that are thrown at each other', () => {
+  const side = 5;
+  const count = 2 * side * side;
+  const leaf = (i: number): number => (i < count / 2 ? -1 : 1);
+  const x = Float64Array.from({ length: 3 * count }, (_, j) => {
+    const i = Math.floor(j / 3);
+    const [row, column] = [Math.floor((i % (side * side)) / side), i % side];
+    return [0.2 * leaf(i), 0.1 * row + 0.03 * leaf(i), 0.1 * column][j % 3];
+  });
+  const corners = [0, 1].flatMap((which) =>
+    Array.from({ length: (side - 1) ** 2 }, (_, k) => {
+      const a = which * side * side + Math.floor(k / (side - 1)) * side + (k % (side - 1));
+      return [a, a + 1, a + side + 1, a + side];
+    }).flat(),
+  );
+  const faces = { counts: new Uint8Array(2 * (side - 1) ** 2).fill(4), corners };
+  const net = springs(meshSprings(x, faces, { structural: 300, shear: 300, bending: 100 }));
+  const masses = new Float64Array(count).fill(0.01);
+  const touch = new NearPairs(new Int32Array(count), x, 0.12, new Penalty(500, () => 0.12));
+  const flight = (forces: System['forces']) => {
+    const system = makeSystem({ masses, c: 10, forces });
+    const v = x.map((_, j) => (j % 3 === 0 ? -2 * leaf(Math.floor(j / 3)) : 0));
+    const start = { t: 0, x, p: momenta(system, v) };
+    const method = METHODS.get('discrete-gradient')!;
+    return [...run({ system, start, method, duration: 0.4, every: 0.02, step: 1e-3 })];
+  };
+  const isApart = ({ state }: Frame): boolean => {
+    const sides = [-1, 1].map((which) => Array.from(masses.keys()).filter((i) => leaf(i) === which));
+    const [left, right] = sides.map((points) => points.map((i) => state.x[3 * i]));
+    return Math.max(...left) < Math.min(...right);
+  };
+
+  it('come apart again, with the energy and the momentum that they had', () => {
+    const frames = flight([net, touch]);
+    const [first, last] = [frames[0].ledger, frames.at(-1)!.ledger];
+    expect(frames).toHaveLength(21);
+    expect(frames.every(isApart)).toBe(true);
+    expect(Math.min(...frames.map(({ ledger }) => ledger.kinetic))).toBeLessThan(0.9 * first.kinetic);
+    expect(Math.abs(last.total - first.total)).toBeLessThan(1e-10 * first.kinetic);
+    expect(Math.hypot(...last.momentum)).toBeLessThan(1e-12);
+    const outward = frames
+      .at(-1)!
+      .state.p.reduce((sum, p, j) => sum + (j % 3 === 0 ? p * leaf(Math.floor(j / 3)) : 0), 0);
+    expect(outward).toBeGreaterThan(0);
+    expect(flight([net]).every(isApart)).toBe(false);
+  });
+});
+
 describe('the fastest oscillation', () => {
   it('is never faster than the bound: leapfrog below it is stable, and the chain nears it', () => {
     fc.assert(
@@ -127,6 +211,24 @@ describe('the fastest oscillation', () => {
         const exact = 2 * Math.sqrt(k / m) * Math.cos(Math.PI / (2 * n));
         expect(fastestOscillation(system)).toBeGreaterThan(exact);
         expect(fastestOscillation(system)).toBeLessThan(1.01 * exact);
+      }),
+    );
+  });
+});
+
+describe('the fastest oscillation of what is unlike', () => {
+  it('is bounded by the lightest: two masses on a spring swing with √(k/μ)', () => {
+    fc.assert(
+      fc.property(between(0.01, 100), between(0.01, 100), between(1, 1000), (m, n, k) => {
+        const one = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(1) };
+        const masses = Float64Array.of(m, n);
+        const exact = Math.sqrt(k / m + k / n);
+        const bound = fastestOscillation(makeSystem({ masses, forces: [springs(one)] }));
+        expect(bound).toBeGreaterThan(exact * (1 - 1e-12));
+        expect(bound).toBeLessThan(Math.SQRT2 * exact * (1 + 1e-12));
+        // What is pinned does not swing: its bound is that of the other alone.
+        const held = fastestOscillation(makeSystem({ masses, pinned: Uint8Array.of(1, 0), forces: [springs(one)] }));
+        expect(held).toBeCloseTo(Math.sqrt((2 * k) / n), 9);
       }),
     );
   });
@@ -190,7 +292,7 @@ describe('a run', () => {
     const order = { system, start, method: method('semi-implicit-euler-0'), duration: 1, every: 0.1, step: 0.05 };
     expect(stepsOf(order).stable).toBe(true);
     const { frames, stop } = whole(order);
-    expect(stop).toMatchObject({ reason: 'light', t: 0 });
+    expect(stop).toMatchObject({ reason: 'light', t: 0, point: 0 });
     expect(stop?.message).toMatch(/^point \d+ goes at .* m\/s, not below c = 1 m\/s; take a smaller step$/);
     expect(frames).toHaveLength(1);
   });

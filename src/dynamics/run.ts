@@ -10,6 +10,8 @@ export interface Order {
   readonly system: System;
   /** Not changed. */
   readonly start: State;
+  /** Of a run that goes on: when the whole began [s], and which of its frames `start` is. Its times are then those of the whole, to the last digit. */
+  readonly since?: { readonly t: number; readonly frames: number };
   readonly method: Method;
   /** From `start.t` on [s]. */
   readonly duration: number;
@@ -50,7 +52,7 @@ const BOUNDED = 0.9;
 const FREE_STEPS = 10;
 const MOST_STEPS = 1e9;
 /** What may be gained of the energy where steps are longer than the stability bound, over the kinetic energy: more is not a swing. */
-const SWING = 0.5;
+export const SWING = 0.5;
 
 export interface Steps {
   /** The longest that there are [s]. */
@@ -81,33 +83,67 @@ function longest({ method, every, step, tolerance }: Order, omega: number): numb
  * it goes on, so that it can be cancelled, and taken up again from any frame's state.
  */
 export function* run(order: Order): Generator<Frame, Stop | undefined> {
-  const { system, start, duration, every } = order;
-  const taken = stepsOf(order);
-  const frames = Math.round(duration / every);
-  if (!(frames * taken.perFrame <= MOST_STEPS)) throw new RangeError(`${frames * taken.perFrame} steps are too many`);
-  const advance = advancer(order, taken);
-  const state = copyOf(start);
-  const first = ledger(system, state);
-  let [now, steps] = [first, 0];
-  yield { state: copyOf(state), ledger: now, steps };
-  for (let frame = 1; frame <= frames; frame++) {
+  const course = new Course(order);
+  const advance = advancer(order, course.steps);
+  const state = copyOf(order.start);
+  yield course.start();
+  while (!course.ended) {
+    let frame: Frame;
     try {
-      steps += advance(state);
-      refuseInfinite(state);
-      now = ledger(system, state);
-      refuseGrowth(order, taken, first, now);
+      frame = course.next(state, advance(state));
     } catch (error) {
-      if (!(error instanceof StepFailure)) throw error;
-      return { reason: error.reason, t: state.t, message: error.message, ...pointOf(error) };
+      return stopOf(error, state.t);
     }
-    // Sums of many steps drift away from what a clock shows.
-    state.t = start.t + frame * every;
-    yield { state: copyOf(state), ledger: now, steps };
+    yield frame;
   }
   return undefined;
 }
 
-const pointOf = ({ point }: StepFailure): { readonly point?: number } => (point === undefined ? {} : { point });
+/** The frames of a run, whoever computes them. */
+export class Course {
+  readonly steps: Steps;
+  private readonly order: Order;
+  private readonly frames: number;
+  private readonly first: Ledger;
+  private frame = 0;
+  private taken = 0;
+
+  constructor(order: Order) {
+    this.order = order;
+    this.steps = stepsOf(order);
+    this.frames = Math.round(order.duration / order.every);
+    const all = this.frames * this.steps.perFrame;
+    if (!(all <= MOST_STEPS)) throw new RangeError(`${all} steps are too many`);
+    this.first = ledger(order.system, order.start);
+  }
+
+  get ended(): boolean {
+    return this.frame === this.frames;
+  }
+
+  start = (): Frame => ({ state: copyOf(this.order.start), ledger: this.first, steps: 0 });
+
+  /** The next frame, of a state that was taken there in so many steps. Throws a StepFailure where what came is not to be trusted. */
+  next(state: State, steps: number): Frame {
+    const { order, first } = this;
+    refuseInfinite(state);
+    const now = ledger(order.system, state);
+    refuseGrowth(order, this.steps, first, now);
+    this.taken += steps;
+    this.frame++;
+    // Sums of many steps drift away from what a clock shows.
+    const { t, frames } = order.since ?? { t: order.start.t, frames: 0 };
+    state.t = t + (frames + this.frame) * order.every;
+    return { state: copyOf(state), ledger: now, steps: this.taken };
+  }
+}
+
+/** Why a run ends at t, by what was thrown; that which is no StepFailure is thrown on. */
+export function stopOf(error: unknown, t: number): Stop {
+  if (!(error instanceof StepFailure)) throw error;
+  const { reason, message, point } = error;
+  return { reason, t, message, ...(point !== undefined && { point }) };
+}
 
 /** Takes a state one frame further, and tells in how many steps. */
 function advancer(order: Order, { h, perFrame }: Steps): (state: State) => number {

@@ -7,6 +7,7 @@ import './viewport/legend.css';
 import { MantineProvider } from '@mantine/core';
 import { type ReactNode, StrictMode, useEffect } from 'react';
 import type { Root } from 'react-dom/client';
+import { openWebGpu } from '../compute/gpu.ts';
 import type { Backend } from '../render/settings.ts';
 import { Editor } from './Editor.tsx';
 import { startTranslation, useTexts } from './i18n/i18n.ts';
@@ -48,7 +49,7 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
   const { beginning, view, problem, ...session } = await begin(asked, localFiles);
   const playing = view?.playing ?? !prefersReducedMotion();
   const studio = createStudio({
-    services: { readScene, readFont, readFile: fileReader(localFiles), trace: traceInWorkers },
+    services: { readScene, readFont, readFile: fileReader(localFiles), trace: traceInWorkers, openGpu: openWebGpu },
     beginning,
     playing,
   });

@@ -46,6 +46,8 @@ export interface HeavyOrder {
   readonly node: string;
   readonly inputs: Readonly<Record<string, unknown>>;
   readonly params: Call<never>['params'];
+  /** It computes on a GPU. */
+  readonly onGpu?: boolean;
   /** Whether interims are wanted. */
   readonly interims?: boolean;
   readonly resume?: Outputs;
@@ -190,7 +192,8 @@ export class Evaluator<Services> {
     };
     const done = (outputs: Outputs): NodeResult => ({ status: 'done', outputs });
     try {
-      const order = { type: type.id, node, inputs, params, interims: onInterim !== undefined, ...resume };
+      const gpu = type.onGpu?.(params) && { onGpu: true };
+      const order = { type: type.id, node, inputs, params, ...gpu, interims: onInterim !== undefined, ...resume };
       const interim = onInterim && { interim: paced(give) };
       const outputs =
         type.heavy && this.#heavy

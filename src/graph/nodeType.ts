@@ -171,6 +171,8 @@ export interface NodeType<Services = unknown> {
   needs?(params: Readonly<Record<string, ParamValue | undefined>>): readonly string[];
   /** Takes long: it is evaluated in a worker, without services. */
   readonly heavy?: boolean;
+  /** Whether it computes on a GPU, which not every worker can reach. */
+  onGpu?(params: Readonly<Record<string, ParamValue | undefined>>): boolean;
   evaluate(
     inputs: Readonly<Record<string, unknown>>,
     params: Readonly<Record<string, ParamValue | undefined>>,

@@ -1,3 +1,4 @@
+import { type ComputeGpu, openWebGpu } from '../compute/gpu.ts';
 import type { ReadFont } from '../formats/font/letters.ts';
 import type { ReadOptions } from '../formats/registry.ts';
 import type { Cancellation, Progress } from '../graph/nodeType.ts';
@@ -30,6 +31,8 @@ export interface Services {
   readFile(source: string): Promise<Uint8Array>;
   /** Pictures by the reference renderer. */
   readonly trace: Trace;
+  /** A GPU that nobody else computes on; throws a `SystemError` where there is none. */
+  readonly openGpu: () => Promise<ComputeGpu>;
 }
 
 /** In the threads of heavy nodes nothing is read, and no others are started: what they work on comes with their orders. */
@@ -39,4 +42,5 @@ export const threadServices: Services = {
   readFont: readsNothing,
   readFile: readsNothing,
   trace: () => Promise.reject(new Error('a heavy node has no threads of its own')),
+  openGpu: openWebGpu,
 };

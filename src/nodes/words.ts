@@ -659,7 +659,10 @@ export const nodeWords = {
     '与起始长度之比：小于 1 时弹簧绷紧。',
   ],
   'param.pins': ['Holds', '固定'],
-  'param.pins.help': ['Which points stay where they are.', '哪些点保持不动。'],
+  'param.pins.help': [
+    'Which points stay where they are, or, of a thing that moves already, go on as it does.',
+    '哪些点保持不动；若物体本身在运动，这些点随它运动。',
+  ],
   'pins.none': ['Nothing', '无'],
   'pins.corners': ['Upper corners', '上方四角'],
   'pins.top': ['Top', '顶部'],
@@ -675,8 +678,8 @@ export const nodeWords = {
   'socket.rest': ['The rest', '其余物体'],
   'node.collider': ['Collider', '碰撞体'],
   'node.collider.help': [
-    'What nothing gets into: planes without end, boxes, and balls, which may be free and then are moved by what they touch. Read off the thing as it rests.',
-    '不可穿入之物：无限平面、长方体，以及可自由运动、受碰撞推动的球。形状取自静止的物体。',
+    'What nothing gets into: planes without end, boxes, and balls, which may be free and then are moved by what they touch. A thing that moves already goes on as it does, whatever it hits.',
+    '不可穿入之物：无限平面、长方体，以及可自由运动、受碰撞推动的球。本身在运动的物体照常运动，不受碰撞影响。',
   ],
   'param.solidShape': ['Shape', '形状'],
   'param.solidShape.help': ['A plane is solid behind its front.', '平面正面之后为实体。'],
@@ -695,7 +698,10 @@ export const nodeWords = {
   'param.margin': ['Keeps off by', '间隙'],
   'param.margin.help': ['What touches it stays this far away.', '与接触物之间保持的距离。'],
   'param.free': ['Free', '自由'],
-  'param.free.help': ['It is moved by what touches it; else it stands fast.', '受碰撞推动；否则固定不动。'],
+  'param.free.help': [
+    'It is moved by what touches it; else it stands fast, or goes as it goes.',
+    '受碰撞推动；否则固定不动，或照自身的运动而动。',
+  ],
   'param.rods': ['Held by rods', '杆连接'],
   'param.rods.help': [
     'Thin springs, stiff as rods: pendulums, or chains of things in their order.',
@@ -773,6 +779,11 @@ export const nodeWords = {
   'correction.tangent': ['By the tangent', '切线'],
   'correction.secant': ['By the secant', '割线'],
   'correction.root': ['By the root between', '求根'],
+  'param.onGpu': ['On the GPU', '在 GPU 上'],
+  'param.onGpu.help': [
+    'The graphics processor takes the steps, in 32-bit numbers: for cloths of many thousands of points. Their rounding is about a millionth of the kinetic energy.',
+    '由图形处理器以 32 位数计算各步：适合有成千上万个点的布料；舍入误差约为动能的百万分之一。',
+  ],
   'param.errorASecond': ['Error a second', '每秒误差'],
   'param.errorASecond.help': [
     'Steps follow what they get wrong of any place [m] and velocity [m/s] in a second; 0: all steps are alike.',
@@ -785,7 +796,7 @@ export const nodeWords = {
   ],
   'param.touchReach': ['Things touch within', '接触距离'],
   'param.touchReach.help': [
-    'Points of different nets that come nearer push each other apart; 0: they pass through.',
-    '不同弹簧网的点近于此距离时互相推开；0 表示互不作用。',
+    'Points of nets that come nearer push each other apart: of different things, and of one that folds, where at rest they are farther apart. About the length of an edge; 0: they pass through.',
+    '弹簧网的点近于此距离时互相推开：不同物体之间如此，同一物体折叠时，静止时相距更远的点之间也如此。约取一条边的长度；0 表示互不作用。',
   ],
 } as const satisfies Record<string, readonly [en: string, zh: string]>;

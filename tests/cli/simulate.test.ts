@@ -49,6 +49,22 @@ print(json.dumps([codes, min(world.Transform(p)[1] for p in points.Get(codes[-1]
   expect(fast).toBeCloseTo(Number(rows.at(-1)!.split(',').at(-1)), 4);
 });
 
+test('a GPU takes the steps of a simulation, and of what a project’s picture needs', async () => {
+  const figures = async (...more: string[]) =>
+    slowlightJson<{ onGpu: boolean; fastest: number; until: number }>(
+      ...['simulate', project, '--csv', at('gpu.csv'), '--set', 'run.duration=0.25', ...more],
+    );
+  const [gpu, processor] = [await figures('--set', 'run.onGpu=true'), await figures()];
+  expect([gpu.onGpu, processor.onGpu]).toEqual([true, false]);
+  expect(gpu.until).toBe(0.25);
+  expect(gpu.fastest).not.toBe(processor.fastest);
+  expect(Math.abs(gpu.fastest / processor.fastest - 1)).toBeLessThan(1e-5);
+  const seen = ['examples/hanging-cloth.slowlight.json', '-o', at('seen.png'), '--size', '80x60'];
+  const drawn = await slowlight('render', ...seen, '--set', 'swing.onGpu=true', '--set', 'swing.duration=0.1');
+  expect(drawn.code, drawn.err).toBe(0);
+  expect(statSync(at('seen.png')).size).toBeGreaterThan(1000);
+});
+
 test('what was stopped goes on from its checkpoint, to the same last digit', async () => {
   const args = ['simulate', project, '--set', 'run.duration=2', '--set', 'run.method=discrete-gradient', '--csv'];
   await slowlight(...args, at('whole.csv'));
@@ -69,6 +85,19 @@ test('what was stopped goes on from its checkpoint, to the same last digit', asy
   const { code: refused, err: why } = await slowlight(...other);
   expect(refused).toBe(3);
   expect(why).toMatch(/another simulation/);
+});
+
+test('what adapts its steps goes on to the same last digit too, for longer than it was to last', async () => {
+  const args = ['simulate', project, '--set', 'run.tolerance=0.01', '--csv'];
+  const short = await slowlight(...args, at('long.csv'), '--checkpoint', at('adaptive.run'));
+  expect(short.code, short.err).toBe(0);
+  const longer = ['--set', 'run.duration=1'];
+  await slowlight(...args, at('whole.csv'), ...longer);
+  const rest = await slowlight(...args, at('long.csv'), ...longer, '--checkpoint', at('adaptive.run'), '--resume');
+  expect(rest.code, rest.err).toBe(0);
+  const rows = readFileSync(at('long.csv'), 'utf8');
+  expect(rows).toBe(readFileSync(at('whole.csv'), 'utf8'));
+  expect(rows.trim().split('\n')).toHaveLength(26);
 });
 
 test.each([

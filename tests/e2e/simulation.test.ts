@@ -1,7 +1,8 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { hangingCloth } from '../../examples/projects/hangingCloth.ts';
-import { applyCommand } from '../../src/graph/commands.ts';
+import { applyCommand, type Command } from '../../src/graph/commands.ts';
+import type { ParamValue } from '../../src/graph/document.ts';
 import { serializeDocument } from '../../src/graph/serialize.ts';
 import { colours, difference, type Guarded, Program } from './program.ts';
 import { drop } from './support.ts';
@@ -12,18 +13,16 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
+const hanging = (params: Readonly<Record<string, ParamValue>>): string => {
+  const set = Object.entries(params).map(
+    ([param, value]): Command => ({ kind: 'set-param', node: 'swing', param, value }),
+  );
+  // A project that is dropped reads from beside the page, not from beside itself.
+  const source = { kind: 'set-param', node: 'place', param: 'source', value: 'examples/sets/terrace.usda' } as const;
+  return serializeDocument(applyCommand(hangingCloth(), { kind: 'batch', commands: [source, ...set] }).document);
+};
 /** So long, in such short steps, that no test sees its end. */
-const endless = serializeDocument(
-  applyCommand(hangingCloth(), {
-    kind: 'batch',
-    commands: [
-      // A project that is dropped reads beside the page, not beside itself.
-      { kind: 'set-param', node: 'place', param: 'source', value: 'examples/sets/terrace.usda' },
-      { kind: 'set-param', node: 'swing', param: 'step', value: 4e-5 },
-      { kind: 'set-param', node: 'swing', param: 'duration', value: 300 },
-    ],
-  }).document,
-);
+const endless = hanging({ step: 4e-5, duration: 300 });
 
 /** What the panel tells of the run: until when it is computed [s]. */
 async function computed({ page }: Guarded): Promise<number> {
@@ -81,5 +80,19 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   const first = await computed(visit);
   expect(first).toBeGreaterThanOrEqual(kept);
   await expect.poll(() => computed(visit)).toBeGreaterThan(kept + 0.1);
+  await visit.close();
+});
+
+it('the GPU takes the steps, in a worker of the page, where it is told to', async () => {
+  const visit = await (await program.open('?scene=examples/sphere.usda')).ready();
+  const { page } = visit;
+  const content = Buffer.from(hanging({ onGpu: true, duration: 0.5 }));
+  await drop(visit, [{ name: 'cloth.slowlight.json', content }]);
+  await page.getByRole('tab', { name: 'Energy' }).click();
+  await page.locator('.sl-energy tbody', { hasText: 'Leapfrog GPU' }).waitFor();
+  await page.getByText('Simulating').waitFor({ state: 'detached' });
+  const plot = page.getByRole('slider', { name: 'Change of energy over time' });
+  await plot.press('End');
+  expect(await plot.getAttribute('aria-valuetext')).toMatch(/^0\.50 s: Leapfrog GPU −0\.\d+ J$/);
   await visit.close();
 });

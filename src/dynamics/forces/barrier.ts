@@ -1,48 +1,31 @@
-import { addScaled, dot, normalize, sub, type Vec3 } from '../../math/vec3.ts';
+import { add, addScaled, dot, sub, type Vec3 } from '../../math/vec3.ts';
 import { addBlock, type Force, type Stiffness } from './force.ts';
-
-/** Something that stands fast: how far a place is outside of it (below 0: inside), and the unit direction that leads out. */
-export interface Obstacle {
-  outside(place: Vec3): readonly [distance: number, out: Vec3];
-}
-
-/** All on the side that `normal` does not point to. */
-export function plane(point: Vec3, normal: Vec3): Obstacle {
-  const n = normalize(normal);
-  return { outside: (place) => [dot(sub(place, point), n), n] };
-}
-
-/** A box along the axes; from inside it leads out by the nearest side. */
-export function box(middle: Vec3, size: Vec3): Obstacle {
-  return {
-    outside(place) {
-      const d = sub(place, middle);
-      const over = d.map((value, k) => Math.abs(value) - size[k] / 2);
-      const beyond: Vec3 = [0, 1, 2].map((k) => Math.max(0, over[k]) * Math.sign(d[k])) as unknown as Vec3;
-      const far = Math.hypot(...beyond);
-      if (far > 0) return [far, normalize(beyond)];
-      const nearest = over.indexOf(Math.max(...over));
-      const out = [0, 0, 0];
-      out[nearest] = d[nearest] < 0 ? -1 : 1;
-      return [over[nearest], out as unknown as Vec3];
-    },
-  };
-}
+import type { Obstacle } from './obstacle.ts';
 
 /** A third is cut off so often. */
 const SEARCH = 40;
 
 /**
  * Pushes points out of an obstacle: V = Σ ½K(margin − d)² of those whose distance d is below the margin. `K` [N/m], `margin` [m]. Its discrete gradient is Gonzalez's:
- * the gradient halfway, and along the way what is missing of V₁ − V₀.
+ * the gradient halfway, and along the way what is missing of V₁ − V₀. `carrier`: a point that is led, which the obstacle's middle goes with; absent: it stands fast.
  */
-export function barrier(obstacle: Obstacle, points: readonly number[], K: number, margin = 0): Force {
+export function barrier(
+  obstacle: Obstacle,
+  points: readonly number[],
+  K: number,
+  margin = 0,
+  carrier: number | undefined = undefined,
+): Force {
+  /** As seen from the obstacle. */
+  const at = (x: Float64Array, i: number): Vec3 =>
+    carrier === undefined ? pointAt(x, i) : add(obstacle.middle, sub(pointAt(x, i), pointAt(x, carrier)));
   const depth = (place: Vec3): readonly [number, Vec3] => {
     const [distance, out] = obstacle.outside(place);
     return [Math.max(0, margin - distance), out];
   };
   const energyAt = (place: Vec3): number => 0.5 * K * depth(place)[0] ** 2;
   return {
+    plain: { kind: 'barrier', obstacle, points, strength: K, margin },
     energy: (x) => points.reduce((sum, i) => sum + energyAt(at(x, i)), 0),
     add(x, sum) {
       for (const i of points) {
@@ -85,7 +68,7 @@ function wentThrough(obstacle: Obstacle, from: Vec3, to: Vec3): boolean {
   return false;
 }
 
-const at = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
+const pointAt = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
 
 function push(sum: Float64Array, i: number, way: Vec3, f: number): void {
   for (let k = 0; k < 3; k++) sum[3 * i + k] += f * way[k];
@@ -109,7 +92,7 @@ class BarrierStiffness implements Stiffness {
   }
 
   multiply(u: Float64Array, sum: Float64Array): void {
-    for (const { point, out, K } of this.pressed) push(sum, point, out, K * dot(out, at(u, point)));
+    for (const { point, out, K } of this.pressed) push(sum, point, out, K * dot(out, pointAt(u, point)));
   }
 
   addBlocks(blocks: Float64Array): void {

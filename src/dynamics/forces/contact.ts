@@ -12,21 +12,23 @@ export const CONTACT: Contact = { stiffness: 10_000, scale: 1.1 };
 
 /** Pushes points apart that are nearer than `reach`: φ = ½K(s − r)² where r < s, which is soft, so that a hard blow goes in deeper. */
 export class Penalty implements PairLaw {
+  readonly kind = 'penalty';
   private readonly K: number;
-  private readonly reach: (pair: number) => number;
+  readonly length: (pair: number) => number;
 
   /** K [N/m]; `reach`: s of each pair [m]. */
   constructor(K: number, reach: (pair: number) => number) {
     this.K = K;
-    this.reach = reach;
+    this.length = reach;
   }
 
-  energy = (r: number, pair: number): number => 0.5 * this.K * Math.max(0, this.reach(pair) - r) ** 2;
-  slope = (r: number, pair: number): number => -this.K * Math.max(0, this.reach(pair) - r);
-  curvature = (r: number, pair: number): number => (r < this.reach(pair) ? this.K : 0);
+  strength = (): number => this.K;
+  energy = (r: number, pair: number): number => 0.5 * this.K * Math.max(0, this.length(pair) - r) ** 2;
+  slope = (r: number, pair: number): number => -this.K * Math.max(0, this.length(pair) - r);
+  curvature = (r: number, pair: number): number => (r < this.length(pair) ? this.K : 0);
 
   quotient(r0: number, r1: number, pair: number): number {
-    const s = this.reach(pair);
+    const s = this.length(pair);
     if (r0 >= s && r1 >= s) return 0;
     if (r0 < s && r1 < s) return (-0.5 * this.K * (2 * s - r0 - r1)) / (r0 + r1);
     return (this.energy(r1, pair) - this.energy(r0, pair)) / ((r1 - r0) * (r1 + r0));
@@ -34,7 +36,7 @@ export class Penalty implements PairLaw {
 
   rigidity = (): number => this.K;
 
-  solid = (pair: number): number => this.reach(pair);
+  solid = (pair: number): number => this.length(pair);
 }
 
 /** A rigid ball: a point of the system, which may be pinned, with a radius. */

@@ -17,6 +17,7 @@ export function coulomb(charges: Float64Array, strength = COULOMB): Pairs {
 }
 
 class InverseSquare implements PairLaw {
+  readonly kind = 'inverse-square';
   /** k q q′ [N m²] */
   private readonly k: readonly number[];
 
@@ -24,6 +25,8 @@ class InverseSquare implements PairLaw {
     this.k = k;
   }
 
+  strength = (s: number): number => this.k[s];
+  length = (): number => 0;
   energy = (r: number, s: number): number => this.k[s] / r;
   slope = (r: number, s: number): number => -this.k[s] / (r * r);
   curvature = (r: number, s: number): number => (2 * this.k[s]) / (r * r * r);

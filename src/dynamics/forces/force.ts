@@ -1,5 +1,10 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import type { Obstacle } from './obstacle.ts';
+
 /** What has a potential V(x) of the points' places. x, y, z of one point after the other; N, m, J. */
 export interface Force {
+  /** The same as data, for who computes it elsewhere. */
+  readonly plain: PlainForce;
   /** V [J] */
   energy(x: Float64Array): number;
   /** sum −= ∇V */
@@ -15,6 +20,49 @@ export interface Force {
   addRigidity(bound: Float64Array): void;
   /** Of what is solid: a point that went through it on its way from x₀ to x₁ within a step, so that it is pushed out on the wrong side from now on. */
   pierced?(x0: Float64Array, x1: Float64Array): number | undefined;
+}
+
+/** What a force is made of. */
+export type PlainForce = PlainUniform | PlainPairs | PlainBarrier | PlainNear;
+
+/** a_i f on each point: `amounts`, `field`. */
+export interface PlainUniform {
+  readonly kind: 'uniform';
+  readonly amounts: Float64Array;
+  readonly field: Vec3;
+}
+
+/** Along the line between two points: a spring ½k(r − L)², a penalty, which is one that only pushes, or k/r of charges. */
+export interface PlainPairs {
+  readonly kind: 'spring' | 'penalty' | 'inverse-square';
+  /** Both ends, pair after pair. */
+  readonly ends: Uint32Array;
+  /** k of each [N/m], or [N m²]. */
+  readonly strengths: Float64Array;
+  /** L of each [m] */
+  readonly lengths: Float64Array;
+}
+
+/** ½K(margin − d)² of points that are nearer to what stands fast than the margin. */
+export interface PlainBarrier {
+  readonly kind: 'barrier';
+  readonly obstacle: Obstacle;
+  readonly points: readonly number[];
+  /** K [N/m] */
+  readonly strength: number;
+  /** [m] */
+  readonly margin: number;
+}
+
+/** A penalty between points of different bodies, whichever come near. */
+export interface PlainNear {
+  readonly kind: 'near';
+  /** K [N/m] */
+  readonly strength: number;
+  /** [m] */
+  readonly reach: number;
+  /** Both ends of all pairs that can come within reach while each point goes `way` [m] at most. */
+  candidates(x: Float64Array, way: number): Uint32Array;
 }
 
 /**

@@ -1,24 +1,29 @@
-import type { Force, Stiffness, StiffnessForm } from './force.ts';
+import type { Force, PlainNear, Stiffness, StiffnessForm } from './force.ts';
 import { type PairLaw, Pairs } from './pairs.ts';
 
 /** Points are looked at anew when one has gone this share of the reach. */
 const SKIN = 0.5;
 
 /**
- * A short force between points of different bodies: of all pairs only those are looked at that can be within reach. They are found by cells as wide as the reach and a
+ * A short force between points of different bodies, and of one body where at rest they are farther apart than it reaches, so that what is folded is not drawn through itself. Of all pairs only those are looked at that can be within reach. They are found by cells as wide as the reach and a
  * skin, and found anew when a point has gone half of the skin: so none is ever missed. Source: Verlet 1967, Phys. Rev. 159, 98.
  */
 export class NearPairs implements Force {
-  /** Of each point; pairs of one body are left out, and so are points of none (−1). */
   private readonly bodies: Int32Array;
+  private readonly rest: Float64Array;
   private readonly reach: number;
   private readonly law: PairLaw;
+  readonly plain: PlainNear;
   private found: { readonly at: Float64Array; readonly pairs: Pairs } | undefined;
 
-  constructor(bodies: Int32Array, reach: number, law: PairLaw) {
+  /** `bodies`: of each point; those of none (−1) are left out. `rest`: where points are before anything has bent. */
+  constructor(bodies: Int32Array, rest: Float64Array, reach: number, law: PairLaw) {
     this.bodies = bodies;
+    this.rest = rest;
     this.reach = reach;
     this.law = law;
+    const candidates = (x: Float64Array, way: number): Uint32Array => this.candidates(x, way);
+    this.plain = { kind: 'near', strength: law.strength(0), reach, candidates };
   }
 
   energy = (x: Float64Array): number => this.pairs(x).energy(x);
@@ -27,7 +32,7 @@ export class NearPairs implements Force {
   addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
     const pairs = this.pairs(x0);
     if (this.holds(x1)) pairs.addMean(x0, x1, sum);
-    else this.search(x0, largestWay(x0, x1)).addMean(x0, x1, sum);
+    else this.among(x0, largestWay(x0, x1)).addMean(x0, x1, sum);
   }
 
   stiffness = (x: Float64Array, form: StiffnessForm): Stiffness => this.pairs(x).stiffness(x, form);
@@ -40,7 +45,7 @@ export class NearPairs implements Force {
   }
 
   private pairs(x: Float64Array): Pairs {
-    if (!this.found || !this.holds(x)) this.found = { at: x.slice(), pairs: this.search(x, (SKIN / 2) * this.reach) };
+    if (!this.found || !this.holds(x)) this.found = { at: x.slice(), pairs: this.among(x, (SKIN / 2) * this.reach) };
     return this.found.pairs;
   }
 
@@ -49,19 +54,27 @@ export class NearPairs implements Force {
     return largestWay(this.found!.at, x) <= (SKIN / 2) * this.reach;
   }
 
-  /** Pairs that are within reach where each point goes `way` at most. */
-  private search(x: Float64Array, way: number): Pairs {
+  private among = (x: Float64Array, way: number): Pairs => new Pairs(this.candidates(x, way), this.law);
+
+  /** Both ends of all pairs that are within reach where each point goes `way` at most. In the order of their numbers, so that sums are the same to the bit wherever points were when they were sought. */
+  private candidates(x: Float64Array, way: number): Uint32Array {
     const { bodies } = this;
     const width = this.reach + 2 * way;
     const cells = new Cells(x, bodies, width);
     const ends: number[] = [];
-    for (let i = 0; i < bodies.length; i++)
-      if (bodies[i] >= 0)
-        cells.around(i, (j) => {
-          if (j < i && bodies[j] !== bodies[i] && apart(x, i, j) <= width) ends.push(j, i);
-        });
-    return new Pairs(Uint32Array.from(ends), this.law);
+    for (let i = 0; i < bodies.length; i++) {
+      if (bodies[i] < 0) continue;
+      const near: number[] = [];
+      cells.around(i, (j) => {
+        if (j < i && apart(x, i, j) <= width && this.meet(i, j)) near.push(j);
+      });
+      for (const j of near.sort((a, b) => a - b)) ends.push(j, i);
+    }
+    return Uint32Array.from(ends);
   }
+
+  private meet = (i: number, j: number): boolean =>
+    this.bodies[i] !== this.bodies[j] || apart(this.rest, i, j) > this.reach;
 }
 
 /** Points by the cells of a grid that they are in, found by a hash of the cell. Source: Teschner et al. 2003, "Optimized Spatial Hashing for Collision Detection of Deformable Objects". */
@@ -109,7 +122,8 @@ const AROUND = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].ma
 const apart = (x: Float64Array, i: number, j: number): number =>
   Math.hypot(x[3 * i] - x[3 * j], x[3 * i + 1] - x[3 * j + 1], x[3 * i + 2] - x[3 * j + 2]);
 
-function largestWay(a: Float64Array, b: Float64Array): number {
+/** How far the point is that is farthest from where it was. */
+export function largestWay(a: Float64Array, b: Float64Array): number {
   let most = 0;
   for (let j = 0; j < a.length; j += 3)
     most = Math.max(most, (a[j] - b[j]) ** 2 + (a[j + 1] - b[j + 1]) ** 2 + (a[j + 2] - b[j + 2]) ** 2);

@@ -1,8 +1,13 @@
 import { addScaled, dot, length, sub, type Vec3 } from '../../math/vec3.ts';
-import { addBlock, type Force, type Stiffness, type StiffnessForm } from './force.ts';
+import { addBlock, type Force, type PlainPairs, type Stiffness, type StiffnessForm } from './force.ts';
 
 /** A potential φ of the distance of two points. */
 export interface PairLaw {
+  readonly kind: PlainPairs['kind'];
+  /** k [N/m], or [N m²]. */
+  strength(pair: number): number;
+  /** L [m] */
+  length(pair: number): number;
   /** φ(r) [J] */
   energy(r: number, pair: number): number;
   /** φ′(r) [N] */
@@ -29,6 +34,12 @@ export class Pairs implements Force {
   constructor(ends: Uint32Array, law: PairLaw) {
     this.ends = ends;
     this.law = law;
+  }
+
+  get plain(): PlainPairs {
+    const { ends, law } = this;
+    const of = (value: (pair: number) => number) => Float64Array.from({ length: ends.length / 2 }, (_, s) => value(s));
+    return { kind: law.kind, ends, strengths: of((s) => law.strength(s)), lengths: of((s) => law.length(s)) };
   }
 
   energy(x: Float64Array): number {

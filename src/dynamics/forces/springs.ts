@@ -1,4 +1,4 @@
-import { addBlock, type Force, type Stiffness, type StiffnessForm } from './force.ts';
+import { addBlock, type Force, type PlainForce, type Stiffness, type StiffnessForm } from './force.ts';
 
 /** Springs between points: V = Σ ½k(r − L)². They act at once, in the world frame (docs/model.md). */
 export interface Springs {
@@ -18,12 +18,14 @@ export const springs = (given: Springs): Force => new SpringNet(given);
  * line for each.)
  */
 class SpringNet implements Force {
+  readonly plain: PlainForce;
   private readonly rows: Rows;
   private readonly k: Float64Array;
   private readonly L: Float64Array;
   private readonly kL: Float64Array;
 
   constructor({ ends, stiffness, lengths }: Springs) {
+    this.plain = { kind: 'spring', ends, strengths: stiffness, lengths };
     const { rows, order } = byFirstEnd(ends);
     this.rows = rows;
     this.k = Float64Array.from(order, (s) => stiffness[s]);

@@ -11,6 +11,7 @@ export function uniform(amounts: Float64Array, [fx, fy, fz]: Vec3): Force {
     }
   };
   return {
+    plain: { kind: 'uniform', amounts, field: [fx, fy, fz] },
     energy(x) {
       let sum = 0;
       for (let i = 0, j = 0; i < amounts.length; i++, j += 3)

@@ -7,6 +7,8 @@ export interface Method {
   readonly order: number;
   /** Steps longer than 2/ω of the fastest oscillation run away. */
   readonly bounded: boolean;
+  /** Of a splitting, its shares of h: x goes on for half of the first, p is pushed for the first, x goes on for half of the first and half of the second, and so on. */
+  readonly shares?: readonly number[];
   begin(system: System): Stepper;
 }
 
@@ -31,7 +33,9 @@ export type Failure =
   /** Steps are longer than the stability bound, and the energy grows. */
   | 'unstable'
   /** No step is short enough for the tolerance. */
-  | 'tolerance';
+  | 'tolerance'
+  /** The GPU that it was computed on is gone. */
+  | 'lost';
 
 export class StepFailure extends Error {
   readonly reason: Failure;

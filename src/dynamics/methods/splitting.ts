@@ -10,7 +10,7 @@ import { forceAt, type Method, type Stepper } from './method.ts';
 const splitting = (id: string, order: number, row: readonly number[]): Method => {
   const middle = 1 - 2 * row.reduce((sum, share) => sum + share, 0);
   const shares = [...row, middle, ...row.toReversed()];
-  return { id, order, bounded: true, begin: (system) => new Splitting(system, shares) };
+  return { id, order, bounded: true, shares, begin: (system) => new Splitting(system, shares) };
 };
 
 export const leapfrog = splitting('leapfrog', 2, []);

@@ -18,8 +18,8 @@ export function namesOf(
 }
 
 /** With its correction, where it has several. */
-function methodOf({ method }: Books, word: (key: string) => string): string {
+function methodOf({ method, onGpu }: Books, word: (key: string) => string): string {
   const [, family, correction] = /^(.+?)(?:-([0-3]))?$/.exec(method) ?? [];
   const known = simulateNode.params.method.options.find(({ value }) => value === family);
-  return [word(known?.title ?? method), correction].filter(Boolean).join(' ');
+  return [word(known?.title ?? method), correction, onGpu && 'GPU'].filter(Boolean).join(' ');
 }

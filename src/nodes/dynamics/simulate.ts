@@ -17,6 +17,8 @@ const METHODS = [
   { value: 'local-global', title: 'method.localGlobal' },
 ];
 const CORRECTED = METHODS.slice(6).map(({ value }) => value);
+/** Those that a GPU can take. */
+const SPLITTINGS = METHODS.slice(2, 6).map(({ value }) => value);
 
 /** Where it is not in a thread of its own it lets others work, and hears whether it is still wanted, so often [ms]. */
 const BREATH = 50;
@@ -28,6 +30,7 @@ export const simulateNode = defineNode({
   help: 'node.simulate.help',
   category: 'dynamics',
   heavy: true,
+  onGpu: (params) => settingsOf(params).onGpu,
   params: {
     speedOfLight: {
       kind: 'number',
@@ -79,6 +82,13 @@ export const simulateNode = defineNode({
       ],
       onlyWhen: { param: 'method', is: CORRECTED },
     },
+    onGpu: {
+      kind: 'boolean',
+      title: 'param.onGpu',
+      help: 'param.onGpu.help',
+      default: false,
+      onlyWhen: { param: 'method', is: SPLITTINGS },
+    },
     tolerance: amount({
       title: 'param.errorASecond',
       help: 'param.errorASecond.help',
@@ -93,18 +103,24 @@ export const simulateNode = defineNode({
   },
   inputs: { matter: { type: 'matter', many: true } },
   outputs: { geometry: { type: 'geometry' }, books: { type: 'books' } },
-  async evaluate({ matter }, params, { node, progress, interim, resume, signal }) {
+  async evaluate({ matter }, params, { node, services, progress, interim, resume, signal }) {
     // Pages evaluate it in a worker: what computes is loaded there.
-    const { Simulation } = await import('./simulation.ts');
-    const simulation = new Simulation(matter, settingsOf(params), node, resume?.reel as Reel | undefined);
+    const { openedGpu, Simulation } = await import('./simulation.ts');
+    const settings = settingsOf(params);
+    const simulation = new Simulation(matter, settings, node, resume?.reel as Reel | undefined);
+    const gpu = settings.onGpu ? await openedGpu(services, node) : undefined;
     let breath = performance.now();
-    for (const _ of simulation.run()) {
-      progress(simulation.taken / simulation.frames, 'simulate');
-      interim?.(() => ({ ...simulation.outputs() }));
-      if (!signal || performance.now() - breath < BREATH) continue;
-      await new Promise((resolve) => setTimeout(resolve));
-      if (signal.aborted) throw new CancelledError();
-      breath = performance.now();
+    try {
+      for await (const _ of simulation.run(gpu)) {
+        progress(simulation.taken / simulation.frames, 'simulate');
+        interim?.(() => ({ ...simulation.outputs() }));
+        if (!signal || performance.now() - breath < BREATH) continue;
+        await new Promise((resolve) => setTimeout(resolve));
+        if (signal.aborted) throw new CancelledError();
+        breath = performance.now();
+      }
+    } finally {
+      gpu?.release();
     }
     const { geometry, books }: Simulated = simulation.outputs();
     return { geometry, books };
@@ -113,16 +129,18 @@ export const simulateNode = defineNode({
 
 /** What the parameters say; shared with the command line, which simulates by itself. */
 export function settingsOf(params: Readonly<Record<string, unknown>>): Settings {
-  const { method, correction, mechanics, reach, stiffness, ...rest } = params as unknown as Params;
+  const { method, correction, mechanics, onGpu, reach, stiffness, ...rest } = params as unknown as Params;
   return {
     ...rest,
     method: CORRECTED.includes(method) ? `${method}-${correction}` : method,
     newtonian: mechanics === 'newton',
+    onGpu: onGpu && SPLITTINGS.includes(method),
     touch: { reach, stiffness },
   };
 }
 
-interface Params extends Pick<Settings, 'speedOfLight' | 'duration' | 'rate' | 'step' | 'tolerance' | 'method'> {
+interface Params
+  extends Pick<Settings, 'speedOfLight' | 'duration' | 'rate' | 'step' | 'tolerance' | 'method' | 'onGpu'> {
   readonly correction: string;
   readonly mechanics: string;
   readonly reach: number;

@@ -1,0 +1,2 @@
+export { type ComputeGpu, openWebGpu } from './gpu.ts';
+export { runOnGpu } from './run.ts';

@@ -1,0 +1,77 @@
+import type { State, System } from '../dynamics/system.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import type { Links } from './links.ts';
+import type { Stage } from './stages.ts';
+
+/** What the shader's structures hold, laid out as WGSL does: a vector of three takes the room of four, unless one number follows it. */
+
+/** 32-bit words of `Body`, `Origin`, `Change`, `Obstacle`, and of `World`. */
+export const WORDS = { body: 12, origin: 8, change: 8, obstacle: 16, world: 12 } as const;
+/** Between one `Stage` and the next [bytes]: what a device asks for at most. */
+export const STAGE_BYTES = 256;
+
+export function bodiesOf({ masses, charges, pinned }: System, { pointAt, from, springs, pull }: Links): ArrayBuffer {
+  const bodies = new ArrayBuffer(4 * WORDS.body * masses.length);
+  const [floats, words] = [new Float32Array(bodies), new Uint32Array(bodies)];
+  pointAt.forEach((point, place) => {
+    const at = WORDS.body * place;
+    floats.set(pull.subarray(3 * place, 3 * place + 3), at);
+    floats[at + 3] = masses[point];
+    floats[at + 4] = charges?.[point] ?? 0;
+    words[at + 5] = from[place];
+    words[at + 6] = from[place] + springs[place];
+    words[at + 7] = from[place + 1];
+    words[at + 8] = pinned[point];
+  });
+  return bodies;
+}
+
+export function obstaclesOf({ obstacles }: Links): Float32Array<ArrayBuffer> {
+  const all = new Float32Array(WORDS.obstacle * Math.max(1, obstacles.length));
+  obstacles.forEach(({ middle, orientation, half = [-1, -1, -1] }, i) => {
+    const rounded = middle.map(Math.fround);
+    const rest = middle.map((value, k) => value - rounded[k]);
+    all.set([...rounded, 0, ...rest, 0, ...orientation, ...half, 0], WORDS.obstacle * i);
+  });
+  return all;
+}
+
+/** `way`: how far each point may go [m]. */
+export function worldOf({ c, magneticField = [0, 0, 0] }: System, { pointAt, long, near }: Links, way: number) {
+  const world = new ArrayBuffer(4 * WORDS.world);
+  const [floats, words] = [new Float32Array(world), new Uint32Array(world)];
+  const strength = Math.hypot(...magneticField);
+  const direction: Vec3 =
+    strength > 0 ? (magneticField.map((value) => value / strength) as unknown as Vec3) : [0, 0, 0];
+  floats.set([...direction, strength, 1 / (c * c)]);
+  words.set([pointAt.length, pointAt.length - long, Number(near !== undefined)], 5);
+  floats.set([near?.strength ?? 0, near?.reach ?? 0, way * way], 8);
+  return world;
+}
+
+export const stageOf = ({ kick, drift, damp, after, before }: Stage): Float32Array<ArrayBuffer> =>
+  Float32Array.of(kick, drift, damp, after, before);
+
+/** Of a state, by places: origins, to 32 bits, and the changes that are left of it. */
+export function split({ x, p }: State, pointAt: Uint32Array, origins: Float32Array, changes: Float32Array): void {
+  for (let place = 0, at = 0; place < pointAt.length; place++, at += WORDS.origin) {
+    const j = 3 * pointAt[place];
+    for (let k = 0; k < 3; k++) {
+      origins[at + k] = x[j + k];
+      changes[at + k] = x[j + k] - origins[at + k];
+      origins[at + 4 + k] = p[j + k];
+      changes[at + 4 + k] = p[j + k] - origins[at + 4 + k];
+    }
+  }
+}
+
+/** The state that origins and changes make, to 64 bits. */
+export function joined(origins: Float32Array, changes: Float32Array, pointAt: Uint32Array, { x, p }: State): void {
+  for (let place = 0, at = 0; place < pointAt.length; place++, at += WORDS.origin) {
+    const j = 3 * pointAt[place];
+    for (let k = 0; k < 3; k++) {
+      x[j + k] = origins[at + k] + changes[at + k];
+      p[j + k] = origins[at + 4 + k] + changes[at + 4 + k];
+    }
+  }
+}

@@ -1,0 +1,45 @@
+import { conjugate, IDENTITY, type Quat, rotate, shortestTurn } from '../../math/quat.ts';
+import { dot, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
+
+/** Something that stands fast, and is convex. */
+export interface Obstacle {
+  /** How far a place is outside of it (below 0: inside) [m], and the unit direction that leads out. */
+  outside(place: Vec3): readonly [distance: number, out: Vec3];
+  /** A place on a plane, or the middle of a box [m]. */
+  readonly middle: Vec3;
+  /** From its own frame, in which a plane looks along z, to the world. */
+  readonly orientation: Quat;
+  /** Half of a box's sizes [m]; a plane has none. */
+  readonly half?: Vec3;
+}
+
+/** All on the side that `normal` does not point to. */
+export function plane(point: Vec3, normal: Vec3): Obstacle {
+  const n = normalize(normal);
+  return { middle: point, orientation: shortestTurn([0, 0, 1], n), outside: (place) => [dot(sub(place, point), n), n] };
+}
+
+/** A box; from inside it leads out by the nearest side. */
+export function box(middle: Vec3, size: Vec3, orientation = IDENTITY): Obstacle {
+  const half = scale(size, 0.5);
+  const back = conjugate(orientation);
+  return {
+    ...{ middle, orientation, half },
+    outside(place) {
+      const [distance, out] = outOfBox(rotate(back, sub(place, middle)), half);
+      return [distance, rotate(orientation, out)];
+    },
+  };
+}
+
+/** The same in the frame of a box. */
+function outOfBox(d: Vec3, half: Vec3): readonly [distance: number, out: Vec3] {
+  const over = d.map((value, k) => Math.abs(value) - half[k]);
+  const beyond: Vec3 = [0, 1, 2].map((k) => Math.max(0, over[k]) * Math.sign(d[k])) as unknown as Vec3;
+  const far = Math.hypot(...beyond);
+  if (far > 0) return [far, normalize(beyond)];
+  const nearest = over.indexOf(Math.max(...over));
+  const out = [0, 0, 0];
+  out[nearest] = d[nearest] < 0 ? -1 : 1;
+  return [over[nearest], out as unknown as Vec3];
+}
