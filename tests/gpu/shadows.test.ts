@@ -14,7 +14,8 @@ import { transmitted } from '../../src/reference/passage.ts';
 import { type TracedScene, traceable } from '../../src/reference/trace.ts';
 import { visibleHit } from '../../src/reference/visible.ts';
 import { observerFromCamera } from '../../src/scene/camera.ts';
-import type { Scene } from '../../src/scene/types.ts';
+import { FOREVER, restingAt } from '../../src/scene/defaults.ts';
+import type { Light, Scene } from '../../src/scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
 import { type ModulePage, openModulePage } from './browser.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
@@ -116,6 +117,36 @@ describe('shadows of suns are where the reference has them, on WebGPU', () => {
     expect(all).toBeGreaterThan(500);
     expect(otherwise / all).toBeLessThan(0.02);
     expect(wrong / all).toBeLessThan(0.005);
+  });
+});
+
+/** Over what is thrown. */
+const LAMP: Light = {
+  kind: 'sphere',
+  path: '/Lamp',
+  motion: restingAt([2, 9, 2]),
+  lifetime: FOREVER,
+  radius: 0.1,
+  color: [3e3, 3e3, 3e3],
+};
+
+describe('under a lamp', () => {
+  let headless: HeadlessPictures;
+  beforeAll(async () => {
+    headless = await openPictures(SIZE, SIZE);
+  });
+  afterAll(() => headless?.close());
+  // Both are convex: what faces the lamp is lit.
+  it.each(THROWN)('$name does not shade itself', async ({ scene, ...seen }) => {
+    pumpFrame();
+    const lights = [LAMP, ...scene.lights.filter(({ kind }) => kind === 'dome')];
+    const shares = await takeShares(headless.renderer, { ...seen, scene: { ...scene, lights } });
+    const place = await headless.renderer.readAov('position');
+    const own = shares.filter((share, pixel) => share >= 0 && place[3 * pixel + 1] > 0.2);
+    const shaded = own.filter((share) => share < 0.5).length;
+    if (process.env.REPORT) console.log('under a lamp', seen.name, { all: own.length, shaded });
+    expect(own.length).toBeGreaterThan(2000);
+    expect(shaded / own.length).toBeLessThan(0.02);
   });
 });
 
