@@ -9,9 +9,10 @@ import type { Diagnostic } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
 import { surveyed } from '../geometry/surveyed.ts';
 import type { LoadedScene, Services } from '../services.ts';
+import type { Touch } from './acting.ts';
 import { Film, type Reel } from './film.ts';
 import type { Matter } from './matter.ts';
-import { type Cast, type Stage, stageOf, type Touch } from './stage.ts';
+import { type Cast, type Stage, stageOf } from './stage.ts';
 
 /** How a simulation is to be computed. */
 export interface Settings {

@@ -1,12 +1,4 @@
-import { barrier } from '../../dynamics/forces/barrier.ts';
-import { Penalty } from '../../dynamics/forces/contact.ts';
-import { coulomb } from '../../dynamics/forces/coulomb.ts';
-import type { Force } from '../../dynamics/forces/force.ts';
-import { NearPairs } from '../../dynamics/forces/near.ts';
-import type { Obstacle } from '../../dynamics/forces/obstacle.ts';
-import { Pairs } from '../../dynamics/forces/pairs.ts';
-import { type Springs, springs } from '../../dynamics/forces/springs.ts';
-import { uniform } from '../../dynamics/forces/uniform.ts';
+import type { Springs } from '../../dynamics/forces/springs.ts';
 import { meshSprings } from '../../dynamics/nets.ts';
 import { type Led, makeSystem, momenta, type State, type System } from '../../dynamics/system.ts';
 import { add, cross, dot, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
@@ -18,6 +10,7 @@ import { originLine, vertexWorldLine } from '../../scene/motion.ts';
 import { pointAt } from '../../scene/polygons.ts';
 import type { FrameMotion, Scene, SceneObject } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
+import { actingOn, type Ball, type Collected, type Standing, type Touch } from './acting.ts';
 import type { FieldMatter, Matter, NetMatter, Rods, SolidMatter, Start } from './matter.ts';
 import { obstacleOf } from './obstacle.ts';
 import { pinnedIn } from './pins.ts';
@@ -43,19 +36,8 @@ export interface Stage {
   readonly casts: readonly Cast[];
 }
 
-/** What acts between points that come near: of different things, and of one that is folded. */
-export interface Touch {
-  /** 0: nothing does [m]. */
-  readonly reach: number;
-  /** [N/m] */
-  readonly stiffness: number;
-}
-
 /** Vertices are one point where they are as near as this share of their thing's size. */
 const WELD = 1e-6;
-/** Most pairs of a ball and a point, and of charges. */
-const MOST_PAIRS = 4_000_000;
-
 /** The system that parts make together. Throws a NodeRefusal that names the part, or a SystemError. */
 export function stageOf(parts: readonly Matter[], c: number, touch: Touch): Stage {
   const builder = new Builder(c);
@@ -68,26 +50,18 @@ export function stageOf(parts: readonly Matter[], c: number, touch: Touch): Stag
   return { ...builder.finish(fields, touch), casts };
 }
 
-interface Ball {
-  readonly point: number;
-  readonly radius: number;
-  readonly of: SolidMatter;
-}
-
-/** Collects points and what acts between them. */
-class Builder {
+/** Collects points and what holds them together. */
+class Builder implements Collected {
   private readonly c: number;
-  private readonly x: number[] = [];
+  readonly x: number[] = [];
   private readonly v: number[] = [];
-  private readonly masses: number[] = [];
-  private readonly pinned: number[] = [];
-  private readonly charges: number[] = [];
-  /** The thing that each point is of, where it is of a net; else −1. */
-  private readonly bodies: number[] = [];
-  private readonly nets: Springs[] = [];
-  private readonly balls: Ball[] = [];
-  private readonly obstacles: { readonly obstacle: Obstacle; readonly of: SolidMatter; readonly carrier?: number }[] =
-    [];
+  readonly masses: number[] = [];
+  readonly pinned: number[] = [];
+  readonly charges: number[] = [];
+  readonly bodies: number[] = [];
+  readonly nets: Springs[] = [];
+  readonly balls: Ball[] = [];
+  readonly obstacles: Standing[] = [];
   /** With how fast each begins [m/s]. */
   private readonly led: (Led & { readonly v: Vec3 })[] = [];
   private bodyCount = 0;
@@ -224,95 +198,15 @@ class Builder {
   }
 
   finish(fields: readonly FieldMatter[], touch: Touch): Pick<Stage, 'system' | 'start'> {
-    const { c } = this;
-    const masses = Float64Array.from(this.masses);
-    const charges = Float64Array.from(this.charges);
-    const sum = (of: (field: FieldMatter) => Vec3): Vec3 => fields.map(of).reduce(add, ZERO);
-    const [gravity, electric, magnetic] = [
-      sum((field) => field.gravity),
-      sum((field) => field.electric),
-      sum((field) => field.magnetic),
-    ];
-    const isCharged = charges.some((charge) => charge !== 0);
-    const forces: Force[] = [
-      ...(this.nets.length > 0 ? [springs(joined(this.nets))] : []),
-      ...this.ballContacts(),
-      ...this.barriers(),
-      ...this.touches(touch),
-      ...(length(gravity) > 0 ? [uniform(masses, gravity)] : []),
-      ...(isCharged && length(electric) > 0 ? [uniform(charges, electric)] : []),
-      ...(isCharged && fields.some((field) => field.coulomb) ? [this.coulomb(charges)] : []),
-    ];
-    const drag = fields.reduce((all, field) => all + field.drag, 0);
-    const pinned = Uint8Array.from(this.pinned);
-    const magneticField = isCharged && length(magnetic) > 0 ? { magneticField: magnetic } : {};
+    const { c, led, v, x } = this;
     const system = makeSystem({
-      masses,
-      pinned,
-      forces,
-      c,
-      drag,
-      ...(isCharged && { charges }),
-      ...magneticField,
-      ...(this.led.length > 0 && { led: this.led }),
+      ...{ c, masses: Float64Array.from(this.masses), pinned: Uint8Array.from(this.pinned) },
+      ...actingOn(this, fields, touch),
+      ...(led.length > 0 && { led }),
     });
-    const p = momenta(system, this.v);
-    for (const { point, v } of this.led) p.set(momentum(masses[point], v, c), 3 * point);
-    return { system, start: { t: BEGIN, x: Float64Array.from(this.x), p } };
-  }
-
-  /** Balls against each other and against points of nets; of those that are as hard, one force. */
-  private ballContacts(): Force[] {
-    const points = this.bodies.flatMap((body, i) => (body < 0 ? [] : [i]));
-    const { balls, pinned } = this;
-    if (balls.length * (points.length + balls.length) > MOST_PAIRS) {
-      const message = `${balls.length} balls and ${points.length} points are too many to meet; take fewer balls, or coarser meshes`;
-      throw refusal('collider.many', balls[0].of.node, message);
-    }
-    const hard = new Map<number, { readonly ends: number[]; readonly reach: number[] }>();
-    const meet = (K: number, a: number, b: number, reach: number): void => {
-      if (pinned[a] && pinned[b]) return;
-      const known = hard.get(K) ?? { ends: [], reach: [] };
-      hard.set(K, known);
-      known.ends.push(a, b);
-      known.reach.push(reach);
-    };
-    balls.forEach(({ point, radius, of }, i) => {
-      for (const other of balls.slice(i + 1)) {
-        const reach = of.scale * radius + other.of.scale * other.radius;
-        meet(Math.max(of.stiffness, other.of.stiffness), point, other.point, reach);
-      }
-      for (const other of points) meet(of.stiffness, point, other, of.scale * radius);
-    });
-    return [...hard].map(
-      ([K, { ends, reach }]) => new Pairs(Uint32Array.from(ends), new Penalty(K, (pair) => reach[pair])),
-    );
-  }
-
-  private barriers(): Force[] {
-    const moving = (i: number): boolean => !this.pinned[i];
-    const points = this.bodies.flatMap((body, i) => (body >= 0 && moving(i) ? [i] : []));
-    return this.obstacles.flatMap(({ obstacle, of: { stiffness, margin }, carrier }) => [
-      barrier(obstacle, points, stiffness, margin, carrier),
-      ...this.balls
-        .filter(({ point }) => moving(point))
-        .map(({ point, radius }) => barrier(obstacle, [point], stiffness, margin + radius, carrier)),
-    ]);
-  }
-
-  private touches({ reach, stiffness }: Touch): Force[] {
-    if (reach === 0) return [];
-    const law = new Penalty(stiffness, () => reach);
-    return [new NearPairs(Int32Array.from(this.bodies), Float64Array.from(this.x), reach, law)];
-  }
-
-  private coulomb(charges: Float64Array): Force {
-    const charged = charges.filter((charge) => charge !== 0).length;
-    if (charged ** 2 / 2 > MOST_PAIRS) {
-      const message = `${charged} charged points are too many to act on each other; charge fewer things, or coarser ones`;
-      throw refusal('field.charges', 'charge', message);
-    }
-    return coulomb(charges);
+    const p = momenta(system, v);
+    for (const each of led) p.set(momentum(system.masses[each.point], each.v, c), 3 * each.point);
+    return { system, start: { t: BEGIN, x: Float64Array.from(x), p } };
   }
 }
 
@@ -347,20 +241,3 @@ const centerOf = (points: Float64Array): Vec3 => {
   const { min, max } = boundingBox(points)!;
   return scale(add(min, max), 0.5);
 };
-
-function joined(nets: readonly Springs[]): Springs {
-  const count = nets.reduce((all, { lengths }) => all + lengths.length, 0);
-  const all = {
-    ends: new Uint32Array(2 * count),
-    stiffness: new Float64Array(count),
-    lengths: new Float64Array(count),
-  };
-  let at = 0;
-  for (const { ends, stiffness, lengths } of nets) {
-    all.ends.set(ends, 2 * at);
-    all.stiffness.set(stiffness, at);
-    all.lengths.set(lengths, at);
-    at += lengths.length;
-  }
-  return all;
-}
