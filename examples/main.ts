@@ -9,6 +9,7 @@ import { validate } from '../src/scene/validate.ts';
 import type { ExampleScene } from './kit/example.ts';
 import { projects } from './projects/index.ts';
 import { scenes } from './scenes/index.ts';
+import { sets } from './sets/index.ts';
 
 /** This file runs from dist/examples/examples. */
 const folder = fileURLToPath(new URL('../../../examples/', import.meta.url));
@@ -16,30 +17,38 @@ const folder = fileURLToPath(new URL('../../../examples/', import.meta.url));
 for (const name of chosen(process.argv.slice(2))) {
   const project = projects[name];
   if (project) writeProject(name, project());
-  else write(scenes.find((scene) => scene.name === name) ?? unknown(name));
+  else if (sets.some((set) => set.name === name)) write(find(sets, name), 'sets/');
+  else write(find(scenes, name));
 }
 
 function chosen(names: readonly string[]): readonly string[] {
-  return names.length > 0 ? names : [...scenes.map(({ name }) => name), ...Object.keys(projects)];
+  return names.length > 0 ? names : [...[...scenes, ...sets].map(({ name }) => name), ...Object.keys(projects)];
+}
+
+function find(among: readonly ExampleScene[], name: string): ExampleScene {
+  return among.find((scene) => scene.name === name) ?? unknown(name);
 }
 
 function unknown(name: string): never {
   throw new Error(`no scene ${name}; there are ${chosen([]).join(', ')}`);
 }
 
-function write({ name, make, texturesOf = name }: ExampleScene): void {
+/** `under`: a folder of examples/, with its own textures. */
+function write({ name, make, texturesOf = name }: ExampleScene, under = ''): void {
   const scene = named(make(), texturesOf);
   const faults = validate(scene, scene.hints.speedOfLight ?? 299_792_458).filter((d) => d.severity === 'error');
   if (faults.length > 0) throw new Error(faults.map((d) => `${name}: ${d.place}: ${d.message}`).join('\n'));
   const text = writeUsda(scene);
-  writeFileSync(join(folder, `${name}.usda`), text);
+  const place = join(folder, under);
+  mkdirSync(place, { recursive: true });
+  writeFileSync(join(place, `${name}.usda`), text);
   for (const [path, bytes] of writeTextures(scene)) {
-    mkdirSync(dirname(join(folder, path)), { recursive: true });
-    writeFileSync(join(folder, path), bytes);
+    mkdirSync(dirname(join(place, path)), { recursive: true });
+    writeFileSync(join(place, path), bytes);
   }
   const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
   console.log(
-    `${name}.usda  ${(text.length / 1024).toFixed(0)} KiB, ${triangles} triangles, ${scene.objects.length} objects`,
+    `${under}${name}.usda  ${(text.length / 1024).toFixed(0)} KiB, ${triangles} triangles, ${scene.objects.length} objects`,
   );
 }
 

@@ -3,6 +3,7 @@ import { fromAxisAngle, IDENTITY, type Quat, toMatrix } from '../../src/math/qua
 import { scale, type Vec3 } from '../../src/math/vec3.ts';
 import { mergeMeshes, transformMesh, withMaterial } from '../../src/scene/meshOps.ts';
 import type {
+  DistantLight,
   DomeLight,
   Light,
   Material,
@@ -133,20 +134,22 @@ export const sky = (zenith: string, horizon: string, ground: string): DomeLight 
   gradient: { horizon: linear(horizon), ground: linear(ground) },
 });
 
-/** A late-morning sun and the sky's own light. `from`: direction towards the sun. */
-export function daylight(from: Vec3, sun = '#fff1d8', intensity = 3.2): Light[] {
+/** A sun. `from`: direction towards it. */
+export function sun(from: Vec3, color: string, intensity: number): DistantLight {
   const l = Math.hypot(...from);
-  const [r, g, b] = linear(sun);
-  return [
-    {
-      kind: 'distant',
-      path: '/World/Sun',
-      direction: [-from[0] / l, -from[1] / l, -from[2] / l],
-      color: [r * intensity, g * intensity, b * intensity],
-    },
-    sky('#9fc0ea', '#dfe9ee', '#8f8d86'),
-  ];
+  return {
+    kind: 'distant',
+    path: '/World/Sun',
+    direction: [-from[0] / l, -from[1] / l, -from[2] / l],
+    color: scale(linear(color), intensity),
+  };
 }
+
+/** A late-morning sun and the sky's own light. `from`: direction towards the sun. */
+export const daylight = (from: Vec3, color = '#fff1d8', intensity = 3.2): Light[] => [
+  sun(from, color, intensity),
+  sky('#9fc0ea', '#dfe9ee', '#8f8d86'),
+];
 
 /** Light of a spectrum, as bright as white daylight of this value is. */
 export const shine = (spectrum: LightSpectrum, luminance: number): { color: Vec3; spectrum: LightSpectrum } => ({

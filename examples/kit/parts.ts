@@ -158,6 +158,18 @@ export function bar(from: Vec3, to: Vec3, thickness: number): Mesh {
   return transformMesh(box([thickness, thickness, Math.hypot(...along)]), m);
 }
 
+/** A circle in the plane y = 0, seen from above; uv 0 … 1 over the square about it. */
+export function disc(radius: number, segments: number): Mesh {
+  const round = Array.from({ length: segments }, (_, i): Vec3 => {
+    const a = (-2 * Math.PI * i) / segments;
+    return [radius * Math.cos(a), 0, radius * Math.sin(a)];
+  });
+  const uvs = round.flatMap(([x, , z]) => [x / radius / 2 + 0.5, 0.5 - z / radius / 2]);
+  const faceIndices = round.map((_, i) => i);
+  return makeMesh({ points: round.flat(), faceCounts: [segments], faceIndices, uvs: { per: 'point', values: uvs } })
+    .mesh;
+}
+
 export const moved = (mesh: Mesh, by: Vec3): Mesh => transformMesh(mesh, fromParts([1, 0, 0, 0, 1, 0, 0, 0, 1], by));
 export const sized = (mesh: Mesh, k: Vec3): Mesh =>
   transformMesh(mesh, fromParts([k[0], 0, 0, 0, k[1], 0, 0, 0, k[2]], scale(k, 0)));

@@ -4,10 +4,10 @@ import { drive } from './kit.ts';
 const ABOUT = {
   title: 'Seen and there',
   lookFor:
-    'What you see at 0.4 c, over what an ordinary renderer draws of the same moment: both shine through. Lamp posts stand apart, and the farther ahead the more; the moving box is where it was, and where it is. Set the mode to split or wipe to see them side by side.',
+    'At the left what you see at 0.4 c, at the right what an ordinary renderer draws of the same moment. Move the border (Alpha): lamp posts jump, the farther ahead the more, and lose their blue; the moving box is where it was, then where it is. Set the mode to normal, and both shine through.',
 };
 
-/** What is seen, over what an ordinary renderer would draw: both shine through. */
+/** What is seen, beside what an ordinary renderer would draw. */
 export const comparison = () =>
   build(ABOUT, {
     ...drive,
@@ -16,7 +16,7 @@ export const comparison = () =>
     plain: { type: 'deferred-lighting', from: { gbuffer: 'ordinary.gbuffer' } },
     over: {
       type: 'mix-color',
-      set: { mode: 'normal', alpha: 0.5 },
+      set: { mode: 'wipe', alpha: 0.5 },
       from: { below: 'plain.image', above: 'lighting.image' },
     },
     toneMap: { type: 'tone-map', from: { image: 'over.image' } },

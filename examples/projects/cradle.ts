@@ -62,13 +62,11 @@ export const cradle = () =>
       set: { duration: 6, rate: 60, method: 'leapfrog', step: 0.0001 },
       from: { matter: ['first.matter', 'others.matter', 'weight.matter'] },
     },
-    beam: { type: 'box', set: { name: 'Beam', width: 2.8, height: 0.09, depth: 0.14 } },
-    over: { type: 'transform', set: { position: [0, PIVOT + 0.04, 0] }, from: { geometry: 'beam.geometry' } },
-    iron: painted('over.geometry', [0.14, 0.14, 0.15], { roughness: 0.5 }),
-    ...seen(['swing.geometry', 'iron.geometry'], {
-      eye: [1.9, 1.9, 6],
-      target: [0, 1.85, 0],
+    ...seen(['swing.geometry'], {
+      set: 'library',
+      eye: [2, 1.7, 6.9],
+      target: [0, 1.8, 0],
       to: 6,
-      openAt: 1.4,
+      openAt: 2.1,
     }),
   });

@@ -28,7 +28,11 @@ export const hangingCloth = () =>
   build(ABOUT, {
     sheet: { type: 'grid', set: { name: 'Cloth', width: SIDE, length: SIDE, columns: CELLS, rows: CELLS } },
     silk: painted('sheet.geometry', [0.85, 0.3, 0.08], { roughness: 0.6 }),
-    hung: { type: 'transform', set: { position: [0, 2.6, 0] }, from: { geometry: 'silk.geometry' } },
+    hung: {
+      type: 'transform',
+      set: { position: [0, 2.6, -2], rotation: [0, 180, 0] },
+      from: { geometry: 'silk.geometry' },
+    },
     cloth: {
       type: 'mass-spring',
       set: { structural: 200, shear: 100, bending: 10, pins: 'points', pinned: farCorners() },
@@ -49,9 +53,10 @@ export const hangingCloth = () =>
     standing: { type: 'transform', set: { position: [0, 1.325, -1] }, from: { geometry: 'posts.geometry' } },
     wood: painted('standing.geometry', [0.3, 0.18, 0.09]),
     ...seen(['swing.geometry', 'wood.geometry'], {
-      eye: [2.6, 1.7, 3.6],
-      target: [0, 1.35, -0.5],
+      set: 'terrace',
+      eye: [2.4, 1.6, 3.4],
+      target: [0, 1.5, -1],
       to: 6,
-      openAt: 1.35,
+      openAt: 1.25,
     }),
   });

@@ -31,8 +31,14 @@ export const impact = () =>
     },
     meeting: {
       type: 'simulate',
-      set: { speedOfLight: C, duration: 1.6, rate: 96, method: 'leapfrog', step: 0.0003 },
+      set: { speedOfLight: C, duration: 1.6, rate: 240, method: 'leapfrog', step: 0.0003 },
       from: { matter: ['elastic.matter', 'rigid.matter'] },
     },
-    ...seen(['meeting.geometry'], { eye: [0.6, 1.5, 4.2], target: [0.1, 0.8, 0], to: 1.6, openAt: 0.72 }),
+    ...seen(['meeting.geometry'], {
+      set: 'laboratory',
+      eye: [0.1, 1.4, 4.2],
+      target: [0.1, 0.85, 0],
+      to: 1.6,
+      openAt: 0.72,
+    }),
   });

@@ -4,7 +4,7 @@ import { drive } from './kit.ts';
 const ABOUT = {
   title: 'Layers',
   lookFor:
-    "The picture is put together of its layers, as the program's forerunners did it: light without ambient occlusion, times what each place sees of the sky, smoothed but not across edges; then a lens that is in focus at the crossing, and the glare of what is bright. Mute a node, and see what it adds.",
+    "The picture is put together of its layers, as the program's forerunners did it: light without ambient occlusion, times what each place sees of the sky, smoothed but not across edges; then a lens that is in focus a few metres ahead, and the glare of what is bright. Mute a node, and see what it adds.",
 };
 
 /** The sources' full graph: light without ambient occlusion, times ambient occlusion without its noise, with what a lens adds. */
@@ -23,7 +23,7 @@ export const layers = () =>
       set: { mode: 'multiply', alpha: 1 },
       from: { below: 'lighting.image', above: 'denoised.image' },
     },
-    lens: { type: 'depth-of-field', set: { focus: 12, aperture: 60 }, from: { image: 'dimmed.image' } },
+    lens: { type: 'depth-of-field', set: { focus: 6, aperture: 200 }, from: { image: 'dimmed.image' } },
     glare: { type: 'post-process', set: { effect: 'bloom' }, from: { image: 'lens.image' } },
     toneMap: { type: 'tone-map', from: { image: 'glare.image' } },
     output: { type: 'output', from: { image: 'toneMap.image' } },

@@ -9,16 +9,18 @@ const ABOUT = {
 
 const COLORS = [
   [0.8, 0.12, 0.06],
-  [0.75, 0.55, 0.05],
+  [0.06, 0.42, 0.16],
   [0.08, 0.3, 0.75],
 ] as const;
 /** Of rods [m]. */
 const LENGTH = 1;
 const HEIGHT = 1.5;
+/** From one to the next. */
+const PITCH = 1.25;
 
 /** A pendulum that is let go level, at its own speed of light, with its name under it. */
 function pendulum(c: number, i: number): Sketches {
-  const z = -1.1 + 1.1 * i;
+  const z = PITCH * (i - 1);
   return {
     [`bob${c}`]: { type: 'sphere', set: { name: `Bob${c}`, radius: 0.16, segments: 48, rings: 24 } },
     [`paint${c}`]: painted(`bob${c}.geometry`, COLORS[i], { roughness: 0.35 }),
@@ -37,11 +39,11 @@ function pendulum(c: number, i: number): Sketches {
       set: { speedOfLight: c, duration: 14, rate: 30, method: 'yoshida-4', step: 0.001 },
       from: { matter: [`held${c}.matter`, 'weight.matter'] },
     },
-    [`name${c}`]: { type: 'solid-text', set: { name: `Name${c}`, text: `c = ${c}`, size: 0.18, depth: 0.05 } },
+    [`name${c}`]: { type: 'solid-text', set: { name: `Name${c}`, text: `c = ${c}`, size: 0.15, depth: 0.05 } },
     [`sign${c}`]: painted(`name${c}.geometry`, COLORS[i]),
     [`label${c}`]: {
       type: 'transform',
-      set: { position: [0.75, 0, z + 0.3], rotation: [0, 40, 0] },
+      set: { position: [0, HEIGHT + 0.1, z], rotation: [0, 43, 0] },
       from: { geometry: `sign${c}.geometry` },
     },
   };
@@ -51,21 +53,16 @@ const SPEEDS = [1, 10, 100];
 
 /** Pendulums in worlds of several speeds of light. */
 export const pendulums = () => {
-  const rail: Sketches = {
-    rail: { type: 'box', set: { name: 'Rail', width: 0.08, height: 0.08, depth: 3.2 } },
-    hung: { type: 'transform', set: { position: [0, HEIGHT + 0.02, 0] }, from: { geometry: 'rail.geometry' } },
-    iron: painted('hung.geometry', [0.16, 0.16, 0.17], { roughness: 0.5 }),
-  };
-  const picture = seen(['iron.geometry', ...SPEEDS.flatMap((c) => [`swing${c}.geometry`, `label${c}.geometry`])], {
-    eye: [3.1, 2, 3.5],
-    target: [0.2, 0.72, 0.05],
+  const picture = seen([...SPEEDS.flatMap((c) => [`swing${c}.geometry`, `label${c}.geometry`])], {
+    set: 'classroom',
+    eye: [3.3, 1.6, 3.7],
+    target: [0.1, 0.95, 0.1],
     to: 14,
-    openAt: 1,
+    openAt: 2.2,
   });
   return build(ABOUT, {
     weight: { type: 'field' },
     ...Object.assign({}, ...SPEEDS.map(pendulum)),
-    ...rail,
     ...picture,
     console: { ...picture.console!, set: { speedOfLight: 10 } },
   });

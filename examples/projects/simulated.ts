@@ -12,45 +12,36 @@ export const painted = (of: string, color: Vec3, more: NonNullable<Sketch['set']
 
 /** Where simulations are looked at, and when. */
 interface Looks {
+  /** The place about them, with its light: a file of examples/sets. */
+  readonly set: string;
+  /** What of it things fall on, and how hard it is; its matter is `ground.matter`. */
+  readonly floor?: { readonly which: string; readonly stiffness: number; readonly margin: number };
+  /** What shines but is not in the set. */
+  readonly lights?: readonly string[];
   readonly eye: Vec3;
   readonly target: Vec3;
   readonly fieldOfView?: number;
   /** World times [s]. */
   readonly to: number;
   readonly openAt: number;
-  /** The ground, where it is not the usual one. */
-  readonly ground?: Sketches;
 }
 
-const STONE: Vec3 = [0.42, 0.4, 0.37];
-const ROUGH = { roughness: 0.95 };
-const GROUND: Sketches = {
-  floor: { type: 'grid', set: { name: 'Ground', width: 60, length: 60, columns: 60, rows: 60 } },
-  ground: painted('floor.geometry', STONE, ROUGH),
-};
-
-/** A ground that things fall on; its matter is `ground.matter`. */
-export const solidGround = (set: NonNullable<Sketch['set']>): Sketches => ({
-  floor: { type: 'grid', set: { name: 'Floor', width: 60, length: 60, columns: 60, rows: 60 } },
-  stone: painted('floor.geometry', STONE, ROUGH),
-  ground: { type: 'collider', set: { shape: 'plane', ...set }, from: { geometry: 'stone.geometry' } },
-});
-
-/** What all simulations stand on and are lit by, the eye, and what leads to the picture. `things`: outputs that are in the scene. */
+/** What all simulations stand in and are lit by, the eye, and what leads to the picture. `things`: outputs that are in the scene. */
 export const seen = (
   things: readonly string[],
-  { eye, target, fieldOfView = 40, to, openAt, ground = GROUND }: Looks,
+  { set, floor, lights = [], eye, target, fieldOfView = 40, to, openAt }: Looks,
 ): Sketches => ({
-  ...ground,
+  place: { type: 'read', set: { source: `sets/${set}.usda` } },
+  ...(floor && {
+    ground: { type: 'collider', set: { shape: 'plane', ...floor }, from: { geometry: 'place.geometry' } },
+  }),
   eye: { type: 'camera', set: { name: 'Eye', position: eye, target, fieldOfView } },
-  sun: { type: 'sun', set: { brightness: 2.6, direction: [-0.45, -0.8, -0.42], color: [1, 0.95, 0.86] } },
-  sky: { type: 'sky', set: { color: [0.5, 0.65, 0.9], brightness: 0.55 } },
   time: { type: 'time', set: { from: 0, to, openAt } },
   scene: {
     type: 'scene',
     from: {
-      geometry: ['eye.geometry', ...things, ...(ground === GROUND ? ['ground.geometry'] : [])],
-      lights: ['sun.lights', 'sky.lights'],
+      geometry: ['eye.geometry', ...things, floor ? 'ground.rest' : 'place.geometry'],
+      lights,
       time: 'time.time',
     },
   },

@@ -55,8 +55,8 @@ export async function openDevice(): Promise<HeadlessDevice> {
 
 /** The same, for what is computed. */
 export async function openGpu(): Promise<ComputeGpu> {
-  const { device, release } = await openDevice();
-  return { device, release };
+  const { device, software, release } = await openDevice();
+  return { device, software, release };
 }
 
 /** Loaded here and not at the top: on a machine that it does not support, all that needs no GPU still works. */

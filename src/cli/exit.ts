@@ -11,6 +11,8 @@ export const EXIT = {
   unavailable: 4,
   /** `compare --fail-above`: the pictures differ by more than that. */
   different: 5,
+  /** `simulate`: it ended before its time; what there is of it is written. */
+  ended: 6,
   /** Ctrl-C. */
   cancelled: 130,
 } as const;

@@ -20,13 +20,14 @@ Exit codes:
   3    a file that is missing, damaged, describes what cannot be, or cannot be written
   4    no GPU, browser, encoder or port to do it with
   5    compare --fail-above: the pictures differ by more than that
+  6    simulate: it ended before its time; what there is of it is written
   130  stopped with Ctrl-C; no half-written file is left`;
 
 /** Runs the command line; returns the exit code. */
 export async function main(args: readonly string[]): Promise<number> {
   try {
     await program().parseAsync([...args], { from: 'user' });
-    return EXIT.ok;
+    return Number(process.exitCode ?? EXIT.ok);
   } catch (error) {
     return report(error);
   }

@@ -14,7 +14,7 @@ import { writtenScene } from '../nodes/writtenScene.ts';
 import { Checkpoint, contentOf, readCheckpoint } from './checkpoint.ts';
 import { openGpu } from './device.ts';
 import { reportDiagnostics } from './diagnostics.ts';
-import { inputProblem, usageError } from './exit.ts';
+import { EXIT, inputProblem, usageError } from './exit.ts';
 import { heavyNodes } from './heavyNodes.ts';
 import { checkWritable, endIfStopped, heedSignals, stoppedWith, writeWhole } from './output.ts';
 import { Progress } from './progress.ts';
@@ -42,6 +42,7 @@ export async function simulate(path: string, flags: SimulateFlags): Promise<void
   const files = written ? writeAll(dirname(resolve(output!)), written) : [];
   if (csv !== undefined) writeWhole(csv, new TextEncoder().encode(booksCsv(books)));
   report(books, csv === undefined ? files : [...files, csv], flags);
+  if (books.stop) process.exitCode = EXIT.ended;
 }
 
 function checkFlags({ output, csv, checkpoint, resume }: SimulateFlags): void {
@@ -109,7 +110,7 @@ async function followed(
   const gpu = settings.onGpu ? await openGpu() : undefined;
   let breath = performance.now();
   try {
-    for await (const frame of simulation.run(gpu?.device)) {
+    for await (const frame of simulation.run(gpu)) {
       kept?.add(frame);
       progress.frames(simulation.taken, simulation.frames);
       if (performance.now() - breath < BREATH) continue;

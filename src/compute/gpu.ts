@@ -3,6 +3,8 @@ import { SystemError } from '../dynamics/system.ts';
 /** A GPU to compute on; `release` it at the end. */
 export interface ComputeGpu {
   readonly device: GPUDevice;
+  /** It is a program on the processor. */
+  readonly software: boolean;
   release(): void;
 }
 
@@ -12,5 +14,5 @@ export async function openWebGpu(): Promise<ComputeGpu> {
   if (!adapter) throw new SystemError('there is no GPU here that computes (WebGPU)');
   const { maxBufferSize, maxStorageBufferBindingSize } = adapter.limits;
   const device = await adapter.requestDevice({ requiredLimits: { maxBufferSize, maxStorageBufferBindingSize } });
-  return { device, release: () => device.destroy() };
+  return { device, software: adapter.info.isFallbackAdapter, release: () => device.destroy() };
 }

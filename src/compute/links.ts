@@ -32,7 +32,8 @@ export const WORDS_A_LINK = 4;
 const LONG = 64;
 
 /** Throws a SystemError for what a GPU cannot be told. */
-export function linksOf({ forces, masses, pinned }: System): Links {
+export function linksOf({ forces, masses, pinned, led = [] }: System): Links {
+  if (led.length > 0) throw new SystemError('what goes a way of its own is not led by the GPU');
   const all = forces.map((force) => force.plain);
   const plain = [...all.filter(({ kind }) => kind === 'spring'), ...all.filter(({ kind }) => kind !== 'spring')];
   const nears = plain.filter(({ kind }) => kind === 'near');

@@ -9,6 +9,8 @@ import { type Stages, stagesOf } from './stages.ts';
 
 /** Passes that a GPU is given at a time. After them places and momenta are put together in 64 bits, and split anew. */
 const MOST_PASSES = 512;
+/** Points and links, over all those passes: some hundredths of a second of a small GPU, which has pictures to draw too. */
+const MOST_WORK = 3e7;
 /** Points may go this share of the reach at which they touch until those that are near are looked for again; and twice as far, so often, where one goes farther in a single step. */
 const SKIN = 0.25;
 const MOST_WIDENINGS = 8;
@@ -45,7 +47,7 @@ export class Machine {
   /** Throws a StepFailure where it cannot; the state is then worth nothing. The same to the bit from the same state: nothing is kept from before. */
   async advance(state: State, steps: number): Promise<void> {
     this.neighbours?.forget();
-    let most = Math.max(1, Math.floor((MOST_PASSES - 1) / (this.stages.within.length + 1)));
+    let most = this.stepsAtOnce();
     for (let left = steps; left > 0; ) {
       const leap = Math.min(most, left);
       if (await this.leap(state, leap)) left -= leap;
@@ -69,6 +71,12 @@ export class Machine {
     joined(origins, passed.changes, links.pointAt, state);
     state.t += steps * this.h;
     return true;
+  }
+
+  private stepsAtOnce(): number {
+    const { pointAt, from } = this.links;
+    const passes = Math.min(MOST_PASSES, MOST_WORK / (pointAt.length + from[pointAt.length]));
+    return Math.max(1, Math.floor((passes - 1) / (this.stages.within.length + 1)));
   }
 
   /** Which stages so many steps are. */

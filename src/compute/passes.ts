@@ -177,9 +177,7 @@ function made(device: GPUDevice, size: number, usage: number): GPUBuffer {
   const most = Math.min(device.limits.maxStorageBufferBindingSize, device.limits.maxBufferSize);
   if (size > most) {
     const [asked, there] = [size, most].map((bytes) => `${Math.ceil(bytes / 2 ** 20)} MiB`);
-    throw new SystemError(
-      `it takes a buffer of ${asked}, and the GPU gives ${there} at most; compute it on the processor, or take coarser meshes`,
-    );
+    throw new SystemError(`it takes a buffer of ${asked}, and the GPU gives ${there} at most`);
   }
   return device.createBuffer({ size, usage });
 }

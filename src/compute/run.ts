@@ -38,9 +38,10 @@ export async function* runOnGpu(device: GPUDevice, order: Order): AsyncGenerator
 async function made<T>(device: GPUDevice, make: () => Promise<T>): Promise<T> {
   const kinds = ['validation', 'out-of-memory', 'internal'] as const;
   for (const kind of kinds) device.pushErrorScope(kind);
-  const result = await make();
+  const [result] = await Promise.allSettled([make()]);
   const errors = await Promise.all(kinds.map(() => device.popErrorScope()));
+  if (result.status === 'rejected') throw result.reason;
   const refused = errors.find((error) => error !== null);
   if (refused) throw new SystemError(`the GPU refuses: ${refused.message}`);
-  return result;
+  return result.value;
 }

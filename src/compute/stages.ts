@@ -14,7 +14,7 @@ export interface Stage {
 
 /**
  * Steps of a splitting, as passes each of which asks for the force once: the half drifts at the end of a step and at the beginning of the next one belong to one pass. `begin` comes once, `within` in each step, then
- * `between` two steps, and `end` after the last. `shares`: as of a `Method`; air: half before a step and half after it.
+ * `between` two steps, and `end` after the last. `shares`: as of a `Method`; air: half before each share and half after it.
  */
 export interface Stages {
   readonly begin: Stage;
@@ -24,19 +24,18 @@ export interface Stages {
 }
 
 export function stagesOf(shares: readonly number[], h: number, drag: number): Stages {
-  const drift = (k: number): number => (((shares[k - 1] ?? 0) + (shares[k] ?? 0)) * h) / 2;
-  const [first, last] = [drift(0), drift(shares.length)];
-  const damp = (share: number): number => -Math.expm1(-share * drag * h);
-  const across = { before: shares.length === 1 ? first + last : drift(shares.length - 1) };
-  const inner = shares.slice(0, -1).map((share, k): Stage => {
-    const before = k === 0 ? first + last : drift(k);
-    return { kick: share * h, drift: drift(k + 1), damp: 0, after: 0, before };
+  const last = shares.length - 1;
+  const half = (k: number | undefined): number => (k === undefined ? 0 : (shares[k] * h) / 2);
+  const damp = (time: number): number => -Math.expm1(-drag * time);
+  /** The k-th kick, and what comes until the next. */
+  const pass = (k: number, next?: number): Stage => ({
+    ...{ kick: shares[k] * h, drift: half(k), damp: damp(half(k) + half(next)), after: half(next) },
+    before: half(k === 0 ? last : k - 1) + half(k),
   });
-  const kick = shares.at(-1)! * h;
   return {
-    begin: { kick: 0, drift: 0, damp: damp(0.5), after: first, before: 0 },
-    within: inner,
-    between: { kick, drift: last, damp: damp(1), after: first, ...across },
-    end: { kick, drift: last, damp: damp(0.5), after: 0, ...across },
+    begin: { kick: 0, drift: 0, damp: damp(half(0)), after: half(0), before: 0 },
+    within: shares.slice(1).map((_, k) => pass(k, k + 1)),
+    between: pass(last, 0),
+    end: pass(last),
   };
 }

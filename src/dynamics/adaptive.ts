@@ -73,9 +73,10 @@ export class AdaptiveSteps {
   /** The largest of any point's place [m] or velocity [m/s]. */
   private difference(): number {
     const { whole, halves, v, system } = this;
+    const { pinned } = system;
     velocities(system, whole.p, v[0]);
     velocities(system, halves.p, v[1]);
-    return Math.sqrt(Math.max(largestSquare(whole.x, halves.x), largestSquare(v[0], v[1])));
+    return Math.sqrt(Math.max(largestSquare(whole.x, halves.x, pinned), largestSquare(v[0], v[1], pinned)));
   }
 }
 
@@ -88,10 +89,11 @@ interface Settings {
   readonly longest: number;
 }
 
-/** Of the differences of points; NaN where there is one. */
-function largestSquare(a: Float64Array, b: Float64Array): number {
+/** Of the differences of points that are not pinned; NaN where there is one. */
+function largestSquare(a: Float64Array, b: Float64Array, pinned: Uint8Array): number {
   let most = 0;
   for (let j = 0; j < a.length; j += 3) {
+    if (pinned[j / 3]) continue;
     const square = (a[j] - b[j]) ** 2 + (a[j + 1] - b[j + 1]) ** 2 + (a[j + 2] - b[j + 2]) ** 2;
     if (!(square <= most)) most = square;
   }

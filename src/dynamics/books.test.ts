@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Bookkeeper, type Books, booksCsv } from './books.ts';
+import { Bookkeeper, type Books, booksCsv, figuresOf } from './books.ts';
 import { springs } from './forces/springs.ts';
 import { METHODS } from './methods/library.ts';
 import { type Order, run } from './run.ts';
@@ -56,6 +56,27 @@ describe('the books of a run', () => {
     });
     expect(stop?.reason).toBe('light');
     expect(times.length).toBeLessThan(100);
+  });
+
+  it('come to a drift, and tell when energy came from nowhere: above the lowest so far by half of what moves has', () => {
+    const books = kept(thrown());
+    const of = (total: number[], kinetic: number[], fastest = [0, 1, 2, 3, 3]) =>
+      figuresOf({
+        ...books,
+        ...{
+          total: Float64Array.from(total),
+          kinetic: Float64Array.from(kinetic),
+          fastest: Float64Array.from(fastest),
+        },
+      });
+    expect(figuresOf(books)).toEqual({ drift: expect.closeTo(0, 11), fastest: expect.closeTo(3, 6), until: 1.5 });
+    // Falls by 4 and rises by 1.9 of 4, then by 2.1.
+    expect(of([10, 6, 7.9, 8.1, 20], [0, 4, 4, 4, 9])).toEqual({ drift: 10 / 9, fastest: 3, until: 1.5, grown: 1.25 });
+    expect(of([10, 6, 7.9, 7.9, 7.9], [0, 4, 4, 4, 4])).not.toHaveProperty('grown');
+    // What is there by rounding alone.
+    const still = of([1e-25, 2e-25, 9e-25, 1e-25, 1e-25], [0, 1e-27, 1e-27, 1e-27, 0], [0, 1e-13, 1e-13, 1e-13, 0]);
+    expect(still).toEqual({ drift: undefined, fastest: 1e-13, until: 1.5 });
+    expect(of([1e9, 1e9 + 1e-5, 1e9, 1e9, 1e9], [0, 1e-8, 1e-8, 1e-8, 0])).not.toHaveProperty('grown');
   });
 
   it('are a table with units, which reads back to the same numbers', () => {

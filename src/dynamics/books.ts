@@ -1,4 +1,4 @@
-import { type Frame, type Order, type Stop, stepsOf } from './run.ts';
+import { type Frame, type Order, type Stop, SWING, stepsOf } from './run.ts';
 
 /** What a run kept of its state from frame to frame, for plots and tables: plain data. World frame, SI units. */
 export interface Books {
@@ -8,6 +8,8 @@ export interface Books {
   readonly speedOfLight: number;
   /** A GPU took the steps, in 32-bit numbers. */
   readonly onGpu?: boolean;
+  /** Something is led its way, and gives energy and takes it. */
+  readonly led?: boolean;
   /** [s]; 0 where it adapts. */
   readonly step: number;
   /** Between frames [s]. */
@@ -38,12 +40,33 @@ export interface Figures {
   readonly fastest: number;
   /** Of the last frame [s]. */
   readonly until: number;
+  /** When more energy had come from nowhere than half of the largest kinetic energy until then [s]: nothing gives any here, so that it is the method's error. Absent: it never had. */
+  readonly grown?: number;
 }
 
-export function figuresOf({ total, kinetic, fastest, times }: Books): Figures {
+/** What is slower than this does not move: rounding makes so much [m/s]. */
+const STILL = 1e-9;
+/** Of energies, by rounding: of places in 32 bits too, which a GPU computes with. */
+const ROUNDING = 1e-6;
+
+export function figuresOf({ total, kinetic, fastest, times, led }: Books): Figures {
+  const top = largest(fastest);
+  const until = times.at(-1) ?? 0;
   const most = largest(kinetic);
-  const change = largest(total.map((energy) => energy - total[0]));
-  return { drift: most > 0 ? change / most : undefined, fastest: largest(fastest), until: times.at(-1) ?? 0 };
+  if (top < STILL || most === 0) return { drift: undefined, fastest: top, until };
+  const drift = largest(total.map((energy) => energy - total[0])) / most;
+  const frame = led ? -1 : growth(total, kinetic);
+  return { drift, fastest: top, until, ...(frame >= 0 && { grown: times[frame] }) };
+}
+
+/** The first frame at which the energy is above its lowest so far by more than it can swing; −1: none. */
+function growth(total: Float64Array, kinetic: Float64Array): number {
+  let [lowest, most] = [Number.POSITIVE_INFINITY, 0];
+  return total.findIndex((energy, k) => {
+    lowest = Math.min(lowest, energy);
+    most = Math.max(most, kinetic[k]);
+    return energy - lowest > SWING * most + ROUNDING * (Math.abs(energy) + Math.abs(lowest));
+  });
 }
 
 const largest = (values: Float64Array): number => values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
@@ -68,6 +91,7 @@ export class Bookkeeper {
     return {
       method: order.method.id,
       speedOfLight: order.system.c,
+      ...(order.system.led && { led: true }),
       step: order.tolerance === undefined ? stepsOf(order).h : 0,
       pace: order.every,
       times: column(({ t }) => t),

@@ -1,7 +1,7 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { State, System } from './system.ts';
 
-/** What a state has, in the world frame. */
+/** What a state has, in the world frame; of what is not pinned. */
 export interface Ledger {
   /** Σ (γ − 1) m c² [J] */
   readonly kinetic: number;
@@ -11,19 +11,20 @@ export interface Ledger {
   readonly total: number;
   /** Σ p [kg m/s] */
   readonly momentum: Vec3;
-  /** Σ x × p about the origin [kg m²/s]; of what is not pinned. */
+  /** Σ x × p about the origin [kg m²/s]. */
   readonly angularMomentum: Vec3;
   /** Speed of the fastest point [m/s]. */
   readonly fastest: number;
 }
 
 export function ledger(system: System, state: State): Ledger {
-  const { c, masses } = system;
+  const { c, masses, pinned } = system;
   const { x, p } = state;
   const momentum: [number, number, number] = [0, 0, 0];
   const angularMomentum: [number, number, number] = [0, 0, 0];
   let fastest = 0;
   for (let j = 0; j < x.length; j += 3) {
+    if (pinned[j / 3]) continue;
     const square = p[j] ** 2 + p[j + 1] ** 2 + p[j + 2] ** 2;
     fastest = Math.max(fastest, square / (masses[j / 3] ** 2 + square / (c * c)));
     for (let k = 0; k < 3; k++) {
@@ -37,11 +38,12 @@ export function ledger(system: System, state: State): Ledger {
   return { kinetic, potential, total: kinetic + potential, momentum, angularMomentum, fastest: Math.sqrt(fastest) };
 }
 
-/** Σ (γ − 1) m c² = Σ p²/(γm + m) [J], which is p²/2m where c = ∞. */
-export function kineticEnergy({ c, masses }: System, p: Float64Array): number {
+/** Σ (γ − 1) m c² = Σ p²/(γm + m) [J], which is p²/2m where c = ∞; of what is not pinned. */
+export function kineticEnergy({ c, masses, pinned }: System, p: Float64Array): number {
   const perSquare = 1 / (c * c);
   let sum = 0;
   for (let i = 0, j = 0; i < masses.length; i++, j += 3) {
+    if (pinned[i]) continue;
     const square = p[j] * p[j] + p[j + 1] * p[j + 1] + p[j + 2] * p[j + 2];
     sum += square / (Math.sqrt(masses[i] * masses[i] + square * perSquare) + masses[i]);
   }

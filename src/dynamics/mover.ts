@@ -1,26 +1,69 @@
 import { type Method, StepFailure, type Stepper } from './methods/method.ts';
+import { leapfrog } from './methods/splitting.ts';
 import type { State, System } from './system.ts';
 
 /** Takes a system's state from step to step by a method: with the air, and with an eye on what is solid. */
 export class Mover {
   private readonly system: System;
   private readonly stepper: Stepper;
+  /** Of a step, each with the air before and after it. */
+  private readonly shares: readonly number[];
   private readonly before: Float64Array;
+  /** Momenta of those that are led. */
+  private readonly ways: Float64Array;
 
   constructor(system: System, method: Method) {
     this.system = system;
-    this.stepper = method.begin(system);
+    // In air a row of leapfrogs stays of its order where each of them has its own air; around all of them it would be of the second.
+    const row = system.drag > 0 ? method.shares : undefined;
+    this.stepper = (row ? leapfrog : method).begin(system);
+    this.shares = row ?? [1];
     this.before = new Float64Array(3 * system.masses.length);
+    this.ways = new Float64Array(3 * (system.led?.length ?? 0));
   }
 
   /** Air before and after, half of it each, so that a step stays the same when it is run backwards. Throws a StepFailure; the state is then worth nothing. */
   step(state: State, h: number): void {
-    const { drag } = this.system;
+    const { drag, pinned } = this.system;
     this.before.set(state.x);
-    slowDown(state, (drag * h) / 2);
-    this.stepper.step(state, h);
-    slowDown(state, (drag * h) / 2);
+    const end = state.t + h;
+    this.lead(state, end);
+    for (const share of this.shares) {
+      slowDown(state, pinned, (share * drag * h) / 2);
+      this.stepper.step(state, share * h);
+      slowDown(state, pinned, (share * drag * h) / 2);
+    }
+    state.t = end;
+    this.arrive(state, end);
     this.refusePierced(state);
+  }
+
+  /** Those that are led go evenly, so that they are at the end of the step where they are then to be. */
+  private lead({ t, x, p }: State, end: number): void {
+    const { led = [], c, masses } = this.system;
+    led.forEach(({ point, place }, i) => {
+      const to = place(end);
+      const v = to.map((value, k) => (value - x[3 * point + k]) / (end - t));
+      const square = v.reduce((sum, value) => sum + value * value, 0) / (c * c);
+      if (!(square < 1)) {
+        const message = `point ${point} is led at ${(c * Math.sqrt(square)).toPrecision(4)} m/s, not below c = ${c} m/s; lead it slower`;
+        throw new StepFailure('light', message, point);
+      }
+      const mass = masses[point] / Math.sqrt(1 - square);
+      this.ways.set(
+        v.map((value) => mass * value),
+        3 * i,
+      );
+      p.set(this.ways.subarray(3 * i, 3 * i + 3), 3 * point);
+    });
+  }
+
+  /** To the last digit, and as they went. */
+  private arrive({ x, p }: State, end: number): void {
+    this.system.led?.forEach(({ point, place }, i) => {
+      x.set(place(end), 3 * point);
+      p.set(this.ways.subarray(3 * i, 3 * i + 3), 3 * point);
+    });
   }
 
   private refusePierced({ x }: State): void {
@@ -34,10 +77,11 @@ export class Mover {
   }
 }
 
-function slowDown({ p }: State, much: number): void {
+/** All but what is held, which goes as it is led. */
+function slowDown({ p }: State, pinned: Uint8Array, much: number): void {
   if (much === 0) return;
   const share = Math.exp(-much);
-  for (let j = 0; j < p.length; j++) p[j] *= share;
+  for (let i = 0; i < pinned.length; i++) if (!pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] *= share;
 }
 
 /** Throws a StepFailure where something is no number. */

@@ -115,6 +115,38 @@ describe('points that are near', () => {
   });
 });
 
+describe('what touches', () => {
+  /** Points of four bodies that are soft to each other, in a crowd. */
+  const crowd = (seed: number): Pick<Order, 'system' | 'start'> => {
+    const n = 80;
+    const next = random(seed);
+    const bodies = Int32Array.from({ length: n }, (_, i) => i % 4);
+    const x = Float64Array.from({ length: 3 * n }, next);
+    const near = new NearPairs(bodies, x, 0.3, new Penalty(0.05, () => 0.3));
+    const system = makeSystem({ masses: new Float64Array(n).fill(0.1), c: 3, forces: [near] });
+    const p = momenta(
+      system,
+      Array.from(x, () => next() - 0.5),
+    );
+    return { system, start: { t: 0, x, p } };
+  };
+
+  it.each(['leapfrog', 'discrete-gradient'])(
+    'pushes to the same last digit where a run is taken up again, though what is near is sought from another place: %s',
+    (id) => {
+      const order = { method: method(id), step: 2e-3, every: 0.07 };
+      for (let seed = 1; seed <= 4; seed++) {
+        const { frames } = whole({ ...crowd(seed), ...order, duration: 0.56 });
+        for (const from of [1, 3, 5]) {
+          const again = whole({ ...crowd(seed), ...order, start: frames[from].state, duration: 0.56 - 0.07 * from });
+          expect(again.frames.map(({ ledger }) => ledger)).toEqual(frames.slice(from).map(({ ledger }) => ledger));
+          expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
+        }
+      }
+    },
+  );
+});
+
 describe('two leaves of one thing that are thrown at each other', () => {
   const side = 5;
   const count = 2 * side * side;
@@ -184,6 +216,24 @@ describe('the fastest oscillation', () => {
   });
 });
 
+describe('the fastest oscillation of what is unlike', () => {
+  it('is bounded by the lightest: two masses on a spring swing with √(k/μ)', () => {
+    fc.assert(
+      fc.property(between(0.01, 100), between(0.01, 100), between(1, 1000), (m, n, k) => {
+        const one = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(1) };
+        const masses = Float64Array.of(m, n);
+        const exact = Math.sqrt(k / m + k / n);
+        const bound = fastestOscillation(makeSystem({ masses, forces: [springs(one)] }));
+        expect(bound).toBeGreaterThan(exact * (1 - 1e-12));
+        expect(bound).toBeLessThan(Math.SQRT2 * exact * (1 + 1e-12));
+        // What is pinned does not swing: its bound is that of the other alone.
+        const held = fastestOscillation(makeSystem({ masses, pinned: Uint8Array.of(1, 0), forces: [springs(one)] }));
+        expect(held).toBeCloseTo(Math.sqrt((2 * k) / n), 9);
+      }),
+    );
+  });
+});
+
 describe('a run', () => {
   it('gives frames at their times, with equal steps between them, and loses no energy', () => {
     const { frames, stop } = whole({
@@ -242,7 +292,7 @@ describe('a run', () => {
     const order = { system, start, method: method('semi-implicit-euler-0'), duration: 1, every: 0.1, step: 0.05 };
     expect(stepsOf(order).stable).toBe(true);
     const { frames, stop } = whole(order);
-    expect(stop).toMatchObject({ reason: 'light', t: 0 });
+    expect(stop).toMatchObject({ reason: 'light', t: 0, point: 0 });
     expect(stop?.message).toMatch(/^point \d+ goes at .* m\/s, not below c = 1 m\/s; take a smaller step$/);
     expect(frames).toHaveLength(1);
   });

@@ -10,6 +10,8 @@ export interface Order {
   readonly system: System;
   /** Not changed. */
   readonly start: State;
+  /** Of a run that goes on: when the whole began [s], and which of its frames `start` is. Its times are then those of the whole, to the last digit. */
+  readonly since?: { readonly t: number; readonly frames: number };
   readonly method: Method;
   /** From `start.t` on [s]. */
   readonly duration: number;
@@ -50,7 +52,7 @@ const BOUNDED = 0.9;
 const FREE_STEPS = 10;
 const MOST_STEPS = 1e9;
 /** What may be gained of the energy where steps are longer than the stability bound, over the kinetic energy: more is not a swing. */
-const SWING = 0.5;
+export const SWING = 0.5;
 
 export interface Steps {
   /** The longest that there are [s]. */
@@ -130,7 +132,8 @@ export class Course {
     this.taken += steps;
     this.frame++;
     // Sums of many steps drift away from what a clock shows.
-    state.t = order.start.t + this.frame * order.every;
+    const { t, frames } = order.since ?? { t: order.start.t, frames: 0 };
+    state.t = t + (frames + this.frame) * order.every;
     return { state: copyOf(state), ledger: now, steps: this.taken };
   }
 }

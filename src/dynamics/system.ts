@@ -7,8 +7,10 @@ export interface System {
   readonly c: number;
   /** At rest, of each point [kg], above 0. */
   readonly masses: Float64Array;
-  /** 1 where a point is held where it is. */
+  /** 1 where a point is held: where it is, or where it is led. */
   readonly pinned: Uint8Array;
+  /** Where some of those that are held go. */
+  readonly led?: readonly Led[];
   /** All that has a potential; the force is the sum of theirs. */
   readonly forces: readonly Force[];
   /** Of each point [C]; absent: none is charged. */
@@ -17,6 +19,13 @@ export interface System {
   readonly magneticField?: Vec3;
   /** What air takes away: dp/dt = −drag · p [1/s]. */
   readonly drag: number;
+}
+
+/** A point that goes its way whatever pushes it, slower than light. What it takes and gives is in no books. */
+export interface Led {
+  readonly point: number;
+  /** [m], at t [s]. */
+  place(t: number): Vec3;
 }
 
 /** Where all points are, and how they go, at a time. x, y, z of one point after the other. */
@@ -39,7 +48,15 @@ export function assign(to: State, from: State): void {
 }
 
 /** Something about a system that cannot be, with what to do. */
-export class SystemError extends Error {}
+export class SystemError extends Error {
+  /** That it is about, where it is one. */
+  readonly point: number | undefined;
+
+  constructor(message: string, point?: number) {
+    super(message);
+    this.point = point;
+  }
+}
 
 const MOST_POINTS = 1_000_000;
 
@@ -71,7 +88,10 @@ export function momenta({ c, masses, pinned }: System, v: ArrayLike<number>): Fl
     const [vx, vy, vz] = [v[3 * i], v[3 * i + 1], v[3 * i + 2]];
     const rest = 1 - (vx * vx + vy * vy + vz * vz) / (c * c);
     if (!(rest > 0))
-      throw new SystemError(`point ${i} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`);
+      throw new SystemError(
+        `point ${i} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`,
+        i,
+      );
     const mass = pinned[i] ? 0 : masses[i] / Math.sqrt(rest);
     p[3 * i] = mass * vx;
     p[3 * i + 1] = mass * vy;

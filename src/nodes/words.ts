@@ -659,7 +659,10 @@ export const nodeWords = {
     '与起始长度之比：小于 1 时弹簧绷紧。',
   ],
   'param.pins': ['Holds', '固定'],
-  'param.pins.help': ['Which points stay where they are.', '哪些点保持不动。'],
+  'param.pins.help': [
+    'Which points stay where they are, or, of a thing that moves already, go on as it does.',
+    '哪些点保持不动；若物体本身在运动，这些点随它运动。',
+  ],
   'pins.none': ['Nothing', '无'],
   'pins.corners': ['Upper corners', '上方四角'],
   'pins.top': ['Top', '顶部'],
@@ -675,8 +678,8 @@ export const nodeWords = {
   'socket.rest': ['The rest', '其余物体'],
   'node.collider': ['Collider', '碰撞体'],
   'node.collider.help': [
-    'What nothing gets into: planes without end, boxes, and balls, which may be free and then are moved by what they touch. Read off the thing as it rests.',
-    '不可穿入之物：无限平面、长方体，以及可自由运动、受碰撞推动的球。形状取自静止的物体。',
+    'What nothing gets into: planes without end, boxes, and balls, which may be free and then are moved by what they touch. A thing that moves already goes on as it does, whatever it hits.',
+    '不可穿入之物：无限平面、长方体，以及可自由运动、受碰撞推动的球。本身在运动的物体照常运动，不受碰撞影响。',
   ],
   'param.solidShape': ['Shape', '形状'],
   'param.solidShape.help': ['A plane is solid behind its front.', '平面正面之后为实体。'],
@@ -695,7 +698,10 @@ export const nodeWords = {
   'param.margin': ['Keeps off by', '间隙'],
   'param.margin.help': ['What touches it stays this far away.', '与接触物之间保持的距离。'],
   'param.free': ['Free', '自由'],
-  'param.free.help': ['It is moved by what touches it; else it stands fast.', '受碰撞推动；否则固定不动。'],
+  'param.free.help': [
+    'It is moved by what touches it; else it stands fast, or goes as it goes.',
+    '受碰撞推动；否则固定不动，或照自身的运动而动。',
+  ],
   'param.rods': ['Held by rods', '杆连接'],
   'param.rods.help': [
     'Thin springs, stiff as rods: pendulums, or chains of things in their order.',

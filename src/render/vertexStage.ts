@@ -58,6 +58,11 @@ export interface MotionSources {
   readonly uniforms: Uniforms;
 }
 
+/** As much of them as tells when a vertex is met. */
+export interface EventSources extends Omit<MotionSources, 'uniforms'> {
+  readonly uniforms: Pick<Uniforms, 'u' | 'gamma' | 'iterations' | 'damping'>;
+}
+
 export interface VertexSources extends MotionSources {
   /** Reads the vertex, inside the vertex stage's Fn. */
   readonly vertex: () => VertexInput;
@@ -85,7 +90,7 @@ interface Vertex extends VertexEvent {
 
 /** The texels of an object (frame.ts) and one of its vertices. */
 interface Inputs {
-  readonly sources: MotionSources;
+  readonly sources: EventSources;
   readonly anchor: Vec4;
   readonly motion: Vec4;
   readonly extra: Vec4;
@@ -93,7 +98,7 @@ interface Inputs {
 }
 
 const objectTexel =
-  ({ objects }: MotionSources, object: Float) =>
+  ({ objects }: EventSources, object: Float) =>
   (k: number): Vec4 =>
     objects.texel(int(object).mul(int(OBJECT_TEXELS)).add(int(k))).toVar();
 
@@ -133,19 +138,24 @@ export function shownPoint(
   projection: Projection,
   vertex: VertexInput,
 ): { shown: Vec3; exists: Bool } {
-  const texel = objectTexel(sources, vertex.object);
-  const anchor = texel(0);
-  const own = turnedVertex(sources, vertex, texel);
-  const { dx, exists } = solve({ sources, anchor, motion: texel(1), extra: texel(3), vertex: own }, projection);
+  const { dx, exists } = vertexEvent(sources, projection, vertex);
   return { shown: place(dx, projection.place, sources.uniforms), exists };
 }
 
-/** A vertex of a mesh that many wear, turned as its body is; samples are turned one by one. */
-function turnedVertex(
-  { kind, instances }: MotionSources,
+/** The event of a vertex: from the observer [m], and its time after that of its object's anchor [m of light]. */
+export function vertexEvent(
+  sources: EventSources,
+  { event }: Pick<Projection, 'event'>,
   vertex: VertexInput,
-  texel: (k: number) => Vec4,
-): VertexInput {
+): Pick<Vertex, 'dx' | 's' | 'exists'> {
+  const texel = objectTexel(sources, vertex.object);
+  const anchor = texel(0);
+  const own = turnedVertex(sources, vertex, texel);
+  return solve({ sources, anchor, motion: texel(1), extra: texel(3), vertex: own }, { event });
+}
+
+/** A vertex of a mesh that many wear, turned as its body is; samples are turned one by one. */
+function turnedVertex({ kind, instances }: EventSources, vertex: VertexInput, texel: (k: number) => Vec4): VertexInput {
   if (!instances || (kind !== 'static' && kind !== 'uniform')) return vertex;
   const orientation = texel(4);
   return {
@@ -170,7 +180,7 @@ export function place(dx: Vec3, how: Projection['place'], { u, gamma }: Pick<Uni
   return dx;
 }
 
-function solve(inputs: Inputs, { event }: Projection): Vertex {
+function solve(inputs: Inputs, { event }: Pick<Projection, 'event'>): Vertex {
   switch (inputs.sources.kind) {
     case 'static':
       return {
@@ -237,7 +247,12 @@ function samplesOf({ sources, motion, extra, vertex }: Inputs): Samples {
   return poseSamples(sources.samples, first, count, vertex.offset, vertex.normal);
 }
 
-function sampled(anchor: Vec4, samples: Samples, event: Projection['event'], uniforms: Uniforms): VertexEvent {
+function sampled(
+  anchor: Vec4,
+  samples: Samples,
+  event: Projection['event'],
+  uniforms: EventSources['uniforms'],
+): VertexEvent {
   const { at, velocities, count } = samples;
   if (velocities) {
     if (event === 'newton') return newton(anchor, cubicPlace(at, velocities, count), uniforms);
@@ -249,11 +264,11 @@ function sampled(anchor: Vec4, samples: Samples, event: Projection['event'], uni
   return polylineSlice(anchor, at, count, ...sliceOf(event, uniforms));
 }
 
-const newton = (anchor: Vec4, line: WorldLineAt, { iterations, damping }: Uniforms): VertexEvent =>
+const newton = (anchor: Vec4, line: WorldLineAt, { iterations, damping }: EventSources['uniforms']): VertexEvent =>
   newtonEmission(anchor, line, iterations, damping);
 
 /** The slice of the observer's own frame, or that of the world. */
-const sliceOf = (event: Projection['event'], { u, gamma }: Uniforms): [Vec3, Float] =>
+const sliceOf = (event: Projection['event'], { u, gamma }: EventSources['uniforms']): [Vec3, Float] =>
   event === 'slice' ? [u, gamma] : [vec3(0), float(1)];
 
 /**

@@ -123,6 +123,7 @@ test('check tells faults, upgrade keeps what a project means, and docs tell of e
   damaged.nodes.orbit.params.radius = -1;
   writeFileSync(at('bad.slowlight.json'), JSON.stringify(damaged));
   const { code, err } = await slowlight('graph', 'check', at('bad.slowlight.json'));
+  expect((await slowlight('graph', 'check', at('bad.slowlight.json'), '--json')).code).toBe(3);
   expect(`${code} ${err}`).toMatch(/^3 .*orbit\.radius: -1 is outside/);
   writeFileSync(at('half.slowlight.json'), '{"format":"slowlight","version":3');
   expect((await slowlight('graph', 'check', at('half.slowlight.json'))).code).toBe(3);

@@ -87,6 +87,38 @@ test('what was stopped goes on from its checkpoint, to the same last digit', asy
   expect(why).toMatch(/another simulation/);
 });
 
+test('what adapts its steps goes on to the same last digit too, for longer than it was to last', async () => {
+  const args = ['simulate', project, '--set', 'run.tolerance=0.01', '--csv'];
+  const short = await slowlight(...args, at('long.csv'), '--checkpoint', at('adaptive.run'));
+  expect(short.code, short.err).toBe(0);
+  const longer = ['--set', 'run.duration=1'];
+  await slowlight(...args, at('whole.csv'), ...longer);
+  const rest = await slowlight(...args, at('long.csv'), ...longer, '--checkpoint', at('adaptive.run'), '--resume');
+  expect(rest.code, rest.err).toBe(0);
+  const rows = readFileSync(at('long.csv'), 'utf8');
+  expect(rows).toBe(readFileSync(at('whole.csv'), 'utf8'));
+  expect(rows.trim().split('\n')).toHaveLength(26);
+});
+
+test('a run that ends before its time is written as far as it is good, and ends the program with a code of its own', async () => {
+  const steps = [
+    '--set',
+    'run.method=semi-implicit-euler',
+    '--set',
+    'run.step=0.02',
+    '--set',
+    'run.speedOfLight=1',
+    '--set',
+    'run.duration=2',
+  ];
+  const { code, out, err } = await slowlight('simulate', project, '--csv', at('ended.csv'), '--json', ...steps);
+  expect(code, err).toBe(6);
+  const { stop, frames } = JSON.parse(out);
+  expect(stop).toMatchObject({ reason: expect.any(String), message: expect.any(String) });
+  expect(err).toContain('it ended at t = ');
+  expect(readFileSync(at('ended.csv'), 'utf8').trim().split('\n')).toHaveLength(frames + 1);
+});
+
 test.each([
   ['nothing to write', [], 2, /-o.*--csv/],
   ['no checkpoint to resume from', ['--csv', at('x.csv'), '--resume'], 2, /--checkpoint/],

@@ -14,10 +14,12 @@ beforeAll(async () => {
 afterAll(() => program.stop());
 
 const hanging = (params: Readonly<Record<string, ParamValue>>): string => {
-  const commands = Object.entries(params).map(
+  const set = Object.entries(params).map(
     ([param, value]): Command => ({ kind: 'set-param', node: 'swing', param, value }),
   );
-  return serializeDocument(applyCommand(hangingCloth(), { kind: 'batch', commands }).document);
+  // A project that is dropped reads from beside the page, not from beside itself.
+  const source = { kind: 'set-param', node: 'place', param: 'source', value: 'examples/sets/terrace.usda' } as const;
+  return serializeDocument(applyCommand(hangingCloth(), { kind: 'batch', commands: [source, ...set] }).document);
 };
 /** So long, in such short steps, that no test sees its end. */
 const endless = hanging({ step: 4e-5, duration: 300 });

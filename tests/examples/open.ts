@@ -28,7 +28,8 @@ export const NAMES = [
 ] as const;
 export type ExampleName = (typeof NAMES)[number];
 
-const files: FileSource = {
+/** The files of examples/. */
+export const files: FileSource = {
   read: async (path) =>
     new Uint8Array(await readFile(fileURLToPath(new URL(`../../examples/${path}`, import.meta.url)))),
 };

@@ -99,6 +99,36 @@ export const SHADOW_SCENES: readonly ShadowScene[] = [
   shadowScene('at one instant of the world', [{ mesh: BOX, motion: flying(fast, 0) }], { lightDelay: false }),
 ];
 
+/** Height of what is thrown up and falls: highest when it is seen from the usual place [m]. */
+const thrown = (t: number): number => 2.2 - 0.075 * (t + 9.5) ** 2;
+const TIMES = Float64Array.from({ length: 91 }, (_, k) => -14 + 0.1 * k);
+const SHEET = plane(2.4, 2.4, 'Y');
+
+/** What goes faster and faster while light crosses it: as it deforms, and as it is rigid. */
+export const THROWN: readonly ShadowScene[] = [
+  shadowScene('a thrown sheet', [
+    {
+      mesh: SHEET,
+      motion: {
+        kind: 'sampled-points',
+        times: TIMES,
+        origin: ZERO,
+        points: Array.from(TIMES, (t) => SHEET.positions.map((x, i) => (i % 3 === 1 ? thrown(t) : x))),
+      },
+    },
+  ]),
+  shadowScene('a thrown ball', [
+    {
+      mesh: sphere(1, { segments: 96, rings: 48 }),
+      motion: {
+        kind: 'sampled',
+        times: TIMES,
+        poses: Float64Array.from(Array.from(TIMES, (t) => [0, thrown(t), 0, 0, 0, 0, 1]).flat()),
+      },
+    },
+  ]),
+];
+
 /** A sheet of which one edge is over x = 0, under a sun overhead, whose disc, seen past it from the floor, is so wide there [m]. */
 export function penumbraScene(radius: number, height: number): ShadowScene {
   const sun: DistantLight = { ...SUN, direction: [0, -1, 0], angle: 2 * Math.atan(radius / height) };

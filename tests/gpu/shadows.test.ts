@@ -14,11 +14,12 @@ import { transmitted } from '../../src/reference/passage.ts';
 import { type TracedScene, traceable } from '../../src/reference/trace.ts';
 import { visibleHit } from '../../src/reference/visible.ts';
 import { observerFromCamera } from '../../src/scene/camera.ts';
-import type { Scene } from '../../src/scene/types.ts';
+import { FOREVER, restingAt } from '../../src/scene/defaults.ts';
+import type { Light, Scene } from '../../src/scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
 import { type ModulePage, openModulePage } from './browser.ts';
 import { type HeadlessPictures, openPictures } from './pictures.ts';
-import { penumbraScene, SHADOW_SCENES, type ShadowScene, SIZE, takeShares } from './shadowScenes.ts';
+import { penumbraScene, SHADOW_SCENES, type ShadowScene, SIZE, THROWN, takeShares } from './shadowScenes.ts';
 
 /** Whether the reference has the light of all suns at a point of the picture; undefined where nothing is. */
 function litAt(traced: TracedScene, { view, settings, scene }: ShadowScene, x: number, y: number): boolean | undefined {
@@ -41,14 +42,14 @@ const BRIGHT: Vec3 = [3e3, 3e3, 3e3];
 /** Half of what is lost where the weaker sun is hidden is on the edge of its shadow. */
 const full = ({ scene }: ShadowScene): number => (scene.lights.length > 2 ? 0.82 : 0.5);
 
-/** Pixels that the rasterizer has in shadow or in light, and the reference not, also not at a pixel's distance: over all, and over those along edges. */
-function differences(scene: ShadowScene, shares: ArrayLike<number>) {
+/** Pixels that the rasterizer has in shadow or in light, and the reference not, also not at a pixel's distance: over all that count, and over those along edges. */
+function differences(scene: ShadowScene, shares: ArrayLike<number>, counted: (pixel: number) => boolean = () => true) {
   const traced = traceable(scene.scene, scene.settings.speedOfLight);
   const counts = { all: 0, shadow: 0, otherwise: 0, wrong: 0 };
   for (let y = 1; y < SIZE; y += 2)
     for (let x = 1; x < SIZE; x += 2) {
       const share = shares[y * SIZE + x];
-      const lit = share < 0 ? undefined : litAt(traced, scene, x + 0.5, y + 0.5);
+      const lit = share < 0 || !counted(y * SIZE + x) ? undefined : litAt(traced, scene, x + 0.5, y + 0.5);
       if (lit === undefined) continue;
       counts.all++;
       if (!lit) counts.shadow++;
@@ -106,6 +107,46 @@ describe('shadows of suns are where the reference has them, on WebGPU', () => {
   it.each(SHADOW_SCENES)('$name', async (scene) => {
     pumpFrame();
     expectSame(scene, await takeShares(headless.renderer, scene));
+  });
+  it.each(THROWN)('on $name itself', async (scene) => {
+    pumpFrame();
+    const shares = await takeShares(headless.renderer, scene);
+    const place = await headless.renderer.readAov('position');
+    const { all, otherwise, wrong } = differences(scene, shares, (pixel) => place[3 * pixel + 1] > 0.2);
+    if (process.env.REPORT) console.log(scene.name, { all, otherwise, wrong });
+    expect(all).toBeGreaterThan(500);
+    expect(otherwise / all).toBeLessThan(0.02);
+    expect(wrong / all).toBeLessThan(0.005);
+  });
+});
+
+/** Over what is thrown. */
+const LAMP: Light = {
+  kind: 'sphere',
+  path: '/Lamp',
+  motion: restingAt([2, 9, 2]),
+  lifetime: FOREVER,
+  radius: 0.1,
+  color: [3e3, 3e3, 3e3],
+};
+
+describe('under a lamp', () => {
+  let headless: HeadlessPictures;
+  beforeAll(async () => {
+    headless = await openPictures(SIZE, SIZE);
+  });
+  afterAll(() => headless?.close());
+  // Both are convex: what faces the lamp is lit.
+  it.each(THROWN)('$name does not shade itself', async ({ scene, ...seen }) => {
+    pumpFrame();
+    const lights = [LAMP, ...scene.lights.filter(({ kind }) => kind === 'dome')];
+    const shares = await takeShares(headless.renderer, { ...seen, scene: { ...scene, lights } });
+    const place = await headless.renderer.readAov('position');
+    const own = shares.filter((share, pixel) => share >= 0 && place[3 * pixel + 1] > 0.2);
+    const shaded = own.filter((share) => share < 0.5).length;
+    if (process.env.REPORT) console.log('under a lamp', seen.name, { all: own.length, shaded });
+    expect(own.length).toBeGreaterThan(2000);
+    expect(shaded / own.length).toBeLessThan(0.02);
   });
 });
 

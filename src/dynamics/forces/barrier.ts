@@ -1,4 +1,4 @@
-import { addScaled, dot, sub, type Vec3 } from '../../math/vec3.ts';
+import { add, addScaled, dot, sub, type Vec3 } from '../../math/vec3.ts';
 import { addBlock, type Force, type Stiffness } from './force.ts';
 import type { Obstacle } from './obstacle.ts';
 
@@ -7,9 +7,18 @@ const SEARCH = 40;
 
 /**
  * Pushes points out of an obstacle: V = Σ ½K(margin − d)² of those whose distance d is below the margin. `K` [N/m], `margin` [m]. Its discrete gradient is Gonzalez's:
- * the gradient halfway, and along the way what is missing of V₁ − V₀.
+ * the gradient halfway, and along the way what is missing of V₁ − V₀. `carrier`: a point that is led, which the obstacle's middle goes with; absent: it stands fast.
  */
-export function barrier(obstacle: Obstacle, points: readonly number[], K: number, margin = 0): Force {
+export function barrier(
+  obstacle: Obstacle,
+  points: readonly number[],
+  K: number,
+  margin = 0,
+  carrier: number | undefined = undefined,
+): Force {
+  /** As seen from the obstacle. */
+  const at = (x: Float64Array, i: number): Vec3 =>
+    carrier === undefined ? pointAt(x, i) : add(obstacle.middle, sub(pointAt(x, i), pointAt(x, carrier)));
   const depth = (place: Vec3): readonly [number, Vec3] => {
     const [distance, out] = obstacle.outside(place);
     return [Math.max(0, margin - distance), out];
@@ -59,7 +68,7 @@ function wentThrough(obstacle: Obstacle, from: Vec3, to: Vec3): boolean {
   return false;
 }
 
-const at = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
+const pointAt = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
 
 function push(sum: Float64Array, i: number, way: Vec3, f: number): void {
   for (let k = 0; k < 3; k++) sum[3 * i + k] += f * way[k];
@@ -83,7 +92,7 @@ class BarrierStiffness implements Stiffness {
   }
 
   multiply(u: Float64Array, sum: Float64Array): void {
-    for (const { point, out, K } of this.pressed) push(sum, point, out, K * dot(out, at(u, point)));
+    for (const { point, out, K } of this.pressed) push(sum, point, out, K * dot(out, pointAt(u, point)));
   }
 
   addBlocks(blocks: Float64Array): void {

@@ -56,17 +56,20 @@ export class NearPairs implements Force {
 
   private among = (x: Float64Array, way: number): Pairs => new Pairs(this.candidates(x, way), this.law);
 
-  /** Both ends of all pairs that are within reach where each point goes `way` at most. */
+  /** Both ends of all pairs that are within reach where each point goes `way` at most. In the order of their numbers, so that sums are the same to the bit wherever points were when they were sought. */
   private candidates(x: Float64Array, way: number): Uint32Array {
     const { bodies } = this;
     const width = this.reach + 2 * way;
     const cells = new Cells(x, bodies, width);
     const ends: number[] = [];
-    for (let i = 0; i < bodies.length; i++)
-      if (bodies[i] >= 0)
-        cells.around(i, (j) => {
-          if (j < i && apart(x, i, j) <= width && this.meet(i, j)) ends.push(j, i);
-        });
+    for (let i = 0; i < bodies.length; i++) {
+      if (bodies[i] < 0) continue;
+      const near: number[] = [];
+      cells.around(i, (j) => {
+        if (j < i && apart(x, i, j) <= width && this.meet(i, j)) near.push(j);
+      });
+      for (const j of near.sort((a, b) => a - b)) ends.push(j, i);
+    }
     return Uint32Array.from(ends);
   }
 

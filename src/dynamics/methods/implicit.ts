@@ -219,14 +219,14 @@ class Implicit implements Stepper {
     return [Number.isNaN(off) ? Number.POSITIVE_INFINITY : off, size];
   }
 
-  /** p = p₀ + h (F̄ + q v̄ × B), v̄ = (x − x₀)/h; 0 of what is pinned. */
+  /** p = p₀ + h (F̄ + q v̄ × B), v̄ = (x − x₀)/h; of what is pinned p₀. */
   private push(x: Float64Array, p: Float64Array, h: number): void {
     const { system, x0, p0, force } = this;
     this.rule.meanForce(system, x0, x, this.half, force);
     for (let j = 0; j < p.length; j++) p[j] = p0[j] + h * force[j];
     const { charges, magneticField: B, pinned } = system;
     if (charges && B) addTurn(p, x0, x, charges, B);
-    for (let i = 0; i < pinned.length; i++) if (pinned[i]) p.fill(0, 3 * i, 3 * i + 3);
+    for (let i = 0; i < pinned.length; i++) if (pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] = p0[j];
   }
 
   /** x −= [N(I + γ²ββᵀ) + ∇²V]⁻¹ N(I + γ²ββᵀ)(x − next), N = 2W/h²: Newton's step, but that ∇²V is that of halfway; without its negative parts, where they would lead astray. */

@@ -40,7 +40,8 @@ function towards(system: System, rounds: number, form: StiffnessForm): Change {
   let stiffnesses: Stiffness[] = [];
   return (x0, v, h) => {
     const { u, weights } = inertia(system, v, h);
-    const x = x0.slice();
+    // Points that are held go on as they are led.
+    const x = x0.map((value, j) => (system.pinned[Math.floor(j / 3)] ? value + h * v[j] : value));
     for (let round = 0; round < rounds; round++) {
       const b = missing(system, { x0, x, v, h, u, weights });
       stiffnesses = system.forces.map((each, k) => each.stiffness(x, form, stiffnesses[k]));
@@ -119,7 +120,8 @@ class OfSources implements Stepper {
     try {
       return momenta(this.system, this.v);
     } catch (error) {
-      if (error instanceof SystemError) throw new StepFailure('light', `${error.message}; take a smaller step`);
+      if (error instanceof SystemError)
+        throw new StepFailure('light', `${error.message}; take a smaller step`, error.point);
       throw error;
     }
   }

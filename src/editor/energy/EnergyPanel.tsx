@@ -1,12 +1,12 @@
 import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
-import { figuresOf } from '../../dynamics/books.ts';
+import { type Figures, figuresOf } from '../../dynamics/books.ts';
 import { formatBeta, formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { nodeTitle } from '../panels/nodeTitle.ts';
 import { useStudioState, useTelemetry } from '../state/context.tsx';
-import { type Run, runsIn } from '../state/runs.ts';
+import { type Run, runsIn, unseenIn } from '../state/runs.ts';
 import { lineStyle } from './lines.ts';
 import { namesOf } from './names.ts';
 import { type Line, Plot } from './Plot.tsx';
@@ -54,8 +54,27 @@ export default function EnergyPanel(): ReactNode {
             <Table runs={named} quantity={quantity} unit={unit} />
           </>
         )}
+        <Unseen />
       </Stack>
     </ScrollArea>
+  );
+}
+
+/** Simulate nodes that nothing is asked of: only what leads to the picture is computed. */
+function Unseen(): ReactNode {
+  const { t } = useTexts();
+  const document = useStudioState((state) => state.history.document);
+  const results = useStudioState((state) => state.results);
+  const busy = useStudioState((state) => state.loading !== undefined);
+  const names = useMemo(
+    () => unseenIn(document, results).map((node) => nodeTitle(document, node) ?? node),
+    [document, results],
+  );
+  if (busy || names.length === 0 || results.size === 0) return null;
+  return (
+    <Text size="xs" c="dimmed" lh={1.5}>
+      {t('energy.unseen', { names: names.join(', ') })}
+    </Text>
   );
 }
 
@@ -125,21 +144,24 @@ function Now({ unit }: { readonly unit: string }): ReactNode {
 
 function Row({ run, n }: { readonly run: Named; readonly n: number }): ReactNode {
   const { name, books, line } = run;
-  const { drift, fastest, until } = useMemo(() => figuresOf(books), [books]);
+  const figures = useMemo(() => figuresOf(books), [books]);
+  const { drift, fastest } = figures;
   const now = useTelemetry((live) => valueAt(line, live.t));
   const { speedOfLight: c } = books;
   return (
     <tbody>
       <tr>
         <th scope="row">
-          <Swatch n={n} />
-          {name}
+          <span className="sl-energy-name">
+            <Swatch n={n} />
+            {name}
+          </span>
         </th>
         <td>{now}</td>
         <td>{drift === undefined ? '–' : formatNumber(drift, 2)}</td>
         <td>{Number.isFinite(c) ? `${shareOfLight(fastest / c)} c` : `${formatNumber(fastest, 2)} m/s`}</td>
       </tr>
-      <Remarks run={run} until={until} />
+      <Remarks run={run} figures={figures} />
     </tbody>
   );
 }
@@ -147,12 +169,13 @@ function Row({ run, n }: { readonly run: Named; readonly n: number }): ReactNode
 /** What is below c is told so. */
 const shareOfLight = (beta: number): string => (beta > 0.1 ? formatBeta(beta) : formatNumber(beta, 2));
 
-/** With which step, and how far it came. */
-function Remarks({ run, until }: { readonly run: Named; readonly until: number }): ReactNode {
+/** With which step, how far it came, and what went wrong. */
+function Remarks({ run, figures }: { readonly run: Named; readonly figures: Figures }): ReactNode {
   const { t } = useTexts();
   const running = useStudioState((state) => state.interim === 'running');
   const { books, interim } = run;
   const { step, stop, speedOfLight } = books;
+  const { until, grown } = figures;
   const h = step > 0 ? t('energy.step', { step: formatNumber(step * 1000, 2) }) : t('energy.adaptive');
   const c = Number.isFinite(speedOfLight) ? `c = ${formatNumber(speedOfLight)} m/s` : t('energy.newton');
   const far = interim && t(running ? 'energy.running' : 'energy.stopped', { time: formatSeconds(until) });
@@ -160,6 +183,7 @@ function Remarks({ run, until }: { readonly run: Named; readonly until: number }
     <tr>
       <td colSpan={4}>
         {[c, h, far].filter(Boolean).join(' · ')}
+        {grown !== undefined && <strong>{t('energy.grown', { time: formatSeconds(grown) })}</strong>}
         {stop && <strong>{t('energy.failed', { time: formatSeconds(stop.t), why: stop.message })}</strong>}
       </td>
     </tr>

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { add, build } from '../../../tests/support/graphKit.ts';
 import { type Books, figuresOf } from '../../dynamics/books.ts';
 import type { NodeResult } from '../../graph/results.ts';
-import { computedUntil, runsIn } from '../state/runs.ts';
+import { computedUntil, runsIn, unseenIn } from '../state/runs.ts';
 import { lineStyle } from './lines.ts';
 import { namesOf } from './names.ts';
 import { frameAt, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
@@ -44,6 +45,12 @@ describe('the books of an evaluation', () => {
     // Of what is still computed only.
     expect(computedUntil(results)).toBe(1);
     expect(computedUntil(new Map())).toBe(Number.POSITIVE_INFINITY);
+  });
+
+  it('are missing of what leads to nothing that was asked for', () => {
+    const document = build(add('run', 'simulate'), add('other', 'simulate'), add('box', 'box'));
+    expect(unseenIn(document, new Map([['run', done({ books })]]))).toEqual(['other']);
+    expect(unseenIn(document, new Map(['run', 'other'].map((node) => [node, done({})])))).toEqual([]);
   });
 
   it('give what is plotted', () => {

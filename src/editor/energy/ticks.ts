@@ -9,4 +9,4 @@ export function tick(value: number | null): string {
 
 /** Room for the numbers of an axis [px]. */
 export const ticksWidth = (texts: readonly string[] | null): number =>
-  14 + 6.5 * Math.max(2, ...(texts ?? []).map((text) => text.length));
+  17 + 7 * Math.max(2, ...(texts ?? []).map((text) => text.length));

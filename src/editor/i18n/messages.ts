@@ -146,6 +146,10 @@ export const messages = {
     'Nothing has been simulated yet. A Simulate node needs what is to move (Mass Spring, Collider, Field), and its geometry must lead to the output. Where something is wrong, the node says so.',
     '尚无模拟结果。模拟节点需要连接运动的物体（质点弹簧、碰撞体、场），其几何须通向输出。如有问题，节点会给出提示。',
   ],
+  'energy.unseen': [
+    'Not computed, for nothing leads from it to the picture: {{names}}. Connect its geometry to the scene, behind a Transform to see it beside the others.',
+    '未计算，因为没有通向画面：{{names}}。请将其几何连接到场景，可经过变换节点与其他结果并排显示。',
+  ],
   'energy.quantity': ['What is plotted', '绘制的量'],
   'energy.change': ['Change of energy', '能量变化'],
   'energy.total': ['Total energy', '总能量'],
@@ -168,6 +172,10 @@ export const messages = {
   'energy.newton': ['Newton', '牛顿力学'],
   'energy.running': ['computed until {{time}}', '已计算到 {{time}}'],
   'energy.stopped': ['stopped at {{time}}', '停止于 {{time}}'],
+  'energy.grown': [
+    'By {{time}} energy had come from nowhere: the method’s error',
+    '至 {{time}} 已有能量凭空出现：方法的误差',
+  ],
   'energy.failed': ['Ended at {{time}}: {{why}}', '结束于 {{time}}：{{why}}'],
 
   'gallery.title': ['Scenes', '场景'],

@@ -1,4 +1,5 @@
 import type { Books } from '../../dynamics/books.ts';
+import type { GraphDocument } from '../../graph/document.ts';
 import type { Evaluation } from '../../graph/evaluate.ts';
 
 /** The books of a node's run. */
@@ -19,6 +20,10 @@ export function runsIn(results: Evaluation['results']): Run[] {
   }
   return [...runs.values()];
 }
+
+/** Simulate nodes, outside of groups, that an evaluation did not come to: nothing that was asked for is made of them. */
+export const unseenIn = ({ nodes }: GraphDocument, results: Evaluation['results']): string[] =>
+  Object.keys(nodes).filter((node) => nodes[node]!.type === 'simulate' && !results.has(node));
 
 const isBooks = (value: unknown): value is Books => typeof value === 'object' && value !== null && 'kinetic' in value;
 

@@ -72,7 +72,7 @@ export const colliderNode = defineNode({
   outputs: { matter: { type: 'matter' }, rest: { type: 'geometry', title: 'socket.rest' } },
   evaluate({ geometry }, params, { node }) {
     const { shape, stiffness, scale, margin, mass, velocity, charge } = params;
-    const { chosen, rest } = parted(geometry, params.which, node);
+    const { chosen, rest } = parted(geometry, params.which, node, params.free ? 'rest' : 'rigid');
     if (params.free && shape !== 'ball') {
       const message = 'only balls can be free; choose the shape ball, or let it stand fast';
       const remedy = { node, param: 'free', value: false };

@@ -185,7 +185,7 @@ function deforming(mesh: Mesh, origin: Vec3, { points, velocities, normals }: Tr
 
 /** A rigid ball keeps its pose but for its place. */
 function ball({ object, point }: Extract<Actor, { kind: 'ball' }>, start: Float64Array): Performer {
-  const pose = poseOf(object);
+  const pose = poseOf(object, Number.POSITIVE_INFINITY);
   const first = pointAt(start, point);
   return {
     take({ points, velocities }, x, v) {

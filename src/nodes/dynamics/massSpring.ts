@@ -60,7 +60,7 @@ export const massSpringNode = defineNode({
   outputs: { matter: { type: 'matter' }, rest: { type: 'geometry', title: 'socket.rest' } },
   evaluate({ geometry }, params, { node }) {
     const { structural, shear, bending, filling, tension, mass, velocity, spin, charge } = params;
-    const { chosen, rest } = parted(geometry, params.which, node);
+    const { chosen, rest } = parted(geometry, params.which, node, 'rigid');
     const stiffness = { structural, shear, bending, filling };
     const pins = pinsOf(params, node);
     return {

@@ -1,18 +1,19 @@
 import { box, type Obstacle, plane } from '../../dynamics/forces/obstacle.ts';
-import { rotate } from '../../math/quat.ts';
-import { add, length, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
-import { placed } from '../../scene/motion.ts';
+import { conjugate, multiply, rotate, rotationAngle } from '../../math/quat.ts';
+import { length, normalize, sub, type Vec3 } from '../../math/vec3.ts';
+import { placed, samplePose } from '../../scene/motion.ts';
 import { pointAt } from '../../scene/polygons.ts';
 import type { SceneObject } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
 import type { SolidMatter } from './matter.ts';
-import { boundsOf, FLAT, poseOf } from './things.ts';
+import { boundsOf, FLAT, middleOf, poseOf } from './things.ts';
 
-/** What a thing at rest is for what would get into it. */
-export function obstacleOf(object: SceneObject, part: SolidMatter): Obstacle {
+/** What a thing is for what would get into it, as it lies when the simulation begins; c [m/s]. */
+export function obstacleOf(object: SceneObject, part: SolidMatter, c: number): Obstacle {
   const { min, max } = boundsOf(object);
-  const pose = poseOf(object);
-  const middle = scale(add(min, max), 0.5);
+  refuseTurning(object, part);
+  const pose = poseOf(object, c);
+  const middle = middleOf(object);
   if (part.shape === 'box') return box(placed(pose, middle), sub(max, min), pose.orientation);
   const { normals, positions } = object.mesh;
   const sum = [0, 1, 2].map((k) => normals.reduce((all, x, i) => (i % 3 === k ? all + x : all), 0));
@@ -28,3 +29,18 @@ export function obstacleOf(object: SceneObject, part: SolidMatter): Obstacle {
   const message = 'it is not flat, so that it is no plane; choose the shape box or ball';
   throw refusal('collider.plane', object.path, message, { node: part.node, param: 'shape', value: 'box' });
 }
+
+/** Planes and boxes go as they lie. */
+function refuseTurning({ motion, path }: SceneObject, { node, shape }: SolidMatter): void {
+  if (motion.kind !== 'sampled') return;
+  const first = samplePose(motion.poses, 0).orientation;
+  const turns = Array.from(motion.times, (_, k) =>
+    rotationAngle(multiply(conjugate(first), samplePose(motion.poses, k).orientation)),
+  );
+  if (Math.max(...turns) < LEAST_TURN) return;
+  const message = `it turns, and what collides with a ${shape} is computed for such as do not; choose the shape ball, or let it go without turning`;
+  throw refusal('collider.turns', path, message, { node, param: 'shape', value: 'ball' });
+}
+
+/** [rad] */
+const LEAST_TURN = 1e-6;

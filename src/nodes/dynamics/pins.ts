@@ -20,8 +20,8 @@ export function pinnedIn(
     case 'points': {
       const odd = pins.vertices.find((vertex) => vertex >= pointOfVertex.length);
       if (odd === undefined) return new Set(pins.vertices.map((vertex) => pointOfVertex[vertex]));
-      const message = `it has no point ${odd}: they are numbered from 0 to ${pointOfVertex.length - 1}`;
-      throw refusal('pins.numbers', path, message, { node, param: 'pinned', value: '0' });
+      const message = `${path} has no point ${odd}: they are numbered from 0 to ${pointOfVertex.length - 1}`;
+      throw refusal('pins.numbers', `${node}.pinned`, message, { node, param: 'pinned', value: '0' });
     }
     case 'box': {
       const isIn = (i: number): boolean =>

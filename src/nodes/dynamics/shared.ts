@@ -43,11 +43,12 @@ export const chargeParam = signed({
   step: 1e-9,
 });
 
-/** The things at a path, which have to be at rest, and all else. */
+/** The things at a path, and all else. They are at rest, or, where these may be, `rigid`. */
 export function parted(
   { scene }: LoadedScene,
   which: string,
   node: string,
+  may: 'rest' | 'rigid',
 ): { readonly chosen: Scene; readonly rest: LoadedScene } {
   checkPath(scene, which, node);
   const own = (wanted: boolean): Scene['objects'] =>
@@ -55,10 +56,11 @@ export function parted(
   const objects = own(true);
   if (objects.length === 0)
     throw refusal('matter.none', node, 'there is no thing with a surface; connect one that has');
-  const moving = objects.find(({ motion }) => motion.kind !== 'static');
-  if (moving) {
-    const message = `${moving.path} moves already; put this before what moves it, or choose things at rest`;
-    throw refusal('matter.moving', moving.path, message);
+  for (const { path, motion } of objects) {
+    if (motion.kind === 'static' || (may === 'rigid' && motion.kind !== 'sampled-points')) continue;
+    const how = may === 'rigid' ? 'changes its shape' : 'moves';
+    const message = `${path} ${how} already; put this before what moves it, or choose things ${may === 'rigid' ? 'that keep theirs' : 'at rest'}`;
+    throw refusal('matter.moving', path, message);
   }
   return {
     chosen: { ...scene, objects, lights: [], cameras: [] },

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { add, build, connect } from '../../../tests/support/graphKit.ts';
-import type { Books } from '../../dynamics/books.ts';
+import { type Books, figuresOf } from '../../dynamics/books.ts';
 import { openScene } from '../../formats/open.ts';
 import type { Command } from '../../graph/commands.ts';
 import type { GraphDocument, ParamValue } from '../../graph/document.ts';
@@ -327,16 +327,16 @@ describe('a run', () => {
     ...running(['Sheet', 'weight'], { duration: 1, ...params }),
   ];
 
-  it('gives the same to the bit whenever it is asked, and where it was stopped and goes on', async () => {
-    const [first, second] = await Promise.all([
-      simulated(...hanging({ rate: 200 })),
-      simulated(...hanging({ rate: 200 })),
-    ]);
+  it.each([
+    ['by equal steps', { rate: 200 }],
+    ['by steps that adapt', { rate: 200, tolerance: 1e-3 }],
+  ])('gives the same to the bit whenever it is asked, and where it was stopped and goes on: %s', async (_, params) => {
+    const [first, second] = await Promise.all([simulated(...hanging(params)), simulated(...hanging(params))]);
     expect(second).toEqual(first);
     const evaluator = new Evaluator(nodeLibrary);
     const abort = new AbortController();
     let seen: Outputs | undefined;
-    const document = build(...hanging({ rate: 200 }));
+    const document = build(...hanging(params));
     const stopped = evaluator.evaluate(document, 'run', threadServices, {
       signal: abort.signal,
       onInterim: () => {},
@@ -369,6 +369,40 @@ describe('a run', () => {
     expect(validate(scene, 1).filter(({ severity }) => severity === 'error')).toEqual([]);
   });
 
+  it('that fails tells which thing it happened to', async () => {
+    const parts = [
+      ...sheet('Sheet', 2, [0, 0, 0], { pins: 'corners' }),
+      ...ball('Hard', 0.3, [0, -2, 0], { mass: 1e3, stiffness: 10, velocity: [0, 8, 0] }),
+    ];
+    const { books, scene } = await simulated(...parts, ...running(['Sheet', 'Hard'], { duration: 1 }));
+    expect(books.stop).toMatchObject({ reason: 'pierced' });
+    expect(books.stop!.message).toMatch(/^vertex \d of \/Sheet went through what is solid, to \(/);
+    expect(scene.diagnostics.map(({ message }) => message).join()).toContain(books.stop!.message);
+    const light = { method: 'semi-implicit-euler', speedOfLight: 1, duration: 3 };
+    const thrown = ball('Ball', 0.1, [0, 1, 0], {
+      velocity: [0.9, 0, 0],
+      rods: 'pivot',
+      rodStiffness: 10_000,
+      pivot: [0, 2, 0],
+    });
+    const { books: bad } = await simulated(...thrown, ...running(['Ball'], { ...light, step: 0.09, rate: 10 }));
+    expect(bad.stop?.message).toMatch(/^\/Ball goes at [\d.]+ m\/s, not below c = 1 m\/s; take a smaller step$/);
+  });
+
+  it('tells where energy comes from nowhere, though steps are below the stability bound', async () => {
+    const noted = async (params: Params) => {
+      const { scene } = await simulated(...hanging({ speedOfLight: 1, duration: 3, step: 0.0015, ...params }));
+      return scene.diagnostics.filter(({ code }) => code.startsWith('simulate.'));
+    };
+    const [note] = await noted({ method: 'semi-implicit-euler', correction: '2' });
+    expect(note).toMatchObject({ code: 'simulate.grows', place: 'run.method', severity: 'warning' });
+    expect(note.message).toMatch(
+      /^by t = [\d.]+ s more energy had come from nowhere .* semi-implicit-euler-2; set a shorter/,
+    );
+    expect(await noted({ method: 'leapfrog' })).toEqual([]);
+    expect(await noted({ method: 'leapfrog', tolerance: 1e-300 })).toMatchObject([{ place: 'run.tolerance' }]);
+  });
+
   it('refuses what is too much, too fast or not there, with what to do', async () => {
     expect(await refusalOf(...hanging({ rate: 1e6 }))).toMatchObject({ code: 'simulate.frames', place: 'run.rate' });
     expect(await refusalOf(...hanging({ duration: 1e5, rate: 0.1 }))).toMatchObject({ code: 'simulate.steps' });
@@ -391,6 +425,8 @@ describe('a run', () => {
     const many = { pins: 'points', pinned: '9' };
     expect(await refusalOf(...sheet('Sheet', 2, [0, 0, 0], many), ...running(['Sheet'], {}))).toMatchObject({
       code: 'pins.numbers',
+      place: 'Sheet.pinned',
+      message: '/Sheet has no point 9: they are numbered from 0 to 8',
       remedy: { param: 'pinned' },
     });
     const thick = matter('Solid', ['box', {}], [0, 0, 0], 'collider', { shape: 'plane' });
@@ -401,6 +437,82 @@ describe('a run', () => {
     expect(await refusalOf(...node('weight', 'field'), ...running(['weight'], {}))).toMatchObject({
       code: 'simulate.nothing',
     });
+  });
+});
+
+describe('what moves already', () => {
+  const [c, u] = [10, 6];
+  const thrown = (2 * u) / (1 + (u / c) ** 2);
+  /** A thing that goes along x, to what says what it is. */
+  const going = (
+    id: string,
+    thing: readonly [string, Params],
+    motion: readonly [string, Params],
+    kind: string,
+    params: Params,
+  ): Command[] => [
+    ...node(`${id}Shape`, thing[0], { name: id, ...thing[1] }),
+    ...node(`${id}Motion`, ...motion),
+    ...node(`${id}Moved`, 'move', {}),
+    ...node(id, kind, params),
+    connect(`${id}Shape.geometry`, `${id}Moved.geometry`),
+    connect(`${id}Motion.motion`, `${id}Moved.motion`),
+    connect(`${id}Moved.geometry`, `${id}.geometry`),
+  ];
+  const uniform = ['motion-uniform', { velocity: [u, 0, 0] }] as const;
+
+  it.each([
+    ['a ball', ['sphere', { radius: 0.5, segments: 8, rings: 4 }], { shape: 'ball' }],
+    ['a box', ['box', { width: 1, height: 1, depth: 1 }], { shape: 'box' }],
+  ] as const)('goes on as it goes: %s throws what rests to 2β/(1 + β²) c', async (_, shape, params) => {
+    const { scene, books } = await simulated(
+      ...going('Mover', shape, uniform, 'collider', params),
+      ...ball('Target', 0.2, [3, 0, 0], { stiffness: 10_000 }),
+      ...running(['Mover', 'Target'], { speedOfLight: c, duration: 1, rate: 40, method: 'leapfrog', step: 1e-4 }),
+    );
+    expect(books.fastest.at(-1)! / thrown).toBeCloseTo(1, 4);
+    expect(books.kinetic[0]).toBe(0);
+    expect(books.stop).toBeUndefined();
+    // It gives energy; nothing is said of any that would come from nowhere.
+    expect(figuresOf(books).grown).toBeUndefined();
+    expect(scene.diagnostics).toEqual([]);
+    for (const t of [0, 0.4, 1]) expect(placeOf(thing(scene, '/Mover'), t, c)).toEqual([u * t, 0, 0]);
+    expect(validate(scene, c).filter(({ severity }) => severity === 'error')).toEqual([]);
+  });
+
+  it('leads the points of a cloth that are held, and the others begin as fast', async () => {
+    const { scene, books } = await simulated(
+      ...going(
+        'Sheet',
+        ['grid', { width: 1, length: 1, columns: 4, rows: 4 }],
+        ['motion-hyperbolic', { acceleration: [9, 0, 0], restAt: -0.5 }],
+        'mass-spring',
+        { pins: 'points', pinned: '0, 4' },
+      ),
+      ...running(['Sheet'], { speedOfLight: c, duration: 2, rate: 48, method: 'leapfrog' }),
+    );
+    const place = (t: number): number => ((c * c) / 9) * (Math.hypot(1, (9 * (t + 0.5)) / c) - 1);
+    const object = thing(scene, '/Sheet');
+    const at = (t: number) => vertexPositions(object, t, c);
+    for (const t of [0, 1, 2]) {
+      for (const vertex of [0, 4]) expect(at(t)[3 * vertex] - at(0)[3 * vertex]).toBeCloseTo(place(t) - place(0), 5);
+    }
+    const begun = (9 * 0.5) / Math.hypot(1, (9 * 0.5) / c);
+    expect(books.fastest[0]).toBeCloseTo(begun, 9);
+    // All of it is towed along, and nothing outruns light.
+    expect(Math.min(...at(2).filter((_, j) => j % 3 === 0))).toBeGreaterThan(place(2) - place(0) - 2);
+    expect(largest(books.fastest)).toBeLessThan(c);
+    expect(books.led).toBe(true);
+  });
+
+  it('is refused where it turns as a box, or would be free', async () => {
+    const turning = ['motion-keyframes', { keys: ['0 0 0 0', '1 1 0 0 0 90 0'] }] as const;
+    const box = going('Mover', ['box', {}], turning, 'collider', { shape: 'box' });
+    expect(await refusalOf(...box, ...running(['Mover'], {}))).toMatchObject({
+      ...{ code: 'collider.turns', place: '/Mover', remedy: { param: 'shape', value: 'ball' } },
+    });
+    const free = going('Mover', ['sphere', {}], uniform, 'collider', { shape: 'ball', free: true });
+    expect(await resultOf(build(...free, ...running(['Mover'], {})))).toMatchObject({ status: 'blocked', by: 'Mover' });
   });
 });
 

@@ -111,7 +111,7 @@ export const simulateNode = defineNode({
     const gpu = settings.onGpu ? await openedGpu(services, node) : undefined;
     let breath = performance.now();
     try {
-      for await (const _ of simulation.run(gpu?.device)) {
+      for await (const _ of simulation.run(gpu)) {
         progress(simulation.taken / simulation.frames, 'simulate');
         interim?.(() => ({ ...simulation.outputs() }));
         if (!signal || performance.now() - breath < BREATH) continue;

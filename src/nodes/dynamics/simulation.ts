@@ -1,6 +1,6 @@
 import type { ComputeGpu } from '../../compute/gpu.ts';
 import { runOnGpu } from '../../compute/run.ts';
-import type { Books } from '../../dynamics/books.ts';
+import { type Books, figuresOf } from '../../dynamics/books.ts';
 import { ledger } from '../../dynamics/energy.ts';
 import { METHODS } from '../../dynamics/methods/library.ts';
 import { type Frame, type Order, run, type Stop, stepsOf } from '../../dynamics/run.ts';
@@ -9,9 +9,10 @@ import type { Diagnostic } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
 import { surveyed } from '../geometry/surveyed.ts';
 import type { LoadedScene, Services } from '../services.ts';
+import type { Touch } from './acting.ts';
 import { Film, type Reel } from './film.ts';
 import type { Matter } from './matter.ts';
-import { type Stage, stageOf, type Touch } from './stage.ts';
+import { type Cast, type Stage, stageOf } from './stage.ts';
 
 /** How a simulation is to be computed. */
 export interface Settings {
@@ -52,7 +53,10 @@ export class Simulation {
   private readonly settings: Settings;
   private readonly node: string;
   private readonly film: Film;
+  private readonly casts: readonly Cast[];
   private stop: Stop | undefined;
+  /** The GPU is a program on the processor. */
+  private onSoftware = false;
 
   /** `before`: goes on from there. Throws a NodeRefusal. */
   constructor(matter: readonly Matter[], settings: Settings, node: string, before?: Reel) {
@@ -63,6 +67,7 @@ export class Simulation {
     this.settings = settings;
     this.node = node;
     this.order = orderOf(stage, settings, node);
+    this.casts = stage.casts;
     this.film = new Film(this.order, stage.casts, before);
   }
 
@@ -76,21 +81,25 @@ export class Simulation {
     return this.film.length;
   }
 
-  /** Takes further frames, one each time it is asked. `device`: of the GPU, where one takes the steps. Throws a NodeRefusal where it cannot. */
-  async *run(device?: GPUDevice): AsyncGenerator<Frame, void> {
+  /** Takes further frames, one each time it is asked. `gpu`: takes the steps, where there is one. Throws a NodeRefusal where it cannot. */
+  async *run(gpu?: ComputeGpu): AsyncGenerator<Frame, void> {
+    this.onSoftware = gpu?.software ?? false;
     const { order, film } = this;
     const { length } = film;
     if (length === this.frames) return;
     const { state: start, steps } = film.latest;
-    const rest = { ...order, start, duration: (this.frames - Math.max(1, length)) * order.every };
-    const running = device ? runOnGpu(device, rest) : run(rest);
+    const known = Math.max(1, length) - 1;
+    const since = { t: order.start.t, frames: known };
+    const left = (this.frames - 1 - known) * order.every;
+    const rest: Order = { ...order, since, duration: left, start: { ...start, t: since.t + known * order.every } };
+    const running = gpu ? runOnGpu(gpu.device, rest) : run(rest);
     try {
       // The first frame is the one that it goes on from.
       if (length > 0) await running.next();
       for (;;) {
         const { done, value } = await running.next();
         if (done) {
-          this.stop = value;
+          this.stop = value && named(value, this.casts);
           return;
         }
         const frame = { ...value, steps: steps + value.steps };
@@ -112,31 +121,57 @@ export class Simulation {
   /** All there is so far. */
   outputs(): Simulated {
     const { film, settings } = this;
-    const whole = film.scene(this.notes());
+    const books: Books = { ...film.accounts(this.stop), ...(settings.onGpu && { onGpu: true }) };
+    const whole = film.scene(this.notes(books));
     const hints = { ...whole.hints, speedOfLight: settings.speedOfLight };
     return {
       geometry: surveyed({ ...whole, hints }),
-      books: { ...film.accounts(this.stop), ...(settings.onGpu && { onGpu: true }) },
+      books,
       ...(film.length < this.frames && { reel: film.reel() }),
     };
   }
 
-  private notes(): Diagnostic[] {
-    const { stop, node, order } = this;
+  private notes(books: Books): Diagnostic[] {
+    const { node, order, onSoftware } = this;
+    const { stop } = books;
     const { h, stable } = stepsOf(order);
-    const note = (code: string, message: string): Diagnostic => ({ severity: 'warning', code, place: node, message });
-    return [
-      ...(stable
-        ? []
-        : [
-            note(
-              'simulate.unstable',
-              `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`,
-            ),
-          ]),
-      ...(stop ? [note('simulate.stopped', `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`)] : []),
-    ];
+    const { grown } = figuresOf(books);
+    const notes: Diagnostic[] = [];
+    const note = (code: string, param: string, message: string, severity: 'warning' | 'info' = 'warning'): void =>
+      void notes.push({ severity, code, place: param ? `${node}.${param}` : node, message });
+    if (!stable) {
+      const message = `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`;
+      note('simulate.unstable', 'step', message);
+    }
+    if (onSoftware) {
+      const message = 'the GPU here is a program on the processor; without it the simulation takes less time';
+      note('simulate.software', 'onGpu', message, 'info');
+    }
+    if (grown !== undefined) {
+      const message = `by t = ${grown.toPrecision(4)} s more energy had come from nowhere than half of what moves has: the error of ${order.method.id}; set a shorter step, or another method`;
+      note('simulate.grows', 'method', message);
+    }
+    if (stop) {
+      const param = stop.reason === 'tolerance' ? 'tolerance' : '';
+      note('simulate.stopped', param, `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`);
+    }
+    return notes;
   }
+}
+
+/** Why a run ended, with the thing that it happened to instead of the number of a point. */
+function named(stop: Stop, casts: readonly Cast[]): Stop {
+  const { point } = stop;
+  if (point === undefined) return stop;
+  for (const actor of casts.flatMap(({ actors }) => actors)) {
+    const vertex = actor.kind === 'net' ? actor.pointOfVertex.indexOf(point) : -1;
+    const name =
+      actor.kind === 'net' && vertex >= 0
+        ? `vertex ${vertex} of ${actor.object.path}`
+        : actor.kind === 'ball' && actor.point === point && actor.object.path;
+    if (name) return { ...stop, message: stop.message.replace(`point ${point}`, name) };
+  }
+  return stop;
 }
 
 /** A GPU, or a refusal where there is none. */

@@ -1,26 +1,20 @@
-import { barrier } from '../../dynamics/forces/barrier.ts';
-import { Penalty } from '../../dynamics/forces/contact.ts';
-import { coulomb } from '../../dynamics/forces/coulomb.ts';
-import type { Force } from '../../dynamics/forces/force.ts';
-import { NearPairs } from '../../dynamics/forces/near.ts';
-import type { Obstacle } from '../../dynamics/forces/obstacle.ts';
-import { Pairs } from '../../dynamics/forces/pairs.ts';
-import { type Springs, springs } from '../../dynamics/forces/springs.ts';
-import { uniform } from '../../dynamics/forces/uniform.ts';
+import type { Springs } from '../../dynamics/forces/springs.ts';
 import { meshSprings } from '../../dynamics/nets.ts';
-import { makeSystem, momenta, type State, type System } from '../../dynamics/system.ts';
-import { add, cross, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { type Led, makeSystem, momenta, type State, type System } from '../../dynamics/system.ts';
+import { add, cross, dot, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { positionAt, velocityAt, type WorldLine } from '../../physics/worldLine.ts';
 import { boundingBox } from '../../scene/bounds.ts';
 import { flatFaces } from '../../scene/compose/flatFaces.ts';
 import { weld } from '../../scene/compose/weld.ts';
-import { placed } from '../../scene/motion.ts';
+import { originLine, vertexWorldLine } from '../../scene/motion.ts';
 import { pointAt } from '../../scene/polygons.ts';
-import type { Scene, SceneObject } from '../../scene/types.ts';
+import type { FrameMotion, Scene, SceneObject } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
+import { actingOn, type Ball, type Collected, type Standing, type Touch } from './acting.ts';
 import type { FieldMatter, Matter, NetMatter, Rods, SolidMatter, Start } from './matter.ts';
 import { obstacleOf } from './obstacle.ts';
 import { pinnedIn } from './pins.ts';
-import { boundsOf, poseOf } from './things.ts';
+import { BEGIN, boundsOf, isMoving, middleOf, wayOf } from './things.ts';
 
 /** A thing, and which points of the system it follows. */
 export type Actor =
@@ -42,19 +36,8 @@ export interface Stage {
   readonly casts: readonly Cast[];
 }
 
-/** What acts between points that come near: of different things, and of one that is folded. */
-export interface Touch {
-  /** 0: nothing does [m]. */
-  readonly reach: number;
-  /** [N/m] */
-  readonly stiffness: number;
-}
-
 /** Vertices are one point where they are as near as this share of their thing's size. */
 const WELD = 1e-6;
-/** Most pairs of a ball and a point, and of charges. */
-const MOST_PAIRS = 4_000_000;
-
 /** The system that parts make together. Throws a NodeRefusal that names the part, or a SystemError. */
 export function stageOf(parts: readonly Matter[], c: number, touch: Touch): Stage {
   const builder = new Builder(c);
@@ -67,25 +50,20 @@ export function stageOf(parts: readonly Matter[], c: number, touch: Touch): Stag
   return { ...builder.finish(fields, touch), casts };
 }
 
-interface Ball {
-  readonly point: number;
-  readonly radius: number;
-  readonly of: SolidMatter;
-}
-
-/** Collects points and what acts between them. */
-class Builder {
+/** Collects points and what holds them together. */
+class Builder implements Collected {
   private readonly c: number;
-  private readonly x: number[] = [];
+  readonly x: number[] = [];
   private readonly v: number[] = [];
-  private readonly masses: number[] = [];
-  private readonly pinned: number[] = [];
-  private readonly charges: number[] = [];
-  /** The thing that each point is of, where it is of a net; else −1. */
-  private readonly bodies: number[] = [];
-  private readonly nets: Springs[] = [];
-  private readonly balls: Ball[] = [];
-  private readonly obstacles: { readonly obstacle: Obstacle; readonly of: SolidMatter }[] = [];
+  readonly masses: number[] = [];
+  readonly pinned: number[] = [];
+  readonly charges: number[] = [];
+  readonly bodies: number[] = [];
+  readonly nets: Springs[] = [];
+  readonly balls: Ball[] = [];
+  readonly obstacles: Standing[] = [];
+  /** With how fast each begins [m/s]. */
+  private readonly led: (Led & { readonly v: Vec3 })[] = [];
   private bodyCount = 0;
 
   constructor(c: number) {
@@ -96,10 +74,10 @@ class Builder {
     const up = part.scene.upAxis === 'Y' ? 1 : 2;
     let held = 0;
     const actors = part.scene.objects.map((object): Actor => {
-      const { points, pointOfVertex, net } = netOf(object, part);
+      const { points, pointOfVertex, net, lineOf } = netOf(object, part, this.c);
       const count = points.length / 3;
       const filled = part.stiffness.filling > 0;
-      const middle = middleOf(points);
+      const middle = centerOf(points);
       const pins = pinnedIn(points, pointOfVertex, part, up, object.path);
       held += pins.size;
       const first = this.masses.length;
@@ -107,8 +85,10 @@ class Builder {
       const body = this.bodyCount++;
       for (let i = 0; i < count; i++) {
         const at = pointAt(points, i);
-        const v = add(part.velocity, cross(part.spin, sub(at, middle)));
-        this.point(at, v, part, share, pins.has(i), body);
+        const own = velocityAt(lineOf(i), BEGIN, this.c);
+        const v = add(add(own, part.velocity), cross(part.spin, sub(at, middle)));
+        const point = this.point(at, v, part, share, pins.has(i), body);
+        if (pins.has(i) && isMoving(object)) this.leadAlong(point, lineOf(i));
       }
       this.springsFrom(first, net);
       if (filled) this.fill(first, points, middle, part, share);
@@ -137,24 +117,49 @@ class Builder {
 
   solid(part: SolidMatter): Actor[] {
     if (part.shape !== 'ball') {
-      for (const object of part.scene.objects) this.obstacles.push({ obstacle: obstacleOf(object, part), of: part });
-      return part.scene.objects.map((object) => ({ kind: 'fixed', object }));
+      for (const object of part.scene.objects) this.obstacle(object, part);
+      return part.scene.objects.map(going);
     }
     const balls = part.scene.objects.map((object) => ({ object, ...this.ball(object, part) }));
     const shown = balls.map(
-      ({ object, point }): Actor => (part.free ? { kind: 'ball', object, point } : { kind: 'fixed', object }),
+      ({ object, point }): Actor => (part.free ? { kind: 'ball', object, point } : going(object)),
     );
     return [...shown, ...(part.free?.rods ? this.rods(balls, part.free.rods) : [])];
   }
 
   private ball(object: SceneObject, part: SolidMatter): { readonly point: number; readonly center: Vec3 } {
     const { min, max } = boundsOf(object);
-    const center = placed(poseOf(object), scale(add(min, max), 0.5));
+    const center = wayOf(object, middleOf(object), this.c)(BEGIN);
     const radius = Math.max(...sub(max, min)) / 2;
     const { node, charge, free = { mass: 1, velocity: ZERO } } = part;
     const point = this.point(center, free.velocity, { ...free, node, charge }, 1, !part.free, -1);
+    if (isMoving(object)) this.leadWith(point, object);
     this.balls.push({ point, radius, of: part });
     return { point, center };
+  }
+
+  /** One that moves is carried by a point that is led. */
+  private obstacle(object: SceneObject, part: SolidMatter): void {
+    const obstacle = obstacleOf(object, part, this.c);
+    if (!isMoving(object)) {
+      this.obstacles.push({ obstacle, of: part });
+      return;
+    }
+    const carrier = this.point(obstacle.middle, ZERO, HELD, 1, true, -1);
+    this.leadWith(carrier, object);
+    this.obstacles.push({ obstacle, of: part, carrier });
+  }
+
+  private leadAlong(point: number, line: WorldLine): void {
+    const { c } = this;
+    this.led.push({ point, place: (t) => positionAt(line, t, c), v: velocityAt(line, BEGIN, c) });
+  }
+
+  /** With the middle of a thing. */
+  private leadWith(point: number, object: SceneObject): void {
+    const { c } = this;
+    const v = velocityAt(originLine(object.motion as FrameMotion), BEGIN, c);
+    this.led.push({ point, place: wayOf(object, middleOf(object), c), v });
   }
 
   private rods(
@@ -164,7 +169,7 @@ class Builder {
     return balls.flatMap(({ object, point, center }, i): Actor[] => {
       const before = rods.to === 'chain' ? balls[i - 1] : undefined;
       const place = before?.center ?? add(center, rods.pivot);
-      const held = before?.point ?? this.point(place, ZERO, PIVOT, 1, true, -1);
+      const held = before?.point ?? this.point(place, ZERO, HELD, 1, true, -1);
       const lengths = Float64Array.of(length(sub(place, center)));
       this.nets.push({ ends: Uint32Array.of(point, held), stiffness: Float64Array.of(rods.stiffness), lengths });
       return rods.thickness > 0 ? [{ kind: 'rod', of: object, ends: [point, held], width: rods.thickness }] : [];
@@ -193,130 +198,46 @@ class Builder {
   }
 
   finish(fields: readonly FieldMatter[], touch: Touch): Pick<Stage, 'system' | 'start'> {
-    const { c } = this;
-    const masses = Float64Array.from(this.masses);
-    const charges = Float64Array.from(this.charges);
-    const sum = (of: (field: FieldMatter) => Vec3): Vec3 => fields.map(of).reduce(add, ZERO);
-    const [gravity, electric, magnetic] = [
-      sum((field) => field.gravity),
-      sum((field) => field.electric),
-      sum((field) => field.magnetic),
-    ];
-    const isCharged = charges.some((charge) => charge !== 0);
-    const forces: Force[] = [
-      ...(this.nets.length > 0 ? [springs(joined(this.nets))] : []),
-      ...this.ballContacts(),
-      ...this.barriers(),
-      ...this.touches(touch),
-      ...(length(gravity) > 0 ? [uniform(masses, gravity)] : []),
-      ...(isCharged && length(electric) > 0 ? [uniform(charges, electric)] : []),
-      ...(isCharged && fields.some((field) => field.coulomb) ? [this.coulomb(charges)] : []),
-    ];
-    const drag = fields.reduce((all, field) => all + field.drag, 0);
-    const pinned = Uint8Array.from(this.pinned);
-    const magneticField = isCharged && length(magnetic) > 0 ? { magneticField: magnetic } : {};
+    const { c, led, v, x } = this;
     const system = makeSystem({
-      masses,
-      pinned,
-      forces,
-      c,
-      drag,
-      ...(isCharged && { charges }),
-      ...magneticField,
+      ...{ c, masses: Float64Array.from(this.masses), pinned: Uint8Array.from(this.pinned) },
+      ...actingOn(this, fields, touch),
+      ...(led.length > 0 && { led }),
     });
-    return { system, start: { t: 0, x: Float64Array.from(this.x), p: momenta(system, this.v) } };
-  }
-
-  /** Balls against each other and against points of nets; of those that are as hard, one force. */
-  private ballContacts(): Force[] {
-    const points = this.bodies.flatMap((body, i) => (body < 0 ? [] : [i]));
-    const { balls, pinned } = this;
-    if (balls.length * (points.length + balls.length) > MOST_PAIRS) {
-      const message = `${balls.length} balls and ${points.length} points are too many to meet; take fewer balls, or coarser meshes`;
-      throw refusal('collider.many', balls[0].of.node, message);
-    }
-    const hard = new Map<number, { readonly ends: number[]; readonly reach: number[] }>();
-    const meet = (K: number, a: number, b: number, reach: number): void => {
-      if (pinned[a] && pinned[b]) return;
-      const known = hard.get(K) ?? { ends: [], reach: [] };
-      hard.set(K, known);
-      known.ends.push(a, b);
-      known.reach.push(reach);
-    };
-    balls.forEach(({ point, radius, of }, i) => {
-      for (const other of balls.slice(i + 1)) {
-        const reach = of.scale * radius + other.of.scale * other.radius;
-        meet(Math.max(of.stiffness, other.of.stiffness), point, other.point, reach);
-      }
-      for (const other of points) meet(of.stiffness, point, other, of.scale * radius);
-    });
-    return [...hard].map(
-      ([K, { ends, reach }]) => new Pairs(Uint32Array.from(ends), new Penalty(K, (pair) => reach[pair])),
-    );
-  }
-
-  private barriers(): Force[] {
-    const moving = (i: number): boolean => !this.pinned[i];
-    const points = this.bodies.flatMap((body, i) => (body >= 0 && moving(i) ? [i] : []));
-    return this.obstacles.flatMap(({ obstacle, of: { stiffness, margin } }) => [
-      barrier(obstacle, points, stiffness, margin),
-      ...this.balls
-        .filter(({ point }) => moving(point))
-        .map(({ point, radius }) => barrier(obstacle, [point], stiffness, margin + radius)),
-    ]);
-  }
-
-  private touches({ reach, stiffness }: Touch): Force[] {
-    if (reach === 0) return [];
-    const law = new Penalty(stiffness, () => reach);
-    return [new NearPairs(Int32Array.from(this.bodies), Float64Array.from(this.x), reach, law)];
-  }
-
-  private coulomb(charges: Float64Array): Force {
-    const charged = charges.filter((charge) => charge !== 0).length;
-    if (charged ** 2 / 2 > MOST_PAIRS) {
-      const message = `${charged} charged points are too many to act on each other; charge fewer things, or coarser ones`;
-      throw refusal('field.charges', 'charge', message);
-    }
-    return coulomb(charges);
+    const p = momenta(system, v);
+    for (const each of led) p.set(momentum(system.masses[each.point], each.v, c), 3 * each.point);
+    return { system, start: { t: BEGIN, x: Float64Array.from(x), p } };
   }
 }
 
-const PIVOT = { node: '', mass: 1, velocity: ZERO, charge: 0 };
+/** γ m v */
+const momentum = (m: number, v: Vec3, c: number): Vec3 => scale(v, m / Math.sqrt(1 - dot(v, v) / (c * c)));
+
+/** A thing that goes as it goes, as large in the world as it is. */
+const going = (object: SceneObject): Actor => ({
+  kind: 'fixed',
+  object: isMoving(object) ? { ...object, authoredIn: 'world' } : object,
+});
+
+/** What is held and has no thing of its own. */
+const HELD = { node: '', mass: 1, velocity: ZERO, charge: 0 };
 
 /** The points of a thing in the world, and the springs between them. */
-function netOf(object: SceneObject, { stiffness, tension }: NetMatter) {
+function netOf(object: SceneObject, { stiffness, tension }: NetMatter, c: number) {
   const { positions, indices } = object.mesh;
   const { min, max } = boundsOf(object);
   const { pointOfVertex, vertexOfPoint } = weld(positions, WELD * length(sub(max, min)));
-  const pose = poseOf(object);
+  const lineOf = (point: number): WorldLine => vertexWorldLine(object, vertexOfPoint[point], c);
   const points = new Float64Array(3 * vertexOfPoint.length);
-  vertexOfPoint.forEach((vertex, i) => void points.set(placed(pose, pointAt(positions, vertex)), 3 * i));
+  vertexOfPoint.forEach((_, i) => void points.set(positionAt(lineOf(i), BEGIN, c), 3 * i));
   const faces = flatFaces(
     points,
     indices.map((vertex) => pointOfVertex[vertex]),
   );
-  return { points, pointOfVertex, net: meshSprings(points, faces, stiffness, tension) };
+  return { points, pointOfVertex, lineOf, net: meshSprings(points, faces, stiffness, tension) };
 }
 
-const middleOf = (points: Float64Array): Vec3 => {
+const centerOf = (points: Float64Array): Vec3 => {
   const { min, max } = boundingBox(points)!;
   return scale(add(min, max), 0.5);
 };
-
-function joined(nets: readonly Springs[]): Springs {
-  const count = nets.reduce((all, { lengths }) => all + lengths.length, 0);
-  const all = {
-    ends: new Uint32Array(2 * count),
-    stiffness: new Float64Array(count),
-    lengths: new Float64Array(count),
-  };
-  let at = 0;
-  for (const { ends, stiffness, lengths } of nets) {
-    all.ends.set(ends, 2 * at);
-    all.stiffness.set(stiffness, at);
-    all.lengths.set(lengths, at);
-    at += lengths.length;
-  }
-  return all;
-}

@@ -1,5 +1,5 @@
 import { uniform } from 'three/tsl';
-import { add, addScaled } from '../../math/vec3.ts';
+import { add, addScaled, normalize } from '../../math/vec3.ts';
 import type { Float, Int } from '../../shaders/types.ts';
 import type { Body } from '../bodies.ts';
 import type { Gpu } from '../device.ts';
@@ -9,7 +9,7 @@ import { type Drawing, HeightMap } from './heightMap.ts';
 import { type Beam, BODY_TEXELS, type PointMaps, passingBodies, passingRound } from './lampReceiver.ts';
 import { facesOf, lampLayer, middleOf, setRoom } from './lampRoom.ts';
 import { LayerTable } from './layerTable.ts';
-import { largest, type Mover, MovingBodies } from './movingBodies.ts';
+import { centreOf, largest, lift, type Mover, MovingBodies } from './movingBodies.ts';
 import { ballLayer, CELLS, isNear, pointTexels } from './pointLayer.ts';
 import { pointBend, type Tiling, toPoint } from './pointward.ts';
 import type { Event } from './receiver.ts';
@@ -128,15 +128,17 @@ export class GoingLamps {
   }
 
   /** Whether a body has a tile for a lamp. */
-  private setBody(lamp: KnownLamp, { body, beta, offset, ahead }: Mover, sight: Sight, tile: number): boolean {
+  private setBody(lamp: KnownLamp, mover: Mover, sight: Sight, tile: number): boolean {
+    const { body, beta, offset, ahead } = mover;
     if (lamp.lamp.motion.kind === 'static' && isAlwaysThere(body)) return false;
     const from = lampFrom(lamp, { offset, ahead }, sight);
     const { side } = this.tiling;
-    const layer = ballLayer(addScaled(from.offset, beta, -from.ahead), body.radius, { side, cell: this.map.cell });
+    const radius = body.radius + mover.drift;
+    const layer = ballLayer(addScaled(from.offset, beta, -from.ahead), radius, { side, cell: this.map.cell });
     if (!layer) return false;
-    const centre = addScaled(offset, beta, -ahead);
+    const centre = addScaled(centreOf(mover), normalize(layer.source), -lift(mover));
     const [x, y] = middleOf(this.tiling, tile);
-    const ball = [...centre, body.radius, ...beta, 0];
+    const ball = [...centre, radius, ...beta, 0];
     const seen = pointTexels({ ...layer, source: add(centre, layer.source) }, x, y);
     this.table.set(tile, [...seen, ...ball]);
     this.table.set(this.lamps * (this.most + 1) + tile, [...pointTexels(layer, x, y), ...ball]);

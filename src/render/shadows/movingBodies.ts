@@ -1,17 +1,18 @@
-import { int } from 'three/tsl';
-import type { Mesh } from 'three/webgpu';
-import { length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
-import { velocityAt } from '../../physics/worldLine.ts';
+import { If, int, select, uniform, vec3 } from 'three/tsl';
+import { type Mesh, Vector3 } from 'three/webgpu';
+import { addScaled, distance, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { gamma } from '../../physics/boost.ts';
+import { positionAt, velocityAt, type WorldLine } from '../../physics/worldLine.ts';
 import type { Int } from '../../shaders/types.ts';
 import { type Body, lineOfCentre } from '../bodies.ts';
 import type { Drawable } from '../drawable.ts';
 import { FloatTable } from '../floatTable.ts';
 import { Frame, type FrameTables, OBJECT_TEXELS } from '../frame.ts';
 import { meet, type RelativeEvent, type Sight } from '../sight.ts';
-import { shownPoint } from '../vertexStage.ts';
+import { vertexEvent } from '../vertexStage.ts';
 import { makeCaster, type Placing, type Projecting } from './casters.ts';
 import type { HeightMap } from './heightMap.ts';
-import { PoseTable, ROUND, turnOf } from './poses.ts';
+import { isMetByVertex, PoseTable, ROUND, turnOf } from './poses.ts';
 import type { Occluders } from './shadowMaps.ts';
 
 /** Smaller ones throw no shadow: radius over distance. */
@@ -23,15 +24,22 @@ const ALL_ROUND = { sides: [], boosted: false };
 export interface Mover extends RelativeEvent {
   readonly body: Body;
   readonly beta: Vec3;
+  /** How far it goes from its steady way while light crosses it, before or after [m]. */
+  readonly drift: number;
 }
 
-/** Occluders that have tiles of their own, in coordinates that move with them: as they are at the events of their centres, from which they are measured. */
+/**
+ * Occluders that have tiles of their own, in coordinates that move with them, measured from the events of their centres: what is rigid as it is
+ * there, what deforms or accelerates each vertex at the event of it that is seen, so that it does not shade itself for being later or earlier.
+ */
 export class MovingBodies {
   private readonly occluders: Occluders;
   private readonly poses: PoseTable;
   private readonly frame: Frame;
   private readonly tables: FrameTables;
   private readonly worn: ReadonlySet<Body>;
+  /** 1 where events are on the past light cone; else γβ and γ of the observer of whose moment they are. */
+  private readonly events = { onLightCone: uniform(1), u: uniform(new Vector3()), gamma: uniform(1) };
   private readonly casters: { readonly mesh: Mesh; readonly bodies: readonly Body[] }[] = [];
 
   constructor(occluders: Occluders) {
@@ -66,16 +74,24 @@ export class MovingBodies {
     for (const caster of this.casters) caster.mesh.visible = caster.bodies.some((body) => bodies.has(body));
   }
 
-  /** As of `PoseTable`: rigid bodies by their turn, in the slot of each from layer `first` on; what deforms by its samples, from the event of its centre. */
+  /** As of `PoseTable`: rigid bodies by their turn, in the slot of each from layer `first` on; of what deforms each vertex where it is seen, less its way since. */
   private placing({ batch, vertex }: Drawable, first: Int, round?: Int): Placing {
     const rigid = this.poses.placing(first, round);
-    if (batch.kind !== 'sampled-points' && batch.kind !== 'hyperbolic') return rigid;
+    if (!isMetByVertex(batch)) return rigid;
     const { objects, samples } = this.tables;
+    const uniforms = { ...vertex.uniforms, u: this.events.u, gamma: this.events.gamma };
     return (input) => ({
       ...rigid(input),
       x: () => {
-        const { shown } = shownPoint({ ...vertex, objects, samples }, { event: 'now', place: 'plain' }, input);
-        return shown.sub(objects.texel(int(input.object).mul(int(OBJECT_TEXELS))).xyz);
+        const centre = objects.texel(int(input.object).mul(int(OBJECT_TEXELS))).xyz;
+        const x = vec3(0).toVar();
+        const measure = (event: 'emission' | 'slice'): void => {
+          const { dx, s, exists } = vertexEvent({ ...vertex, objects, samples, uniforms }, { event }, input);
+          const since = dx.sub(centre).sub(this.poses.velocity(input).mul(s));
+          x.assign(select(exists, since, vec3(0)));
+        };
+        If(this.events.onLightCone.greaterThan(0.5), () => measure('emission')).Else(() => measure('slice'));
+        return x;
       },
     });
   }
@@ -87,13 +103,18 @@ export class MovingBodies {
     round?: { readonly bodies: readonly Body[]; readonly from: Vec3 },
   ): string {
     this.poses.clear();
+    const { onLightCone, u, gamma: factor } = this.events;
+    const moment = sight.surface === 'slice' ? sight.u : ZERO;
+    onLightCone.value = sight.surface === 'past-light-cone' ? 1 : 0;
+    u.value.set(...moment);
+    factor.value = gamma(moment);
     const deforming: Body[] = [];
-    const shapes = movers.map(({ body, ahead }, slot) => {
+    const shapes = movers.map(({ body, beta, offset, ahead }, slot) => {
       const t = sight.t + ahead / sight.c;
       const turn = turnOf(body, this.worn.has(body), t, sight.c);
       if (!turn) deforming.push(body);
-      this.poses.set(body, turn ?? [ZERO, ZERO, ZERO], ZERO, slot);
-      return `${body.id} ${turn ?? t}`;
+      this.poses.set(body, turn ?? [ZERO, ZERO, ZERO], ZERO, slot, beta);
+      return `${body.id} ${turn ?? [sight.surface, t, ...offset, ...moment]}`;
     });
     for (const body of round?.bodies ?? []) {
       const turn = turnOf(body, this.worn.has(body), sight.t, sight.c);
@@ -124,7 +145,22 @@ export function largest(bodies: readonly Body[], sight: Sight): readonly Mover[]
       const size = body.radius / Math.max(length(event.offset) - body.radius, 1e-3 * body.radius);
       if (!(size > LEAST_SIZE)) return [];
       const beta = scale(velocityAt(line, sight.t + event.ahead / sight.c, sight.c), 1 / sight.c);
-      return [{ body, ...event, beta, size }];
+      return [{ body, ...event, beta, drift: driftOf(line, event.ahead, beta, body.radius, sight), size }];
     })
     .sort((a, b) => b.size - a.size || a.body.id - b.body.id);
+}
+
+/** Where a mover's centre would be at the observer's time, with the velocity that it has [m]. */
+export const centreOf = ({ offset, beta, ahead }: Mover): Vec3 => addScaled(offset, beta, -ahead);
+
+/**
+ * How far what meets a mover's tile is lifted towards the light [m]: a rigid body is drawn as it is at one event, from which its surface, seen later or
+ * earlier, is as far as it drifts.
+ */
+export const lift = ({ body, drift }: Mover): number => (isMetByVertex(body.object.motion) ? 0 : drift);
+
+/** How far a line is from straight on with β, `radius` of light before and after an event [m]. */
+function driftOf(line: WorldLine, ahead: number, beta: Vec3, radius: number, { t, c }: Sight): number {
+  const at = (after: number): Vec3 => positionAt(line, t + (ahead + after) / c, c);
+  return Math.max(...[-radius, radius].map((after) => distance(at(after), addScaled(at(0), beta, after))));
 }

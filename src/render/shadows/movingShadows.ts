@@ -8,7 +8,7 @@ import type { Sight } from '../sight.ts';
 import { HeightMap } from './heightMap.ts';
 import { LAYER_TEXELS, type Layer, layerTexels, lightAxes, spreadOf, type Tile, wayToSun } from './layer.ts';
 import { LayerTable } from './layerTable.ts';
-import { largest, type Mover, MovingBodies } from './movingBodies.ts';
+import { centreOf, largest, lift, type Mover, MovingBodies } from './movingBodies.ts';
 import { type Event, type LayerMaps, passingMoving } from './receiver.ts';
 import { isAlwaysThere } from './restingShadows.ts';
 import type { Occluders, ShadowSun } from './shadowMaps.ts';
@@ -80,10 +80,11 @@ export class MovingShadows {
   private setLayers(movers: readonly Mover[], sight: Sight): void {
     const { table, suns, most } = this;
     for (let layer = 0; layer < 2 * suns.length * most; layer++) table.clear(layer);
-    for (const [slot, { body, beta, offset, ahead }] of movers.entries())
+    for (const [slot, mover] of movers.entries())
       suns.forEach((sun, row) => {
-        const layer = layerOf(body, beta, sun, sight, this.tile(slot, row));
-        table.set(row * most + slot, layerTexels({ ...layer, centre: addScaled(offset, beta, -ahead) }));
+        const layer = layerOf(mover, sun, sight, this.tile(slot, row));
+        const centre = addScaled(centreOf(mover), layer.axes.towards, -lift(mover));
+        table.set(row * most + slot, layerTexels({ ...layer, centre }));
         table.set((suns.length + row) * most + slot, layerTexels({ ...layer, beta: ZERO }));
       });
   }
@@ -103,15 +104,15 @@ export class MovingShadows {
 }
 
 function layerOf(
-  { radius }: Body,
-  beta: Vec3,
+  { body, beta, drift }: Mover,
   { direction, radius: sunRadius }: ShadowSun,
   sight: Sight,
   tile: Tile,
 ): Layer {
   const way = wayToSun(direction, beta, timePerMetre(sight, direction));
   const spread = spreadOf(sunRadius, direction, way);
-  return { axes: lightAxes(way), beta, centre: ZERO, half: radius, depth: 1.01 * radius, spread, tile };
+  const half = body.radius + drift;
+  return { axes: lightAxes(way), beta, centre: ZERO, half, depth: 1.01 * half, spread, tile };
 }
 
 /** How time goes on along a ray to the sun: into the past, or in the one moment that is looked at. */

@@ -1,17 +1,25 @@
 import { dot, float, int, vec3, vec4 } from 'three/tsl';
 import { rotate } from '../../math/quat.ts';
-import { lerp, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { lerp, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/boost.ts';
 import { contraction } from '../../physics/simultaneity.ts';
 import { pieceAt, samplePose } from '../../scene/motion.ts';
-import type { Int } from '../../shaders/types.ts';
+import type { Motion } from '../../scene/types.ts';
+import type { Int, Vec3 as Vector } from '../../shaders/types.ts';
 import type { Body } from '../bodies.ts';
 import type { Drawable } from '../drawable.ts';
 import { FloatTable } from '../floatTable.ts';
+import type { VertexInput } from '../vertexInput.ts';
 import type { Placing } from './casters.ts';
 
 /** From a vertex as it is uploaded to the world, from the body's centre [m]: the places of the unit vectors. */
 export type Turn = readonly [Vec3, Vec3, Vec3];
+
+/** What deforms or is accelerated as Born-rigid bodies are: not one turn and place are those of all of it. */
+export const isMetByVertex = <M extends Pick<Motion, 'kind'>>(
+  motion: M,
+): motion is Extract<M, { readonly kind: 'sampled-points' | 'hyperbolic' }> =>
+  motion.kind === 'sampled-points' || motion.kind === 'hyperbolic';
 
 /**
  * How a rigid body is turned and contracted at one moment of the world, a time t [s] of its own; c [m/s]. `worn`: its mesh is uploaded in its own axes.
@@ -20,7 +28,7 @@ export type Turn = readonly [Vec3, Vec3, Vec3];
 export function turnOf({ object }: Body, worn: boolean, t: number, c: number): Turn | undefined {
   const { motion, authoredIn } = object;
   const turn = (of: (axis: Vec3) => Vec3): Turn => [of([1, 0, 0]), of([0, 1, 0]), of([0, 0, 1])];
-  if (motion.kind === 'sampled-points' || motion.kind === 'hyperbolic') return undefined;
+  if (isMetByVertex(motion)) return undefined;
   if (motion.kind === 'sampled') {
     const { before, after, s } = pieceAt(motion.times, t);
     const [a, b] = [before, after].map((k) => samplePose(motion.poses, k).orientation);
@@ -35,7 +43,7 @@ export function turnOf({ object }: Body, worn: boolean, t: number, c: number): T
 
 /** Slot of what has none of its own, and is drawn where all that is round a lamp is. */
 export const ROUND = -2;
-/** Texels of a body: rows of its turn with its place, and its slot. */
+/** Texels of a body: rows of its turn with its place, and its slot with its velocity [c]. */
 const POSE_TEXELS = 4;
 
 /** Where rigid occluders are, from where a layer's places are measured, and the slot that each has; by the number of a body. */
@@ -52,9 +60,9 @@ export class PoseTable {
     this.table.values.fill(-1);
   }
 
-  set({ id }: Body, [x, y, z]: Turn, place: Vec3, slot: number): void {
+  set({ id }: Body, [x, y, z]: Turn, place: Vec3, slot: number, beta: Vec3 = ZERO): void {
     const rows = [0, 1, 2].flatMap((k) => [x[k], y[k], z[k], place[k]]);
-    this.table.values.set([...rows, slot, 0, 0, 0], 4 * POSE_TEXELS * (id - 1));
+    this.table.values.set([...rows, slot, ...beta], 4 * POSE_TEXELS * (id - 1));
   }
 
   /** Uploads where bodies are that rest, from `origin`. */
@@ -85,6 +93,14 @@ export class PoseTable {
         x: () => vec3(dot(texel(0), point), dot(texel(1), point), dot(texel(2), point)),
       };
     };
+  }
+
+  /** The velocity of the body that a vertex is of [c]. */
+  velocity({ object }: VertexInput): Vector {
+    const last = int(object)
+      .mul(int(POSE_TEXELS))
+      .add(int(POSE_TEXELS - 1));
+    return this.table.texel(last).yzw;
   }
 
   dispose(): void {
