@@ -505,6 +505,19 @@ describe('what moves already', () => {
     expect(books.led).toBe(true);
   });
 
+  it('ends the run where it goes faster than light, and is named', async () => {
+    const fast = ['motion-uniform', { velocity: [11, 0, 0] }] as const;
+    const { books } = await simulated(
+      ...going('Mover', ['box', {}], fast, 'collider', { shape: 'box' }),
+      ...ball('Target', 0.2, [3, 0, 0], {}),
+      ...running(['Mover', 'Target'], { speedOfLight: c, method: 'leapfrog' }),
+    );
+    expect(books.stop).toMatchObject({
+      reason: 'light',
+      message: expect.stringContaining('/Mover is led at 11.00 m/s'),
+    });
+  });
+
   it('is refused where it turns as a box, or would be free', async () => {
     const turning = ['motion-keyframes', { keys: ['0 0 0 0', '1 1 0 0 0 90 0'] }] as const;
     const box = going('Mover', ['box', {}], turning, 'collider', { shape: 'box' });

@@ -168,7 +168,7 @@ function named(stop: Stop, casts: readonly Cast[]): Stop {
     const name =
       actor.kind === 'net' && vertex >= 0
         ? `vertex ${vertex} of ${actor.object.path}`
-        : actor.kind === 'ball' && actor.point === point && actor.object.path;
+        : (actor.kind === 'ball' || actor.kind === 'fixed') && actor.point === point && actor.object.path;
     if (name) return { ...stop, message: stop.message.replace(`point ${point}`, name) };
   }
   return stop;

@@ -21,7 +21,8 @@ export type Actor =
   | { readonly kind: 'net'; readonly object: SceneObject; readonly pointOfVertex: Uint32Array }
   | { readonly kind: 'ball'; readonly object: SceneObject; readonly point: number }
   | { readonly kind: 'rod'; readonly of: SceneObject; readonly ends: readonly [number, number]; readonly width: number }
-  | { readonly kind: 'fixed'; readonly object: SceneObject };
+  /** It goes as it goes; `point`: that goes with it. */
+  | { readonly kind: 'fixed'; readonly object: SceneObject; readonly point?: number };
 
 /** The things of one part, in the scene that their materials are of. */
 export interface Cast {
@@ -117,12 +118,11 @@ class Builder implements Collected {
 
   solid(part: SolidMatter): Actor[] {
     if (part.shape !== 'ball') {
-      for (const object of part.scene.objects) this.obstacle(object, part);
-      return part.scene.objects.map(going);
+      return part.scene.objects.map((object) => going(object, this.obstacle(object, part)));
     }
     const balls = part.scene.objects.map((object) => ({ object, ...this.ball(object, part) }));
     const shown = balls.map(
-      ({ object, point }): Actor => (part.free ? { kind: 'ball', object, point } : going(object)),
+      ({ object, point }): Actor => (part.free ? { kind: 'ball', object, point } : going(object, point)),
     );
     return [...shown, ...(part.free?.rods ? this.rods(balls, part.free.rods) : [])];
   }
@@ -138,16 +138,17 @@ class Builder implements Collected {
     return { point, center };
   }
 
-  /** One that moves is carried by a point that is led. */
-  private obstacle(object: SceneObject, part: SolidMatter): void {
+  /** One that moves is carried by a point that is led, which is told. */
+  private obstacle(object: SceneObject, part: SolidMatter): number | undefined {
     const obstacle = obstacleOf(object, part, this.c);
     if (!isMoving(object)) {
       this.obstacles.push({ obstacle, of: part });
-      return;
+      return undefined;
     }
     const carrier = this.point(obstacle.middle, ZERO, HELD, 1, true, -1);
     this.leadWith(carrier, object);
     this.obstacles.push({ obstacle, of: part, carrier });
+    return carrier;
   }
 
   private leadAlong(point: number, line: WorldLine): void {
@@ -213,10 +214,11 @@ class Builder implements Collected {
 /** γ m v */
 const momentum = (m: number, v: Vec3, c: number): Vec3 => scale(v, m / Math.sqrt(1 - dot(v, v) / (c * c)));
 
-/** A thing that goes as it goes, as large in the world as it is. */
-const going = (object: SceneObject): Actor => ({
+/** A thing that goes as it goes is as large in the world as it is. */
+const going = (object: SceneObject, point: number | undefined): Actor => ({
   kind: 'fixed',
   object: isMoving(object) ? { ...object, authoredIn: 'world' } : object,
+  ...(point !== undefined && { point }),
 });
 
 /** What is held and has no thing of its own. */
