@@ -43,6 +43,7 @@ export default defineConfig({
         test: {
           name: 'gpu',
           include: ['tests/gpu/**/*.test.ts'],
+          setupFiles: seeded,
           pool: 'forks',
           maxWorkers: 2,
           testTimeout: 180_000,
