@@ -93,6 +93,6 @@ it('the GPU takes the steps, in a worker of the page, where it is told to', asyn
   await page.getByText('Simulating').waitFor({ state: 'detached' });
   const plot = page.getByRole('slider', { name: 'Change of energy over time' });
   await plot.press('End');
-  expect(await plot.getAttribute('aria-valuetext')).toMatch(/^0\.50 s: Leapfrog GPU −0\.\d+ J$/);
+  await expect.poll(() => plot.getAttribute('aria-valuetext')).toMatch(/^0\.50 s: Leapfrog GPU −0\.\d+ J$/);
   await visit.close();
 });
