@@ -52,7 +52,8 @@ export class Pairs implements Force {
   add(x: Float64Array, sum: Float64Array): void {
     const { ends, law } = this;
     for (let s = 0; 2 * s < ends.length; s++) {
-      const [i, j] = [3 * ends[2 * s], 3 * ends[2 * s + 1]];
+      const i = 3 * ends[2 * s];
+      const j = 3 * ends[2 * s + 1];
       const r = between(x, i, j);
       if (r > 0) push(sum, i, j, x, x, law.slope(r, s) / (2 * r));
     }
@@ -61,8 +62,10 @@ export class Pairs implements Force {
   addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
     const { ends, law } = this;
     for (let s = 0; 2 * s < ends.length; s++) {
-      const [i, j] = [3 * ends[2 * s], 3 * ends[2 * s + 1]];
-      const [r0, r1] = [between(x0, i, j), between(x1, i, j)];
+      const i = 3 * ends[2 * s];
+      const j = 3 * ends[2 * s + 1];
+      const r0 = between(x0, i, j);
+      const r1 = between(x1, i, j);
       if (r0 + r1 > 0) push(sum, i, j, x0, x1, law.quotient(r0, r1, s));
     }
   }
@@ -120,7 +123,9 @@ export class Pairs implements Force {
 }
 
 function between(x: Float64Array, i: number, j: number): number {
-  const [dx, dy, dz] = [x[i] - x[j], x[i + 1] - x[j + 1], x[i + 2] - x[j + 2]];
+  const dx = x[i] - x[j];
+  const dy = x[i + 1] - x[j + 1];
+  const dz = x[i + 2] - x[j + 2];
   return Math.sqrt(dx * dx + dy * dy + dz * dz);
 }
 

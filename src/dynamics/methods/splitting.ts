@@ -53,7 +53,9 @@ class Splitting implements Stepper {
     const { c, masses } = this.system;
     const perSquare = 1 / (c * c);
     for (let i = 0, j = 0; i < masses.length; i++, j += 3) {
-      const [px, py, pz] = [p[j], p[j + 1], p[j + 2]];
+      const px = p[j];
+      const py = p[j + 1];
+      const pz = p[j + 2];
       const s = h / Math.sqrt(masses[i] * masses[i] + (px * px + py * py + pz * pz) * perSquare);
       x[j] += s * px;
       x[j + 1] += s * py;
