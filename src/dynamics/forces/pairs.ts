@@ -169,10 +169,17 @@ class PairStiffness implements Stiffness {
     for (let s = 0, k = 0; 2 * s < ends.length; s++, k += 5) {
       const i = 3 * ends[2 * s];
       const j = 3 * ends[2 * s + 1];
-      const [dx, dy, dz] = [u[i] - u[j], u[i + 1] - u[j + 1], u[i + 2] - u[j + 2]];
-      const [a, nx, ny, nz] = [known[k], known[k + 2], known[k + 3], known[k + 4]];
+      const dx = u[i] - u[j];
+      const dy = u[i + 1] - u[j + 1];
+      const dz = u[i + 2] - u[j + 2];
+      const a = known[k];
+      const nx = known[k + 2];
+      const ny = known[k + 3];
+      const nz = known[k + 4];
       const along = known[k + 1] * (dx * nx + dy * ny + dz * nz);
-      const [fx, fy, fz] = [a * dx + along * nx, a * dy + along * ny, a * dz + along * nz];
+      const fx = a * dx + along * nx;
+      const fy = a * dy + along * ny;
+      const fz = a * dz + along * nz;
       sum[i] += fx;
       sum[i + 1] += fy;
       sum[i + 2] += fz;

@@ -1,0 +1,51 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { uniform as between } from '../../../tests/physicsArbitraries.ts';
+import { fromAxisAngle, rotate } from '../../math/quat.ts';
+import { add, addScaled, length, sub, type Vec3 } from '../../math/vec3.ts';
+import { box, plane } from './obstacle.ts';
+
+const place = fc.tuple(between(-3, 3), between(-3, 3), between(-3, 3));
+const MIDDLE: Vec3 = [0.3, -0.2, 0.5];
+const SIZE: Vec3 = [1, 2, 0.6];
+const TURN = fromAxisAngle([1, 2, -1], 0.7);
+const OBSTACLES = [
+  ['a plane', plane(MIDDLE, [0.2, 1, -0.1])],
+  ['a turned box', box(MIDDLE, SIZE, TURN)],
+] as const;
+
+describe.each(OBSTACLES)('%s', (_, { outside, distance }) => {
+  it('tells the same distance with the way out and without, and nobody comes nearer by more than he goes', () => {
+    fc.assert(
+      fc.property(place, place, (a, b) => {
+        expect(distance(...a)).toBeCloseTo(outside(a)[0], 12);
+        expect(Math.abs(distance(...a) - distance(...b))).toBeLessThanOrEqual(length(sub(a, b)) + 1e-12);
+      }),
+    );
+  });
+
+  it('has its surface as far out as it says', () => {
+    fc.assert(
+      fc.property(place, (a) => {
+        const [far, out] = outside(a);
+        expect(distance(...addScaled(a, out, -far))).toBeCloseTo(0, 12);
+        expect(length(out)).toBeCloseTo(1, 12);
+      }),
+    );
+  });
+});
+
+it('a box is turned about its middle, with half of its sizes to each side', () => {
+  const { distance } = box(MIDDLE, SIZE, TURN);
+  for (const [k, way] of (
+    [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ] as const
+  ).entries())
+    for (const side of [-1, 1]) {
+      const at = add(MIDDLE, rotate(TURN, addScaled([0, 0, 0], way, side * (SIZE[k] / 2 + 0.25))));
+      expect(distance(...at)).toBeCloseTo(0.25, 12);
+    }
+});
