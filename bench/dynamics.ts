@@ -6,6 +6,7 @@ import { meshSprings } from '../src/dynamics/nets.ts';
 import { fastestOscillation } from '../src/dynamics/stability.ts';
 import { copyOf, makeSystem, restingAt, type State, type System } from '../src/dynamics/system.ts';
 import type { Vec3 } from '../src/math/vec3.ts';
+import { sheet } from '../tests/support/clothKit.ts';
 import { type Bench, cpuTimed, interleaved, type Table } from './bench.ts';
 import { inChild } from './inChild.ts';
 import { PlainCloth } from './plainCloth.ts';
@@ -147,18 +148,10 @@ export function cloth(
   side: number,
   mass: number,
 ): { system: System; net: ReturnType<typeof meshSprings>; start: State } {
-  const x = new Float64Array(3 * side * side);
-  const corners: number[] = [];
-  for (let i = 0; i < side; i++)
-    for (let j = 0; j < side; j++) {
-      const at = i * side + j;
-      x.set([j / (side - 1), 0, i / (side - 1)], 3 * at);
-      if (i + 1 < side && j + 1 < side) corners.push(at, at + 1, at + side + 1, at + side);
-    }
+  const { x, faces } = sheet(side);
   const masses = new Float64Array(side * side).fill(mass);
   const pinned = new Uint8Array(side * side);
   pinned[0] = pinned[side - 1] = 1;
-  const faces = { counts: new Uint8Array((side - 1) ** 2).fill(4), corners };
   const net = meshSprings(x, faces, { structural: K, shear: K, bending: K });
   const forces = [springs(net), uniform(masses, GRAVITY)];
   return { system: makeSystem({ masses, pinned, c: C, forces }), net, start: restingAt(x) };

@@ -1,4 +1,3 @@
-import type { ComputeGpu } from '../compute/gpu.ts';
 import { RAISED_LIMITS } from '../render/limits.ts';
 import { unavailable } from './exit.ts';
 import { findSwiftShader, hasVulkanDriver } from './icd.ts';
@@ -6,7 +5,7 @@ import { findSwiftShader, hasVulkanDriver } from './icd.ts';
 /** Dawn, the GPU API of Chromium, in Node. */
 type Dawn = typeof import('webgpu');
 
-/** An open GPU. `release` it at the end; until then nothing of it is collected, for that would abort the process. */
+/** An open GPU, to draw with or to compute. `release` it at the end; until then nothing of it is collected, for that would abort the process. */
 export interface HeadlessDevice {
   readonly device: GPUDevice;
   /** What the adapter calls itself. */
@@ -51,12 +50,6 @@ export async function openDevice(): Promise<HeadlessDevice> {
       for (const thing of [gpu, adapter, device]) held.delete(thing);
     },
   };
-}
-
-/** The same, for what is computed. */
-export async function openGpu(): Promise<ComputeGpu> {
-  const { device, software, release } = await openDevice();
-  return { device, software, release };
 }
 
 /** Loaded here and not at the top: on a machine that it does not support, all that needs no GPU still works. */

@@ -3,7 +3,7 @@ import type { RunHeavy } from '../graph/evaluate.ts';
 import { heavyThreads } from '../graph/heavy.ts';
 import { nodeLibrary } from '../nodes/library.ts';
 import { threadServices } from '../nodes/services.ts';
-import { openGpu } from './device.ts';
+import { openDevice } from './device.ts';
 
 /** Has heavy nodes evaluated in threads of Node's, which do not keep the program from ending; but here, where they need a GPU: to end a thread that has one ends the program. */
 export const heavyNodes = (): RunHeavy => {
@@ -13,7 +13,7 @@ export const heavyNodes = (): RunHeavy => {
 
 const here: RunHeavy = async ({ type, node, inputs, params, resume }, { signal, progress }) =>
   nodeLibrary[type]!.evaluate(inputs, params, {
-    ...{ services: { ...threadServices, openGpu }, progress, node },
+    ...{ services: { ...threadServices, openGpu: openDevice }, progress, node },
     ...(signal && { signal }),
     ...(resume && { resume }),
   });

@@ -18,7 +18,7 @@ import type { Services } from '../nodes/services.ts';
 import { drawableScene } from '../scene/drawable.ts';
 import type { Plan } from '../scene/plan.ts';
 import type { Scene } from '../scene/types.ts';
-import { openGpu } from './device.ts';
+import { openDevice } from './device.ts';
 import { inputProblem, usageError } from './exit.ts';
 import { findScene, openSceneFile } from './files.ts';
 import { readFont } from './fonts.ts';
@@ -163,7 +163,7 @@ function servicesAt(project: string): Services {
   return {
     readFont,
     trace: traceHere,
-    openGpu,
+    openGpu: openDevice,
     async readScene(source, { variants, interpolation }) {
       const read = await openSceneFile(at(source), {
         ...(variants && { variants }),

@@ -12,7 +12,7 @@ import { type Simulated, Simulation } from '../nodes/dynamics/simulation.ts';
 import { nodeLibrary } from '../nodes/library.ts';
 import { writtenScene } from '../nodes/writtenScene.ts';
 import { Checkpoint, contentOf, readCheckpoint } from './checkpoint.ts';
-import { openGpu } from './device.ts';
+import { openDevice } from './device.ts';
 import { reportDiagnostics } from './diagnostics.ts';
 import { EXIT, inputProblem, usageError } from './exit.ts';
 import { heavyNodes } from './heavyNodes.ts';
@@ -104,13 +104,11 @@ async function followed(
   progress: Progress,
 ): Promise<Readonly<Record<string, unknown>>> {
   const matter = inputs.matter as readonly Matter[];
-  const settings = settingsOf(params);
-  const simulation = new Simulation(matter, settings, node);
+  const simulation = new Simulation(matter, settingsOf(params), node);
   const kept = checkpointOf(simulation, matter, params, flags);
-  const gpu = settings.onGpu ? await openGpu() : undefined;
   let breath = performance.now();
   try {
-    for await (const frame of simulation.run(gpu)) {
+    for await (const frame of simulation.run(openDevice)) {
       kept?.add(frame);
       progress.frames(simulation.taken, simulation.frames);
       if (performance.now() - breath < BREATH) continue;
@@ -120,7 +118,6 @@ async function followed(
     }
   } finally {
     kept?.close();
-    gpu?.release();
   }
   if (stoppedWith() !== undefined) {
     const how = kept ? `; --resume goes on from ${flags.checkpoint}` : '; nothing is written';

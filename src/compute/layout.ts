@@ -1,5 +1,5 @@
 import type { State, System } from '../dynamics/system.ts';
-import type { Vec3 } from '../math/vec3.ts';
+import { length, normalize, ZERO } from '../math/vec3.ts';
 import type { Links } from './links.ts';
 import type { Stage } from './stages.ts';
 
@@ -37,13 +37,10 @@ export function obstaclesOf({ obstacles }: Links): Float32Array<ArrayBuffer> {
 }
 
 /** `way`: how far each point may go [m]. */
-export function worldOf({ c, magneticField = [0, 0, 0] }: System, { pointAt, long, near }: Links, way: number) {
+export function worldOf({ c, magneticField = ZERO }: System, { pointAt, long, near }: Links, way: number) {
   const world = new ArrayBuffer(4 * WORDS.world);
   const [floats, words] = [new Float32Array(world), new Uint32Array(world)];
-  const strength = Math.hypot(...magneticField);
-  const direction: Vec3 =
-    strength > 0 ? (magneticField.map((value) => value / strength) as unknown as Vec3) : [0, 0, 0];
-  floats.set([...direction, strength, 1 / (c * c)]);
+  floats.set([...normalize(magneticField, ZERO), length(magneticField), 1 / (c * c)]);
   words.set([pointAt.length, pointAt.length - long, Number(near !== undefined)], 5);
   floats.set([near?.strength ?? 0, near?.reach ?? 0, way * way], 8);
   return world;

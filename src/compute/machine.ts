@@ -1,7 +1,8 @@
 import type { PlainNear } from '../dynamics/forces/force.ts';
 import { largestWay } from '../dynamics/forces/near.ts';
 import { StepFailure } from '../dynamics/methods/method.ts';
-import type { State, System } from '../dynamics/system.ts';
+import { piercing } from '../dynamics/mover.ts';
+import { pointAt, type State, type System } from '../dynamics/system.ts';
 import { joined, split, WORDS } from './layout.ts';
 import { type Links, linksOf, nearRows } from './links.ts';
 import { Passes } from './passes.ts';
@@ -67,7 +68,10 @@ export class Machine {
     split(state, links.pointAt, origins, changes);
     const passed = await passes.run(origins, changes, this.sequence(steps));
     if (passed.strayed) return false;
-    if (passed.pierced !== undefined) throw piercing(state, links.pointAt[passed.pierced]);
+    if (passed.pierced !== undefined) {
+      const point = links.pointAt[passed.pierced];
+      throw piercing(point, 'soon after it was at', pointAt(state.x, point));
+    }
     joined(origins, passed.changes, links.pointAt, state);
     state.t += steps * this.h;
     return true;
@@ -86,12 +90,6 @@ export class Machine {
     const row = Array.from({ length: steps }, () => [...inner, between]).flat();
     return [0, ...row.slice(0, -1), between + 1];
   }
-}
-
-function piercing({ x }: State, point: number): StepFailure {
-  const place = [0, 1, 2].map((k) => x[3 * point + k].toPrecision(4)).join(', ');
-  const message = `point ${point} went through what is solid, soon after it was at (${place}) m; take a smaller step, a harder penalty, or let it go slower`;
-  return new StepFailure('pierced', message, point);
 }
 
 /** Tells the GPU which points can touch. */

@@ -89,9 +89,7 @@ export class Passes {
 
   /** Gives the GPU its room back. */
   release(): void {
-    const { world, stages, bodies, origins, links, obstacles, changes, marks, readback } = this.buffers;
-    for (const each of [world, stages, bodies, origins, links, obstacles, ...changes, marks, readback, this.near])
-      each.destroy();
+    for (const each of [...Object.values(this.buffers).flat(), this.near]) each.destroy();
   }
 
   private dispatch(pass: GPUComputePassEncoder, stage: number, way: GPUBindGroup): void {

@@ -1,24 +1,20 @@
 import { describe, expect, it } from 'vitest';
+import { ranThrough } from '../../tests/support/clothKit.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { barrier } from './forces/barrier.ts';
 import { ballContacts } from './forces/contact.ts';
 import { box, plane } from './forces/obstacle.ts';
 import { springs } from './forces/springs.ts';
 import { METHODS } from './methods/library.ts';
-import { type Frame, type Order, run, type Stop } from './run.ts';
+import type { Order } from './run.ts';
 import { makeSystem, restingAt, type System } from './system.ts';
 
 const OURS = ['discrete-gradient', 'implicit-midpoint', 'leapfrog', 'yoshida-4', 'yoshida-6', 'yoshida-8'];
 
 function ranBy(id: string, system: System, x: readonly number[], more: Partial<Order>) {
   const order = { system, start: restingAt(Float64Array.from(x)), method: METHODS.get(id)!, duration: 1, every: 0.05 };
-  const frames: Frame[] = [];
-  const running = run({ ...order, ...more });
-  for (;;) {
-    const { done, value } = running.next();
-    if (done) return { frames, last: frames.at(-1)!, stop: value as Stop | undefined };
-    frames.push(value);
-  }
+  const { frames, stop } = ranThrough({ ...order, ...more });
+  return { frames, stop, last: frames.at(-1)! };
 }
 
 /** Point 0 at rest in the origin; point 1 comes along x. */

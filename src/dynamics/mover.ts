@@ -1,6 +1,7 @@
+import { dot, length, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { type Method, StepFailure, type Stepper } from './methods/method.ts';
 import { leapfrog } from './methods/splitting.ts';
-import type { State, System } from './system.ts';
+import { momentum, pointAt, type State, type System } from './system.ts';
 
 /** Takes a system's state from step to step by a method: with the air, and with an eye on what is solid. */
 export class Mover {
@@ -42,18 +43,12 @@ export class Mover {
   private lead({ t, x, p }: State, end: number): void {
     const { led = [], c, masses } = this.system;
     led.forEach(({ point, place }, i) => {
-      const to = place(end);
-      const v = to.map((value, k) => (value - x[3 * point + k]) / (end - t));
-      const square = v.reduce((sum, value) => sum + value * value, 0) / (c * c);
-      if (!(square < 1)) {
-        const message = `point ${point} is led at ${(c * Math.sqrt(square)).toPrecision(4)} m/s, not below c = ${c} m/s; lead it slower`;
+      const v = scale(sub(place(end), pointAt(x, point)), 1 / (end - t));
+      if (!(dot(v, v) / (c * c) < 1)) {
+        const message = `point ${point} is led at ${length(v).toPrecision(4)} m/s, not below c = ${c} m/s; lead it slower`;
         throw new StepFailure('light', message, point);
       }
-      const mass = masses[point] / Math.sqrt(1 - square);
-      this.ways.set(
-        v.map((value) => mass * value),
-        3 * i,
-      );
+      this.ways.set(momentum(masses[point], v, c), 3 * i);
       p.set(this.ways.subarray(3 * i, 3 * i + 3), 3 * point);
     });
   }
@@ -70,11 +65,16 @@ export class Mover {
     for (const force of this.system.forces) {
       const point = force.pierced?.(this.before, x);
       if (point === undefined) continue;
-      const place = [0, 1, 2].map((k) => x[3 * point + k].toPrecision(4)).join(', ');
-      const message = `point ${point} went through what is solid, to (${place}) m; take a smaller step, a harder penalty, or let it go slower`;
-      throw new StepFailure('pierced', message, point);
+      throw piercing(point, 'to', pointAt(x, point));
     }
   }
+}
+
+/** `where`: how a place tells of it [m]. */
+export function piercing(point: number, where: string, place: Vec3): StepFailure {
+  const at = place.map((value) => value.toPrecision(4)).join(', ');
+  const message = `point ${point} went through what is solid, ${where} (${at}) m; take a smaller step, a harder penalty, or let it go slower`;
+  return new StepFailure('pierced', message, point);
 }
 
 /** All but what is held, which goes as it is led. */

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { uniform as between } from '../../tests/physicsArbitraries.ts';
+import { ranThrough, sheet } from '../../tests/support/clothKit.ts';
 import { random } from '../math/random.ts';
 import { AdaptiveSteps } from './adaptive.ts';
 import { barrier } from './forces/barrier.ts';
@@ -14,24 +15,12 @@ import { uniform } from './forces/uniform.ts';
 import { METHODS } from './methods/library.ts';
 import { Mover } from './mover.ts';
 import { meshSprings } from './nets.ts';
-import { type Frame, type Order, run, type Stop, stepsOf } from './run.ts';
+import { type Frame, type Order, run, stepsOf } from './run.ts';
 import { fastestOscillation } from './stability.ts';
 import { copyOf, makeSystem, momenta, restingAt, type System, SystemError, velocities } from './system.ts';
 
-/** n × n points of a cloth of a metre, in the plane y = 0, by quads. */
-function cloth(n: number) {
-  const x = new Float64Array(3 * n * n);
-  const corners: number[] = [];
-  for (let i = 0; i < n; i++)
-    for (let j = 0; j < n; j++) {
-      x.set([j / (n - 1), 0, i / (n - 1)], 3 * (i * n + j));
-      if (i + 1 < n && j + 1 < n) corners.push(i * n + j, i * n + j + 1, (i + 1) * n + j + 1, (i + 1) * n + j);
-    }
-  return { x, faces: { counts: new Array((n - 1) ** 2).fill(4), corners } };
-}
-
 function hanging(n: number, c: number, drag = 0): Pick<Order, 'system' | 'start'> {
-  const { x, faces } = cloth(n);
+  const { x, faces } = sheet(n);
   const masses = new Float64Array(n * n).fill(1 / (n * n));
   const pinned = new Uint8Array(n * n);
   pinned[0] = pinned[n - 1] = 1;
@@ -42,21 +31,12 @@ function hanging(n: number, c: number, drag = 0): Pick<Order, 'system' | 'start'
   };
 }
 
-function whole(order: Order): { readonly frames: readonly Frame[]; readonly stop: Stop | undefined } {
-  const frames: Frame[] = [];
-  const running = run(order);
-  for (let next = running.next(); ; next = running.next()) {
-    if (next.done) return { frames, stop: next.value };
-    frames.push(next.value);
-  }
-}
-
 const method = (id: string) => METHODS.get(id)!;
 
 describe('springs of a mesh', () => {
   it('are along edges, across faces, and to the next neighbour: each once, as long as at rest', () => {
     const n = 5;
-    const { x, faces } = cloth(n);
+    const { x, faces } = sheet(n);
     const of = (structural: number, shear: number, bending: number) =>
       meshSprings(x, faces, { structural, shear, bending }).lengths;
     const side = 1 / (n - 1);
@@ -136,9 +116,14 @@ describe('what touches', () => {
     (id) => {
       const order = { method: method(id), step: 2e-3, every: 0.07 };
       for (let seed = 1; seed <= 4; seed++) {
-        const { frames } = whole({ ...crowd(seed), ...order, duration: 0.56 });
+        const { frames } = ranThrough({ ...crowd(seed), ...order, duration: 0.56 });
         for (const from of [1, 3, 5]) {
-          const again = whole({ ...crowd(seed), ...order, start: frames[from].state, duration: 0.56 - 0.07 * from });
+          const again = ranThrough({
+            ...crowd(seed),
+            ...order,
+            start: frames[from].state,
+            duration: 0.56 - 0.07 * from,
+          });
           expect(again.frames.map(({ ledger }) => ledger)).toEqual(frames.slice(from).map(({ ledger }) => ledger));
           expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
         }
@@ -236,7 +221,7 @@ describe('the fastest oscillation of what is unlike', () => {
 
 describe('a run', () => {
   it('gives frames at their times, with equal steps between them, and loses no energy', () => {
-    const { frames, stop } = whole({
+    const { frames, stop } = ranThrough({
       ...hanging(6, 10),
       method: method('discrete-gradient'),
       duration: 0.5,
@@ -260,8 +245,8 @@ describe('a run', () => {
     (id, times) => {
       const step = times * stepsOf({ ...hanging(5, 5), method: method(id), every: 0.05, duration: 1 }).h;
       const order = { ...hanging(5, 5), method: method(id), every: 0.05, step };
-      const { frames } = whole({ ...order, duration: 0.4 });
-      const again = whole({ ...order, start: frames[4].state, duration: 0.2 });
+      const { frames } = ranThrough({ ...order, duration: 0.4 });
+      const again = ranThrough({ ...order, start: frames[4].state, duration: 0.2 });
       expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
       expect(again.frames.at(-1)!.state.p).toEqual(frames.at(-1)!.state.p);
     },
@@ -270,14 +255,14 @@ describe('a run', () => {
   it('loses to the air what it should: p falls as exp(−drag t)', () => {
     const system = makeSystem({ masses: Float64Array.of(2), c: 3, drag: 0.7 });
     const start = { t: 0, x: new Float64Array(3), p: Float64Array.of(5, 0, 0) };
-    const { frames } = whole({ system, start, method: method('leapfrog'), duration: 2, every: 1 });
+    const { frames } = ranThrough({ system, start, method: method('leapfrog'), duration: 2, every: 1 });
     expect(frames[2].state.p[0]).toBeCloseTo(5 * Math.exp(-1.4), 12);
   });
 
   it('stops with its last good state where steps are above the stability bound, and names the bound', () => {
     const order = { ...hanging(8, 10), method: method('leapfrog'), duration: 5, every: 0.02, step: 0.01 };
     expect(stepsOf(order).stable).toBe(false);
-    const { frames, stop } = whole(order);
+    const { frames, stop } = ranThrough(order);
     expect(stop?.reason).toBe('unstable');
     expect(stop?.message).toContain('steps of 0.0100 s are longer than leapfrog can take here, ');
     const energies = frames.map(({ ledger }) => ledger);
@@ -291,7 +276,7 @@ describe('a run', () => {
     const start = restingAt(Float64Array.of(0, 0, 0, 1, 0, 0));
     const order = { system, start, method: method('semi-implicit-euler-0'), duration: 1, every: 0.1, step: 0.05 };
     expect(stepsOf(order).stable).toBe(true);
-    const { frames, stop } = whole(order);
+    const { frames, stop } = ranThrough(order);
     expect(stop).toMatchObject({ reason: 'light', t: 0, point: 0 });
     expect(stop?.message).toMatch(/^point \d+ goes at .* m\/s, not below c = 1 m\/s; take a smaller step$/);
     expect(frames).toHaveLength(1);
@@ -327,7 +312,7 @@ describe('what is solid', () => {
   };
 
   it('throws back what is slow, or what it is hard for', () => {
-    const { frames, stop } = whole(thrown(5, 10_000, 1e-3));
+    const { frames, stop } = ranThrough(thrown(5, 10_000, 1e-3));
     expect(stop).toBeUndefined();
     expect(frames.at(-1)!.state.p[3]).toBeLessThan(0);
   });
@@ -336,7 +321,7 @@ describe('what is solid', () => {
     ['in one step', 50, 10_000, 0.05],
     ['in many steps, for it gives way', 5, 10, 1e-3],
   ])('stops the run where something goes through it %s', (_, speed, stiffness, step) => {
-    const { frames, stop } = whole(thrown(speed, stiffness, step));
+    const { frames, stop } = ranThrough(thrown(speed, stiffness, step));
     expect(stop).toMatchObject({ reason: 'pierced', point: 1 });
     expect(stop?.message).toMatch(/^point 1 went through what is solid, to \(.+\) m; take a smaller step/);
     // ½K·0.55² = 1.5 J are less than ½·25: it arrives within half of the reach after 1.7 m at 5 m/s, or somewhat later.
@@ -355,9 +340,9 @@ describe('what is solid', () => {
     const p = momenta(system, [0, 50, 0, 0, 50, 0]);
     const order = { system, method: method('leapfrog'), duration: 1, every: 0.1, step: 0.05 };
     const beside = { t: 0, x: Float64Array.of(0.6, -1.2, 0, 0, -9, 0), p };
-    expect(whole({ ...order, start: beside, duration: 0.1 }).stop).toBeUndefined();
+    expect(ranThrough({ ...order, start: beside, duration: 0.1 }).stop).toBeUndefined();
     const through = { t: 0, x: Float64Array.of(0.6, -1.2, 0, 0, -1.2, 0), p };
-    expect(whole({ ...order, start: through }).stop).toMatchObject({ reason: 'pierced', point: 1, t: 0.05 });
+    expect(ranThrough({ ...order, start: through }).stop).toMatchObject({ reason: 'pierced', point: 1, t: 0.05 });
   });
 });
 
@@ -384,7 +369,7 @@ describe('the energy of a cloth', () => {
       Array.from(start.x, () => shaken * (2 * next() - 1)),
     );
     const order = { system, start: { ...start, p }, method: method(id), step, every: 100 * step };
-    const { frames, stop } = whole({ ...order, duration: steps * step });
+    const { frames, stop } = ranThrough({ ...order, duration: steps * step });
     expect(stop).toBeUndefined();
     const kinetic = Math.max(...frames.map(({ ledger }) => ledger.kinetic));
     return frames.map(({ ledger }) => (ledger.total - frames[0].ledger.total) / kinetic);
@@ -426,11 +411,11 @@ describe('steps that adapt', () => {
 
   it('turn a fly-by as Rutherford says, where as many equal steps fail', () => {
     const order = { ...flyBy(Number.POSITIVE_INFINITY, 1, 0.05), method: method('yoshida-4'), duration: 8, every: 8 };
-    const { frames, stop } = whole({ ...order, tolerance: 1e-5 });
+    const { frames, stop } = ranThrough({ ...order, tolerance: 1e-5 });
     expect(stop).toBeUndefined();
     const end = hyperbola(order.start.x, order.start.p, frames[1].state);
     expect(end.off).toBeLessThan(1e-3);
-    const equal = whole({ ...order, step: 8 / frames[1].steps });
+    const equal = ranThrough({ ...order, step: 8 / frames[1].steps });
     const blind = hyperbola(order.start.x, order.start.p, equal.frames[1].state);
     expect(blind.off).toBeGreaterThan(30 * end.off);
     expect(Math.abs(turned(frames[1]))).toBeGreaterThan(1);
@@ -468,16 +453,16 @@ describe('steps that adapt', () => {
     const order = { ...hanging(6, 10), method: method('leapfrog'), duration: 0.3, every: 0.05, tolerance: 10 };
     const omega = fastestOscillation(order.system);
     expect(stepsOf(order).h * omega).toBeLessThan(2);
-    const { frames, stop } = whole(order);
+    const { frames, stop } = ranThrough(order);
     expect(stop).toBeUndefined();
     const steps = frames.map(({ steps: each }) => each);
     for (let k = 1; k < frames.length; k++) expect(steps[k] - steps[k - 1]).toBeGreaterThanOrEqual((0.05 * omega) / 2);
-    const again = whole({ ...order, start: frames[3].state, duration: 0.15 });
+    const again = ranThrough({ ...order, start: frames[3].state, duration: 0.15 });
     expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
   });
 
   it('say where no step is short enough', () => {
-    const { stop } = whole({
+    const { stop } = ranThrough({
       ...flyBy(1, 0.3, 0.3),
       method: method('leapfrog'),
       duration: 1,

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../math/vec3.ts';
+import { dot, scale, type Vec3 } from '../math/vec3.ts';
 import type { Force } from './forces/force.ts';
 
 /** Points with masses, what acts between and upon them, and the speed that none of them reaches. World frame, SI units. */
@@ -37,6 +37,9 @@ export interface State {
   /** p = γ m v [kg m/s] */
   readonly p: Float64Array;
 }
+
+/** Of x, y, z of one point after the other. */
+export const pointAt = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
 
 export const copyOf = ({ t, x, p }: State): State => ({ t, x: x.slice(), p: p.slice() });
 
@@ -80,6 +83,9 @@ export function makeSystem({
 
 /** A state at rest. */
 export const restingAt = (x: Float64Array, t = 0): State => ({ t, x, p: new Float64Array(x.length) });
+
+/** p = γ m v of a mass; v [m/s] below c. */
+export const momentum = (mass: number, v: Vec3, c: number): Vec3 => scale(v, mass / Math.sqrt(1 - dot(v, v) / (c * c)));
 
 /** p = γ m v of all points; v [m/s] below c. Those that are pinned rest. */
 export function momenta({ c, masses, pinned }: System, v: ArrayLike<number>): Float64Array {

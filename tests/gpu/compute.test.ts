@@ -10,11 +10,12 @@ import { type Springs, springs } from '../../src/dynamics/forces/springs.ts';
 import { uniform } from '../../src/dynamics/forces/uniform.ts';
 import { METHODS } from '../../src/dynamics/methods/library.ts';
 import { meshSprings } from '../../src/dynamics/nets.ts';
-import { type Frame, type Order, run, type Stop } from '../../src/dynamics/run.ts';
+import type { Frame, Order } from '../../src/dynamics/run.ts';
 import { makeSystem, momenta, type System, SystemError } from '../../src/dynamics/system.ts';
 import { fromAxisAngle } from '../../src/math/quat.ts';
 import { random } from '../../src/math/random.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
+import { type Ran, ranThrough, sheet } from '../support/clothKit.ts';
 
 let gpu: HeadlessDevice;
 beforeAll(async () => {
@@ -25,12 +26,7 @@ afterAll(() => {
   gpu.release();
 });
 
-interface Course {
-  readonly frames: readonly Frame[];
-  readonly stop: Stop | undefined;
-}
-
-async function onGpu(order: Order): Promise<Course> {
+async function onGpu(order: Order): Promise<Ran> {
   const frames: Frame[] = [];
   const running = runOnGpu(gpu.device, order);
   for (;;) {
@@ -40,35 +36,16 @@ async function onGpu(order: Order): Promise<Course> {
   }
 }
 
-/** In 64 bits. */
-function here(order: Order): Course {
-  const frames: Frame[] = [];
-  const running = run(order);
-  for (;;) {
-    const { done, value } = running.next();
-    if (done) return { frames, stop: value };
-    frames.push(value);
-  }
-}
-
-/** A level square of `side` × `side` points, a metre wide, and its springs. `at`: of its first corner. */
-function sheet(side: number, at: Vec3, k: number): { readonly x: number[]; readonly net: Springs } {
-  const x: number[] = [];
-  const corners: number[] = [];
-  for (let i = 0; i < side; i++)
-    for (let j = 0; j < side; j++) {
-      const a = i * side + j;
-      x.push(at[0] + j / (side - 1), at[1], at[2] + i / (side - 1));
-      if (i + 1 < side && j + 1 < side) corners.push(a, a + 1, a + side + 1, a + side);
-    }
-  const faces = { counts: new Uint8Array((side - 1) ** 2).fill(4), corners };
-  return { x, net: meshSprings(Float64Array.from(x), faces, { structural: k, shear: k, bending: k }) };
+/** With springs between them. `at`: of its first corner. */
+function cloth(side: number, at: Vec3, k: number): { readonly x: Float64Array; readonly net: Springs } {
+  const { x, faces } = sheet(side, at);
+  return { x, net: meshSprings(x, faces, { structural: k, shear: k, bending: k }) };
 }
 
 const GRAVITY: Vec3 = [0, -9.8, 0];
 /** Between frames [s], and how many there are. */
 const [EVERY, FRAMES] = [0.02, 6];
-const order = (system: System, x: readonly number[], v: readonly number[], method: string, step: number): Order => ({
+const order = (system: System, x: ArrayLike<number>, v: ArrayLike<number>, method: string, step: number): Order => ({
   system,
   start: { t: 0, x: Float64Array.from(x), p: momenta(system, v) },
   method: METHODS.get(method)!,
@@ -76,11 +53,11 @@ const order = (system: System, x: readonly number[], v: readonly number[], metho
   every: EVERY,
   step,
 });
-const still = (x: readonly number[]): number[] => x.map(() => 0);
+const still = (x: ArrayLike<number>): number[] => new Array(x.length).fill(0);
 
 /** Ten by ten points of 10 g that hang at two corners. */
 function hanging(method: string, step = 2e-4): Order {
-  const { x, net } = sheet(10, [0, 0, 0], 1000);
+  const { x, net } = cloth(10, [0, 0, 0], 1000);
   const masses = new Float64Array(100).fill(0.01);
   const pinned = new Uint8Array(100);
   pinned[0] = pinned[9] = 1;
@@ -90,7 +67,7 @@ function hanging(method: string, step = 2e-4): Order {
 
 /** A cloth, a ball that is thrown onto it and one that is held below it; the balls' rows are long. */
 function ballsAndCloth(): Order {
-  const { x, net } = sheet(10, [0, 0, 0], 500);
+  const { x, net } = cloth(10, [0, 0, 0], 500);
   const masses = Float64Array.of(...new Array(100).fill(0.01), 1, 1);
   const pinned = new Uint8Array(102);
   pinned[101] = 1;
@@ -107,7 +84,7 @@ function ballsAndCloth(): Order {
 
 /** A cloth that falls into air between a turned box and a slanted plane. */
 function clothOnObstacles(): Order {
-  const { x, net } = sheet(10, [0, 0.03, 0], 500);
+  const { x, net } = cloth(10, [0, 0.03, 0], 500);
   const masses = new Float64Array(100).fill(0.01);
   const points = Array.from({ length: 100 }, (_, i) => i);
   const block = box([0.3, -0.2, 0.5], [0.5, 0.3, 0.6], fromAxisAngle([1, 2, -1], 0.7));
@@ -123,7 +100,7 @@ function clothOnObstacles(): Order {
 
 /** Two sheets that fly through each other's reach; `speed`: of each. */
 function sheetsThatTouch(speed: number): Order {
-  const [a, b] = [sheet(8, [0, 0, 0], 200), sheet(8, [0.05, 0.1, 0.03], 200)];
+  const [a, b] = [cloth(8, [0, 0, 0], 200), cloth(8, [0.05, 0.1, 0.03], 200)];
   const ends = [...a.net.ends, ...a.net.ends.map((end) => end + 64)];
   const both = (values: Float64Array): Float64Array => Float64Array.of(...values, ...values);
   const net = { ends: Uint32Array.from(ends), stiffness: both(a.net.stiffness), lengths: both(a.net.lengths) };
@@ -163,7 +140,7 @@ const CASES: readonly (readonly [string, () => Order])[] = [
 
 describe.each(CASES)('%s', (_, of) => {
   it('moves as in 64 bits, and its energy is off by no more than four millionths of the kinetic energy', async () => {
-    const [found, truth] = [await onGpu(of()), here(of())];
+    const [found, truth] = [await onGpu(of()), ranThrough(of())];
     expect(found.stop).toBeUndefined();
     expect(found.frames).toHaveLength(FRAMES + 1);
     const scale = Math.max(...truth.frames.map(({ ledger }) => ledger.kinetic));
@@ -223,7 +200,7 @@ describe('a run that goes wrong', () => {
   ])('ends where a point goes through %s, with the last good frame', async (_, of) => {
     const { frames, stop } = await onGpu(of());
     expect(stop).toMatchObject({ reason: 'pierced', point: 0 });
-    expect(here(of()).stop).toMatchObject({ reason: 'pierced' });
+    expect(ranThrough(of()).stop).toMatchObject({ reason: 'pierced' });
     expect(frames.length).toBeGreaterThan(0);
     expect(frames.length).toBeLessThan(FRAMES);
   });

@@ -1,4 +1,5 @@
 import { addScaled, dot, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { pointAt } from '../system.ts';
 import { addBlock, type Force, type PlainBarrier, type Stiffness } from './force.ts';
 import type { Obstacle } from './obstacle.ts';
 
@@ -129,8 +130,6 @@ function wayBetween(x0: Float64Array, x1: Float64Array, i: number, gone0: Vec3, 
   const dz = x1[3 * i + 2] - x0[3 * i + 2] - (gone1[2] - gone0[2]);
   return Math.sqrt(dx * dx + dy * dy + dz * dz);
 }
-
-const pointAt = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
 
 function push(sum: Float64Array, i: number, way: Vec3, f: number): void {
   for (let k = 0; k < 3; k++) sum[3 * i + k] += f * way[k];

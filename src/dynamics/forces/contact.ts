@@ -35,8 +35,6 @@ export class Penalty implements PairLaw {
   }
 
   rigidity = (): number => this.K;
-
-  solid = (pair: number): number => this.length(pair);
 }
 
 /** A rigid ball: a point of the system, which may be pinned, with a radius. */

@@ -18,8 +18,6 @@ export interface PairLaw {
   quotient(r0: number, r1: number, pair: number): number;
   /** The most that φ″ and φ′/r are above 0 [N/m]. */
   rigidity(pair: number): number;
-  /** Where one end is solid: what comes nearer than this touches it [m]. */
-  solid?(pair: number): number;
 }
 
 /**
@@ -101,11 +99,11 @@ export class Pairs implements Force {
   /** The second end of a pair whose ends came nearer than half of where they touch, or passed each other within touch: from before to behind the middle. */
   pierced(x0: Float64Array, x1: Float64Array): number | undefined {
     const { ends, law } = this;
-    if (!law.solid) return undefined;
+    if (law.kind !== 'penalty') return undefined;
     for (let s = 0; 2 * s < ends.length; s++) {
       const i = 3 * ends[2 * s];
       const j = 3 * ends[2 * s + 1];
-      const touch = law.solid(s);
+      const touch = law.length(s);
       const passed = product(x0, x1, i, j) < 0 && nearest(x0, x1, i, j) < touch;
       if (passed || product(x1, x1, i, j) < (touch * touch) / 4) return ends[2 * s + 1];
     }

@@ -105,22 +105,16 @@ export const simulateNode = defineNode({
   outputs: { geometry: { type: 'geometry' }, books: { type: 'books' } },
   async evaluate({ matter }, params, { node, services, progress, interim, resume, signal }) {
     // Pages evaluate it in a worker: what computes is loaded there.
-    const { openedGpu, Simulation } = await import('./simulation.ts');
-    const settings = settingsOf(params);
-    const simulation = new Simulation(matter, settings, node, resume?.reel as Reel | undefined);
-    const gpu = settings.onGpu ? await openedGpu(services, node) : undefined;
+    const { Simulation } = await import('./simulation.ts');
+    const simulation = new Simulation(matter, settingsOf(params), node, resume?.reel as Reel | undefined);
     let breath = performance.now();
-    try {
-      for await (const _ of simulation.run(gpu)) {
-        progress(simulation.taken / simulation.frames, 'simulate');
-        interim?.(() => ({ ...simulation.outputs() }));
-        if (!signal || performance.now() - breath < BREATH) continue;
-        await new Promise((resolve) => setTimeout(resolve));
-        if (signal.aborted) throw new CancelledError();
-        breath = performance.now();
-      }
-    } finally {
-      gpu?.release();
+    for await (const _ of simulation.run(services.openGpu)) {
+      progress(simulation.taken / simulation.frames, 'simulate');
+      interim?.(() => ({ ...simulation.outputs() }));
+      if (!signal || performance.now() - breath < BREATH) continue;
+      await new Promise((resolve) => setTimeout(resolve));
+      if (signal.aborted) throw new CancelledError();
+      breath = performance.now();
     }
     const { geometry, books }: Simulated = simulation.outputs();
     return { geometry, books };

@@ -81,18 +81,30 @@ export class Simulation {
     return this.film.length;
   }
 
-  /** Takes further frames, one each time it is asked. `gpu`: takes the steps, where there is one. Throws a NodeRefusal where it cannot. */
-  async *run(gpu?: ComputeGpu): AsyncGenerator<Frame, void> {
-    this.onSoftware = gpu?.software ?? false;
+  /** Takes further frames, one each time it is asked; `openGpu`: what takes the steps, where a GPU is to. Throws a NodeRefusal where it cannot. */
+  async *run(openGpu: Services['openGpu']): AsyncGenerator<Frame, void> {
+    if (this.taken === this.frames) return;
+    let gpu: ComputeGpu | undefined;
+    try {
+      if (this.settings.onGpu) gpu = await openGpu();
+      this.onSoftware = gpu?.software ?? false;
+      yield* this.follow(gpu?.device);
+    } catch (error) {
+      throw error instanceof SystemError ? gpuRefusal(this.node, error) : error;
+    } finally {
+      gpu?.release();
+    }
+  }
+
+  private async *follow(device: GPUDevice | undefined): AsyncGenerator<Frame, void> {
     const { order, film } = this;
     const { length } = film;
-    if (length === this.frames) return;
     const { state: start, steps } = film.latest;
     const known = Math.max(1, length) - 1;
     const since = { t: order.start.t, frames: known };
     const left = (this.frames - 1 - known) * order.every;
     const rest: Order = { ...order, since, duration: left, start: { ...start, t: since.t + known * order.every } };
-    const running = gpu ? runOnGpu(gpu.device, rest) : run(rest);
+    const running = device ? runOnGpu(device, rest) : run(rest);
     try {
       // The first frame is the one that it goes on from.
       if (length > 0) await running.next();
@@ -106,8 +118,6 @@ export class Simulation {
         film.take(frame);
         yield frame;
       }
-    } catch (error) {
-      throw error instanceof SystemError ? gpuRefusal(this.node, error) : error;
     } finally {
       await running.return(undefined);
     }
@@ -172,15 +182,6 @@ function named(stop: Stop, casts: readonly Cast[]): Stop {
     if (name) return { ...stop, message: stop.message.replace(`point ${point}`, name) };
   }
   return stop;
-}
-
-/** A GPU, or a refusal where there is none. */
-export async function openedGpu({ openGpu }: Pick<Services, 'openGpu'>, node: string): Promise<ComputeGpu> {
-  try {
-    return await openGpu();
-  } catch (error) {
-    throw error instanceof SystemError ? gpuRefusal(node, error) : error;
-  }
 }
 
 /** What a GPU cannot do is refused with the way round it. */

@@ -1,7 +1,7 @@
 import type { Springs } from '../../dynamics/forces/springs.ts';
 import { meshSprings } from '../../dynamics/nets.ts';
-import { type Led, makeSystem, momenta, type State, type System } from '../../dynamics/system.ts';
-import { add, cross, dot, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { type Led, makeSystem, momenta, momentum, type State, type System } from '../../dynamics/system.ts';
+import { add, cross, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { positionAt, velocityAt, type WorldLine } from '../../physics/worldLine.ts';
 import { boundingBox } from '../../scene/bounds.ts';
 import { flatFaces } from '../../scene/compose/flatFaces.ts';
@@ -39,6 +39,7 @@ export interface Stage {
 
 /** Vertices are one point where they are as near as this share of their thing's size. */
 const WELD = 1e-6;
+
 /** The system that parts make together. Throws a NodeRefusal that names the part, or a SystemError. */
 export function stageOf(parts: readonly Matter[], c: number, touch: Touch): Stage {
   const builder = new Builder(c);
@@ -75,7 +76,7 @@ class Builder implements Collected {
     const up = part.scene.upAxis === 'Y' ? 1 : 2;
     let held = 0;
     const actors = part.scene.objects.map((object): Actor => {
-      const { points, pointOfVertex, net, lineOf } = netOf(object, part, this.c);
+      const { points, velocities, pointOfVertex, net, lineOf } = netOf(object, part, this.c);
       const count = points.length / 3;
       const filled = part.stiffness.filling > 0;
       const middle = centerOf(points);
@@ -86,8 +87,7 @@ class Builder implements Collected {
       const body = this.bodyCount++;
       for (let i = 0; i < count; i++) {
         const at = pointAt(points, i);
-        const own = velocityAt(lineOf(i), BEGIN, this.c);
-        const v = add(add(own, part.velocity), cross(part.spin, sub(at, middle)));
+        const v = add(add(pointAt(velocities, i), part.velocity), cross(part.spin, sub(at, middle)));
         const point = this.point(at, v, part, share, pins.has(i), body);
         if (pins.has(i) && isMoving(object)) this.leadAlong(point, lineOf(i));
       }
@@ -211,9 +211,6 @@ class Builder implements Collected {
   }
 }
 
-/** γ m v */
-const momentum = (m: number, v: Vec3, c: number): Vec3 => scale(v, m / Math.sqrt(1 - dot(v, v) / (c * c)));
-
 /** A thing that goes as it goes is as large in the world as it is. */
 const going = (object: SceneObject, point: number | undefined): Actor => ({
   kind: 'fixed',
@@ -224,19 +221,24 @@ const going = (object: SceneObject, point: number | undefined): Actor => ({
 /** What is held and has no thing of its own. */
 const HELD = { node: '', mass: 1, velocity: ZERO, charge: 0 };
 
-/** The points of a thing in the world, and the springs between them. */
+/** The points of a thing in the world as it begins, and the springs between them. */
 function netOf(object: SceneObject, { stiffness, tension }: NetMatter, c: number) {
   const { positions, indices } = object.mesh;
   const { min, max } = boundsOf(object);
   const { pointOfVertex, vertexOfPoint } = weld(positions, WELD * length(sub(max, min)));
   const lineOf = (point: number): WorldLine => vertexWorldLine(object, vertexOfPoint[point], c);
   const points = new Float64Array(3 * vertexOfPoint.length);
-  vertexOfPoint.forEach((_, i) => void points.set(positionAt(lineOf(i), BEGIN, c), 3 * i));
+  const velocities = new Float64Array(points.length);
+  vertexOfPoint.forEach((_, i) => {
+    const line = lineOf(i);
+    points.set(positionAt(line, BEGIN, c), 3 * i);
+    velocities.set(velocityAt(line, BEGIN, c), 3 * i);
+  });
   const faces = flatFaces(
     points,
     indices.map((vertex) => pointOfVertex[vertex]),
   );
-  return { points, pointOfVertex, lineOf, net: meshSprings(points, faces, stiffness, tension) };
+  return { points, velocities, pointOfVertex, lineOf, net: meshSprings(points, faces, stiffness, tension) };
 }
 
 const centerOf = (points: Float64Array): Vec3 => {
