@@ -159,7 +159,7 @@ describe('bringing a scene', () => {
     const visit = await (await program.open(SMALL)).ready();
     await openCar(visit);
     await expect.poll(() => visit.triangles()).toBe(4);
-    const grey = await visit.pixels();
+    const grey = await (await visit.finest()).pixels();
     expect(pinkShare(grey)).toBe(0);
     await choose(visit.page, 'paint', 'pink');
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.02);

@@ -18,7 +18,7 @@ async function withKeys(held: Guarded, keys: readonly string[], until: () => Pro
 describe('flight', () => {
   it('W accelerates smoothly, Shift goes further, and letting go brakes to rest', async () => {
     const visit = await (await program.open(STREET)).ready();
-    const before = await visit.pixels();
+    const before = await (await visit.finest()).pixels();
     await visit.viewport.click();
     await withKeys(visit, ['w'], async () => {
       await expect.poll(() => visit.speed()).toBeGreaterThan(0.05);
@@ -48,7 +48,7 @@ describe('flight', () => {
 
   it('look: a velocity that bends the picture without moving; R goes back to the start', async () => {
     const visit = await (await program.open(STREET)).ready();
-    const before = await visit.pixels();
+    const before = await (await visit.finest()).pixels();
     await visit.viewport.click();
     await visit.page.keyboard.press('Tab');
     await visit.page.keyboard.press('c');
@@ -74,7 +74,7 @@ describe('flight', () => {
 
   it('dragging turns the head', async () => {
     const visit = await (await program.open(STREET)).ready();
-    const before = await visit.pixels();
+    const before = await (await visit.finest()).pixels();
     await visit.viewport.hover({ position: { x: 300, y: 150 } });
     await visit.page.mouse.down();
     await visit.page.mouse.move(500, 200, { steps: 4 });

@@ -38,7 +38,7 @@ async function undo({ page }: Guarded): Promise<void> {
 async function grey(visit: Guarded): Promise<Uint8Array> {
   await visit.ready();
   await expect.poll(async () => pinkShare(await visit.pixels())).toBeLessThan(0.005);
-  return visit.pixels();
+  return (await visit.finest()).pixels();
 }
 
 /** What is lit, through an effect that somebody wrote, beside an ordinary picture of the same. */
@@ -105,7 +105,7 @@ it.each([
     const first = await grey(page);
     await write(page, effect('1 - p.color.ggg'));
     await expect.poll(async () => difference(await page.pixels(), first)).toBeGreaterThan(5);
-    const before = await page.pixels();
+    const before = await (await page.finest()).pixels();
     if (backend === 'webgpu') await program.crashGraphics();
     else
       await page.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {

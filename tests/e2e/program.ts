@@ -116,8 +116,9 @@ export class Guarded {
     return this;
   }
 
-  /** The picture rests, and has all its samples. */
+  /** The picture rests: what was asked for last is drawn, with all its samples and in its own light. */
   async finest(): Promise<this> {
+    await this.page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
     await this.page.locator('canvas[data-finest]').waitFor({ timeout: 60_000 });
     return this;
   }

@@ -76,7 +76,7 @@ describe('a project', () => {
     await page.page.keyboard.press('ArrowLeft', { delay: 120 });
     await page.page.keyboard.press('Escape');
     await page.page.mouse.move(0, 0);
-    const before = await page.pixels();
+    const before = await (await page.finest()).pixels();
     // At once: what was just done is kept as the page goes.
     await expose(page, '2');
     await expose(page, '1.5');
@@ -147,7 +147,7 @@ describe('a link', () => {
     await expose(page, '-1');
     await page.page.mouse.move(0, 0);
     await pink(page);
-    const shown = await page.pixels();
+    const shown = await (await page.finest()).pixels();
     await choose(page, /^Share/);
     const link = await page.page.getByRole('textbox', { name: 'Link' }).inputValue();
     await page.page.waitForTimeout(300);

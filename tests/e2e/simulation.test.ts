@@ -34,7 +34,7 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   const options = { viewport: { width: 1100, height: 760 } };
   const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usda', options)).ready();
   const { page } = visit;
-  const before = await visit.pixels();
+  const before = await (await visit.finest()).pixels();
   await drop(visit, [{ name: 'cloth.slowlight.json', content: Buffer.from(endless) }]);
   await page.getByRole('tab', { name: 'Energy' }).click();
   await expect.poll(() => computed(visit)).toBeGreaterThan(0.1);

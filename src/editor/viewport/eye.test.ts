@@ -54,6 +54,42 @@ describe('the eye', () => {
     }
   });
 
+  it('after a blink takes nothing from what was measured of before', async () => {
+    const eye = new Eye(false);
+    let measured = (_: Gauge): void => {};
+    eye.see(drawn(1, { gauge: () => new Promise((done) => (measured = done)) }));
+    const late = eye.advance(0, 0);
+    eye.see(drawn(2));
+    eye.blink();
+    measured(light(1));
+    await late;
+    expect(eye.advance(0, 100)).toBeUndefined();
+    expect(eye.exposure(picture)).toBe(0);
+    eye.see(drawn(4));
+    await eye.advance(0, 200);
+    expect(eye.exposure(picture)).toBeCloseTo(wanted(4), 12);
+  });
+
+  it('rests when all that was drawn is measured, and it is where that leads', async () => {
+    const eye = new Eye(false);
+    expect(eye.rests).toBe(true);
+    eye.see(drawn(1));
+    expect(eye.rests).toBe(false);
+    const first = eye.advance(0, 0);
+    expect(eye.rests).toBe(false);
+    await first;
+    expect(eye.rests).toBe(true);
+    eye.see(drawn(16));
+    await eye.advance(0.02, 100);
+    void eye.advance(0.02, 101);
+    expect(eye.rests).toBe(false);
+    for (let i = 0; i < 200; i++) void eye.advance(0.02, 102);
+    expect(eye.rests).toBe(true);
+    eye.see(drawn(2, { gauge: () => Promise.reject(new Error('lost')) }));
+    await eye.advance(0, 200)?.catch(() => {});
+    expect(eye.rests).toBe(true);
+  });
+
   it('measures one picture at a time and none twice; another exposure is no other picture', async () => {
     const eye = new Eye(true);
     let count = 0;

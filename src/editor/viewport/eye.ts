@@ -37,6 +37,8 @@ export class Eye {
   #drawn: Drawn | undefined;
   #known = '';
   #busy = false;
+  /** How often it opened. */
+  #life = 0;
   #since = Number.NEGATIVE_INFINITY;
 
   constructor(atOnce: boolean) {
@@ -57,9 +59,16 @@ export class Eye {
     return scale;
   }
 
-  /** Opens anew: the first measurement is taken as it is. */
+  /** Whether all that was drawn is measured, and the eye is where that leads it. */
+  get rests(): boolean {
+    return !this.#drawn && !this.#busy && (this.#value === undefined || this.#value === this.#target);
+  }
+
+  /** Opens anew: the first measurement from now on is taken as it is, and one of before, should it still come, is none. */
   blink(): void {
+    this.#life++;
     this.#value = undefined;
+    this.#drawn = undefined;
     this.#known = '';
   }
 
@@ -88,10 +97,13 @@ export class Eye {
 
   async #measure(drawn: Drawn): Promise<void> {
     const { picture, viewPoint, settings, aspect, gauge } = drawn;
+    const life = this.#life;
     this.#busy = true;
     this.#drawn = undefined;
     try {
-      this.#gauge = await gauge();
+      const measured = await gauge();
+      if (life !== this.#life) return;
+      this.#gauge = measured;
       this.#target = exposureFor(picture.metering, this.#gauge, viewPoint, settings, aspect);
       this.#value ??= this.#target;
     } finally {

@@ -199,11 +199,11 @@ export class Stage {
     report(this.#pilot.observer, this.#shown ? drawn : { ...drawn, triangles: 0 }, now);
   }
 
-  /** A sample more of what rests, unless something else is on its way; the canvas tells when it has them all. */
+  /** A sample more of what rests, unless something else is on its way; the canvas tells when it has them all, in their own light. */
   #refine(): void {
     if (!this.#shown || this.#uploading || this.#prepares || this.#waits) return;
     const goesOn = this.#finest !== undefined && this.#renderer.refine(this.#finest);
-    this.#canvas.toggleAttribute('data-finest', !goesOn);
+    this.#canvas.toggleAttribute('data-finest', !goesOn && this.#eye.rests);
   }
 
   /** For the legend, what is pointed at. */
