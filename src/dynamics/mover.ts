@@ -1,7 +1,7 @@
 import { dot, length, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { type Method, StepFailure, type Stepper } from './methods/method.ts';
 import { leapfrog } from './methods/splitting.ts';
-import { momentum, pointAt, type State, type System } from './system.ts';
+import { momentum, pointAt, pointName, type State, type System } from './system.ts';
 
 /** Takes a system's state from step to step by a method: with the air, and with an eye on what is solid. */
 export class Mover {
@@ -45,7 +45,7 @@ export class Mover {
     led.forEach(({ point, place }, i) => {
       const v = scale(sub(place(end), pointAt(x, point)), 1 / (end - t));
       if (!(dot(v, v) / (c * c) < 1)) {
-        const message = `point ${point} is led at ${length(v).toPrecision(4)} m/s, not below c = ${c} m/s; lead it slower`;
+        const message = `${pointName(point)} is led at ${length(v).toPrecision(4)} m/s, not below c = ${c} m/s; lead it slower`;
         throw new StepFailure('light', message, point);
       }
       this.ways.set(momentum(masses[point], v, c), 3 * i);
@@ -73,7 +73,7 @@ export class Mover {
 /** `where`: how a place tells of it [m]. */
 export function piercing(point: number, where: string, place: Vec3): StepFailure {
   const at = place.map((value) => value.toPrecision(4)).join(', ');
-  const message = `point ${point} went through what is solid, ${where} (${at}) m; take a smaller step, a harder penalty, or let it go slower`;
+  const message = `${pointName(point)} went through what is solid, ${where} (${at}) m; take a smaller step, a harder penalty, or let it go slower`;
   return new StepFailure('pierced', message, point);
 }
 
@@ -89,5 +89,5 @@ export function refuseInfinite({ x, p }: State): void {
   const odd = x.findIndex((value, j) => !Number.isFinite(value) || !Number.isFinite(p[j]));
   if (odd < 0) return;
   const point = Math.floor(odd / 3);
-  throw new StepFailure('infinite', `point ${point} has no place any more; take a smaller step`, point);
+  throw new StepFailure('infinite', `${pointName(point)} has no place any more; take a smaller step`, point);
 }

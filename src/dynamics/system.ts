@@ -38,6 +38,9 @@ export interface State {
   readonly p: Float64Array;
 }
 
+/** What messages call a point; who knows what it is of says that instead. */
+export const pointName = (i: number): string => `point ${i}`;
+
 /** Of x, y, z of one point after the other. */
 export const pointAt = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
 
@@ -77,7 +80,7 @@ export function makeSystem({
   if (masses.length > MOST_POINTS)
     throw new SystemError(`there are ${masses.length} points, more than ${MOST_POINTS}; take a coarser mesh`);
   const odd = masses.findIndex((mass) => !(mass > 0 && Number.isFinite(mass)));
-  if (odd >= 0) throw new SystemError(`point ${odd} has the mass ${masses[odd]} kg; make it above 0`);
+  if (odd >= 0) throw new SystemError(`${pointName(odd)} has the mass ${masses[odd]} kg; make it above 0`);
   return { masses, pinned, forces, c, drag, ...rest };
 }
 
@@ -95,7 +98,7 @@ export function momenta({ c, masses, pinned }: System, v: ArrayLike<number>): Fl
     const rest = 1 - (vx * vx + vy * vy + vz * vz) / (c * c);
     if (!(rest > 0))
       throw new SystemError(
-        `point ${i} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`,
+        `${pointName(i)} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`,
         i,
       );
     const mass = pinned[i] ? 0 : masses[i] / Math.sqrt(rest);

@@ -24,21 +24,19 @@ export function checked<T>(schema: z.ZodMiniType<T>, data: unknown, otherwise: s
   const result = schema.safeParse(data);
   if (result.success) return result.data;
   const issue = result.error.issues[0];
-  const place = issue?.path.join('.').slice(0, LONGEST_PLACE);
-  throw new DocumentError(
-    `${place || 'the file'}: ${issue?.message ?? otherwise}${issue ? told(data, issue.path) : ''}`,
-  );
+  const place = issue?.path.join('.').slice(0, LONGEST_PLACE) || 'the file';
+  throw new DocumentError(`${place}: ${issue ? told(issue.message, data, issue.path) : otherwise}`);
 }
 
-/** What stands at a place, where it is short to tell. */
-function told(data: unknown, path: readonly PropertyKey[]): string {
+/** What is wrong, and what stands there, where it is short to tell. */
+function told(message: string, data: unknown, path: readonly PropertyKey[]): string {
   const value = path.reduce<unknown>(
     (within, key) => (within as Record<PropertyKey, unknown> | undefined)?.[key],
     data,
   );
   return ['string', 'number', 'boolean'].includes(typeof value)
-    ? `; it is ${JSON.stringify(value).slice(0, LONGEST_VALUE)}`
-    : '';
+    ? `${message}; it is ${JSON.stringify(value).slice(0, LONGEST_VALUE)}`
+    : message;
 }
 
 export function parseJson(text: string): unknown {

@@ -223,8 +223,10 @@ function validateBends(motion: SampledPointsMotion, path: string, c: number): Di
 
 /** The house's model of a message: what, how much, when, and the least c that would do. */
 function tooFast(place: string, speed: number, from: number, to: number, c: number): Diagnostic {
-  const when = Number.isFinite(from) ? ` between t = ${seconds(from)} and ${seconds(to)}` : ' at all times';
-  const message = `${inUnitsOfC(speed / c)} c${when}; raise c above ${roundedUp(speed)} m/s or slow it down`;
+  const [fast, least] = [inUnitsOfC(speed / c), roundedUp(speed)];
+  const message = Number.isFinite(from)
+    ? `${fast} c between t = ${seconds(from)} and ${seconds(to)}; raise c above ${least} m/s or slow it down`
+    : `${fast} c at all times; raise c above ${least} m/s or slow it down`;
   return problem('error', 'motion.superluminal', place, message);
 }
 
@@ -253,8 +255,8 @@ function validateHorizon({ path, mesh, authoredIn }: SceneObject, motion: Hyperb
     depth = Math.max(depth, -dot(a, rotate(motion.pose.orientation, pointAt(mesh.positions, i))));
   }
   if (depth < c * c) return [];
-  const behind = `a point ${(depth / length(a)).toPrecision(3)} m behind its origin would have to outrun light`;
-  const message = `${behind} (horizon at ${((c * c) / length(a)).toPrecision(3)} m); raise c above ${roundedUp(Math.sqrt(depth))} m/s or accelerate less`;
+  const [behind, horizon] = [depth, c * c].map((of) => (of / length(a)).toPrecision(3));
+  const message = `a point ${behind} m behind its origin would have to outrun light (horizon at ${horizon} m); raise c above ${roundedUp(Math.sqrt(depth))} m/s or accelerate less`;
   return [problem('error', 'motion.horizon', `motion of ${path}`, message)];
 }
 

@@ -4,7 +4,7 @@ import { type Books, figuresOf } from '../../dynamics/books.ts';
 import { ledger } from '../../dynamics/energy.ts';
 import { METHODS } from '../../dynamics/methods/library.ts';
 import { type Frame, type Order, run, type Stop, stepsOf } from '../../dynamics/run.ts';
-import { type State, SystemError } from '../../dynamics/system.ts';
+import { pointName, type State, SystemError } from '../../dynamics/system.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
 import { surveyed } from '../geometry/surveyed.ts';
@@ -179,7 +179,7 @@ function named(stop: Stop, casts: readonly Cast[]): Stop {
       actor.kind === 'net' && vertex >= 0
         ? `vertex ${vertex} of ${actor.object.path}`
         : (actor.kind === 'ball' || actor.kind === 'fixed') && actor.point === point && actor.object.path;
-    if (name) return { ...stop, message: stop.message.replace(`point ${point}`, name) };
+    if (name) return { ...stop, message: stop.message.replace(pointName(point), name) };
   }
   return stop;
 }

@@ -1,0 +1,44 @@
+import { describe, expect, it } from 'vitest';
+import { sayer } from './sayer.ts';
+
+const say = sayer({
+  'it ended at {} s: {}': '于 {1} s 结束：{2}',
+  '{} of {}': '{2} 的 {1}',
+  'vertex {} of {}': '{2} 的顶点 {1}',
+  '{} has no place any more': '{1} 已没有位置',
+  'at rest': '静止',
+  '{}: {}': '{1}：{2}',
+  '{}{} is muted': '{1}{2} 已静音',
+});
+
+describe('a sentence in another language', () => {
+  it('has its values where that language has them', () => {
+    expect(say('vertex 3 of /Cloth')).toBe('/Cloth 的顶点 3');
+    expect(say('vertex 10 of 3 of 7')).toBe('7 的 3 的顶点 10');
+  });
+
+  it('has what it holds in it said anew', () => {
+    expect(say('it ended at 0.5 s: vertex 3 of /Cloth has no place any more')).toBe(
+      '于 0.5 s 结束：/Cloth 的顶点 3 已没有位置',
+    );
+    expect(say('run: at rest')).toBe('run：静止');
+  });
+
+  it('stays as it is where nobody knows it', () => {
+    for (const sentence of ['', 'nobody said this', 'a: b', 'vertex', 'it ended at', '已保存 a: b'])
+      expect(say(sentence)).toBe(sentence);
+  });
+
+  it('is the one with the most words of its own, and whole', () => {
+    expect(say('vertex 1 of 2')).toBe('2 的顶点 1');
+    expect(say('at rest of all')).toBe('all 的 静止');
+    expect(say('a/b is muted')).toBe('a/b 已静音');
+    expect(say('{1} has no place any more')).toBe('{1} 已没有位置');
+  });
+
+  it('is found at once, also of a text that somebody made to be long', () => {
+    const long = 'of : '.repeat(20_000);
+    expect(sayer({ [Array(9).fill('{}').join('of')]: 'x' })(`${long}!`)).toBe('x');
+    expect(say(`vertex ${long}`)).toMatch(/的顶点/);
+  });
+});
