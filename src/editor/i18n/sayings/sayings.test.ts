@@ -122,7 +122,11 @@ describe('what the program says indeed', () => {
 
   it.each([
     ['a project', () => parseDocument('{"format": 3'), /^不是 JSON：/],
-    ['its parts', () => parseDocument(withNode({ type: 'merge', params: 4 })), /^nodes\.node\.params：应为表，而不是数；现为 4$/],
+    [
+      'its parts',
+      () => parseDocument(withNode({ type: 'merge', params: 4 })),
+      /^nodes\.node\.params：应为表，而不是数；现为 4$/,
+    ],
     [
       'a name',
       () => applyCommand(emptyDocument(), { kind: 'add-node', node: 'a b', type: 'merge', at: [0, 0] }),
