@@ -126,10 +126,10 @@ function checkExtensionIndices(entry: string, json: GLTF.IGLTF): void {
   const lights = extensionOf<{ lights: readonly unknown[] }>(json, LIGHTS)?.lights.length ?? 0;
   json.meshes?.forEach((mesh, i) => {
     const named = mesh.primitives.flatMap((p) => variantMappings(p)).flatMap((mapping) => mapping.variants);
-    check(`mesh ${i}`, 'material variant', variants, named);
+    check(`mesh ${i}`, 'variants', variants, named);
   });
   json.nodes?.forEach((node, i) => {
-    check(`node ${i}`, 'light', lights, [extensionOf<{ light: number }>(node, LIGHTS)?.light]);
+    check(`node ${i}`, 'lights', lights, [extensionOf<{ light: number }>(node, LIGHTS)?.light]);
   });
 }
 

@@ -110,8 +110,8 @@ describe('a damaged glTF', () => {
     expect(await attemptJson({ asset, nodes: [{ rotation: [0, 0, 1] }] })).toContain(
       'nodes[0].rotation: is [0,0,1], not 4 numbers',
     );
-    expect(await attemptJson({ asset, meshes: { a: 1 } })).toContain('meshes: is {"a":1}, not a list');
-    expect(await attemptJson({ asset, meshes: [{}] })).toContain('meshes[0].primitives: is missing, not a list');
+    expect(await attemptJson({ asset, meshes: { a: 1 } })).toContain('meshes: is {"a":1}, not an array');
+    expect(await attemptJson({ asset, meshes: [{}] })).toContain('meshes[0].primitives: is missing, not an array');
     expect(await attemptJson({ asset, extensions: { KHR_lights_punctual: { lights: [null] } } })).toContain(
       'extensions.KHR_lights_punctual.lights[0]: is null, not an object',
     );
@@ -122,7 +122,7 @@ describe('a damaged glTF', () => {
       'images[0]: is {}, not a picture: it needs uri or bufferView',
     );
     const lit = [{ extensions: { KHR_lights_punctual: { light: 2 } } }];
-    expect(await attemptJson({ asset, nodes: lit })).toContain('node 0: refers to light 2, of which there are 0');
+    expect(await attemptJson({ asset, nodes: lit })).toContain('node 0: refers to lights 2, of which there are 0');
     expect(await attemptJson({})).toBe('a.gltf: not a glTF: the JSON has no "asset"');
   });
 });

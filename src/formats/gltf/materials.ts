@@ -220,7 +220,7 @@ export function uvSourceOf(context: GltfContext, material: GltfMaterial | null):
   const [first, ...more] = material ? uvSources(material) : [];
   const other = material && more.find(({ source }) => JSON.stringify(source) !== JSON.stringify(first.source));
   if (other) {
-    const message = `its ${other.what} texture has its own uv set or transform; that of the ${first.what} is used for both`;
+    const message = `its ${other.what} has its own uv set or transform; that of the ${first.what} is used for both`;
     context.notes.add('warning', 'gltf.second-uvs', `material ${nameOf(context, material)}`, message);
   }
   return first?.source ?? { set: 0, offset: [0, 0], rotation: 0, scale: [1, 1] };
@@ -230,11 +230,11 @@ function uvSources(m: GltfMaterial): { readonly what: string; readonly source: U
   const source = (what: string, texture: GltfTexture | null, info: TextureInfo | null) =>
     texture ? [{ what, source: uvSource(info) }] : [];
   return [
-    ...source('base colour', m.getBaseColorTexture(), m.getBaseColorTextureInfo()),
-    ...source('emissive', m.getEmissiveTexture(), m.getEmissiveTextureInfo()),
-    ...source('normal', m.getNormalTexture(), m.getNormalTextureInfo()),
-    ...source('metallic-roughness', m.getMetallicRoughnessTexture(), m.getMetallicRoughnessTextureInfo()),
-    ...source('occlusion', m.getOcclusionTexture(), m.getOcclusionTextureInfo()),
+    ...source('base colour texture', m.getBaseColorTexture(), m.getBaseColorTextureInfo()),
+    ...source('emissive texture', m.getEmissiveTexture(), m.getEmissiveTextureInfo()),
+    ...source('normal texture', m.getNormalTexture(), m.getNormalTextureInfo()),
+    ...source('metallic-roughness texture', m.getMetallicRoughnessTexture(), m.getMetallicRoughnessTextureInfo()),
+    ...source('occlusion texture', m.getOcclusionTexture(), m.getOcclusionTextureInfo()),
   ];
 }
 

@@ -85,7 +85,7 @@ function readPrimitive(context: GltfContext, what: string, p: Primitive, library
   const position = p.getAttribute('POSITION');
   const corners = position && triangleCorners(p, position.getCount());
   if (!position || !corners) {
-    const mode = ['points', 'lines', 'a line loop', 'a line strip'][p.getMode()];
+    const mode = ['single points', 'separate lines', 'a line loop', 'a line strip'][p.getMode()];
     const message = position
       ? `${mode ?? `mode ${p.getMode()}`} cannot be shown; only triangles are`
       : 'has no positions';

@@ -12,11 +12,13 @@ type Kind = (value: unknown, place: string) => void;
 class ShapeError extends Error {
   readonly place: string;
   constructor(place: string, value: unknown, wanted: string) {
-    const shown = JSON.stringify(value) ?? 'missing';
-    super(`is ${shown.length > 40 ? `${shown.slice(0, 40)}…` : shown}, not ${wanted}`);
+    const shown = JSON.stringify(value);
+    super(shown === undefined ? `is missing, not ${wanted}` : `is ${shortened(shown)}, not ${wanted}`);
     this.place = place;
   }
 }
+
+const shortened = (text: string): string => (text.length > 40 ? `${text.slice(0, 40)}…` : text);
 
 const kind =
   (isOne: (value: unknown) => boolean, wanted: string): Kind =>
@@ -26,11 +28,11 @@ const kind =
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-const number = kind(Number.isFinite, 'a number');
+const number = kind(Number.isFinite, 'a finite number');
 const index = kind((value) => Number.isSafeInteger(value) && (value as number) >= 0, 'a whole number from 0');
 const text = kind((value) => typeof value === 'string', 'a text');
 const object = kind(isObject, 'an object');
-const array = kind(Array.isArray, 'a list');
+const array = kind(Array.isArray, 'an array');
 
 const optional =
   (of: Kind): Kind =>

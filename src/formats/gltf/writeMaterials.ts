@@ -33,7 +33,7 @@ export class MaterialWriter {
   }
 
   private make(m: Material): GltfMaterial {
-    const baseColor = this.clamped(m.baseColor, m.name, 'base colour');
+    const baseColor = this.clamped(m.baseColor, m.name);
     const made = this.document
       .createMaterial(m.name)
       .setBaseColorFactor([...baseColor, m.opacity])
@@ -112,14 +112,14 @@ export class MaterialWriter {
     made.setExtension('KHR_materials_emissive_strength', strength.setEmissiveStrength(most));
   }
 
-  private clamped(color: Vec3, name: string, what: string): Vec3 {
+  private clamped(color: Vec3, name: string): Vec3 {
     const [r, g, b] = color.map((x) => Math.min(1, Math.max(0, x)));
     if (r !== color[0] || g !== color[1] || b !== color[2])
       this.losses.add(
         'warning',
         'convert.color',
         `material ${name}`,
-        `its ${what} ${color.join(', ')} is cut to 0 … 1`,
+        `its base colour ${color.join(', ')} is cut to 0 … 1`,
       );
     return [r, g, b];
   }

@@ -29,11 +29,15 @@ export function check(syntax: Syntax): Pick<Program, 'functions' | 'effect'> {
 
 function effectOf({ functions }: Syntax, signatures: ReadonlyMap<string, Signature>): number {
   const effect = signatures.get('effect');
-  const wanted = '`fn effect(p: Pixel) -> vec4f { … }`';
-  if (!effect) return refuse({ line: 1, column: 1 }, `there is no function effect: write ${wanted}`);
+  if (!effect)
+    return refuse({ line: 1, column: 1 }, 'there is no function effect: write `fn effect(p: Pixel) -> vec4f { … }`');
   const { params, result } = effect;
   const fits = params.length === 1 && params.every((type) => isSame(type, PIXEL)) && isSame(result, vector(4));
-  if (!fits) refuse(functions[effect.index]?.at ?? { line: 1, column: 1 }, `effect should be ${wanted}`);
+  if (!fits)
+    refuse(
+      functions[effect.index]?.at ?? { line: 1, column: 1 },
+      'effect should be a function of one Pixel that returns vec4f',
+    );
   return effect.index;
 }
 
@@ -128,7 +132,7 @@ class FunctionCheck {
         return this.loop(statement);
       case 'return': {
         const value = checked(statement.value, this.names);
-        expectType(value.type, this.result, statement.value.at, 'what is returned');
+        expectType(value.type, this.result, statement.value.at, 'the returned value');
         return [{ op: 'return', value: as(value, this.result) }];
       }
       case 'break':

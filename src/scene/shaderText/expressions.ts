@@ -233,7 +233,7 @@ function called(callee: TypeName, args: readonly Value[], places: readonly Place
   const own = names.function(name);
   const counted = (count: number): void => {
     if (args.length !== count)
-      refuse(at, `${name} takes ${count} ${count === 1 ? 'value' : 'values'}, and has ${args.length}`);
+      refuse(at, `${name} takes ${count === 1 ? '1 value' : `${count} values`}, and has ${args.length}`);
   };
   if (own) {
     counted(own.params.length);

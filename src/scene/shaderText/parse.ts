@@ -58,7 +58,7 @@ class Parser {
       else if (this.is('const')) constants.push(this.ended(this.declaration()));
       else if (this.is('var'))
         refuse(this.here, '`var` outside of a function is not taken: declare it inside, or use `const`');
-      else this.refused('expected `fn` or `const`');
+      else this.refused('`fn` or `const`');
     }
     return { constants, functions };
   }
@@ -80,7 +80,7 @@ class Parser {
   }
 
   private type(): TypeName {
-    const at = this.name('a type');
+    const at = this.name('the name of a type');
     const why = TYPES_REFUSED.find(([names]) => names.test(at.text));
     if (why) refuse(at, `the type ${at.text} is not taken: ${why[1]}`);
     if (!TEMPLATES.test(at.text) || !this.takes('<')) return { at, name: at.text };
@@ -150,7 +150,7 @@ class Parser {
   private simple(): Declaration | Assignment {
     if (this.is('let') || this.is('var') || this.is('const')) return this.declaration();
     const at = this.here;
-    if (at.kind !== 'name' || REFUSED[at.text]) this.refused('expected a statement');
+    if (at.kind !== 'name' || REFUSED[at.text]) this.refused('a statement');
     const target = this.postfix();
     const sign = this.here.text;
     if (this.takes('++') || this.takes('--')) {
@@ -159,7 +159,7 @@ class Parser {
     }
     if (target.kind === 'call')
       refuse(at, `what ${target.callee.name} returns is not used: assign it, or leave the call out`);
-    if (!this.takes('=') && !/^[-+*/%]=$/.test(sign)) this.refused('expected `=`');
+    if (!this.takes('=') && !/^[-+*/%]=$/.test(sign)) this.refused('`=`');
     else if (sign !== '=') this.word(sign);
     return { at, kind: 'assign', target, sign: sign === '=' ? undefined : sign[0], value: this.expression() };
   }
@@ -168,7 +168,7 @@ class Parser {
     const at = this.here;
     const how = this.take().text as Declaration['how'];
     if (this.is('<')) refuse(this.here, 'address spaces are not taken: write `var` alone');
-    const { text: name } = this.name('a name');
+    const { text: name } = this.name('a name for the value');
     const type = this.takes(':') ? this.type() : undefined;
     const value = this.takes('=') ? this.expression() : undefined;
     if (!value && (how !== 'var' || !type)) refuse(this.here, `${name} has no value: write \`= …\` after it`);
@@ -220,11 +220,11 @@ class Parser {
       this.word(')');
       return inner;
     }
-    if (at.kind !== 'name' || REFUSED[at.text]) this.refused('expected a value');
+    if (at.kind !== 'name' || REFUSED[at.text]) this.refused('an expression');
     const templated = TEMPLATES.test(at.text);
     const callee = templated ? this.type() : { at, name: this.take().text };
     if (!this.takes('(')) {
-      if (templated) this.refused('expected `(`');
+      if (templated) this.refused('`(`');
       return { at, kind: 'name', name: callee.name };
     }
     const args: Expression[] = [];
@@ -277,12 +277,12 @@ class Parser {
   }
 
   private word(text: string): Token {
-    if (!this.is(text)) this.refused(`expected \`${text}\``);
+    if (!this.is(text)) this.refused(`\`${text}\``);
     return this.take();
   }
 
   private name(what: string): Token {
-    if (this.here.kind !== 'name' || REFUSED[this.here.text]) this.refused(`expected ${what}`);
+    if (this.here.kind !== 'name' || REFUSED[this.here.text]) this.refused(what);
     return this.take();
   }
 
@@ -291,6 +291,6 @@ class Parser {
     const instead = REFUSED[text];
     if (instead && kind === 'name') refuse(this.here, `\`${text}\` is not taken: ${instead}`);
     if (text === '@') refuse(this.here, 'attributes are not taken: leave them out');
-    refuse(this.here, `${expected}, found ${kind === 'end' ? 'the end of the text' : `\`${text}\``}`);
+    refuse(this.here, `expected ${expected} here, found ${kind === 'end' ? 'the end of the text' : `\`${text}\``}`);
   }
 }

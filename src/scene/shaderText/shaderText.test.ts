@@ -159,7 +159,7 @@ describe('a text is refused, with the place and what to do:', () => {
     [body('let x = sqrt(-1);'), 2, 11, /no number/],
     [body('let x = sin(1, 2);'), 2, 11, /takes 1 value, and has 2/],
     [body('let x = y;'), 2, 11, /y is not declared/],
-    [body('let x = 3'), 3, 3, /expected `;`, found `return`/],
+    [body('let x = 3'), 3, 3, /expected `;` here, found `return`/],
     [body('let x = (1;'), 2, 13, /expected `\)`/],
     [body('let $ = 1;'), 2, 7, /no meaning/],
     [body('break;'), 2, 3, /in no loop/],
