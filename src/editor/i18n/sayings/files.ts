@@ -1,9 +1,9 @@
 /** What is said of all other files: OBJ, PLY, STL, zip, pictures, tables, fonts; written as `sayings/index.ts` tells. */
 export const files: Readonly<Record<string, string>> = {
-  // Places in files
-  'line {}': '第 {1} 行',
-  '{}: line {}': '{1}：第 {2} 行',
-  '{}: after line {}': '{1}：第 {2} 行之后',
+  // Places in files; the last value may be followed by what is said of the place
+  'line {}': '行 {1}',
+  '{}: line {}': '{1}：行 {2}',
+  '{}: after line {}': '{1}：在此行之后：{2}',
   'byte {}': '字节 {1}',
   '{}: byte {}': '{1}：字节 {2}',
   '{} bytes': '{1} 字节',
@@ -12,18 +12,16 @@ export const files: Readonly<Record<string, string>> = {
 
   // Opening and saving scenes
   'no such file': '没有这个文件',
-  'no such file{}': '没有这个文件{1}',
-  '; there is {}': '；现有 {1}',
-  '; check its name, and where it is': '；请检查其名称和位置',
+  'no such file; there is {}': '没有这个文件；现有 {1}',
+  'no such file; check its name, and where it is': '没有这个文件；请检查其名称和位置',
   'the file is empty (0 bytes); export or copy it again': '文件是空的（0 字节）；请重新导出或复制',
   'cannot be read as {}: {}; the file may be damaged, export it again':
     '无法作为 {1} 读取：{2}；文件可能已损坏，请重新导出',
   'this is a project, not a scene; {}': '这是项目，不是场景；{1}',
   'render, simulate and graph check take it, and the page opens it at ?project=…':
     '它可用于 render、simulate 和 graph check，页面用 ?project=… 打开它',
-  '.{} is not a scene format that can be opened': '.{1} 不是可打开的场景格式',
-  'the name has no extension': '文件名没有扩展名',
-  '{}; {} can': '{1}；可打开的有 {2}',
+  '.{} is not a scene format that can be opened; {} can': '.{1} 不是可打开的场景格式；可打开的有 {2}',
+  'the name has no extension; {} can be opened': '文件名没有扩展名；可打开的有 {1}',
   'with this file the scene takes {}, more than the {} that are read; use smaller textures or fewer samples':
     '加上这个文件，场景占 {1}，超过可读取的 {2}；请用更小的纹理或更少的样本',
   '.{} is not a scene format that can be written; {} can': '.{1} 不是可写出的场景格式；可写出的有 {2}',
@@ -158,7 +156,7 @@ export const files: Readonly<Record<string, string>> = {
     '有一个面用到{1}，而总数为 {2}；文件被截断或已损坏，请重新导出',
   'uv {}': '纹理坐标 {1}',
   'normal {}': '法线 {1}',
-  '(none)': '（无）',
+  '(none)': '(无)',
   '{} not shown ({}, first on this line)': '不显示{1}（{2}，首次出现在此行）',
   'points are': '点',
   'lines are': '线',
