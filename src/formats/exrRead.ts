@@ -11,9 +11,9 @@ const ZIPS = 2;
 const MAX_INFLATION = 1032;
 /** Bits of the version word: tiles, deep data, several parts. */
 const UNSUPPORTED_FLAGS: readonly (readonly [number, string])[] = [
-  [0x200, 'tiled'],
-  [0x800, 'deep'],
-  [0x1000, 'multi-part'],
+  [0x200, 'tiled EXR'],
+  [0x800, 'deep EXR'],
+  [0x1000, 'multi-part EXR'],
 ];
 
 /** Of one picture: all are held at once. */
@@ -50,7 +50,7 @@ function readHeader(cursor: Cursor, name: string): Header {
   if (cursor.int() !== MAGIC) throw inputError('image.unknown-format', name, 'not an OpenEXR picture');
   const version = cursor.int();
   const flag = UNSUPPORTED_FLAGS.find(([bit]) => version & bit);
-  if (flag) throw unsupported(name, `${flag[1]} EXR`);
+  if (flag) throw unsupported(name, flag[1]);
   const found = new Map<string, Cursor>();
   const attributes: Record<string, string> = {};
   for (let key = cursor.text(); key !== ''; key = cursor.text()) {

@@ -40,14 +40,19 @@ function unknownFormat(path: string): InputError {
   }
   const known = sceneFormats.map((f) => `${f.name} (${f.extensions.map((e) => `.${e}`).join(', ')})`).join(', ');
   const extension = extensionOf(path);
-  const what = extension ? `.${extension} is not a scene format that can be opened` : 'the name has no extension';
-  return inputError('file.unknown-format', path, `${what}; ${known} can`);
+  const message = extension
+    ? `.${extension} is not a scene format that can be opened; ${known} can`
+    : `the name has no extension; ${known} can be opened`;
+  return inputError('file.unknown-format', path, message);
 }
 
 async function missingFile(files: FileSource, path: string): Promise<InputError> {
   const known = (await files.list?.())?.filter((file) => formatOf(file)) ?? [];
-  const hint = known.length > 0 ? `; there is ${known.slice(0, 5).join(', ')}` : '; check its name, and where it is';
-  return inputError('file.missing', path, `no such file${hint}`);
+  const message =
+    known.length > 0
+      ? `no such file; there is ${known.slice(0, 5).join(', ')}`
+      : 'no such file; check its name, and where it is';
+  return inputError('file.missing', path, message);
 }
 
 /** The same files, each read once, with a bound on what is read of them together; what is only opened does not count. */

@@ -157,8 +157,9 @@ function withSoundLooks(mesh: Mesh, path: string, say: Say): Mesh {
   const { positions, normals, uvs, colors, indices } = mesh;
   const bad = [normals, uvs, colors ?? []].map((numbers) => !allFinite(numbers));
   if (!bad.includes(true)) return mesh;
-  const names = ['normals', 'texture coordinates', 'colours'].filter((_, i) => bad[i]).join(', ');
-  say(path, `some of its ${names} are ${NOT}; they are computed anew, or 0`);
+  if (bad[0]) say(path, `some of its normals are ${NOT}; they are computed anew`);
+  if (bad[1]) say(path, `some of its texture coordinates are ${NOT}; they are taken as 0`);
+  if (bad[2]) say(path, `some of its colours are ${NOT}; they are taken as 0`);
   const computed = bad[0] && deformedNormals(positions, indices, smoothingGroups(mesh));
   return {
     ...mesh,

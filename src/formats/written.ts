@@ -59,15 +59,15 @@ function plainObject(object: SceneObject, scene: Scene, c: number, losses: Notes
   const { radius, center } = boundingSphere(own.mesh.positions);
   const reach = radius + Math.hypot(...center);
   const range = [scene.startTime, Math.max(scene.endTime, scene.startTime + 1)];
-  losses.add(
-    'warning',
-    'convert.motion',
-    own.path,
-    `its ${motion.kind} motion is sampled from ${range[0]} to ${range[1]} s; before and after it rests`,
-  );
+  losses.add('warning', 'convert.motion', own.path, sampledFrom(motion, range));
   const { times, poses } = sampleMotion((t) => poseAt(motion, t, c), range, reach, CHORD_TOLERANCE * reach);
   if (own.authoredIn === 'world') return { mesh: own.mesh, motion: { kind: 'sampled', times, poses } as const };
   return contracted(own, times, samplePose(poses, 0).position, c);
+}
+
+function sampledFrom({ kind }: { readonly kind: 'uniform' | 'hyperbolic' }, range: readonly number[]): string {
+  const motion = kind === 'uniform' ? 'its uniform motion' : 'its hyperbolic motion';
+  return `${motion} is sampled from ${range[0]} to ${range[1]} s; before and after it rests`;
 }
 
 /** A body in its own rest frame, as the points that it has in the world at some times. */
@@ -91,12 +91,7 @@ export function plainFrame(
   if (motion.kind === 'static' || motion.kind === 'sampled') return motion;
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   const range = [scene.startTime, Math.max(scene.endTime, scene.startTime + 1)];
-  losses.add(
-    'warning',
-    'convert.motion',
-    path,
-    `its ${motion.kind} motion is sampled from ${range[0]} to ${range[1]} s; before and after it rests`,
-  );
+  losses.add('warning', 'convert.motion', path, sampledFrom(motion, range));
   return { kind: 'sampled', ...sampleMotion((t) => poseAt(motion, t, c), range, 1, CHORD_TOLERANCE) };
 }
 

@@ -24,6 +24,13 @@ export interface ObjPart {
 /** The kinds of number triples in a file. */
 type List = 'point' | 'uv' | 'normal';
 
+/** What a corner names, in words. */
+const NAMED: Readonly<Record<List, (index: number | string) => string>> = {
+  point: (index) => `point ${index}`,
+  uv: (index) => `uv ${index}`,
+  normal: (index) => `normal ${index}`,
+};
+
 /** The place of the next slash; the end where there is none. */
 function slashOf(word: string, from: number): number {
   const at = word.indexOf('/', from);
@@ -151,7 +158,7 @@ export class ObjGeometry {
     const index = Number(text);
     const place = index < 0 ? count + index : index - 1;
     if (!Number.isInteger(index) || index === 0 || place < 0 || place >= 2 ** 31) {
-      const message = `the corner ${word} names ${list} ${text || '(none)'}; indices count from 1, or back from −1, and there are ${count} so far`;
+      const message = `the corner ${word} names ${NAMED[list](text || '(none)')}; indices count from 1, or back from −1, and there are ${count} so far`;
       throw lineError(this.file, line, 'obj.index', message);
     }
     // What is named may stand further down in the file.
@@ -169,7 +176,7 @@ export class ObjGeometry {
     for (const list of ['point', 'uv', 'normal'] as const) {
       const { index, line } = this.#highest[list];
       if (index < counts[list]) continue;
-      const message = `a face names ${list} ${index + 1} of ${counts[list]}; the file is cut off or damaged, export it again`;
+      const message = `a face names ${NAMED[list](index + 1)} of ${counts[list]}; the file is cut off or damaged, export it again`;
       throw lineError(this.file, line, 'obj.index', message);
     }
   }

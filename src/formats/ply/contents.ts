@@ -208,15 +208,18 @@ class ContentsReader {
     return length;
   }
 
-  #vertex(type: ScalarType, what: string, row: number, least = 0): number {
+  #vertex(type: ScalarType, what: 'face' | 'strip', row: number, least = 0): number {
     const index = this.#values.next(type);
     if (Number.isInteger(index) && index >= least && index < this.#vertices) return index;
-    throw this.#error(`${what} ${row} names vertex ${index}; there are ${this.#vertices}, counted from 0`);
+    const where = what === 'face' ? `face ${row}` : `strip ${row}`;
+    throw this.#error(`${where} names vertex ${index}; there are ${this.#vertices}, counted from 0`);
   }
 
-  #finite(value: number, name: string, element: string, row: number): number {
+  #finite(value: number, name: string, element: 'vertex' | 'face', row: number): number {
     if (Number.isFinite(Math.fround(value))) return value;
-    throw this.#error(`${name} of ${element} ${row} is ${value}`);
+    throw this.#error(
+      element === 'vertex' ? `${name} of vertex ${row} is ${value}` : `${name} of face ${row} is ${value}`,
+    );
   }
 
   #error(message: string, place = `${this.#entry}: ${this.#values.place()}`): Error {

@@ -36,6 +36,21 @@ describe('a sentence in another language', () => {
     expect(say('{1} has no place any more')).toBe('{1} 已没有位置');
   });
 
+  it('is the one of which most is known, with what it holds', () => {
+    const also = sayer({
+      '{}: {}': '{1}：{2}',
+      '{} or {}': '{1} 或 {2}',
+      'line {}': '行 {1}',
+      'the file is damaged or cut off ({})': '文件已损坏或被截断（{1}）',
+      '{} is too large': '{1} 太大',
+    });
+    expect(also('a.obj: line 3: the file is damaged or cut off (no end)')).toBe(
+      'a.obj：行 3：文件已损坏或被截断（no end）',
+    );
+    expect(also('a.obj: line 3: 1e99 is too large')).toBe('a.obj：行 3：1e99 太大');
+    expect(also('1 or 2 is too large')).toBe('1 或 2 太大');
+  });
+
   it('is found at once, also of a text that somebody made to be long', () => {
     const long = 'of : '.repeat(20_000);
     expect(sayer({ [Array(9).fill('{}').join('of')]: 'x' })(`${long}!`)).toBe('x');
