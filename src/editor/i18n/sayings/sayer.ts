@@ -8,12 +8,13 @@ interface Saying {
   readonly joins: boolean;
 }
 
-/** Values hold values; who nests them deeper makes them up. */
+/** Values hold values; who nests them deeper, or makes them longer, makes them up. */
 const DEEPEST = 6;
+const LONGEST = 2000;
 /** Sentences of a page that is drawn again are not looked for again. */
-const MOST_KEPT = 1000;
+const MOST_KEPT = 10_000;
 
-/** A sentence said, and how much of it the catalogue knows. */
+/** A text in the other language, and how much of it the catalogue knows. */
 interface Said {
   readonly text: string;
   readonly known: number;
@@ -21,55 +22,43 @@ interface Said {
 
 /**
  * Says in another language what the program says in English, where it arises: {} in a key of the catalogue is any value, {1} in its text the first
- * of them, itself said anew. Of several sentences that fit, the one of which, with its values, most is known; else
- * one that only joins others, or the one with the most words of its own. What is not in the catalogue stays as it is.
+ * of them, itself said anew. Of several sentences that fit, the one of which, with its values, most is known; of equals one that only joins others,
+ * or the one with the most words of its own. What is not in the catalogue stays as it is.
  */
 export function sayer(catalogue: Readonly<Record<string, string>>): (sentence: string) => string {
-  const whole = new Map<string, string>();
-  const sayings: Saying[] = [];
-  for (const [key, other] of Object.entries(catalogue)) {
-    const parts = key.split('{}');
-    if (parts.length === 1) whole.set(key, other);
-    else
-      sayings.push({
-        parts,
-        other,
-        weight: key.length - 2 * (parts.length - 1),
-        joins: !/\p{L}/u.test(parts.join('')),
-      });
-  }
+  const whole = new Map(Object.entries(catalogue).filter(([key]) => !key.includes('{}')));
+  const sayings = Object.entries(catalogue).flatMap(([key, other]) => (key.includes('{}') ? [saying(key, other)] : []));
   sayings.sort((a, b) => Number(b.joins) - Number(a.joins) || b.weight - a.weight);
-  const kept = new Map<string, string>();
-  return (sentence) => {
-    const found = new Map<string, Said>();
-    const say = (text: string, depth: number): Said => {
-      const key = `${depth} ${text}`;
-      const said = found.get(key) ?? most(text, depth);
-      found.set(key, said);
-      return said;
-    };
-    const most = (text: string, depth: number): Said => {
-      const known = whole.get(text);
-      let best: Said = known === undefined ? { text, known: 0 } : { text: known, known: text.length };
-      if (known !== undefined || depth === DEEPEST) return best;
-      for (const { parts, other, weight, joins } of sayings) {
-        const said = valuesIn(text, parts)?.map((value) => say(value, depth + 1));
-        if (!said) continue;
-        const ofValues = said.reduce((sum, value) => sum + value.known, 0);
-        // What only joins others is worth saying where one of them is known.
-        if (weight + ofValues <= best.known || (joins && ofValues === 0)) continue;
-        best = {
-          text: other.replace(/\{(\d)\}/g, (_, nth: string) => said[Number(nth) - 1]?.text ?? ''),
-          known: weight + ofValues,
-        };
-      }
-      return best;
-    };
-    const said = kept.get(sentence) ?? say(sentence, 0).text;
+  const kept = new Map<string, Said>();
+  const say = (text: string, depth: number): Said => {
+    const key = `${depth} ${text}`;
+    const said = kept.get(key) ?? most(text, depth);
     if (kept.size >= MOST_KEPT) kept.clear();
-    kept.set(sentence, said);
+    kept.set(key, said);
     return said;
   };
+  const most = (text: string, depth: number): Said => {
+    const known = whole.get(text);
+    if (known !== undefined) return { text: known, known: text.length };
+    let best: Said = { text, known: 0 };
+    if (depth === DEEPEST) return best;
+    for (const { parts, other, weight, joins } of sayings) {
+      const values = valuesIn(text, parts)?.map((value) => say(value, depth + 1));
+      if (!values) continue;
+      const ofValues = values.reduce((sum, value) => sum + value.known, 0);
+      // What only joins others is worth saying where one of them is known.
+      if (weight + ofValues <= best.known || (joins && ofValues === 0)) continue;
+      const filled = other.replace(/\{(\d)\}/g, (_, nth: string) => values[Number(nth) - 1]?.text ?? '');
+      best = { text: filled, known: weight + ofValues };
+    }
+    return best;
+  };
+  return (sentence) => (sentence.length > LONGEST ? sentence : say(sentence, 0).text);
+}
+
+function saying(key: string, other: string): Saying {
+  const parts = key.split('{}');
+  return { parts, other, weight: parts.join('').length, joins: !/\p{L}/u.test(key) };
 }
 
 /** What stands in a sentence between its fixed parts, each of which is looked for as early as it can be; undefined where one is not there. */
