@@ -61,9 +61,12 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   expect(await plot.getAttribute('aria-valuetext')).toMatch(/^[\d.]+ s: Leapfrog −[\d.]+ J$/);
   expect((await new AxeBuilder({ page }).include('.sl-energy').include('.sl-plot').analyze()).violations).toEqual([]);
 
-  await page.getByRole('button', { name: 'Stop' }).click();
+  // By keys: who stops it can let it go on.
+  await page.getByRole('button', { name: 'Stop' }).press('Enter');
   await page.getByText('Stopped: what there is so far is shown.').waitFor();
   await page.getByText('Simulating').waitFor({ state: 'detached' });
+  const goOn = page.getByRole('button', { name: 'Go on' });
+  await expect.poll(() => goOn.evaluate((button) => button === document.activeElement)).toBe(true);
   const kept = await computed(visit);
   expect(kept).toBeGreaterThanOrEqual(shown);
   await visit.shot('simulation-stopped');
@@ -75,7 +78,7 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   expect(await computed(visit)).toBe(kept);
   expect(await page.getByText('Simulating').count()).toBe(0);
 
-  await page.getByRole('button', { name: 'Go on' }).click();
+  await goOn.click();
   await page.getByText('Simulating').waitFor();
   const first = await computed(visit);
   expect(first).toBeGreaterThanOrEqual(kept);

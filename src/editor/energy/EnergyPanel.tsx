@@ -171,7 +171,7 @@ const shareOfLight = (beta: number): string => (beta > 0.1 ? formatBeta(beta) : 
 
 /** With which step, how far it came, and what went wrong. */
 function Remarks({ run, figures }: { readonly run: Named; readonly figures: Figures }): ReactNode {
-  const { t } = useTexts();
+  const { t, said } = useTexts();
   const running = useStudioState((state) => state.interim === 'running');
   const { books, interim } = run;
   const { step, stop, speedOfLight } = books;
@@ -184,7 +184,7 @@ function Remarks({ run, figures }: { readonly run: Named; readonly figures: Figu
       <td colSpan={4}>
         {[c, h, far].filter(Boolean).join(' · ')}
         {grown !== undefined && <strong>{t('energy.grown', { time: formatSeconds(grown) })}</strong>}
-        {stop && <strong>{t('energy.failed', { time: formatSeconds(stop.t), why: stop.message })}</strong>}
+        {stop && <strong>{t('energy.failed', { time: formatSeconds(stop.t), why: said(stop.message) })}</strong>}
       </td>
     </tr>
   );

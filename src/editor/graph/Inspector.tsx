@@ -116,13 +116,14 @@ function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { reado
 }
 
 function ProblemNote({ problem: { message, place, remedy } }: { readonly problem: Problem }): ReactNode {
+  const { said } = useTexts();
   return (
     <Alert color="red" variant="light" p="xs" icon={<IconAlertTriangle size={16} />} role="status">
       <Stack gap={6}>
         <Text size="xs" ff="monospace" className="sl-place">
-          {place}
+          {said(place)}
         </Text>
-        <Text size="sm">{message}</Text>
+        <Text size="sm">{said(message)}</Text>
         {remedy && <Remedy remedy={remedy} />}
       </Stack>
     </Alert>

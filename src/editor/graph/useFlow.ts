@@ -64,14 +64,14 @@ export function useFlow() {
 }
 
 function useNames(): (face: Face) => string {
-  const { t, any, language } = useTexts();
+  const { t, any, said, language } = useTexts();
   // biome-ignore lint/correctness/useExhaustiveDependencies: texts change with the language
   return useCallback(
     ({ title, problem }) =>
       problem
-        ? t('graph.node.problem', { title: any(title), problem: problem.message })
+        ? t('graph.node.problem', { title: any(title), problem: said(problem.message) })
         : t('graph.node', { title: any(title) }),
-    [language],
+    [language, said],
   );
 }
 

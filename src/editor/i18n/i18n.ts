@@ -2,6 +2,7 @@ import i18next from 'i18next';
 import { initReactI18next, useTranslation } from 'react-i18next';
 import type { exampleWords } from './exampleWords.ts';
 import type { MessageKey } from './messages.ts';
+import { sayer } from './sayings/sayer.ts';
 
 export const LANGUAGES = ['en', 'zh'] as const;
 export type Language = (typeof LANGUAGES)[number];
@@ -21,6 +22,16 @@ const TEXTS: Readonly<Record<Language, () => Promise<Texts>>> = {
   zh: () => import('./chinese.ts'),
 };
 
+/** Of sentences that arise in English, in the other languages; loaded after the page's own words, for nothing is said at first. */
+const SAYINGS: Readonly<Partial<Record<Language, () => Promise<Record<'sayings', Readonly<Record<string, string>>>>>>> =
+  {
+    zh: () => import('./sayings/index.ts'),
+  };
+const sayers = new Map<Language, (sentence: string) => string>();
+const asItIs = (sentence: string): string => sentence;
+/** Tells those who show sentences. */
+const LEARNT = 'learnt';
+
 /** The language that a browser's list of preferences asks for. */
 export const preferredLanguage = (wanted: readonly string[]): Language =>
   wanted.map((tag) => tag.slice(0, 2)).find((tag): tag is Language => tag === 'en' || tag === 'zh') ?? 'en';
@@ -33,7 +44,9 @@ export async function startTranslation(language: Language): Promise<void> {
     keySeparator: false,
     nsSeparator: false,
     interpolation: { escapeValue: false },
+    react: { bindI18n: `languageChanged ${LEARNT}` },
   });
+  learn(language);
 }
 
 /** Rejects where the language cannot be loaded; the page stays as it is. */
@@ -42,6 +55,19 @@ export async function setLanguage(language: Language): Promise<void> {
     i18next.addResourceBundle(language, namespace, texts);
   }
   await i18next.changeLanguage(language);
+  learn(language);
+}
+
+/** Until it is learnt, and where it cannot be loaded, sentences stay English. */
+function learn(language: Language): void {
+  if (sayers.has(language)) return;
+  SAYINGS[language]?.().then(
+    ({ sayings }) => {
+      sayers.set(language, sayer(sayings));
+      i18next.emit(LEARNT);
+    },
+    () => {},
+  );
 }
 
 async function resourcesOf(language: Language): Promise<{ readonly translation: object; readonly examples: object }> {
@@ -54,14 +80,18 @@ export function useTexts(): {
   readonly t: Translate;
   readonly language: Language;
   readonly any: (key: string, values?: Readonly<Record<string, string>>) => string;
+  readonly said: (sentence: string) => string;
   readonly example: (name: string) => (typeof exampleWords)[string] | undefined;
 } {
   const { t, i18n } = useTranslation();
+  const language = i18n.language === 'zh' ? 'zh' : 'en';
   return {
     t: (key, values) => t(key, values ?? {}),
-    language: i18n.language === 'zh' ? 'zh' : 'en',
+    language,
     /** For keys that come out of descriptions: what is not in the catalogue stands for itself. */
     any: (key, values) => (i18n.exists(key) ? t(key, values ?? {}) : key),
+    /** What the program says of its own accord, which arises in English. */
+    said: sayers.get(language) ?? asItIs,
     /** What is said of an example scene or project, where its file does not say it in this language. */
     example: (name) => i18n.getResource(i18n.language, 'examples', name),
   };

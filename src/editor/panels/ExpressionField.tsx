@@ -26,7 +26,7 @@ export function ExpressionField({
   width,
   leftSection,
 }: ExpressionFieldProps): ReactNode {
-  const { t } = useTexts();
+  const { t, said } = useTexts();
   const speedOfLight = useStudioState((state) => state.picture?.speedOfLight);
   const [typed, setTyped] = useState<string>();
   const [problem, setProblem] = useState<string>();
@@ -51,7 +51,7 @@ export function ExpressionField({
   const shown = `${grouped(value, decimals)}${unit ? ` ${unit}` : ''}`;
   return (
     <Tooltip
-      label={problem ?? t('param.expression')}
+      label={problem === undefined ? t('param.expression') : said(problem)}
       opened={problem ? true : undefined}
       color={problem ? 'red' : undefined}
       openDelay={900}

@@ -89,7 +89,7 @@ function Link({ link }: { readonly link: string }): ReactNode {
 }
 
 function NoLink({ why }: { readonly why: string }): ReactNode {
-  const { t } = useTexts();
+  const { t, said } = useTexts();
   const studio = useStudio();
   const { saveAll } = useSaveProject();
   const save = () => {
@@ -99,7 +99,7 @@ function NoLink({ why }: { readonly why: string }): ReactNode {
   return (
     <Stack gap="sm">
       <Text size="sm" role="alert" className="sl-place">
-        {why}
+        {said(why)}
       </Text>
       <Group justify="flex-end">
         <Button size="xs" variant="light" data-autofocus leftSection={<IconPackageExport size={15} />} onClick={save}>

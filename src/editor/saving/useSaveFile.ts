@@ -18,21 +18,21 @@ import { saving } from './saving.ts';
 export function useSaveFile(): (node: string) => Promise<void> {
   const studio = useStudio();
   const { backend } = useServices();
-  const { t } = useTexts();
+  const { t, said } = useTexts();
   return useCallback(
     async (node) => {
       if (saving.getState().job) return;
       const abort = new AbortController();
       saving.setState({ job: { node, name: node, cancel: () => abort.abort() } });
       try {
-        await save({ node, studio, backend, signal: abort.signal, t });
+        await save({ node, studio, backend, signal: abort.signal, t, said });
       } catch (error) {
         if (!(error instanceof CancelledError)) tell(studio, t, error);
       } finally {
         saving.setState({ job: undefined });
       }
     },
-    [studio, backend, t],
+    [studio, backend, t, said],
   );
 }
 
@@ -41,9 +41,10 @@ interface Errand extends Pick<EditorServices, 'backend'> {
   readonly studio: Studio;
   readonly signal: AbortSignal;
   readonly t: Translate;
+  readonly said: (sentence: string) => string;
 }
 
-async function save({ node, studio, backend, signal, t }: Errand): Promise<void> {
+async function save({ node, studio, backend, signal, t, said }: Errand): Promise<void> {
   const { document } = studio.store.getState().history;
   const evaluation = await studio.evaluate(node, signal);
   const file = wanted(evaluation, filesOf(evaluation, writersIn(document)).get(node));
@@ -54,15 +55,15 @@ async function save({ node, studio, backend, signal, t }: Errand): Promise<void>
   const { makeFile } = await import('./make.ts');
   const made = await makeFile(file, { node, backend, signal, progress: (part) => told({ part }) });
   download(made.content, made.name);
-  studio.notify({ kind: 'info', text: savedWords(made, t) });
+  studio.notify({ kind: 'info', text: savedWords(made, { t, said }) });
 }
 
 const MOST_LOSSES = 4;
 
-function savedWords({ name, losses = [] }: MadeFile, t: Translate): string {
+function savedWords({ name, losses = [] }: MadeFile, { t, said }: Pick<Errand, 't' | 'said'>): string {
   if (losses.length === 0) return t('notice.saved', { name });
   const more = losses.length > MOST_LOSSES ? ` (+ ${losses.length - MOST_LOSSES})` : '';
-  return t('notice.savedLosing', { name, losses: losses.slice(0, MOST_LOSSES).join('; ') + more });
+  return t('notice.savedLosing', { name, losses: losses.slice(0, MOST_LOSSES).map(said).join('; ') + more });
 }
 
 /** What a node asks for; else what keeps it from asking. */

@@ -9,7 +9,7 @@ import { useOpenFiles } from './useOpenFiles.ts';
 
 /** The whole page takes files; panels that are dragged about inside it are not files. */
 export function DropZone(): ReactNode {
-  const { t } = useTexts();
+  const { t, said } = useTexts();
   const studio = useStudio();
   const open = useOpenFiles();
   const [over, setOver] = useState(false);
@@ -28,7 +28,7 @@ export function DropZone(): ReactNode {
       event.preventDefault();
       setOver(false);
       droppedFiles(event.dataTransfer).then(open, (error: unknown) =>
-        studio.notify({ kind: 'error', text: t('notice.unreadable', { why: messageOf(error) }) }),
+        studio.notify({ kind: 'error', text: t('notice.unreadable', { why: said(messageOf(error)) }) }),
       );
     };
     addEventListener('dragover', onOver);
@@ -39,7 +39,7 @@ export function DropZone(): ReactNode {
       removeEventListener('dragleave', onLeave);
       removeEventListener('drop', onDrop);
     };
-  }, [open, studio, t]);
+  }, [open, studio, t, said]);
   return over ? (
     <div className="sl-drop">
       <IconDownload size={32} />

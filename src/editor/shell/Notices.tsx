@@ -61,7 +61,7 @@ function useRemarks(): void {
 }
 
 function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
-  const { t } = useTexts();
+  const { t, said } = useTexts();
   const studio = useStudio();
   const kept = useStudioState((state) => state.picture !== undefined);
   const place = usePlace(notice);
@@ -88,7 +88,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
           </Text>
         )}
         <Text size="sm" c="var(--mantine-color-text)">
-          {notice.text}
+          {said(notice.text)}
         </Text>
         {notice.remedy && <Remedy remedy={notice.remedy} />}
         {notice.action && (
@@ -116,7 +116,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
 
 /** A node by what it is called in the graph. */
 function usePlace({ place }: Notice): string | undefined {
-  const { any } = useTexts();
+  const { any, said } = useTexts();
   const title = useStudioState(({ history }) => (place ? shownTitle(history.document, place) : undefined));
-  return title ? any(title) : place;
+  return title ? any(title) : place && said(place);
 }

@@ -1,6 +1,6 @@
 import { Button, Group, Progress, Stack, Text, UnstyledButton } from '@mantine/core';
 import { IconX } from '@tabler/icons-react';
-import { type ReactNode, useRef, useState } from 'react';
+import { type ReactNode, type RefObject, useEffect, useRef, useState } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import { useOpenedWords } from '../i18n/useSceneWords.ts';
 import { sceneName } from '../loading/localFiles.ts';
@@ -28,8 +28,7 @@ export function Viewport(): ReactNode {
       <Legend />
       <Caption />
       <Preparing />
-      <Busy />
-      <Stopped />
+      <Work picture={host} />
     </div>
   );
 }
@@ -88,6 +87,34 @@ function Preparing(): ReactNode {
       {t('viewport.preparing')}
     </Text>
   ) : null;
+}
+
+/** What is under way, or was stopped. Who pressed a button that goes away with it is not left without a place: the next one has the focus, or the picture. */
+function Work({ picture }: { readonly picture: RefObject<HTMLElement | null> }): ReactNode {
+  const box = useRef<HTMLDivElement>(null);
+  const within = useRef(false);
+  const stage = useStudioState(({ loading, interim }) => (loading ? 'busy' : interim));
+  // biome-ignore lint/correctness/useExhaustiveDependencies: buttons come and go with the stage
+  useEffect(() => {
+    if (!within.current || document.activeElement !== document.body) return;
+    (box.current?.querySelector('button') ?? picture.current)?.focus();
+  }, [stage, picture]);
+  return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: it only hears which of its buttons has the focus
+    <div
+      ref={box}
+      onFocus={() => {
+        within.current = true;
+      }}
+      onBlur={({ relatedTarget }) => {
+        // Who goes elsewhere; an element that is taken away loses the focus to nothing.
+        if (relatedTarget) within.current = false;
+      }}
+    >
+      <Busy />
+      <Stopped />
+    </div>
+  );
 }
 
 /** What does not read a scene, and may take minutes. */

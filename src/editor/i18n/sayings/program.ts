@@ -125,6 +125,9 @@ export const program: Readonly<Record<string, string>> = {
   'even steps of {} s err too much; allow a larger error': '即使步长为 {1} s，误差也太大；请允许更大的误差',
   'the energy has grown by {} J: steps of {} s are longer than {} can take here, {} s; take shorter ones':
     '能量增加了 {1} J：步长 {2} s 超过了 {3} 在此可用的 {4} s；请减小步长',
+  leapfrog: '蛙跳',
+  'discrete-gradient': '离散梯度',
+  'implicit-midpoint': '隐式中点',
   'the GPU was lost ({}); go on, or compute it on the processor': 'GPU 已丢失（{1}）；请继续，或在处理器上计算',
   'steps of {} s are too long for {}: what is small may grow in each; set a shorter step, or 0':
     '步长 {1} s 对 {2} 来说太长：微小的量可能每步增大；请设更短的步长，或设为 0',

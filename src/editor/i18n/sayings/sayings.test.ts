@@ -1,9 +1,16 @@
 import { parseSync } from 'oxc-parser';
 import { describe, expect, it } from 'vitest';
+import { makeSystem } from '../../../dynamics/system.ts';
+import { applyCommand } from '../../../graph/commands.ts';
+import { emptyDocument } from '../../../graph/document.ts';
+import { evaluateExpression } from '../../../graph/expression.ts';
+import { parseDocument } from '../../../graph/read.ts';
+import { readShared } from '../../../graph/share.ts';
 import { files } from './files.ts';
 import { gltf } from './gltf.ts';
 import { sayings } from './index.ts';
 import { program } from './program.ts';
+import { sayer } from './sayer.ts';
 import { shaderText } from './shaderText.ts';
 import { usd } from './usd.ts';
 
@@ -43,7 +50,6 @@ function told(node: Syntax): string | undefined {
 function textsIn(file: string, source: string): string[] {
   const texts: string[] = [];
   const walk = (node: unknown): void => {
-    if (Array.isArray(node)) return node.forEach(walk);
     if (typeof node !== 'object' || node === null) return;
     const syntax = node as Syntax;
     if (syntax.type === 'ImportDeclaration' || syntax.type === 'TSLiteralType') return;
@@ -109,5 +115,51 @@ describe('what the program says, in Chinese', () => {
       return values.join() !== all.join() || (/\p{L}{3}/u.test(key) && !/\p{Script=Han}/u.test(other));
     });
     expect(odd).toEqual([]);
+  });
+});
+
+describe('what the program says indeed', () => {
+  const say = sayer(sayings);
+  const said = (work: () => unknown): string => {
+    try {
+      work();
+    } catch (error) {
+      return say((error as Error).message);
+    }
+    throw new Error('nothing was refused');
+  };
+  const withNode = (node: object) => JSON.stringify({ ...emptyDocument(), nodes: { node } });
+
+  it.each([
+    ['a project', () => parseDocument('{"format": 3'), /^不是 JSON：/],
+    [
+      'its parts',
+      () => parseDocument(withNode({ type: 'merge', params: 4 })),
+      /^nodes\.node\.params：应为表，而不是数；现为 4$/,
+    ],
+    [
+      'a name',
+      () => applyCommand(emptyDocument(), { kind: 'add-node', node: 'a b', type: 'merge', at: [0, 0] }),
+      /^“a b”不能作为节点的名称/,
+    ],
+    ['a system', () => makeSystem({ masses: Float64Array.of(1, 0) }), /^点 1 的质量为 0 kg；请设为大于 0$/],
+    ['a link', () => readShared('project=!'), /^链接：.*；它在传送中被截断或更改/],
+  ])('%s', (_, work, words) => {
+    expect(said(work)).toMatch(words);
+  });
+
+  it('an expression', () => {
+    const problem = (text: string) => say((evaluateExpression(text, { unit: 'm' }) as { problem: string }).problem);
+    expect(problem('3 m + 2 s')).toBe('m 与 s 不能相加');
+    expect(problem('sin(')).toBe('末尾缺少内容');
+    expect(problem('2 s')).toBe('值的单位是 s，而需要的是 m');
+  });
+
+  it('why a run ended', () => {
+    const stop =
+      'vertex 3 of /Sheet went through what is solid, to (0, −0.1, 0) m; take a smaller step, a harder penalty, or let it go slower';
+    expect(say(`it ended at t = 0.25 s: ${stop}`)).toBe(
+      '于 t = 0.25 s 结束：/Sheet 的顶点 3 穿过了实体，到达（0, −0.1, 0）m；请减小步长、加大接触劲度，或让它慢一些',
+    );
   });
 });

@@ -100,7 +100,7 @@ function pathsRow(error: number | undefined, t: Translate): string | undefined {
 const COLORS = { error: 'red', warning: 'yellow', info: 'gray' } as const;
 
 function Notes({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode {
-  const { t } = useTexts();
+  const { t, said } = useTexts();
   if (notes.length === 0) return null;
   return (
     <Section title={t('info.notes')}>
@@ -110,9 +110,9 @@ function Notes({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode 
             {note.code}
           </Badge>
           <Text size="xs" ff="monospace" className="sl-place">
-            {note.place}
+            {said(note.place)}
           </Text>
-          <Text size="xs">{note.message}</Text>
+          <Text size="xs">{said(note.message)}</Text>
         </Stack>
       ))}
     </Section>
