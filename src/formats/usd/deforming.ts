@@ -199,8 +199,10 @@ const copied = ({ positions, normals }: Mesh): DeformedPoints => ({
 /** Says how much its samples leave open of how a mesh deforms: by how far cubics through them are from chords. */
 function noteGap(context: StageContext, path: string, times: number, { most, tolerance }: Gap): void {
   if (most <= tolerance) return;
-  const [shown, other] = context.cubic ? ['cubics', 'straight'] : ['straight', 'along cubics'];
-  const message = `between its ${times} samples its points go ${context.cubic ? 'along ' : ''}${shown}; ${other} they would be up to ${most.toPrecision(2)} m elsewhere`;
+  const gap = most.toPrecision(2);
+  const message = context.cubic
+    ? `between its ${times} samples its points go along cubics; straight they would be up to ${gap} m elsewhere`
+    : `between its ${times} samples its points go straight; along cubics they would be up to ${gap} m elsewhere`;
   report(context, 'info', 'usd.between-samples', path, message);
 }
 

@@ -76,13 +76,11 @@ export function shapingOf(context: StageContext, prim: PrimSpec, face: boolean):
 function noteUnshaped(context: StageContext, prim: PrimSpec): void {
   const tint = numbersAt(prim, 'inputs:shaping:focusTint', context.startCode) ?? [];
   const profile = ['inputs:shaping:ies:file', 'shaping:ies:file'].some((name) => textAt(prim, name, context.startCode));
-  const left = [
-    ...(profile ? ['IES profile'] : []),
-    ...(Array.from(tint).some((x) => x !== 0) ? ['focus tint'] : []),
-    ...(attributeOf(prim, 'inputs:shadow:enable') && !isShadowing(context, prim) ? ['want of shadows'] : []),
-  ];
-  if (left.length > 0)
-    report(context, 'info', 'usd.light-input', prim.path, `the ${left.join(' and the ')} of the light is not applied`);
+  const say = (message: string): void => report(context, 'info', 'usd.light-input', prim.path, message);
+  if (profile) say('the IES profile of the light is not applied');
+  if (Array.from(tint).some((x) => x !== 0)) say('the focus tint of the light is not applied');
+  if (attributeOf(prim, 'inputs:shadow:enable') && !isShadowing(context, prim))
+    say('the want of shadows of the light is not applied');
 }
 
 const isShadowing = (context: StageContext, prim: PrimSpec): boolean => isTrue(context, prim, 'inputs:shadow:enable');

@@ -243,8 +243,11 @@ export class MaterialTable {
     const [first, ...more] = uvs.filter((uv) => uv !== undefined);
     const other = more.find((uv) => !isSameUv(uv, first));
     if (other) {
-      const what = other.name === first.name ? `${first.name} in two ways` : `${first.name} and ${other.name}`;
-      report(this.context, 'warning', 'usd.uv', path, `its textures use ${what}; the first is used for both`);
+      const message =
+        other.name === first.name
+          ? `its textures use ${first.name} in two ways; the first is used for both`
+          : `its textures use ${first.name} and ${other.name}; the first is used for both`;
+      report(this.context, 'warning', 'usd.uv', path, message);
     }
     return first;
   }

@@ -176,7 +176,7 @@ function facesOf(context: StageContext, prim: PrimSpec): Faces | undefined {
   const [points, counts, indices] = [at('points'), at('faceVertexCounts'), at('faceVertexIndices')];
   if (!points || !counts || !indices) {
     const missing = [!points && 'points', !counts && 'faceVertexCounts', !indices && 'faceVertexIndices'];
-    const message = `the mesh has no ${missing.filter(Boolean).join(', no ')}; it is left out`;
+    const message = `the mesh has no ${missing.filter(Boolean).join(' or ')}; it is left out`;
     report(context, 'warning', 'usd.empty-mesh', prim.path, message);
     return undefined;
   }

@@ -100,7 +100,7 @@ function parseEntry(s: Scanner, owner: string, said: Metadata): [key: string, va
 
 function plainEntry(s: Scanner, key: string): Value {
   const type = KEY_TYPES.get(key);
-  if (type !== undefined && s.peekName() === 'None') s.expected(`a ${type}`);
+  if (type !== undefined && s.peekName() === 'None') s.expected(`a value of type ${type}`);
   if (type === undefined && s.peek() !== '{') return rawValue(s);
   return parseValue(s, type ?? 'dictionary');
 }
@@ -245,7 +245,10 @@ export function parsePath(s: Scanner, owner: string, canBeProperty: boolean, can
   const path = s.path();
   if (canBeNone && path === '') return '';
   if (!isPath(path, canBeProperty))
-    s.fail(`<${path}> is not the path of a prim${canBeProperty ? ' or a property' : ''}`, at);
+    s.fail(
+      canBeProperty ? `<${path}> is not the path of a prim or a property` : `<${path}> is not the path of a prim`,
+      at,
+    );
   return absolutePath(path, owner);
 }
 

@@ -56,7 +56,9 @@ export function valuesOnMesh(
   if (given >= needed && !outside) {
     return { per, values, ...(indices ? { indices } : {}), ...(primvar.isLinear ? { linear: true } : {}) };
   }
-  const what = outside ? `has an index outside its ${held} values` : `has ${given} values where ${needed} are needed`;
-  report(context, 'warning', 'usd.primvar', prim.path, `${name} ${what}; it is left out`);
+  const message = outside
+    ? `${name} has an index outside its ${held} values; it is left out`
+    : `${name} has ${given} values where ${needed} are needed; it is left out`;
+  report(context, 'warning', 'usd.primvar', prim.path, message);
   return undefined;
 }

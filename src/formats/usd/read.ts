@@ -151,7 +151,9 @@ function timeRange(context: StageContext, { objects, cameras }: StageContents) {
 function noteSubdivision(context: StageContext): void {
   const [first, ...rest] = context.subdivided;
   if (first === undefined) return;
-  const who = rest.length > 0 ? `${rest.length + 1} meshes (the first is ${first}) are` : `${first} is`;
-  const message = `${who} meant as subdivision surface; it is drawn as its polygons`;
+  const message =
+    rest.length > 0
+      ? `${rest.length + 1} meshes (the first is ${first}) are meant as subdivision surface; it is drawn as its polygons`
+      : `${first} is meant as subdivision surface; it is drawn as its polygons`;
   report(context, 'info', 'usd.subdivision', '', message);
 }

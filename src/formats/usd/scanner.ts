@@ -233,7 +233,10 @@ export class Scanner {
         return escaped ? this.unescape(from, p) : this.text(from, p);
       } else if (!triple && (c === NEWLINE || c === RETURN)) break;
     }
-    return this.fail(`the string that begins here is not closed${triple ? '' : ' on its line'}`, start);
+    const message = triple
+      ? 'the string that begins here is not closed'
+      : 'the string that begins here is not closed on its line';
+    return this.fail(message, start);
   }
 
   private unescape(from: number, to: number): string {
@@ -319,13 +322,11 @@ export class Scanner {
   /** Refuses what comes next, saying what should. */
   expected(what: string): never {
     this.skip();
-    return this.fail(`expected ${what}, found ${this.found()}`);
-  }
-
-  private found(): string {
-    if (this.pos >= this.bytes.length) return 'the end of the file; it may be cut off';
+    if (this.pos >= this.bytes.length)
+      return this.fail(`expected ${what}, found the end of the file; it may be cut off`);
     const line = String.fromCharCode(...this.bytes.subarray(this.pos, this.pos + 40)).split(/[\r\n]/)[0]!;
-    return `'${(/^([\w:.-]+|\W)/.exec(line)?.[0] ?? line).slice(0, 32)}'`;
+    const found = (/^([\w:.-]+|\W)/.exec(line)?.[0] ?? line).slice(0, 32);
+    return this.fail(`expected ${what}, found '${found}'`);
   }
 
   fail(message: string, at = this.pos): never {

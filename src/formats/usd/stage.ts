@@ -6,7 +6,7 @@ import { cameraOf } from './cameras.ts';
 import { parentOf } from './compose/paths.ts';
 import { isActive } from './compose/stage.ts';
 import { ancestorsOf, report, type StageContext } from './context.ts';
-import { noteUnreadValues, UNREAD_TYPES } from './coverage.ts';
+import { noteUnreadValues, unreadType } from './coverage.ts';
 import { childFrame, type Frame, frameOf, nestedFrame, ROOT_FRAME } from './frame.ts';
 import { implicitShape, isImplicit } from './gprims.ts';
 import { addPrototypes, Instancers, type Setting } from './instancer/instancers.ts';
@@ -136,9 +136,9 @@ class StageReader {
 
   private async readHere(prim: PrimSpec, own: Inherited): Promise<void> {
     noteUnreadValues(this.context, prim);
-    const unread =
-      UNREAD_TYPES.get(prim.typeName) ?? (isUnreadLight(prim.typeName) ? 'is a light that is not read' : undefined);
-    if (unread) report(this.context, 'warning', 'usd.unsupported-prim', prim.path, `${prim.typeName} ${unread}`);
+    const { typeName } = prim;
+    const unread = isUnreadLight(typeName) ? `${typeName} is a light that is not read` : unreadType(typeName);
+    if (unread) report(this.context, 'warning', 'usd.unsupported-prim', prim.path, unread);
     await this.readThing(prim, own);
   }
 

@@ -28,11 +28,12 @@ export function openPackage(content: Content, name: string): UsdzPackage {
 function stored(window: FileWindow, entry: ZipEntry, name: string): Content {
   const { path, method, packed, size, offset } = entry;
   const fail = (message: string): never => {
-    throw inputError('usd.package', name, `${path} in it ${message}`);
+    throw inputError('usd.package', name, message);
   };
-  if (method !== 0) fail(`is compressed (method ${method}), which usdz does not allow; pack it with usdzip`);
-  if (packed !== size) fail('has two different sizes');
+  if (method !== 0)
+    fail(`${path} in it is compressed (method ${method}), which usdz does not allow; pack it with usdzip`);
+  if (packed !== size) fail(`${path} in it has two different sizes`);
   const start = dataStart(window.slice(offset, LOCAL_SIZE), entry, name);
-  if (start + size > window.size) fail(`ends at byte ${start + size} of ${window.size}; it is cut off`);
+  if (start + size > window.size) fail(`${path} in it ends at byte ${start + size} of ${window.size}; it is cut off`);
   return window.part(start, size) ?? window.bytes.subarray(start, start + size);
 }

@@ -255,4 +255,9 @@ export const files: Readonly<Record<string, string>> = {
   'has {} bytes, not the {} that the directory says': '有 {1} 字节，而不是目录所说的 {2} 字节',
   'holds more than the {} bytes that the directory says': '超过目录所说的 {1} 字节',
   'cannot be unpacked ({})': '无法解压（{1}）',
+
+  // What files of several kinds expect
+  'a number': '数',
+  'a name': '名称',
+  'a type': '类型',
 };

@@ -28,6 +28,8 @@ const sources = import.meta.glob<string>(
     '!../../../nodes/drawing/largest.ts',
     '!../../../formats/codes.ts',
     '!../../../compute/shader.ts',
+    // Lines of the files that are written.
+    '!../../../formats/usd/write{Materials,Prims}.ts',
   ],
   { query: '?raw', import: 'default', eager: true },
 );
@@ -65,12 +67,15 @@ const texts = Object.entries(sources).flatMap(([file, source]) =>
 );
 /** Two words of English, or a word beside a value. */
 const reads = (text: string) => /\p{L}{2,},? (?:\p{L}|\{\}|["“(])|(?:\{\}|\}") \p{L}{2,}|\p{L}{2,} \{\}/u.test(text);
-/** Texts that are no words to a person: of formats and their names, styles, commands, and what programmers alone get to read. */
-const OTHER =
-  /^(?:sl-|slowlight |time \[s\],steps|no \w+Provider |passes of |\{\}\.(?:places|keys) |\{\} MiB$|\n|\/\/ |# )/;
-/** Lines of OBJ and MTL, headings of tables, names of formats. */
-const OF_FILES =
-  /^(?:(?:vn|vt|usemtl|newmtl|mtllib|K[de]|P[rm]|Ni|map_K[de]|norm) \{\}|(?:relative radiance|Radiance HDR|Wavefront OBJ)$)/;
+/** Texts that are no words to a person. */
+const UNSAID = [
+  // Styles, commands, places, and what programmers alone get to read.
+  /^(?:sl-|slowlight |time \[s\],steps|no \w+Provider |passes of |\{\}\.(?:places|keys) |\{\} MiB$|\n|\/\/ |# )/,
+  // Lines of OBJ and MTL, headings of tables, names of formats.
+  /^(?:(?:vn|vt|usemtl|newmtl|mtllib|K[de]|P[rm]|Ni|map_K[de]|norm) \{\}|(?:relative radiance|Radiance HDR|Wavefront OBJ)$)/,
+  // Of USD: lists of names, a prim's line in a file, and keys of what is looked up.
+  /^(?:(?:active|add|assetInfo|bindMaterialAs|comment|elementSize|points|startTimeCode)(?: \w+){2,}|def \{\} "\{\}"|displayColor \{\} \{\}|\{\} clips of \{\})$/,
+];
 
 const holes = (text: string) => (text.match(/\{\}/g) ?? []).length;
 
@@ -89,8 +94,7 @@ describe('what the program says, in Chinese', () => {
       ([file, text]) =>
         catalogueOf(file) === name &&
         reads(text) &&
-        !OTHER.test(text) &&
-        !OF_FILES.test(text) &&
+        !UNSAID.some((each) => each.test(text)) &&
         !Object.hasOwn(sayings, text),
     );
     expect([...new Set(missing.map((each) => each.join(': ')))]).toEqual([]);

@@ -67,7 +67,9 @@ const nameOf = (value: ExpressionValue): string =>
       ? 'a list'
       : typeof value === 'number'
         ? 'an integer'
-        : `a ${typeof value}`;
+        : typeof value === 'string'
+          ? 'a string'
+          : 'a boolean';
 
 type Thunk = () => ExpressionValue;
 

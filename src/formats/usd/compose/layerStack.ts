@@ -96,8 +96,10 @@ export class LayerStacks {
       else {
         const chain = [...above, source];
         if (chain.includes(found) || chain.length > MAX_DEPTH) {
-          const why = chain.includes(found) ? 'is one of its own sublayers' : `is nested deeper than ${MAX_DEPTH}`;
-          this.note('usd.cycle', '', `the sublayer @${asset}@ of ${source.id} ${why}; it is left out there`);
+          const message = chain.includes(found)
+            ? `the sublayer @${asset}@ of ${source.id} is one of its own sublayers; it is left out there`
+            : `the sublayer @${asset}@ of ${source.id} is nested deeper than ${MAX_DEPTH}; it is left out there`;
+          this.note('usd.cycle', '', message);
           continue;
         }
         const own = this.usable({ offset, scale }, asset, source);

@@ -81,7 +81,7 @@ export class LayerStore {
       return unreadable(asset, thrown);
     }
     const lookedFor = this.files.candidates(anchor, asset);
-    const message = `@${asset}@ is not there (looked for ${lookedFor.join(' and ')}); open the folder that holds it`;
+    const message = `@${asset}@ is not there (looked for ${lookedFor.join(', ')}); open the folder that holds it`;
     this.missing.set(message, { name: asset, lookedFor });
     return { code: 'usd.missing-layer', message };
   }

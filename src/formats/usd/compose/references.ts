@@ -51,7 +51,7 @@ function layerOf(builder: IndexBuilder, kind: string, arc: SourcedArc): LoadedLa
   if (asset === '') return undefined;
   const found = builder.composer.store.find(arc.from.source.id, asset);
   if (!found || !isFault(found)) return found;
-  builder.note(found.code, `its ${kind} ${found.message}`);
+  builder.note(found.code, kind === 'reference' ? `its reference ${found.message}` : `its payload ${found.message}`);
   return undefined;
 }
 

@@ -195,8 +195,10 @@ class StageComposer {
     for (const { path, set, variant } of this.choices) {
       const offered = this.variantSets.find((s) => s.path === path && s.set === set);
       if (offered?.variants.includes(variant) || (offered && variant === '')) continue;
-      const why = offered ? `has ${offered.variants.join(', ')}` : 'is not a variant set of this prim';
-      this.say('usd.variant', path, `the variant '${variant}' of '${set}' is chosen, but ${set} ${why}`);
+      const message = offered
+        ? `the variant '${variant}' of '${set}' is chosen, but ${set} has ${offered.variants.join(', ')}`
+        : `the variant '${variant}' of '${set}' is chosen, but ${set} is not a variant set of this prim`;
+      this.say('usd.variant', path, message);
     }
   }
 }

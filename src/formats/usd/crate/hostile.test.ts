@@ -93,7 +93,7 @@ describe('a crate written here', () => {
     expect(data.length).toBeLessThan(16_000);
     expect((attribute(data).value as { data: Int32Array }).data.at(-1)).toBe(12e6);
     expect(refusal(crate(even(1e8), [['default', INTS]]))).toMatch(
-      /^a\.usdc<\/A\.x> default \(byte 96\): 100000000 integers would take 381 MiB where \S+ MiB are left: .*split it/,
+      /^a\.usdc<\/A\.x> default \(byte 96\): an array of 100000000 numbers would take 381 MiB where \S+ MiB are left: .*split it/,
     );
   });
 

@@ -71,7 +71,7 @@ function unpack(cursor: Cursor, count: number, width: 4 | 8, what: string): Pack
   const least = width + codeBytes;
   if (least > MAX_EXPANSION * length)
     source.fail(`it says ${count} ${what}, which ${length} compressed bytes cannot hold`, at);
-  source.spend(width * count, `${count} ${what}`, at);
+  source.spend(width * count, `an array of ${count} numbers`, at);
   const scratch = scratchOf(Math.min(least + width * count, MAX_EXPANSION * length));
   const size = decompress(source, from, length, scratch);
   if (size < least) cutOff(source, what, 0, count, at);

@@ -53,7 +53,7 @@ function readLong(source: CrateSource, rep: Rep, storage: 'int64' | 'uint64'): b
 
 /** Assets are inlined as tokens, though arrays have them as strings. */
 function readText(source: CrateSource, rep: Rep, storage: string, texts: Texts): string {
-  const index = rep.isInlined ? rep.low : new Cursor(source, rep.offset).u32(`a ${storage}`);
+  const index = rep.isInlined ? rep.low : new Cursor(source, rep.offset).u32(`a value of type ${storage}`);
   return storage === 'token' || storage === 'asset' ? texts.token(index, rep.at) : texts.string(index, rep.at);
 }
 
@@ -61,7 +61,7 @@ type TupleType = Extract<ArrayType, { kind: 'tuple' }>;
 
 /** Small whole numbers are inlined as bytes with a sign: all of a vector, or the diagonal of a matrix. */
 function readTuple(source: CrateSource, rep: Rep, { scalar, size, storage }: TupleType): NumberArray {
-  source.spend(TUPLE_BYTES, `a ${storage}`, rep.at);
+  source.spend(TUPLE_BYTES, `a value of type ${storage}`, rep.at);
   const out = new ARRAYS[scalar](size);
   if (!rep.isInlined) {
     const cursor = new Cursor(source, rep.offset);

@@ -11,7 +11,7 @@ export function readTimeSamples(reader: Values, rep: Rep, cursor: Cursor): TimeS
   const times = timesOf(reader, reader.readNested(cursor), at);
   const jump = cursor.at;
   cursor.at = jump + cursor.i64('the place of samples');
-  const count = cursor.count('samples', 8);
+  const count = cursor.count('values of samples', 8);
   if (count !== times.length) source.fail(`there are ${count} samples at ${times.length} times`, at);
   source.spend(ENTRY_BYTES * count, `${count} samples`, at);
   const values = Array.from({ length: count }, (): Value => reader.plain(reader.readAt(cursor), cursor.at - 8));

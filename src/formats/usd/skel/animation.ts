@@ -65,10 +65,10 @@ function problemOf(context: StageContext, prim: PrimSpec, joints: number): strin
     const times = attribute?.timeSamples?.times ?? [];
     for (const time of times.length > 0 ? times : [context.startCode]) {
       const values = numbersAt(prim, name, time);
-      const at = times.length > 0 ? ` at ${time}` : '';
+      const what = times.length > 0 ? `${name} at time ${time}` : name;
       if (values?.length !== joints * PARTS[name])
-        return `${name}${at} has ${(values?.length ?? 0) / PARTS[name]} values for ${joints} joints`;
-      if (!values.every(Number.isFinite)) return `${name}${at} holds what is no finite number`;
+        return `${what} has ${(values?.length ?? 0) / PARTS[name]} values for ${joints} joints`;
+      if (!values.every(Number.isFinite)) return `${what} holds what is no finite number`;
     }
   }
   return undefined;

@@ -248,7 +248,7 @@ describe('what cannot be followed is told, and the mesh stays as it is written',
   it.each([
     ['translations = [(1, 0, 0)]', 'translations = []', 'translations has 0 values for 1 joints'],
     ['scales = [(1, 1, 1)]', 'scales = [(1, inf, 1)]', 'scales holds what is no finite number'],
-    ['24: [(', '12: [], 24: [(', 'rotations at 12 has 0 values for 1 joints'],
+    ['24: [(', '12: [], 24: [(', 'rotations at time 12 has 0 values for 1 joints'],
   ])('an animation with %s as %s: its joints rest', async (from, to, message) => {
     const text = arm();
     expect(text).toContain(from);
