@@ -6,6 +6,7 @@ import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { colours, difference, Program } from './program.ts';
+import { drop } from './support.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -87,6 +88,11 @@ describe('the page', () => {
     await visit.shot('page-zh');
     await visit.page.reload();
     await visit.page.getByText('相对论控制台').waitFor();
+    await visit.ready();
+    const broken = Buffer.from('#usda 1.0\ndef Mesh "a" {\n  int[] x = [1, 2\n');
+    await drop(visit, [{ name: 'broken.usda', content: broken }]);
+    await expect.poll(() => visit.refusals.textContent()).toMatch(/broken\.usda.*此处应为列表中的.*文件却已结束/);
+    await visit.shot('page-zh-refused');
     await visit.close();
   });
 
