@@ -111,10 +111,11 @@ export const simulateNode = defineNode({
     for await (const _ of simulation.run(services.openGpu)) {
       progress(simulation.taken / simulation.frames, 'simulate');
       interim?.(() => ({ ...simulation.outputs() }));
-      if (!signal || performance.now() - breath < BREATH) continue;
-      await new Promise((resolve) => setTimeout(resolve));
-      if (signal.aborted) throw new CancelledError();
-      breath = performance.now();
+      if (signal && performance.now() - breath >= BREATH) {
+        await new Promise((resolve) => setTimeout(resolve));
+        breath = performance.now();
+      }
+      if (signal?.aborted) throw new CancelledError();
     }
     const { geometry, books }: Simulated = simulation.outputs();
     return { geometry, books };
