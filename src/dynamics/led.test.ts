@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { ranThrough } from '../../tests/support/clothKit.ts';
+import { fromAxisAngle, rotate } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { barrier } from './forces/barrier.ts';
 import { ballContacts } from './forces/contact.ts';
@@ -31,8 +32,8 @@ describe.each(OURS)('what is led, by %s,', (id) => {
   const [u, c] = [5, 10];
   const solid: readonly (readonly [string, System['forces']])[] = [
     ['a ball', [ballContacts([{ point: 1, radius: 0.3 }], [0])]],
-    ['a wall', [barrier(plane([-1, 0, 0], [1, 0, 0]), [0], 10_000, 0.1, 1)]],
-    ['a box', [barrier(box([-1, 0, 0], [0.4, 1, 1]), [0], 10_000, 0.1, 1)]],
+    ['a wall', [barrier(plane([-1, 0, 0], [1, 0, 0]), [0], 10_000, 0.1, [1])]],
+    ['a box', [barrier(box([-1, 0, 0], [0.4, 1, 1]), [0], 10_000, 0.1, [1])]],
   ];
 
   it.each(solid)('%s throws a point at rest to 2β/(1 + β²), and keeps H − u·p', (_, forces) => {
@@ -45,6 +46,57 @@ describe.each(OURS)('what is led, by %s,', (id) => {
     const off = Math.max(...kept.map(Math.abs)) / last.ledger.kinetic;
     expect(off).toBeLessThan(id === 'discrete-gradient' ? 1e-12 : 1e-4);
     expect(last.state.x[3]).toBeCloseTo(-1 + u * last.state.t, 12);
+  });
+});
+
+/** Point 0 at rest in (1, 0, 0); a wall or a box, carried by points 1, 2 and 3, turns about z through the origin and comes to it. */
+const sweeping = (omega: number, forces: System['forces'], arm: Vec3): System => {
+  const begin = -0.3;
+  /** Of what lies at (x, y, 0) when it is at the angle 0. */
+  const turned =
+    (x: number, y: number) =>
+    (t: number): Vec3 => {
+      const [cos, sin] = [Math.cos(begin + omega * t), Math.sin(begin + omega * t)];
+      return [x * cos - y * sin, x * sin + y * cos, 0];
+    };
+  return makeSystem({
+    masses: Float64Array.of(1, 1, 1, 1),
+    pinned: Uint8Array.of(0, 1, 1, 1),
+    led: [
+      { point: 1, place: turned(arm[0], arm[1]) },
+      { point: 2, place: turned(arm[0] + 1, arm[1]) },
+      { point: 3, place: turned(arm[0], arm[1] + 1) },
+    ],
+    c: 10,
+    forces,
+  });
+};
+
+describe.each(OURS)('what turns, by %s,', (id) => {
+  const [omega, c] = [5, 10];
+  const first = fromAxisAngle([0, 0, 1], -0.3);
+  const [middle, front] = [rotate(first, [0.8, 0, 0]), rotate(first, [0, 1, 0])];
+  const K = 1e6;
+
+  it.each([
+    ['a box', barrier(box(middle, [1, 0.1, 1], first), [0], K, 0.05, [1, 2, 3])],
+    ['a wall', barrier({ ...plane(middle, front), orientation: first }, [0], K, 0.1, [1, 2, 3])],
+  ] as const)('%s throws a point at rest where it meets it to 2β/(1 + β²), and keeps H − ωL', (_, force) => {
+    // Where the point is, as the box sees it, when it is touched.
+    const r = Math.sqrt(1 - 0.1 ** 2);
+    const system = sweeping(omega, [force], [0.8, 0, 0]);
+    const start = [1, 0, 0, ...[1, 2, 3].flatMap((point) => system.led!.find((led) => led.point === point)!.place(0))];
+    const { frames, stop, last } = ranBy(id, system, start, { step: 1e-5, duration: 0.08, every: 0.01 });
+    expect(stop).toBeUndefined();
+    // Where V pushes that turns evenly, H − ω·L does not change: with both 0 before, p = 2γ²mωr after, across the arm.
+    expect(last.ledger.fastest / ((2 * omega * r) / (1 + ((omega * r) / c) ** 2))).toBeCloseTo(1, 2);
+    const kept = frames.map(({ ledger }) => ledger.kinetic + ledger.potential - omega * ledger.angularMomentum[2]);
+    expect(last.ledger.kinetic).toBeGreaterThan(10);
+    expect(Math.max(...kept.map(Math.abs)) / last.ledger.kinetic).toBeLessThan(
+      id === 'discrete-gradient' ? 1e-8 : 1e-5,
+    );
+    expect(last.state.p[1]).toBeGreaterThan(0);
+    expect(Math.abs(last.state.p[2])).toBeLessThan(1e-12);
   });
 });
 

@@ -1,4 +1,6 @@
-import { addScaled, dot, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { type Mat3, multiply, transform, transpose } from '../../math/mat3.ts';
+import { toMatrix } from '../../math/quat.ts';
+import { add, addScaled, cross, dot, length, normalize, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { pointAt } from '../system.ts';
 import { addBlock, type Force, type PlainBarrier, type Stiffness } from './force.ts';
 import type { Obstacle } from './obstacle.ts';
@@ -8,71 +10,82 @@ const SEARCH = 40;
 
 /**
  * Pushes points out of an obstacle: V = Σ ½K(margin − d)² of those whose distance d is below the margin. `K` [N/m], `margin` [m]. Its discrete gradient is Gonzalez's:
- * the gradient halfway, and along the way what is missing of V₁ − V₀. `carrier`: a point that is led, which the obstacle's middle goes with; absent: it stands fast.
+ * the gradient halfway, and along the way what is missing of V₁ − V₀. `carriers`: points that are led, which the obstacle goes with: its middle, and, where it
+ * turns, the ends of two arms along its own x and y; none: it stands fast. Places are then taken as it sees them, in the axes that it had at first.
  */
 export const barrier = (
   obstacle: Obstacle,
   points: readonly number[],
   K: number,
   margin = 0,
-  carrier: number | undefined = undefined,
-): Force => new Barrier({ kind: 'barrier', obstacle, points, strength: K, margin }, carrier);
+  carriers: readonly number[] = [],
+): Force => new Barrier({ kind: 'barrier', obstacle, points, strength: K, margin }, carriers);
+
+/** How an obstacle lies. */
+interface Seat {
+  /** How far its middle has gone [m]. */
+  readonly gone: Vec3;
+  /** How it has turned since, and back; absent: not at all. */
+  readonly turn?: Mat3;
+  readonly unturn?: Mat3;
+}
+const FAST: Seat = { gone: ZERO };
 
 /** Most points are far off most of the time: they are asked for their distance alone, number by number. */
 class Barrier implements Force {
   readonly plain: PlainBarrier;
-  private readonly carrier: number | undefined;
+  private readonly carriers: readonly number[];
+  /** From the world to the obstacle's own axes, as it lay at first. */
+  private readonly back: Mat3;
 
-  constructor(plain: PlainBarrier, carrier: number | undefined) {
+  constructor(plain: PlainBarrier, carriers: readonly number[]) {
     this.plain = plain;
-    this.carrier = carrier;
+    this.carriers = carriers;
+    this.back = transpose(toMatrix(plain.obstacle.orientation));
   }
 
   energy(x: Float64Array): number {
     const { points, strength } = this.plain;
-    const gone = this.gone(x);
+    const seat = this.seat(x);
     let sum = 0;
-    for (const i of points) sum += 0.5 * strength * this.depth(x, i, gone) ** 2;
+    for (const i of points) sum += 0.5 * strength * this.depth(x, i, seat) ** 2;
     return sum;
   }
 
   add(x: Float64Array, sum: Float64Array): void {
-    const { points, strength, obstacle } = this.plain;
-    const gone = this.gone(x);
+    const { points, strength } = this.plain;
+    const seat = this.seat(x);
     for (const i of points) {
-      const deep = this.depth(x, i, gone);
-      if (deep > 0) push(sum, i, obstacle.outside(sub(pointAt(x, i), gone))[1], strength * deep);
+      const deep = this.depth(x, i, seat);
+      if (deep > 0) push(sum, i, this.out(x, i, seat), strength * deep);
     }
   }
 
   addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
     const { points, margin, obstacle, strength: K } = this.plain;
-    const gone0 = this.gone(x0);
-    const gone1 = this.gone(x1);
+    const [seat0, seat1, halfway] = [this.seat(x0), this.seat(x1), this.seat(x0, x1)];
     for (const i of points) {
-      const far0 = this.distance(x0, i, gone0);
-      const far1 = this.distance(x1, i, gone1);
+      const far0 = this.distance(x0, i, seat0);
+      const far1 = this.distance(x1, i, seat1);
       // Nobody is nearer by more than he goes.
-      if (Math.max(far0, far1) - wayBetween(x0, x1, i, gone0, gone1) / 2 >= margin && Math.min(far0, far1) >= margin)
+      if (Math.min(far0, far1) >= margin && Math.max(far0, far1) - this.goes(x0, x1, i, seat0, seat1) / 2 >= margin)
         continue;
-      const a = sub(pointAt(x0, i), gone0);
-      const way = sub(sub(pointAt(x1, i), gone1), a);
+      const a = this.seen(x0, i, seat0);
+      const way = sub(this.seen(x1, i, seat1), a);
       const [distance, out] = obstacle.outside(addScaled(a, way, 0.5));
       const deep = Math.max(0, margin - distance);
       const rise = 0.5 * K * (Math.max(0, margin - far1) ** 2 - Math.max(0, margin - far0) ** 2);
       const square = dot(way, way);
-      push(sum, i, out, K * deep);
-      if (square > 0) push(sum, i, way, -(rise + K * deep * dot(out, way)) / square);
+      push(sum, i, toWorld(out, halfway), K * deep);
+      if (square > 0) push(sum, i, toWorld(way, halfway), -(rise + K * deep * dot(out, way)) / square);
     }
   }
 
   stiffness(x: Float64Array): Stiffness {
-    const { points, strength: K, obstacle } = this.plain;
-    const gone = this.gone(x);
-    const pressed = points.filter((i) => this.depth(x, i, gone) > 0);
-    return new BarrierStiffness(
-      pressed.map((point) => ({ point, out: obstacle.outside(sub(pointAt(x, point), gone))[1], K })),
-    );
+    const { points, strength: K } = this.plain;
+    const seat = this.seat(x);
+    const pressed = points.filter((i) => this.depth(x, i, seat) > 0);
+    return new BarrierStiffness(pressed.map((point) => ({ point, out: this.out(x, point, seat), K })));
   }
 
   addRigidity(bound: Float64Array): void {
@@ -83,29 +96,64 @@ class Barrier implements Force {
     const { points, obstacle } = this.plain;
     // A plane has no other side.
     if (!obstacle.half) return undefined;
-    const gone0 = this.gone(x0);
-    const gone1 = this.gone(x1);
+    const [seat0, seat1] = [this.seat(x0), this.seat(x1)];
     return points.find(
       (i) =>
-        this.distance(x0, i, gone0) < wayBetween(x0, x1, i, gone0, gone1) &&
-        wentThrough(obstacle, sub(pointAt(x0, i), gone0), sub(pointAt(x1, i), gone1)),
+        this.distance(x0, i, seat0) < this.goes(x0, x1, i, seat0, seat1) &&
+        wentThrough(obstacle, this.seen(x0, i, seat0), this.seen(x1, i, seat1)),
     );
   }
 
-  /** How far an obstacle that is carried has gone. */
-  private gone(x: Float64Array): Vec3 {
-    const { carrier } = this;
-    return carrier === undefined ? ZERO : sub(pointAt(x, carrier), this.plain.obstacle.middle);
+  /** How the obstacle lies, or halfway between two such. */
+  private seat(x: Float64Array, other = x): Seat {
+    const { carriers, back } = this;
+    if (carriers.length === 0) return FAST;
+    const [middle, first, second] = carriers.map((point) =>
+      addScaled(pointAt(x, point), sub(pointAt(other, point), pointAt(x, point)), 0.5),
+    );
+    const gone = sub(middle, this.plain.obstacle.middle);
+    if (!first || !second) return { gone };
+    const [along, arm] = [normalize(sub(first, middle)), sub(second, middle)];
+    const across = normalize(addScaled(arm, along, -dot(arm, along)));
+    const axes = transpose([...along, ...across, ...cross(along, across)]);
+    const turn = multiply(axes, back);
+    return { gone, turn, unturn: transpose(turn) };
   }
 
-  private distance(x: Float64Array, i: number, gone: Vec3): number {
-    return this.plain.obstacle.distance(x[3 * i] - gone[0], x[3 * i + 1] - gone[1], x[3 * i + 2] - gone[2]);
+  /** A point as the obstacle sees it. */
+  private seen(x: Float64Array, i: number, { gone, unturn }: Seat): Vec3 {
+    const place = sub(pointAt(x, i), gone);
+    const { middle } = this.plain.obstacle;
+    return unturn ? add(middle, transform(unturn, sub(place, middle))) : place;
   }
 
-  private depth(x: Float64Array, i: number, gone: Vec3): number {
-    return Math.max(0, this.plain.margin - this.distance(x, i, gone));
+  private out(x: Float64Array, i: number, seat: Seat): Vec3 {
+    return toWorld(this.plain.obstacle.outside(this.seen(x, i, seat))[1], seat);
+  }
+
+  private distance(x: Float64Array, i: number, seat: Seat): number {
+    const { obstacle } = this.plain;
+    const { gone, turn } = seat;
+    if (turn) return obstacle.distance(...this.seen(x, i, seat));
+    return obstacle.distance(x[3 * i] - gone[0], x[3 * i + 1] - gone[1], x[3 * i + 2] - gone[2]);
+  }
+
+  private depth(x: Float64Array, i: number, seat: Seat): number {
+    return Math.max(0, this.plain.margin - this.distance(x, i, seat));
+  }
+
+  /** How far a point goes, as the obstacle sees it [m]. */
+  private goes(x0: Float64Array, x1: Float64Array, i: number, seat0: Seat, seat1: Seat): number {
+    if (seat0.turn) return length(sub(this.seen(x1, i, seat1), this.seen(x0, i, seat0)));
+    const dx = x1[3 * i] - x0[3 * i] - (seat1.gone[0] - seat0.gone[0]);
+    const dy = x1[3 * i + 1] - x0[3 * i + 1] - (seat1.gone[1] - seat0.gone[1]);
+    const dz = x1[3 * i + 2] - x0[3 * i + 2] - (seat1.gone[2] - seat0.gone[2]);
+    return Math.sqrt(dx * dx + dy * dy + dz * dz);
   }
 }
+
+/** A direction that the obstacle sees. */
+const toWorld = (way: Vec3, { turn }: Seat): Vec3 => (turn ? transform(turn, way) : way);
 
 /** Whether the way out is the opposite one at the other end of a straight way that leads through the inside. */
 function wentThrough(obstacle: Obstacle, from: Vec3, to: Vec3): boolean {
@@ -121,14 +169,6 @@ function wentThrough(obstacle: Obstacle, from: Vec3, to: Vec3): boolean {
     else a = p;
   }
   return false;
-}
-
-/** How far a point goes, as seen from what goes too [m]. */
-function wayBetween(x0: Float64Array, x1: Float64Array, i: number, gone0: Vec3, gone1: Vec3): number {
-  const dx = x1[3 * i] - x0[3 * i] - (gone1[0] - gone0[0]);
-  const dy = x1[3 * i + 1] - x0[3 * i + 1] - (gone1[1] - gone0[1]);
-  const dz = x1[3 * i + 2] - x0[3 * i + 2] - (gone1[2] - gone0[2]);
-  return Math.sqrt(dx * dx + dy * dy + dz * dz);
 }
 
 function push(sum: Float64Array, i: number, way: Vec3, f: number): void {

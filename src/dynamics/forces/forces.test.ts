@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { uniform as between } from '../../../tests/physicsArbitraries.ts';
-import { fromAxisAngle } from '../../math/quat.ts';
+import { conjugate, fromAxisAngle, multiply, type Quat, rotate } from '../../math/quat.ts';
+import { add, normalize, sub, type Vec3 } from '../../math/vec3.ts';
 import { barrier } from './barrier.ts';
 import { ballContacts, Penalty } from './contact.ts';
 import { coulomb } from './coulomb.ts';
@@ -140,3 +141,48 @@ describe.each(FORCES.filter(([name]) => !/box/.test(name)))('%s', (_, force) => 
     );
   });
 });
+
+describe('a barrier that is carried', () => {
+  const axis = fc.tuple(between(-1, 1), between(-1, 1), between(0.1, 1));
+  const spot = fc.tuple(between(-1, 1), between(-1, 1), between(-1, 1));
+  const K = 80;
+
+  it('pushes as one that stands as it lies now', () => {
+    fc.assert(
+      fc.property(places(), axis, between(-3, 3), spot, spot, (x, about, angle, from, to) => {
+        const turn = fromAxisAngle(normalize(about), angle);
+        const arms = [
+          to,
+          add(to, rotate(multiply(turn, TURNED), [0.7, 0, 0])),
+          add(to, rotate(multiply(turn, TURNED), [0, 2, 0])),
+        ];
+        const all = Float64Array.from([...x, ...arms.flat()]);
+        const carried = barrier(box(from, [1.8, 1.2, 2], TURNED), [0, 1, 2, 3], K, 0.1, [4, 5, 6]);
+        const stands = barrier(box(to, [1.8, 1.2, 2], multiply(turn, TURNED)), [0, 1, 2, 3], K, 0.1);
+        expect(carried.energy(all)).toBeCloseTo(stands.energy(x), 9);
+        const pushed = new Float64Array(all.length);
+        carried.add(all, pushed);
+        expect(pushed.slice(12).every((f) => f === 0)).toBe(true);
+        // From the middle of an edge two ways out are as short.
+        fc.pre([0, 1, 2, 3].every((i) => leadsOut(x, i, to, multiply(turn, TURNED))));
+        const wanted = forceOf(stands, x);
+        wanted.forEach((f, j) => {
+          expect(pushed[j]).toBeCloseTo(f, 8);
+        });
+        // Where nothing goes, the mean is what pushes there.
+        const mean = new Float64Array(all.length);
+        carried.addMean(all, all, mean);
+        wanted.forEach((f, j) => {
+          expect(mean[j]).toBeCloseTo(f, 8);
+        });
+      }),
+    );
+  });
+});
+
+/** Whether one way out of a box is the shortest, by more than rounding. */
+function leadsOut(x: Float64Array, i: number, middle: Vec3, orientation: Quat): boolean {
+  const d = rotate(conjugate(orientation), sub([x[3 * i], x[3 * i + 1], x[3 * i + 2]], middle));
+  const over = [Math.abs(d[0]) - 0.9, Math.abs(d[1]) - 0.6, Math.abs(d[2]) - 1].sort((a, b) => b - a);
+  return over[0] > 1e-6 || over[0] - over[1] > 1e-6;
+}

@@ -34,11 +34,11 @@ export interface Ball {
   readonly of: SolidMatter;
 }
 
-/** An obstacle; where it moves, the point that carries it. */
+/** An obstacle; where it moves, the points that carry it. */
 export interface Standing {
   readonly obstacle: Obstacle;
   readonly of: SolidMatter;
-  readonly carrier?: number;
+  readonly carriers?: readonly number[];
 }
 
 /** What acts between points that come near: of different things, and of one that is folded. */
@@ -127,11 +127,11 @@ function ballContacts({ bodies, balls, pinned }: Collected): Force[] {
 function barriers({ bodies, balls, pinned, obstacles }: Collected): Force[] {
   const moving = (i: number): boolean => !pinned[i];
   const points = bodies.flatMap((body, i) => (body >= 0 && moving(i) ? [i] : []));
-  return obstacles.flatMap(({ obstacle, of: { stiffness, margin }, carrier }) => [
-    barrier(obstacle, points, stiffness, margin, carrier),
+  return obstacles.flatMap(({ obstacle, of: { stiffness, margin }, carriers }) => [
+    barrier(obstacle, points, stiffness, margin, carriers),
     ...balls
       .filter(({ point }) => moving(point))
-      .map(({ point, radius }) => barrier(obstacle, [point], stiffness, margin + radius, carrier)),
+      .map(({ point, radius }) => barrier(obstacle, [point], stiffness, margin + radius, carriers)),
   ]);
 }
 

@@ -1,6 +1,6 @@
 import { box, type Obstacle, plane } from '../../dynamics/forces/obstacle.ts';
 import { conjugate, multiply, rotate, rotationAngle } from '../../math/quat.ts';
-import { length, normalize, sub, type Vec3 } from '../../math/vec3.ts';
+import { addScaled, length, normalize, sub, type Vec3 } from '../../math/vec3.ts';
 import { placed, samplePose } from '../../scene/motion.ts';
 import { pointAt } from '../../scene/polygons.ts';
 import type { SceneObject } from '../../scene/types.ts';
@@ -11,7 +11,6 @@ import { boundsOf, FLAT, middleOf, poseOf } from './things.ts';
 /** What a thing is for what would get into it, as it lies when the simulation begins; c [m/s]. */
 export function obstacleOf(object: SceneObject, part: SolidMatter, c: number): Obstacle {
   const { min, max } = boundsOf(object);
-  refuseTurning(object, part);
   const pose = poseOf(object, c);
   const middle = middleOf(object);
   if (part.shape === 'box') return box(placed(pose, middle), sub(max, min), pose.orientation);
@@ -30,16 +29,23 @@ export function obstacleOf(object: SceneObject, part: SolidMatter, c: number): O
   throw refusal('collider.plane', object.path, message, { node: part.node, param: 'shape', value: 'box' });
 }
 
-/** Planes and boxes go as they lie. */
-function refuseTurning({ motion, path }: SceneObject, { node, shape }: SolidMatter): void {
-  if (motion.kind !== 'sampled') return;
-  const first = samplePose(motion.poses, 0).orientation;
-  const turns = Array.from(motion.times, (_, k) =>
-    rotationAngle(multiply(conjugate(first), samplePose(motion.poses, k).orientation)),
+/** Places of a moving obstacle that tell how it lies, in its thing's own frame: its middle, and where it turns the ends of arms along its x and y. */
+export function carriersOf(object: SceneObject, { orientation }: Obstacle, c: number): Vec3[] {
+  const middle = middleOf(object);
+  if (!turns(object)) return [middle];
+  const { min, max } = boundsOf(object);
+  // As far out as it is large: what would go faster than light there is told.
+  const reach = Math.max(...sub(max, min)) / 2;
+  const own = multiply(conjugate(poseOf(object, c).orientation), orientation);
+  return [middle, addScaled(middle, rotate(own, [1, 0, 0]), reach), addScaled(middle, rotate(own, [0, 1, 0]), reach)];
+}
+
+function turns({ motion }: SceneObject): boolean {
+  if (motion.kind !== 'sampled') return false;
+  const first = conjugate(samplePose(motion.poses, 0).orientation);
+  return motion.times.some(
+    (_, k) => rotationAngle(multiply(first, samplePose(motion.poses, k).orientation)) >= LEAST_TURN,
   );
-  if (Math.max(...turns) < LEAST_TURN) return;
-  const message = `it turns, and what collides with a ${shape} is computed for such as do not; choose the shape ball, or let it go without turning`;
-  throw refusal('collider.turns', path, message, { node, param: 'shape', value: 'ball' });
 }
 
 /** [rad] */

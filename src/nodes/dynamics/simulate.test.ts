@@ -518,12 +518,44 @@ describe('what moves already', () => {
     });
   });
 
-  it('is refused where it turns as a box, or would be free', async () => {
-    const turning = ['motion-keyframes', { keys: ['0 0 0 0', '1 1 0 0 0 90 0'] }] as const;
-    const box = going('Mover', ['box', {}], turning, 'collider', { shape: 'box' });
-    expect(await refusalOf(...box, ...running(['Mover'], {}))).toMatchObject({
-      ...{ code: 'collider.turns', place: '/Mover', remedy: { param: 'shape', value: 'ball' } },
+  /** A paddle through the origin that turns about y, a quarter in `quarter` seconds. */
+  const paddle = (quarter: number): Command[] => {
+    const keys = ['0 0 0 0', `${quarter} 0 0 0 0 90 0`];
+    return going('Paddle', ['box', { width: 4, height: 1, depth: 0.2 }], ['motion-keyframes', { keys }], 'collider', {
+      ...{ shape: 'box', stiffness: 1e6, margin: 0 },
     });
+  };
+
+  it('turns as it turns: a paddle throws what rests, where it meets it, to 2β/(1 + β²) c', async () => {
+    const omega = Math.PI / 2 / 0.5;
+    const target = ball('Target', 0.1, [1.5, 0, -0.8], { stiffness: 1e6 });
+    const { scene, books } = await simulated(
+      ...paddle(0.5),
+      ...target,
+      ...running(['Paddle', 'Target'], { speedOfLight: c, duration: 0.4, rate: 50, method: 'leapfrog', step: 2e-5 }),
+    );
+    // Its front is 0.1 m beside the axis, and the ball's radius with the margin 0.11 m before that.
+    const along = Math.sqrt(1.5 ** 2 + 0.8 ** 2 - 0.21 ** 2);
+    const beta = (omega * along) / c;
+    expect(books.fastest.at(-1)! / c / ((2 * beta) / (1 + beta ** 2))).toBeCloseTo(1, 2);
+    expect(books.stop).toBeUndefined();
+    expect(scene.diagnostics).toEqual([]);
+    expect(thing(scene, '/Paddle').motion.kind).toBe('sampled');
+  });
+
+  it('is named where it turns so fast that its end outruns light', async () => {
+    const { books } = await simulated(
+      ...paddle(0.2),
+      ...ball('Target', 0.1, [1.5, 0, -0.8], {}),
+      ...running(['Paddle', 'Target'], { speedOfLight: c, duration: 0.4, method: 'leapfrog' }),
+    );
+    expect(books.stop).toMatchObject({
+      reason: 'light',
+      message: expect.stringMatching(/^\/Paddle is led at 15\.\d+ m\/s/),
+    });
+  });
+
+  it('is refused where it would be free', async () => {
     const free = going('Mover', ['sphere', {}], uniform, 'collider', { shape: 'ball', free: true });
     expect(await resultOf(build(...free, ...running(['Mover'], {})))).toMatchObject({ status: 'blocked', by: 'Mover' });
   });

@@ -12,7 +12,7 @@ import type { LoadedScene, Services } from '../services.ts';
 import type { Touch } from './acting.ts';
 import { Film, type Reel } from './film.ts';
 import type { Matter } from './matter.ts';
-import { type Cast, type Stage, stageOf } from './stage.ts';
+import { type Actor, type Cast, type Stage, stageOf } from './stage.ts';
 
 /** How a simulation is to be computed. */
 export interface Settings {
@@ -174,14 +174,26 @@ function named(stop: Stop, casts: readonly Cast[]): Stop {
   const { point } = stop;
   if (point === undefined) return stop;
   for (const actor of casts.flatMap(({ actors }) => actors)) {
-    const vertex = actor.kind === 'net' ? actor.pointOfVertex.indexOf(point) : -1;
-    const name =
-      actor.kind === 'net' && vertex >= 0
-        ? `vertex ${vertex} of ${actor.object.path}`
-        : (actor.kind === 'ball' || actor.kind === 'fixed') && actor.point === point && actor.object.path;
+    const name = nameIn(actor, point);
     if (name) return { ...stop, message: stop.message.replace(pointName(point), name) };
   }
   return stop;
+}
+
+/** What a point is of an actor; undefined where it is of none of its things. */
+function nameIn(actor: Actor, point: number): string | undefined {
+  switch (actor.kind) {
+    case 'net': {
+      const vertex = actor.pointOfVertex.indexOf(point);
+      return vertex >= 0 ? `vertex ${vertex} of ${actor.object.path}` : undefined;
+    }
+    case 'ball':
+      return actor.point === point ? actor.object.path : undefined;
+    case 'fixed':
+      return actor.points.includes(point) ? actor.object.path : undefined;
+    case 'rod':
+      return undefined;
+  }
 }
 
 /** What a GPU cannot do is refused with the way round it. */

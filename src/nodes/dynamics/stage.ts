@@ -6,23 +6,23 @@ import { positionAt, velocityAt, type WorldLine } from '../../physics/worldLine.
 import { boundingBox } from '../../scene/bounds.ts';
 import { flatFaces } from '../../scene/compose/flatFaces.ts';
 import { weld } from '../../scene/compose/weld.ts';
-import { originLine, vertexWorldLine } from '../../scene/motion.ts';
+import { originLine, placed, vertexWorldLine } from '../../scene/motion.ts';
 import { pointAt } from '../../scene/polygons.ts';
 import type { FrameMotion, Scene, SceneObject } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
 import { actingOn, type Ball, type Collected, type Standing, type Touch } from './acting.ts';
 import type { FieldMatter, Matter, NetMatter, Rods, SolidMatter, Start } from './matter.ts';
-import { obstacleOf } from './obstacle.ts';
+import { carriersOf, obstacleOf } from './obstacle.ts';
 import { pinnedIn } from './pins.ts';
-import { BEGIN, boundsOf, isMoving, middleOf, wayOf } from './things.ts';
+import { BEGIN, boundsOf, isMoving, middleOf, poseOf, wayOf } from './things.ts';
 
 /** A thing, and which points of the system it follows. */
 export type Actor =
   | { readonly kind: 'net'; readonly object: SceneObject; readonly pointOfVertex: Uint32Array }
   | { readonly kind: 'ball'; readonly object: SceneObject; readonly point: number }
   | { readonly kind: 'rod'; readonly of: SceneObject; readonly ends: readonly [number, number]; readonly width: number }
-  /** It goes as it goes; `point`: that goes with it. */
-  | { readonly kind: 'fixed'; readonly object: SceneObject; readonly point?: number };
+  /** It goes as it goes; `points`: that go with it. */
+  | { readonly kind: 'fixed'; readonly object: SceneObject; readonly points: readonly number[] };
 
 /** The things of one part, in the scene that their materials are of. */
 export interface Cast {
@@ -122,7 +122,7 @@ class Builder implements Collected {
     }
     const balls = part.scene.objects.map((object) => ({ object, ...this.ball(object, part) }));
     const shown = balls.map(
-      ({ object, point }): Actor => (part.free ? { kind: 'ball', object, point } : going(object, point)),
+      ({ object, point }): Actor => (part.free ? { kind: 'ball', object, point } : going(object, [point])),
     );
     return [...shown, ...(part.free?.rods ? this.rods(balls, part.free.rods) : [])];
   }
@@ -133,22 +133,25 @@ class Builder implements Collected {
     const radius = Math.max(...sub(max, min)) / 2;
     const { node, charge, free = { mass: 1, velocity: ZERO } } = part;
     const point = this.point(center, free.velocity, { ...free, node, charge }, 1, !part.free, -1);
-    if (isMoving(object)) this.leadWith(point, object);
+    if (isMoving(object)) this.leadWith(point, object, middleOf(object));
     this.balls.push({ point, radius, of: part });
     return { point, center };
   }
 
-  /** One that moves is carried by a point that is led, which is told. */
-  private obstacle(object: SceneObject, part: SolidMatter): number | undefined {
+  /** One that moves is carried by points that are led, which are told. */
+  private obstacle(object: SceneObject, part: SolidMatter): readonly number[] {
     const obstacle = obstacleOf(object, part, this.c);
     if (!isMoving(object)) {
       this.obstacles.push({ obstacle, of: part });
-      return undefined;
+      return [];
     }
-    const carrier = this.point(obstacle.middle, ZERO, HELD, 1, true, -1);
-    this.leadWith(carrier, object);
-    this.obstacles.push({ obstacle, of: part, carrier });
-    return carrier;
+    const carriers = carriersOf(object, obstacle, this.c).map((place) => {
+      const carrier = this.point(placed(poseOf(object, this.c), place), ZERO, HELD, 1, true, -1);
+      this.leadWith(carrier, object, place);
+      return carrier;
+    });
+    this.obstacles.push({ obstacle, of: part, carriers });
+    return carriers;
   }
 
   private leadAlong(point: number, line: WorldLine): void {
@@ -156,11 +159,11 @@ class Builder implements Collected {
     this.led.push({ point, place: (t) => positionAt(line, t, c), v: velocityAt(line, BEGIN, c) });
   }
 
-  /** With the middle of a thing. */
-  private leadWith(point: number, object: SceneObject): void {
+  /** With a place of a thing, in its own frame. */
+  private leadWith(point: number, object: SceneObject, place: Vec3): void {
     const { c } = this;
     const v = velocityAt(originLine(object.motion as FrameMotion), BEGIN, c);
-    this.led.push({ point, place: wayOf(object, middleOf(object), c), v });
+    this.led.push({ point, place: wayOf(object, place, c), v });
   }
 
   private rods(
@@ -212,10 +215,10 @@ class Builder implements Collected {
 }
 
 /** A thing that goes as it goes is as large in the world as it is. */
-const going = (object: SceneObject, point: number | undefined): Actor => ({
+const going = (object: SceneObject, points: readonly number[]): Actor => ({
   kind: 'fixed',
   object: isMoving(object) ? { ...object, authoredIn: 'world' } : object,
-  ...(point !== undefined && { point }),
+  points,
 });
 
 /** What is held and has no thing of its own. */

@@ -164,10 +164,6 @@ export const program: Readonly<Record<string, string>> = {
   '"{}" is no number of a point, nor two with - between them; write them like 0, 9, 20-29':
     '“{1}”不是点的编号，也不是用 - 连接的两个编号；请写成 0, 9, 20-29',
   'it is not flat, so that it is no plane; choose the shape box or ball': '它不平，因此不是平面；请选择形状“盒”或“球”',
-  'it turns, and what collides with a {} is computed for such as do not; choose the shape ball, or let it go without turning':
-    '它在转动，而与{1}的碰撞只能对不转动的物体计算；请选择形状“球”，或让它不转动',
-  plane: '平面',
-  box: '盒',
   '{} has no point {}: they are numbered from 0 to {}': '{1} 没有点 {2}：编号从 0 到 {3}',
   'there is no thing with a surface; connect one that has': '没有带表面的物体；请连接一个',
   '{} {} already; put this before what moves it, or choose things {}':
