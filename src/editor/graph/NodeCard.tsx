@@ -59,7 +59,7 @@ function Head({ face }: { readonly face: Face }): ReactNode {
       {!face.muted && writes(face.type) && <SaveMark id={face.id} />}
       {face.muted && <IconEyeOff size={14} aria-label={t('graph.muted')} />}
       {face.problem ? (
-        <Tooltip label={said(`${face.problem.place}: ${face.problem.message}`)} multiline maw={340} withinPortal>
+        <Tooltip label={`${said(face.problem.place)}: ${said(face.problem.message)}`} multiline maw={340} withinPortal>
           <span className="sl-node-problem">
             <IconAlertTriangle size={15} aria-hidden />
           </span>

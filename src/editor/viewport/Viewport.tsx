@@ -97,6 +97,7 @@ function Work({ picture }: { readonly picture: RefObject<HTMLElement | null> }):
   // biome-ignore lint/correctness/useExhaustiveDependencies: buttons come and go with the stage
   useEffect(() => {
     if (!within.current || document.activeElement !== document.body) return;
+    within.current = false;
     (box.current?.querySelector('button') ?? picture.current)?.focus();
   }, [stage, picture]);
   return (
@@ -106,9 +107,11 @@ function Work({ picture }: { readonly picture: RefObject<HTMLElement | null> }):
       onFocus={() => {
         within.current = true;
       }}
-      onBlur={({ relatedTarget }) => {
-        // Who goes elsewhere; an element that is taken away loses the focus to nothing.
-        if (relatedTarget) within.current = false;
+      onBlur={({ target }) => {
+        // A button that is still there was left; one that is not lost the focus as it was taken away.
+        queueMicrotask(() => {
+          if (target.isConnected) within.current = false;
+        });
       }}
     >
       <Busy />

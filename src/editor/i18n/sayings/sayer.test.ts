@@ -8,6 +8,8 @@ const say = sayer({
   '{} has no place any more': '{1} 已没有位置',
   'at rest': '静止',
   '{}: {}': '{1}：{2}',
+  node: '节点',
+  'there is no {}': '没有{1}',
   '{}{} is muted': '{1}{2} 已静音',
 });
 
@@ -22,6 +24,11 @@ describe('a sentence in another language', () => {
       '于 0.5 s 结束：/Cloth 的顶点 3 已没有位置',
     );
     expect(say('run: at rest')).toBe('run：静止');
+  });
+
+  it('leaves a name as it is', () => {
+    expect(say('node')).toBe('node');
+    expect(say('there is no node')).toBe('没有节点');
   });
 
   it('stays as it is where nobody knows it', () => {

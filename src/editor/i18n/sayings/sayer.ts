@@ -53,7 +53,8 @@ export function sayer(catalogue: Readonly<Record<string, string>>): (sentence: s
     }
     return best;
   };
-  return (sentence) => (sentence.length > LONGEST ? sentence : say(sentence, 0).text);
+  // A single word is a name, of a node or a file.
+  return (sentence) => (sentence.length > LONGEST || !sentence.includes(' ') ? sentence : say(sentence, 0).text);
 }
 
 function saying(key: string, other: string): Saying {
