@@ -63,10 +63,8 @@ describe('a sentence in another language', () => {
       ...Object.fromEntries(Array.from('abcdefghij', (x) => [`{}${x}{}: {}`, x])),
       '{}: {}': '{1}：{2}',
     });
-    const begin = performance.now();
-    hard('abcdefghij: '.repeat(160));
+    // Unbounded it would take years.
+    expect(hard('abcdefghij: '.repeat(160))).toMatch(/^[a-j]$/);
     expect(say('vertex '.repeat(100_000))).toHaveLength(700_000);
-    // It takes milliseconds; what is not bounded would take years.
-    expect(performance.now() - begin).toBeLessThan(20_000);
   });
 });
