@@ -1,6 +1,6 @@
 import { type Mat3, multiply, transform, transpose } from '../../math/mat3.ts';
 import { toMatrix } from '../../math/quat.ts';
-import { add, addScaled, cross, dot, length, normalize, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { add, addScaled, cross, dot, length, lerp, normalize, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { pointAt } from '../system.ts';
 import { addBlock, type Force, type PlainBarrier, type Stiffness } from './force.ts';
 import type { Obstacle } from './obstacle.ts';
@@ -108,9 +108,7 @@ class Barrier implements Force {
   private seat(x: Float64Array, other = x): Seat {
     const { carriers, back } = this;
     if (carriers.length === 0) return FAST;
-    const [middle, first, second] = carriers.map((point) =>
-      addScaled(pointAt(x, point), sub(pointAt(other, point), pointAt(x, point)), 0.5),
-    );
+    const [middle, first, second] = carriers.map((point) => lerp(pointAt(x, point), pointAt(other, point), 0.5));
     const gone = sub(middle, this.plain.obstacle.middle);
     if (!first || !second) return { gone };
     const [along, arm] = [normalize(sub(first, middle)), sub(second, middle)];

@@ -2,7 +2,7 @@ import i18next from 'i18next';
 import { initReactI18next, useTranslation } from 'react-i18next';
 import type { exampleWords } from './exampleWords.ts';
 import type { MessageKey } from './messages.ts';
-import { sayer } from './sayings/sayer.ts';
+import { type Catalogue, type Say, sayer } from './sayings/sayer.ts';
 
 export const LANGUAGES = ['en', 'zh'] as const;
 export type Language = (typeof LANGUAGES)[number];
@@ -23,12 +23,11 @@ const TEXTS: Readonly<Record<Language, () => Promise<Texts>>> = {
 };
 
 /** Of sentences that arise in English, in the other languages; loaded after the page's own words, for nothing is said at first. */
-const SAYINGS: Readonly<Partial<Record<Language, () => Promise<Record<'sayings', Readonly<Record<string, string>>>>>>> =
-  {
-    zh: () => import('./sayings/index.ts'),
-  };
-const sayers = new Map<Language, (sentence: string) => string>();
-const asItIs = (sentence: string): string => sentence;
+const SAYINGS: Readonly<Partial<Record<Language, () => Promise<{ readonly sayings: Catalogue }>>>> = {
+  zh: () => import('./sayings/index.ts'),
+};
+const sayers = new Map<Language, Say>();
+const asItIs: Say = (sentence) => sentence;
 /** Tells those who show sentences. */
 const LEARNT = 'learnt';
 
@@ -80,7 +79,7 @@ export function useTexts(): {
   readonly t: Translate;
   readonly language: Language;
   readonly any: (key: string, values?: Readonly<Record<string, string>>) => string;
-  readonly said: (sentence: string) => string;
+  readonly said: Say;
   readonly example: (name: string) => (typeof exampleWords)[string] | undefined;
 } {
   const { t, i18n } = useTranslation();

@@ -5,6 +5,7 @@ import { PictureTooLarge } from '../../nodes/drawing/largest.ts';
 import type { ProjectFile } from '../../nodes/files.ts';
 import { filesOf, writersIn } from '../../nodes/writers.ts';
 import { type Translate, useTexts } from '../i18n/i18n.ts';
+import type { Say } from '../i18n/sayings/sayer.ts';
 import { fileName, projectName } from '../projects/names.ts';
 import { type EditorServices, useServices } from '../services.tsx';
 import { download } from '../shell/download.ts';
@@ -41,7 +42,7 @@ interface Errand extends Pick<EditorServices, 'backend'> {
   readonly studio: Studio;
   readonly signal: AbortSignal;
   readonly t: Translate;
-  readonly said: (sentence: string) => string;
+  readonly said: Say;
 }
 
 async function save({ node, studio, backend, signal, t, said }: Errand): Promise<void> {

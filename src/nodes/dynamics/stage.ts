@@ -6,7 +6,7 @@ import { positionAt, velocityAt, type WorldLine } from '../../physics/worldLine.
 import { boundingBox } from '../../scene/bounds.ts';
 import { flatFaces } from '../../scene/compose/flatFaces.ts';
 import { weld } from '../../scene/compose/weld.ts';
-import { originLine, placed, vertexWorldLine } from '../../scene/motion.ts';
+import { originLine, vertexWorldLine } from '../../scene/motion.ts';
 import { pointAt } from '../../scene/polygons.ts';
 import type { FrameMotion, Scene, SceneObject } from '../../scene/types.ts';
 import { refusal } from '../geometry/shared.ts';
@@ -14,7 +14,7 @@ import { actingOn, type Ball, type Collected, type Standing, type Touch } from '
 import type { FieldMatter, Matter, NetMatter, Rods, SolidMatter, Start } from './matter.ts';
 import { carriersOf, obstacleOf } from './obstacle.ts';
 import { pinnedIn } from './pins.ts';
-import { BEGIN, boundsOf, isMoving, middleOf, poseOf, wayOf } from './things.ts';
+import { BEGIN, boundsOf, isMoving, middleOf, wayOf } from './things.ts';
 
 /** A thing, and which points of the system it follows. */
 export type Actor =
@@ -146,7 +146,7 @@ class Builder implements Collected {
       return [];
     }
     const carriers = carriersOf(object, obstacle, this.c).map((place) => {
-      const carrier = this.point(placed(poseOf(object, this.c), place), ZERO, HELD, 1, true, -1);
+      const carrier = this.point(wayOf(object, place, this.c)(BEGIN), ZERO, HELD, 1, true, -1);
       this.leadWith(carrier, object, place);
       return carrier;
     });

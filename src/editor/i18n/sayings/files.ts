@@ -1,5 +1,7 @@
+import type { Catalogue } from './sayer.ts';
+
 /** What is said of all other files: OBJ, PLY, STL, zip, pictures, tables, fonts; written as `sayings/index.ts` tells. */
-export const files: Readonly<Record<string, string>> = {
+export const files: Catalogue = {
   // Places in files; the last value may be followed by what is said of the place
   'line {}': '行 {1}',
   '{}: line {}': '{1}：行 {2}',

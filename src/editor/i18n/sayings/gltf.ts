@@ -1,5 +1,7 @@
+import type { Catalogue } from './sayer.ts';
+
 /** What the readers and writers of glTF say; written as `sayings/index.ts` tells. */
-export const gltf: Readonly<Record<string, string>> = {
+export const gltf: Catalogue = {
   // Parts of a file, as places
   'bufferView {}': '缓冲区视图 {1}',
   'buffer {}': '缓冲区 {1}',

@@ -1,6 +1,7 @@
 import { files } from './files.ts';
 import { gltf } from './gltf.ts';
 import { program } from './program.ts';
+import type { Catalogue } from './sayer.ts';
 import { shaderText } from './shaderText.ts';
 import { usd } from './usd.ts';
 
@@ -30,7 +31,7 @@ const zod = {
  * What the program says of what it cannot do, and of what came of it, in Chinese. In the source a sentence is in English, where it arises; here it is
  * the key, with {} for each value, and {1} in the Chinese stands for the first of them. A test finds the sentences of the source that are missing here.
  */
-export const sayings: Readonly<Record<string, string>> = {
+export const sayings: Catalogue = {
   ...joins,
   ...zod,
   ...program,

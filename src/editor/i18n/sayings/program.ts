@@ -1,5 +1,7 @@
+import type { Catalogue } from './sayer.ts';
+
 /** What the project, its nodes and the page say; written as `sayings/index.ts` tells. */
-export const program: Readonly<Record<string, string>> = {
+export const program: Catalogue = {
   // The project and its graph
   'the project': '项目',
   'the file': '文件',

@@ -1,3 +1,8 @@
+/** Sentences with {} for each value, and how another language says them, with {1} for the first. */
+export type Catalogue = Readonly<Record<string, string>>;
+/** Says a sentence in another language. */
+export type Say = (sentence: string) => string;
+
 /** A sentence of the catalogue: what stands between its values, and how another language says it. */
 interface Saying {
   readonly parts: readonly string[];
@@ -25,7 +30,7 @@ interface Said {
  * of them, itself said anew. Of several sentences that fit, the one of which, with its values, most is known; of equals one that only joins others,
  * or the one with the most words of its own. What is not in the catalogue stays as it is.
  */
-export function sayer(catalogue: Readonly<Record<string, string>>): (sentence: string) => string {
+export function sayer(catalogue: Catalogue): Say {
   const whole = new Map(Object.entries(catalogue).filter(([key]) => !key.includes('{}')));
   const sayings = Object.entries(catalogue).flatMap(([key, other]) => (key.includes('{}') ? [saying(key, other)] : []));
   sayings.sort((a, b) => Number(b.joins) - Number(a.joins) || b.weight - a.weight);

@@ -1,5 +1,7 @@
+import type { Catalogue } from './sayer.ts';
+
 /** What is said of shader text that somebody wrote; written as `sayings/index.ts` tells. */
-export const shaderText: Readonly<Record<string, string>> = {
+export const shaderText: Catalogue = {
   'line {}, column {}: {}': '第 {1} 行第 {2} 列：{3}',
 
   // The words of a text

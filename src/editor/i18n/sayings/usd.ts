@@ -1,5 +1,7 @@
+import type { Catalogue } from './sayer.ts';
+
 /** What the readers and the composition of USD say; written as `sayings/index.ts` tells. */
-export const usd: Readonly<Record<string, string>> = {
+export const usd: Catalogue = {
   // The stage and its things
   '{} changes with time; it is held at the start': '{1} 随时间变化；已保持起始时的值',
   'it changes with time; it is held at the start': '它随时间变化；已保持起始时的值',
