@@ -6,7 +6,7 @@ import { defineConfig, type Plugin } from 'vite';
 import * as chinese from './src/editor/i18n/chinese.ts';
 import * as english from './src/editor/i18n/english.ts';
 import type { Example } from './src/editor/loading/examples.ts';
-import { FONTS, fontFile } from './src/formats/font/letters.ts';
+import { FONTS, fontFile } from './src/formats/font/glyphs.ts';
 
 // The tests build the page too, and what is served should always be what people get.
 process.env.NODE_ENV = 'production';
@@ -62,7 +62,7 @@ export default defineConfig({
   },
 });
 
-/** The catalogue has its languages side by side (messages.ts); the page gets each by itself, and loads the one that it is in. */
+/** The catalogue has its languages side by side (texts.ts); the page gets each by itself, and loads the one that it is in. */
 function oneLanguage(): Plugin {
   return {
     name: 'slowlight-one-language',

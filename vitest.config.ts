@@ -31,8 +31,8 @@ export default defineConfig({
       },
       {
         test: {
-          name: 'hostile',
-          include: ['tests/hostile/**/*.test.ts'],
+          name: 'fuzz',
+          include: ['tests/fuzz/**/*.test.ts'],
           globalSetup: built,
           pool: 'forks',
           maxWorkers: 2,

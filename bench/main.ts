@@ -1,32 +1,32 @@
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, totalmem } from 'node:os';
 import { fileURLToPath } from 'node:url';
-import { antialiasing } from './antialiasing.ts';
-import { type Bench, markdown } from './bench.ts';
-import { bundle } from './bundle.ts';
-import { cache } from './cache.ts';
-import { computing } from './computing.ts';
-import { cubic } from './cubic.ts';
-import { dynamics } from './dynamics.ts';
-import { effects } from './effects.ts';
-import { emission } from './emission.ts';
-import { formats } from './formats.ts';
-import { frame } from './frame.ts';
-import { gpu, releaseGpu } from './gpu.ts';
-import { graph } from './graph.ts';
-import { graphPage } from './graphPage.ts';
-import { instances } from './instances.ts';
-import { memory } from './memory.ts';
-import { page } from './page.ts';
-import { reference } from './reference.ts';
-import { refine } from './refine.ts';
+import { formats } from './formats/formats.ts';
+import { bundle } from './page/bundle.ts';
+import { graph } from './page/graph.ts';
+import { graphPage } from './page/graphPage.ts';
+import { page } from './page/page.ts';
+import { reference } from './reference/reference.ts';
+import { antialiasing } from './rendering/antialiasing.ts';
+import { cubic } from './rendering/cubic.ts';
+import { effects } from './rendering/effects.ts';
+import { emission } from './rendering/emission.ts';
+import { frame } from './rendering/frame.ts';
+import { instances } from './rendering/instances.ts';
+import { memory } from './rendering/memory.ts';
+import { tessellation } from './rendering/tessellation.ts';
+import { cache } from './simulation/cache.ts';
+import { computing } from './simulation/compute.ts';
+import { dynamics } from './simulation/dynamics.ts';
+import { type Bench, markdown } from './support/bench.ts';
+import { gpu, releaseGpu } from './support/gpu.ts';
 
 /** Every benchmark, in the order of the page. */
 const benches: readonly Bench[] = [
   frame,
   antialiasing,
   cubic,
-  refine,
+  tessellation,
   emission,
   effects,
   memory,

@@ -2,7 +2,7 @@
 import { parentPort, workerData } from 'node:worker_threads';
 
 const { stiffness, gravity } = workerData;
-const { makeSystem, meshSprings, METHODS, momenta, restingAt, run, springs, uniform } = await import(
+const { integrate, makeSystem, meshSprings, METHODS, momenta, springForce, stateAtRest, uniformField } = await import(
   '../dist/lib/dynamics/index.js'
 );
 const { random } = await import('../dist/lib/math/index.js');
@@ -14,7 +14,7 @@ parentPort.postMessage(undefined);
 function followed({ id, c, h, every, duration, side, shaken, drag }) {
   const energies = [];
   const costs = [];
-  const running = run({ ...cloth(side, c, shaken, drag), method: METHODS.get(id), duration, every, step: h });
+  const running = integrate({ ...cloth(side, c, shaken, drag), method: METHODS.get(id), duration, every, step: h });
   let [kinetic, steps, began] = [0, 0, performance.now()];
   for (;;) {
     const { done, value } = running.next();
@@ -42,9 +42,9 @@ function cloth(side, c, shaken = 0, drag = 0) {
   const pinned = new Uint8Array(points);
   pinned[0] = pinned[side - 1] = 1;
   const faces = { counts: new Array((side - 1) ** 2).fill(4), corners };
-  const net = springs(meshSprings(x, faces, { structural: stiffness, shear: stiffness, bending: stiffness }));
-  const system = makeSystem({ masses, pinned, c, drag, forces: [net, uniform(masses, gravity)] });
+  const net = springForce(meshSprings(x, faces, { structural: stiffness, shear: stiffness, bending: stiffness }));
+  const system = makeSystem({ masses, pinned, c, drag, forces: [net, uniformField(masses, gravity)] });
   const next = random(1);
   const v = Array.from(x, () => shaken * (2 * next() - 1));
-  return { system, start: { ...restingAt(x), p: momenta(system, v) } };
+  return { system, start: { ...stateAtRest(x), p: momenta(system, v) } };
 }

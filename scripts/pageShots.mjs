@@ -8,7 +8,7 @@ import { root } from './setup.mjs';
 export async function shootGraph() {
   const [{ chromium }, { findChromium, SOFTWARE_GPU_FLAGS }] = await Promise.all([
     import('playwright-core'),
-    import(join(root, 'dist/lib/cli/icd.js')),
+    import(join(root, 'dist/lib/cli/gpu/gpuDrivers.js')),
   ]);
   const server = spawn(process.execPath, [join(root, 'bin/slowlight.js'), 'serve', '--port', '0', '--json']);
   const [line] = await once(server.stdout, 'data');

@@ -1,7 +1,7 @@
 """Writes src/spectrum/tables/*.ts: the published tables of colour that Slowlight computes with.
 
 Run with the Python of the oracle tests: .cache/venv/bin/python3 scripts/spectrumTables.py && npm run format
-With --json it prints the tables instead, by name, for src/spectrum/colour.oracle.test.ts to compare.
+With --json it prints the tables instead, by name, for src/spectrum/color.oracle.test.ts to compare.
 All numbers come from colour-science (PyPI), which holds them as published.
 """
 

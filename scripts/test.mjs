@@ -21,7 +21,7 @@ const stages = {
   },
   unit: { steps: vitest('unit') },
   oracle: { steps: vitest('oracle'), needs: ['python'] },
-  hostile: { steps: vitest('hostile'), needs: ['build'] },
+  fuzz: { steps: vitest('fuzz'), needs: ['build'] },
   cli: { steps: vitest('cli'), needs: ['system', 'build'] },
   gpu: { steps: vitest('gpu'), needs: ['system'] },
   visual: { steps: vitest('visual'), needs: ['system'] },

@@ -1,7 +1,7 @@
 import { fromParts, type Mat4, multiply } from '../../src/math/mat4.ts';
 import { fromAxisAngle, IDENTITY, type Quat, toMatrix } from '../../src/math/quat.ts';
 import { scale, type Vec3 } from '../../src/math/vec3.ts';
-import { mergeMeshes, transformMesh, withMaterial } from '../../src/scene/meshOps.ts';
+import { mergeMeshes, transformMesh, withMaterial } from '../../src/scene/mesh/meshOps.ts';
 import type {
   DistantLight,
   DomeLight,
@@ -16,11 +16,11 @@ import type {
   StaticMotion,
   Texture,
 } from '../../src/scene/types.ts';
-import type { LightSpectrum } from '../../src/spectrum/lightSpectrum.ts';
-import { MATERIAL_PRESETS, type MaterialPreset } from '../../src/spectrum/materialPresets.ts';
-import { whiteOf } from '../../src/spectrum/observerColor.ts';
+import { colorOfSpectrum } from '../../src/spectrum/color/observerColor.ts';
+import { MATERIAL_PRESETS, type MaterialPreset } from '../../src/spectrum/reflectance/materialPresets.ts';
+import type { LightSpectrum } from '../../src/spectrum/sources/lightSpectrum.ts';
 import { linear } from './paint.ts';
-import { tidy } from './tidy.ts';
+import { roundForText } from './tidy.ts';
 
 /** Where a part goes: turned about the vertical axis [rad], then moved [m]. */
 export const place = (position: Vec3, turn = 0): Mat4 => fromParts(toMatrix(fromAxisAngle([0, 1, 0], turn)), position);
@@ -31,13 +31,13 @@ export type Part = readonly Mesh[];
 export const placePart = (part: Part, m: Mat4): Part => part.map((mesh) => transformMesh(mesh, m));
 export const compose = (...m: readonly Mat4[]): Mat4 => m.reduce((a, b) => multiply(a, b));
 
-export interface Look {
+export interface MaterialLook {
   readonly roughness?: number;
   readonly metallic?: number;
   readonly emissive?: string;
   readonly texture?: Texture;
   readonly opacity?: number;
-  /** Name of a surface of src/spectrum/materialPresets.ts that it is like where eyes do not see: in ultraviolet and infrared. */
+  /** Name of a surface of src/spectrum/reflectance/materialPresets.ts that it is like where eyes do not see: in ultraviolet and infrared. */
   readonly like?: string;
   /** [K]: it shines as a blackbody, and `emissive` tells how brightly. */
   readonly emissionTemperature?: number;
@@ -60,9 +60,9 @@ export class SceneBuilder {
   private readonly objects: SceneObject[] = [];
 
   /** A material by colour; the number is what meshes refer to. With a texture the colour tints it (white leaves it). */
-  material(name: string, color: string, look: Look = {}): number {
+  material(name: string, color: string, look: MaterialLook = {}): number {
     const { roughness = 0.8, metallic = 0, emissive, texture, opacity = 1, like, emissionTemperature } = look;
-    const { uv, ir } = like ? presetNamed(like).bands : {};
+    const { uv, ir } = like ? presetNamed(like).filter : {};
     this.materials.push({
       name,
       baseColor: linear(color),
@@ -79,11 +79,11 @@ export class SceneBuilder {
     return this.materials.length - 1;
   }
 
-  /** A surface of src/spectrum/materialPresets.ts as it is there. */
+  /** A surface of src/spectrum/reflectance/materialPresets.ts as it is there. */
   preset(name: string): number {
-    const { bands, metallic, roughness } = presetNamed(name);
+    const { filter, metallic, roughness } = presetNamed(name);
     const finish = { roughness, metallic: metallic ? 1 : 0, opacity: 1, opacityThreshold: 0 };
-    const { rgb: baseColor, uv, ir } = bands;
+    const { rgb: baseColor, uv, ir } = filter;
     this.materials.push({ name, baseColor, emissive: [0, 0, 0], ...finish, uv, ir });
     return this.materials.length - 1;
   }
@@ -97,7 +97,14 @@ export class SceneBuilder {
   ): void {
     const sorted = [...parts].sort((a, b) => (a.groups[0]?.material ?? 0) - (b.groups[0]?.material ?? 0));
     const lifetime = { birth: -Infinity, death: Infinity };
-    this.objects.push({ path, mesh: tidy(mergeMeshes(sorted)), motion, lifetime, authoredIn: 'world', ...options });
+    this.objects.push({
+      path,
+      mesh: roundForText(mergeMeshes(sorted)),
+      motion,
+      lifetime,
+      authoredIn: 'world',
+      ...options,
+    });
   }
 
   finish(
@@ -152,7 +159,10 @@ export const daylight = (from: Vec3, color = '#fff1d8', intensity = 3.2): Light[
 ];
 
 /** Light of a spectrum, as bright as white daylight of this value is. */
-export const shine = (spectrum: LightSpectrum, luminance: number): { color: Vec3; spectrum: LightSpectrum } => ({
-  color: scale(whiteOf(spectrum), luminance),
+export const spectralLight = (
+  spectrum: LightSpectrum,
+  luminance: number,
+): { color: Vec3; spectrum: LightSpectrum } => ({
+  color: scale(colorOfSpectrum(spectrum), luminance),
   spectrum,
 });

@@ -48,7 +48,7 @@ export function sampledAt(
 }
 
 /** 0 → 1 with rest at both ends and a steady middle: the integral of a trapezium whose ramps are smooth. `ramp`: their share, 0 … 0.5. */
-export function cruise(s: number, ramp = 0.3): number {
+export function smoothRamp(s: number, ramp = 0.3): number {
   const x = Math.max(0, Math.min(1, s));
   const rise = (y: number) => (y * y * y - (y * y * y * y) / 2) * ramp;
   const total = 1 - ramp;
@@ -58,26 +58,26 @@ export function cruise(s: number, ramp = 0.3): number {
 }
 
 /** Of a shuttle's way, what it takes to reach its speed. */
-export const TURN = 0.12;
+export const TURN_SHARE = 0.12;
 
 /** 0 → 1 → 0 … in turn, each way in a time of 1 at one speed but for a short turn at the ends, at rest where s is whole. */
-export function shuttle(s: number, ramp = TURN): number {
+export function shuttle(s: number, ramp = TURN_SHARE): number {
   const way = s - 2 * Math.floor(s / 2);
-  return way <= 1 ? cruise(way, ramp) : 1 - cruise(way - 1, ramp);
+  return way <= 1 ? smoothRamp(way, ramp) : 1 - smoothRamp(way - 1, ramp);
 }
 
-export interface Flight {
+export interface CameraFlight {
   /** [s] */
   readonly from: number;
   readonly to: number;
-  readonly eye: (t: number) => Vec3;
+  readonly position: (t: number) => Vec3;
   readonly target: (t: number) => Vec3;
   /** [degrees] */
   readonly fovY?: number;
 }
 
 /** The scene's camera: /World/Camera. */
-export function camera({ from, to, eye, target, fovY = 55 }: Flight): SceneCamera {
+export function camera({ from, to, position: eye, target, fovY = 55 }: CameraFlight): SceneCamera {
   const motion = sampled(from, to, 24, (t) => ({ position: eye(t), orientation: lookFrom(eye(t), target(t)) }));
   return { path: '/World/Camera', motion, fovY: (fovY * Math.PI) / 180 };
 }

@@ -1,8 +1,8 @@
 import { fromParts } from '../../src/math/mat4.ts';
 import { cross, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
-import { makeMesh } from '../../src/scene/geometry.ts';
-import { transformMesh } from '../../src/scene/meshOps.ts';
-import { type Band, box, revolve } from '../../src/scene/primitives.ts';
+import { makeMesh } from '../../src/scene/mesh/makeMesh.ts';
+import { transformMesh } from '../../src/scene/mesh/meshOps.ts';
+import { box, revolve, type SurfaceBand } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh } from '../../src/scene/types.ts';
 
 /** A flat quadrilateral, corners against the clock seen from its front; uv runs 0 … su, 0 … sv from the first corner. */
@@ -108,7 +108,7 @@ function roundedFace(size: Vec3, r: number, steps: number, axis: number, side: n
 /** A turned body from its outline, radius and height from the bottom up; corners are sharp, `smooth` names steps that are not. */
 export function turned(outline: readonly (readonly [number, number])[], segments = 24): Mesh {
   const total = outline[outline.length - 1][1] - outline[0][1];
-  const bands = outline.slice(1).map((to, i): Band => {
+  const bands = outline.slice(1).map((to, i): SurfaceBand => {
     const from = outline[i];
     const l = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
     const normal: [number, number] = [(to[1] - from[1]) / l, (from[0] - to[0]) / l];

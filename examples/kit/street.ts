@@ -1,5 +1,5 @@
 import { random } from '../../src/math/random.ts';
-import { sphere } from '../../src/scene/primitives.ts';
+import { sphere } from '../../src/scene/mesh/primitives.ts';
 import { type Part, paint, place, placePart, type SceneBuilder } from './builder.ts';
 import { type House, house, type Scheme } from './houses.ts';
 import { bricks, Canvas, roofTiles, tone } from './paint.ts';
@@ -20,7 +20,7 @@ const schemes: readonly Scheme[] = [
 ];
 
 /** What differs from one time of day to another. */
-export interface StreetLooks {
+export interface StreetLighting {
   /** Materials of the road, which lies in uv fields of 10 m, and of the glass of the street lamps. */
   readonly road: number;
   readonly lamp: number;
@@ -29,7 +29,7 @@ export interface StreetLooks {
 }
 
 /** A street of town houses along z with columns, lamps and trees on its pavements. */
-export function street(builder: SceneBuilder, { road, lamp, glow }: StreetLooks): void {
+export function street(builder: SceneBuilder, { road, lamp, glow }: StreetLighting): void {
   ground(builder, road);
   for (const side of [-1, 1]) row(builder, side, glow);
   avenue(builder, lamp);

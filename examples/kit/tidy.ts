@@ -6,7 +6,7 @@ const rounded = (values: Float32Array, digits: number): Float32Array => {
 };
 
 /** Places to a tenth of a millimetre and normals to a thousandth, so that a scene's text stays short. */
-export const tidy = (mesh: Mesh): Mesh => ({
+export const roundForText = (mesh: Mesh): Mesh => ({
   ...mesh,
   positions: rounded(mesh.positions, 4),
   normals: rounded(mesh.normals, 3),

@@ -1,5 +1,5 @@
 import { random } from '../../src/math/random.ts';
-import { sphere } from '../../src/scene/primitives.ts';
+import { sphere } from '../../src/scene/mesh/primitives.ts';
 import { type Part, paint } from './builder.ts';
 import { join, moved, sized, turned } from './parts.ts';
 

@@ -1,5 +1,5 @@
-import { build } from './build.ts';
-import { painted, seen } from './simulated.ts';
+import { build } from './buildProject.ts';
+import { simulationScene, withMaterial } from './simulationScene.ts';
 
 const ABOUT = {
   title: 'Bouncing lattice',
@@ -11,7 +11,7 @@ const ABOUT = {
 export const bouncing = () =>
   build(ABOUT, {
     bars: { type: 'lattice', set: { name: 'Lattice', x: 2, y: 2, z: 2, cell: 0.5, thickness: 0.14 } },
-    brass: painted('bars.geometry', [0.75, 0.5, 0.12], { roughness: 0.4 }),
+    brass: withMaterial('bars.geometry', [0.75, 0.5, 0.12], { roughness: 0.4 }),
     high: {
       type: 'transform',
       set: { position: [0, 1.9, 0], rotation: [38, 0, 32] },
@@ -31,7 +31,7 @@ export const bouncing = () =>
       set: { duration: 3, rate: 120, method: 'leapfrog', step: 0.0003 },
       from: { matter: ['lattice.matter', 'ground.matter', 'weight.matter'] },
     },
-    ...seen(['fall.geometry'], {
+    ...simulationScene(['fall.geometry'], {
       set: 'gym',
       floor: { which: '/World/Mat', stiffness: 400, margin: 0.24 },
       eye: [1.6, 1.5, 4.4],

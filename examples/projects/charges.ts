@@ -1,5 +1,5 @@
-import { build } from './build.ts';
-import { painted, type Sketches, seen } from './simulated.ts';
+import { build } from './buildProject.ts';
+import { type NodeSketches, simulationScene, withMaterial } from './simulationScene.ts';
 
 const ABOUT = {
   title: 'Two charges',
@@ -17,9 +17,9 @@ export const AWAY = 1.6;
 /** Over the table [m]. */
 export const HEIGHT = 0.22;
 
-const charge = (name: string, color: readonly [number, number, number], side: 1 | -1): Sketches => ({
+const charge = (name: string, color: readonly [number, number, number], side: 1 | -1): NodeSketches => ({
   [`${name}Ball`]: { type: 'sphere', set: { name, radius: 0.16, segments: 48, rings: 24 } },
-  [`${name}Paint`]: painted(`${name}Ball.geometry`, color, { roughness: 0.4 }),
+  [`${name}Paint`]: withMaterial(`${name}Ball.geometry`, color, { roughness: 0.4 }),
   [`${name}At`]: {
     type: 'transform',
     set: { position: [side * AWAY, HEIGHT, 0] },
@@ -44,7 +44,7 @@ export const charges = () =>
       from: { matter: ['Positive.matter', 'Negative.matter', 'field.matter'] },
     },
     stars: { type: 'sky', set: { name: 'Stars', sky: 'stars', brightness: 40 } },
-    ...seen(['dance.geometry'], {
+    ...simulationScene(['dance.geometry'], {
       set: 'planetarium',
       eye: [0, 4.1, 4.7],
       target: [0, 0, 0.2],

@@ -1,5 +1,5 @@
-import { build } from './build.ts';
-import { painted, type Sketches, seen } from './simulated.ts';
+import { build } from './buildProject.ts';
+import { type NodeSketches, simulationScene, withMaterial } from './simulationScene.ts';
 
 const ABOUT = {
   title: "Relativistic Newton's cradle",
@@ -22,9 +22,9 @@ const held = {
   set: { free: true, rods: 'pivot', rodStiffness: 200_000, thickness: 0.035, stiffness: 1_000_000, scale: 1 },
 } as const;
 
-const balls: Sketches = {
+const balls: NodeSketches = {
   round: { type: 'sphere', set: { name: 'Ball', radius: RADIUS, segments: 64, rings: 32 } },
-  steel: painted('round.geometry', [0.62, 0.64, 0.68], { roughness: 0.25 }),
+  steel: withMaterial('round.geometry', [0.62, 0.64, 0.68], { roughness: 0.25 }),
   row: {
     type: 'instances',
     set: { countX: COUNT - 1, countZ: 1, spacing: [PITCH, 0, 0] },
@@ -37,7 +37,7 @@ const balls: Sketches = {
   },
   others: { ...held, set: { ...held.set, pivot: [0, LENGTH, 0] }, from: { geometry: 'hanging.geometry' } },
   apple: { type: 'sphere', set: { name: 'First', radius: RADIUS, segments: 64, rings: 32 } },
-  copper: painted('apple.geometry', [0.85, 0.25, 0.1], { roughness: 0.3 }),
+  copper: withMaterial('apple.geometry', [0.85, 0.25, 0.1], { roughness: 0.3 }),
   raised: {
     type: 'transform',
     set: {
@@ -62,7 +62,7 @@ export const cradle = () =>
       set: { duration: 6, rate: 60, method: 'leapfrog', step: 0.0001 },
       from: { matter: ['first.matter', 'others.matter', 'weight.matter'] },
     },
-    ...seen(['swing.geometry'], {
+    ...simulationScene(['swing.geometry'], {
       set: 'library',
       eye: [2, 1.7, 6.9],
       target: [0, 1.8, 0],

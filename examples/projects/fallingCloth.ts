@@ -1,5 +1,5 @@
-import { build } from './build.ts';
-import { painted, seen } from './simulated.ts';
+import { build } from './buildProject.ts';
+import { simulationScene, withMaterial } from './simulationScene.ts';
 
 const ABOUT = {
   title: 'Cloth on a ball',
@@ -11,7 +11,7 @@ const ABOUT = {
 export const fallingCloth = () =>
   build(ABOUT, {
     sheet: { type: 'grid', set: { name: 'Cloth', width: 2.4, length: 2.4, columns: 28, rows: 28 } },
-    linen: painted('sheet.geometry', [0.82, 0.76, 0.66], { roughness: 0.7 }),
+    linen: withMaterial('sheet.geometry', [0.82, 0.76, 0.66], { roughness: 0.7 }),
     above: {
       type: 'transform',
       set: { position: [0, 2.2, 0], rotation: [0, 30, 0] },
@@ -38,7 +38,7 @@ export const fallingCloth = () =>
       from: { matter: ['cloth.matter', 'ball.matter', 'ground.matter', 'weight.matter'] },
     },
     kept: { type: 'cache', from: { geometry: 'fall.geometry' } },
-    ...seen(['kept.geometry'], {
+    ...simulationScene(['kept.geometry'], {
       set: 'studio',
       floor: { which: '/World/Floor', stiffness: 400, margin: 0.05 },
       eye: [1.1, 1.9, 3.9],

@@ -1,4 +1,4 @@
-import { build, type Sketch } from './build.ts';
+import { build, type NodeSketch } from './buildProject.ts';
 
 const ABOUT = {
   title: "God's eye",
@@ -22,7 +22,7 @@ const train = (
   color: readonly [number, number, number],
   z: number,
   part: number,
-): Readonly<Record<string, Sketch>> => ({
+): Readonly<Record<string, NodeSketch>> => ({
   [`${name}Wagon`]: { type: 'box', set: { name, width: LENGTH, height: 2.4, depth: 2.4 } },
   [`${name}Row`]: {
     type: 'instances',
@@ -40,7 +40,7 @@ const ZONES = [
   [0.035, 0.11, 0.21],
   [0.018, 0.06, 0.125],
 ] as const;
-const around = (seconds: (typeof SECONDS)[number]): Readonly<Record<string, Sketch>> => ({
+const around = (seconds: (typeof SECONDS)[number]): Readonly<Record<string, NodeSketch>> => ({
   [`disc${seconds}`]: {
     type: 'cylinder',
     set: { name: `Zone${seconds}`, radius: seconds * C, height: 0.2 * (4 - seconds), segments: 192 },
@@ -64,10 +64,10 @@ const around = (seconds: (typeof SECONDS)[number]): Readonly<Record<string, Sket
     from: { geometry: `number${seconds}.geometry` },
   },
 });
-const rings: Readonly<Record<string, Sketch>> = Object.assign({}, ...SECONDS.map(around));
+const rings: Readonly<Record<string, NodeSketch>> = Object.assign({}, ...SECONDS.map(around));
 
 /** Two tracks along x, of two rails on sleepers each. */
-const tracks: Readonly<Record<string, Sketch>> = {
+const tracks: Readonly<Record<string, NodeSketch>> = {
   rail: { type: 'box', set: { name: 'Rail', width: 120, height: 0.3, depth: 0.16 } },
   rails: {
     type: 'instances',

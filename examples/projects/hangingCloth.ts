@@ -1,6 +1,6 @@
-import { grid } from '../../src/scene/primitives.ts';
-import { build } from './build.ts';
-import { painted, seen } from './simulated.ts';
+import { grid } from '../../src/scene/mesh/primitives.ts';
+import { build } from './buildProject.ts';
+import { simulationScene, withMaterial } from './simulationScene.ts';
 
 const ABOUT = {
   title: 'Hanging cloth',
@@ -27,7 +27,7 @@ function farCorners(): string {
 export const hangingCloth = () =>
   build(ABOUT, {
     sheet: { type: 'grid', set: { name: 'Cloth', width: SIDE, length: SIDE, columns: CELLS, rows: CELLS } },
-    silk: painted('sheet.geometry', [0.85, 0.3, 0.08], { roughness: 0.6 }),
+    silk: withMaterial('sheet.geometry', [0.85, 0.3, 0.08], { roughness: 0.6 }),
     hung: {
       type: 'transform',
       set: { position: [0, 2.6, -2], rotation: [0, 180, 0] },
@@ -51,8 +51,8 @@ export const hangingCloth = () =>
       from: { geometry: 'post.geometry' },
     },
     standing: { type: 'transform', set: { position: [0, 1.325, -1] }, from: { geometry: 'posts.geometry' } },
-    wood: painted('standing.geometry', [0.3, 0.18, 0.09]),
-    ...seen(['swing.geometry', 'wood.geometry'], {
+    wood: withMaterial('standing.geometry', [0.3, 0.18, 0.09]),
+    ...simulationScene(['swing.geometry', 'wood.geometry'], {
       set: 'terrace',
       eye: [2.4, 1.6, 3.4],
       target: [0, 1.5, -1],

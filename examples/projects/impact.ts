@@ -1,5 +1,5 @@
-import { build } from './build.ts';
-import { painted, seen } from './simulated.ts';
+import { build } from './buildProject.ts';
+import { simulationScene, withMaterial } from './simulationScene.ts';
 
 const ABOUT = {
   title: 'Elastic ball against rigid ball',
@@ -14,7 +14,7 @@ const C = 10;
 export const impact = () =>
   build(ABOUT, {
     soft: { type: 'sphere', set: { name: 'Elastic', radius: 0.5, segments: 32, rings: 16 } },
-    rubber: painted('soft.geometry', [0.8, 0.1, 0.05], { roughness: 0.45 }),
+    rubber: withMaterial('soft.geometry', [0.8, 0.1, 0.05], { roughness: 0.45 }),
     coming: { type: 'transform', set: { position: [-2.2, 0.9, 0] }, from: { geometry: 'rubber.geometry' } },
     elastic: {
       type: 'mass-spring',
@@ -22,7 +22,7 @@ export const impact = () =>
       from: { geometry: 'coming.geometry' },
     },
     hard: { type: 'sphere', set: { name: 'Rigid', radius: 0.4, segments: 64, rings: 32 } },
-    steel: painted('hard.geometry', [0.08, 0.2, 0.75], { roughness: 0.3 }),
+    steel: withMaterial('hard.geometry', [0.08, 0.2, 0.75], { roughness: 0.3 }),
     waiting: { type: 'transform', set: { position: [0.2, 0.9, 0] }, from: { geometry: 'steel.geometry' } },
     rigid: {
       type: 'collider',
@@ -34,7 +34,7 @@ export const impact = () =>
       set: { speedOfLight: C, duration: 1.6, rate: 240, method: 'leapfrog', step: 0.0003 },
       from: { matter: ['elastic.matter', 'rigid.matter'] },
     },
-    ...seen(['meeting.geometry'], {
+    ...simulationScene(['meeting.geometry'], {
       set: 'laboratory',
       eye: [0.1, 1.4, 4.2],
       target: [0.1, 0.85, 0],

@@ -1,4 +1,4 @@
-import type { GraphDocument } from '../../src/graph/document.ts';
+import type { GraphDocument } from '../../src/graph/document/document.ts';
 import { bouncing } from './bouncing.ts';
 import { charges } from './charges.ts';
 import { comparison } from './comparison.ts';

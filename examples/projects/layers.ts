@@ -1,5 +1,5 @@
-import { build } from './build.ts';
-import { drive } from './kit.ts';
+import { build } from './buildProject.ts';
+import { drive } from './drive.ts';
 
 const ABOUT = {
   title: 'Layers',

@@ -1,4 +1,4 @@
-import { build } from './build.ts';
+import { build } from './buildProject.ts';
 
 const ABOUT = {
   title: 'Letters',

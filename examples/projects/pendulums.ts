@@ -1,5 +1,5 @@
-import { build } from './build.ts';
-import { painted, type Sketches, seen } from './simulated.ts';
+import { build } from './buildProject.ts';
+import { type NodeSketches, simulationScene, withMaterial } from './simulationScene.ts';
 
 const ABOUT = {
   title: 'Pendulums at c = 1, 10 and 100',
@@ -19,11 +19,11 @@ const HEIGHT = 1.5;
 const PITCH = 1.25;
 
 /** A pendulum that is let go level, at its own speed of light, with its name under it. */
-function pendulum(c: number, i: number): Sketches {
+function pendulum(c: number, i: number): NodeSketches {
   const z = PITCH * (i - 1);
   return {
     [`bob${c}`]: { type: 'sphere', set: { name: `Bob${c}`, radius: 0.16, segments: 48, rings: 24 } },
-    [`paint${c}`]: painted(`bob${c}.geometry`, COLORS[i], { roughness: 0.35 }),
+    [`paint${c}`]: withMaterial(`bob${c}.geometry`, COLORS[i], { roughness: 0.35 }),
     [`place${c}`]: {
       type: 'transform',
       set: { position: [LENGTH, HEIGHT, z] },
@@ -40,7 +40,7 @@ function pendulum(c: number, i: number): Sketches {
       from: { matter: [`held${c}.matter`, 'weight.matter'] },
     },
     [`name${c}`]: { type: 'solid-text', set: { name: `Name${c}`, text: `c = ${c}`, size: 0.15, depth: 0.05 } },
-    [`sign${c}`]: painted(`name${c}.geometry`, COLORS[i]),
+    [`sign${c}`]: withMaterial(`name${c}.geometry`, COLORS[i]),
     [`label${c}`]: {
       type: 'transform',
       set: { position: [0, HEIGHT + 0.1, z], rotation: [0, 43, 0] },
@@ -53,7 +53,7 @@ const SPEEDS = [1, 10, 100];
 
 /** Pendulums in worlds of several speeds of light. */
 export const pendulums = () => {
-  const picture = seen([...SPEEDS.flatMap((c) => [`swing${c}.geometry`, `label${c}.geometry`])], {
+  const picture = simulationScene([...SPEEDS.flatMap((c) => [`swing${c}.geometry`, `label${c}.geometry`])], {
     set: 'classroom',
     eye: [3.3, 1.6, 3.7],
     target: [0.1, 0.95, 0.1],

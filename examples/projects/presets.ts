@@ -1,6 +1,6 @@
-import { applyCommand, type Command } from '../../src/graph/commands.ts';
-import type { GraphDocument } from '../../src/graph/document.ts';
-import { newProject } from '../../src/nodes/project.ts';
+import type { GraphDocument } from '../../src/graph/document/document.ts';
+import { applyCommand, type Command } from '../../src/graph/edits/commands.ts';
+import { newProject } from '../../src/nodes/project/projectCommands.ts';
 
 const changed = (document: GraphDocument, ...commands: readonly Command[]): GraphDocument =>
   applyCommand(document, { kind: 'batch', commands }).document;

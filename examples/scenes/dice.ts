@@ -2,8 +2,8 @@ import { fromParts } from '../../src/math/mat4.ts';
 import { fromAxisAngle, IDENTITY, multiply, type Quat, toMatrix } from '../../src/math/quat.ts';
 import { random } from '../../src/math/random.ts';
 import { ZERO } from '../../src/math/vec3.ts';
-import { transformMesh } from '../../src/scene/meshOps.ts';
-import { type Band, revolve } from '../../src/scene/primitives.ts';
+import { transformMesh } from '../../src/scene/mesh/meshOps.ts';
+import { revolve, type SurfaceBand } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh, Motion, Scene } from '../../src/scene/types.ts';
 import { at, daylight, type Part, paint, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
@@ -45,7 +45,7 @@ function make(): Scene {
 
   const [from, to] = [0, 16];
   const eye = (t: number): [number, number, number] => [4.6 + 0.08 * (t - MEETING), 3.1, 8.4];
-  const flight = camera({ from, to, fovY: 40, eye, target: (t) => [0.3 + 0.08 * (t - MEETING), 0.35, -0.2] });
+  const flight = camera({ from, to, fovY: 40, position: eye, target: (t) => [0.3 + 0.08 * (t - MEETING), 0.35, -0.2] });
   const hints = {
     speedOfLight: C,
     title: 'Dice',
@@ -108,7 +108,7 @@ function pips(): Mesh {
 }
 
 /** A band whose normals lean outward by the given parts. */
-const slope = (from: [number, number], to: [number, number], lean: number, leanTo: number): Band => ({
+const slope = (from: [number, number], to: [number, number], lean: number, leanTo: number): SurfaceBand => ({
   from,
   to,
   fromNormal: [lean, Math.sqrt(1 - lean * lean)],

@@ -1,12 +1,12 @@
 import { fromAxisAngle } from '../../src/math/quat.ts';
 import { random } from '../../src/math/random.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { makeMesh } from '../../src/scene/geometry.ts';
-import { sphere, torus } from '../../src/scene/primitives.ts';
+import { makeMesh } from '../../src/scene/mesh/makeMesh.ts';
+import { sphere, torus } from '../../src/scene/mesh/primitives.ts';
 import type { Light, Mesh, Scene, Texture } from '../../src/scene/types.ts';
 import { at, type Part, paint, place, placePart, SceneBuilder, sky } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise } from '../kit/flight.ts';
+import { camera, smoothRamp } from '../kit/flight.ts';
 import { Canvas, linear, tone } from '../kit/paint.ts';
 import { block, join, moved, quad, roundedBox, turned } from '../kit/parts.ts';
 
@@ -24,12 +24,12 @@ function make(): Scene {
   pictures(builder);
   sculptures(builder);
   const [from, to] = [0, 9.5];
-  const way = (t: number) => 26 - 46 * cruise(t / to, 0.34);
+  const way = (t: number) => 26 - 46 * smoothRamp(t / to, 0.34);
   const flight = camera({
     from,
     to,
     fovY: 62,
-    eye: (t) => [-0.9 * Math.cos(0.35 * t), 1.8, way(t)],
+    position: (t) => [-0.9 * Math.cos(0.35 * t), 1.8, way(t)],
     target: (t) => [0.3, 2.35, way(t) - 16],
   });
   const hints = {

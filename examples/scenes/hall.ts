@@ -1,9 +1,9 @@
 import { fromAxisAngle, multiply } from '../../src/math/quat.ts';
-import { sphere } from '../../src/scene/primitives.ts';
+import { sphere } from '../../src/scene/mesh/primitives.ts';
 import type { Light, Scene, Texture } from '../../src/scene/types.ts';
 import { type Part, paint, place, placePart, SceneBuilder, sky } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise, sampled } from '../kit/flight.ts';
+import { camera, sampled, smoothRamp } from '../kit/flight.ts';
 import { Canvas, checker, linear } from '../kit/paint.ts';
 import { block, column, moved, quad, roundedBox, turned } from '../kit/parts.ts';
 
@@ -20,12 +20,12 @@ function make(): Scene {
   colonnade(builder);
   centrepiece(builder);
   const [from, to] = [0, 9];
-  const way = (t: number) => 27 - 44 * cruise(t / to, 0.34);
+  const way = (t: number) => 27 - 44 * smoothRamp(t / to, 0.34);
   const flight = camera({
     from,
     to,
     fovY: 68,
-    eye: (t) => [1.8 - 0.4 * Math.cos(0.3 * t), 2.3, way(t)],
+    position: (t) => [1.8 - 0.4 * Math.cos(0.3 * t), 2.3, way(t)],
     target: (t) => [0.4, 3, way(t) - 18],
   });
   const hints = {

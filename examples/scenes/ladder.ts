@@ -1,6 +1,6 @@
 import { IDENTITY } from '../../src/math/quat.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { cylinder } from '../../src/scene/primitives.ts';
+import { cylinder } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh, SampledMotion, Scene, SceneCamera } from '../../src/scene/types.ts';
 import { daylight, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
@@ -46,7 +46,7 @@ function make(): Scene {
     from,
     to,
     fovY: 46,
-    eye: (t) => [0.04 * (t - MEETING - 4), 3.1, 12.5],
+    position: (t) => [0.04 * (t - MEETING - 4), 3.1, 12.5],
     target: () => [0, 1.95, 0],
   });
   const hints = {

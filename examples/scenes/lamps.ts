@@ -1,11 +1,11 @@
 import { IDENTITY } from '../../src/math/quat.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { sphere } from '../../src/scene/primitives.ts';
+import { sphere } from '../../src/scene/mesh/primitives.ts';
 import type { Light, Scene } from '../../src/scene/types.ts';
-import { LIGHT_PRESETS } from '../../src/spectrum/lightPresets.ts';
-import { paint, SceneBuilder, shine } from '../kit/builder.ts';
+import { LIGHT_PRESETS } from '../../src/spectrum/sources/lightPresets.ts';
+import { paint, SceneBuilder, spectralLight } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise, sampledAt, shuttle, TURN } from '../kit/flight.ts';
+import { camera, sampledAt, shuttle, smoothRamp, TURN_SHARE } from '../kit/flight.ts';
 import { block, insideOut, turned } from '../kit/parts.ts';
 
 const C = 10;
@@ -37,12 +37,12 @@ function make(): Scene {
   const builder = new SceneBuilder();
   wall(builder);
   const bulbs = LAMPS.map((lamp, i) => carriage(builder, lamp, TOP - (i + 0.5) * LANE));
-  const way = (t: number): number => cruise(t / TO, 0.3);
+  const way = (t: number): number => smoothRamp(t / TO, 0.3);
   const flight = camera({
     from: FROM,
     to: TO,
     fovY: 46,
-    eye: (t) => [-3 + 6 * way(t), TOP / 2 + 0.2, 9.6],
+    position: (t) => [-3 + 6 * way(t), TOP / 2 + 0.2, 9.6],
     target: (t) => [-0.8 + 1.6 * way(t), TOP / 2 - 0.05, 0],
   });
   const hints = {
@@ -58,9 +58,9 @@ function make(): Scene {
 
 /** A grey wall with boards of colours on it, and rails before it. */
 function wall(builder: SceneBuilder): void {
-  const grey = builder.material('grey', '#c4c4c4', { roughness: 1 });
+  const gray = builder.material('grey', '#c4c4c4', { roughness: 1 });
   const rail = builder.material('rail', '#5a5f66', { roughness: 0.35, metallic: 0.8 });
-  builder.object('/World/Wall', [paint(block(2 * HALF, TOP + 8, 0.2, 1, [0, -4, -0.1]), grey)]);
+  builder.object('/World/Wall', [paint(block(2 * HALF, TOP + 8, 0.2, 1, [0, -4, -0.1]), gray)]);
   for (let k = 0; k < 3; k++)
     builder.object(`/World/Rail${k}`, [paint(block(2 * HALF, 0.07, 0.12, 1, [0, k * LANE + 0.1, OUT]), rail)]);
   const boards = PATCHES.map((color, i) => builder.material(`patch${i}`, color, { roughness: 1 }));
@@ -90,7 +90,7 @@ function carriage(builder: SceneBuilder, { name, preset, start, luminance }: Lam
   );
   const globe = insideOut(sphere(RADIUS, { segments: 28, rings: 14, axis: 'Y' }));
   builder.object(`/World/${name}`, [paint(globe, glass), paint(foot, brass)], motion);
-  const shining = shine(LIGHT_PRESETS.get(preset)!.spectrum, luminance);
+  const shining = spectralLight(LIGHT_PRESETS.get(preset)!.spectrum, luminance);
   const lifetime = { birth: -Infinity, death: Infinity };
   return { kind: 'sphere', path: `/World/${name}Light`, motion, lifetime, radius: 0, ...shining };
 }
@@ -99,5 +99,5 @@ function carriage(builder: SceneBuilder, { name, preset, start, luminance }: Lam
 function moments(start: number): number[] {
   const dense = Array.from({ length: 31 * 240 }, (_, i) => FROM - 6 + i / 240);
   const toTurn = (t: number): number => Math.abs(start + t / PERIOD - Math.round(start + t / PERIOD));
-  return dense.filter((t, i) => i === 0 || i === dense.length - 1 || toTurn(t) <= TURN + 1 / (240 * PERIOD));
+  return dense.filter((t, i) => i === 0 || i === dense.length - 1 || toTurn(t) <= TURN_SHARE + 1 / (240 * PERIOD));
 }

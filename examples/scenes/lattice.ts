@@ -1,10 +1,10 @@
 import { normalize, type Vec3 } from '../../src/math/vec3.ts';
-import { makeMesh } from '../../src/scene/geometry.ts';
-import { box } from '../../src/scene/primitives.ts';
+import { makeMesh } from '../../src/scene/mesh/makeMesh.ts';
+import { box } from '../../src/scene/mesh/primitives.ts';
 import type { Light, Mesh, Scene } from '../../src/scene/types.ts';
 import { paint, SceneBuilder, sky } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise } from '../kit/flight.ts';
+import { camera, smoothRamp } from '../kit/flight.ts';
 import { checker, linear } from '../kit/paint.ts';
 import { join, moved, quad } from '../kit/parts.ts';
 
@@ -30,7 +30,7 @@ function make(): Scene {
   builder.object('/World/Ground', [paint(quad([-20, y, 14], [20, y, 14], [20, y, -58], [-20, y, -58], 5, 9), tiles)]);
 
   const [from, to] = [0, 8.9];
-  const way = (t: number) => 8 - 45.5 * cruise(t / to, 0.45);
+  const way = (t: number) => 8 - 45.5 * smoothRamp(t / to, 0.45);
   const eye = (t: number): Vec3 => [2 + 0.35 * Math.sin(0.5 * t), 2 + 0.3 * Math.cos(0.4 * t), way(t)];
   const target = (t: number): Vec3 => [2, 2, way(t) - 20];
   const hints = {
@@ -51,7 +51,7 @@ function make(): Scene {
     },
     sky('#2c3d60', '#4a5872', '#2b323f'),
   ];
-  const flight = camera({ from, to, fovY: 66, eye, target });
+  const flight = camera({ from, to, fovY: 66, position: eye, target });
   return builder.finish('lattice', hints, [from, to], [flight], lights);
 }
 

@@ -1,11 +1,11 @@
 import { IDENTITY } from '../../src/math/quat.ts';
 import { add, type Vec3 } from '../../src/math/vec3.ts';
-import { sphere } from '../../src/scene/primitives.ts';
-import type { FrameMotion, Light, Scene } from '../../src/scene/types.ts';
-import { MATERIAL_PRESETS } from '../../src/spectrum/materialPresets.ts';
-import { at, type Part, paint, SceneBuilder, shine } from '../kit/builder.ts';
+import { sphere } from '../../src/scene/mesh/primitives.ts';
+import type { Light, RigidMotion, Scene } from '../../src/scene/types.ts';
+import { MATERIAL_PRESETS } from '../../src/spectrum/reflectance/materialPresets.ts';
+import { at, type Part, paint, SceneBuilder, spectralLight } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise, lookFrom, sampled, shuttle } from '../kit/flight.ts';
+import { camera, lookFrom, sampled, shuttle, smoothRamp } from '../kit/flight.ts';
 import { bar, block, moved } from '../kit/parts.ts';
 
 const C = 2;
@@ -34,8 +34,8 @@ function make(): Scene {
   const builder = new SceneBuilder();
   studio(builder);
   const part = chart(builder);
-  const rest: FrameMotion = at([0, 0, NEAR - WAY / 2]);
-  const charts: [string, FrameMotion][] = [
+  const rest: RigidMotion = at([0, 0, NEAR - WAY / 2]);
+  const charts: [string, RigidMotion][] = [
     ['Left', coming(-SIDE, -4)],
     ['Still', rest],
     ['Right', coming(SIDE, 5)],
@@ -45,7 +45,7 @@ function make(): Scene {
     from: FROM,
     to: TO,
     fovY: 36,
-    eye: (t) => [0, 1.75 + 0.2 * cruise(t / TO), 6 - 0.5 * cruise(t / TO)],
+    position: (t) => [0, 1.75 + 0.2 * smoothRamp(t / TO), 6 - 0.5 * smoothRamp(t / TO)],
     target: () => [0, 0.95, -2],
   });
   const hints = {
@@ -99,16 +99,16 @@ function studio(builder: SceneBuilder): void {
 }
 
 /** The way of a chart towards the viewer and back; `start` is where in its shuttle it begins. */
-const coming = (x: number, start: number): FrameMotion =>
+const coming = (x: number, start: number): RigidMotion =>
   sampled(FROM - 16, TO + 1, 48, (t) => ({
     position: [x, 0, NEAR - WAY * (1 - shuttle(start + t / PERIOD))],
     orientation: IDENTITY,
   }));
 
 /** Each chart has its own, which goes with it: what is seen of a chart then is shifted once. */
-function lamp(name: string, motion: FrameMotion): Light {
+function lamp(name: string, motion: RigidMotion): Light {
   const lifetime = { birth: -Infinity, death: Infinity };
-  const daylight = shine({ kind: 'thermal', temperature: 5800 }, 11);
+  const daylight = spectralLight({ kind: 'thermal', temperature: 5800 }, 11);
   return {
     kind: 'sphere',
     path: `/World/${name}Lamp`,
@@ -125,11 +125,15 @@ const CONE = { inner: 0.42, outer: 0.75, focus: 0 };
 const ARM: Vec3 = [0, 2.3, 2.1];
 const DOWN = lookFrom(ARM, [0, 1.05, 0]);
 
-function carried(motion: FrameMotion): FrameMotion {
+function carried(motion: RigidMotion): RigidMotion {
   if (motion.kind === 'static') return at(add(motion.pose.position, ARM), DOWN);
   if (motion.kind !== 'sampled') throw new Error('charts rest or are sampled');
   const poses = motion.poses.map((x, i) => (i % 7 < 3 ? x + ARM[i % 7] : DOWN[(i % 7) - 3]));
   return { ...motion, poses };
 }
 
-const SKY: Light = { kind: 'dome', path: '/World/Sky', ...shine({ kind: 'thermal', temperature: 6504 }, 0.022) };
+const SKY: Light = {
+  kind: 'dome',
+  path: '/World/Sky',
+  ...spectralLight({ kind: 'thermal', temperature: 6504 }, 0.022),
+};

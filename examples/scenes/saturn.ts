@@ -1,13 +1,13 @@
 import { fromAxisAngle, multiply, rotate } from '../../src/math/quat.ts';
 import { random } from '../../src/math/random.ts';
 import { normalize, type Vec3 } from '../../src/math/vec3.ts';
-import { type Band, revolve, sphere } from '../../src/scene/primitives.ts';
+import { revolve, type SurfaceBand, sphere } from '../../src/scene/mesh/primitives.ts';
 import { brightStars } from '../../src/scene/stars/brightStars.ts';
 import { EQUATORIAL } from '../../src/scene/stars/equatorial.ts';
 import type { Light, Mesh, Scene } from '../../src/scene/types.ts';
 import { paint, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise, sampled } from '../kit/flight.ts';
+import { camera, sampled, smoothRamp } from '../kit/flight.ts';
 import { Canvas, linear, rgb } from '../kit/paint.ts';
 import { sized } from '../kit/parts.ts';
 
@@ -35,13 +35,13 @@ function make(): Scene {
   planet(builder);
   moons(builder);
   const [from, to] = [0, 20];
-  const way = (t: number) => 62 - 118 * cruise(t / to, 0.32);
+  const way = (t: number) => 62 - 118 * smoothRamp(t / to, 0.32);
   const flight = camera({
     from,
     to,
     fovY: 50,
-    eye: (t) => [-15.5, 4.2 + 1.2 * Math.cos(0.2 * t), way(t)],
-    target: (t) => [-5 * cruise(t / to, 0.4), 1.2, way(t) - 34],
+    position: (t) => [-15.5, 4.2 + 1.2 * Math.cos(0.2 * t), way(t)],
+    target: (t) => [-5 * smoothRamp(t / to, 0.4), 1.2, way(t) - 34],
   });
   const hints = {
     speedOfLight: 10,
@@ -74,7 +74,7 @@ function planet(builder: SceneBuilder): void {
 
 function ring(inner: number, outer: number): Mesh {
   const middle = (inner + outer) / 2;
-  const flat = (a: number, b: number): Band => ({
+  const flat = (a: number, b: number): SurfaceBand => ({
     from: [a, 0],
     to: [b, 0],
     fromNormal: [0, 1],

@@ -1,10 +1,10 @@
 import { fromAxisAngle, multiply } from '../../src/math/quat.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { sphere, torus } from '../../src/scene/primitives.ts';
+import { sphere, torus } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh, Scene } from '../../src/scene/types.ts';
 import { at, daylight, type Part, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise } from '../kit/flight.ts';
+import { camera, smoothRamp } from '../kit/flight.ts';
 import { Canvas, checker } from '../kit/paint.ts';
 import { block, column, join, moved, quad, turned } from '../kit/parts.ts';
 import { poplar } from '../kit/trees.ts';
@@ -49,8 +49,8 @@ function make(): Scene {
     from,
     to,
     fovY: 46,
-    eye: (t) => [7.6 - 2 * cruise(t / to, 0.4), 4.4, 11.5 - 2 * cruise(t / to, 0.4)],
-    target: (t) => [-1.2 - 1.2 * cruise(t / to, 0.4), 2.7, -3],
+    position: (t) => [7.6 - 2 * smoothRamp(t / to, 0.4), 4.4, 11.5 - 2 * smoothRamp(t / to, 0.4)],
+    target: (t) => [-1.2 - 1.2 * smoothRamp(t / to, 0.4), 2.7, -3],
   });
   const hints = {
     speedOfLight: C,

@@ -1,12 +1,12 @@
 import { fromAxisAngle, multiply } from '../../src/math/quat.ts';
 import { normalize, scale, type Vec3 } from '../../src/math/vec3.ts';
-import { sphere, torus } from '../../src/scene/primitives.ts';
+import { sphere, torus } from '../../src/scene/mesh/primitives.ts';
 import { brightStars } from '../../src/scene/stars/brightStars.ts';
 import { EQUATORIAL } from '../../src/scene/stars/equatorial.ts';
 import type { Light, Scene } from '../../src/scene/types.ts';
 import { at, paint, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise } from '../kit/flight.ts';
+import { camera, smoothRamp } from '../kit/flight.ts';
 import { linear } from '../kit/paint.ts';
 import { moved } from '../kit/parts.ts';
 
@@ -24,12 +24,12 @@ function make(): Scene {
   const builder = new SceneBuilder();
   gates(builder);
   const [from, to] = [0, 24];
-  const way = (t: number): number => 30 - 210 * cruise(t / to, 0.42);
+  const way = (t: number): number => 30 - 210 * smoothRamp(t / to, 0.42);
   const flight = camera({
     from,
     to,
     fovY: 60,
-    eye: (t) => [way(t), 0.6, 0.8],
+    position: (t) => [way(t), 0.6, 0.8],
     target: (t) => [way(t) - 10, 0.6, 0.8],
   });
   const hints = {

@@ -1,10 +1,10 @@
 import { fromAxisAngle, multiply } from '../../src/math/quat.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { sphere } from '../../src/scene/primitives.ts';
+import { sphere } from '../../src/scene/mesh/primitives.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { at, compose, daylight, type Part, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise, sampled } from '../kit/flight.ts';
+import { camera, sampled, smoothRamp } from '../kit/flight.ts';
 import { Canvas, checker } from '../kit/paint.ts';
 import { roundedBox, turned } from '../kit/parts.ts';
 import { street } from '../kit/street.ts';
@@ -24,8 +24,8 @@ function make(): Scene {
     from,
     to,
     fovY: 60,
-    eye: (t) => [1.1 * Math.sin(0.22 * t), 1.9, 46 - 84 * cruise(t / to, 0.34)],
-    target: (t) => [0.8 * Math.sin(0.22 * t), 2.5, 46 - 84 * cruise(t / to, 0.34) - 20],
+    position: (t) => [1.1 * Math.sin(0.22 * t), 1.9, 46 - 84 * smoothRamp(t / to, 0.34)],
+    target: (t) => [0.8 * Math.sin(0.22 * t), 2.5, 46 - 84 * smoothRamp(t / to, 0.34) - 20],
   });
   const hints = {
     speedOfLight: 10,

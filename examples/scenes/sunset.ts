@@ -1,8 +1,8 @@
 import { normalize } from '../../src/math/vec3.ts';
 import type { Light, Scene } from '../../src/scene/types.ts';
-import { SceneBuilder, shine, sky } from '../kit/builder.ts';
+import { SceneBuilder, sky, spectralLight } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
-import { camera, cruise } from '../kit/flight.ts';
+import { camera, smoothRamp } from '../kit/flight.ts';
 import { street } from '../kit/street.ts';
 
 /** Of the low sun, and of gaslight [K]. */
@@ -18,12 +18,12 @@ function make(): Scene {
     glow: builder.material('window', '#2a2520', { emissive: '#b8b8b8', emissionTemperature: GAS, roughness: 0.4 }),
   });
   const [from, to] = [0, 16];
-  const way = (t: number): number => 48 - 82 * cruise(t / to, 0.38);
+  const way = (t: number): number => 48 - 82 * smoothRamp(t / to, 0.38);
   const flight = camera({
     from,
     to,
     fovY: 62,
-    eye: (t) => [-0.8 + 0.6 * Math.sin(0.2 * t), 1.9, way(t)],
+    position: (t) => [-0.8 + 0.6 * Math.sin(0.2 * t), 1.9, way(t)],
     target: (t) => [-0.6 + 0.4 * Math.sin(0.2 * t), 2.9, way(t) - 20],
   });
   const hints = {
@@ -34,7 +34,7 @@ function make(): Scene {
     openAt: 5,
   };
   const lights: Light[] = [
-    { kind: 'distant', path: '/World/Sun', direction: normalize([-0.42, -0.24, -0.87]), ...shine(sun, 1.8) },
+    { kind: 'distant', path: '/World/Sun', direction: normalize([-0.42, -0.24, -0.87]), ...spectralLight(sun, 1.8) },
     sky('#7f7fa6', '#c98f78', '#5d5557'),
   ];
   return builder.finish('sunset', hints, [from, to], [flight], lights);

@@ -1,9 +1,9 @@
 import { fromAxisAngle } from '../../src/math/quat.ts';
 import { random } from '../../src/math/random.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { makeMesh } from '../../src/scene/geometry.ts';
-import { mergeMeshes } from '../../src/scene/meshOps.ts';
-import { type Band, cylinder, revolve, sphere } from '../../src/scene/primitives.ts';
+import { makeMesh } from '../../src/scene/mesh/makeMesh.ts';
+import { mergeMeshes } from '../../src/scene/mesh/meshOps.ts';
+import { cylinder, revolve, type SurfaceBand, sphere } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh, SampledPointsMotion, Scene } from '../../src/scene/types.ts';
 import { daylight, type Part, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
@@ -40,7 +40,7 @@ function make(): Scene {
     from: 0,
     to: END,
     fovY: 50,
-    eye: (t) => [3 + 0.2 * t, 2, 8.2],
+    position: (t) => [3 + 0.2 * t, 2, 8.2],
     target: (t) => [0.6 + gaze(t), 1.85, 0],
   });
   const hints = {
@@ -83,7 +83,7 @@ function rolledTo(t: number, [x0, y0, z]: ArrayLike<number> & Iterable<number>):
   return [x, y, z];
 }
 
-const flat = (from: [number, number], to: [number, number], normal: [number, number]): Band => ({
+const flat = (from: [number, number], to: [number, number], normal: [number, number]): SurfaceBand => ({
   from,
   to,
   fromNormal: normal,
@@ -134,7 +134,7 @@ function spokes(): Mesh {
 }
 
 function hub(): Mesh {
-  const slant = (from: [number, number], to: [number, number]): Band => {
+  const slant = (from: [number, number], to: [number, number]): SurfaceBand => {
     const l = Math.hypot(to[0] - from[0], to[1] - from[1]);
     return flat(from, to, [(to[1] - from[1]) / l, (from[0] - to[0]) / l]);
   };

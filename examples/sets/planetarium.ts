@@ -1,4 +1,4 @@
-import { COULOMB } from '../../src/dynamics/forces/coulomb.ts';
+import { COULOMB_CONSTANT } from '../../src/dynamics/forces/coulomb.ts';
 import type { Scene, Texture } from '../../src/scene/types.ts';
 import { paint, SceneBuilder, sun } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
@@ -42,7 +42,7 @@ function make(): Scene {
  * u″ + κ²u = kW/(4c²L²) by the angle, κ² = 1 − k²/(4c²L²), W = E + 2mc². Here m = 1 kg, and they begin farthest apart.
  */
 export function orbit(): (angle: number) => { readonly away: number; readonly slope: number } {
-  const k = COULOMB * CHARGE ** 2;
+  const k = COULOMB_CONSTANT * CHARGE ** 2;
   const gamma = 1 / Math.sqrt(1 - (SPEED / C) ** 2);
   const L = 2 * AWAY * gamma * SPEED;
   const W = 2 * gamma * C ** 2 - k / (2 * AWAY);

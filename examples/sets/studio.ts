@@ -1,4 +1,4 @@
-import { makeMesh } from '../../src/scene/geometry.ts';
+import { makeMesh } from '../../src/scene/mesh/makeMesh.ts';
 import type { Mesh, Scene } from '../../src/scene/types.ts';
 import { paint, SceneBuilder, sky, sun } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';

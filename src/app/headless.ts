@@ -1,10 +1,10 @@
-import { inputError } from '../formats/fail.ts';
+import { inputError } from '../formats/diagnostics/inputError.ts';
 import { SceneRenderer } from '../render/renderer.ts';
-import type { Gauge } from '../scene/gauge.ts';
-import { unparcel } from '../scene/parcel.ts';
-import { readFilesWith, type StoredFile } from '../scene/storedNumbers.ts';
+import { type StoredFile, setFileReader } from '../scene/streaming/storedNumbers.ts';
+import { decodeTransfer } from '../scene/transfer/transferCodec.ts';
 import type { Scene } from '../scene/types.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
+import type { LightMeterReadings } from '../scene/view/metering.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
 
 /**
  * The page that the command line drives where a picture is to be made with WebGL2. It draws scenes that the server of this page has read, and
@@ -20,11 +20,11 @@ interface HeadlessPage {
   open(request: OpenRequest): Promise<void>;
   render(request: RenderRequest): Promise<RenderReply>;
   /** Base64 of the gauge's numbers, little-endian f32. */
-  measure(request: Pick<RenderRequest, 'view' | 'settings'>): Promise<Record<keyof Gauge, string>>;
+  measure(request: Pick<RenderRequest, 'view' | 'settings'>): Promise<Record<keyof LightMeterReadings, string>>;
 }
 
 interface OpenRequest {
-  /** Address of a parcel (scene/parcel.ts) of the scenes: the picture's, and those of its plan's other G-buffers. */
+  /** Address of a parcel (scene/transfer/transferCodec.ts) of the scenes: the picture's, and those of its plan's other G-buffers. */
   readonly scenes: string;
   /** Address under which parts of files are, for what was left in them: `from/length/{handle as JSON}`. */
   readonly files: string;
@@ -69,13 +69,13 @@ window.slowlight = {
   async start() {
     renderer?.dispose();
     renderer = await SceneRenderer.create({ canvas: newCanvas(), backend: 'webgl' });
-    return { adapterName: adapterName(), largest: renderer.info.largest };
+    return { adapterName: adapterName(), largest: renderer.info.maxTextureSize };
   },
 
   async open({ scenes, files, width, height }) {
     if (!renderer) throw new Error('start first');
-    readFilesWith((file, at, length) => partOfFile(files, file, at, length));
-    const [scene, ...others] = unparcel(await (await fetch(scenes)).arrayBuffer()) as [Scene, ...Scene[]];
+    setFileReader((file, at, length) => partOfFile(files, file, at, length));
+    const [scene, ...others] = decodeTransfer(await (await fetch(scenes)).arrayBuffer()) as [Scene, ...Scene[]];
     renderer.setSize(width, height);
     await renderer.setScene(scene, others);
   },
@@ -92,7 +92,7 @@ window.slowlight = {
   async measure({ view, settings }) {
     if (!renderer) throw new Error('open a scene first');
     renderer.render(view, settings);
-    const { luminance, doppler, time } = await renderer.gauge();
+    const { luminance, doppler, time } = await renderer.measureLight();
     return { luminance: await base64(luminance), doppler: await base64(doppler), time: await base64(time) };
   },
 };

@@ -1,16 +1,16 @@
 import { readFileSync } from 'node:fs';
 import { Command, CommanderError } from 'commander';
 import { InputError } from '../scene/types.ts';
-import { compareCommand } from './compare.ts';
-import { convertCommand } from './convert.ts';
-import { CliError, EXIT } from './exit.ts';
-import { graphCommand } from './graph.ts';
-import { inspectCommand } from './inspect.ts';
-import { stoppedWith } from './output.ts';
-import { probeCommand } from './probe.ts';
-import { renderCommand } from './render.ts';
-import { serveCommand } from './serve.ts';
-import { simulateCommand } from './simulate.ts';
+import { compareCommand } from './compare/compareCommand.ts';
+import { convertCommand } from './convert/convertCommand.ts';
+import { requestedExitCode } from './files/outputFile.ts';
+import { graphCommand } from './graph/graphCommand.ts';
+import { inspectCommand } from './inspect/inspectCommand.ts';
+import { probeCommand } from './probe/probeCommand.ts';
+import { renderCommand } from './render/renderCommand.ts';
+import { serveCommand } from './serve/serveCommand.ts';
+import { simulateCommand } from './simulate/simulateCommand.ts';
+import { CliError, EXIT } from './terminal/exitCodes.ts';
 
 const exitCodes = `
 Exit codes:
@@ -64,7 +64,7 @@ function version(): string {
 
 /** Every error ends here, once: what a person can act on in one line, a fault of ours with its stack. */
 function report(error: unknown): number {
-  const stopped = stoppedWith();
+  const stopped = requestedExitCode();
   // Whatever broke then, broke because of that.
   if (stopped !== undefined) return stopped;
   if (error instanceof CommanderError) return error.exitCode === 0 ? EXIT.ok : EXIT.usage;

@@ -1,2 +1,2 @@
-export { type ComputeGpu, openWebGpu } from './gpu.ts';
-export { runOnGpu } from './run.ts';
+export { type ComputeGpu, openWebGpu } from './computeDevice.ts';
+export { runOnGpu } from './runOnGpu.ts';

@@ -1,11 +1,11 @@
 /** Points that a group of threads takes; and threads that share a long row. */
-export const GROUP = 64;
+export const WORKGROUP_SIZE = 64;
 
 /**
  * One pass of a splitting over all points (stages.ts), in 32-bit floats. Places and momenta are what they were when they came here, and what they have changed by since:
- * what is added in each pass is small, and so is what its rounding loses. Bindings and layouts: machine.ts.
+ * what is added in each pass is small, and so is what its rounding loses. Bindings and layouts: gpuIntegrator.ts.
  */
-export const SHADER = /* wgsl */ `
+export const SPLITTING_WGSL = /* wgsl */ `
 struct World {
   // Unit direction of the magnetic field, and its strength [T].
   field: vec3f, strength: f32,
@@ -193,7 +193,7 @@ fn advance(i: u32, force: vec3f) {
   next[i] = Change(way, impulse);
 }
 
-@compute @workgroup_size(${GROUP})
+@compute @workgroup_size(${WORKGROUP_SIZE})
 fn shortRows(@builtin(global_invocation_id) id: vec3u) {
   let i = id.x;
   if (i >= world.short) { return; }
@@ -207,20 +207,20 @@ fn shortRows(@builtin(global_invocation_id) id: vec3u) {
   advance(i, force);
 }
 
-var<workgroup> sums: array<vec3f, ${GROUP}>;
+var<workgroup> sums: array<vec3f, ${WORKGROUP_SIZE}>;
 
-@compute @workgroup_size(${GROUP})
+@compute @workgroup_size(${WORKGROUP_SIZE})
 fn longRows(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) thread: u32) {
   let i = world.short + group.x;
   let body = bodies[i];
   var force = vec3f(0.0);
   if (stage.before != 0.0) {
-    for (var k = body.springs + thread; k < body.others; k += ${GROUP}u) { force += sprung(i, links[k]); }
-    for (var k = body.others + thread; k < body.end; k += ${GROUP}u) { force += linked(i, links[k]); }
+    for (var k = body.springs + thread; k < body.others; k += ${WORKGROUP_SIZE}u) { force += sprung(i, links[k]); }
+    for (var k = body.others + thread; k < body.end; k += ${WORKGROUP_SIZE}u) { force += linked(i, links[k]); }
   }
   sums[thread] = force;
   workgroupBarrier();
-  for (var half = ${GROUP / 2}u; half > 0u; half /= 2u) {
+  for (var half = ${WORKGROUP_SIZE / 2}u; half > 0u; half /= 2u) {
     if (thread < half) { sums[thread] += sums[thread + half]; }
     workgroupBarrier();
   }

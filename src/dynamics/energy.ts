@@ -2,7 +2,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { State, System } from './system.ts';
 
 /** What a state has, in the world frame; of what is not pinned. */
-export interface Ledger {
+export interface ConservedQuantities {
   /** Σ (γ − 1) m c² [J] */
   readonly kinetic: number;
   /** V [J] */
@@ -17,7 +17,7 @@ export interface Ledger {
   readonly fastest: number;
 }
 
-export function ledger(system: System, state: State): Ledger {
+export function conservedQuantities(system: System, state: State): ConservedQuantities {
   const { c, masses, pinned } = system;
   const { x, p } = state;
   const momentum: [number, number, number] = [0, 0, 0];

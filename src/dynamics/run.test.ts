@@ -1,33 +1,33 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { uniform as between } from '../../tests/physicsArbitraries.ts';
-import { ranThrough, sheet } from '../../tests/support/clothKit.ts';
+import { recordRun, sheet } from '../../tests/support/clothKit.ts';
+import { uniform as between } from '../../tests/support/physicsArbitraries.ts';
 import { random } from '../math/random.ts';
-import { AdaptiveSteps } from './adaptive.ts';
+import { AdaptiveSteps } from './adaptiveSteps.ts';
 import { barrier } from './forces/barrier.ts';
-import { ballContacts, Penalty } from './forces/contact.ts';
+import { PenaltyPotential, sphereContacts } from './forces/contact.ts';
 import { coulomb } from './forces/coulomb.ts';
-import { NearPairs } from './forces/near.ts';
+import { NeighborPairs } from './forces/neighborPairs.ts';
 import { box } from './forces/obstacle.ts';
-import { Pairs } from './forces/pairs.ts';
-import { springs } from './forces/springs.ts';
-import { uniform } from './forces/uniform.ts';
+import { PairForce } from './forces/pairs.ts';
+import { springForce } from './forces/springs.ts';
+import { uniformField } from './forces/uniformField.ts';
+import { Integrator } from './integrator.ts';
+import { meshSprings } from './meshSprings.ts';
 import { METHODS } from './methods/library.ts';
-import { Mover } from './mover.ts';
-import { meshSprings } from './nets.ts';
-import { type Frame, type Order, run, stepsOf } from './run.ts';
-import { fastestOscillation } from './stability.ts';
-import { copyOf, makeSystem, momenta, restingAt, type System, SystemError, velocities } from './system.ts';
+import { integrate, type RunOptions, type SimulationFrame, stepSchedule } from './run.ts';
+import { maxAngularFrequency } from './stability.ts';
+import { copyState, makeSystem, momenta, type System, SystemError, stateAtRest, velocities } from './system.ts';
 
-function hanging(n: number, c: number, drag = 0): Pick<Order, 'system' | 'start'> {
+function hanging(n: number, c: number, drag = 0): Pick<RunOptions, 'system' | 'start'> {
   const { x, faces } = sheet(n);
   const masses = new Float64Array(n * n).fill(1 / (n * n));
   const pinned = new Uint8Array(n * n);
   pinned[0] = pinned[n - 1] = 1;
-  const net = springs(meshSprings(x, faces, { structural: 1000, shear: 1000, bending: 1000 }));
+  const net = springForce(meshSprings(x, faces, { structural: 1000, shear: 1000, bending: 1000 }));
   return {
-    system: makeSystem({ masses, pinned, c, drag, forces: [net, uniform(masses, [0, -9.8, 0])] }),
-    start: restingAt(x),
+    system: makeSystem({ masses, pinned, c, drag, forces: [net, uniformField(masses, [0, -9.8, 0])] }),
+    start: stateAtRest(x),
   };
 }
 
@@ -64,12 +64,12 @@ describe('points that are near', () => {
     const n = 60;
     const next = random(5);
     const bodies = Int32Array.from({ length: n }, (_, i) => (i % 4) - 1);
-    const law = new Penalty(10, () => 0.3);
+    const law = new PenaltyPotential(10, () => 0.3);
     const rest = Float64Array.from({ length: 3 * n }, next);
     const far = (i: number, j: number): boolean =>
       Math.hypot(...[0, 1, 2].map((k) => rest[3 * i + k] - rest[3 * j + k])) > 0.3;
-    const near = new NearPairs(bodies, rest, 0.3, law);
-    const all = new Pairs(
+    const near = new NeighborPairs(bodies, rest, 0.3, law);
+    const all = new PairForce(
       Uint32Array.from(
         Array.from({ length: n * n }, (_, k) => [Math.floor(k / n), k % n])
           .filter(([i, j]) => i < j && bodies[i] >= 0 && bodies[j] >= 0 && (bodies[i] !== bodies[j] || far(i, j)))
@@ -83,7 +83,7 @@ describe('points that are near', () => {
       const sums = [near, all].map((force) => {
         const sum = new Float64Array(3 * n);
         force.add(x, sum);
-        force.addMean(x, to, sum);
+        force.addDiscreteGradient(x, to, sum);
         return sum;
       });
       expect(near.energy(to)).toBeCloseTo(all.energy(to), 12);
@@ -97,12 +97,12 @@ describe('points that are near', () => {
 
 describe('what touches', () => {
   /** Points of four bodies that are soft to each other, in a crowd. */
-  const crowd = (seed: number): Pick<Order, 'system' | 'start'> => {
+  const crowd = (seed: number): Pick<RunOptions, 'system' | 'start'> => {
     const n = 80;
     const next = random(seed);
     const bodies = Int32Array.from({ length: n }, (_, i) => i % 4);
     const x = Float64Array.from({ length: 3 * n }, next);
-    const near = new NearPairs(bodies, x, 0.3, new Penalty(0.05, () => 0.3));
+    const near = new NeighborPairs(bodies, x, 0.3, new PenaltyPotential(0.05, () => 0.3));
     const system = makeSystem({ masses: new Float64Array(n).fill(0.1), c: 3, forces: [near] });
     const p = momenta(
       system,
@@ -116,15 +116,17 @@ describe('what touches', () => {
     (id) => {
       const order = { method: method(id), step: 2e-3, every: 0.07 };
       for (let seed = 1; seed <= 4; seed++) {
-        const { frames } = ranThrough({ ...crowd(seed), ...order, duration: 0.56 });
+        const { frames } = recordRun({ ...crowd(seed), ...order, duration: 0.56 });
         for (const from of [1, 3, 5]) {
-          const again = ranThrough({
+          const again = recordRun({
             ...crowd(seed),
             ...order,
             start: frames[from].state,
             duration: 0.56 - 0.07 * from,
           });
-          expect(again.frames.map(({ ledger }) => ledger)).toEqual(frames.slice(from).map(({ ledger }) => ledger));
+          expect(again.frames.map(({ quantities }) => quantities)).toEqual(
+            frames.slice(from).map(({ quantities }) => quantities),
+          );
           expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
         }
       }
@@ -148,17 +150,17 @@ describe('two leaves of one thing that are thrown at each other', () => {
     }).flat(),
   );
   const faces = { counts: new Uint8Array(2 * (side - 1) ** 2).fill(4), corners };
-  const net = springs(meshSprings(x, faces, { structural: 300, shear: 300, bending: 100 }));
+  const net = springForce(meshSprings(x, faces, { structural: 300, shear: 300, bending: 100 }));
   const masses = new Float64Array(count).fill(0.01);
-  const touch = new NearPairs(new Int32Array(count), x, 0.12, new Penalty(500, () => 0.12));
+  const touch = new NeighborPairs(new Int32Array(count), x, 0.12, new PenaltyPotential(500, () => 0.12));
   const flight = (forces: System['forces']) => {
     const system = makeSystem({ masses, c: 10, forces });
     const v = x.map((_, j) => (j % 3 === 0 ? -2 * leaf(Math.floor(j / 3)) : 0));
     const start = { t: 0, x, p: momenta(system, v) };
     const method = METHODS.get('discrete-gradient')!;
-    return [...run({ system, start, method, duration: 0.4, every: 0.02, step: 1e-3 })];
+    return [...integrate({ system, start, method, duration: 0.4, every: 0.02, step: 1e-3 })];
   };
-  const isApart = ({ state }: Frame): boolean => {
+  const isApart = ({ state }: SimulationFrame): boolean => {
     const sides = [-1, 1].map((which) => Array.from(masses.keys()).filter((i) => leaf(i) === which));
     const [left, right] = sides.map((points) => points.map((i) => state.x[3 * i]));
     return Math.max(...left) < Math.min(...right);
@@ -166,10 +168,10 @@ describe('two leaves of one thing that are thrown at each other', () => {
 
   it('come apart again, with the energy and the momentum that they had', () => {
     const frames = flight([net, touch]);
-    const [first, last] = [frames[0].ledger, frames.at(-1)!.ledger];
+    const [first, last] = [frames[0].quantities, frames.at(-1)!.quantities];
     expect(frames).toHaveLength(21);
     expect(frames.every(isApart)).toBe(true);
-    expect(Math.min(...frames.map(({ ledger }) => ledger.kinetic))).toBeLessThan(0.9 * first.kinetic);
+    expect(Math.min(...frames.map(({ quantities }) => quantities.kinetic))).toBeLessThan(0.9 * first.kinetic);
     expect(Math.abs(last.total - first.total)).toBeLessThan(1e-10 * first.kinetic);
     expect(Math.hypot(...last.momentum)).toBeLessThan(1e-12);
     const outward = frames
@@ -189,13 +191,17 @@ describe('the fastest oscillation', () => {
         const system = makeSystem({
           masses: new Float64Array(n).fill(m),
           forces: [
-            springs({ ends, stiffness: new Float64Array(n - 1).fill(k), lengths: new Float64Array(n - 1).fill(0.1) }),
+            springForce({
+              ends,
+              stiffness: new Float64Array(n - 1).fill(k),
+              lengths: new Float64Array(n - 1).fill(0.1),
+            }),
           ],
         });
         // Of a long chain: 2√(k/m), and of n points that times cos(π/2n).
         const exact = 2 * Math.sqrt(k / m) * Math.cos(Math.PI / (2 * n));
-        expect(fastestOscillation(system)).toBeGreaterThan(exact);
-        expect(fastestOscillation(system)).toBeLessThan(1.01 * exact);
+        expect(maxAngularFrequency(system)).toBeGreaterThan(exact);
+        expect(maxAngularFrequency(system)).toBeLessThan(1.01 * exact);
       }),
     );
   });
@@ -208,11 +214,13 @@ describe('the fastest oscillation of what is unlike', () => {
         const one = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(1) };
         const masses = Float64Array.of(m, n);
         const exact = Math.sqrt(k / m + k / n);
-        const bound = fastestOscillation(makeSystem({ masses, forces: [springs(one)] }));
+        const bound = maxAngularFrequency(makeSystem({ masses, forces: [springForce(one)] }));
         expect(bound).toBeGreaterThan(exact * (1 - 1e-12));
         expect(bound).toBeLessThan(Math.SQRT2 * exact * (1 + 1e-12));
         // What is pinned does not swing: its bound is that of the other alone.
-        const held = fastestOscillation(makeSystem({ masses, pinned: Uint8Array.of(1, 0), forces: [springs(one)] }));
+        const held = maxAngularFrequency(
+          makeSystem({ masses, pinned: Uint8Array.of(1, 0), forces: [springForce(one)] }),
+        );
         expect(held).toBeCloseTo(Math.sqrt((2 * k) / n), 9);
       }),
     );
@@ -221,7 +229,7 @@ describe('the fastest oscillation of what is unlike', () => {
 
 describe('a run', () => {
   it('gives frames at their times, with equal steps between them, and loses no energy', () => {
-    const { frames, stop } = ranThrough({
+    const { frames, stop } = recordRun({
       ...hanging(6, 10),
       method: method('discrete-gradient'),
       duration: 0.5,
@@ -231,8 +239,8 @@ describe('a run', () => {
     expect(stop).toBeUndefined();
     expect(frames.map(({ state }) => state.t)).toEqual([0, 0.1, 0.2, 0.30000000000000004, 0.4, 0.5]);
     expect(frames.map(({ steps }) => steps)).toEqual([0, 10, 20, 30, 40, 50]);
-    const total = frames.map(({ ledger }) => ledger.total);
-    const kinetic = Math.max(...frames.map(({ ledger }) => ledger.kinetic));
+    const total = frames.map(({ quantities }) => quantities.total);
+    const kinetic = Math.max(...frames.map(({ quantities }) => quantities.kinetic));
     expect(Math.max(...total) - Math.min(...total)).toBeLessThan(1e-11 * kinetic);
   });
 
@@ -243,10 +251,10 @@ describe('a run', () => {
   ])(
     'is the same each time, and when it is taken up again from a frame: %s, in steps %i times as long',
     (id, times) => {
-      const step = times * stepsOf({ ...hanging(5, 5), method: method(id), every: 0.05, duration: 1 }).h;
+      const step = times * stepSchedule({ ...hanging(5, 5), method: method(id), every: 0.05, duration: 1 }).h;
       const order = { ...hanging(5, 5), method: method(id), every: 0.05, step };
-      const { frames } = ranThrough({ ...order, duration: 0.4 });
-      const again = ranThrough({ ...order, start: frames[4].state, duration: 0.2 });
+      const { frames } = recordRun({ ...order, duration: 0.4 });
+      const again = recordRun({ ...order, start: frames[4].state, duration: 0.2 });
       expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
       expect(again.frames.at(-1)!.state.p).toEqual(frames.at(-1)!.state.p);
     },
@@ -255,28 +263,32 @@ describe('a run', () => {
   it('loses to the air what it should: p falls as exp(−drag t)', () => {
     const system = makeSystem({ masses: Float64Array.of(2), c: 3, drag: 0.7 });
     const start = { t: 0, x: new Float64Array(3), p: Float64Array.of(5, 0, 0) };
-    const { frames } = ranThrough({ system, start, method: method('leapfrog'), duration: 2, every: 1 });
+    const { frames } = recordRun({ system, start, method: method('leapfrog'), duration: 2, every: 1 });
     expect(frames[2].state.p[0]).toBeCloseTo(5 * Math.exp(-1.4), 12);
   });
 
   it('stops with its last good state where steps are above the stability bound, and names the bound', () => {
     const order = { ...hanging(8, 10), method: method('leapfrog'), duration: 5, every: 0.02, step: 0.01 };
-    expect(stepsOf(order).stable).toBe(false);
-    const { frames, stop } = ranThrough(order);
+    expect(stepSchedule(order).stable).toBe(false);
+    const { frames, stop } = recordRun(order);
     expect(stop?.reason).toBe('unstable');
     expect(stop?.message).toContain('steps of 0.0100 s are longer than leapfrog can take here, ');
-    const energies = frames.map(({ ledger }) => ledger);
+    const energies = frames.map(({ quantities }) => quantities);
     expect(energies.every(({ total, kinetic }) => total - energies[0].total <= 0.5 * kinetic)).toBe(true);
     expect(frames.length).toBeLessThan(250);
   });
 
   it('stops where a method of the sources passes c, and says what did', () => {
-    const tight = springs({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(100), lengths: Float64Array.of(0) });
+    const tight = springForce({
+      ends: Uint32Array.of(0, 1),
+      stiffness: Float64Array.of(100),
+      lengths: Float64Array.of(0),
+    });
     const system = makeSystem({ masses: Float64Array.of(1, 1), c: 1, forces: [tight] });
-    const start = restingAt(Float64Array.of(0, 0, 0, 1, 0, 0));
+    const start = stateAtRest(Float64Array.of(0, 0, 0, 1, 0, 0));
     const order = { system, start, method: method('semi-implicit-euler-0'), duration: 1, every: 0.1, step: 0.05 };
-    expect(stepsOf(order).stable).toBe(true);
-    const { frames, stop } = ranThrough(order);
+    expect(stepSchedule(order).stable).toBe(true);
+    const { frames, stop } = recordRun(order);
     expect(stop).toMatchObject({ reason: 'light', t: 0, point: 0 });
     expect(stop?.message).toMatch(/^point \d+ goes at .* m\/s, not below c = 1 m\/s; take a smaller step$/);
     expect(frames).toHaveLength(1);
@@ -284,10 +296,10 @@ describe('a run', () => {
 
   it('takes a tenth of the longest stable step where nobody says how long', () => {
     const order = { ...hanging(8, 10), method: method('leapfrog'), duration: 0.02, every: 0.01 };
-    const { h, stable } = stepsOf(order);
-    expect(h * fastestOscillation(order.system)).toBeLessThanOrEqual(0.2);
+    const { h, stable } = stepSchedule(order);
+    expect(h * maxAngularFrequency(order.system)).toBeLessThanOrEqual(0.2);
     expect(stable).toBe(true);
-    expect(stepsOf({ ...order, step: 1 }).perFrame).toBe(1);
+    expect(stepSchedule({ ...order, step: 1 }).perFrame).toBe(1);
   });
 
   it.each([
@@ -301,10 +313,10 @@ describe('a run', () => {
 
 describe('what is solid', () => {
   /** A kilogram that flies at a fixed ball of 0.5 m, and reaches 0.55 m by 1.1 times its size. */
-  const thrown = (speed: number, stiffness: number, step: number): Order => {
+  const thrown = (speed: number, stiffness: number, step: number): RunOptions => {
     const masses = Float64Array.of(1, 1);
     const pinned = Uint8Array.of(1, 0);
-    const contacts = ballContacts([{ point: 0, radius: 0.5 }], [1], { stiffness, scale: 1.1 });
+    const contacts = sphereContacts([{ point: 0, radius: 0.5 }], [1], { stiffness, scale: 1.1 });
     const system = makeSystem({ masses, pinned, c: 100, forces: [contacts] });
     const p = momenta(system, [0, 0, 0, speed, 0, 0]);
     const start = { t: 0, x: Float64Array.of(0, 0, 0, -2, 0.01, 0), p };
@@ -312,7 +324,7 @@ describe('what is solid', () => {
   };
 
   it('throws back what is slow, or what it is hard for', () => {
-    const { frames, stop } = ranThrough(thrown(5, 10_000, 1e-3));
+    const { frames, stop } = recordRun(thrown(5, 10_000, 1e-3));
     expect(stop).toBeUndefined();
     expect(frames.at(-1)!.state.p[3]).toBeLessThan(0);
   });
@@ -321,7 +333,7 @@ describe('what is solid', () => {
     ['in one step', 50, 10_000, 0.05],
     ['in many steps, for it gives way', 5, 10, 1e-3],
   ])('stops the run where something goes through it %s', (_, speed, stiffness, step) => {
-    const { frames, stop } = ranThrough(thrown(speed, stiffness, step));
+    const { frames, stop } = recordRun(thrown(speed, stiffness, step));
     expect(stop).toMatchObject({ reason: 'pierced', point: 1 });
     expect(stop?.message).toMatch(/^point 1 went through what is solid, to \(.+\) m; take a smaller step/);
     // ½K·0.55² = 1.5 J are less than ½·25: it arrives within half of the reach after 1.7 m at 5 m/s, or somewhat later.
@@ -340,9 +352,9 @@ describe('what is solid', () => {
     const p = momenta(system, [0, 50, 0, 0, 50, 0]);
     const order = { system, method: method('leapfrog'), duration: 1, every: 0.1, step: 0.05 };
     const beside = { t: 0, x: Float64Array.of(0.6, -1.2, 0, 0, -9, 0), p };
-    expect(ranThrough({ ...order, start: beside, duration: 0.1 }).stop).toBeUndefined();
+    expect(recordRun({ ...order, start: beside, duration: 0.1 }).stop).toBeUndefined();
     const through = { t: 0, x: Float64Array.of(0.6, -1.2, 0, 0, -1.2, 0), p };
-    expect(ranThrough({ ...order, start: through }).stop).toMatchObject({ reason: 'pierced', point: 1, t: 0.05 });
+    expect(recordRun({ ...order, start: through }).stop).toMatchObject({ reason: 'pierced', point: 1, t: 0.05 });
   });
 });
 
@@ -369,10 +381,10 @@ describe('the energy of a cloth', () => {
       Array.from(start.x, () => shaken * (2 * next() - 1)),
     );
     const order = { system, start: { ...start, p }, method: method(id), step, every: 100 * step };
-    const { frames, stop } = ranThrough({ ...order, duration: steps * step });
+    const { frames, stop } = recordRun({ ...order, duration: steps * step });
     expect(stop).toBeUndefined();
-    const kinetic = Math.max(...frames.map(({ ledger }) => ledger.kinetic));
-    return frames.map(({ ledger }) => (ledger.total - frames[0].ledger.total) / kinetic);
+    const kinetic = Math.max(...frames.map(({ quantities }) => quantities.kinetic));
+    return frames.map(({ quantities }) => (quantities.total - frames[0].quantities.total) / kinetic);
   };
 
   it('is kept by the discrete gradient to 10⁻¹¹ over 10⁴ steps', () => {
@@ -400,22 +412,22 @@ describe('the energy of a cloth', () => {
 
 describe('steps that adapt', () => {
   /** Two charges that attract each other pass; the smaller `aside` [m], the nearer. */
-  const flyBy = (c: number, strength: number, aside: number): Pick<Order, 'system' | 'start'> => {
+  const flyBy = (c: number, strength: number, aside: number): Pick<RunOptions, 'system' | 'start'> => {
     const forces = [coulomb(Float64Array.of(1, -1), strength)];
     const system = makeSystem({ masses: Float64Array.of(1, 1), c, forces });
     const p = momenta(system, [0.5, 0, 0, -0.5, 0, 0]);
     return { system, start: { t: 0, x: Float64Array.of(-4, aside, 0, 4, -aside, 0), p } };
   };
   /** Angle between the first way and the last. */
-  const turned = ({ state }: Frame): number => Math.atan2(state.p[1], state.p[0]);
+  const turned = ({ state }: SimulationFrame): number => Math.atan2(state.p[1], state.p[0]);
 
   it('turn a fly-by as Rutherford says, where as many equal steps fail', () => {
     const order = { ...flyBy(Number.POSITIVE_INFINITY, 1, 0.05), method: method('yoshida-4'), duration: 8, every: 8 };
-    const { frames, stop } = ranThrough({ ...order, tolerance: 1e-5 });
+    const { frames, stop } = recordRun({ ...order, tolerance: 1e-5 });
     expect(stop).toBeUndefined();
     const end = hyperbola(order.start.x, order.start.p, frames[1].state);
     expect(end.off).toBeLessThan(1e-3);
-    const equal = ranThrough({ ...order, step: 8 / frames[1].steps });
+    const equal = recordRun({ ...order, step: 8 / frames[1].steps });
     const blind = hyperbola(order.start.x, order.start.p, equal.frames[1].state);
     expect(blind.off).toBeGreaterThan(30 * end.off);
     expect(Math.abs(turned(frames[1]))).toBeGreaterThan(1);
@@ -429,14 +441,14 @@ describe('steps that adapt', () => {
   ])('keep what they promise of %s: each second’s steps err by no more than the tolerance', (id, c) => {
     const { system, start } = flyBy(c, 0.3, 0.3);
     const tolerance = 1e-4;
-    const mover = new Mover(system, method(id));
+    const mover = new Integrator(system, method(id));
     const adaptive = new AdaptiveSteps(mover, system, { order: method(id).order, tolerance, longest: 1 });
-    const state = copyOf(start);
+    const state = copyState(start);
     const exact = METHODS.get('yoshida-8')!.begin(system);
     const v = [new Float64Array(6), new Float64Array(6)];
     // In so short a time the fly-by makes little of errors that were there before.
     for (let k = 0; k < 320; k++) {
-      const before = copyOf(state);
+      const before = copyState(state);
       adaptive.advance(state, 0.05);
       for (let i = 0; i < 1000; i++) exact.step(before, 0.05 / 1000);
       velocities(system, state.p, v[0]);
@@ -451,18 +463,18 @@ describe('steps that adapt', () => {
 
   it('stay below the stability bound, and go on from any frame as if they had never stopped', () => {
     const order = { ...hanging(6, 10), method: method('leapfrog'), duration: 0.3, every: 0.05, tolerance: 10 };
-    const omega = fastestOscillation(order.system);
-    expect(stepsOf(order).h * omega).toBeLessThan(2);
-    const { frames, stop } = ranThrough(order);
+    const omega = maxAngularFrequency(order.system);
+    expect(stepSchedule(order).h * omega).toBeLessThan(2);
+    const { frames, stop } = recordRun(order);
     expect(stop).toBeUndefined();
     const steps = frames.map(({ steps: each }) => each);
     for (let k = 1; k < frames.length; k++) expect(steps[k] - steps[k - 1]).toBeGreaterThanOrEqual((0.05 * omega) / 2);
-    const again = ranThrough({ ...order, start: frames[3].state, duration: 0.15 });
+    const again = recordRun({ ...order, start: frames[3].state, duration: 0.15 });
     expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
   });
 
   it('say where no step is short enough', () => {
-    const { stop } = ranThrough({
+    const { stop } = recordRun({
       ...flyBy(1, 0.3, 0.3),
       method: method('leapfrog'),
       duration: 1,

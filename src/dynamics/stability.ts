@@ -4,8 +4,8 @@ import type { System } from './system.ts';
  * A bound of the fastest oscillation [rad/s]: ω² ≤ max_i Σ_j |∂²V/∂x_i∂x_j|/m_i (Gershgorin's circles of M⁻¹∇²V). Masses in motion are γm > m and only slow
  * it down. Explicit methods are stable where h < 2/ω.
  */
-export function fastestOscillation({ forces, masses, pinned }: System): number {
+export function maxAngularFrequency({ forces, masses, pinned }: System): number {
   const bound = new Float64Array(masses.length);
-  for (const force of forces) force.addRigidity(bound);
+  for (const force of forces) force.addStiffnessBound(bound);
   return Math.sqrt(bound.reduce((most, k, i) => (pinned[i] ? most : Math.max(most, k / masses[i])), 0));
 }

@@ -10,7 +10,7 @@ export interface System {
   /** 1 where a point is held: where it is, or where it is led. */
   readonly pinned: Uint8Array;
   /** Where some of those that are held go. */
-  readonly led?: readonly Led[];
+  readonly led?: readonly KinematicPoint[];
   /** All that has a potential; the force is the sum of theirs. */
   readonly forces: readonly Force[];
   /** Of each point [C]; absent: none is charged. */
@@ -22,10 +22,10 @@ export interface System {
 }
 
 /** A point that goes its way whatever pushes it, slower than light. What it takes and gives is in no books. */
-export interface Led {
+export interface KinematicPoint {
   readonly point: number;
   /** [m], at t [s]. */
-  place(t: number): Vec3;
+  positionAt(t: number): Vec3;
 }
 
 /** Where all points are, and how they go, at a time. x, y, z of one point after the other. */
@@ -44,10 +44,10 @@ export const pointName = (i: number): string => `point ${i}`;
 /** Of x, y, z of one point after the other. */
 export const pointAt = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
 
-export const copyOf = ({ t, x, p }: State): State => ({ t, x: x.slice(), p: p.slice() });
+export const copyState = ({ t, x, p }: State): State => ({ t, x: x.slice(), p: p.slice() });
 
 /** Makes a state what another is; both of the same number of points. */
-export function assign(to: State, from: State): void {
+export function assignState(to: State, from: State): void {
   to.t = from.t;
   to.x.set(from.x);
   to.p.set(from.p);
@@ -64,7 +64,7 @@ export class SystemError extends Error {
   }
 }
 
-const MOST_POINTS = 1_000_000;
+const MAX_POINTS = 1_000_000;
 
 /** A system with what is left out filled in. Throws a SystemError for what cannot be moved. */
 export function makeSystem({
@@ -77,15 +77,15 @@ export function makeSystem({
 }: Partial<System> & Pick<System, 'masses'>): System {
   if (!(c > 0)) throw new SystemError(`the speed of light is ${c} m/s; make it above 0`);
   if (!(drag >= 0 && Number.isFinite(drag))) throw new SystemError(`the drag is ${drag} 1/s; make it 0 or above`);
-  if (masses.length > MOST_POINTS)
-    throw new SystemError(`there are ${masses.length} points, more than ${MOST_POINTS}; take a coarser mesh`);
+  if (masses.length > MAX_POINTS)
+    throw new SystemError(`there are ${masses.length} points, more than ${MAX_POINTS}; take a coarser mesh`);
   const odd = masses.findIndex((mass) => !(mass > 0 && Number.isFinite(mass)));
   if (odd >= 0) throw new SystemError(`${pointName(odd)} has the mass ${masses[odd]} kg; make it above 0`);
   return { masses, pinned, forces, c, drag, ...rest };
 }
 
 /** A state at rest. */
-export const restingAt = (x: Float64Array, t = 0): State => ({ t, x, p: new Float64Array(x.length) });
+export const stateAtRest = (x: Float64Array, t = 0): State => ({ t, x, p: new Float64Array(x.length) });
 
 /** p = γ m v of a mass; v [m/s] below c. */
 export const momentum = (mass: number, v: Vec3, c: number): Vec3 => scale(v, mass / Math.sqrt(1 - dot(v, v) / (c * c)));
@@ -110,7 +110,7 @@ export function momenta({ c, masses, pinned }: System, v: ArrayLike<number>): Fl
 }
 
 /** E/c² = √(m² + p²/c²) = γm of each point [kg]. */
-export function movingMasses({ c, masses }: System, p: Float64Array, out: Float64Array): void {
+export function relativisticMasses({ c, masses }: System, p: Float64Array, out: Float64Array): void {
   const perSquare = 1 / (c * c);
   for (let i = 0, j = 0; i < masses.length; i++, j += 3)
     out[i] = Math.sqrt(masses[i] * masses[i] + (p[j] * p[j] + p[j + 1] * p[j + 1] + p[j + 2] * p[j + 2]) * perSquare);

@@ -1,4 +1,4 @@
-import { encodeSrgb } from '../spectrum/srgb.ts';
+import { encodeSrgb } from '../spectrum/display/srgb.ts';
 
 /** Linear sRGB as `#rrggbb`; what is brighter than a screen is cut. */
 export const cssColor = (linear: readonly number[]): string =>

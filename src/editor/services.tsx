@@ -1,21 +1,24 @@
 import { createContext, useContext } from 'react';
 import type { Backend } from '../render/settings.ts';
+import type { ObserverController } from './flight/observerController.ts';
 import type { LocalFiles } from './loading/localFiles.ts';
 import type { Autosave } from './projects/autosave.ts';
-import type { Sessions } from './projects/sessions.ts';
-import type { Pilot } from './viewport/pilot.ts';
-import type { Besides, Captured } from './viewport/stage.ts';
+import type { SessionStore } from './projects/sessionStore.ts';
+import type { CapturedPicture, PreviewContext } from './viewport/viewportRenderer.ts';
 
 /** What the components share besides the studio's state. */
 export interface EditorServices {
-  readonly pilot: Pilot;
+  readonly observerController: ObserverController;
   readonly localFiles: LocalFiles;
   readonly autosave: Autosave;
   /** What is kept of this tab and others; undefined where the browser keeps nothing. */
-  readonly sessions: Sessions | undefined;
+  readonly sessions: SessionStore | undefined;
   readonly backend: Backend | 'auto';
   /** The stage on show, as long as there is one: for saving its picture, and for pictures of nodes. */
-  readonly stage: { capture?: () => Promise<Captured | undefined>; besides?: () => Besides | undefined };
+  readonly viewport: {
+    capture?: () => Promise<CapturedPicture | undefined>;
+    besides?: () => PreviewContext | undefined;
+  };
 }
 
 const ServicesContext = createContext<EditorServices | undefined>(undefined);

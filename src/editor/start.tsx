@@ -3,39 +3,39 @@ import './fonts/fonts.css';
 import './mantine.css';
 import 'dockview/dist/styles/dockview.css';
 import './editor.css';
-import './viewport/legend.css';
+import './viewport/legend/legend.css';
 import { MantineProvider } from '@mantine/core';
 import { type ReactNode, StrictMode, useEffect } from 'react';
 import type { Root } from 'react-dom/client';
-import { openWebGpu } from '../compute/gpu.ts';
+import { openWebGpu } from '../compute/computeDevice.ts';
 import type { Backend } from '../render/settings.ts';
-import { Editor } from './Editor.tsx';
+import { EditorApp } from './EditorApp.tsx';
+import { ObserverController } from './flight/observerController.ts';
 import { startTranslation, useTexts } from './i18n/i18n.ts';
 import { readFont } from './loading/fonts.ts';
 import { LocalFiles } from './loading/localFiles.ts';
 import { fileReader, sceneReader } from './loading/sceneLoader.ts';
 import { Autosave } from './projects/autosave.ts';
-import { begin, pageAddress, type Wanted } from './projects/beginning.ts';
+import { openStartupProject, pageAddress, type StartupRequest } from './projects/startup.ts';
 import { type EditorServices, ServicesProvider } from './services.tsx';
 import { Unsupported } from './shell/Unsupported.tsx';
-import { StudioProvider } from './state/context.tsx';
-import { legend } from './state/legend.ts';
+import { EditorProvider } from './state/context.tsx';
+import { createEditor } from './state/editor.ts';
 import { loadPreferences, prefersReducedMotion } from './state/preferences.ts';
-import { createStudio } from './state/studio.ts';
 import { theme } from './theme.ts';
-import { traceInWorkers } from './tracing/tracing.ts';
-import { chooseGraphics } from './viewport/graphics.ts';
-import { Pilot } from './viewport/pilot.ts';
+import { traceInWorkers } from './tracing/traceInWorkers.ts';
+import { chooseBackend } from './viewport/chooseBackend.ts';
+import { legendStore } from './viewport/legend/legendState.ts';
 
-export interface StartOptions extends Wanted {
+export interface StartOptions extends StartupRequest {
   readonly backend: Backend | 'auto';
 }
 
 /** Puts the program on a page. */
 export async function startEditor(root: Root, { backend: wanted, ...asked }: StartOptions): Promise<void> {
   const { language, legend: withLegend } = loadPreferences();
-  legend.setState({ shown: withLegend });
-  const [backend] = await Promise.all([chooseGraphics(wanted), startTranslation(language)]);
+  legendStore.setState({ visible: withLegend });
+  const [backend] = await Promise.all([chooseBackend(wanted), startTranslation(language)]);
   if (!backend) {
     root.render(
       <Page>
@@ -46,28 +46,28 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
   }
   const localFiles = new LocalFiles();
   const readScene = sceneReader(localFiles);
-  const { beginning, view, problem, ...session } = await begin(asked, localFiles);
+  const { project, view, problem, ...session } = await openStartupProject(asked, localFiles);
   const playing = view?.playing ?? !prefersReducedMotion();
-  const studio = createStudio({
+  const studio = createEditor({
     services: { readScene, readFont, readFile: fileReader(localFiles), trace: traceInWorkers, openGpu: openWebGpu },
-    beginning,
+    project,
     playing,
   });
-  if (view) studio.change({ loop: view.loop });
+  if (view) studio.update({ loop: view.loop });
   if (problem) studio.notify({ kind: 'error', ...problem });
-  const pilot = new Pilot(studio, view);
-  const autosave = new Autosave({ ...session, studio, pilot, localFiles, address: pageAddress });
+  const pilot = new ObserverController(studio, view);
+  const autosave = new Autosave({ ...session, studio, observerController: pilot, localFiles, address: pageAddress });
   // A tab that is a copy of another has nothing of its own yet.
-  void autosave.now();
+  void autosave.saveNow();
   const sessions = 'refusal' in session.sessions ? undefined : session.sessions;
-  const services: EditorServices = { pilot, localFiles, backend, stage: {}, autosave, sessions };
+  const services: EditorServices = { observerController: pilot, localFiles, backend, viewport: {}, autosave, sessions };
   root.render(
     <Page>
-      <StudioProvider value={studio}>
+      <EditorProvider value={studio}>
         <ServicesProvider value={services}>
-          <Editor />
+          <EditorApp />
         </ServicesProvider>
-      </StudioProvider>
+      </EditorProvider>
     </Page>,
   );
 }

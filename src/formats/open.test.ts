@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { InputError } from '../scene/types.ts';
+import { extensionOf, memorySource, normalizePath, resolvePath } from './files/fileSource.ts';
 import { openScene } from './open.ts';
-import { extensionOf, memorySource, normalizePath, resolvePath } from './source.ts';
 
 const text = (value: string): Uint8Array => new TextEncoder().encode(value);
 const empty = text('{"asset":{"version":"2.0"}}');

@@ -1,8 +1,8 @@
 import { InputError, type Scene } from '../scene/types.ts';
-import { formatBytes, inputError, messageOf } from './fail.ts';
+import { formatBytes, inputError, messageOf } from './diagnostics/inputError.ts';
+import { extensionOf, type FileSource, normalizePath } from './files/fileSource.ts';
+import { sanitizeScene } from './read/sanitize.ts';
 import { formatOf, type ReadOptions, sceneFormats } from './registry.ts';
-import { soundScene } from './sound.ts';
-import { extensionOf, type FileSource, normalizePath } from './source.ts';
 
 export interface OpenOptions extends ReadOptions {
   /** Most bytes read for one scene, all its files together. */
@@ -25,7 +25,7 @@ export async function openScene(files: FileSource, entry: string, options: OpenO
   if (size === undefined) throw await missingFile(files, path);
   if (size === 0) throw inputError('file.empty', path, 'the file is empty (0 bytes); export or copy it again');
   try {
-    return soundScene(await format.read(source, path, options));
+    return sanitizeScene(await format.read(source, path, options));
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
     const message = `cannot be read as ${format.name}: ${messageOf(thrown)}; the file may be damaged, export it again`;

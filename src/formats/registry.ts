@@ -1,5 +1,5 @@
 import type { Scene } from '../scene/types.ts';
-import { extensionOf, type FileSource } from './source.ts';
+import { extensionOf, type FileSource } from './files/fileSource.ts';
 
 export type Interpolation = 'linear' | 'cubic';
 

@@ -1,28 +1,28 @@
 import type { Diagnostic, Scene } from '../scene/types.ts';
-import { inputError } from './fail.ts';
-import { Notes } from './notes.ts';
-import { extensionOf } from './source.ts';
-import type { Written } from './written.ts';
+import { DiagnosticLog } from './diagnostics/diagnosticLog.ts';
+import { inputError } from './diagnostics/inputError.ts';
+import { extensionOf } from './files/fileSource.ts';
+import type { ExportedScene } from './write/exportMotion.ts';
 
 /** Kinds of scene file that are written, by extension. Each writer is loaded on first use. */
-const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<Written>>> = {
+const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<ExportedScene>>> = {
   usda: async (scene, name) => {
-    const { writeTextures, writeUsda } = await import('./usd/write.ts');
+    const { writeTextures, writeUsda } = await import('./usd/write/writeUsd.ts');
     const layer = new TextEncoder().encode(writeUsda(scene));
     return { files: new Map([[name, layer], ...writeTextures(scene)]), diagnostics: cubicNotes(scene, name) };
   },
   usdz: async (scene, name) => {
-    const { writeUsdz } = await import('./usd/write.ts');
+    const { writeUsdz } = await import('./usd/write/writeUsd.ts');
     return { files: new Map([[name, writeUsdz(scene)]]), diagnostics: cubicNotes(scene, name) };
   },
-  gltf: async (scene, name) => (await import('./gltf/write.ts')).writeGltf(scene, name),
-  glb: async (scene, name) => (await import('./gltf/write.ts')).writeGltf(scene, name),
+  gltf: async (scene, name) => (await import('./gltf/write/write.ts')).writeGltf(scene, name),
+  glb: async (scene, name) => (await import('./gltf/write/write.ts')).writeGltf(scene, name),
   obj: async (scene, name) => (await import('./obj/write.ts')).writeObj(scene, name),
 };
 
 /** USD cannot say that points go along cubics; their velocities are written, from which we read them again. */
 function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
-  const losses = new Notes(name);
+  const losses = new DiagnosticLog(name);
   for (const { path, motion } of scene.objects)
     if (motion.kind === 'sampled-points' && motion.velocities)
       losses.add(
@@ -38,7 +38,7 @@ function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
 export const writtenExtensions: readonly string[] = Object.keys(writers);
 
 /** A scene as the kind of file that `name` (no folders) says. Throws an InputError where nothing writes that. */
-export async function saveScene(scene: Scene, name: string): Promise<Written> {
+export async function saveScene(scene: Scene, name: string): Promise<ExportedScene> {
   const extension = extensionOf(name);
   if (writtenExtensions.includes(extension)) return writers[extension](scene, name);
   const known = writtenExtensions.map((e) => `.${e}`).join(', ');

@@ -4,7 +4,7 @@ import { radians } from '../math/angle.ts';
  * What people type into a number field: `0.9*c`, `30deg`, `5 km/h`, `2*pi/3`. It is worked out when it is typed, to the number in the
  * field's own unit; the document holds that number. A small parser by recursive descent, with a value's dimensions beside it.
  */
-export type Expression =
+export type ExpressionResult =
   | { readonly value: number }
   /** `at`: where in the text [characters from its start]. */
   | { readonly problem: string; readonly at: number };
@@ -16,8 +16,8 @@ export interface ExpressionContext {
   readonly speedOfLight?: number;
 }
 
-const LONGEST = 200;
-const DEEPEST = 32;
+const MAX_LENGTH = 200;
+const MAX_DEPTH = 32;
 
 /** Exponents of metre, second, kelvin and radian. */
 type Dimensions = readonly [length: number, time: number, temperature: number, angle: number];
@@ -61,40 +61,40 @@ const UNITS: Readonly<Record<string, Quantity>> = {
   π: { value: Math.PI, of: NONE },
 };
 
-type Call = { readonly arity: number; readonly of: (...values: number[]) => number };
-const one = (of: (value: number) => number): Call => ({ arity: 1, of });
+type FunctionSpec = { readonly arity: number; readonly of: (...values: number[]) => number };
+const unaryFunction = (of: (value: number) => number): FunctionSpec => ({ arity: 1, of });
 
 /** Of numbers; angles are taken in radians. */
-const FUNCTIONS: Readonly<Record<string, Call>> = {
-  sin: one(Math.sin),
-  cos: one(Math.cos),
-  tan: one(Math.tan),
-  asin: one(Math.asin),
-  acos: one(Math.acos),
-  atan: one(Math.atan),
-  sqrt: one(Math.sqrt),
-  exp: one(Math.exp),
-  ln: one(Math.log),
-  log10: one(Math.log10),
-  abs: one(Math.abs),
+const FUNCTIONS: Readonly<Record<string, FunctionSpec>> = {
+  sin: unaryFunction(Math.sin),
+  cos: unaryFunction(Math.cos),
+  tan: unaryFunction(Math.tan),
+  asin: unaryFunction(Math.asin),
+  acos: unaryFunction(Math.acos),
+  atan: unaryFunction(Math.atan),
+  sqrt: unaryFunction(Math.sqrt),
+  exp: unaryFunction(Math.exp),
+  ln: unaryFunction(Math.log),
+  log10: unaryFunction(Math.log10),
+  abs: unaryFunction(Math.abs),
   /** γ of a speed β. */
-  gamma: one((beta) => 1 / Math.sqrt((1 - beta) * (1 + beta))),
+  gamma: unaryFunction((beta) => 1 / Math.sqrt((1 - beta) * (1 + beta))),
   /** β of a γ. */
-  beta: one((gamma) => Math.sqrt((1 - 1 / gamma) * (1 + 1 / gamma))),
+  beta: unaryFunction((gamma) => Math.sqrt((1 - 1 / gamma) * (1 + 1 / gamma))),
 };
 
-export function evaluateExpression(text: string, { unit, speedOfLight }: ExpressionContext = {}): Expression {
-  if (text.length > LONGEST) return { problem: `longer than ${LONGEST} characters`, at: LONGEST };
+export function evaluateExpression(text: string, { unit, speedOfLight }: ExpressionContext = {}): ExpressionResult {
+  if (text.length > MAX_LENGTH) return { problem: `longer than ${MAX_LENGTH} characters`, at: MAX_LENGTH };
   try {
-    const parser = new Parser(tokens(text), speedOfLight);
-    return { value: inUnit(parser.whole(), unit, speedOfLight) };
+    const parser = new ExpressionParser(tokenizeExpression(text), speedOfLight);
+    return { value: toFieldUnit(parser.parse(), unit, speedOfLight) };
   } catch (error) {
-    if (error instanceof Fault) return { problem: error.message, at: error.at };
+    if (error instanceof ParseError) return { problem: error.message, at: error.at };
     throw error;
   }
 }
 
-class Fault extends Error {
+class ParseError extends Error {
   readonly at: number;
   constructor(message: string, at: number) {
     super(message);
@@ -103,27 +103,28 @@ class Fault extends Error {
 }
 
 /** A quantity as a number of the field's unit. */
-function inUnit({ value, of }: Quantity, unit: string | undefined, speedOfLight: number | undefined): number {
+function toFieldUnit({ value, of }: Quantity, unit: string | undefined, speedOfLight: number | undefined): number {
   const field = unit === undefined ? undefined : unitOf(unit, speedOfLight);
-  const result = same(of, NONE) ? value : value / (field?.value ?? 1);
+  const result = sameDimensions(of, NONE) ? value : value / (field?.value ?? 1);
   // Without a unit of its own a field takes angles in radians.
-  const fits = same(of, NONE) || same(of, field?.of ?? NONE) || (!field && same(of, ANGLE));
-  if (!fits) throw new Fault(`a value in ${unitName(of)} where ${unit ?? 'a plain number'} is wanted`, 0);
-  if (!Number.isFinite(result)) throw new Fault('this is no finite number', 0);
+  const fits =
+    sameDimensions(of, NONE) || sameDimensions(of, field?.of ?? NONE) || (!field && sameDimensions(of, ANGLE));
+  if (!fits) throw new ParseError(`a value in ${unitName(of)} where ${unit ?? 'a plain number'} is wanted`, 0);
+  if (!Number.isFinite(result)) throw new ParseError('this is no finite number', 0);
   return result;
 }
 
 /** A field's unit, `m/s` or `c`; undefined of those that are no quantities here, as EV. */
 function unitOf(unit: string, speedOfLight: number | undefined): Quantity | undefined {
   try {
-    return new Parser(tokens(unit), speedOfLight).whole();
+    return new ExpressionParser(tokenizeExpression(unit), speedOfLight).parse();
   } catch (error) {
-    if (error instanceof Fault) return undefined;
+    if (error instanceof ParseError) return undefined;
     throw error;
   }
 }
 
-const same = (a: Dimensions, b: Dimensions): boolean => a.every((power, i) => power === b[i]);
+const sameDimensions = (a: Dimensions, b: Dimensions): boolean => a.every((power, i) => power === b[i]);
 
 function unitName(of: Dimensions): string {
   const parts = ['m', 's', 'K', 'rad'].flatMap((name, i) =>
@@ -132,7 +133,7 @@ function unitName(of: Dimensions): string {
   return parts.join('·') || 'no unit';
 }
 
-interface Token {
+interface ExpressionToken {
   readonly kind: 'number' | 'name' | 'sign' | 'end';
   readonly text: string;
   readonly at: number;
@@ -141,14 +142,14 @@ interface Token {
 const TOKEN = /\s*(?:(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|(°|%|[\p{L}µ][\p{L}\d]*)|([-+*/^(),·×÷−]))/uy;
 const SIGNS: Readonly<Record<string, string>> = { '·': '*', '×': '*', '÷': '/', '−': '-' };
 
-function tokens(text: string): Token[] {
-  const found: Token[] = [];
+function tokenizeExpression(text: string): ExpressionToken[] {
+  const found: ExpressionToken[] = [];
   const end = text.trimEnd().length;
   TOKEN.lastIndex = 0;
   while (TOKEN.lastIndex < end) {
     const at = TOKEN.lastIndex;
     const match = TOKEN.exec(text);
-    if (!match) throw new Fault(`"${text.slice(at).trim()[0]}" is not understood`, at);
+    if (!match) throw new ParseError(`"${text.slice(at).trim()[0]}" is not understood`, at);
     const [, number, name, sign] = match;
     if (number !== undefined) found.push({ kind: 'number', text: number, at });
     else if (name !== undefined) found.push({ kind: 'name', text: name, at });
@@ -158,130 +159,132 @@ function tokens(text: string): Token[] {
 }
 
 /** sum = product {± product}; product = signed {(×|÷) signed}; signed = [±] power {power}; power = factor [^ [±] factor]. */
-class Parser {
-  readonly #tokens: readonly Token[];
-  readonly #speedOfLight: number | undefined;
-  #at = 0;
-  #depth = 0;
+class ExpressionParser {
+  private readonly tokens: readonly ExpressionToken[];
+  private readonly speedOfLight: number | undefined;
+  private at = 0;
+  private depth = 0;
 
-  constructor(list: readonly Token[], speedOfLight: number | undefined) {
-    this.#tokens = list;
-    this.#speedOfLight = speedOfLight;
+  constructor(list: readonly ExpressionToken[], speedOfLight: number | undefined) {
+    this.tokens = list;
+    this.speedOfLight = speedOfLight;
   }
 
-  whole(): Quantity {
-    const result = this.#sum();
-    if (this.#next.kind !== 'end') throw this.#unexpected();
+  parse(): Quantity {
+    const result = this.sum();
+    if (this.next.kind !== 'end') throw this.unexpected();
     return result;
   }
 
-  get #next(): Token {
-    return this.#tokens[this.#at]!;
+  private get next(): ExpressionToken {
+    return this.tokens[this.at]!;
   }
 
-  #unexpected(): Fault {
-    const { text, at, kind } = this.#next;
-    return new Fault(kind === 'end' ? 'something is missing at the end' : `"${text}" does not belong here`, at);
+  private unexpected(): ParseError {
+    const { text, at, kind } = this.next;
+    return new ParseError(kind === 'end' ? 'something is missing at the end' : `"${text}" does not belong here`, at);
   }
 
-  #sign(...wanted: readonly string[]): string | undefined {
-    const { kind, text } = this.#next;
+  private sign(...wanted: readonly string[]): string | undefined {
+    const { kind, text } = this.next;
     if (kind !== 'sign' || !wanted.includes(text)) return undefined;
-    this.#at++;
+    this.at++;
     return text;
   }
 
-  #sum(): Quantity {
-    let sum = this.#product();
-    for (let at = this.#next.at, sign = this.#sign('+', '-'); sign; at = this.#next.at, sign = this.#sign('+', '-')) {
-      const term = this.#product();
-      if (!same(sum.of, term.of)) throw new Fault(`${unitName(sum.of)} and ${unitName(term.of)} do not add`, at);
+  private sum(): Quantity {
+    let sum = this.product();
+    for (let at = this.next.at, sign = this.sign('+', '-'); sign; at = this.next.at, sign = this.sign('+', '-')) {
+      const term = this.product();
+      if (!sameDimensions(sum.of, term.of))
+        throw new ParseError(`${unitName(sum.of)} and ${unitName(term.of)} do not add`, at);
       sum = { value: sign === '+' ? sum.value + term.value : sum.value - term.value, of: sum.of };
     }
     return sum;
   }
 
-  #product(): Quantity {
-    let product = this.#signed();
-    for (let sign = this.#sign('*', '/'); sign; sign = this.#sign('*', '/'))
-      product = multiplied(product, this.#signed(), sign === '*' ? 1 : -1);
+  private product(): Quantity {
+    let product = this.signed();
+    for (let sign = this.sign('*', '/'); sign; sign = this.sign('*', '/'))
+      product = multiplyQuantities(product, this.signed(), sign === '*' ? 1 : -1);
     return product;
   }
 
-  #signed(): Quantity {
-    return this.#deeper(() => {
-      const sign = this.#sign('+', '-');
-      if (!sign) return this.#measured();
-      const { value, of } = this.#signed();
+  private signed(): Quantity {
+    return this.deeper(() => {
+      const sign = this.sign('+', '-');
+      if (!sign) return this.measured();
+      const { value, of } = this.signed();
       return { value: sign === '-' ? -value : value, of };
     });
   }
 
   /** A factor with the units or brackets that follow it: `5 km`, `2pi`, `3(1 + 2)`. */
-  #measured(): Quantity {
-    let value = this.#power();
-    while (this.#next.kind === 'name' || (this.#next.kind === 'sign' && this.#next.text === '('))
-      value = multiplied(value, this.#power(), 1);
+  private measured(): Quantity {
+    let value = this.power();
+    while (this.next.kind === 'name' || (this.next.kind === 'sign' && this.next.text === '('))
+      value = multiplyQuantities(value, this.power(), 1);
     return value;
   }
 
-  #power(): Quantity {
-    const base = this.#factor();
-    const { at } = this.#next;
-    if (!this.#sign('^')) return base;
-    const sign = this.#sign('+', '-') === '-' ? -1 : 1;
-    const { value, of } = this.#factor();
-    if (!same(of, NONE)) throw new Fault('an exponent is a plain number', at);
-    if (!same(base.of, NONE) && !Number.isInteger(value))
-      throw new Fault('what has a unit is raised to whole numbers only', at);
-    return { value: base.value ** (sign * value), of: scaled(base.of, sign * value) };
+  private power(): Quantity {
+    const base = this.factor();
+    const { at } = this.next;
+    if (!this.sign('^')) return base;
+    const sign = this.sign('+', '-') === '-' ? -1 : 1;
+    const { value, of } = this.factor();
+    if (!sameDimensions(of, NONE)) throw new ParseError('an exponent is a plain number', at);
+    if (!sameDimensions(base.of, NONE) && !Number.isInteger(value))
+      throw new ParseError('what has a unit is raised to whole numbers only', at);
+    return { value: base.value ** (sign * value), of: scaleDimensions(base.of, sign * value) };
   }
 
-  #factor(): Quantity {
-    const token = this.#next;
+  private factor(): Quantity {
+    const token = this.next;
     if (token.kind === 'number') {
-      this.#at++;
+      this.at++;
       return { value: Number(token.text), of: NONE };
     }
-    if (token.kind === 'name') return this.#named(token);
-    if (this.#sign('(') === undefined) throw this.#unexpected();
-    const inner = this.#deeper(() => this.#sum());
-    if (this.#sign(')') === undefined) throw new Fault('a bracket is not closed', token.at);
+    if (token.kind === 'name') return this.named(token);
+    if (this.sign('(') === undefined) throw this.unexpected();
+    const inner = this.deeper(() => this.sum());
+    if (this.sign(')') === undefined) throw new ParseError('a bracket is not closed', token.at);
     return inner;
   }
 
-  #named({ text, at }: Token): Quantity {
-    this.#at++;
-    const bracket = this.#next.kind === 'sign' && this.#next.text === '(';
-    if (bracket && Object.hasOwn(FUNCTIONS, text)) return this.#called(FUNCTIONS[text]!, text, at);
-    if (text === 'c' && this.#speedOfLight !== undefined) return { value: this.#speedOfLight, of: SPEED };
+  private named({ text, at }: ExpressionToken): Quantity {
+    this.at++;
+    const bracket = this.next.kind === 'sign' && this.next.text === '(';
+    if (bracket && Object.hasOwn(FUNCTIONS, text)) return this.called(FUNCTIONS[text]!, text, at);
+    if (text === 'c' && this.speedOfLight !== undefined) return { value: this.speedOfLight, of: SPEED };
     if (Object.hasOwn(UNITS, text)) return UNITS[text]!;
-    throw new Fault(`"${text}" is neither a unit nor a function`, at);
+    throw new ParseError(`"${text}" is neither a unit nor a function`, at);
   }
 
-  #called({ arity, of }: Call, name: string, at: number): Quantity {
-    this.#sign('(');
-    const values = [this.#deeper(() => this.#sum())];
-    while (this.#sign(',')) values.push(this.#deeper(() => this.#sum()));
-    if (this.#sign(')') === undefined) throw new Fault('a bracket is not closed', at);
-    if (values.length !== arity) throw new Fault(`${name} takes ${arity === 1 ? 'one value' : `${arity} values`}`, at);
-    if (values.some((value) => !same(value.of, NONE) && !same(value.of, ANGLE)))
-      throw new Fault(`${name} is of plain numbers and angles`, at);
+  private called({ arity, of }: FunctionSpec, name: string, at: number): Quantity {
+    this.sign('(');
+    const values = [this.deeper(() => this.sum())];
+    while (this.sign(',')) values.push(this.deeper(() => this.sum()));
+    if (this.sign(')') === undefined) throw new ParseError('a bracket is not closed', at);
+    if (values.length !== arity)
+      throw new ParseError(`${name} takes ${arity === 1 ? 'one value' : `${arity} values`}`, at);
+    if (values.some((value) => !sameDimensions(value.of, NONE) && !sameDimensions(value.of, ANGLE)))
+      throw new ParseError(`${name} is of plain numbers and angles`, at);
     return { value: of(...values.map(({ value }) => value)), of: NONE };
   }
 
-  #deeper(parse: () => Quantity): Quantity {
-    if (++this.#depth > DEEPEST) throw new Fault('too many brackets in one another', this.#next.at);
+  private deeper(parse: () => Quantity): Quantity {
+    if (++this.depth > MAX_DEPTH) throw new ParseError('too many brackets in one another', this.next.at);
     const result = parse();
-    this.#depth--;
+    this.depth--;
     return result;
   }
 }
 
-const multiplied = (a: Quantity, b: Quantity, power: 1 | -1): Quantity => ({
+const multiplyQuantities = (a: Quantity, b: Quantity, power: 1 | -1): Quantity => ({
   value: power === 1 ? a.value * b.value : a.value / b.value,
   of: [0, 1, 2, 3].map((i) => a.of[i]! + power * b.of[i]!) as unknown as Dimensions,
 });
 
-const scaled = (of: Dimensions, power: number): Dimensions =>
-  same(of, NONE) ? NONE : (of.map((p) => p * power) as unknown as Dimensions);
+const scaleDimensions = (of: Dimensions, power: number): Dimensions =>
+  sameDimensions(of, NONE) ? NONE : (of.map((p) => p * power) as unknown as Dimensions);

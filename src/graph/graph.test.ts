@@ -1,20 +1,20 @@
 import { describe, expect, it } from 'vitest';
-import { applyCommand, type Command } from './commands.ts';
-import { emptyDocument, type GraphDocument } from './document.ts';
-import { CancelledError, Evaluator } from './evaluate.ts';
-import { endGesture, execute, newHistory, undo } from './history.ts';
-import { CURRENT_VERSION, migrate } from './migrations.ts';
+import { edgeError, validateDocument } from './analysis/validate.ts';
+import { emptyDocument, type GraphDocument } from './document/document.ts';
+import { CURRENT_VERSION, migrate } from './document/migrations.ts';
+import { parseDocument, readDocument } from './document/parse.ts';
+import { serializeDocument } from './document/serialize.ts';
+import { applyCommand, type Command } from './edits/commands.ts';
+import { endGesture, executeCommand, newHistory, undo } from './edits/history.ts';
+import { CancelledError, Evaluator } from './evaluation/evaluator.ts';
 import {
-  type Cancellation,
+  type AbortSignalLike,
   NodeRefusal,
   type NodeType,
-  type Progress,
-  refuseValue,
+  type ProgressCallback,
   resolveParams,
+  valueError,
 } from './nodeType.ts';
-import { parseDocument, readDocument } from './read.ts';
-import { serializeDocument } from './serialize.ts';
-import { refuseEdge, validateDocument } from './validate.ts';
 
 /** A toy library of numbers: `value` → `sum` → `sum`. */
 const runs: string[] = [];
@@ -177,15 +177,15 @@ describe('the document', () => {
 describe('commands', () => {
   it('one drag is one step', () => {
     let history = newHistory(example());
-    for (let i = 0; i < 20; i++) history = execute(history, set('x', i), 'value', 'drag');
+    for (let i = 0; i < 20; i++) history = executeCommand(history, set('x', i), 'value', 'drag');
     expect(history.past).toHaveLength(1);
-    history = execute(endGesture(history), set('x', 50), 'value', 'drag');
+    history = executeCommand(endGesture(history), set('x', 50), 'value', 'drag');
     expect(history.past).toHaveLength(2);
     expect(undo(undo(history)).document).toEqual(example());
   });
 
   it('an edit that changes nothing is no step', () => {
-    const history = execute(newHistory(example()), set('x'), 'value');
+    const history = executeCommand(newHistory(example()), set('x'), 'value');
     expect(history.past).toHaveLength(0);
   });
 
@@ -197,7 +197,7 @@ describe('commands', () => {
   });
 
   it('removing a node removes its edges, and undo brings them back', () => {
-    const history = execute(newHistory(example()), { kind: 'remove-nodes', nodes: ['x'] }, 'remove');
+    const history = executeCommand(newHistory(example()), { kind: 'remove-nodes', nodes: ['x'] }, 'remove');
     expect(Object.keys(history.document.edges)).toEqual(['s.b']);
     expect(undo(history).document).toEqual(example());
   });
@@ -223,27 +223,27 @@ describe('validation', () => {
 
   it('refuses a circle of any length', () => {
     const document = build(add('a', 'sum'), add('b', 'sum'), { kind: 'connect', edge: edge('a', 'b', 'a') });
-    expect(refuseEdge(document, edge('b', 'a', 'a'), registry)).toMatch(/circle/);
-    expect(refuseEdge(document, edge('a', 'a', 'a'), registry)).toMatch(/circle/);
-    expect(refuseEdge(document, edge('a', 'b', 'b'), registry)).toBeUndefined();
-    expect(refuseEdge(document, edge('a', 'b', 'z'), registry)).toMatch(/no input "z"/);
+    expect(edgeError(document, edge('b', 'a', 'a'), registry)).toMatch(/circle/);
+    expect(edgeError(document, edge('a', 'a', 'a'), registry)).toMatch(/circle/);
+    expect(edgeError(document, edge('a', 'b', 'b'), registry)).toBeUndefined();
+    expect(edgeError(document, edge('a', 'b', 'z'), registry)).toMatch(/no input "z"/);
   });
 
   it('checks values against their descriptions', () => {
     const number = value.params.value!;
-    expect(refuseValue(number, 5)).toBeUndefined();
-    expect(refuseValue(number, Number.NaN)).toMatch(/not a number/);
-    expect(refuseValue({ ...number, integer: true } as typeof number, 0.5)).toMatch(/whole/);
-    expect(refuseValue({ kind: 'boolean', title: '', default: true }, 'yes')).toMatch(/not a boolean/);
+    expect(valueError(number, 5)).toBeUndefined();
+    expect(valueError(number, Number.NaN)).toMatch(/not a number/);
+    expect(valueError({ ...number, integer: true } as typeof number, 0.5)).toMatch(/whole/);
+    expect(valueError({ kind: 'boolean', title: '', default: true }, 'yes')).toMatch(/not a boolean/);
     const vector = { kind: 'vector', title: '', default: [0, 0, 1] } as const;
-    expect(refuseValue(vector, [1, 2, 3])).toBeUndefined();
+    expect(valueError(vector, [1, 2, 3])).toBeUndefined();
     for (const wrong of [[1, 2], [1, 2, Number.NaN], ['1', '2', '3'], 1])
-      expect(refuseValue(vector, wrong)).toMatch(/three/);
+      expect(valueError(vector, wrong)).toMatch(/three/);
     const list = { kind: 'list', title: '', default: [] } as const;
-    expect(refuseValue(list, ['a', 'b'])).toBeUndefined();
-    for (const wrong of ['a', [1], true]) expect(refuseValue(list, wrong)).toMatch(/no list/);
+    expect(valueError(list, ['a', 'b'])).toBeUndefined();
+    for (const wrong of ['a', [1], true]) expect(valueError(list, wrong)).toMatch(/no list/);
     const choice = { kind: 'choice', title: '', default: 'a', options: [{ value: 'a', title: '' }] } as const;
-    expect(refuseValue(choice, 'b')).toMatch(/none of the choices/);
+    expect(valueError(choice, 'b')).toMatch(/none of the choices/);
   });
 
   it('a parameter is as set, else suggested, else the default', () => {
@@ -380,7 +380,11 @@ describe('evaluation', () => {
   });
 
   it('work that two evaluations wait for goes on until both are cancelled, and both hear how far it is', async () => {
-    const begun: { signal?: Cancellation; progress: Progress; done: (outputs: { number: number }) => void }[] = [];
+    const begun: {
+      signal?: AbortSignalLike;
+      progress: ProgressCallback;
+      done: (outputs: { number: number }) => void;
+    }[] = [];
     const slow: NodeType = {
       ...value,
       evaluate: (_inputs, _params, { signal, progress }) =>

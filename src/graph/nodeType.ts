@@ -1,4 +1,4 @@
-import type { ParamValue } from './document.ts';
+import type { ParamValue } from './document/document.ts';
 
 /**
  * How a node type describes itself. Panels, menus, the reference pages and the tests are made from these descriptions,
@@ -46,10 +46,10 @@ export interface NumberParam extends ParamBase {
   /** While the parameter is not set, what the scene suggests under this name comes before the default. */
   readonly suggestion?: string;
   /** It means something else by the value of another parameter; with a value that is not among these, nothing. */
-  readonly as?: { readonly param: string; readonly cases: Readonly<Record<string, NumberMeaning>> };
+  readonly as?: { readonly param: string; readonly cases: Readonly<Record<string, NumberVariant>> };
 }
 /** What a number is called, and which it may be, in one of its meanings. */
-export type NumberMeaning = Pick<
+export type NumberVariant = Pick<
   NumberParam,
   'title' | 'default' | 'min' | 'max' | 'step' | 'scale' | 'unit' | 'slider'
 >;
@@ -94,7 +94,7 @@ export interface ListParam extends ParamBase {
 export type ParamSpec = NumberParam | BooleanParam | ChoiceParam | TextParam | VectorParam | ColorParam | ListParam;
 
 /** The value that a node's code gets for a parameter. */
-export type ParamOf<Spec> =
+export type ParamValueOf<Spec> =
   Spec extends ChoiceParam<infer Value>
     ? Value
     : Spec extends { readonly suggestion: string }
@@ -110,13 +110,13 @@ export type ParamOf<Spec> =
               : string;
 
 /** What an `AbortSignal` is, as far as the engine needs it. */
-export interface Cancellation {
+export interface AbortSignalLike {
   readonly aborted: boolean;
   addEventListener(type: 'abort', listener: () => void): void;
 }
 
 /** Reports a part done, 0 … 1, or undefined where it cannot be known, and what is being done. */
-export type Progress = (part: number | undefined, what?: string) => void;
+export type ProgressCallback = (part: number | undefined, what?: string) => void;
 
 /** By the names of the outputs. Under other names a node may put what only itself needs, to go on from an interim. */
 export type Outputs = Readonly<Record<string, unknown>>;
@@ -125,20 +125,20 @@ export type Outputs = Readonly<Record<string, unknown>>;
  * Gives what there is so far, as outputs that are right as far as they go. To be called as often as there is something new: what is not
  * wanted now is not made.
  */
-export type GiveInterim = (make: () => Outputs) => void;
+export type ReportInterim = (make: () => Outputs) => void;
 
-export interface Work<Services> {
+export interface EvaluationContext<Services> {
   readonly services: Services;
-  readonly signal?: Cancellation;
-  readonly progress: Progress;
+  readonly signal?: AbortSignalLike;
+  readonly progress: ProgressCallback;
   /** Absent where nobody looks. */
-  readonly interim?: GiveInterim;
+  readonly interim?: ReportInterim;
   /** The last interim of the same content, whose work was cancelled. */
   readonly resume?: Outputs;
 }
 
 /** Cause and remedy of a refusal, as it is shown on the node. */
-export interface Problem {
+export interface NodeProblem {
   readonly severity: 'error' | 'warning';
   readonly code: string;
   /** Node, or file and prim path. */
@@ -150,8 +150,8 @@ export interface Problem {
 
 /** Thrown by a node's evaluation to refuse its inputs; the engine sets it on the node. */
 export class NodeRefusal extends Error {
-  readonly problem: Problem;
-  constructor(problem: Problem) {
+  readonly problem: NodeProblem;
+  constructor(problem: NodeProblem) {
     super(problem.message);
     this.name = 'NodeRefusal';
     this.problem = problem;
@@ -176,7 +176,7 @@ export interface NodeType<Services = unknown> {
   evaluate(
     inputs: Readonly<Record<string, unknown>>,
     params: Readonly<Record<string, ParamValue | undefined>>,
-    work: Work<Services> & { readonly node: string },
+    work: EvaluationContext<Services> & { readonly node: string },
   ): Record<string, unknown> | Promise<Record<string, unknown>>;
 }
 
@@ -190,13 +190,13 @@ export function resolveParams(
   return Object.fromEntries(
     Object.entries(type.params).map(([name, spec]) => {
       if (Object.hasOwn(set, name)) return [name, set[name]];
-      return [name, spec.kind === 'number' && spec.suggestion ? undefined : meaning(type, spec, set).default];
+      return [name, spec.kind === 'number' && spec.suggestion ? undefined : resolveSpec(type, spec, set).default];
     }),
   );
 }
 
 /** A parameter as it is described with these values of the others. */
-export function meaning(
+export function resolveSpec(
   type: NodeType,
   spec: ParamSpec,
   params: Readonly<Record<string, ParamValue | undefined>>,
@@ -208,7 +208,7 @@ export function meaning(
 }
 
 /** Whether a parameter matters, by the values of the others. */
-export function matters(spec: ParamSpec, params: Readonly<Record<string, ParamValue | undefined>>): boolean {
+export function isParamActive(spec: ParamSpec, params: Readonly<Record<string, ParamValue | undefined>>): boolean {
   const { onlyWhen } = spec;
   if (spec.kind === 'number' && spec.as) return Object.hasOwn(spec.as.cases, String(params[spec.as.param]));
   return onlyWhen === undefined || [onlyWhen.is].flat().includes(params[onlyWhen.param] ?? '');
@@ -219,8 +219,8 @@ export const isUnphysical = ({ physical }: ParamSpec, value: ParamValue): boolea
   physical !== undefined && value !== physical;
 
 /** Why a value cannot stand for a parameter, or undefined where it can. */
-export function refuseValue(spec: ParamSpec, value: ParamValue): string | undefined {
-  if (spec.kind === 'number') return refuseNumber(spec, value);
+export function valueError(spec: ParamSpec, value: ParamValue): string | undefined {
+  if (spec.kind === 'number') return numberError(spec, value);
   if (spec.kind === 'choice')
     return spec.options.some((option) => option.value === value)
       ? undefined
@@ -236,7 +236,7 @@ const isVector = (value: ParamValue): boolean =>
   Array.isArray(value) && value.length === 3 && value.every((x) => Number.isFinite(x));
 const isList = (value: ParamValue): boolean => Array.isArray(value) && value.every((text) => typeof text === 'string');
 
-function refuseNumber(spec: NumberParam, value: ParamValue): string | undefined {
+function numberError(spec: NumberParam, value: ParamValue): string | undefined {
   if (typeof value !== 'number' || !Number.isFinite(value)) return `${String(value)} is not a number`;
   if (spec.integer && !Number.isInteger(value)) return `${value} is not a whole number`;
   return value < spec.min || value > spec.max ? `${value} is outside ${spec.min} … ${spec.max}` : undefined;

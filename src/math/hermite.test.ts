@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { direction, expectClose, uniform } from '../../tests/physicsArbitraries.ts';
-import { hermite, hermiteTurn, logarithm, slopeRule } from './hermite.ts';
+import { direction, expectClose, uniform } from '../../tests/support/physicsArbitraries.ts';
+import { hermite, hermiteRotation, logarithm, slopeRule } from './hermite.ts';
 import { conjugate, fromAxisAngle, multiply, type Quat, slerp } from './quat.ts';
 import { scale, type Vec3 } from './vec3.ts';
 
@@ -59,7 +59,7 @@ describe('turns', () => {
         const a = turned(n, phi);
         const b = multiply(a, turned(axis, angle));
         const rate = scale(axis, angle / 2);
-        const between = hermiteTurn({ orientation: a, rate }, { orientation: b, rate }, 2, w);
+        const between = hermiteRotation({ orientation: a, rate }, { orientation: b, rate }, 2, w);
         expectClose(apart(between, slerp(a, b, w)), 0, 1e-7);
       }),
     ));
@@ -68,7 +68,7 @@ describe('turns', () => {
       fc.property(direction, uniform(-2, 2), direction, uniform(-1, 1), direction, (n, phi, m, r, k) => {
         const a = { orientation: turned(n, phi), rate: scale(m, r) };
         const b = { orientation: multiply(a.orientation, turned(k, 0.7)), rate: scale(n, -r) };
-        const at = (w: number) => hermiteTurn(a, b, 1, w);
+        const at = (w: number) => hermiteRotation(a, b, 1, w);
         expectClose(apart(at(0), a.orientation), 0, 1e-7);
         expectClose(apart(at(1), b.orientation), 0, 1e-7);
         const h = 1e-4;

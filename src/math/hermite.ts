@@ -10,7 +10,7 @@ export interface SlopeRule {
 }
 
 /** Of two neighbouring intervals one that is so many times shorter stands for a jump. */
-const UNEVEN = 10;
+const MAX_INTERVAL_RATIO = 10;
 
 /**
  * The slope at sample k is that of the parabola through it and its neighbours (non-uniform Catmull–Rom); at the ends, of the one through the
@@ -21,7 +21,7 @@ export function slopeRule(times: ArrayLike<number>, k: number): SlopeRule {
   if (last < 2) return { middle: 1, share: 0 };
   const middle = Math.min(Math.max(k, 1), last - 1);
   const [before, after] = [times[middle] - times[middle - 1], times[middle + 1] - times[middle]];
-  if (before > UNEVEN * after || after > UNEVEN * before) {
+  if (before > MAX_INTERVAL_RATIO * after || after > MAX_INTERVAL_RATIO * before) {
     const own = k === middle ? Number(after > before) : Number(k > middle);
     return { middle, share: own };
   }
@@ -43,7 +43,7 @@ export function logarithm(q: Quat): Vec3 {
 const exponential = (v: Vec3): Quat => fromAxisAngle(v, Math.hypot(...v));
 
 /** An orientation and how fast it turns, about its own axes [rad per unit of time]. */
-export interface Turning {
+export interface AngularState {
   readonly orientation: Quat;
   readonly rate: Vec3;
 }
@@ -52,7 +52,7 @@ export interface Turning {
  * From one orientation to another with the rates that they have, at the share w of `span`: the turns between the control orientations of a
  * Bézier curve one after the other, each by its sum of Bernstein polynomials. Source: Kim, Kim and Shin, SIGGRAPH 1995.
  */
-export function hermiteTurn(a: Turning, b: Turning, span: number, w: number): Quat {
+export function hermiteRotation(a: AngularState, b: AngularState, span: number, w: number): Quat {
   const first = scale(a.rate, span / 3);
   const last = scale(b.rate, span / 3);
   const inner = multiply(a.orientation, exponential(first));

@@ -5,6 +5,6 @@ export * as mat4 from './mat4.ts';
 export type { Quat } from './quat.ts';
 export * as quat from './quat.ts';
 export { random } from './random.ts';
-export { bisect, brent, risingRoot } from './roots.ts';
+export { bisect, brent, safeguardedNewton } from './roots.ts';
 export type { Vec3 } from './vec3.ts';
 export * as vec3 from './vec3.ts';

@@ -24,7 +24,7 @@ export function multiply(a: Mat4, b: Mat4): Mat4 {
 }
 
 /** M, then all enlarged by `s`. */
-export const enlarged = (m: Mat4, s: number): Mat4 => [
+export const scaledUniformly = (m: Mat4, s: number): Mat4 => [
   s * m[0],
   s * m[1],
   s * m[2],
@@ -117,8 +117,8 @@ export function decomposeRigid(m: Mat4): { readonly pose: RigidPose; readonly st
 }
 
 /** The pose with which M = T R S for a stretch S whose inverse is known; undefined where R would be no proper rotation. */
-export function poseOfStretched(m: Mat4, unstretch: mat3.Mat3): RigidPose | undefined {
-  const turn = mat3.multiply(linearPart(m), unstretch);
+export function poseFromStretched(m: Mat4, inverseStretch: mat3.Mat3): RigidPose | undefined {
+  const turn = mat3.multiply(linearPart(m), inverseStretch);
   return isRotation(turn, 1e-13) ? { position: [m[3], m[7], m[11]], orientation: closestRotation(turn) } : undefined;
 }
 

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { expectClose, uniform } from '../../tests/physicsArbitraries.ts';
+import { expectClose, uniform } from '../../tests/support/physicsArbitraries.ts';
 import { random } from './random.ts';
-import { bisect, brent, risingRoot } from './roots.ts';
+import { bisect, brent, safeguardedNewton } from './roots.ts';
 
 describe('root finders', () => {
   const cases: [name: string, f: (x: number) => number, a: number, b: number, root: number][] = [
@@ -25,7 +25,7 @@ describe('root finders', () => {
     const sign = f(a) <= f(b) ? 1 : -1;
     const slope = (x: number) => (sign * (f(x + 1e-6) - f(x - 1e-6))) / 2e-6;
     expectClose(
-      risingRoot((x) => [sign * f(x), slope(x)], a, b, Number.NaN),
+      safeguardedNewton((x) => [sign * f(x), slope(x)], a, b, Number.NaN),
       root,
       1e-15 * Math.max(1, Math.abs(root)),
     );
@@ -44,7 +44,7 @@ describe('root finders', () => {
         expectClose(bisect(f, -10, 10.5), root, 1e-14);
         calls = 0;
         expectClose(
-          risingRoot((x) => [f(x), slope + 3 * (x - root) ** 2], -10, 10.5, 0),
+          safeguardedNewton((x) => [f(x), slope + 3 * (x - root) ** 2], -10, 10.5, 0),
           root,
           1e-14,
         );

@@ -8,8 +8,8 @@ type Symmetric4 = number[][];
  * matrices and mirrors too. Source: Horn 1987, "Closed-form solution of absolute orientation using unit quaternions", §4.
  */
 export function closestRotation(m: Mat3): Quat {
-  const scale = similarity(m);
-  if (scale > 0) return upper(fromMatrix(scale === 1 ? m : m.map((x) => x / scale)));
+  const scale = rotationScale(m);
+  if (scale > 0) return withPositiveW(fromMatrix(scale === 1 ? m : m.map((x) => x / scale)));
   const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
   // Rows and columns in the order w x y z, so that a tie goes to the smallest rotation.
   const k: Symmetric4 = [
@@ -22,17 +22,17 @@ export function closestRotation(m: Mat3): Quat {
   let best = 0;
   for (let i = 1; i < 4; i++) if (k[i][i] > k[best][best]) best = i;
   const [w, x, y, z] = vectors.map((row) => row[best]);
-  return upper(normalizeQuat([x, y, z, w]));
+  return withPositiveW(normalizeQuat([x, y, z, w]));
 }
 
 /** Of the two quaternions of a rotation the one with w ≥ 0. */
-const upper = ([x, y, z, w]: Quat): Quat => (w < 0 ? [-x, -y, -z, -w] : [x, y, z, w]);
+const withPositiveW = ([x, y, z, w]: Quat): Quat => (w < 0 ? [-x, -y, -z, -w] : [x, y, z, w]);
 
 /** Products of f64 rotations stay within this part of one. */
 const ROUNDING = 1e-14;
 
 /** s > 0 where M = s R, up to rounding, with a proper rotation R; else 0. Most transforms are of this kind, and need no iteration. */
-function similarity(m: Mat3): number {
+function rotationScale(m: Mat3): number {
   const [a, b, c, d, e, f, g, h, i] = m;
   const square = a * a + d * d + g * g;
   const most = ROUNDING * square;

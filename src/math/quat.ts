@@ -77,7 +77,7 @@ export function toMatrix(q: Quat): Mat3 {
 }
 
 /** The rotation that carries one unit vector to another by the shortest way; of opposite ones, half a turn about Y, or near that X. */
-export function shortestTurn(from: Vec3, to: Vec3): Quat {
+export function shortestRotation(from: Vec3, to: Vec3): Quat {
   const cosine = dot(from, to);
   if (cosine > 1 - 1e-15) return IDENTITY;
   const helper: Vec3 = Math.abs(from[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0];

@@ -44,14 +44,14 @@ function interpolate(a: number, b: number, c: number, fa: number, fb: number, fc
   return (s * ((c - b) * q * (q - r) - (b - a) * (r - 1))) / -((q - 1) * (r - 1) * (s - 1));
 }
 
-/** Halvings and steps that `risingRoot` takes at most: it ends long before. */
-const MOST_STEPS = 100;
+/** Halvings and steps that `safeguardedNewton` takes at most: it ends long before. */
+const MAX_STEPS = 100;
 
 /**
  * The root of a function that rises between a and b: Newton's steps from `guess`, each kept within the bracket that is known by then, halved
  * instead where a step leaves it or the last two did not halve it. f gives value and slope. An end beyond which the root lies is the answer.
  */
-export function risingRoot(
+export function safeguardedNewton(
   f: (x: number) => readonly [value: number, slope: number],
   a: number,
   b: number,
@@ -60,7 +60,7 @@ export function risingRoot(
   let [lo, hi] = [a, b];
   let x = guess > a && guess < b ? guess : (a + b) / 2;
   let [last, beforeLast] = [b - a, b - a];
-  for (let i = 0; i < MOST_STEPS; i++) {
+  for (let i = 0; i < MAX_STEPS; i++) {
     const [value, slope] = f(x);
     if (value === 0) return x;
     if (value < 0) lo = x;

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { direction, expectClose, offset, uniform } from '../../tests/physicsArbitraries.ts';
+import { direction, expectClose, offset, uniform } from '../../tests/support/physicsArbitraries.ts';
 import * as mat3 from './mat3.ts';
 import * as mat4 from './mat4.ts';
 import { closestRotation } from './polar.ts';
@@ -154,8 +154,8 @@ describe('rigid part and stretch', () => {
         const S = [Math.exp(logs[0] / 3), 0, 0, 0, Math.exp(logs[1] / 3), 0, 0, 0, Math.exp(logs[2] / 3)];
         const M = mat4.fromParts(mat3.multiply(quat.toMatrix(p.orientation), S), p.position);
         const inverse = S.map((x) => (x === 0 ? 0 : 1 / x));
-        sameRotation(mat4.poseOfStretched(M, inverse)!.orientation, p.orientation, 1e-11);
-        expect(mat4.poseOfStretched(M, mat3.multiply(inverse, [1.001, 0, 0, 0, 1, 0, 0, 0, 1]))).toBeUndefined();
+        sameRotation(mat4.poseFromStretched(M, inverse)!.orientation, p.orientation, 1e-11);
+        expect(mat4.poseFromStretched(M, mat3.multiply(inverse, [1.001, 0, 0, 0, 1, 0, 0, 0, 1]))).toBeUndefined();
         const even = quat.toMatrix(p.orientation).map((x) => x * Math.exp(log));
         sameRotation(mat4.decomposeRigid(mat4.fromParts(even, p.position)).pose.orientation, p.orientation, 1e-11);
       }),
@@ -191,7 +191,7 @@ describe('rigid part and stretch', () => {
 
 describe('the shortest turn', () => {
   const turned = (from: Vec3, to: Vec3) => {
-    const q = quat.shortestTurn(from, to);
+    const q = quat.shortestRotation(from, to);
     expectClose(quat.rotate(q, from), to, 1e-9);
     return quat.rotationAngle(q);
   };

@@ -1,7 +1,27 @@
-export { chainOf, nearestOf, outputIn } from './chain.ts';
-export type { CameraView, GBuffer, Picture, Relativity } from './define.ts';
+export type {
+  CameraView,
+  GBufferSpec,
+  PictureSpec,
+  RelativisticScene,
+} from './defineNode.ts';
 export { nodeLibrary } from './library.ts';
-export { pictureOf, renderSettings } from './picture.ts';
-export { flightsIn, flyCommand, landCommand, newProject, openCommand, setCommand } from './project.ts';
-export { type OpenedProject, openProject, packProject } from './projectArchive.ts';
-export type { FastestPoint, LoadedScene, ReadRequest, Services } from './services.ts';
+export { evaluatedPicture, renderSettings } from './pictures/renderSettings.ts';
+export {
+  nearestToOutput,
+  nodesFeedingOutput,
+  outputNodeId,
+} from './project/outputChain.ts';
+export {
+  openProjectArchive,
+  type ProjectArchive,
+  packProjectArchive,
+} from './project/projectArchive.ts';
+export {
+  flyCommand,
+  flyNodesIn,
+  newProject,
+  openFileCommand,
+  removeFlightCommand,
+  setParamCommand,
+} from './project/projectCommands.ts';
+export type { FastestScenePoint, LoadedScene, ReadRequest, Services } from './services.ts';

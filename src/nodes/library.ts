@@ -1,9 +1,9 @@
 import type { Registry } from '../graph/nodeType.ts';
-import { cameraNode } from './composition/cameraAt.ts';
-import { relativityConsole } from './composition/console.ts';
+import { cameraNode } from './composition/camera.ts';
 import { lampNode } from './composition/lamp.ts';
 import { observerNode } from './composition/observer.ts';
-import { scene } from './composition/scene.ts';
+import { relativityConsoleNode } from './composition/relativityConsole.ts';
+import { sceneNode } from './composition/scene.ts';
 import { skyNode } from './composition/sky.ts';
 import { spectrumNode } from './composition/spectrum.ts';
 import { sunNode } from './composition/sun.ts';
@@ -13,22 +13,22 @@ import { colliderNode } from './dynamics/collider.ts';
 import { fieldNode } from './dynamics/field.ts';
 import { massSpringNode } from './dynamics/massSpring.ts';
 import { simulateNode } from './dynamics/simulate.ts';
-import { boxNode } from './geometry/box.ts';
-import { cylinderNode } from './geometry/cylinder.ts';
 import { flyNode } from './geometry/fly.ts';
-import { gridNode } from './geometry/grid.ts';
 import { instancesNode } from './geometry/instances.ts';
-import { latticeNode } from './geometry/lattice.ts';
 import { lifetimeNode } from './geometry/lifetime.ts';
 import { materialNode } from './geometry/material.ts';
 import { mergeNode } from './geometry/merge.ts';
 import { moveNode } from './geometry/move.ts';
-import { read } from './geometry/read.ts';
+import { boxNode } from './geometry/primitives/box.ts';
+import { cylinderNode } from './geometry/primitives/cylinder.ts';
+import { gridNode } from './geometry/primitives/grid.ts';
+import { latticeNode } from './geometry/primitives/lattice.ts';
+import { solidTextNode } from './geometry/primitives/solidText.ts';
+import { sphereNode } from './geometry/primitives/sphere.ts';
+import { torusNode } from './geometry/primitives/torus.ts';
+import { readNode } from './geometry/read.ts';
 import { retimeNode } from './geometry/retime.ts';
-import { solidTextNode } from './geometry/solidText.ts';
-import { sphereNode } from './geometry/sphere.ts';
 import { subdivideNode } from './geometry/subdivide.ts';
-import { torusNode } from './geometry/torus.ts';
 import { transformNode } from './geometry/transform.ts';
 import { writeUsdNode } from './geometry/writeUsd.ts';
 import { circularNode } from './motion/circular.ts';
@@ -37,21 +37,21 @@ import { keyframesNode } from './motion/keyframes.ts';
 import { pathNode } from './motion/path.ts';
 import { spinNode } from './motion/spin.ts';
 import { uniformNode } from './motion/uniform.ts';
-import { antialiasing } from './render/antialiasing.ts';
-import { sceneCamera } from './render/camera.ts';
-import { depthOfField } from './render/depthOfField.ts';
-import { falseColour } from './render/falseColour.ts';
-import { deferredLighting } from './render/lighting.ts';
-import { mixColor } from './render/mixColor.ts';
-import { ambientOcclusion } from './render/occlusion.ts';
-import { output } from './render/output.ts';
-import { postProcess } from './render/postProcess.ts';
-import { relativityRasterize } from './render/rasterize.ts';
-import { rasterize } from './render/rasterizeOrdinary.ts';
-import { referenceRender } from './render/referenceRender.ts';
+import { ambientOcclusionNode } from './render/ambientOcclusion.ts';
+import { antialiasingNode } from './render/antialiasing.ts';
+import { deferredLightingNode } from './render/deferredLighting.ts';
+import { depthOfFieldNode } from './render/depthOfField.ts';
+import { falseColorNode } from './render/falseColor.ts';
+import { mixColorNode } from './render/mixColor.ts';
+import { rasterizeNode } from './render/ordinaryRasterize.ts';
+import { outputNode } from './render/output.ts';
+import { postProcessNode } from './render/postProcess.ts';
+import { referenceRenderNode } from './render/referenceRender.ts';
+import { relativityRasterizeNode } from './render/relativityRasterize.ts';
 import { saveImageNode } from './render/saveImage.ts';
 import { saveVideoNode } from './render/saveVideo.ts';
-import { toneMap } from './render/toneMap.ts';
+import { sceneCameraNode } from './render/sceneCamera.ts';
+import { toneMapNode } from './render/toneMap.ts';
 import type { Services } from './services.ts';
 import { colorNode } from './utility/color.ts';
 import { compareNode } from './utility/compare.ts';
@@ -69,7 +69,7 @@ import { vectorMathNode } from './utility/vectorMath.ts';
 
 /** In the order in which menus show them. */
 const types = [
-  read,
+  readNode,
   boxNode,
   sphereNode,
   cylinderNode,
@@ -98,7 +98,7 @@ const types = [
   fieldNode,
   simulateNode,
   cacheNode,
-  scene,
+  sceneNode,
   sunNode,
   lampNode,
   skyNode,
@@ -106,20 +106,20 @@ const types = [
   cameraNode,
   observerNode,
   timeNode,
-  relativityConsole,
-  sceneCamera,
-  relativityRasterize,
-  rasterize,
-  referenceRender,
-  deferredLighting,
-  ambientOcclusion,
-  postProcess,
-  depthOfField,
-  antialiasing,
-  mixColor,
-  toneMap,
-  falseColour,
-  output,
+  relativityConsoleNode,
+  sceneCameraNode,
+  relativityRasterizeNode,
+  rasterizeNode,
+  referenceRenderNode,
+  deferredLightingNode,
+  ambientOcclusionNode,
+  postProcessNode,
+  depthOfFieldNode,
+  antialiasingNode,
+  mixColorNode,
+  toneMapNode,
+  falseColorNode,
+  outputNode,
   saveImageNode,
   saveVideoNode,
   numberNode,

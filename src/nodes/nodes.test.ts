@@ -1,21 +1,21 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { utilityProject } from '../../tests/support/exampleGraphs.ts';
-import { applyCommand, type Command } from '../graph/commands.ts';
-import type { ParamValue } from '../graph/document.ts';
-import { Evaluator } from '../graph/evaluate.ts';
-import { refuseValue, resolveParams } from '../graph/nodeType.ts';
-import { parseDocument } from '../graph/read.ts';
-import { serializeDocument } from '../graph/serialize.ts';
-import { validateDocument } from '../graph/validate.ts';
+import { validateDocument } from '../graph/analysis/validate.ts';
+import type { ParamValue } from '../graph/document/document.ts';
+import { parseDocument } from '../graph/document/parse.ts';
+import { serializeDocument } from '../graph/document/serialize.ts';
+import { applyCommand, type Command } from '../graph/edits/commands.ts';
+import { Evaluator } from '../graph/evaluation/evaluator.ts';
+import { resolveParams, valueError } from '../graph/nodeType.ts';
 import { makeMaterial, makeObject, restingAt } from '../scene/defaults.ts';
-import { box } from '../scene/primitives.ts';
+import { box } from '../scene/mesh/primitives.ts';
 import { InputError, type Scene } from '../scene/types.ts';
-import { DEFAULT_SETTINGS } from '../scene/view.ts';
+import { DEFAULT_SETTINGS } from '../scene/view/view.ts';
 import { nodeLibrary } from './library.ts';
-import { pictureOf, renderSettings } from './picture.ts';
-import { flightsIn, flyCommand, landCommand, newProject, openCommand } from './project.ts';
-import { type LoadedScene, type Services, threadServices } from './services.ts';
+import { evaluatedPicture, renderSettings } from './pictures/renderSettings.ts';
+import { flyCommand, flyNodesIn, newProject, openFileCommand, removeFlightCommand } from './project/projectCommands.ts';
+import { type LoadedScene, type Services, workerServices } from './services.ts';
 
 const folder = new URL('../../examples/', import.meta.url);
 const scene: Scene = {
@@ -34,7 +34,7 @@ const scene: Scene = {
   hints: {},
   diagnostics: [],
 };
-const serving = (loaded: LoadedScene): Services => ({ ...threadServices, readScene: async () => loaded });
+const serving = (loaded: LoadedScene): Services => ({ ...workerServices, readScene: async () => loaded });
 const set = (node: string, param: string, value: ParamValue): Command => ({
   kind: 'set-param',
   node,
@@ -45,14 +45,14 @@ const set = (node: string, param: string, value: ParamValue): Command => ({
 async function evaluate(loaded: LoadedScene, ...commands: Command[]) {
   const { document } = applyCommand(newProject('a.usda'), { kind: 'batch', commands });
   const evaluation = await new Evaluator(nodeLibrary).evaluate(document, 'output', serving(loaded));
-  return { picture: pictureOf(evaluation), evaluation };
+  return { picture: evaluatedPicture(evaluation), evaluation };
 }
 
 describe('the library', () => {
   it.each(Object.values(nodeLibrary))('$id describes itself fully', (type) => {
     expect(type.id).toMatch(/^[a-z-]+$/);
     for (const spec of Object.values(type.params)) {
-      expect(refuseValue(spec, spec.default)).toBeUndefined();
+      expect(valueError(spec, spec.default)).toBeUndefined();
       if (spec.onlyWhen) expect(type.params).toHaveProperty(spec.onlyWhen.param);
     }
   });
@@ -135,20 +135,20 @@ describe('motion', () => {
     const empty = newProject('a.usda');
     const one = applyCommand(empty, flyCommand(empty, '/a', 0)).document;
     const two = applyCommand(one, flyCommand(one, '/b', 2)).document;
-    expect(flightsIn(two)).toEqual(['fly1', 'fly2']);
+    expect(flyNodesIn(two)).toEqual(['fly1', 'fly2']);
     expect(validateDocument(two, nodeLibrary)).toEqual([]);
     expect(parseDocument(serializeDocument(two))).toEqual(two);
-    const left = applyCommand(two, landCommand(two, 'fly1')).document;
-    expect(flightsIn(left)).toEqual(['fly2']);
+    const left = applyCommand(two, removeFlightCommand(two, 'fly1')).document;
+    expect(flyNodesIn(left)).toEqual(['fly2']);
     expect(validateDocument(left, nodeLibrary)).toEqual([]);
-    expect(applyCommand(left, landCommand(left, 'fly2')).document).toEqual(empty);
-    expect(flightsIn(applyCommand(two, openCommand(two, 'b.usda')!).document)).toEqual([]);
+    expect(applyCommand(left, removeFlightCommand(left, 'fly2')).document).toEqual(empty);
+    expect(flyNodesIn(applyCommand(two, openFileCommand(two, 'b.usda')!).document)).toEqual([]);
   });
 
   it('variants are asked of the reader, and are part of the document', async () => {
     let asked: ReadonlyMap<string, string> | undefined;
     const services: Services = {
-      ...threadServices,
+      ...workerServices,
       readScene: async (_, { variants }) => {
         asked = variants;
         return { scene };
@@ -266,7 +266,7 @@ describe('the project', () => {
 
   it('keeps a reader’s diagnostic as it is, and blocks what follows', async () => {
     const services: Services = {
-      ...threadServices,
+      ...workerServices,
       readScene: async () => {
         throw new InputError({ severity: 'error', code: 'file.empty', place: 'a.usda', message: 'the file is empty' });
       },
@@ -278,7 +278,7 @@ describe('the project', () => {
 
   it('opening another file gives way to its own suggestions', () => {
     const before = applyCommand(newProject('a.usda'), set('console', 'speedOfLight', 5)).document;
-    const { document } = applyCommand(before, openCommand(before, 'b.usda')!);
+    const { document } = applyCommand(before, openFileCommand(before, 'b.usda')!);
     expect(
       resolveParams(nodeLibrary['relativity-console']!, document.nodes.console!.params).speedOfLight,
     ).toBeUndefined();

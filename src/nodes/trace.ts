@@ -1,23 +1,23 @@
-import { CancelledError } from '../graph/evaluate.ts';
-import type { Cancellation, Progress } from '../graph/nodeType.ts';
+import { CancelledError } from '../graph/evaluation/evaluator.ts';
+import type { AbortSignalLike, ProgressCallback } from '../graph/nodeType.ts';
 import type { TileRequest } from '../reference/tile.ts';
 import type { Scene } from '../scene/types.ts';
 
 /** What a picture by the reference renderer is to be; its speed of light is that of the settings. */
-export type TracedPicture = Omit<TileRequest, 'layers'>;
+export type TraceOptions = Omit<TileRequest, 'layers'>;
 
 /**
  * Has a picture drawn by the reference renderer, in threads: linear light, three values per pixel, rows from the top. Rejects with a `CancelledError`
  * where the signal says so; `progress` hears which part is done.
  */
-export type Trace = (
+export type ReferenceTrace = (
   scene: Scene,
-  picture: TracedPicture,
-  work: { readonly signal?: Cancellation; readonly progress: Progress },
+  picture: TraceOptions,
+  work: { readonly signal?: AbortSignalLike; readonly progress: ProgressCallback },
 ) => Promise<Float32Array<ArrayBuffer>>;
 
 /** One picture after another, for each takes all threads that there are. */
-export function inTurn(trace: Trace): Trace {
+export function queueTraces(trace: ReferenceTrace): ReferenceTrace {
   let before: Promise<unknown> = Promise.resolve();
   return (scene, picture, work) => {
     const drawn = before.then(() => {

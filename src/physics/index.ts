@@ -1,25 +1,29 @@
-export { aberrate, unaberrate } from './aberration.ts';
-export { apparentPosition, apparentPositions, inverseApparentPosition } from './apparent.ts';
 export {
   boost,
   boostMatrix,
-  carry,
   gamma,
   inverseBoost,
-  oneMinusSquare,
+  inverseBoostSpatial,
+  oneMinusBetaSquared,
   properVelocity,
   rapidity,
   velocity,
-} from './boost.ts';
+} from './lorentz/boost.ts';
+export { type FourVector, fourVector, interval, minkowskiDot, spatial } from './lorentz/fourVector.ts';
+export { accelerate, coast, type ObserverState } from './lorentz/observer.ts';
 export {
-  type CubicPiece,
-  controlVelocities,
-  cubicAt,
-  cubicCrossing,
-  cubicEmission,
-  eased,
-  slowBend,
-} from './cubic.ts';
+  applyLorentz,
+  applyPoincare,
+  composePoincare,
+  frameAt,
+  inverseLorentz,
+  invertPoincare,
+  POINCARE_IDENTITY,
+  type Poincare,
+} from './lorentz/poincare.ts';
+export { addVelocities, fourAcceleration, relativeVelocity, wignerRotation } from './lorentz/velocity.ts';
+export { aberrate, unaberrate } from './optics/aberration.ts';
+export { apparentPosition, apparentPositions, inverseApparentPosition } from './optics/apparentPosition.ts';
 export {
   apparentSpeedAcross,
   dopplerAtPixel,
@@ -28,17 +32,34 @@ export {
   emitterDoppler,
   observerDoppler,
   observerDopplers,
-} from './doppler.ts';
+} from './optics/doppler.ts';
+export {
+  blackbodyTemperature,
+  bolometricRadiance,
+  observedFrequency,
+  observedSolidAngle,
+  observedWavelength,
+  radiancePerFrequency,
+  radiancePerWavelength,
+} from './optics/radiance.ts';
+export {
+  type CubicPiece,
+  controlVelocities,
+  cubicAt,
+  cubicCrossing,
+  cubicEmission,
+  subluminalBend,
+  withBend,
+} from './worldLines/cubicPiece.ts';
 export {
   circularEmission,
   hyperbolicEmission,
   polylineEmission,
   presentEmission,
-  type Seen,
+  type RetardedEvent,
   staticEmission,
   uniformEmission,
-} from './emission.ts';
-export { type FourVector, fourVector, interval, minkowskiDot, spatial } from './fourVector.ts';
+} from './worldLines/emission.ts';
 export {
   type EmissionEvent,
   emissionEvent,
@@ -49,40 +70,19 @@ export {
   newtonEmissionTime,
   type ObserverEvent,
   pastLightCone,
-} from './lightCone.ts';
-export { accelerate, coast, type ObserverState } from './observer.ts';
-export {
-  applyLorentz,
-  applyPoincare,
-  composePoincare,
-  frameAt,
-  inverseLorentz,
-  invertPoincare,
-  POINCARE_IDENTITY,
-  type Poincare,
-} from './poincare.ts';
-export {
-  blackbodyTemperature,
-  bolometricRadiance,
-  observedFrequency,
-  observedSolidAngle,
-  observedWavelength,
-  radiancePerFrequency,
-  radiancePerWavelength,
-} from './radiance.ts';
+} from './worldLines/lightCone.ts';
 export {
   circularSlice,
   contraction,
   hyperbolicSlice,
-  type Slice,
+  type SimultaneousEvent,
   simultaneitySlice,
   simultaneousPosition,
   simultaneousPositions,
   simultaneousTime,
   simultaneousTimes,
   uniformSlice,
-} from './simultaneity.ts';
-export { addVelocities, fourAcceleration, relativeVelocity, wignerRotation } from './velocity.ts';
+} from './worldLines/simultaneity.ts';
 export {
   type CircularLine,
   type CubicLine,
@@ -98,4 +98,4 @@ export {
   type UniformLine,
   velocityAt,
   type WorldLine,
-} from './worldLine.ts';
+} from './worldLines/worldLine.ts';

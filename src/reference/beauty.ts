@@ -1,18 +1,18 @@
 import { add, lerp, type Vec3 } from '../math/vec3.ts';
-import { toneMap } from '../spectrum/toneMap.ts';
-import { cameraRay } from './camera.ts';
-import { eyesOf } from './eye.ts';
-import { groundGrid } from './grid.ts';
-import { radiance } from './path.ts';
-import { pixelSequence } from './sequence.ts';
+import { toneMap } from '../spectrum/display/toneMap.ts';
+import type { SpacetimeRay } from './acceleration/ray.ts';
+import { cameraRay } from './camera/cameraRay.ts';
+import { groundGrid } from './camera/groundGrid.ts';
+import { visibleHit } from './camera/visibleHit.ts';
+import type { TracedScene } from './intersection/tracedScene.ts';
+import { pixelSequence } from './sampling/pixelSequence.ts';
+import { sensorsOf } from './spectral/sensors.ts';
 import { starField } from './starField.ts';
-import type { Tile, TileRequest } from './tile.ts';
-import type { TracedScene } from './trace.ts';
-import type { SpacetimeRay } from './types.ts';
-import { visibleHit } from './visible.ts';
+import type { ImageTile, TileRequest } from './tile.ts';
+import { radiance } from './transport/path.ts';
 
 /** Where the means of a tile's samples go, 3 values per pixel; what is absent is not wanted. */
-export interface Means {
+export interface BeautyBuffers {
   readonly beauty?: Float32Array;
   readonly picture?: Float32Array;
 }
@@ -22,12 +22,12 @@ export interface Means {
  * the data are taken. A sample is tone mapped before it is averaged, as the rasterizer does, so that edges of very bright things are
  * smooth too. The sequence is the pixel's own, so that every division into tiles gives the same bits.
  */
-export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Tile, means: Means): void {
+export function fillBeauty(scene: TracedScene, request: TileRequest, tile: ImageTile, means: BeautyBuffers): void {
   const { x0, y0, x1, y1 } = tile;
   const { view, settings, width, height, samples: n, seed, light } = request;
-  const show = display(scene, request);
+  const show = displayTransform(scene, request);
   const stars = starField(scene, request, tile);
-  const eyes = eyesOf(settings, n * n);
+  const eyes = sensorsOf(settings, n * n);
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
       const numbers = pixelSequence(seed, x, y);
@@ -52,7 +52,7 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Tile,
 }
 
 /** What a screen shows of the light that arrives along the ray of a point of the picture: tone mapped, with the grid over it. */
-function display(
+function displayTransform(
   scene: TracedScene,
   request: TileRequest,
 ): (light: Vec3, ray: SpacetimeRay, x: number, y: number) => Vec3 {

@@ -1,7 +1,7 @@
-export { dopplerOf } from './aov.ts';
-export { cameraRay, rayToward } from './camera.ts';
-export { materialOf } from './material.ts';
-export { renderTile, type Tile, type TileData, type TileRequest } from './tile.ts';
-export { nearestHit, type TracedScene, traceable } from './trace.ts';
-export type * from './types.ts';
-export { type Transparent, visibleHit } from './visible.ts';
+export type * from './acceleration/ray.ts';
+export { dopplerOfHit } from './aov.ts';
+export { cameraRay, rayToward } from './camera/cameraRay.ts';
+export { type TransparentMode, visibleHit } from './camera/visibleHit.ts';
+export { createTracedScene, nearestHit, type TracedScene } from './intersection/tracedScene.ts';
+export { materialOf } from './materials/material.ts';
+export { type ImageTile, renderTile, type TileData, type TileRequest } from './tile.ts';

@@ -1,16 +1,16 @@
 import { addScaled, scale, type Vec3, ZERO } from '../math/vec3.ts';
-import { observerDoppler } from '../physics/doppler.ts';
-import { nightSkyOf } from '../scene/daylight.ts';
+import { observerDoppler } from '../physics/optics/doppler.ts';
+import { sceneNightSky } from '../scene/lights/sceneLights.ts';
 import { cosmicBackground } from '../scene/stars/cosmicBackground.ts';
-import { starsInPicture } from '../scene/stars/inPicture.ts';
-import { spread } from '../scene/stars/spread.ts';
+import { pointSpread } from '../scene/stars/pointSpread.ts';
+import { projectStars } from '../scene/stars/projectStars.ts';
 import type { NightSky } from '../scene/types.ts';
-import { coverage } from './passage.ts';
-import type { Tile, TileRequest } from './tile.ts';
-import { nearestHit, type TracedScene } from './trace.ts';
-import type { SpacetimeRay } from './types.ts';
+import type { SpacetimeRay } from './acceleration/ray.ts';
+import { nearestHit, type TracedScene } from './intersection/tracedScene.ts';
+import type { ImageTile, TileRequest } from './tile.ts';
+import { coverage } from './transport/transmittance.ts';
 
-interface Star {
+interface StarSprite {
   readonly x: number;
   readonly y: number;
   readonly half: number;
@@ -21,8 +21,8 @@ interface Star {
 export type StarField = (ray: SpacetimeRay, x: number, y: number) => Vec3;
 
 /** The stars of a tile; undefined where a scene has none. A star is a point: it is spread over a few pixels as the rasterizer spreads it. */
-export function starField(scene: TracedScene, request: TileRequest, tile: Tile): StarField | undefined {
-  const sky = nightSkyOf(scene.scene);
+export function starField(scene: TracedScene, request: TileRequest, tile: ImageTile): StarField | undefined {
+  const sky = sceneNightSky(scene.scene);
   if (!sky) return undefined;
   const stars = starsNear(sky, request, tile);
   const { view, settings } = request;
@@ -37,20 +37,24 @@ export function starField(scene: TracedScene, request: TileRequest, tile: Tile):
     for (const star of stars) {
       const [dx, dy] = [x - star.x, y - star.y];
       if (Math.abs(dx) < star.half && Math.abs(dy) < star.half)
-        sum = addScaled(sum, star.light, spread(Math.hypot(dx, dy)));
+        sum = addScaled(sum, star.light, pointSpread(Math.hypot(dx, dy)));
     }
-    return sum[0] + sum[1] + sum[2] > FAINTEST ? scale(sum, shareSeen(scene, ray)) : ZERO;
+    return sum[0] + sum[1] + sum[2] > MIN_RADIANCE ? scale(sum, transmittanceToCamera(scene, ray)) : ZERO;
   };
 }
 
 /** Less than this no picture shows. */
-const FAINTEST = 1e-12;
+const MIN_RADIANCE = 1e-12;
 
-function starsNear(sky: NightSky, { view, settings, width, height }: TileRequest, tile: Tile): readonly Star[] {
+function starsNear(
+  sky: NightSky,
+  { view, settings, width, height }: TileRequest,
+  tile: ImageTile,
+): readonly StarSprite[] {
   const room = 3 * sky.stars.temperatures.length;
   const [places, lights] = [new Float32Array(room), new Float32Array(room)];
-  const count = starsInPicture(sky, view, settings, width, height, { places, lights });
-  const near: Star[] = [];
+  const count = projectStars(sky, view, settings, width, height, { positions: places, radiances: lights });
+  const near: StarSprite[] = [];
   for (let k = 0; k < 3 * count; k += 3) {
     const [x, y, half] = [((places[k] + 1) / 2) * width, ((1 - places[k + 1]) / 2) * height, places[k + 2]];
     if (x + half > tile.x0 && x - half < tile.x1 && y + half > tile.y0 && y - half < tile.y1)
@@ -60,10 +64,10 @@ function starsNear(sky: NightSky, { view, settings, width, height }: TileRequest
 }
 
 /** What of the light from behind everything gets past the sides that are shown. */
-function shareSeen(scene: TracedScene, ray: SpacetimeRay): number {
+function transmittanceToCamera(scene: TracedScene, ray: SpacetimeRay): number {
   let share = 1;
   const hidden = nearestHit(scene, ray, {
-    shown: true,
+    visibleSides: true,
     accepts: (hit) => {
       const held = coverage(scene, hit);
       share *= 1 - held;

@@ -2,15 +2,15 @@ import { expect, it } from 'vitest';
 import { settingsFor, viewFrom } from '../../tests/support/rays.ts';
 import { fromAxisAngle } from '../math/quat.ts';
 import { dot, length, normalize, type Vec3 } from '../math/vec3.ts';
-import { apparentPosition } from '../physics/apparent.ts';
+import { apparentPosition } from '../physics/optics/apparentPosition.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../scene/defaults.ts';
-import { withMaterial } from '../scene/meshOps.ts';
-import { box, plane, sphere } from '../scene/primitives.ts';
+import { withMaterial } from '../scene/mesh/meshOps.ts';
+import { box, plane, sphere } from '../scene/mesh/primitives.ts';
 import type { Motion } from '../scene/types.ts';
-import type { AovName } from '../scene/view.ts';
-import { DEFAULT_LIGHT } from './lightOptions.ts';
-import { renderTile, type Tile, type TileRequest } from './tile.ts';
-import { type TracedScene, traceable } from './trace.ts';
+import type { AovName } from '../scene/view/view.ts';
+import { createTracedScene, type TracedScene } from './intersection/tracedScene.ts';
+import { DEFAULT_LIGHT } from './lights/lightOptions.ts';
+import { type ImageTile, renderTile, type TileRequest } from './tile.ts';
 
 const turning: Motion = {
   kind: 'sampled',
@@ -34,7 +34,7 @@ const objects = [
   makeObject({ path: '/Pane', mesh: withMaterial(plane(2, 9, 'Z'), 1), motion: restingAt([2, 0, -3]) }),
   makeObject({ path: '/Gone', mesh: withMaterial(plane(2, 9, 'Z'), 2), motion: restingAt([0, 0, -2]) }),
 ];
-const scene: TracedScene = traceable(makeScene({ name: 'test', objects, materials }), 1);
+const scene: TracedScene = createTracedScene(makeScene({ name: 'test', objects, materials }), 1);
 const [width, height] = [24, 16];
 const request: TileRequest = {
   view: viewFrom({ u: [0.2, 0.1, -0.4] }),
@@ -60,8 +60,8 @@ const request: TileRequest = {
 const whole = renderTile(scene, request, { x0: 0, y0: 0, x1: width, y1: height });
 
 it('a picture has the same bits however it is cut into tiles', () => {
-  const again = traceable(makeScene({ name: 'test', objects, materials }), 1);
-  const cuts: Tile[] = [
+  const again = createTracedScene(makeScene({ name: 'test', objects, materials }), 1);
+  const cuts: ImageTile[] = [
     { x0: 10, y0: 0, x1: width, y1: 7 },
     { x0: 0, y0: 7, x1: width, y1: height },
     { x0: 0, y0: 0, x1: 10, y1: 7 },

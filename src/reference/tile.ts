@@ -1,13 +1,13 @@
-import { AOVS, type AovName, type RenderSettings, type ViewPoint } from '../scene/view.ts';
-import { type DataAov, dataReader } from './aov.ts';
+import { AOVS, type AovName, type RenderSettings, type ViewPoint } from '../scene/view/view.ts';
+import { aovReader, type DataAov } from './aov.ts';
 import { fillBeauty } from './beauty.ts';
-import { cameraRay } from './camera.ts';
-import type { LightOptions } from './lightOptions.ts';
-import type { TracedScene } from './trace.ts';
-import { visibleHit } from './visible.ts';
+import { cameraRay } from './camera/cameraRay.ts';
+import { visibleHit } from './camera/visibleHit.ts';
+import type { TracedScene } from './intersection/tracedScene.ts';
+import type { LightOptions } from './lights/lightOptions.ts';
 
 /** What can be drawn: AOVs, and `picture`, the beauty as a screen shows it: exposed and tone mapped, linear sRGB 0 … 1 (display.ts encodes it). */
-export type Layer = AovName | 'picture';
+export type OutputLayer = AovName | 'picture';
 
 /** What a picture is to be. */
 export interface TileRequest {
@@ -16,7 +16,7 @@ export interface TileRequest {
   /** Of the whole picture [px]. */
   readonly width: number;
   readonly height: number;
-  readonly layers: readonly Layer[];
+  readonly layers: readonly OutputLayer[];
   /** n × n samples per pixel of the beauty and the picture. */
   readonly samples: number;
   readonly seed: number;
@@ -24,7 +24,7 @@ export interface TileRequest {
 }
 
 /** Pixels x0 ≤ x < x1, y0 ≤ y < y1, from the top left. */
-export interface Tile {
+export interface ImageTile {
   readonly x0: number;
   readonly y0: number;
   readonly x1: number;
@@ -32,12 +32,12 @@ export interface Tile {
 }
 
 /** What was asked for: as many values per pixel as the layer has channels, rows from the top. */
-export type TileData = Partial<Record<Layer, Float32Array>>;
+export type TileData = Partial<Record<OutputLayer, Float32Array>>;
 
-export const channelsOf = (layer: Layer): number => (layer === 'picture' ? 3 : AOVS[layer].channels.length);
+export const channelsOf = (layer: OutputLayer): number => (layer === 'picture' ? 3 : AOVS[layer].channels.length);
 
 /** Draws a part of a picture. Its bits depend on nothing but the request and the pixel. */
-export function renderTile(scene: TracedScene, request: TileRequest, tile: Tile): TileData {
+export function renderTile(scene: TracedScene, request: TileRequest, tile: ImageTile): TileData {
   const data: TileData = {};
   const pixels = (tile.x1 - tile.x0) * (tile.y1 - tile.y0);
   for (const layer of request.layers) data[layer] = new Float32Array(pixels * channelsOf(layer));
@@ -46,11 +46,11 @@ export function renderTile(scene: TracedScene, request: TileRequest, tile: Tile)
   return data;
 }
 
-function fillData(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: Tile, data: TileData): void {
+function fillData(scene: TracedScene, request: TileRequest, { x0, y0, x1, y1 }: ImageTile, data: TileData): void {
   const { view, settings, width, height, layers } = request;
   const named = layers.filter((layer): layer is DataAov => layer !== 'beauty' && layer !== 'picture');
   if (named.length === 0) return;
-  const readers = named.map((name) => ({ read: dataReader(name, scene, view.u, settings), out: data[name] }));
+  const readers = named.map((name) => ({ read: aovReader(name, scene, view.u, settings), out: data[name] }));
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
       const ray = cameraRay(view, settings, x + 0.5, y + 0.5, width, height);

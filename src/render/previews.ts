@@ -1,25 +1,25 @@
 import { Fn, select, uniform, vec4 } from 'three/tsl';
 import { type RenderTarget, type Texture, UnsignedByteType } from 'three/webgpu';
-import { bufferSettings, type Plan, shapeOf } from '../scene/plan.ts';
-import { toneMaps } from '../shaders/toneMap.ts';
+import { bufferSettings, type FrameGraph, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
+import { toneMaps } from '../shaders/color/toneMap.ts';
 import type { Vec4 } from '../shaders/types.ts';
-import type { Gpu } from './device.ts';
-import { encode } from './display.ts';
-import { texelHere } from './fullScreen.ts';
-import { GaugeReader } from './gauge.ts';
-import { PassBook } from './passBook.ts';
-import { PictureMachine } from './picture.ts';
-import type { Sitting } from './plan/composition.ts';
-import { readBytes } from './readback.ts';
-import { rehearse } from './rehearsal.ts';
-import type { Lent, SceneRenderer } from './renderer.ts';
-import { CENTRE } from './samplePlaces.ts';
+import type { BoundRenderView } from './frameGraph/frameGraphRunner.ts';
+import { FrameRenderer } from './frameRenderer.ts';
+import { dataTarget } from './gbuffer/gbuffer.ts';
+import { readBytes } from './gbuffer/readback.ts';
+import type { Gpu } from './gpu/device.ts';
+import type { FrameUniforms } from './gpu/frameUniforms.ts';
+import { texelHere } from './gpu/fullScreenPass.ts';
+import { PassCache } from './gpu/passCache.ts';
+import { precompile } from './gpu/precompile.ts';
+import { encodeSrgb } from './post/display/display.ts';
+import { LightMeter } from './post/display/lightMeter.ts';
+import { PIXEL_CENTER } from './post/resolve/pixelSamples.ts';
+import type { RenderContext, SceneRenderer } from './renderer.ts';
 import type { SceneUpload } from './sceneUpload.ts';
-import { dataTarget } from './targets.ts';
-import type { Uniforms } from './uniforms.ts';
 
 /** What of a plan is to be looked at. */
-export type PreviewOf =
+export type PreviewRequest =
   /** The image of a step. `exposure` [EV]: of light that no tone curve was over yet; absent: it is 0 … 1 already. */
   | { readonly kind: 'image'; readonly step: number; readonly exposure?: number }
   /** The luminance of a step's light, at as many places as exposure is metered at. */
@@ -39,11 +39,11 @@ interface Size {
  * Small pictures of the steps of a plan: drawn by the passes of the picture that is shown, of its scenes as they are staged for it, into targets of their own.
  * Nothing of that picture, its samples or its history changes.
  */
-export class Previews {
+export class PreviewRenderer {
   private readonly renderer: SceneRenderer;
-  private desk: Desk | undefined;
+  private targets: PreviewTargets | undefined;
   /** What the shaders that are ready depend on. */
-  private ready = '';
+  private compiledKey = '';
 
   constructor(renderer: SceneRenderer) {
     this.renderer = renderer;
@@ -53,11 +53,11 @@ export class Previews {
    * In the order of what is asked for. `plan`: its G-buffers are those of the picture that is shown, in that order. New shaders are compiled between the
    * frames of others. Undefined where there is nothing that previews could be made of. One at a time.
    */
-  async make(plan: Plan, of: readonly PreviewOf[], size: Size): Promise<readonly Preview[] | undefined> {
-    await this.renderer.lend((set) => this.rehearsed(plan, of, this.deskFor(set, size), set));
-    const reading = this.renderer.lend((set) => {
+  async make(plan: FrameGraph, of: readonly PreviewRequest[], size: Size): Promise<readonly Preview[] | undefined> {
+    await this.renderer.withLastView((set) => this.precompiled(plan, of, this.targetsFor(set, size), set));
+    const reading = this.renderer.withLastView((set) => {
       const read: Promise<Preview>[] = [];
-      this.deskFor(set, size).draw(plan, of, set, (i, made) => {
+      this.targetsFor(set, size).draw(plan, of, set, (i, made) => {
         read[i] = made();
       });
       return read;
@@ -66,84 +66,95 @@ export class Previews {
   }
 
   dispose(): void {
-    this.desk?.dispose();
+    this.targets?.dispose();
   }
 
-  private deskFor({ gpu, staging, motifs }: Lent, size: Size): Desk {
-    this.desk ??= new Desk(gpu, staging.uniforms);
-    this.desk.prepare(
+  private targetsFor({ gpu, frameSetup, views }: RenderContext, size: Size): PreviewTargets {
+    this.targets ??= new PreviewTargets(gpu, frameSetup.uniforms);
+    this.targets.prepare(
       size,
-      motifs.map(({ upload }) => upload),
+      views.map(({ upload }) => upload),
     );
-    return this.desk;
+    return this.targets;
   }
 
-  private rehearsed(plan: Plan, of: readonly PreviewOf[], desk: Desk, set: Lent): Promise<void> | undefined {
-    const shaders = [shapeOf(plan), ...set.motifs.map(({ upload }) => upload.serial)].join(' ');
-    if (shaders === this.ready) return undefined;
-    this.ready = shaders;
-    desk.begin(plan);
-    return rehearse(set.gpu.renderer, () => desk.draw(plan, of, set, () => {}));
+  private precompiled(
+    plan: FrameGraph,
+    of: readonly PreviewRequest[],
+    desk: PreviewTargets,
+    set: RenderContext,
+  ): Promise<void> | undefined {
+    const shaders = [frameGraphStructure(plan), ...set.views.map(({ upload }) => upload.serial)].join(' ');
+    if (shaders === this.compiledKey) return undefined;
+    this.compiledKey = shaders;
+    desk.setFrameGraph(plan);
+    return precompile(set.gpu.renderer, () => desk.draw(plan, of, set, () => {}));
   }
 }
 
 /** Is told that what was asked for at place `i` is there, and how it is read. */
-type Finished = (i: number, read: () => Promise<Preview>) => void;
+type OnPreview = (i: number, read: () => Promise<Preview>) => void;
 
 /** The targets and passes of previews of one size. */
-class Desk {
+class PreviewTargets {
   private readonly gpu: Gpu;
-  private readonly uniforms: Uniforms;
-  private readonly machine: PictureMachine;
+  private readonly uniforms: FrameUniforms;
+  private readonly frameRenderer: FrameRenderer;
   private readonly screen = dataTarget(1, UnsignedByteType);
   private readonly exposure = uniform(0);
-  private passes: PassBook;
-  private gauge: GaugeReader;
+  private passes: PassCache;
+  private lightMeter: LightMeter;
   private size = { width: 1, height: 1 };
   private uploads: readonly SceneUpload[] = [];
 
-  constructor(gpu: Gpu, uniforms: Uniforms) {
+  constructor(gpu: Gpu, uniforms: FrameUniforms) {
     this.gpu = gpu;
     this.uniforms = uniforms;
-    this.machine = new PictureMachine(gpu, uniforms);
-    this.passes = new PassBook(gpu.renderer);
-    this.gauge = new GaugeReader(gpu, this.machine.buffer, uniforms);
+    this.frameRenderer = new FrameRenderer(gpu, uniforms);
+    this.passes = new PassCache(gpu.renderer);
+    this.lightMeter = new LightMeter(gpu, this.frameRenderer.buffer, uniforms);
   }
 
   /** Lets go of the passes of scenes that are gone. */
   prepare({ width, height }: Size, uploads: readonly SceneUpload[]): void {
-    for (const upload of this.uploads) if (!uploads.includes(upload)) this.machine.forget(upload);
+    for (const upload of this.uploads) if (!uploads.includes(upload)) this.frameRenderer.releaseScene(upload);
     this.uploads = uploads;
     if (width === this.size.width && height === this.size.height) return;
     this.size = { width, height };
-    this.machine.setSize(width, height);
+    this.frameRenderer.setSize(width, height);
     this.screen.setSize(width, height);
   }
 
   /** Plans of another shape have other targets, which passes read. */
-  begin(plan: Plan): void {
+  setFrameGraph(plan: FrameGraph): void {
     this.passes.dispose();
-    this.gauge.dispose();
-    this.passes = new PassBook(this.gpu.renderer);
-    this.gauge = new GaugeReader(this.gpu, this.machine.buffer, this.uniforms);
-    this.machine.compose(plan).develop(plan);
+    this.lightMeter.dispose();
+    this.passes = new PassCache(this.gpu.renderer);
+    this.lightMeter = new LightMeter(this.gpu, this.frameRenderer.buffer, this.uniforms);
+    this.frameRenderer.runnerFor(plan).updateStills(plan);
   }
 
-  draw(plan: Plan, of: readonly PreviewOf[], { staging, motifs }: Lent, finished: Finished): void {
-    const [first] = motifs;
+  draw(
+    plan: FrameGraph,
+    of: readonly PreviewRequest[],
+    { frameSetup, views }: RenderContext,
+    finished: OnPreview,
+  ): void {
+    const [first] = views;
     const { size } = this;
-    const settings = { ...first.settings, plan };
-    const sittingOf = (motif: typeof first, i: number): Sitting => ({
-      subject: { ...motif, settings: bufferSettings(settings, i) },
-      look: () => staging.look(motif, size),
+    const settings = { ...first.settings, frameGraph: plan };
+    const sittingOf = (motif: typeof first, i: number): BoundRenderView => ({
+      view: { ...motif, settings: bufferSettings(settings, i) },
+      bind: () => frameSetup.setView(motif, size),
     });
-    const [sitting, ...others] = motifs.map(sittingOf);
-    staging.look(first, size);
-    staging.jitter(CENTRE, size);
-    this.machine.draw([sitting, ...others], staging.camera, first.viewPoint.t, (step, image) => {
+    const [sitting, ...others] = views.map(sittingOf);
+    frameSetup.setView(first, size);
+    frameSetup.jitter(PIXEL_CENTER, size);
+    this.frameRenderer.draw([sitting, ...others], frameSetup.camera, first.viewPoint.t, (step, image) => {
       of.forEach((each, i) => {
         if (each.kind === 'image' && each.step === step) finished(i, this.image(image, each.exposure));
-        if (each.kind === 'luminance' && each.step === step) finished(i, () => this.luminance(image, first.sight.c));
+        if (each.kind === 'luminance' && each.step === step)
+          finished(i, () => this.luminance(image, first.observation.c));
       });
     });
     of.forEach((each, i) => {
@@ -152,35 +163,35 @@ class Desk {
   }
 
   dispose(): void {
-    for (const held of [this.machine, this.passes, this.gauge, this.screen]) held.dispose();
+    for (const held of [this.frameRenderer, this.passes, this.lightMeter, this.screen]) held.dispose();
   }
 
   private image({ texture }: RenderTarget, exposure: number | undefined): () => Promise<Preview> {
     const tone = exposure === undefined ? 'linear' : 'neutral';
     this.exposure.value = exposure ?? 0;
-    return this.shown(`${tone} ${texture.id}`, () =>
-      Fn(() => vec4(encode(toneMaps[tone](texelHere(texture).rgb, this.exposure)), 1))(),
+    return this.displayed(`${tone} ${texture.id}`, () =>
+      Fn(() => vec4(encodeSrgb(toneMaps[tone](texelHere(texture).rgb, this.exposure)), 1))(),
     );
   }
 
   private albedo(buffer: number): () => Promise<Preview> {
-    const { machine } = this;
-    const texel = (name: 'base' | 'object'): Texture => machine.bufferOf(buffer).texture(name);
-    return this.shown(`albedo ${buffer}`, () =>
+    const { frameRenderer } = this;
+    const texel = (name: 'base' | 'object'): Texture => frameRenderer.bufferOf(buffer).texture(name);
+    return this.displayed(`albedo ${buffer}`, () =>
       Fn(() => {
         const there = texelHere(texel('object')).x.greaterThan(0.5);
-        return select(there, vec4(encode(texelHere(texel('base')).rgb), 1), vec4(0));
+        return select(there, vec4(encodeSrgb(texelHere(texel('base')).rgb), 1), vec4(0));
       })(),
     );
   }
 
-  private shown(name: string, output: () => Vec4): () => Promise<Preview> {
+  private displayed(name: string, output: () => Vec4): () => Promise<Preview> {
     this.passes.run(name, output, this.screen);
     return () => readBytes(this.gpu, this.screen, { x: 0, y: 0, ...this.size });
   }
 
   private async luminance(image: RenderTarget, c: number): Promise<Preview> {
-    const { luminance } = await this.gauge.read(image.texture, image.width, image.height, c);
+    const { luminance } = await this.lightMeter.measure(image.texture, image.width, image.height, c);
     return luminance;
   }
 }

@@ -1,57 +1,57 @@
-import type { Gauge } from '../scene/gauge.ts';
-import { bufferSettings, shapeOf } from '../scene/plan.ts';
+import { bufferSettings, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../scene/view.ts';
-import type { PictureMaker } from './api.ts';
-import { type Gpu, openGpu } from './device.ts';
-import { paletteOf } from './palette.ts';
-import { PictureMachine } from './picture.ts';
-import { type Region, readBytes, readData, readFloats, readSurfaceAt } from './readback.ts';
-import { rehearse } from './rehearsal.ts';
-import { CENTRE, gridPlaces, type SamplePlace, wanderingPlace } from './samplePlaces.ts';
+import type { LightMeterReadings } from '../scene/view/metering.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
+import type { RasterRenderer } from './api.ts';
+import { colorVariantOf } from './color/colorPipelines.ts';
+import { FrameRenderer } from './frameRenderer.ts';
+import { FrameSetup, type RenderView, renderViewOf, spacetimeProjectionOf } from './frameSetup.ts';
+import { type Region, readBytes, readData, readFloats, readSurfaceAt } from './gbuffer/readback.ts';
+import type { Observation } from './geometry/observation.ts';
+import { type Gpu, openGpu } from './gpu/device.ts';
+import { precompile } from './gpu/precompile.ts';
+import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
+import { gridPositions, haltonPosition, PIXEL_CENTER, type SamplePosition } from './post/resolve/pixelSamples.ts';
 import { SceneUpload } from './sceneUpload.ts';
+import { SceneUploads } from './sceneUploads.ts';
 import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
-import type { Sight } from './sight.ts';
-import type { Way } from './smoothing.ts';
-import { type Motif, motifOf, projectionOf, Staging } from './staging.ts';
-import { Uploads } from './uploads.ts';
 
 /** Of so many samples a picture is better than one that was smoothed otherwise. */
-const WORTHWHILE = 8;
+const MIN_MEAN_SAMPLES = 8;
 
 /** All that a picture is made of: its G-buffers, that of the settings first. */
-type Motifs = readonly [Motif, ...Motif[]];
+type RenderViews = readonly [RenderView, ...RenderView[]];
 
 /** What others may make pictures of, as long as they are lent it. */
-export interface Lent {
+export interface RenderContext {
   readonly gpu: Gpu;
-  readonly staging: Staging;
-  readonly motifs: Motifs;
+  readonly frameSetup: FrameSetup;
+  readonly views: RenderViews;
 }
 
 /** Makes pictures of a scene for a page, a command line or a benchmark; see api.ts. */
-export class SceneRenderer implements PictureMaker {
+export class SceneRenderer implements RasterRenderer {
   private readonly gpu: Gpu;
-  private readonly staging = new Staging();
-  private readonly machine: PictureMachine;
+  private readonly frameSetup = new FrameSetup();
+  private readonly frameRenderer: FrameRenderer;
   private readonly toCanvas: boolean;
-  private readonly uploads: Uploads;
+  private readonly uploads: SceneUploads;
   /** What pictures have been drawn with, or can be at once. */
   private readonly compiled = new Set<string>();
-  private preparing: Promise<void> | undefined;
-  private taken: Sight | undefined;
+  private precompiling: Promise<void> | undefined;
+  private lastObservation: Observation | undefined;
   /** Of the last picture, and of the next one: the size changes when that is made, for a canvas of a new size is empty. */
   private size = { width: 1, height: 1 };
-  private wanted = this.size;
-  private made: Motifs | undefined;
+  private requestedSize = this.size;
+  private lastViews: RenderViews | undefined;
   /** What uniforms, tables and shadow maps are of. */
-  private staged: Motifs | undefined;
+  private preparedViews: RenderViews | undefined;
   /** Samples of the last picture that `refine` has added. */
-  private added = 0;
+  private addedSamples = 0;
   /** The G-buffer and the light are those of the pixels' centres. */
-  private settled = true;
-  private pictures = 0;
-  private drawn = { objectsDrawn: 0, milliseconds: 0 };
+  private isPixelCentered = true;
+  private frameCount = 0;
+  private lastDraw = { objectsDrawn: 0, milliseconds: 0 };
 
   static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
     return new SceneRenderer(await openGpu(options), options);
@@ -60,26 +60,34 @@ export class SceneRenderer implements PictureMaker {
   private constructor(gpu: Gpu, options: RendererOptions) {
     this.gpu = gpu;
     this.toCanvas = options.canvas !== undefined;
-    const { uniforms } = this.staging;
-    this.machine = new PictureMachine(gpu, uniforms);
-    this.uploads = new Uploads(
+    const { uniforms } = this.frameSetup;
+    this.frameRenderer = new FrameRenderer(gpu, uniforms);
+    this.uploads = new SceneUploads(
       (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options),
       (upload) => {
-        this.made = undefined;
-        this.staged = undefined;
-        this.machine.forget(upload);
+        this.lastViews = undefined;
+        this.preparedViews = undefined;
+        this.frameRenderer.releaseScene(upload);
       },
     );
   }
 
   get info(): RendererInfo {
-    const { drawn, gpu, uploads } = this;
+    const { lastDraw: drawn, gpu, uploads } = this;
     const { first } = uploads;
-    const triangles = first?.refiner.triangles ?? 0;
-    const tolerance = first?.refiner.toleranceReached ?? 0;
+    const triangles = first?.tessellator.triangleCount ?? 0;
+    const tolerance = first?.tessellator.achievedTolerance ?? 0;
     const waiting = !uploads.isComplete;
-    const { backend, largest } = gpu;
-    return { backend, largest, objects: first?.bodies.length ?? 0, triangles, tolerance, waiting, ...drawn };
+    const { backend, maxTextureSize: largest } = gpu;
+    return {
+      backend,
+      maxTextureSize: largest,
+      objects: first?.bodies.length ?? 0,
+      triangles,
+      tolerance,
+      waiting,
+      ...drawn,
+    };
   }
   get width(): number {
     return this.size.width;
@@ -93,229 +101,244 @@ export class SceneRenderer implements PictureMaker {
   }
 
   setSize(width: number, height: number): void {
-    this.wanted = { width: Math.max(1, Math.round(width)), height: Math.max(1, Math.round(height)) };
-    if (!this.taken) this.resize();
+    this.requestedSize = { width: Math.max(1, Math.round(width)), height: Math.max(1, Math.round(height)) };
+    if (!this.lastObservation) this.resize();
   }
 
   private resize(): void {
-    const { width, height } = this.wanted;
+    const { width, height } = this.requestedSize;
     if (width === this.width && height === this.height) return;
-    this.size = this.wanted;
+    this.size = this.requestedSize;
     this.gpu.renderer.setSize(width, height, false);
-    this.machine.setSize(width, height);
-    this.taken = undefined;
+    this.frameRenderer.setSize(width, height);
+    this.lastObservation = undefined;
   }
 
-  prepare(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): Promise<void> | undefined {
+  precompile(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): Promise<void> | undefined {
     const { uploads } = this;
     // With another speed of light it may be another upload's turn.
     if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
-    const way = wayOf(settings, sampling);
-    if (this.compiled.has(shadersOf(settings, way, uploads.of(settings)))) return undefined;
-    this.preparing ??= this.compile(viewPoint, settings, way).finally(() => {
-      this.preparing = undefined;
+    const way = antialiasingModeOf(settings, sampling);
+    if (this.compiled.has(shaderKey(settings, way, uploads.of(settings)))) return undefined;
+    this.precompiling ??= this.compile(viewPoint, settings, way).finally(() => {
+      this.precompiling = undefined;
     });
-    return this.preparing;
+    return this.precompiling;
   }
 
-  private async compile(viewPoint: ViewPoint, settings: RenderSettings, way: Way): Promise<void> {
-    const motifs = this.motifsOf(viewPoint, settings);
-    if (!motifs || !this.stage(motifs)) return;
+  private async compile(viewPoint: ViewPoint, settings: RenderSettings, way: AntialiasingMode): Promise<void> {
+    const motifs = this.viewsOf(viewPoint, settings);
+    if (!motifs || !this.prepareFrame(motifs)) return;
     const draw = (): void => {
-      this.draw(motifs, CENTRE);
-      this.machine.rehearse(way, motifs[0].projection, this.toCanvas ? 'canvas' : 'screen');
+      this.draw(motifs, PIXEL_CENTER);
+      this.frameRenderer.runDisplayPasses(way, motifs[0].projection, this.toCanvas ? 'canvas' : 'screen');
     };
-    const shaders = shadersOf(settings, way, this.uploads.of(settings));
+    const shaders = shaderKey(settings, way, this.uploads.of(settings));
     // Whatever comes of it: a shader that cannot be compiled is told of when it is to be drawn with.
-    await rehearse(this.gpu.renderer, draw).finally(() => this.compiled.add(shaders));
+    await precompile(this.gpu.renderer, draw).finally(() => this.compiled.add(shaders));
   }
 
   render(viewPoint: ViewPoint, settings: RenderSettings, sampling: Sampling = 1): void {
     const began = performance.now();
-    const motifs = this.motifsOf(viewPoint, settings);
-    const seen = motifs && this.stage(motifs, () => this.resize());
+    const motifs = this.viewsOf(viewPoint, settings);
+    const seen = motifs && this.prepareFrame(motifs, () => this.resize());
     if (!motifs || !seen) return;
-    const [{ upload, sight }] = motifs;
-    this.made = motifs;
-    this.added = 0;
-    const way = wayOf(settings, sampling);
-    if (way === 'followed') this.follow(motifs);
+    const [{ upload, observation }] = motifs;
+    this.lastViews = motifs;
+    this.addedSamples = 0;
+    const way = antialiasingModeOf(settings, sampling);
+    if (way === 'followed') this.drawTemporal(motifs);
     else this.drawSamples(motifs, way === 'mean' ? Number(sampling) : 1);
-    if (this.toCanvas) this.machine.present('canvas');
-    this.taken = sight;
-    this.drawn = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
-    this.compiled.add(shadersOf(settings, way, this.uploads.of(settings)));
+    if (this.toCanvas) this.frameRenderer.present('canvas');
+    this.lastObservation = observation;
+    this.lastDraw = { objectsDrawn: seen.filter(Boolean).length, milliseconds: performance.now() - began };
+    this.compiled.add(shaderKey(settings, way, this.uploads.of(settings)));
     // While a picture is being compiled, its G-buffers are.
-    if (!this.preparing) this.uploads.keep(motifs.length);
+    if (!this.precompiling) this.uploads.trim(motifs.length);
     // What was let go of is not of this picture: that can be drawn again.
-    this.made = motifs;
-    if (this.toCanvas) upload.refiner.countSometimes();
+    this.lastViews = motifs;
+    if (this.toCanvas) upload.tessellator.countPeriodically();
   }
 
-  private motifsOf(viewPoint: ViewPoint, settings: RenderSettings): Motifs | undefined {
+  private viewsOf(viewPoint: ViewPoint, settings: RenderSettings): RenderViews | undefined {
     const [first, ...others] = this.uploads
       .of(settings)
-      .map((upload, i) => motifOf(upload, viewPoint, bufferSettings(settings, i)));
+      .map((upload, i) => renderViewOf(upload, viewPoint, bufferSettings(settings, i)));
     return first && [first, ...others];
   }
 
   /** Puts everything in its place for a picture; tells which bodies of the first scene may be seen, or undefined where samples are still to come. */
-  private stage(motifs: Motifs, ready?: () => void): readonly boolean[] | undefined {
+  private prepareFrame(motifs: RenderViews, ready?: () => void): readonly boolean[] | undefined {
     const [{ settings, upload }] = motifs;
-    this.staged = undefined;
-    this.machine.look = { ...settings, starry: upload.stars !== undefined };
+    this.preparedViews = undefined;
+    this.frameRenderer.displayState = { ...settings, hasStars: upload.stars !== undefined };
     let seen: readonly boolean[] | undefined;
     // The first comes last: its uniforms stay.
     for (const motif of [...motifs].reverse()) {
-      seen = this.staging.stage(motif, this.wanted, ready);
+      seen = this.frameSetup.prepareFrame(motif, this.requestedSize, ready);
       if (!seen) return undefined;
     }
-    if (settings.plan) this.machine.compose(settings.plan).develop(settings.plan);
-    this.staged = motifs;
+    if (settings.frameGraph) this.frameRenderer.runnerFor(settings.frameGraph).updateStills(settings.frameGraph);
+    this.preparedViews = motifs;
     return seen;
   }
 
   /** Puts everything back in its place for the last picture, where another was staged since; tells whether it can be drawn again. */
-  private restage(): Motifs | undefined {
-    const { made, staged } = this;
-    return made && (staged === made || this.stage(made)) ? made : undefined;
+  private prepareLastFrame(): RenderViews | undefined {
+    const { lastViews: made, preparedViews } = this;
+    return made && (preparedViews === made || this.prepareFrame(made)) ? made : undefined;
   }
 
-  refine(n: number): boolean {
-    const { machine, added } = this;
+  accumulate(n: number): boolean {
+    const { frameRenderer, addedSamples } = this;
     const count = n * n;
-    if (added === count || machine.samples > 1 || !this.made || !isRefined(this.made[0].settings)) return false;
-    const made = this.restage();
+    if (
+      addedSamples === count ||
+      frameRenderer.samples > 1 ||
+      !this.lastViews ||
+      !isProgressive(this.lastViews[0].settings)
+    )
+      return false;
+    const made = this.prepareLastFrame();
     if (!made) return true;
-    this.sampleAt(made, gridPlaces(n)[added]);
-    this.added = added + 1;
-    machine.smoothing.add(added, count, machine.look, this.added >= Math.min(WORTHWHILE, count));
-    if (this.toCanvas) machine.present('canvas');
-    return this.added < count;
+    this.drawSample(made, gridPositions(n)[addedSamples]);
+    this.addedSamples = addedSamples + 1;
+    frameRenderer.antialiasing.addSample(
+      addedSamples,
+      count,
+      frameRenderer.displayState,
+      this.addedSamples >= Math.min(MIN_MEAN_SAMPLES, count),
+    );
+    if (this.toCanvas) frameRenderer.present('canvas');
+    return this.addedSamples < count;
   }
 
   /** n × n samples per pixel. */
-  private drawSamples(motifs: Motifs, n: number): void {
-    const { machine } = this;
-    machine.samples = n * n;
-    for (const [i, place] of gridPlaces(n).entries()) {
-      this.sampleAt(motifs, place);
-      if (n > 1) machine.smoothing.add(i, n * n, machine.look, true);
+  private drawSamples(motifs: RenderViews, n: number): void {
+    const { frameRenderer } = this;
+    frameRenderer.samples = n * n;
+    for (const [i, place] of gridPositions(n).entries()) {
+      this.drawSample(motifs, place);
+      if (n > 1) frameRenderer.antialiasing.addSample(i, n * n, frameRenderer.displayState, true);
     }
-    if (machine.look.falseColors) this.settle();
-    else if (n === 1) machine.smoothing.take(machine.look);
+    if (frameRenderer.displayState.falseColors) this.drawPixelCenters();
+    else if (n === 1) frameRenderer.antialiasing.resolveSingle(frameRenderer.displayState);
   }
 
   /** One sample, and what is left of the pictures before. */
-  private follow(motifs: Motifs): void {
-    const { machine } = this;
-    machine.samples = 1;
-    this.sampleAt(motifs, wanderingPlace(this.pictures++));
-    machine.smoothing.follow(machine.look, { ...motifs[0], aspect: this.width / this.height });
+  private drawTemporal(motifs: RenderViews): void {
+    const { frameRenderer } = this;
+    frameRenderer.samples = 1;
+    this.drawSample(motifs, haltonPosition(this.frameCount++));
+    frameRenderer.antialiasing.resolveTemporal(frameRenderer.displayState, {
+      ...motifs[0],
+      aspect: this.width / this.height,
+    });
   }
 
-  private sampleAt(motifs: Motifs, place: SamplePlace): void {
+  private drawSample(motifs: RenderViews, place: SamplePosition): void {
     this.draw(motifs, place);
-    this.settled = place[0] === 0 && place[1] === 0;
+    this.isPixelCentered = place[0] === 0 && place[1] === 0;
   }
 
   /** Draws what is staged with its samples at one place of their pixels. */
-  private draw([first, ...others]: Motifs, place: SamplePlace): void {
-    const { staging, size } = this;
-    staging.jitter(place, size);
-    const sitting = (motif: Motif) => ({ subject: motif, look: () => staging.look(motif, size) });
-    this.machine.draw([sitting(first), ...others.map(sitting)], staging.camera, first.viewPoint.t);
+  private draw([first, ...others]: RenderViews, place: SamplePosition): void {
+    const { frameSetup, size } = this;
+    frameSetup.jitter(place, size);
+    const bound = (view: RenderView) => ({ view, bind: () => frameSetup.setView(view, size) });
+    this.frameRenderer.draw([bound(first), ...others.map(bound)], frameSetup.camera, first.viewPoint.t);
   }
 
   /** Numbers are of the pixels' centres, and never a mean. */
-  private settle(): void {
-    const made = this.settled ? undefined : this.restage();
-    if (made) this.sampleAt(made, CENTRE);
+  private drawPixelCenters(): void {
+    const made = this.isPixelCentered ? undefined : this.prepareLastFrame();
+    if (made) this.drawSample(made, PIXEL_CENTER);
   }
 
   async readPixels(): Promise<Uint8Array> {
-    await this.uploads.first?.refiner.count();
-    this.restage();
-    return readBytes(this.gpu, this.machine.present('screen'), this.whole());
+    await this.uploads.first?.tessellator.count();
+    this.prepareLastFrame();
+    return readBytes(this.gpu, this.frameRenderer.present('screen'), this.wholeRegion());
   }
 
   async readAov(name: AovName): Promise<Float32Array> {
-    this.settle();
-    if (name !== 'beauty') return readData(this.gpu, this.machine, name, this.picture(), this.whole());
-    const { target, index } = this.machine.beauty();
-    return withoutAlpha(await readFloats(this.gpu, target, index, this.whole()));
+    this.drawPixelCenters();
+    if (name !== 'beauty')
+      return readData(this.gpu, this.frameRenderer, name, this.requireObservation(), this.wholeRegion());
+    const { target, index } = this.frameRenderer.beauty();
+    return withoutAlpha(await readFloats(this.gpu, target, index, this.wholeRegion()));
   }
 
   async pick(x: number, y: number): Promise<PickResult | undefined> {
     const inside = x >= 0 && y >= 0 && x < this.width && y < this.height;
-    const { taken } = this;
+    const { lastObservation: taken } = this;
     const upload = this.uploads.first;
     if (!inside || !upload || !taken) return undefined;
-    this.settle();
+    this.drawPixelCenters();
     const pathOf = (id: number) => upload.bodies[id - 1].object.path;
     const [column, row] = [Math.floor(x), Math.floor(y)];
-    const { target, index } = this.machine.beauty();
+    const { target, index } = this.frameRenderer.beauty();
     const [light, surface] = await Promise.all([
       readFloats(this.gpu, target, index, { x: column, y: row, width: 1, height: 1 }),
-      readSurfaceAt(this.gpu, this.machine, taken, pathOf, column, row),
+      readSurfaceAt(this.gpu, this.frameRenderer, taken, pathOf, column, row),
     ]);
     return { light: [light[0], light[1], light[2]], ...(surface && { surface }) };
   }
 
-  async gauge(): Promise<Gauge> {
-    this.settle();
-    return this.machine.measure(this.picture().c);
+  async measureLight(): Promise<LightMeterReadings> {
+    this.drawPixelCenters();
+    return this.frameRenderer.measureLight(this.requireObservation().c);
   }
 
   /**
    * Lends what the last picture was made of, all in its place, to who makes others of it on the same device (previews.ts); then everything is as it was.
    * Undefined where there is none.
    */
-  lend<Made>(use: (set: Lent) => Made): Made | undefined {
-    const { gpu, staging } = this;
-    const motifs = this.restage();
+  withLastView<Made>(use: (set: RenderContext) => Made): Made | undefined {
+    const { gpu, frameSetup } = this;
+    const motifs = this.prepareLastFrame();
     if (!motifs) return undefined;
     try {
-      return use({ gpu, staging, motifs });
+      return use({ gpu, frameSetup, views: motifs });
     } finally {
-      staging.look(motifs[0], this.size);
+      frameSetup.setView(motifs[0], this.size);
     }
   }
 
   dispose(): void {
-    this.uploads.keep(0);
-    this.machine.dispose();
+    this.uploads.trim(0);
+    this.frameRenderer.dispose();
     this.gpu.renderer.dispose();
   }
 
-  private picture(): Sight {
-    if (!this.taken) throw new Error('nothing has been rendered yet');
-    return this.taken;
+  private requireObservation(): Observation {
+    if (!this.lastObservation) throw new Error('nothing has been rendered yet');
+    return this.lastObservation;
   }
 
-  private whole(): Region {
+  private wholeRegion(): Region {
     return { x: 0, y: 0, width: this.width, height: this.height };
   }
 }
 
 /** Whether its pictures come to more samples while they rest: colours that stand for numbers never do. */
-const isRefined = ({ antialiasing, falseColors }: RenderSettings): boolean => antialiasing && !falseColors;
+const isProgressive = ({ antialiasing, falseColors }: RenderSettings): boolean => antialiasing && !falseColors;
 
-function wayOf(settings: RenderSettings, sampling: Sampling): Way {
-  if (sampling === 'temporal' && isRefined(settings)) return 'followed';
+function antialiasingModeOf(settings: RenderSettings, sampling: Sampling): AntialiasingMode {
+  if (sampling === 'temporal' && isProgressive(settings)) return 'followed';
   if (sampling !== 'temporal' && sampling > 1) return 'mean';
   return settings.antialiasing ? 'edges' : 'plain';
 }
 
 /** Names all the shaders that a picture takes. */
-function shadersOf(settings: RenderSettings, way: Way, uploads: readonly SceneUpload[]): string {
-  const { tone, grid, falseColors, shadows, occlusionRadius, plan } = settings;
+function shaderKey(settings: RenderSettings, way: AntialiasingMode, uploads: readonly SceneUpload[]): string {
+  const { tone, grid, falseColors, shadows, occlusionRadius, frameGraph } = settings;
   const buffers = uploads.map(({ serial, scene }, i) => {
     const own = bufferSettings(settings, i);
-    const { event, place } = projectionOf(own);
-    return [serial, event, place, paletteOf(own, scene)].join(' ');
+    const { event, place } = spacetimeProjectionOf(own);
+    return [serial, event, place, colorVariantOf(own, scene)].join(' ');
   });
-  const shape = plan && shapeOf(plan);
+  const shape = frameGraph && frameGraphStructure(frameGraph);
   return [...buffers, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind ?? way, shape].join(' ');
 }
 

@@ -1,30 +1,30 @@
 import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene } from 'three/webgpu';
-import { nightSkyOf } from '../scene/daylight.ts';
-import { isStreamed } from '../scene/points.ts';
+import { sceneNightSky } from '../scene/lights/sceneLights.ts';
+import { isStreamed } from '../scene/streaming/samplePoints.ts';
 import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
-import type { ColorMode } from '../scene/view.ts';
-import { HalfAtlas } from '../shaders/halfAtlas.ts';
-import { type Batch, type BatchArrays, type BatchTextures, makeBatches } from './batches.ts';
-import { type Body, makeBody } from './bodies.ts';
-import { ChannelPictures } from './channelPictures.ts';
-import type { Gpu } from './device.ts';
-import { type Drawable, disposeDrawable, makeDrawable } from './drawable.ts';
-import { Environment } from './environment.ts';
-import { FloatTable, type TablePart } from './floatTable.ts';
-import { Frame } from './frame.ts';
-import { PointStore } from './pointStore.ts';
-import { Refiner } from './refine/gpuRefiner.ts';
-import { SampleCourier } from './sampleCourier.ts';
+import type { ColorMode } from '../scene/view/view.ts';
+import { HalfAtlas } from '../shaders/tables/halfAtlas.ts';
+import { type DrawCall, disposeDrawCall, makeDrawCall } from './gbuffer/drawCall.ts';
+import { MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './gbuffer/surface.ts';
+import { type Batch, type BatchArrays, type BatchTextures, makeBatches } from './geometry/batches.ts';
+import { type Body, makeBody } from './geometry/bodies.ts';
+import { ObjectTableWriter } from './geometry/objectTables.ts';
+import type { Observation } from './geometry/observation.ts';
+import { PointStore } from './geometry/pointSamples/pointStore.ts';
+import { SampleLoader } from './geometry/pointSamples/sampleLoader.ts';
+import { indexedVertex } from './geometry/vertexInput.ts';
+import { isSampledAtRest, sceneRadius, worldObjects } from './geometry/worldObjects.ts';
+import { ChannelPacker } from './gpu/channelPacking.ts';
+import type { Gpu } from './gpu/device.ts';
+import { FloatTable, type TablePart } from './gpu/floatTable.ts';
+import type { FrameUniforms } from './gpu/frameUniforms.ts';
+import { textureKey, uploadTexture } from './gpu/textures.ts';
+import { Environment } from './lights/environment.ts';
 import type { RendererOptions } from './settings.ts';
-import { DETAILS } from './shadows/detail.ts';
+import { StarPoints } from './shading/starPoints.ts';
+import { SHADOW_DETAILS } from './shadows/shadowDetail.ts';
 import { ShadowMaps } from './shadows/shadowMaps.ts';
-import type { Sight } from './sight.ts';
-import { StarPoints } from './starPoints.ts';
-import { MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './surface.ts';
-import { textureKey, uploadTexture } from './textures.ts';
-import type { Uniforms } from './uniforms.ts';
-import { indexedVertex } from './vertexInput.ts';
-import { isSampledAtRest, radiusOf, worldObjects } from './worldObjects.ts';
+import { Tessellator } from './tessellation/tessellator.ts';
 
 let uploads = 0;
 
@@ -38,11 +38,11 @@ export class SceneUpload {
   readonly dependsOnSpeedOfLight: boolean;
   readonly bodies: readonly Body[];
   /** First one for every batch, then those of their pieces, as they are made. */
-  readonly drawables: Drawable[] = [];
-  readonly refiner: Refiner;
+  readonly drawCalls: DrawCall[] = [];
+  readonly tessellator: Tessellator;
   readonly environment: Environment;
   readonly stars: StarPoints | undefined;
-  readonly frame: Frame;
+  readonly objectWriter: ObjectTableWriter;
   readonly shadows: ShadowMaps;
   readonly opaque = new ThreeScene();
   readonly transparent = new ThreeScene();
@@ -57,21 +57,21 @@ export class SceneUpload {
   /** Of meshes that many wear (vertexInput.ts). */
   private readonly instances = new FloatTable(256);
   private readonly points = new Map<number, PointStore>();
-  private readonly channels = new ChannelPictures();
+  private readonly channelPacker = new ChannelPacker();
   private readonly textures = new Map<string, DataTexture>();
-  private courier: SampleCourier | undefined;
+  private sampleLoader: SampleLoader | undefined;
 
-  constructor(scene: Scene, speedOfLight: number, uniforms: Uniforms, gpu: Gpu, options: RendererOptions) {
+  constructor(scene: Scene, speedOfLight: number, uniforms: FrameUniforms, gpu: Gpu, options: RendererOptions) {
     this.scene = scene;
     this.speedOfLight = speedOfLight;
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
     this.bodies = worldObjects(scene, speedOfLight).map((object, i) => makeBody(object, i + 1));
-    this.radius = radiusOf(this.bodies);
+    this.radius = sceneRadius(this.bodies);
     this.materials = this.table.part(scene.materials.length * MATERIAL_TEXELS);
     this.environment = new Environment(scene, this.table, this.atlas);
-    const night = nightSkyOf(scene);
+    const night = sceneNightSky(scene);
     this.stars = night && new StarPoints(night, uniforms, gpu.renderer.reversedDepthBuffer);
-    this.frame = new Frame({ objects: this.objects, samples: this.samples, points: this.points });
+    this.objectWriter = new ObjectTableWriter({ objects: this.objects, samples: this.samples, points: this.points });
     for (const { id, object } of this.bodies)
       if (object.motion.kind === 'sampled-points')
         this.points.set(id, this.pointStore(object.motion, object.mesh.normals, gpu, options));
@@ -80,19 +80,19 @@ export class SceneUpload {
     this.fillInstances(batches);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
     // Before the refiner: these draw the batches whole.
-    const { bodies, drawables, points } = this;
-    const detail = DETAILS[options.shadowDetail ?? 'fine'];
+    const { bodies, drawCalls, points } = this;
+    const detail = SHADOW_DETAILS[options.shadowDetail ?? 'fine'];
     const { radius } = this;
-    const occluders = { bodies, drawables: [...drawables], materials: scene.materials, points, detail, radius };
+    const occluders = { bodies, drawables: [...drawCalls], materials: scene.materials, points, detail, radius };
     this.shadows = new ShadowMaps(occluders, this.environment, gpu);
-    this.refiner = new Refiner(gpu, [...this.drawables], (drawable) => this.add(drawable), options);
+    this.tessellator = new Tessellator(gpu, [...this.drawCalls], (drawable) => this.add(drawable), options);
   }
 
   dispose(): void {
-    this.drawables.forEach(disposeDrawable);
-    this.refiner.dispose();
+    this.drawCalls.forEach(disposeDrawCall);
+    this.tessellator.dispose();
     this.shadows.dispose();
-    this.courier?.dispose();
+    this.sampleLoader?.dispose();
     for (const store of this.points.values()) store.dispose();
     for (const image of this.textures.values()) image.dispose();
     for (const table of [this.objects, this.samples, this.table, this.instances]) table.dispose();
@@ -107,16 +107,16 @@ export class SceneUpload {
     gpu: Gpu,
     options: RendererOptions,
   ): PointStore {
-    const { sampleWorker, pointTexels: texels } = options;
+    const { sampleWorker, maxPointTexels: texels } = options;
     if (!sampleWorker || !isStreamed(motion.points))
-      return new PointStore(motion, meshNormals, gpu.renderer, { texels });
-    this.courier ??= new SampleCourier(sampleWorker(), options);
-    const samples = this.courier.samplesOf(motion.points);
-    return new PointStore(motion, meshNormals, gpu.renderer, { texels, samples });
+      return new PointStore(motion, meshNormals, gpu.renderer, { maxTexels: texels });
+    this.sampleLoader ??= new SampleLoader(sampleWorker(), options);
+    const samples = this.sampleLoader.samplesOf(motion.points);
+    return new PointStore(motion, meshNormals, gpu.renderer, { maxTexels: texels, samples });
   }
 
   /** Puts lights where they are for an observer, who sees their colours in one of two ways. */
-  light(sight: Sight, colors: ColorMode): void {
+  updateLights(sight: Observation, colors: ColorMode): void {
     this.environment.update(sight, colors);
     this.table.upload();
   }
@@ -129,7 +129,7 @@ export class SceneUpload {
   }
 
   private fillInstances(batches: readonly Batch[]): void {
-    for (const { bodies, worn } of batches) {
+    for (const { bodies, instancing: worn } of batches) {
       if (!worn) continue;
       this.instances.reserve(worn.first + bodies.length);
       bodies.forEach(({ id }, i) => {
@@ -139,16 +139,16 @@ export class SceneUpload {
     this.instances.upload();
   }
 
-  private add(drawable: Drawable): void {
-    this.drawables.push(drawable);
+  private add(drawable: DrawCall): void {
+    this.drawCalls.push(drawable);
     (drawable.batch.transparent ? this.transparent : this.opaque).add(drawable.mesh);
   }
 
-  private drawBatch(batch: Batch, uniforms: Uniforms): Drawable {
+  private drawBatch(batch: Batch, uniforms: FrameUniforms): DrawCall {
     const points = batch.kind === 'sampled-points' ? this.points.get(batch.bodies[0].id) : undefined;
     const colored = batch.arrays.colors !== undefined;
-    const instances = batch.worn ? this.instances : undefined;
-    return makeDrawable(makeGeometry(batch.arrays), {
+    const instances = batch.instancing ? this.instances : undefined;
+    return makeDrawCall(makeGeometry(batch.arrays), {
       batch,
       vertex: {
         kind: batch.kind,
@@ -163,14 +163,14 @@ export class SceneUpload {
         materials: this.materials,
         uniforms,
         colored,
-        textures: this.pictures(batch.textures),
+        textures: this.surfaceTextures(batch.textures),
       },
     });
   }
 
-  private pictures(of: BatchTextures): SurfaceTextures {
+  private surfaceTextures(of: BatchTextures): SurfaceTextures {
     const { baseColorTexture, emissiveTexture, normalTexture } = of;
-    const channels = this.channels.gathered({
+    const channels = this.channelPacker.pack({
       ...(of.roughnessTexture && { roughness: of.roughnessTexture }),
       ...(of.metallicTexture && { metallic: of.metallicTexture }),
       ...(of.occlusionTexture && { occlusion: of.occlusionTexture }),

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../math/vec3.ts';
-import type { DetailName } from './shadows/detail.ts';
+import type { ShadowDetailName } from './shadows/shadowDetail.ts';
 
 /** What is seen in one pixel. */
 export interface PickResult {
@@ -48,13 +48,13 @@ export interface RendererOptions {
    * Makes a worker that plans how edges are cut (`servePlans` of refine/planServer.ts), off the thread that draws: a picture is then drawn with the
    * plan of a moment ago, wherever that is nearly its own. Absent: plans are made while rendering.
    */
-  readonly planWorker?: () => Worker;
+  readonly tessellationWorker?: () => Worker;
   /** Called when the worker has a plan that fits the last picture better than its own: time to render it again. */
-  readonly onBetterPlan?: () => void;
+  readonly onBetterTessellation?: () => void;
   /** `coarse`: cheaper shadows, less sharp and of fewer moving things, for a software GPU; default `fine`. */
-  readonly shadowDetail?: DetailName;
+  readonly shadowDetail?: ShadowDetailName;
   /** Texels (16 bytes each) that the samples of one deforming mesh may take on the GPU; default 2²⁴. */
-  readonly pointTexels?: number;
+  readonly maxPointTexels?: number;
   /**
    * Makes a worker that reads samples which are left in files (`serveSamples` of sampleServer.ts), off the thread that draws: a picture for
    * which they have not come is not made, and the last one stays (`RendererInfo.waiting`). Absent: they are read while rendering.
@@ -63,7 +63,7 @@ export interface RendererOptions {
   /** Called when samples have come: where a picture waits, it is time to render it again. */
   readonly onSamples?: () => void;
   /** Called once when samples cannot be read any more: the file is gone or changed. The last picture stays. */
-  readonly onProblem?: (error: Error) => void;
+  readonly onError?: (error: Error) => void;
   /** Called once when the device or the context is lost; dispose this renderer and create another on a new canvas. */
   readonly onLost?: (reason: string) => void;
 }
@@ -75,7 +75,7 @@ export interface RendererInfo {
   /** How far the straight edges drawn in the last frame may be from the curves that are seen [px]; more than asked for where there would be too many. */
   readonly tolerance: number;
   /** As wide, and as high, as this device’s pictures can be [px]. */
-  readonly largest: number;
+  readonly maxTextureSize: number;
   readonly objectsDrawn: number;
   readonly objects: number;
   /** The last picture asked for was not made: samples of a deforming mesh are on their way. */

@@ -3,7 +3,7 @@ import { type Vec3, ZERO } from '../math/vec3.ts';
 import type { Lifetime, Material, Mesh, Motion, Pose, Scene, SceneObject, StaticMotion } from './types.ts';
 
 export const FOREVER: Lifetime = { birth: Number.NEGATIVE_INFINITY, death: Number.POSITIVE_INFINITY };
-export const ORIGIN: Pose = { position: ZERO, orientation: IDENTITY };
+export const IDENTITY_POSE: Pose = { position: ZERO, orientation: IDENTITY };
 
 /** At rest at `position` [m], not turned. */
 export const restingAt = (position: Vec3): StaticMotion => ({

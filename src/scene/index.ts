@@ -1,36 +1,36 @@
-export type { Box, Sphere } from './bounds.ts';
-export { boundingBox, boundingSphere, emissionWindow, objectBounds, sceneBounds } from './bounds.ts';
-export type { CameraView } from './camera.ts';
-export { framingCamera, lookAtOrientation, observerFromCamera } from './camera.ts';
-export { changeMotion, type MotionChange } from './change.ts';
-export { FOREVER, makeMaterial, makeObject, makeScene, ORIGIN, restingAt } from './defaults.ts';
-export type { FastestPoint } from './fastest.ts';
-export { fastest } from './fastest.ts';
-export { type Flight, fly } from './fly.ts';
-export type { BuiltMesh } from './geometry.ts';
-export { gatherPoints, makeMesh } from './geometry.ts';
-export { mergeMeshes, transformMesh, withMaterial } from './meshOps.ts';
+export type { BoundingBox, BoundingSphere } from './bounds/bounds.ts';
+export { boundingBox, boundingSphere, emissionWindow, objectBounds, sceneBounds } from './bounds/bounds.ts';
+export { FOREVER, IDENTITY_POSE, makeMaterial, makeObject, makeScene, restingAt } from './defaults.ts';
+export type { BuiltMesh } from './mesh/makeMesh.ts';
+export { gatherPoints, makeMesh } from './mesh/makeMesh.ts';
+export { mergeMeshes, transformMesh, withMaterial } from './mesh/meshOps.ts';
+export { cornerNormals, deformedNormals, smoothingGroups } from './mesh/normals.ts';
+export type { Polygons, PolygonValues } from './mesh/polygons.ts';
+export type { Axis, RoundOptions, SurfaceBand } from './mesh/primitives.ts';
+export { box, capsule, cone, cylinder, grid, plane, revolve, sphere, torus } from './mesh/primitives.ts';
+export type { FastestVertex } from './motion/fastestVertex.ts';
+export { fastestVertex } from './motion/fastestVertex.ts';
+export { type Flight, fly } from './motion/fly.ts';
 export {
   bornRigidAcceleration,
-  originLine,
+  originWorldLine,
   poseAt,
   samplePose,
   vertexPosition,
   vertexPositions,
   vertexWorldLine,
-} from './motion.ts';
-export { cornerNormals, deformedNormals, smoothingGroups } from './normals.ts';
-export type { Polygons, PolygonValues } from './polygons.ts';
-export type { Axis, Band, RoundOptions } from './primitives.ts';
-export { box, capsule, cone, cylinder, grid, plane, revolve, sphere, torus } from './primitives.ts';
-export type { ProbeObserver, VertexProbe } from './probe.ts';
-export { probeVertex, probeVertices } from './probe.ts';
-export type { Samples } from './resample.ts';
-export { resampleRotation, restToWorld, sampleMotion } from './resample.ts';
-export { retime, type Timing } from './retime.ts';
+} from './motion/motion.ts';
+export { changeMotion, type MotionChange } from './motion/motionChange.ts';
+export type { PoseSamples } from './motion/resample.ts';
+export { resampleRotation, restToWorld, sampleMotion } from './motion/resample.ts';
+export { retime, type Timing } from './motion/retime.ts';
 export type * from './types.ts';
 export { InputError } from './types.ts';
-export { validate } from './validate.ts';
+export { validate } from './validation/validate.ts';
+export type { CameraState } from './view/camera.ts';
+export { framingCamera, lookAtOrientation, observerFromCamera } from './view/camera.ts';
+export type { ProbeObserver, VertexProbe } from './view/probe.ts';
+export { probeVertex, probeVertices } from './view/probe.ts';
 export {
   AOVS,
   type AovInfo,
@@ -40,4 +40,4 @@ export {
   type Solver,
   type View,
   type ViewPoint,
-} from './view.ts';
+} from './view/view.ts';

@@ -1,9 +1,9 @@
 import type { Quat } from '../math/quat.ts';
 import type { Vec3 } from '../math/vec3.ts';
-import type { LightSpectrum } from '../spectrum/lightSpectrum.ts';
-import type { Reflectance } from '../spectrum/measured.ts';
+import type { MeasuredReflectance } from '../spectrum/reflectance/measuredReflectance.ts';
+import type { LightSpectrum } from '../spectrum/sources/lightSpectrum.ts';
 import type { Stars } from './stars/brightStars.ts';
-import type { StreamedPoints } from './streamedPoints.ts';
+import type { StreamedPoints } from './streaming/streamedPoints.ts';
 
 /**
  * What is observed. Everything is in the world frame (the inertial frame the scene is authored in), in SI:
@@ -102,10 +102,10 @@ export interface Pose {
 }
 
 /** How an object's frame, or each of its points, moves through the world. */
-export type Motion = FrameMotion | SampledPointsMotion;
+export type Motion = RigidMotion | SampledPointsMotion;
 
 /** How one frame moves through the world: of a rigid object, a light, a camera. */
-export type FrameMotion = StaticMotion | UniformMotion | HyperbolicMotion | SampledMotion;
+export type RigidMotion = StaticMotion | UniformMotion | HyperbolicMotion | SampledMotion;
 
 export interface StaticMotion {
   readonly kind: 'static';
@@ -151,15 +151,15 @@ export interface SampledPointsMotion {
   readonly origin: Vec3;
   /**
    * One array per sample, 3 per vertex, world-oriented, relative to `origin` [m]; or where to find them, where they are too
-   * many for memory. To be read with `pointsAt` (points.ts), which knows both.
+   * many for memory. To be read with `pointsAt` (samplePoints.ts), which knows both.
    */
   readonly points: readonly Float32Array[] | StreamedPoints;
   /**
    * Of every vertex at each sample, world-oriented [m/s], 3 per vertex: between samples it moves along the cubic with these (Hermite), or so much of
-   * it as stays slower than light (`bendOf`). Absent where it goes straight, as all that is left in files does.
+   * it as stays slower than light (`bendFactor`). Absent where it goes straight, as all that is left in files does.
    */
   readonly velocities?: readonly Float32Array[];
-  /** World-frame normals per sample, where they were given or could be computed; else from the mesh. To be read with `normalsAt`. */
+  /** World-frame normals per sample, where they were given or could be computed; else from the mesh. To be read with `vertexNormalsAt`. */
   readonly normals?: readonly Float32Array[];
 }
 
@@ -187,8 +187,8 @@ export interface Material {
   /** Share that it reflects of light below 360 nm and beyond 830 nm, 0 … 1; where absent, what the visible colour ends at. */
   readonly uv?: number;
   readonly ir?: number;
-  /** As it was measured; `baseColor`, `uv` and `ir` are then its bands (spectrum/reflectance.ts). Where a picture or colours of vertices paint it, these alone count. */
-  readonly reflectance?: Reflectance;
+  /** As it was measured; `baseColor`, `uv` and `ir` are then its bands (spectrum/color/filterOfReflectance.ts). Where a picture or colours of vertices paint it, these alone count. */
+  readonly reflectance?: MeasuredReflectance;
   /** Where a texture tells, `uv` and `ir` are their means. */
   readonly uvTexture?: TextureChannel;
   readonly irTexture?: TextureChannel;
@@ -229,20 +229,20 @@ export interface Texture {
   readonly wrapT: TextureWrap;
 }
 /** A picture of radiance, for what is brighter than white. */
-export interface RadiancePicture extends Omit<Texture, 'data'> {
+export interface RadianceTexture extends Omit<Texture, 'data'> {
   /** RGBA as halves, linear sRGB of 0 … 65504, rows from the top. */
   readonly data: Uint16Array;
 }
 /** Outside the picture; `black` is transparent too. */
 export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';
 
-export type Light = Luminary | NightSky;
+export type Light = SpectrumLight | NightSky;
 
 /** What shines with one colour and one spectrum. */
-export type Luminary = DistantLight | Lamp | DomeLight;
+export type SpectrumLight = DistantLight | LocalLight | DomeLight;
 
 /** What shines from somewhere, and may move. */
-export type Lamp = SphereLight | AreaLight;
+export type LocalLight = SphereLight | AreaLight;
 export type AreaLight = RectLight | DiskLight | CylinderLight;
 
 export interface DistantLight {
@@ -257,10 +257,10 @@ export interface DistantLight {
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
 }
-interface Shining {
+interface LocalLightBase {
   readonly path: string;
   /** Of its middle; its axes are the axes of its frame. */
-  readonly motion: FrameMotion;
+  readonly motion: RigidMotion;
   /** World times between which it shines [s]. */
   readonly lifetime: Lifetime;
   /** Linear sRGB in its own frame: the radiance L of its surface, the same in all directions of its front. */
@@ -270,26 +270,26 @@ interface Shining {
   /** Absent where it shines alike to all sides. */
   readonly shaping?: LightShaping;
 }
-export interface SphereLight extends Shining {
+export interface SphereLight extends LocalLightBase {
   readonly kind: 'sphere';
   /** In its own frame [m]. E = πL(radius/distance)²; of a point (radius 0) `color` is the intensity I, E = I/distance². */
   readonly radius: number;
 }
 /** A face in the XY plane of its frame, dark behind: it shines towards −Z. */
-export interface RectLight extends Shining {
+export interface RectLight extends LocalLightBase {
   readonly kind: 'rect';
   /** Along X and Y of its own frame [m]. */
   readonly width: number;
   readonly height: number;
 }
 /** The same, round. */
-export interface DiskLight extends Shining {
+export interface DiskLight extends LocalLightBase {
   readonly kind: 'disk';
   /** In its own frame [m]. */
   readonly radius: number;
 }
 /** The side of a tube along X of its frame; its caps are dark. */
-export interface CylinderLight extends Shining {
+export interface CylinderLight extends LocalLightBase {
   readonly kind: 'cylinder';
   /** In its own frame [m]. Of a line (radius 0) `color` is 2·radius·L: the intensity of a metre of it, seen from the side. */
   readonly radius: number;
@@ -312,8 +312,8 @@ export interface DomeLight {
   readonly spectrum?: LightSpectrum;
   /** It is brighter or darker at the horizon and below, `color` is that of the zenith; without this and a picture all directions are alike. */
   readonly gradient?: SkyGradient;
-  /** Of all directions, by latitude and longitude (panorama.ts). */
-  readonly texture?: Texture | RadiancePicture;
+  /** Of all directions, by latitude and longitude (latLong.ts). */
+  readonly texture?: Texture | RadianceTexture;
   /** The picture's axes → world axes; the same where absent. */
   readonly orientation?: Quat;
 }

@@ -1,27 +1,29 @@
-export { aberrate } from './aberrate.ts';
-export { apparentPosition } from './apparentPosition.ts';
-export { boost } from './boost.ts';
-export { cubicEmission } from './cubicEmission.ts';
-export { cubicPlace } from './cubicPlace.ts';
-export { cubicSlice } from './cubicSlice.ts';
-export { dopplerFactor } from './dopplerFactor.ts';
-export { dopplerTint } from './dopplerTint.ts';
-export { emitterDoppler } from './emitterDoppler.ts';
-export { glowColor } from './glowColor.ts';
-export { HalfAtlas, type HalfTable, type HalfTexels } from './halfAtlas.ts';
-export { hyperbolicEmission } from './hyperbolicEmission.ts';
-export { hyperbolicPlace } from './hyperbolicPlace.ts';
-export { hyperbolicSlice } from './hyperbolicSlice.ts';
-export { lineColor } from './lineColor.ts';
-export { newtonEmission } from './newtonEmission.ts';
-export { observerDoppler } from './observerDoppler.ts';
-export { observerTexels } from './observerTable.ts';
-export { ontoLightCone } from './ontoLightCone.ts';
-export { polylineEmission } from './polylineEmission.ts';
-export { polylinePlace } from './polylinePlace.ts';
-export { polylineSlice } from './polylineSlice.ts';
-export { simultaneousPosition } from './simultaneousPosition.ts';
-export { type SkyParts, skyParts } from './skyParts.ts';
+export { dopplerTint } from './color/dopplerTint.ts';
+export { glowColor } from './color/glowColor.ts';
+export { lineColor } from './color/lineColor.ts';
+export { type SkyParts, skyParts } from './color/skyParts.ts';
+export { toneMapAgx, toneMapLinear, toneMapNeutral } from './color/toneMap.ts';
+export { cubicEmission } from './emission/cubicEmission.ts';
+export { hyperbolicEmission } from './emission/hyperbolicEmission.ts';
+export { newtonEmission } from './emission/newtonEmission.ts';
+export { ontoLightCone } from './emission/ontoLightCone.ts';
+export { polylineEmission } from './emission/polylineEmission.ts';
+export { staticEmission } from './emission/staticEmission.ts';
+export { uniformEmission } from './emission/uniformEmission.ts';
+export { aberrate } from './kinematics/aberrate.ts';
+export { apparentPosition } from './kinematics/apparentPosition.ts';
+export { boost } from './kinematics/boost.ts';
+export { dopplerFactor } from './kinematics/dopplerFactor.ts';
+export { emitterDoppler } from './kinematics/emitterDoppler.ts';
+export { observerDoppler } from './kinematics/observerDoppler.ts';
+export { simultaneousPosition } from './kinematics/simultaneousPosition.ts';
+export { unaberrate } from './kinematics/unaberrate.ts';
+export { cubicSlice } from './simultaneity/cubicSlice.ts';
+export { hyperbolicSlice } from './simultaneity/hyperbolicSlice.ts';
+export { polylineSlice } from './simultaneity/polylineSlice.ts';
+export { uniformSlice } from './simultaneity/uniformSlice.ts';
+export { HalfAtlas, type HalfTable, type HalfTexels } from './tables/halfAtlas.ts';
+export { observerTexels } from './tables/observerTable.ts';
 export {
   type BandColors,
   coloredColors,
@@ -30,11 +32,9 @@ export {
   type SpectrumTable,
   spectrumTable,
   thermalColors,
-} from './spectrumTable.ts';
-export { staticEmission } from './staticEmission.ts';
-export { toneMapAgx, toneMapLinear, toneMapNeutral } from './toneMap.ts';
+} from './tables/spectrumTable.ts';
 export type { HyperbolicVertexEvent, SampleTable, VertexEvent, WorldLineAt } from './types.ts';
-export { unaberrate } from './unaberrate.ts';
-export { uniformEmission } from './uniformEmission.ts';
-export { uniformPlace } from './uniformPlace.ts';
-export { uniformSlice } from './uniformSlice.ts';
+export { cubicPlace } from './worldLines/cubicPlace.ts';
+export { hyperbolicPlace } from './worldLines/hyperbolicPlace.ts';
+export { polylinePlace } from './worldLines/polylinePlace.ts';
+export { uniformPlace } from './worldLines/uniformPlace.ts';

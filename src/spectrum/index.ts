@@ -1,10 +1,37 @@
-export { type Bands, bandsOf, basisAt, ENDS, reflectanceAt, WHITE } from './bands.ts';
-export { colorMatching, NANOMETRE, tristimulus, VISIBLE, WAVELENGTHS } from './cie1931.ts';
-export { daylightSpectrum } from './daylight.ts';
-export { columnOf, type DopplerTable, SHIFT_LIMIT, tableColor, tableTexel } from './dopplerTable.ts';
-export { dopplerTint } from './dopplerTint.ts';
-export { lightFilter } from './lightFilter.ts';
-export { LIGHT_PRESETS, type LightPreset } from './lightPresets.ts';
+export { blackbodyColor, glowColor } from './color/blackbodyColor.ts';
+export { lightFilter } from './color/lightFilter.ts';
+export {
+  colorOfSpectrum,
+  LUMINANCE_WEIGHTS,
+  observedColor,
+  toLinearSrgb,
+  XYZ_TO_RENDER_SRGB,
+} from './color/observerColor.ts';
+export { P3_TO_XYZ, SRGB_TO_P3, SRGB_TO_XYZ, XYZ_TO_P3, XYZ_TO_SRGB } from './display/rgbSpaces.ts';
+export { toneMap } from './display/toneMap.ts';
+export { columnOf, type DopplerTable, SHIFT_LIMIT, tableColor, tableTexel } from './doppler/dopplerTable.ts';
+export { dopplerTint } from './doppler/dopplerTint.ts';
+export {
+  type BlackbodyCurve,
+  blackbodyCurve,
+  blackbodyLuminance,
+  LUMINANCE_THETA,
+  MIDDLE_TEMPERATURE,
+  rowOf,
+  thermalTable,
+} from './doppler/thermalTable.ts';
+export { colorMatching, NANOMETRE, tristimulus, VISIBLE, WAVELENGTHS } from './observer/standardObserver.ts';
+export { MATERIAL_PRESETS, type MaterialPreset } from './reflectance/materialPresets.ts';
+export {
+  BASIS_ENDS,
+  basisAt,
+  filterFromRgb,
+  reflectanceAt,
+  type SpectralFilter,
+  WHITE_FILTER,
+} from './reflectance/spectralFilter.ts';
+export { daylightSpectrum } from './sources/daylight.ts';
+export { LIGHT_PRESETS, type LightPreset } from './sources/lightPresets.ts';
 export {
   DAYLIGHT,
   type LightSpectrum,
@@ -14,19 +41,5 @@ export {
   type SpectralLine,
   spectralRadiance,
   type ThermalSpectrum,
-} from './lightSpectrum.ts';
-export { MATERIAL_PRESETS, type MaterialPreset } from './materialPresets.ts';
-export { LUMINANCE, NORMALISER, seenColor, toLinearSrgb, whiteOf } from './observerColor.ts';
-export { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
-export { blackbodyColor, glowColor } from './planckian.ts';
-export { P3_TO_XYZ, SRGB_TO_P3, SRGB_TO_XYZ, XYZ_TO_P3, XYZ_TO_SRGB } from './rgbSpaces.ts';
-export {
-  type BlackbodyCurve,
-  blackbodyCurve,
-  LUMINANCE_THETA,
-  luminanceOf,
-  MIDDLE_TEMPERATURE,
-  rowOf,
-  thermalTable,
-} from './thermalTable.ts';
-export { toneMap } from './toneMap.ts';
+} from './sources/lightSpectrum.ts';
+export { logLuminance, logPlanck, SECOND_RADIATION } from './sources/planck.ts';

@@ -1,9 +1,9 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { type ExrChannel, writeExr } from '../../src/formats/exr.ts';
-import { decodeImage } from '../../src/formats/images.ts';
-import { encodePng } from '../../src/formats/png.ts';
+import { decodeImage } from '../../src/formats/image/decodeImage.ts';
+import { encodePng } from '../../src/formats/image/encodePng.ts';
+import { type ExrChannel, writeExr } from '../../src/formats/image/exr.ts';
 import { outputFolder, slowlight, slowlightJson } from './program.ts';
 
 const folder = outputFolder();

@@ -1,8 +1,8 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { hasUsdCore } from '../usdCore.ts';
-import { outcome, outputFolder, scene, slowlight, slowlightJson, startIn } from './program.ts';
+import { hasUsdCore } from '../support/pythonOracles.ts';
+import { outputFolder, programResult, scene, slowlight, slowlightJson, startIn } from './program.ts';
 
 const folder = outputFolder();
 const out = (name: string): string => join(folder, name);
@@ -56,7 +56,7 @@ test.runIf(hasUsdCore())('a binary USD is what the text is', async () => {
 
 test('without usd-core a binary USD is refused, and how to get it is told', async () => {
   const env = { ...process.env, SLOWLIGHT_PYTHON: join(folder, 'no-python') };
-  const { code, err } = await outcome(startIn(env, 'convert', scene('movers.usda'), out('f.usdc')));
+  const { code, err } = await programResult(startIn(env, 'convert', scene('movers.usda'), out('f.usdc')));
   expect(code).toBe(4);
   expect(err).toMatch(/pip install usd-core.*SLOWLIGHT_PYTHON.*\.usda or \.usdz/);
   expect(existsSync(out('f.usdc'))).toBe(false);

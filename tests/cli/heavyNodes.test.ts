@@ -1,9 +1,9 @@
 import { expect, it } from 'vitest';
-import type { heavyNodes } from '../../src/cli/heavyNodes.ts';
+import type { heavyNodes } from '../../src/cli/project/heavyNodes.ts';
 
 /** As built, for a thread starts from a file of its own. */
 const built = async (): Promise<{ heavyNodes: typeof heavyNodes }> =>
-  import(new URL('../../dist/lib/cli/heavyNodes.js', import.meta.url).href);
+  import(new URL('../../dist/lib/cli/project/heavyNodes.js', import.meta.url).href);
 
 it('a node is evaluated in a thread of Node’s', async () => {
   const run = (await built()).heavyNodes();

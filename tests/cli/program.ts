@@ -10,7 +10,7 @@ const scenes = fileURLToPath(new URL('scenes/', import.meta.url));
 
 export const scene = (name: string): string => join(scenes, name);
 
-export interface Outcome {
+export interface ProgramResult {
   /** Exit code; null where a signal ended it. */
   readonly code: number | null;
   readonly out: string;
@@ -25,7 +25,7 @@ export const startIn = (env: NodeJS.ProcessEnv, ...args: string[]): ChildProcess
   spawn(process.execPath, [bin, ...args], { stdio: ['ignore', 'pipe', 'pipe'], env });
 
 /** How a program that was started ends, with all it said. */
-export function outcome(child: ChildProcess): Promise<Outcome> {
+export function programResult(child: ChildProcess): Promise<ProgramResult> {
   let out = '';
   let err = '';
   child.stdout?.on('data', (chunk) => (out += chunk));
@@ -36,7 +36,7 @@ export function outcome(child: ChildProcess): Promise<Outcome> {
   });
 }
 
-export const slowlight = (...args: string[]): Promise<Outcome> => outcome(start(...args));
+export const slowlight = (...args: string[]): Promise<ProgramResult> => programResult(start(...args));
 
 /** Runs it, expects success and reads its JSON. */
 export async function slowlightJson<T>(...args: string[]): Promise<T> {
@@ -54,7 +54,7 @@ export function outputFolder(): string {
 
 /** Runs any other program and returns what it printed. */
 export async function ask(command: string, ...args: string[]): Promise<string> {
-  const { code, out, err } = await outcome(spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] }));
+  const { code, out, err } = await programResult(spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] }));
   if (code !== 0) throw new Error(`${command} ${args.join(' ')} ended with ${code}: ${err}`);
   return out;
 }

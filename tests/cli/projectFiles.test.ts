@@ -1,7 +1,7 @@
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { serializeDocument } from '../../src/graph/serialize.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import { add, build, connect, set } from '../support/graphKit.ts';
 import { outputFolder, scene, slowlight } from './program.ts';
 

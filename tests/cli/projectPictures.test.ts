@@ -1,9 +1,9 @@
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { serializeDocument } from '../../src/graph/serialize.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import { savingProject } from '../support/savingGraph.ts';
-import { ask, outcome, outputFolder, slowlight, slowlightJson, start } from './program.ts';
+import { ask, outputFolder, programResult, slowlight, slowlightJson, start } from './program.ts';
 
 const folder = outputFolder();
 const project = join(folder, 'passing.slowlight.json');
@@ -60,7 +60,7 @@ test('frames and light are written one by one, and what is said on the command l
 test('Ctrl-C leaves nothing half written', async () => {
   const here = into('stopped');
   const child = start('render', project, '--folder', here, '--pipeline', 'reference', '--set', 'film.to=200');
-  const ends = outcome(child);
+  const ends = programResult(child);
   while (!readdirSync(here).some((name) => name.includes('.partial'))) {
     await new Promise((resolve) => setTimeout(resolve, 50));
     expect(child.exitCode).toBeNull();

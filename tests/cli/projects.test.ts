@@ -2,11 +2,11 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { expect, test } from 'vitest';
 import { projects } from '../../examples/projects/index.ts';
-import { applyCommand } from '../../src/graph/commands.ts';
-import { parseDocument } from '../../src/graph/read.ts';
-import { serializeDocument } from '../../src/graph/serialize.ts';
-import { newProject } from '../../src/nodes/project.ts';
-import { packProject } from '../../src/nodes/projectArchive.ts';
+import { parseDocument } from '../../src/graph/document/parse.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
+import { applyCommand } from '../../src/graph/edits/commands.ts';
+import { packProjectArchive } from '../../src/nodes/project/projectArchive.ts';
+import { newProject } from '../../src/nodes/project/projectCommands.ts';
 import { outputFolder, scene, slowlight } from './program.ts';
 
 const folder = outputFolder();
@@ -63,7 +63,7 @@ test('an archive gives the picture of the project in it, with the files in it', 
   const document = parseDocument(readFileSync(projectOf('movers.usda', 'packed.slowlight.json'), 'utf8'));
   const named = applyCommand(document, { kind: 'set-param', node: 'read', param: 'source', value: 'movers.usda' });
   const files = new Map([['movers.usda', new Uint8Array(readFileSync(scene('movers.usda')))]]);
-  writeFileSync(at('packed.zip'), await packProject(named.document, files));
+  writeFileSync(at('packed.zip'), await packProjectArchive(named.document, files));
   const whole = projectOf(scene('movers.usda'), 'beside.slowlight.json');
   for (const [i, run] of [at('packed.zip'), whole].entries()) {
     const { code, err } = await slowlight('render', run, ...picture, '-o', at(`packed${i}.png`));

@@ -2,18 +2,18 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from 'vitest';
-import type { ExrImage } from '../../src/formats/exr.ts';
-import { readExr } from '../../src/formats/exrRead.ts';
-import { decodeImage } from '../../src/formats/images.ts';
-import { DEFAULT_LIGHT } from '../../src/reference/lightOptions.ts';
+import { decodeImage } from '../../src/formats/image/decodeImage.ts';
+import type { ExrImage } from '../../src/formats/image/exr.ts';
+import { readExr } from '../../src/formats/image/readExr.ts';
+import { DEFAULT_LIGHT } from '../../src/reference/lights/lightOptions.ts';
 import type { TileRequest } from '../../src/reference/tile.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
-import { AOVS, type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view.ts';
+import { AOVS, type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view/view.ts';
 import {
   ask,
-  type Outcome,
-  outcome,
   outputFolder,
+  type ProgramResult,
+  programResult,
   scene,
   slowlight,
   slowlightJson,
@@ -38,10 +38,11 @@ const noGpu = { ...rest, PATH: folder, VK_ICD_FILENAMES: out('no-driver.json') }
 /** A machine on which the libraries that draw on GPUs do not even load. */
 const noLibraries = {
   ...noGpu,
-  NODE_OPTIONS: `--import ${new URL('noGpuLibraries.mjs', import.meta.url).href}`,
+  NODE_OPTIONS: `--import ${new URL('./noGpuLibraries.mjs', import.meta.url).href}`,
 };
 
-const without = (env: NodeJS.ProcessEnv, ...args: string[]): Promise<Outcome> => outcome(startIn(env, ...args));
+const without = (env: NodeJS.ProcessEnv, ...args: string[]): Promise<ProgramResult> =>
+  programResult(startIn(env, ...args));
 
 test('a picture without any GPU, library for one or browser: the red cube ahead, sky above', async () => {
   const file = out('still.png');
@@ -118,7 +119,7 @@ test('the same bits from any number of threads, other ones from another seed', a
 });
 
 test('without a GPU the reference renderer takes over, and says so; not where a GPU was asked for', async () => {
-  const render = (name: string, ...flags: string[]): Promise<Outcome> =>
+  const render = (name: string, ...flags: string[]): Promise<ProgramResult> =>
     without(noGpu, 'render', movers, '-o', out(name), '--size', '32x18', '--json', ...flags);
   const { code, err, out: json } = await render('fallback.png');
   expect(code, err).toBe(0);
@@ -151,7 +152,7 @@ test('a film of the reference renderer has every frame', async () => {
 test('Ctrl-C in the midst of the pictures ends them, without a word and without half a file', async () => {
   const frames = ['--frames', '0:9999', '--fps', '100000'];
   const child = start('render', movers, '-o', out('frame.#.png'), '--size', '64x36', ...reference, ...frames);
-  const ended = outcome(child);
+  const ended = programResult(child);
   while (!existsSync(out('frame.0.png'))) await new Promise((resolve) => setTimeout(resolve, 20));
   child.kill('SIGINT');
   expect(await ended).toMatchObject({ code: 130, err: '' });
@@ -161,8 +162,8 @@ test('Ctrl-C in the midst of the pictures ends them, without a word and without 
 });
 
 test('a thread that runs out of memory ends the picture with a word on what to do', async () => {
-  const built = fileURLToPath(new URL('../../dist/lib/cli/tracerPool.js', import.meta.url));
-  const { tracerPool } = (await import(built)) as typeof import('../../src/cli/tracerPool.ts');
+  const built = fileURLToPath(new URL('../../dist/lib/cli/pipelines/tracerPool.js', import.meta.url));
+  const { tracerPool } = (await import(built)) as typeof import('../../src/cli/pipelines/tracerPool.ts');
   const limits = { maxOldGenerationSizeMb: 4, maxYoungGenerationSizeMb: 1 };
   const pool = tracerPool(makeScene({ name: 'empty' }), 10, { threads: 2, limits });
   const view: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 };
@@ -176,7 +177,7 @@ test('a thread that runs out of memory ends the picture with a word on what to d
     seed: 0,
     light: DEFAULT_LIGHT,
   };
-  const draw = (): Promise<void> => pool.draw(request, [{ x0: 0, y0: 0, x1: 8, y1: 8 }], () => {});
+  const draw = (): Promise<void> => pool.render(request, [{ x0: 0, y0: 0, x1: 8, y1: 8 }], () => {});
   await expect(draw()).rejects.toThrow(/out of memory.*--threads/);
   await expect(draw()).rejects.toThrow(/out of memory/);
 });

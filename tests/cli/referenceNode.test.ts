@@ -1,41 +1,45 @@
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { expect, test } from 'vitest';
-import { build, type Sketch } from '../../examples/projects/build.ts';
-import type { ExrImage } from '../../src/formats/exr.ts';
-import { readExr } from '../../src/formats/exrRead.ts';
-import { CancelledError } from '../../src/graph/evaluate.ts';
-import { serializeDocument } from '../../src/graph/serialize.ts';
-import { DEFAULT_LIGHT } from '../../src/reference/lightOptions.ts';
+import { build, type NodeSketch } from '../../examples/projects/buildProject.ts';
+import type { ExrImage } from '../../src/formats/image/exr.ts';
+import { readExr } from '../../src/formats/image/readExr.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
+import { CancelledError } from '../../src/graph/evaluation/evaluator.ts';
+import { DEFAULT_LIGHT } from '../../src/reference/lights/lightOptions.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
-import { DEFAULT_SETTINGS } from '../../src/scene/view.ts';
-import { outcome, outputFolder, scene, slowlight, start } from './program.ts';
+import { DEFAULT_SETTINGS } from '../../src/scene/view/view.ts';
+import { outputFolder, programResult, scene, slowlight, start } from './program.ts';
 
 const folder = outputFolder();
 const at = (name: string): string => join(folder, name);
 
-function project(name: string, nodes: Readonly<Record<string, Sketch>>): string {
+function project(name: string, nodes: Readonly<Record<string, NodeSketch>>): string {
   writeFileSync(at(name), serializeDocument(build({ title: name, lookFor: name }, nodes)));
   return at(name);
 }
 
 /** What the scene's camera sees, up to the G-buffer. */
-const seenFrom = (scene: Sketch): Record<string, Sketch> => ({
+const seenFrom = (scene: NodeSketch): Record<string, NodeSketch> => ({
   scene,
   console: { type: 'relativity-console', set: { speedOfLight: 10 }, from: { scene: 'scene.scene' } },
   camera: { type: 'scene-camera', from: { relativity: 'console.relativity' } },
   seen: { type: 'relativity-rasterize', from: { view: 'camera.view' } },
 });
-const still = (set: Sketch['set']): Sketch => ({ type: 'reference-render', set, from: { gbuffer: 'seen.gbuffer' } });
-const shaded: Sketch = { type: 'deferred-lighting', set: { occlusion: false }, from: { gbuffer: 'seen.gbuffer' } };
-const showing = (image: string): Sketch => ({ type: 'output', from: { image: `${image}.image` } });
+const still = (set: NodeSketch['set']): NodeSketch => ({
+  type: 'reference-render',
+  set,
+  from: { gbuffer: 'seen.gbuffer' },
+});
+const shaded: NodeSketch = { type: 'deferred-lighting', set: { occlusion: false }, from: { gbuffer: 'seen.gbuffer' } };
+const showing = (image: string): NodeSketch => ({ type: 'output', from: { image: `${image}.image` } });
 
 /** A file with an observer who is fast. */
 const movers = {
   read: { type: 'read', set: { source: relative(folder, scene('movers.usda')) } },
   fast: { type: 'observer', set: { beta: [0.1, 0, -0.5] } },
   ...seenFrom({ type: 'scene', from: { geometry: ['read.geometry'], observer: 'fast.observer' } }),
-} as const satisfies Record<string, Sketch>;
+} as const satisfies Record<string, NodeSketch>;
 
 /** Matte things under a sun, in the dark. */
 const yard = {
@@ -50,7 +54,7 @@ const yard = {
     type: 'scene',
     from: { geometry: ['ground.geometry', 'matte.geometry', 'eye.geometry'], lights: ['sun.lights', 'dark.lights'] },
   }),
-} as const satisfies Record<string, Sketch>;
+} as const satisfies Record<string, NodeSketch>;
 
 /** The light of a picture, channel by channel. */
 async function beauty(path: string, ...flags: string[]): Promise<ExrImage['channels']> {
@@ -80,7 +84,7 @@ test('the still is the picture of the reference renderer, pixel by pixel', async
 test('where only a sun shines on matte things, the rasterizer’s picture is the same', async () => {
   const set = { width: 96, height: 54, samples: 4, bounces: 0 };
   const both = { ...yard, truth: still(set), shaded };
-  const difference: Sketch = {
+  const difference: NodeSketch = {
     type: 'mix-color',
     set: { mode: 'difference', alpha: 1 },
     from: { below: 'truth.image', above: 'shaded.image' },
@@ -119,7 +123,7 @@ test('Ctrl-C ends it in the midst', async () => {
   const set = { width: 1280, height: 720, samples: 8 };
   const path = project('long.slowlight.json', { ...yard, truth: still(set), output: showing('truth') });
   const child = start('render', path, '-o', at('long.png'));
-  const ended = outcome(child);
+  const ended = programResult(child);
   // Until it has begun, also on a busy machine; there are minutes of it.
   await new Promise((done) => setTimeout(done, 7000));
   expect(child.exitCode).toBeNull();
@@ -128,8 +132,8 @@ test('Ctrl-C ends it in the midst', async () => {
 }, 60_000);
 
 test('it tells how far it is, and is cancelled by whoever asked for it', async () => {
-  const built = new URL('../../dist/lib/cli/trace.js', import.meta.url).href;
-  const { traceHere } = (await import(built)) as typeof import('../../src/cli/trace.ts');
+  const built = new URL('../../dist/lib/cli/pipelines/traceOnThreads.js', import.meta.url).href;
+  const { traceOnThreads } = (await import(built)) as typeof import('../../src/cli/pipelines/traceOnThreads.ts');
   const view = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 } as const;
   const picture = {
     view,
@@ -142,12 +146,12 @@ test('it tells how far it is, and is cancelled by whoever asked for it', async (
   };
   const parts: (number | undefined)[] = [];
   const empty = makeScene({ name: 'empty' });
-  const pixels = await traceHere(empty, picture, { progress: (part) => parts.push(part) });
+  const pixels = await traceOnThreads(empty, picture, { progress: (part) => parts.push(part) });
   expect(pixels.length).toBe(3 * 40 * 20);
   expect(parts).toEqual([1, 2, 3, 4, 5, 6].map((done) => done / 6));
   const abort = new AbortController();
   const large = { ...picture, width: 4096, height: 4096, samples: 16 };
   const work = { signal: abort.signal, progress: () => abort.abort() };
-  await expect(traceHere(empty, large, work)).rejects.toMatchObject({ name: new CancelledError().name });
-  await expect(traceHere(empty, picture, work)).rejects.toMatchObject({ name: 'CancelledError' });
+  await expect(traceOnThreads(empty, large, work)).rejects.toMatchObject({ name: new CancelledError().name });
+  await expect(traceOnThreads(empty, picture, work)).rejects.toMatchObject({ name: 'CancelledError' });
 });

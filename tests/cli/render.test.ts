@@ -2,7 +2,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { type ExrImage, readExr } from '../../src/formats/index.ts';
-import { ask, outcome, outputFolder, scene, slowlight, slowlightJson, start, startIn } from './program.ts';
+import { ask, outputFolder, programResult, scene, slowlight, slowlightJson, start, startIn } from './program.ts';
 
 const folder = outputFolder();
 const out = (name: string): string => join(folder, name);
@@ -111,7 +111,7 @@ test('numbered frames are of different times', async () => {
 
 test('without ffmpeg the film is refused with the line that installs it', async () => {
   const env = { ...process.env, PATH: folder };
-  const { code, err } = await outcome(
+  const { code, err } = await programResult(
     startIn(env, 'render', movers, '-o', out('none.mp4'), ...size, '--frames', '0:2'),
   );
   expect(code).toBe(4);
@@ -122,7 +122,7 @@ test('without ffmpeg the film is refused with the line that installs it', async 
 test('Ctrl-C leaves no half-written file and no encoder', async () => {
   const file = out('long.mp4');
   const child = start('render', movers, '-o', file, ...size, '--frames', '0:100000');
-  const ended = outcome(child);
+  const ended = programResult(child);
   const begun = (): boolean => readdirSync(folder).some((name) => name.startsWith('.long.mp4'));
   while (!begun()) await new Promise((resolve) => setTimeout(resolve, 50));
   child.kill('SIGINT');

@@ -1,6 +1,6 @@
 import { request } from 'node:http';
 import { expect, test } from 'vitest';
-import { outcome, start } from './program.ts';
+import { programResult, start } from './program.ts';
 
 interface Answer {
   readonly status: number | undefined;
@@ -24,7 +24,7 @@ function get(url: string, path: string, headers: Record<string, string> = {}): P
 
 test('serves the page, its scenes and nothing else, to this machine only', async () => {
   const child = start('serve', '--port', '0', '--json');
-  const ended = outcome(child);
+  const ended = programResult(child);
   const url = await new Promise<string>((resolve) =>
     child.stdout?.once('data', (line: Buffer) => resolve((JSON.parse(line.toString()) as { url: string }).url)),
   );

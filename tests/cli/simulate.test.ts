@@ -1,10 +1,10 @@
 import { readFileSync, statSync, truncateSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
-import { serializeDocument } from '../../src/graph/serialize.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import { add, build, connect, set } from '../support/graphKit.ts';
-import { hasUsdCore, python } from '../usdCore.ts';
-import { outcome, outputFolder, slowlight, slowlightJson, start } from './program.ts';
+import { hasUsdCore, python } from '../support/pythonOracles.ts';
+import { outputFolder, programResult, slowlight, slowlightJson, start } from './program.ts';
 
 const folder = outputFolder();
 const at = (name: string): string => join(folder, name);
@@ -69,7 +69,7 @@ test('what was stopped goes on from its checkpoint, to the same last digit', asy
   const args = ['simulate', project, '--set', 'run.duration=2', '--set', 'run.method=discrete-gradient', '--csv'];
   await slowlight(...args, at('whole.csv'));
   const child = start(...args, at('part.csv'), '--checkpoint', at('cloth.run'));
-  const ended = outcome(child);
+  const ended = programResult(child);
   for (let size = 0; size < 100_000; size = statSync(at('cloth.run'), { throwIfNoEntry: false })?.size ?? 0)
     await new Promise((resolve) => setTimeout(resolve, 20));
   child.kill('SIGINT');

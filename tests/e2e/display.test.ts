@@ -1,7 +1,7 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { falseColor } from '../../src/spectrum/falseColor.ts';
-import { colours, difference, type Guarded, Program } from './program.ts';
+import { falseColor } from '../../src/spectrum/falseColor/falseColor.ts';
+import { colorCount, difference, type MonitoredPage, Program } from './program.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -12,20 +12,20 @@ afterAll(() => program.stop());
 /** At 0.5 c, looking ahead. */
 const MOVING = '?backend=webgl&scene=examples/sphere.usda';
 
-const choose = (visit: Guarded, group: string, option: string) =>
+const choose = (visit: MonitoredPage, group: string, option: string) =>
   visit.page.getByRole('radiogroup', { name: group }).getByText(option, { exact: true }).click();
-const legendOf = (visit: Guarded) => visit.page.getByRole('figure');
-const reading = async (visit: Guarded) => (await visit.page.locator('[data-reading]').textContent()) ?? '';
+const legendOf = (visit: MonitoredPage) => visit.page.getByRole('figure');
+const reading = async (visit: MonitoredPage) => (await visit.page.locator('[data-reading]').textContent()) ?? '';
 
 /** The colour in the middle of the picture is that of the value that is told, on the scale that is told; both have three digits. */
-function expectColour(shown: readonly number[], told: string, range: string): void {
+function expectColor(shown: readonly number[], told: string, range: string): void {
   const [D, to] = [/D = ([\d.]+)/.exec(told), /to D = ([\d.]+)/.exec(range)].map((match) => Number(match?.[1]));
   falseColor({ kind: 'doppler', from: 1 / to!, to: to! }, D!).forEach((value, k) => {
     expect(Math.abs(value - shown[k]!)).toBeLessThanOrEqual(6);
   });
 }
 
-async function seriousViolations(visit: Guarded): Promise<string[]> {
+async function seriousViolations(visit: MonitoredPage): Promise<string[]> {
   const { violations } = await new AxeBuilder({ page: visit.page }).analyze();
   return violations
     .filter(({ impact }) => impact === 'serious' || impact === 'critical')
@@ -63,7 +63,7 @@ describe('false colours', () => {
     ] as const) {
       await choose(visit, 'False colours', option);
       await legendOf(visit).getByText(title).waitFor();
-      await expect.poll(async () => colours(await visit.pixels())).toBeGreaterThan(5);
+      await expect.poll(async () => colorCount(await visit.pixels())).toBeGreaterThan(5);
       const box = (await visit.viewport.boundingBox())!;
       await visit.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
       await expect.poll(() => reading(visit)).toMatch(/\d/);
@@ -92,11 +92,7 @@ describe('false colours', () => {
     expect(await button.getAttribute('aria-pressed')).toBe('true');
     await visit.shot('false-crosshair');
     const before = await reading(visit);
-    expectColour(
-      await visit.middle(),
-      before,
-      (await visit.page.locator('.sl-legend-bar').getAttribute('aria-label'))!,
-    );
+    expectColor(await visit.middle(), before, (await visit.page.locator('.sl-legend-bar').getAttribute('aria-label'))!);
     // To the side there is something else.
     await visit.page.keyboard.press('ArrowRight', { delay: 800 });
     await expect.poll(() => reading(visit)).not.toBe(before);

@@ -1,5 +1,5 @@
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { difference, type Guarded, Program } from './program.ts';
+import { difference, type MonitoredPage, Program } from './program.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -9,7 +9,7 @@ afterAll(() => program.stop());
 
 const STREET = '?backend=webgl&scene=examples/street.usda';
 
-async function withKeys(held: Guarded, keys: readonly string[], until: () => Promise<void>): Promise<void> {
+async function withKeys(held: MonitoredPage, keys: readonly string[], until: () => Promise<void>): Promise<void> {
   for (const key of keys) await held.page.keyboard.down(key);
   await until();
   for (const key of [...keys].reverse()) await held.page.keyboard.up(key);

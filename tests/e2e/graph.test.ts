@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import { type Guarded, Program } from './program.ts';
+import { type MonitoredPage, Program } from './program.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -55,7 +55,7 @@ async function middle(page: Page, id: string, name?: string): Promise<[number, n
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
-async function opened(options: Parameters<Program['open']>[1]): Promise<Guarded> {
+async function opened(options: Parameters<Program['open']>[1]): Promise<MonitoredPage> {
   const visit = await (await program.open(SMALL, options)).ready();
   await visit.page.keyboard.press('Control+Shift+G');
   await node(visit.page, 'output').waitFor();

@@ -1,6 +1,6 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { type Guarded, Program } from './program.ts';
+import { type MonitoredPage, Program } from './program.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -15,7 +15,7 @@ const WORDS = {
 } as const;
 
 /** What of the bars and of what lies over the picture is outside of the window, or of what holds it. Names that are cut are told by dots. */
-const outside = (visit: Guarded): Promise<string[]> =>
+const outside = (visit: MonitoredPage): Promise<string[]> =>
   visit.page.evaluate(() => {
     const bars = '.sl-header, .sl-timeline, .sl-status, .sl-legend, .sl-caption, .sl-hint';
     const found: string[] = [];
@@ -38,13 +38,13 @@ const outside = (visit: Guarded): Promise<string[]> =>
     return found;
   });
 
-async function type(visit: Guarded, name: string, value: string): Promise<void> {
+async function type(visit: MonitoredPage, name: string, value: string): Promise<void> {
   const field = visit.page.getByRole('textbox', { name, exact: true });
   await field.fill(value);
   await field.press('Enter');
 }
 
-async function seriousViolations(visit: Guarded): Promise<string[]> {
+async function seriousViolations(visit: MonitoredPage): Promise<string[]> {
   const { violations } = await new AxeBuilder({ page: visit.page }).analyze();
   return violations
     .filter(({ impact }) => impact === 'serious' || impact === 'critical')
@@ -100,7 +100,11 @@ describe('a narrow page', () => {
 });
 
 /** Nothing is cut in windows of any of these sizes; it ends with the first. */
-async function expectFit(visit: Guarded, sizes: readonly (readonly [number, number])[], shot?: string): Promise<void> {
+async function expectFit(
+  visit: MonitoredPage,
+  sizes: readonly (readonly [number, number])[],
+  shot?: string,
+): Promise<void> {
   for (const [width, height] of [...sizes.slice(1), sizes[0]]) {
     await visit.page.setViewportSize({ width, height });
     await expect.poll(() => visit.page.evaluate(() => innerWidth)).toBe(width);

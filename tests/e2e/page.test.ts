@@ -5,7 +5,7 @@ import { gzipSync } from 'node:zlib';
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { colours, difference, Program } from './program.ts';
+import { colorCount, difference, Program } from './program.ts';
 import { drop } from './support.ts';
 
 let program: Program;
@@ -155,7 +155,7 @@ describe('the page', () => {
     expect(await visit.status('backend')).toBe('WebGPU');
     await visit.finest();
     const before = await visit.pixels();
-    expect(colours(before)).toBeGreaterThan(50);
+    expect(colorCount(before)).toBeGreaterThan(50);
     await program.crashGraphics();
     await visit.page.getByText('was lost and started again').waitFor({ timeout: 30_000 });
     await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(1);

@@ -1,9 +1,9 @@
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import { applyCommand, type Command } from '../../src/graph/commands.ts';
-import { sharedFragment } from '../../src/graph/share.ts';
-import { newProject } from '../../src/nodes/project.ts';
+import { encodeShareLink } from '../../src/graph/document/shareLink.ts';
+import { applyCommand, type Command } from '../../src/graph/edits/commands.ts';
+import { newProject } from '../../src/nodes/project/projectCommands.ts';
 import { connect } from '../support/graphKit.ts';
-import { difference, type Guarded, Program } from './program.ts';
+import { difference, type MonitoredPage, Program } from './program.ts';
 import { ASKED, pinkShare, serveAsked } from './support.ts';
 
 let program: Program;
@@ -22,20 +22,20 @@ const SLOW = `fn effect(p: Pixel) -> vec4f {
   return vec4f(x.ggg, 1);
 }`;
 
-const textOf = ({ page }: Guarded) => page.getByRole('textbox', { name: 'Shader text' });
-async function write(visit: Guarded, text: string): Promise<void> {
+const textOf = ({ page }: MonitoredPage) => page.getByRole('textbox', { name: 'Shader text' });
+async function write(visit: MonitoredPage, text: string): Promise<void> {
   await textOf(visit).fill(text);
   await textOf(visit).press('Control+Enter');
 }
 
-async function undo({ page }: Guarded): Promise<void> {
+async function undo({ page }: MonitoredPage): Promise<void> {
   await page.getByRole('button', { name: /^Undo: Shader text/ }).click();
   // What the button tells would lie over the picture.
   await page.mouse.move(0, 0);
 }
 
 /** The picture as the project has it, without the checkers' magenta. */
-async function grey(visit: Guarded): Promise<Uint8Array> {
+async function gray(visit: MonitoredPage): Promise<Uint8Array> {
   await visit.ready();
   await expect.poll(async () => pinkShare(await visit.pixels())).toBeLessThan(0.005);
   return (await visit.finest()).pixels();
@@ -66,8 +66,8 @@ function project() {
 }
 
 it('a picture that is put together of nodes is drawn, a text that cannot be is refused with its line, and the last good picture stays', async () => {
-  const page = await program.open(`?backend=webgl#${sharedFragment(project())}`, {}, serveAsked);
-  const before = await grey(page);
+  const page = await program.open(`?backend=webgl#${encodeShareLink(project())}`, {}, serveAsked);
+  const before = await gray(page);
   await write(page, effect('p.color.ggg * nothing'));
   await page.refusals.waitFor();
   expect(await page.refusals.textContent()).toMatch(/line 2, column \d+: .*nothing/);
@@ -85,8 +85,8 @@ it('a picture that is put together of nodes is drawn, a text that cannot be is r
 });
 
 it('a text that is as slow as one may be slows the picture, not the page', async () => {
-  const page = await program.open(`?backend=webgl#${sharedFragment(project())}`, {}, serveAsked);
-  const before = await grey(page);
+  const page = await program.open(`?backend=webgl#${encodeShareLink(project())}`, {}, serveAsked);
+  const before = await gray(page);
   await write(page, SLOW);
   await expect.poll(async () => difference(await page.pixels(), before)).toBeGreaterThan(5);
   await undo(page);
@@ -101,8 +101,8 @@ it.each([
   'on %s a picture with a text of somebody’s own is there again when it %s, and so is all that was done',
   async (backend) => {
     const options = { viewport: { width: 640, height: 480 } };
-    const page = await program.open(`?backend=${backend}#${sharedFragment(project())}`, options, serveAsked);
-    const first = await grey(page);
+    const page = await program.open(`?backend=${backend}#${encodeShareLink(project())}`, options, serveAsked);
+    const first = await gray(page);
     await write(page, effect('1 - p.color.ggg'));
     await expect.poll(async () => difference(await page.pixels(), first)).toBeGreaterThan(5);
     const before = await (await page.finest()).pixels();

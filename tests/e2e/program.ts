@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { type DecodedPng, decode } from 'fast-png';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
 import { expect } from 'vitest';
-import { SOFTWARE_GPU_FLAGS } from '../../src/cli/icd.ts';
+import { SOFTWARE_GPU_FLAGS } from '../../src/cli/gpu/gpuDrivers.ts';
 
 const bin = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
 
@@ -17,8 +17,8 @@ export const shots = process.env.E2E_SHOTS ?? mkdtempSync(join(tmpdir(), 'slowli
 /** The built program, served as `npm start` does, and a browser to use it with. */
 export class Program {
   readonly url: string;
-  readonly #server: ChildProcess;
-  readonly #browser: Browser;
+  private readonly server: ChildProcess;
+  private readonly browser: Browser;
 
   static async start(): Promise<Program> {
     const server = spawn(process.execPath, [bin, 'serve', '--port', '0', '--json'], {
@@ -36,8 +36,8 @@ export class Program {
 
   private constructor(url: string, server: ChildProcess, browser: Browser) {
     this.url = url;
-    this.#server = server;
-    this.#browser = browser;
+    this.server = server;
+    this.browser = browser;
   }
 
   /** A page of its own, with nothing kept from others. `address`: what follows the program's own. */
@@ -45,8 +45,8 @@ export class Program {
     address = '',
     options: BrowserContextOptions = {},
     prepare?: (page: Page) => Promise<void>,
-  ): Promise<Guarded> {
-    const context = await this.#browser.newContext({
+  ): Promise<MonitoredPage> {
+    const context = await this.browser.newContext({
       viewport: { width: 960, height: 600 },
       reducedMotion: 'reduce',
       colorScheme: 'dark',
@@ -54,33 +54,33 @@ export class Program {
       ...options,
     });
     const page = await context.newPage();
-    const guarded = new Guarded(page, this.url);
+    const guarded = new MonitoredPage(page, this.url);
     await prepare?.(page);
     await page.goto(`${this.url}/${address}`);
     return guarded;
   }
 
   /** Another tab beside a page, which has what is kept of the others. */
-  async beside({ page }: Guarded, address: string): Promise<Guarded> {
-    const guarded = new Guarded(await page.context().newPage(), this.url);
+  async beside({ page }: MonitoredPage, address: string): Promise<MonitoredPage> {
+    const guarded = new MonitoredPage(await page.context().newPage(), this.url);
     await guarded.page.goto(`${this.url}/${address}`);
     return guarded;
   }
 
   /** As a driver does that fails: every page's device and context is lost. */
   async crashGraphics(): Promise<void> {
-    const session = await this.#browser.newBrowserCDPSession();
+    const session = await this.browser.newBrowserCDPSession();
     await session.send('Browser.crashGpuProcess').catch(() => {});
   }
 
   async stop(): Promise<void> {
-    await this.#browser.close();
-    this.#server.kill();
+    await this.browser.close();
+    this.server.kill();
   }
 }
 
 /** A page that is watched: what it complains of, and whom it talks to. */
-export class Guarded {
+export class MonitoredPage {
   readonly page: Page;
   readonly complaints: string[] = [];
 
@@ -151,17 +151,17 @@ export class Guarded {
 
   /** The pixels of the picture, as they are shown, without what lies over it. */
   async pixels(): Promise<Uint8Array> {
-    return Uint8Array.from((await this.#picture()).data);
+    return Uint8Array.from((await this.picture()).data);
   }
 
   /** Red, green and blue of the pixel in its middle. */
   async middle(): Promise<readonly number[]> {
-    const { data, width, height, channels } = await this.#picture();
+    const { data, width, height, channels } = await this.picture();
     const at = channels * (Math.floor(height / 2) * width + Math.floor(width / 2));
     return [...data.slice(at, at + 3)];
   }
 
-  async #picture(): Promise<DecodedPng> {
+  private async picture(): Promise<DecodedPng> {
     const style =
       '.sl-hint, .sl-caption, .sl-legend, .sl-crosshair, .sl-notices, .sl-busy, .sl-picture::after { visibility: hidden !important }';
     return decode(await this.page.locator('.sl-canvas').screenshot({ style }));
@@ -169,7 +169,7 @@ export class Guarded {
 }
 
 /** How many different colours there are: a blank picture has one. */
-export const colours = (pixels: Uint8Array): number => {
+export const colorCount = (pixels: Uint8Array): number => {
   const seen = new Set<number>();
   for (let i = 0; i + 2 < pixels.length; i += 3) seen.add((pixels[i]! << 16) | (pixels[i + 1]! << 8) | pixels[i + 2]!);
   return seen.size;

@@ -3,12 +3,12 @@ import { AxeBuilder } from '@axe-core/playwright';
 import { unzipSync, zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { applyCommand, type Command } from '../../src/graph/commands.ts';
-import { parseDocument } from '../../src/graph/read.ts';
-import { serializeDocument } from '../../src/graph/serialize.ts';
-import { sharedFragment } from '../../src/graph/share.ts';
-import { newProject } from '../../src/nodes/project.ts';
-import { difference, type Guarded, Program } from './program.ts';
+import { parseDocument } from '../../src/graph/document/parse.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
+import { encodeShareLink } from '../../src/graph/document/shareLink.ts';
+import { applyCommand, type Command } from '../../src/graph/edits/commands.ts';
+import { newProject } from '../../src/nodes/project/projectCommands.ts';
+import { difference, type MonitoredPage, Program } from './program.ts';
 import { ASKED, drop, pinkShare, sceneBytes, serveAsked } from './support.ts';
 
 let program: Program;
@@ -25,31 +25,31 @@ const manual: Command = { kind: 'set-param', node: 'toneMap', param: 'metering',
 const still = (source: string) => applyCommand(newProject(source), manual).document;
 
 /** A page on the smallest scene there is, which is at an address of the server. */
-async function visit(address = '', prepare?: (page: Page) => Promise<void>): Promise<Guarded> {
+async function visit(address = '', prepare?: (page: Page) => Promise<void>): Promise<MonitoredPage> {
   return program.open(`?backend=webgl&scene=${ASKED}${address}`, {}, async (page) => {
     await prepare?.(page);
     await serveAsked(page);
   });
 }
 
-const exposure = ({ page }: Guarded) => page.getByRole('textbox', { name: 'Exposure' });
+const exposure = ({ page }: MonitoredPage) => page.getByRole('textbox', { name: 'Exposure' });
 
-async function expose(page: Guarded, value: string): Promise<void> {
+async function expose(page: MonitoredPage, value: string): Promise<void> {
   await exposure(page).fill(value);
   await exposure(page).press('Enter');
 }
 
-const pink = (page: Guarded) => expect.poll(async () => pinkShare(await page.pixels())).toBeGreaterThan(0.03);
-const looksLike = (page: Guarded, picture: Uint8Array) =>
+const pink = (page: MonitoredPage) => expect.poll(async () => pinkShare(await page.pixels())).toBeGreaterThan(0.03);
+const looksLike = (page: MonitoredPage, picture: Uint8Array) =>
   expect.poll(async () => difference(await page.pixels(), picture)).toBeLessThan(0.5);
 
-async function choose({ page }: Guarded, item: string | RegExp): Promise<void> {
+async function choose({ page }: MonitoredPage, item: string | RegExp): Promise<void> {
   await page.getByRole('button', { name: 'Project', exact: true }).click();
   await page.getByRole('menuitem', { name: item }).click();
 }
 
 async function saved(
-  page: Guarded,
+  page: MonitoredPage,
   item: string | RegExp,
 ): Promise<{ readonly name: string; readonly content: Buffer }> {
   const download = page.page.waitForEvent('download');
@@ -164,7 +164,7 @@ describe('a link', () => {
       (next) => {
         location.hash = next;
       },
-      sharedFragment(still(ASKED)),
+      encodeShareLink(still(ASKED)),
     );
     await expect.poll(() => exposure(other).inputValue()).toMatch(/^0/);
     await other.page.getByRole('button', { name: /^Undo: open a project/ }).click();
@@ -194,7 +194,7 @@ describe('what is kept', () => {
   });
 
   it('where the browser keeps nothing it is told, and the page goes on; as with a link that was cut off', async () => {
-    const damaged = `#${sharedFragment(still(ASKED)).slice(0, -20)}`;
+    const damaged = `#${encodeShareLink(still(ASKED)).slice(0, -20)}`;
     const page = await visit(damaged, async (tab) => {
       await tab.addInitScript(() => {
         IDBFactory.prototype.open = () => {

@@ -1,8 +1,8 @@
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { truth } from '../../examples/projects/truth.ts';
-import { applyCommand, type Command } from '../../src/graph/commands.ts';
-import { serializeDocument } from '../../src/graph/serialize.ts';
-import { colours, difference, Program } from './program.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
+import { applyCommand, type Command } from '../../src/graph/edits/commands.ts';
+import { colorCount, difference, Program } from './program.ts';
 import { drop } from './support.ts';
 
 let program: Program;
@@ -50,7 +50,7 @@ it('a reference render tells on its node how far it is, is shown, stays while an
   await page.getByText('A room at 0.1 c').waitFor();
   await expect.poll(async () => blackShare(await visit.pixels())).toBeGreaterThan(0.15);
   const before = await visit.pixels();
-  expect(colours(before)).toBeGreaterThan(200);
+  expect(colorCount(before)).toBeGreaterThan(200);
   await visit.shot('reference-node');
 
   await page.locator('.react-flow__node[data-id="truth"] .sl-node-head').click();

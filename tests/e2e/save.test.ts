@@ -2,8 +2,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { type DecodedPng, decode } from 'fast-png';
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import { colorAt } from '../../src/spectrum/falseColor.ts';
-import { type Guarded, Program, shots } from './program.ts';
+import { colorAt } from '../../src/spectrum/falseColor/falseColor.ts';
+import { type MonitoredPage, Program, shots } from './program.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -15,7 +15,7 @@ afterAll(() => program.stop());
 const MOVING = '?backend=webgl&scene=examples/sphere.usda';
 const WIDTH = 1000;
 
-async function save(visit: Guarded, name: string): Promise<DecodedPng> {
+async function save(visit: MonitoredPage, name: string): Promise<DecodedPng> {
   const download = visit.page.waitForEvent('download');
   await visit.page.keyboard.press('Control+Shift+s');
   const file = join(shots, `${name}.png`);

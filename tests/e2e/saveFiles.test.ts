@@ -5,11 +5,11 @@ import { decode } from 'fast-png';
 import { unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import type { Command } from '../../src/graph/commands.ts';
-import { serializeDocument } from '../../src/graph/serialize.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
+import type { Command } from '../../src/graph/edits/commands.ts';
 import { add, connect, edited, set } from '../support/graphKit.ts';
 import { savingProject } from '../support/savingGraph.ts';
-import { difference, type Guarded, Program, shots } from './program.ts';
+import { difference, type MonitoredPage, Program, shots } from './program.ts';
 import { drop } from './support.ts';
 
 let program: Program;
@@ -19,7 +19,7 @@ beforeAll(async () => {
 afterAll(() => program.stop());
 
 /** The saving project in the page, with its graph. */
-async function opened(...commands: readonly Command[]): Promise<Guarded> {
+async function opened(...commands: readonly Command[]): Promise<MonitoredPage> {
   const visit = await program.open('?backend=webgl&scene=examples/sphere.usda', {
     viewport: { width: 1280, height: 900 },
   });
@@ -34,7 +34,10 @@ async function opened(...commands: readonly Command[]): Promise<Guarded> {
 
 const node = (page: Page, id: string) => page.locator(`.react-flow__node[data-id="${id}"]`);
 
-async function downloaded({ page }: Guarded, id: string): Promise<{ readonly name: string; readonly content: Buffer }> {
+async function downloaded(
+  { page }: MonitoredPage,
+  id: string,
+): Promise<{ readonly name: string; readonly content: Buffer }> {
   const download = page.waitForEvent('download', { timeout: 120_000 });
   await node(page, id).getByRole('button', { name: 'Download the file' }).click();
   const file = await download;

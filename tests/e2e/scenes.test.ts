@@ -4,9 +4,9 @@ import { KHRMaterialsUnlit } from '@gltf-transform/extensions';
 import { decode } from 'fast-png';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Example } from '../../src/editor/loading/examples.ts';
+import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
-import { Kit } from '../support/gltfKit.ts';
-import { colours, difference, Program } from './program.ts';
+import { colorCount, difference, Program } from './program.ts';
 import { drop, pinkShare } from './support.ts';
 
 let program: Program;
@@ -36,7 +36,7 @@ describe('scenes', () => {
       // Until then the picture is that of the scene before.
       await visit.page.getByText('Preparing the picture').waitFor({ state: 'hidden' });
       await expect.poll(() => visit.triangles()).toBeGreaterThan(0);
-      await expect.poll(async () => colours(await visit.pixels())).toBeGreaterThan(50);
+      await expect.poll(async () => colorCount(await visit.pixels())).toBeGreaterThan(50);
       await visit.shot(`scene-${name}`);
     }
     await visit.close();
@@ -67,10 +67,10 @@ describe('scenes', () => {
   });
 
   it.each([
-    ['Draco', (kit: Kit) => dracoGlb(kit.doc, 'edgebreaker')],
-    ['meshopt', (kit: Kit) => meshoptGlb(kit.doc, 'quantize')],
+    ['Draco', (kit: GltfBuilder) => dracoGlb(kit.doc, 'edgebreaker')],
+    ['meshopt', (kit: GltfBuilder) => meshoptGlb(kit.doc, 'quantize')],
   ])('glTF compressed with %s opens under the page’s own policy', async (_, write) => {
-    const kit = new Kit();
+    const kit = new GltfBuilder();
     const pink = kit.doc.createMaterial().setBaseColorFactor([1, 0, 1, 1]).setDoubleSided(true);
     pink.setExtension('KHR_materials_unlit', kit.doc.createExtension(KHRMaterialsUnlit).createUnlit());
     const square = kit.triangle([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]).setMaterial(pink);
@@ -140,7 +140,7 @@ describe('scenes', () => {
     expect(file.suggestedFilename()).toMatch(/^sphere t=.*c\.png$/);
     const picture = decode(readFileSync(await file.path()));
     expect([picture.width, picture.height]).toEqual(size);
-    expect(colours(Uint8Array.from(picture.data))).toBeGreaterThan(50);
+    expect(colorCount(Uint8Array.from(picture.data))).toBeGreaterThan(50);
     await visit.close();
   });
 });

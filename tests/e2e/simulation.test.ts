@@ -1,10 +1,10 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { hangingCloth } from '../../examples/projects/hangingCloth.ts';
-import { applyCommand, type Command } from '../../src/graph/commands.ts';
-import type { ParamValue } from '../../src/graph/document.ts';
-import { serializeDocument } from '../../src/graph/serialize.ts';
-import { colours, difference, type Guarded, Program } from './program.ts';
+import type { ParamValue } from '../../src/graph/document/document.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
+import { applyCommand, type Command } from '../../src/graph/edits/commands.ts';
+import { colorCount, difference, type MonitoredPage, Program } from './program.ts';
 import { drop } from './support.ts';
 
 let program: Program;
@@ -25,7 +25,7 @@ const hanging = (params: Readonly<Record<string, ParamValue>>): string => {
 const endless = hanging({ step: 4e-5, duration: 300 });
 
 /** What the panel tells of the run: until when it is computed [s]. */
-async function computed({ page }: Guarded): Promise<number> {
+async function computed({ page }: MonitoredPage): Promise<number> {
   const text = (await page.locator('.sl-energy tbody').textContent()) ?? '';
   return Number(/(?:until|stopped at) ([\d.]+) s/.exec(text)?.[1]);
 }
@@ -46,7 +46,7 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   await plot.press('Home');
   await expect.poll(() => visit.status('world-time')).toBe('t = 0.00 s');
   const level = await visit.pixels();
-  expect(colours(level)).toBeGreaterThan(200);
+  expect(colorCount(level)).toBeGreaterThan(200);
   const shown = await computed(visit);
   await expect.poll(() => computed(visit)).toBeGreaterThan(shown + 0.1);
   await plot.press('End');

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import type { Guarded } from './program.ts';
+import type { MonitoredPage } from './program.ts';
 
 export const sceneBytes = (name: string): Buffer =>
   readFileSync(fileURLToPath(new URL(`scenes/${name}`, import.meta.url)));
@@ -16,7 +16,7 @@ export async function serveAsked(page: Page): Promise<void> {
 }
 
 /** Drops files on the page as a file manager does. */
-export async function drop(visit: Guarded, given: readonly { name: string; content: Buffer }[]): Promise<void> {
+export async function drop(visit: MonitoredPage, given: readonly { name: string; content: Buffer }[]): Promise<void> {
   const files = given.map(({ name, content }) => ({ name, text: content.toString('base64') }));
   await visit.page.evaluate((dropped) => {
     const transfer = new DataTransfer();

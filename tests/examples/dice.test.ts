@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { sub, type Vec3 } from '../../src/math/vec3.ts';
-import { emissionEvent } from '../../src/physics/lightCone.ts';
-import { originLine } from '../../src/scene/motion.ts';
-import { pointAt } from '../../src/scene/polygons.ts';
-import { probeVertex } from '../../src/scene/probe.ts';
+import { emissionEvent } from '../../src/physics/worldLines/lightCone.ts';
+import { pointAt } from '../../src/scene/mesh/polygons.ts';
+import { originWorldLine } from '../../src/scene/motion/motion.ts';
+import { probeVertex } from '../../src/scene/view/probe.ts';
 import { objectAt, openExample, speedOfLight, vertexCount, worldPositions } from './open.ts';
 
 const scene = await openExample('dice');
@@ -30,7 +30,7 @@ function seenFromAfar(): { rest: Vec3; seen: Vec3 }[] {
     position: [0, position[1], position[2] + far] as Vec3,
     u: [0, 0, 0] as Vec3,
   };
-  const middle = emissionEvent(originLine(die.motion), observer, c)!;
+  const middle = emissionEvent(originWorldLine(die.motion), observer, c)!;
   return Array.from({ length: vertexCount(die) }, (_, i) => ({
     rest: pointAt(die.mesh.positions, i),
     seen: sub(probeVertex(die, i, observer, c)!.position, middle.position),

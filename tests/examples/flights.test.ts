@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { rotate } from '../../src/math/quat.ts';
 import { cross, distance, dot, length, normalize, scale, sub, type Vec3, ZERO } from '../../src/math/vec3.ts';
-import { aberrate } from '../../src/physics/aberration.ts';
-import { velocity } from '../../src/physics/boost.ts';
-import { observerDoppler } from '../../src/physics/doppler.ts';
-import { nightSkyOf } from '../../src/scene/daylight.ts';
-import { fastest } from '../../src/scene/fastest.ts';
-import type { ProbeObserver } from '../../src/scene/probe.ts';
+import { velocity } from '../../src/physics/lorentz/boost.ts';
+import { aberrate } from '../../src/physics/optics/aberration.ts';
+import { observerDoppler } from '../../src/physics/optics/doppler.ts';
+import { sceneNightSky } from '../../src/scene/lights/sceneLights.ts';
+import { fastestVertex } from '../../src/scene/motion/fastestVertex.ts';
+import type { ProbeObserver } from '../../src/scene/view/probe.ts';
 import {
   curvature,
   mean,
@@ -63,7 +63,7 @@ describe('street', () => {
   });
 
   it('has cubes under way, and a ball that turns in its place', () => {
-    const speed = (name: string) => fastest(objectAt(street, `/World/${name}`), c).speed / c;
+    const speed = (name: string) => fastestVertex(objectAt(street, `/World/${name}`), c).speed / c;
     for (const name of ['CubeAhead', 'CubeOncoming', 'CubeAcross']) expect(speed(name), name).toBeGreaterThan(0.3);
     const globe = (t: number) => worldPositions(objectAt(street, '/World/Globe'), t, c);
     // The vertices of the uv seam count twice, so that their mean is not quite the middle.
@@ -167,7 +167,7 @@ describe('saturn', () => {
   });
 
   it('has stars that crowd ahead: of evenly spread ones (1 + β)/2 are in the half of the sky in front', () => {
-    const { stars, orientation } = nightSkyOf(saturn)!;
+    const { stars, orientation } = sceneNightSky(saturn)!;
     const toward = Array.from(
       stars.temperatures,
       (_, i): Vec3 =>

@@ -2,10 +2,10 @@ import { stat } from 'node:fs/promises';
 import { describe, expect, it } from 'vitest';
 import { scenes } from '../../examples/scenes/index.ts';
 import { distance, length } from '../../src/math/vec3.ts';
-import { velocity } from '../../src/physics/boost.ts';
-import { observerFromCamera } from '../../src/scene/camera.ts';
+import { velocity } from '../../src/physics/lorentz/boost.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { validate } from '../../src/scene/validate.ts';
+import { validate } from '../../src/scene/validation/validate.ts';
+import { observerFromCamera } from '../../src/scene/view/camera.ts';
 import { NAMES, openExample, speedOfLight } from './open.ts';
 
 // Reading a scene takes seconds on a busy machine.

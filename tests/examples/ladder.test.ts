@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { properVelocity, velocity } from '../../src/physics/boost.ts';
-import { observerFromCamera } from '../../src/scene/camera.ts';
-import { probeVertices } from '../../src/scene/probe.ts';
+import { properVelocity, velocity } from '../../src/physics/lorentz/boost.ts';
+import { observerFromCamera } from '../../src/scene/view/camera.ts';
+import { probeVertices } from '../../src/scene/view/probe.ts';
 import { objectAt, openExample, speedOfLight, worldPositions } from './open.ts';
 
 const scene = await openExample('ladder');

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { length, normalize, scale, sub, type Vec3, ZERO } from '../../src/math/vec3.ts';
-import { dopplerFactor } from '../../src/physics/doppler.ts';
-import { fastest } from '../../src/scene/fastest.ts';
+import { dopplerFactor } from '../../src/physics/optics/doppler.ts';
+import { fastestVertex } from '../../src/scene/motion/fastestVertex.ts';
 import type { SphereLight } from '../../src/scene/types.ts';
-import { WHITE } from '../../src/spectrum/bands.ts';
-import { colorMatching } from '../../src/spectrum/cie1931.ts';
-import { seenColor } from '../../src/spectrum/observerColor.ts';
+import { observedColor } from '../../src/spectrum/color/observerColor.ts';
+import { colorMatching } from '../../src/spectrum/observer/standardObserver.ts';
+import { WHITE_FILTER } from '../../src/spectrum/reflectance/spectralFilter.ts';
 import { objectAt, openExample, speedOfLight } from './open.ts';
 
 const scene = await openExample('lamps');
@@ -36,7 +36,7 @@ describe('lamps', () => {
 
   it('moves them at 0.32 c, with a standstill at the ends', () => {
     for (const name of ['Sodium', 'Mercury', 'Hydrogen'])
-      expect(fastest(objectAt(scene, `/World/${name}`), c).speed / c, name).toBeCloseTo(0.32, 2);
+      expect(fastestVertex(objectAt(scene, `/World/${name}`), c).speed / c, name).toBeCloseTo(0.32, 2);
     const ends = way(sodium).filter(({ beta }) => length(beta) < 0.01);
     expect(ends.map(({ place }) => Math.abs(place[0])).every((x) => x > 5.9)).toBe(true);
     expect(ends.length).toBeGreaterThan(10);
@@ -51,7 +51,7 @@ describe('lamps', () => {
       const D = dopplerFactor(toLamp, ZERO, scale(fast.beta, 1 / Math.sqrt(1 - beta * beta)));
       const cos = ahead / Math.hypot(ahead, fast.place[2]);
       expect(D).toBeCloseTo(Math.sqrt(1 - beta * beta) / (1 - beta * cos), 10);
-      return { nm: 589.2 / D, color: seenColor(WHITE, WHITE, sodium.spectrum!, 1, D) };
+      return { nm: 589.2 / D, color: observedColor(WHITE_FILTER, WHITE_FILTER, sodium.spectrum!, 1, D) };
     };
     const eye = (nm: number): Vec3 => colorMatching(nm * 1e-9);
     const blue = seenAt(3);

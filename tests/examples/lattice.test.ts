@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { dot, length, type Vec3 } from '../../src/math/vec3.ts';
-import { gamma, velocity } from '../../src/physics/boost.ts';
-import { observerFromCamera } from '../../src/scene/camera.ts';
-import { probeVertices, type VertexProbe } from '../../src/scene/probe.ts';
+import { gamma, velocity } from '../../src/physics/lorentz/boost.ts';
+import { observerFromCamera } from '../../src/scene/view/camera.ts';
+import { probeVertices, type VertexProbe } from '../../src/scene/view/probe.ts';
 import { objectAt, openExample, speedOfLight } from './open.ts';
 
 const scene = await openExample('lattice');

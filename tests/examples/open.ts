@@ -1,14 +1,14 @@
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
+import type { FileSource } from '../../src/formats/files/fileSource.ts';
 import { openScene } from '../../src/formats/open.ts';
-import type { FileSource } from '../../src/formats/source.ts';
 import { add, cross, dot, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
-import { apparentPosition } from '../../src/physics/apparent.ts';
-import { observerFromCamera } from '../../src/scene/camera.ts';
-import { vertexPositions } from '../../src/scene/motion.ts';
-import { pointAt } from '../../src/scene/polygons.ts';
-import type { ProbeObserver } from '../../src/scene/probe.ts';
+import { apparentPosition } from '../../src/physics/optics/apparentPosition.ts';
+import { pointAt } from '../../src/scene/mesh/polygons.ts';
+import { vertexPositions } from '../../src/scene/motion/motion.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
+import { observerFromCamera } from '../../src/scene/view/camera.ts';
+import type { ProbeObserver } from '../../src/scene/view/probe.ts';
 
 /** Every scene of the gallery. */
 export const NAMES = [

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { dot, length, normalize, sub, type Vec3 } from '../../src/math/vec3.ts';
-import { fastest } from '../../src/scene/fastest.ts';
-import type { FrameMotion, Material, SphereLight } from '../../src/scene/types.ts';
-import { bandsOf, WHITE } from '../../src/spectrum/bands.ts';
-import { LUMINANCE, seenColor } from '../../src/spectrum/observerColor.ts';
+import { fastestVertex } from '../../src/scene/motion/fastestVertex.ts';
+import type { Material, RigidMotion, SphereLight } from '../../src/scene/types.ts';
+import { LUMINANCE_WEIGHTS, observedColor } from '../../src/spectrum/color/observerColor.ts';
+import { filterFromRgb, WHITE_FILTER } from '../../src/spectrum/reflectance/spectralFilter.ts';
 import { objectAt, openExample, ridden, speedOfLight } from './open.ts';
 
 const scene = await openExample('prism');
@@ -12,7 +12,7 @@ const lamps = scene.lights.filter((light): light is SphereLight => light.kind ==
 const lampOf = (name: string): SphereLight => lamps.find(({ path }) => path.includes(name))!;
 
 const material = (name: string): Material => scene.materials.find((m) => m.name.endsWith(name))!;
-const bands = ({ baseColor, uv, ir }: Material) => bandsOf(baseColor, uv, ir);
+const bands = ({ baseColor, uv, ir }: Material) => filterFromRgb(baseColor, uv, ir);
 
 /** Where a chart is, and how it moves, when what is seen at openAt leaves it: 0 = t − t_e − |x(t_e) − eye|/c, by bisection. */
 function seen(name: string): { beta: number; D: number } {
@@ -33,7 +33,7 @@ function seen(name: string): { beta: number; D: number } {
   return { beta, D: Math.sqrt(1 - dot(v, v)) / (1 - beta) };
 }
 
-function place(motion: FrameMotion, t: number): Vec3 {
+function place(motion: RigidMotion, t: number): Vec3 {
   if (motion.kind !== 'sampled') return 'pose' in motion ? motion.pose.position : [0, 0, 0];
   const { times, poses } = motion;
   const k = Math.max(0, Math.min(times.length - 2, times.findIndex((x) => x > t) - 1));
@@ -46,14 +46,14 @@ const [left, still, right] = ['Left', 'Still', 'Right'].map(seen);
 
 /** A surface in the light of a chart's own lamp, at rest with it. */
 const light = lampOf('Left').spectrum!;
-const color = (name: string, D: number): Vec3 => seenColor(bands(material(name)), WHITE, light, 1, D);
+const color = (name: string, D: number): Vec3 => observedColor(bands(material(name)), WHITE_FILTER, light, 1, D);
 const red = ([r, g, b]: Vec3): boolean => r > 1.5 * g && r > 1.5 * b;
 const blue = ([r, g, b]: Vec3): boolean => b > 1.5 * r && b > 1.2 * g;
 
 describe('prism', () => {
   it('has one chart coming at 0.34 c, one at rest, one going when it opens', () => {
     for (const name of ['Left', 'Right'])
-      expect(fastest(objectAt(scene, `/World/${name}`), c).speed / c).toBeCloseTo(0.34, 2);
+      expect(fastestVertex(objectAt(scene, `/World/${name}`), c).speed / c).toBeCloseTo(0.34, 2);
     expect(left.beta).toBeGreaterThan(0.29);
     expect(still).toEqual({ beta: 0, D: 1 });
     expect(right.beta).toBeLessThan(-0.29);
@@ -86,7 +86,7 @@ describe('prism', () => {
 
   // The D⁴ of beaming, times what the shift takes or gives in the visible.
   it('is brighter coming and darker going', () => {
-    const white = (D: number) => D ** 4 * dot(LUMINANCE, color('field30', D));
+    const white = (D: number) => D ** 4 * dot(LUMINANCE_WEIGHTS, color('field30', D));
     expect(white(left.D) / white(1)).toBeGreaterThan(2);
     expect(white(right.D) / white(1)).toBeLessThan(0.5);
   });
@@ -96,6 +96,6 @@ describe('prism', () => {
     const [r, g] = color('leaf', 1);
     expect(g).toBeGreaterThan(r);
     expect(red(color('leaf', left.D))).toBe(true);
-    expect(red(seenColor(bandsOf(leaf.baseColor), WHITE, light, 1, left.D))).toBe(false);
+    expect(red(observedColor(filterFromRgb(leaf.baseColor), WHITE_FILTER, light, 1, left.D))).toBe(false);
   });
 });

@@ -1,17 +1,17 @@
 import { describe, expect, it } from 'vitest';
 import { projects } from '../../examples/projects/index.ts';
 import { orbit } from '../../examples/sets/planetarium.ts';
-import { readFont } from '../../src/cli/fonts.ts';
-import type { Books } from '../../src/dynamics/books.ts';
-import { COULOMB } from '../../src/dynamics/forces/coulomb.ts';
+import { readFont } from '../../src/cli/files/fonts.ts';
+import { COULOMB_CONSTANT } from '../../src/dynamics/forces/coulomb.ts';
+import type { RunRecord } from '../../src/dynamics/runRecord.ts';
 import { openScene } from '../../src/formats/open.ts';
-import { Evaluator } from '../../src/graph/evaluate.ts';
+import { Evaluator } from '../../src/graph/evaluation/evaluator.ts';
 import { length, sub, type Vec3 } from '../../src/math/vec3.ts';
 import { nodeLibrary } from '../../src/nodes/library.ts';
-import { type LoadedScene, threadServices } from '../../src/nodes/services.ts';
-import { poseAt, vertexPositions } from '../../src/scene/motion.ts';
+import { type LoadedScene, workerServices } from '../../src/nodes/services.ts';
+import { poseAt, vertexPositions } from '../../src/scene/motion/motion.ts';
 import type { SampledPointsMotion, Scene, SceneObject } from '../../src/scene/types.ts';
-import { validate } from '../../src/scene/validate.ts';
+import { validate } from '../../src/scene/validation/validate.ts';
 import { files } from './open.ts';
 
 /** [m/s] */
@@ -20,10 +20,10 @@ const C = 10;
 const readScene = async (source: string): Promise<LoadedScene> => ({ scene: await openScene(files, source) });
 
 /** What the simulations of an example give, by their nodes: without a warning. */
-async function run(name: string): Promise<(node: string) => { readonly scene: Scene; readonly books: Books }> {
+async function run(name: string): Promise<(node: string) => { readonly scene: Scene; readonly books: RunRecord }> {
   const document = projects[name]!();
   const nodes = Object.entries(document.nodes).flatMap(([id, { type }]) => (type === 'simulate' ? [id] : []));
-  const services = { ...threadServices, readFont, readScene };
+  const services = { ...workerServices, readFont, readScene };
   const { results } = await new Evaluator(nodeLibrary).evaluate(document, nodes, services);
   return (node) => {
     const result = results.get(node);
@@ -31,7 +31,7 @@ async function run(name: string): Promise<(node: string) => { readonly scene: Sc
     const { scene } = result.outputs.geometry as LoadedScene;
     expect(scene.diagnostics).toEqual([]);
     expect(validate(scene, scene.hints.speedOfLight!)).toEqual([]);
-    return { scene, books: result.outputs.books as Books };
+    return { scene, books: result.outputs.books as RunRecord };
   };
 }
 
@@ -167,7 +167,7 @@ describe('two charges', () => {
       const [x, , z] = sub(placeOf(scene, '/Positive', t), placeOf(scene, '/Negative', t));
       return { r: Math.hypot(x, z), angle: Math.atan2(z, x) };
     });
-    const [v, k] = [2.6, COULOMB * 9.37e-5 ** 2];
+    const [v, k] = [2.6, COULOMB_CONSTANT * 9.37e-5 ** 2];
     const gamma = 1 / Math.sqrt(1 - (v / C) ** 2);
     const L = 2 * 1.6 * gamma * v;
     const E = 2 * (gamma - 1) * C * C - k / 3.2;

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { add, addScaled, cross, dot, length, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
-import { gamma, properVelocity } from '../../src/physics/boost.ts';
-import { positionAt } from '../../src/physics/worldLine.ts';
-import { boundingSphere } from '../../src/scene/bounds.ts';
-import { observerFromCamera } from '../../src/scene/camera.ts';
-import { originLine } from '../../src/scene/motion.ts';
-import { type ProbeObserver, probeVertices } from '../../src/scene/probe.ts';
+import { gamma, properVelocity } from '../../src/physics/lorentz/boost.ts';
+import { positionAt } from '../../src/physics/worldLines/worldLine.ts';
+import { boundingSphere } from '../../src/scene/bounds/bounds.ts';
+import { originWorldLine } from '../../src/scene/motion/motion.ts';
 import type { Mesh, SceneObject } from '../../src/scene/types.ts';
+import { observerFromCamera } from '../../src/scene/view/camera.ts';
+import { type ProbeObserver, probeVertices } from '../../src/scene/view/probe.ts';
 import { objectAt, openExample, speedOfLight, worldPositions } from './open.ts';
 
 const scene = await openExample('sphere');
@@ -21,7 +21,7 @@ function outline(object: SceneObject, observer: ProbeObserver): SceneObject {
   if (motion.kind !== 'uniform' && motion.kind !== 'static') throw new Error(`${object.path} should fly straight`);
   const { radius } = boundingSphere(mesh.positions);
   const u = motion.kind === 'uniform' ? properVelocity(scale(motion.velocity, 1 / c)) : ([0, 0, 0] as Vec3);
-  const d = sub(observer.position, positionAt(originLine(motion), observer.t, c));
+  const d = sub(observer.position, positionAt(originWorldLine(motion), observer.t, c));
   // World-simultaneous offset → rest frame: lengths along the way grow by γ.
   const p = addScaled(d, u, dot(u, d) / (gamma(u) + 1));
   const [axis, cosine] = [normalize(p), radius / length(p)];

@@ -1,14 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { dot, length, normalize, type Vec3 } from '../../src/math/vec3.ts';
-import { velocity } from '../../src/physics/boost.ts';
-import { observerFromCamera } from '../../src/scene/camera.ts';
-import { nightSkyOf } from '../../src/scene/daylight.ts';
-import { starsInPicture } from '../../src/scene/stars/inPicture.ts';
-import { DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view.ts';
+import { velocity } from '../../src/physics/lorentz/boost.ts';
+import { sceneNightSky } from '../../src/scene/lights/sceneLights.ts';
+import { projectStars } from '../../src/scene/stars/projectStars.ts';
+import { observerFromCamera } from '../../src/scene/view/camera.ts';
+import { DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view/view.ts';
 import { openExample, speedOfLight, topOfFlight } from './open.ts';
 
 const scene = await openExample('starfield');
-const sky = nightSkyOf(scene)!;
+const sky = sceneNightSky(scene)!;
 const [camera] = scene.cameras;
 const c = speedOfLight(scene);
 
@@ -26,7 +26,7 @@ function seen(t: number, u: Vec3 = observerFromCamera(camera, t, c).u): Seen[] {
   const view: ViewPoint = { t, ...observerFromCamera(camera, t, c), u, fovY: 3 };
   const room = 3 * sky.stars.temperatures.length;
   const [places, lights] = [new Float32Array(room), new Float32Array(room)];
-  const count = starsInPicture(sky, view, DEFAULT_SETTINGS, WIDTH, HEIGHT, { places, lights });
+  const count = projectStars(sky, view, DEFAULT_SETTINGS, WIDTH, HEIGHT, { positions: places, radiances: lights });
   const tan = Math.tan(view.fovY / 2);
   return Array.from({ length: count }, (_, i) => ({
     n: normalize([places[3 * i] * tan, places[3 * i + 1] * tan, -1]),

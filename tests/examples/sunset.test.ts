@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { dot, length, type Vec3 } from '../../src/math/vec3.ts';
-import { velocity } from '../../src/physics/boost.ts';
+import { velocity } from '../../src/physics/lorentz/boost.ts';
 import type { Material } from '../../src/scene/types.ts';
-import { bandsOf, WHITE } from '../../src/spectrum/bands.ts';
-import { VISIBLE } from '../../src/spectrum/cie1931.ts';
-import { DAYLIGHT, type LightSpectrum } from '../../src/spectrum/lightSpectrum.ts';
-import { MATERIAL_PRESETS } from '../../src/spectrum/materialPresets.ts';
-import { LUMINANCE, seenColor } from '../../src/spectrum/observerColor.ts';
+import { LUMINANCE_WEIGHTS, observedColor } from '../../src/spectrum/color/observerColor.ts';
+import { VISIBLE } from '../../src/spectrum/observer/standardObserver.ts';
+import { MATERIAL_PRESETS } from '../../src/spectrum/reflectance/materialPresets.ts';
+import { filterFromRgb, WHITE_FILTER } from '../../src/spectrum/reflectance/spectralFilter.ts';
+import { DAYLIGHT, type LightSpectrum } from '../../src/spectrum/sources/lightSpectrum.ts';
 import { openExample, topOfFlight } from './open.ts';
 
 const scene = await openExample('sunset');
@@ -19,8 +19,8 @@ const sun = scene.lights.find(({ kind }) => kind === 'distant')!;
 const sunlight: LightSpectrum = 'spectrum' in sun && sun.spectrum ? sun.spectrum : DAYLIGHT;
 
 const color = ({ baseColor, uv, ir }: Material, d: number): Vec3 =>
-  seenColor(bandsOf(baseColor, uv, ir), WHITE, sunlight, 1, d);
-const brightness = (m: Material, d: number): number => dot(LUMINANCE, color(m, d));
+  observedColor(filterFromRgb(baseColor, uv, ir), WHITE_FILTER, sunlight, 1, d);
+const brightness = (m: Material, d: number): number => dot(LUMINANCE_WEIGHTS, color(m, d));
 const [leaf, asphalt] = ['leaf', 'asphalt'].map(material);
 
 describe('sunset street', () => {
@@ -34,7 +34,7 @@ describe('sunset street', () => {
       [leaf, 'leaf'],
       [asphalt, 'asphalt'],
     ] as const) {
-      const { uv, ir } = MATERIAL_PRESETS.get(name)!.bands;
+      const { uv, ir } = MATERIAL_PRESETS.get(name)!.filter;
       expect([m.uv, m.ir]).toEqual([uv, ir]);
     }
   });
@@ -60,13 +60,13 @@ describe('sunset street', () => {
     expect(window.emissionTemperature).toBe(2200);
     expect(2200 * Math.round(D)).toBe(6600);
     for (const light of [{ kind: 'thermal', temperature: 2200 } as const, sunlight]) {
-      const [r0, , b0] = seenColor(WHITE, WHITE, light, 1, 1);
-      const [r, , b] = seenColor(WHITE, WHITE, light, 1, D);
+      const [r0, , b0] = observedColor(WHITE_FILTER, WHITE_FILTER, light, 1, 1);
+      const [r, , b] = observedColor(WHITE_FILTER, WHITE_FILTER, light, 1, D);
       expect(b0 / r0).toBeLessThan(0.2);
       expect(b / r).toBeGreaterThan(0.8);
       expect(b / r).toBeLessThan(1.6);
     }
-    const [r, , b] = seenColor(WHITE, WHITE, DAYLIGHT, 1, D);
+    const [r, , b] = observedColor(WHITE_FILTER, WHITE_FILTER, DAYLIGHT, 1, D);
     expect(b / r).toBeGreaterThan(1.8);
   });
 });

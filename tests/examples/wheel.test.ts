@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { properVelocity } from '../../src/physics/boost.ts';
-import { fastest } from '../../src/scene/fastest.ts';
-import { probeVertices } from '../../src/scene/probe.ts';
+import { properVelocity } from '../../src/physics/lorentz/boost.ts';
+import { fastestVertex } from '../../src/scene/motion/fastestVertex.ts';
+import { probeVertices } from '../../src/scene/view/probe.ts';
 import { distanceFromLine, mean, objectAt, openExample, speedOfLight, worldPositions } from './open.ts';
 
 const scene = await openExample('wheel');
@@ -54,7 +54,7 @@ describe('wheel', () => {
     const at = (t: number) => worldPositions(wheel, t, c);
     const hub = (t: number) => mean(at(t).filter((_, i) => Math.hypot(own[i][0], own[i][1]) < 0.2))[0];
     expect((hub(4) - hub(2)) / 2).toBeCloseTo(BETA * c, 1);
-    expect(fastest(wheel, c).speed / c).toBeCloseTo((2 * BETA) / (1 + BETA * BETA), 1);
+    expect(fastestVertex(wheel, c).speed / c).toBeCloseTo((2 * BETA) / (1 + BETA * BETA), 1);
     const [before, after] = [at(2.9 - 1 / 32), at(2.9 + 1 / 32)];
     const feet = before.map((p, i) => ({
       y: p[1],

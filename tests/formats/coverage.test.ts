@@ -1,15 +1,15 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { CODES } from '../../src/formats/codes.ts';
+import { DIAGNOSTIC_CODES } from '../../src/formats/diagnostics/diagnosticCodes.ts';
 import { entryOf } from '../../src/formats/entry.ts';
+import { memorySource } from '../../src/formats/files/fileSource.ts';
 import { openScene } from '../../src/formats/open.ts';
 import type { ReadOptions } from '../../src/formats/registry.ts';
-import { memorySource } from '../../src/formats/source.ts';
-import { bytesFile, zipSource } from '../../src/formats/zip/source.ts';
+import { memoryFile, zipSource } from '../../src/formats/zip/zipSource.ts';
 import { InputError, type Scene } from '../../src/scene/types.ts';
-import { chapters } from './chapters.ts';
-import { page } from './page.ts';
-import type { Example, Row } from './row.ts';
+import type { Example, FormatClaim } from './claim.ts';
+import { chapters } from './formatClaims.ts';
+import { page } from './formatsPage.ts';
 
 const opened = async (files: Example, options: ReadOptions = {}): Promise<Scene> => {
   const given = typeof files === 'function' ? await files() : files;
@@ -18,18 +18,18 @@ const opened = async (files: Example, options: ReadOptions = {}): Promise<Scene>
   const bytes = Object.fromEntries(Object.entries(given).map(([path, content]) => [path, encode(content)]));
   const [entry] = Object.keys(given);
   if (!entry.endsWith('.zip')) return openScene(memorySource(bytes), entry, options);
-  const packed = await zipSource(bytesFile(bytes[entry]), entry, memorySource(bytes));
+  const packed = await zipSource(memoryFile(bytes[entry]), entry, memorySource(bytes));
   return openScene(packed, entryOf(await packed.list())!, options);
 };
 
 /** What every file of a format says. */
 const ALWAYS = 'file.units';
 
-async function holds(row: Row): Promise<void> {
+async function holds(row: FormatClaim): Promise<void> {
   for (const example of [row.files].flat()) await holdsFor(row, example);
 }
 
-async function holdsFor(row: Row, example: Example): Promise<void> {
+async function holdsFor(row: FormatClaim, example: Example): Promise<void> {
   if (row.how === 'refused') {
     const error = await opened(example, row.options).then(
       () => undefined,
@@ -67,7 +67,7 @@ const sources = (folder: URL): string[] =>
 describe('the guide', () => {
   it('lists no code that nothing says', () => {
     const code = sources(new URL('../../src/', import.meta.url)).join('\n');
-    expect(Object.keys(CODES).filter((name) => !code.includes(`'${name}'`))).toEqual([]);
+    expect(Object.keys(DIAGNOSTIC_CODES).filter((name) => !code.includes(`'${name}'`))).toEqual([]);
   });
 
   /** `npm run docs` makes it anew. */

@@ -2,16 +2,16 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
-import { writeExr } from '../../src/formats/exr.ts';
-import { memorySource } from '../../src/formats/source.ts';
+import { memorySource } from '../../src/formats/files/fileSource.ts';
+import { writeExr } from '../../src/formats/image/exr.ts';
 import { readUsd } from '../../src/formats/usd/read.ts';
-import { writeTextures, writeUsda } from '../../src/formats/usd/write.ts';
+import { writeTextures, writeUsda } from '../../src/formats/usd/write/writeUsd.ts';
 import { random } from '../../src/math/random.ts';
 import { normalize, scale, type Vec3 } from '../../src/math/vec3.ts';
-import { skyOf } from '../../src/reference/sky.ts';
-import { tintedEye } from '../../src/reference/tinted.ts';
+import { skyOf } from '../../src/reference/lights/sky.ts';
+import { rgbSensor } from '../../src/reference/spectral/rgbSensor.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { hasUsdCore, python } from '../usdCore.ts';
+import { hasUsdCore, python } from '../support/pythonOracles.ts';
 
 const available = hasUsdCore();
 const folder = mkdtempSync(join(tmpdir(), 'slowlight-domes-'));
@@ -19,8 +19,8 @@ afterAll(() => rmSync(folder, { recursive: true }));
 
 /** The linear sRGB of the sky in a direction. */
 function skyIn(scene: Scene, n: Vec3): Vec3 {
-  const { sight, color } = tintedEye({ dopplerMix: 0, beaming: 1 });
-  return color(skyOf(scene, []).light(n, sight));
+  const { context: sight, color } = rgbSensor({ dopplerMix: 0, beaming: 1 });
+  return color(skyOf(scene, []).radiance(n, sight));
 }
 
 const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);

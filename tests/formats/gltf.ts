@@ -1,11 +1,11 @@
 import { EXTMeshGPUInstancing } from '@gltf-transform/extensions';
 import { expect } from 'vitest';
-import { vertexPosition } from '../../src/scene/motion.ts';
+import { vertexPosition } from '../../src/scene/motion/motion.ts';
+import { find } from '../support/gltfBuilder.ts';
 import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
-import { find } from '../support/gltfKit.ts';
+import { approximated, type ClaimGroup, type Files, leftOut, read, refused } from './claim.ts';
 import { glb, json, packed, triangles } from './gltfExamples.ts';
-import { lookGroups } from './gltfLooks.ts';
-import { approximated, type Files, type Group, leftOut, read, refused } from './row.ts';
+import { materialGroups } from './gltfMaterials.ts';
 import { C } from './usdKit.ts';
 
 /** Its compressed bytes are all 0. */
@@ -17,7 +17,7 @@ async function damaged(): Promise<Files> {
   return { 'a.glb': Uint8Array.from(glb).fill(0, start + 8) };
 }
 
-const files: Group = {
+const files: ClaimGroup = {
   title: 'Files',
   rows: [
     read(
@@ -104,7 +104,7 @@ const files: Group = {
   ],
 };
 
-const shapes: Group = {
+const shapes: ClaimGroup = {
   title: 'Nodes and shapes',
   rows: [
     read(
@@ -221,4 +221,4 @@ const shapes: Group = {
   ],
 };
 
-export const gltfGroups: readonly Group[] = [files, shapes, ...lookGroups];
+export const gltfGroups: readonly ClaimGroup[] = [files, shapes, ...materialGroups];

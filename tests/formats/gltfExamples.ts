@@ -1,13 +1,13 @@
 import type { Document } from '@gltf-transform/core';
 import { expect } from 'vitest';
 import type { Scene } from '../../src/scene/types.ts';
-import { find, Kit } from '../support/gltfKit.ts';
-import type { Files } from './row.ts';
+import { find, GltfBuilder } from '../support/gltfBuilder.ts';
+import type { Files } from './claim.ts';
 
 /** A document with a triangle at `/Thing`, further filled; as one file. */
-export type Fill = (kit: Kit, thing: ReturnType<Kit['meshNode']>) => void;
-function filled(fill: Fill): Kit {
-  const kit = new Kit();
+export type Fill = (kit: GltfBuilder, thing: ReturnType<GltfBuilder['meshNode']>) => void;
+function filled(fill: Fill): GltfBuilder {
+  const kit = new GltfBuilder();
   const thing = kit.meshNode('Thing', kit.triangle());
   kit.scene.addChild(thing);
   fill(kit, thing);
@@ -28,7 +28,10 @@ export const packed = (extension: string, pack: (doc: Document) => Promise<Uint8
 };
 
 /** With a material on its triangle. */
-export const worn = (fill: (material: ReturnType<Kit['doc']['createMaterial']>, kit: Kit) => void, more: Files = {}) =>
+export const withMaterial = (
+  fill: (material: ReturnType<GltfBuilder['doc']['createMaterial']>, kit: GltfBuilder) => void,
+  more: Files = {},
+) =>
   glb((kit, thing) => {
     const material = kit.doc.createMaterial('Paint');
     for (const primitive of thing.getMesh()!.listPrimitives()) {

@@ -1,12 +1,12 @@
 import { expect } from 'vitest';
 import type { Material, Scene } from '../../src/scene/types.ts';
+import { approximated, type ClaimGroup, type Files, leftOut, read, refused } from './claim.ts';
 import { PIXEL, WEBP } from './pictures.ts';
-import { approximated, type Files, type Group, leftOut, read, refused } from './row.ts';
 
 const FACE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
 const obj = (text: string): Files => ({ 'a.obj': text });
 /** A square that wears the material `m` of these lines. */
-export const worn = (lines: string, more: Files = {}): Files => ({
+export const withMaterial = (lines: string, more: Files = {}): Files => ({
   'a.obj': `mtllib a.mtl\nusemtl m\n${FACE.replace('f 1 2 3 4', 'vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3')}`,
   'a.mtl': `newmtl m\n${lines}\n`,
   ...more,
@@ -15,7 +15,7 @@ const triangles = (count: number) => (scene: Scene) => expect(scene.objects[0].m
 const looks = (wanted: Partial<Material>) => (scene: Scene) => expect(scene.materials[0]).toMatchObject(wanted);
 const pathsOf = (scene: Scene): string[] => scene.objects.map(({ path }) => path);
 
-const shapes: Group = {
+const shapes: ClaimGroup = {
   title: 'Shapes',
   rows: [
     read(
@@ -77,25 +77,25 @@ const shapes: Group = {
   ],
 };
 
-const materials: Group = {
+const materials: ClaimGroup = {
   title: 'Materials (`.mtl`)',
   rows: [
     read(
       '`Kd`, `Ke`, `d`, `Tr`, `Ni` above 1, `Pm`',
       'base colour and emission (taken as linear), opacity, refractive index, metalness',
-      worn('Kd 1 0 0\nKe 0 2 0\nd 0.5\nNi 1.25'),
+      withMaterial('Kd 1 0 0\nKe 0 2 0\nd 0.5\nNi 1.25'),
       looks({ baseColor: [1, 0, 0], emissive: [0, 2, 0], opacity: 0.5, ior: 1.25 }),
     ),
     read(
       '`Pr`, else `Ns`',
       'roughness; roughness⁴ = 2 / (Ns + 2); where `Ks` is 0: matt',
-      worn('Ns 30'),
+      withMaterial('Ns 30'),
       looks({ roughness: 0.5 }),
     ),
     read(
       '`map_Kd`, `map_Ke`, `map_d`, with `-s`, `-o`, `-clamp`',
       'pictures; one of its name beside the `.mtl` where it is not at the place that is written',
-      worn('map_Kd -s 2 2 1 -clamp on C:\\old\\a.png', { 'a.png': PIXEL }),
+      withMaterial('map_Kd -s 2 2 1 -clamp on C:\\old\\a.png', { 'a.png': PIXEL }),
       (s) => {
         expect(s.materials[0].baseColorTexture).toMatchObject({ width: 1, wrapS: 'clamp' });
         expect(Math.max(...s.objects[0].mesh.uvs)).toBe(2);
@@ -104,7 +104,7 @@ const materials: Group = {
     read(
       '`norm`, `map_Pr`, `map_Pm`',
       'normals, roughness and metalness per pixel, the latter from the red times `Pr`, `Pm`',
-      worn('Pr 0.5\nmap_Pr a.png\nmap_Pm a.png\nnorm a.png', { 'a.png': PIXEL }),
+      withMaterial('Pr 0.5\nmap_Pr a.png\nmap_Pm a.png\nnorm a.png', { 'a.png': PIXEL }),
       looks({
         roughnessTexture: expect.objectContaining({ channel: 0, scale: 0.5 }),
         metallicTexture: expect.objectContaining({ scale: 1 }),
@@ -115,21 +115,21 @@ const materials: Group = {
       'other maps and words (`map_Bump`, `map_Ns`, `Tf` …)',
       'named',
       'obj.ignored',
-      worn('Kd 1 0 0\nmap_Bump a.png'),
+      withMaterial('Kd 1 0 0\nmap_Bump a.png'),
       looks({ baseColor: [1, 0, 0] }),
     ),
-    leftOut('colours as `spectral` or `xyz`', 'named', 'obj.color', worn('Kd xyz 1 1 1')),
+    leftOut('colours as `spectral` or `xyz`', 'named', 'obj.color', withMaterial('Kd xyz 1 1 1')),
     leftOut(
       'a picture that is damaged, too large, or neither PNG nor JPEG',
       'named with what it is',
       'file.unreadable-texture',
-      worn('map_Kd a.png', { 'a.png': WEBP }),
+      withMaterial('map_Kd a.png', { 'a.png': WEBP }),
     ),
     leftOut(
       'a picture that is not there',
       'named with where it was looked for',
       'file.missing-texture',
-      worn('map_Kd a.png'),
+      withMaterial('map_Kd a.png'),
     ),
     leftOut(
       'a `.mtl` that is not there',
@@ -147,4 +147,4 @@ const materials: Group = {
   ],
 };
 
-export const objGroups: readonly Group[] = [shapes, materials];
+export const objGroups: readonly ClaimGroup[] = [shapes, materials];

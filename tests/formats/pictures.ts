@@ -1,4 +1,4 @@
-import { encodePng } from '../../src/formats/png.ts';
+import { encodePng } from '../../src/formats/image/encodePng.ts';
 
 /** A picture of one red pixel. */
 export const PIXEL: Uint8Array = encodePng(1, 1, Uint8Array.of(255, 0, 0, 255));

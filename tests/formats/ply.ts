@@ -1,7 +1,7 @@
 import { expect } from 'vitest';
 import type { Scene } from '../../src/scene/types.ts';
+import { type ClaimGroup, type Files, leftOut, read, refused } from './claim.ts';
 import { PIXEL, WEBP } from './pictures.ts';
-import { type Files, type Group, leftOut, read, refused } from './row.ts';
 
 interface Parts {
   readonly format?: string;
@@ -44,7 +44,7 @@ const triangles = (count: number) => (scene: Scene) => expect(scene.objects[0].m
 const red = (scene: Scene): void => expect([...scene.objects[0].mesh.colors!.subarray(0, 3)]).toEqual([1, 0, 0]);
 const COLORS = 'property uchar red\nproperty uchar green\nproperty uchar blue\n';
 
-const contents: Group = {
+const contents: ClaimGroup = {
   title: 'Contents',
   rows: [
     read('text; all scalar types', 'a mesh', ply(), triangles(2)),
@@ -134,4 +134,4 @@ const contents: Group = {
   ],
 };
 
-export const plyGroups: readonly Group[] = [contents];
+export const plyGroups: readonly ClaimGroup[] = [contents];

@@ -1,6 +1,6 @@
 import { expect } from 'vitest';
 import type { Scene } from '../../src/scene/types.ts';
-import { type Files, type Group, leftOut, read, refused } from './row.ts';
+import { type ClaimGroup, type Files, leftOut, read, refused } from './claim.ts';
 
 const facet = (normal = '0 0 1', corners = ['0 0 0', '1 0 0', '0 1 0']): string =>
   `facet normal ${normal}\nouter loop\n${corners.map((p) => `vertex ${p}\n`).join('')}endloop\nendfacet\n`;
@@ -19,7 +19,7 @@ function binary(header = '', rest = 0, x = 1): Files {
 }
 const one = (scene: Scene): void => expect(scene.objects.map(({ mesh }) => mesh.indices.length)).toEqual([3]);
 
-const contents: Group = {
+const contents: ClaimGroup = {
   title: 'Contents',
   rows: [
     read('text', 'flat triangles; each `solid` is an object', stl(facet()), (s) =>
@@ -45,4 +45,4 @@ const contents: Group = {
   ],
 };
 
-export const stlGroups: readonly Group[] = [contents];
+export const stlGroups: readonly ClaimGroup[] = [contents];

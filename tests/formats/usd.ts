@@ -1,9 +1,9 @@
 import { expect } from 'vitest';
-import { packUsdz } from '../../src/formats/usd/writeZip.ts';
+import { packUsdz } from '../../src/formats/usd/write/packUsdz.ts';
 import { volume } from '../support/meshes.ts';
-import { approximated, type Files, type Group, leftOut, read, refused } from './row.ts';
+import { approximated, type ClaimGroup, type Files, leftOut, read, refused } from './claim.ts';
 import { corner, crateFixture, MOVED, ORDER, paths, usd } from './usdKit.ts';
-import { lookGroups } from './usdLooks.ts';
+import { materialGroups } from './usdMaterials.ts';
 import { shapeGroups } from './usdShapes.ts';
 
 /** The first bytes of a crate of a version. */
@@ -17,7 +17,7 @@ const packageOf = (name: string, text: string): Uint8Array =>
 const BOX = '#usda 1.0\n( defaultPrim = "Box" )\ndef Xform "Box" { def Cube "Side" { double size = 1 } }\n';
 const beside = (text: string): Files => ({ ...usd(text), 'box.usda': BOX });
 
-const files: Group = {
+const files: ClaimGroup = {
   title: 'Files and stages',
   rows: [
     read('text (`.usda`, `.usd`), versions 1.x', 'the stage', usd('def Cube "A" {}'), (s) =>
@@ -91,7 +91,7 @@ const files: Group = {
 const CLIPS = `clips = { dictionary default = { asset[] assetPaths = [@./clip.usda@]; string primPath = "/A"
   double2[] active = [(0, 0)]; double2[] times = [(0, 0), (24, 24)] } }`;
 
-const composition: Group = {
+const composition: ClaimGroup = {
   title: 'Composition',
   rows: [
     read(
@@ -245,4 +245,4 @@ def "A" ( references = @\`"./\${N}.usda"\`@ ) {}`,
   ],
 };
 
-export const usdGroups: readonly Group[] = [files, composition, ...shapeGroups, ...lookGroups];
+export const usdGroups: readonly ClaimGroup[] = [files, composition, ...shapeGroups, ...materialGroups];

@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { vertexPosition } from '../../src/scene/motion.ts';
+import { vertexPosition } from '../../src/scene/motion/motion.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { find } from '../support/gltfKit.ts';
-import type { Files } from './row.ts';
+import { find } from '../support/gltfBuilder.ts';
+import type { Files } from './claim.ts';
 
 /** Far above every speed here [m/s]. */
 export const C = 1e9;

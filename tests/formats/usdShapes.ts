@@ -1,9 +1,9 @@
 import { expect } from 'vitest';
-import { vertexPosition } from '../../src/scene/motion.ts';
-import { isStreamed } from '../../src/scene/points.ts';
+import { vertexPosition } from '../../src/scene/motion/motion.ts';
+import { isStreamed } from '../../src/scene/streaming/samplePoints.ts';
 import type { SampledPointsMotion, Scene } from '../../src/scene/types.ts';
 import { volume } from '../support/meshes.ts';
-import { approximated, type Group, leftOut, read } from './row.ts';
+import { approximated, type ClaimGroup, leftOut, read } from './claim.ts';
 import { C, corner, crateFixture, def, FACE, MOVED, ORDER, paths, RED, usd } from './usdKit.ts';
 
 /** The square, its first corner higher and lower again. */
@@ -18,7 +18,7 @@ function deforming({ objects: [{ motion }] }: Scene): SampledPointsMotion {
   return motion;
 }
 
-const motion: Group = {
+const motion: ClaimGroup = {
   title: 'Placement and motion',
   rows: [
     read(
@@ -146,7 +146,7 @@ const unseen = (types: readonly string[], becomes: string): ReturnType<typeof le
     (s) => expect(paths(s)).toEqual(['/Rest']),
   );
 
-const geometry: Group = {
+const geometry: ClaimGroup = {
   title: 'Shapes',
   rows: [
     read(
@@ -190,7 +190,7 @@ const geometry: Group = {
       },
     ),
     read(
-      '`Cube`, `Sphere`, `Cylinder`, `Cone`, `Capsule`, `Plane`',
+      '`Cube`, `BoundingSphere`, `Cylinder`, `Cone`, `Capsule`, `FloatImage`',
       'meshes',
       usd(
         ['Cube', 'Sphere', 'Cylinder', 'Cone', 'Capsule', 'Plane'].map((type) => `def ${type} "${type}" {}`).join('\n'),
@@ -297,7 +297,7 @@ const SHAPE = (offsets: string): string =>
 const WEIGHT = 'uniform token[] blendShapes = ["up"]\nfloat[] blendShapeWeights.timeSamples = { 0: [0], 24: [1] }';
 const UP = '[(0, 0, 2), (0, 0, 2), (0, 0, 2), (0, 0, 2)]';
 
-const instances: Group = {
+const instances: ClaimGroup = {
   title: 'Instances and skeletons',
   rows: [
     read(
@@ -359,4 +359,4 @@ const instances: Group = {
   ],
 };
 
-export const shapeGroups: readonly Group[] = [motion, geometry, instances];
+export const shapeGroups: readonly ClaimGroup[] = [motion, geometry, instances];

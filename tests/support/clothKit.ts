@@ -1,9 +1,9 @@
-import type { Faces } from '../../src/dynamics/nets.ts';
-import { type Frame, type Order, run, type Stop } from '../../src/dynamics/run.ts';
+import type { FaceTopology } from '../../src/dynamics/meshSprings.ts';
+import { type EarlyStop, integrate, type RunOptions, type SimulationFrame } from '../../src/dynamics/run.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 
 /** n × n points of a level square of a metre, by quads. `at`: of its first corner [m]. */
-export function sheet(n: number, at: Vec3 = [0, 0, 0]): { readonly x: Float64Array; readonly faces: Faces } {
+export function sheet(n: number, at: Vec3 = [0, 0, 0]): { readonly x: Float64Array; readonly faces: FaceTopology } {
   const x = new Float64Array(3 * n * n);
   const corners: number[] = [];
   for (let i = 0; i < n; i++)
@@ -16,14 +16,14 @@ export function sheet(n: number, at: Vec3 = [0, 0, 0]): { readonly x: Float64Arr
 }
 
 /** All that a run gives. */
-export interface Ran {
-  readonly frames: readonly Frame[];
-  readonly stop: Stop | undefined;
+export interface RecordedRun {
+  readonly frames: readonly SimulationFrame[];
+  readonly stop: EarlyStop | undefined;
 }
 
-export function ranThrough(order: Order): Ran {
-  const frames: Frame[] = [];
-  const running = run(order);
+export function recordRun(order: RunOptions): RecordedRun {
+  const frames: SimulationFrame[] = [];
+  const running = integrate(order);
   for (let next = running.next(); ; next = running.next()) {
     if (next.done) return { frames, stop: next.value };
     frames.push(next.value);

@@ -1,8 +1,8 @@
-import { applyCommand, type Command } from '../../src/graph/commands.ts';
-import type { GraphDocument } from '../../src/graph/document.ts';
-import { groupingOf } from '../../src/graph/edits/group.ts';
+import type { GraphDocument } from '../../src/graph/document/document.ts';
+import { applyCommand, type Command } from '../../src/graph/edits/commands.ts';
+import { groupCommand } from '../../src/graph/edits/group.ts';
 import { nodeLibrary } from '../../src/nodes/library.ts';
-import { flyCommand, newProject } from '../../src/nodes/project.ts';
+import { flyCommand, newProject } from '../../src/nodes/project/projectCommands.ts';
 import { add, connect, edited, set } from './graphKit.ts';
 
 /** A house that flies by as γ = 1.25 says, at night with more exposure: every utility node has its part in the picture. */
@@ -37,5 +37,5 @@ export function utilityProject(): GraphDocument {
     connect('vector-math.vector', 'fly1.direction'),
   ];
   const whole = edited(flying, ...nodes, ...edges);
-  return edited(whole, groupingOf(whole, { nodes: ['math', 'compare'] }, 'Speed', nodeLibrary).command);
+  return edited(whole, groupCommand(whole, { nodes: ['math', 'compare'] }, 'Speed', nodeLibrary).command);
 }

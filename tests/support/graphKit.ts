@@ -1,12 +1,12 @@
 import fc from 'fast-check';
-import { applyCommand, type Command, CommandError, type Point } from '../../src/graph/commands.ts';
-import { emptyDocument, type GraphDocument, type GraphEdge, graphIn } from '../../src/graph/document.ts';
-import { copyOf, duplicateOf, inside, pasteOf } from '../../src/graph/edits/fragment.ts';
-import { groupingOf } from '../../src/graph/edits/group.ts';
-import { ungroupingOf } from '../../src/graph/edits/ungroup.ts';
+import { edgeError } from '../../src/graph/analysis/validate.ts';
+import { emptyDocument, type GraphDocument, type GraphEdge, graphIn } from '../../src/graph/document/document.ts';
+import { GROUP } from '../../src/graph/document/structuralTypes.ts';
+import { applyCommand, type CanvasPoint, type Command, CommandError } from '../../src/graph/edits/commands.ts';
+import { copyFragment, duplicateSelection, insideGroup, pasteFragment } from '../../src/graph/edits/fragment.ts';
+import { groupCommand } from '../../src/graph/edits/group.ts';
+import { ungroupCommand } from '../../src/graph/edits/ungroup.ts';
 import type { NodeType } from '../../src/graph/nodeType.ts';
-import { GROUP } from '../../src/graph/structure.ts';
-import { refuseEdge } from '../../src/graph/validate.ts';
 
 const base = { title: 'toy', help: 'toy', category: 'utility', params: {}, inputs: {}, outputs: {} } as const;
 const number = { type: 'number' } as const;
@@ -67,7 +67,12 @@ export const toys = {
   'group-output': { ...base, id: 'group-output', evaluate: passes },
 } as const satisfies Record<string, NodeType>;
 
-export const add = (node: string, type: string, at: Point = [0, 0]): Command => ({ kind: 'add-node', node, type, at });
+export const add = (node: string, type: string, at: CanvasPoint = [0, 0]): Command => ({
+  kind: 'add-node',
+  node,
+  type,
+  at,
+});
 export const set = (node: string, param: string, value?: number | string | boolean): Command => ({
   kind: 'set-param',
   node,
@@ -102,7 +107,7 @@ export function commandFrom(document: GraphDocument, { op, a, b, c }: Seed): Com
   const level = graphIn(document, group)!;
   const nodes = Object.keys(level.nodes);
   const at = (index: number): string => nodes[index % nodes.length]!;
-  const here = (command: Command): Command => inside(group, command);
+  const here = (command: Command): Command => insideGroup(group, command);
   const chosen = [...new Set([at(a), at(b), at(a + b), at(c)])].filter((id) => id !== undefined);
   if (nodes.length < 3 || op < 12) {
     const free = Array.from({ length: 200 }, (_, i) => `n${i}`).find((id) => !Object.hasOwn(level.nodes, id))!;
@@ -112,7 +117,7 @@ export function commandFrom(document: GraphDocument, { op, a, b, c }: Seed): Com
     const [from, to] = [at(a), at(b)];
     const outputs = ['number', 'out', 'text'];
     const tried = INPUTS.flatMap((input) => outputs.map((output) => edge(`${from}.${output}`, `${to}.${input}`)));
-    const fitting = tried.filter((candidate) => refuseEdge(document, candidate, toys, group) === undefined);
+    const fitting = tried.filter((candidate) => edgeError(document, candidate, toys, group) === undefined);
     return fitting.length === 0 ? undefined : here({ kind: 'connect', edge: fitting[c % fitting.length]! });
   }
   const kinds: (() => Command)[] = [
@@ -138,10 +143,12 @@ export function commandFrom(document: GraphDocument, { op, a, b, c }: Seed): Com
       }),
     () => ({ kind: 'describe', what: a % 2 ? 'title' : 'lookFor', ...(b % 2 ? { value: `about ${b}` } : {}) }),
     () => ({ kind: 'set-file', file: `f${a % 2}.usda`, ...(b % 2 ? { value: { size: b } } : {}) }),
-    () => groupingOf(document, { nodes: chosen, group }, `g${a}`, toys).command,
-    () => duplicateOf(document, { nodes: chosen, group }).command,
-    () => pasteOf(document, copyOf(document, { nodes: chosen, group }), levels[b % levels.length], [a, b]).command,
-    () => ungroupingOf(document, nodes.find((id) => level.nodes[id]!.type === GROUP) ?? at(a), group).command,
+    () => groupCommand(document, { nodes: chosen, group }, `g${a}`, toys).command,
+    () => duplicateSelection(document, { nodes: chosen, group }).command,
+    () =>
+      pasteFragment(document, copyFragment(document, { nodes: chosen, group }), levels[b % levels.length], [a, b])
+        .command,
+    () => ungroupCommand(document, nodes.find((id) => level.nodes[id]!.type === GROUP) ?? at(a), group).command,
   ];
   return kinds[op % kinds.length]!();
 }

@@ -1,14 +1,14 @@
 import { IDENTITY } from '../../src/math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
-import { rayToward } from '../../src/reference/camera.ts';
-import { eyesOf } from '../../src/reference/eye.ts';
-import type { LightOptions } from '../../src/reference/lightOptions.ts';
-import { radiance } from '../../src/reference/path.ts';
-import { pixelSequence } from '../../src/reference/sequence.ts';
-import { type TracedScene, traceable } from '../../src/reference/trace.ts';
+import { rayToward } from '../../src/reference/camera/cameraRay.ts';
+import { createTracedScene, type TracedScene } from '../../src/reference/intersection/tracedScene.ts';
+import type { LightOptions } from '../../src/reference/lights/lightOptions.ts';
+import { pixelSequence } from '../../src/reference/sampling/pixelSequence.ts';
+import { sensorsOf } from '../../src/reference/spectral/sensors.ts';
+import { radiance } from '../../src/reference/transport/path.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import type { AreaLight, DomeLight, Light, Material, Mesh, SceneObject, SphereLight } from '../../src/scene/types.ts';
-import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view.ts';
+import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view/view.ts';
 
 /** Light walks at 1 m/s, and has a spectrum. */
 export const SPECTRAL: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
@@ -81,7 +81,7 @@ export function lit(
   );
   const materials = things.map(({ material }) => material);
   const all = lights.some(({ kind }) => kind === 'dome') ? lights : [...lights, dome()];
-  return traceable(makeScene({ name: 'lit', objects, materials, lights: all }), 1);
+  return createTracedScene(makeScene({ name: 'lit', objects, materials, lights: all }), 1);
 }
 
 export interface Eye {
@@ -103,7 +103,7 @@ export function look(
 ): Vec3 {
   const ray = rayToward({ t, position, u, orientation: IDENTITY, fovY: 1 }, settings, direction);
   const numbers = pixelSequence(seed, 0, 0);
-  const eyes = eyesOf(settings, samples);
+  const eyes = sensorsOf(settings, samples);
   let sum = ZERO;
   for (let i = 0; i < samples; i++) {
     const random = numbers(i);

@@ -1,6 +1,6 @@
 import { cross, dot, length, sub, type Vec3 } from '../../src/math/vec3.ts';
-import { makeMesh } from '../../src/scene/geometry.ts';
-import { type Polygons, pointAt } from '../../src/scene/polygons.ts';
+import { makeMesh } from '../../src/scene/mesh/makeMesh.ts';
+import { type Polygons, pointAt } from '../../src/scene/mesh/polygons.ts';
 import type { Mesh } from '../../src/scene/types.ts';
 
 export const triangles = (mesh: Mesh): [Vec3, Vec3, Vec3][] =>

@@ -1,15 +1,15 @@
 import { IDENTITY } from '../../src/math/quat.ts';
 import { type Vec3, ZERO } from '../../src/math/vec3.ts';
-import { type TracedScene, traceable } from '../../src/reference/trace.ts';
-import type { Hit } from '../../src/reference/types.ts';
+import type { Hit } from '../../src/reference/acceleration/ray.ts';
+import { createTracedScene, type TracedScene } from '../../src/reference/intersection/tracedScene.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
-import { pointsAt } from '../../src/scene/points.ts';
-import { probeVertex, type VertexProbe } from '../../src/scene/probe.ts';
+import { pointsAt } from '../../src/scene/streaming/samplePoints.ts';
 import type { Motion, SampledPointsMotion, SceneObject } from '../../src/scene/types.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type View, type ViewPoint } from '../../src/scene/view.ts';
+import { probeVertex, type VertexProbe } from '../../src/scene/view/probe.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type View, type ViewPoint } from '../../src/scene/view/view.ts';
 
 export const tracedScene = (objects: readonly SceneObject[], c = 1): TracedScene =>
-  traceable(makeScene({ name: 'test', objects }), c);
+  createTracedScene(makeScene({ name: 'test', objects }), c);
 
 /** At the origin at t = 0, at rest, looking along −Z; what is given replaces it. */
 export const viewFrom = (given: Partial<ViewPoint> = {}): ViewPoint => ({

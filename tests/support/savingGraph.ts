@@ -1,5 +1,5 @@
-import type { Command } from '../../src/graph/commands.ts';
-import type { GraphDocument } from '../../src/graph/document.ts';
+import type { GraphDocument } from '../../src/graph/document/document.ts';
+import type { Command } from '../../src/graph/edits/commands.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { add, build, connect, set } from './graphKit.ts';
 

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import type { Bands } from '../../src/spectrum/bands.ts';
-import type { ThermalSpectrum } from '../../src/spectrum/lightSpectrum.ts';
+import type { SpectralFilter } from '../../src/spectrum/reflectance/spectralFilter.ts';
+import type { ThermalSpectrum } from '../../src/spectrum/sources/lightSpectrum.ts';
 
 /** [r, g, b, uv, ir] */
 type Five = readonly [number, number, number, number, number];
@@ -41,13 +41,17 @@ interface JudgedColor {
 const url = new URL('../../src/spectrum/fixtures/oracle.expected.json', import.meta.url);
 export const judged: Judged = JSON.parse(readFileSync(url, 'utf8'));
 
-export const fromFive = ([r, g, b, uv, ir]: Five): Bands => ({ rgb: [r, g, b], uv, ir });
+export const fromFive = ([r, g, b, uv, ir]: Five): SpectralFilter => ({ rgb: [r, g, b], uv, ir });
 
 export const thermal = (temperature: number): ThermalSpectrum => ({ kind: 'thermal', temperature });
 
 const share = fc.double({ min: 0, max: 1, noNaN: true });
 /** Any reflectance. */
-export const anyBands: fc.Arbitrary<Bands> = fc.record({ rgb: fc.tuple(share, share, share), uv: share, ir: share });
+export const anyBands: fc.Arbitrary<SpectralFilter> = fc.record({
+  rgb: fc.tuple(share, share, share),
+  uv: share,
+  ir: share,
+});
 /** e^U between two numbers. */
 export const logarithmic = (min: number, max: number): fc.Arbitrary<number> =>
   fc.double({ min: Math.log(min), max: Math.log(max), noNaN: true }).map(Math.exp);

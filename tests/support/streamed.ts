@@ -1,9 +1,9 @@
 import { fromPose } from '../../src/math/mat4.ts';
 import { IDENTITY } from '../../src/math/quat.ts';
-import { surveyPoints } from '../../src/scene/pointFacts.ts';
-import { normalsAt, pointsAt } from '../../src/scene/points.ts';
-import type { StoredFile, StoredNumbers } from '../../src/scene/storedNumbers.ts';
-import type { PointRecipe } from '../../src/scene/streamedPoints.ts';
+import { computePointStatistics } from '../../src/scene/streaming/pointStatistics.ts';
+import { normalsAt, pointsAt } from '../../src/scene/streaming/samplePoints.ts';
+import type { StoredFile, StoredNumbers } from '../../src/scene/streaming/storedNumbers.ts';
+import type { PointRecipe } from '../../src/scene/streaming/streamedPoints.ts';
 import type { SampledPointsMotion } from '../../src/scene/types.ts';
 
 /** The same motion with its samples and their normals left in a "file": the bytes in memory, or what a host calls them. */
@@ -21,19 +21,19 @@ export function leftInFile(
   const recipe = recipeOf(motion, vertices, memory);
   const elsewhere = { name: 'cache.bin', handle: handleOf(memory.handle) };
   const { normals, ...rest } = motion;
-  const facts = surveyPoints(recipe);
-  return { ...rest, points: { ...recipeOf(motion, vertices, elsewhere), facts } };
+  const facts = computePointStatistics(recipe);
+  return { ...rest, points: { ...recipeOf(motion, vertices, elsewhere), statistics: facts } };
 }
 
 function recipeOf(motion: SampledPointsMotion, vertices: number, file: StoredFile): PointRecipe {
   const stored = (i: number): StoredNumbers => ({ file, at: 12 * vertices * i, count: 3 * vertices, scalar: 'float' });
   const matrix = fromPose({ position: [0, 0, 0], orientation: IDENTITY });
   return {
-    samples: Array.from(motion.times, (_, k) => ({ points: { before: stored(2 * k), share: 0 }, matrix })),
+    samples: Array.from(motion.times, (_, k) => ({ points: { before: stored(2 * k), fraction: 0 }, matrix })),
     pointOfVertex: Uint32Array.from({ length: vertices }, (_, i) => i),
     shading: {
       kind: 'stored',
-      normals: Array.from(motion.times, (_, k) => ({ before: stored(2 * k + 1), share: 0 })),
+      normals: Array.from(motion.times, (_, k) => ({ before: stored(2 * k + 1), fraction: 0 })),
     },
   };
 }

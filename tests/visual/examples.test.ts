@@ -1,10 +1,17 @@
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Scene } from '../../src/scene/types.ts';
 import { NAMES, openExample } from '../examples/open.ts';
+import type { Measure } from './errorTally.ts';
 import { BETAS, exampleFrame } from './frames.ts';
 import { somePixels } from './pixels.ts';
-import type { Measure } from './tally.ts';
-import { expectRight, judgeFrame, openStage, Report, type Stage, withPainters } from './visual.ts';
+import {
+  type ComparedScene,
+  expectWithinTolerance,
+  judgeFrame,
+  openComparedScene,
+  Report,
+  withRasterizers,
+} from './visual.ts';
 
 /** Every pixel of small frames; half a pixel here is eight times as wide as at full size, and the renderer cuts as coarsely. */
 const SIZE = { width: 160, height: 90 };
@@ -20,22 +27,22 @@ const CASES = [
 const JUMPING: readonly string[] = ['ladder'];
 const JUMPS: readonly Measure[] = ['changing doppler', 'changing velocity'];
 
-const painters = withPainters();
+const painters = withRasterizers();
 
 describe.each(NAMES)('%s against the reference', (name) => {
   let scene: Scene;
-  let stage: Stage;
+  let stage: ComparedScene;
   const report = new Report();
   beforeAll(async () => {
     scene = await openExample(name);
-    stage = await openStage(scene, painters);
+    stage = await openComparedScene(scene, painters);
   });
   afterAll(() => report.print(name));
 
   it.each(CASES)('every pixel, %s at %s c', async (view, beta) => {
     const tallies = await judgeFrame(stage, exampleFrame(name, scene, view, beta), SIZE);
     report.add(`${view} ${beta} c`, tallies);
-    expectRight(tallies, JUMPING.includes(name) ? JUMPS : []);
+    expectWithinTolerance(tallies, JUMPING.includes(name) ? JUMPS : []);
   });
 
   it('galilean: the same picture at any speed', async () => {
@@ -49,7 +56,7 @@ describe.each(NAMES)('%s against the reference', (name) => {
   it.each([0.9, 0.99])('at full size, at %s c', async (beta) => {
     const tallies = await judgeFrame(stage, exampleFrame(name, scene, 'light-cone', beta), FULL_SIZE, SAMPLE);
     report.add(`light-cone ${beta} c, 1280×720`, tallies);
-    expectRight(tallies);
+    expectWithinTolerance(tallies);
   });
 });
 

@@ -1,17 +1,24 @@
 import { afterAll, beforeAll, describe, it } from 'vitest';
 import { EXTRA_SCENES } from './extraScenes.ts';
 import { BETAS, extraFrame } from './frames.ts';
-import { expectRight, judgeFrame, openStage, Report, type Stage, withPainters } from './visual.ts';
+import {
+  type ComparedScene,
+  expectWithinTolerance,
+  judgeFrame,
+  openComparedScene,
+  Report,
+  withRasterizers,
+} from './visual.ts';
 
 const SIZE = { width: 160, height: 90 };
 
-const painters = withPainters();
+const painters = withRasterizers();
 
 describe.each(EXTRA_SCENES.map((extra) => [extra.scene.name, extra] as const))('%s', (name, extra) => {
-  let stage: Stage;
+  let stage: ComparedScene;
   const report = new Report();
   beforeAll(async () => {
-    stage = await openStage(extra.scene, painters);
+    stage = await openComparedScene(extra.scene, painters);
   });
   afterAll(() => report.print(name));
 
@@ -19,6 +26,6 @@ describe.each(EXTRA_SCENES.map((extra) => [extra.scene.name, extra] as const))('
   it.each(cases)('%s at %s c', async (view, beta) => {
     const tallies = await judgeFrame(stage, extraFrame(extra, view, beta), SIZE);
     report.add(`${view} ${beta} c`, tallies);
-    expectRight(tallies);
+    expectWithinTolerance(tallies);
   });
 });

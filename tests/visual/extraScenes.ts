@@ -1,9 +1,9 @@
 import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../src/math/quat.ts';
 import { normalize, type Vec3 } from '../../src/math/vec3.ts';
-import { parabolaVelocities } from '../../src/scene/cubicPoints.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
-import { isStreamed } from '../../src/scene/points.ts';
-import { box, cylinder, grid, plane } from '../../src/scene/primitives.ts';
+import { box, cylinder, grid, plane } from '../../src/scene/mesh/primitives.ts';
+import { parabolaVelocities } from '../../src/scene/motion/cubicPoints.ts';
+import { isStreamed } from '../../src/scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../src/scene/types.ts';
 
 /** A scene made to find one kind of mistake, and how it is looked at. */

@@ -1,11 +1,11 @@
 import { rotate } from '../../src/math/quat.ts';
 import { length, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
-import { apparentPosition } from '../../src/physics/apparent.ts';
-import { properVelocity } from '../../src/physics/boost.ts';
-import { simultaneousPosition } from '../../src/physics/simultaneity.ts';
-import { framingCamera, lookAtOrientation, observerFromCamera } from '../../src/scene/camera.ts';
+import { properVelocity } from '../../src/physics/lorentz/boost.ts';
+import { apparentPosition } from '../../src/physics/optics/apparentPosition.ts';
+import { simultaneousPosition } from '../../src/physics/worldLines/simultaneity.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type View, type ViewPoint } from '../../src/scene/view.ts';
+import { framingCamera, lookAtOrientation, observerFromCamera } from '../../src/scene/view/camera.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type View, type ViewPoint } from '../../src/scene/view/view.ts';
 import { type ExampleName, speedOfLight } from '../examples/open.ts';
 import type { ExtraScene } from './extraScenes.ts';
 
@@ -23,13 +23,13 @@ const COURSES: Partial<Record<ExampleName, Vec3>> = {
 };
 
 /** One picture. */
-export interface Frame {
+export interface TestView {
   readonly view: ViewPoint;
   readonly settings: RenderSettings;
 }
 
 /** An example from the place and at the time at which the command line looks at it, at a speed β. */
-export function exampleFrame(name: ExampleName, scene: Scene, view: View, beta: number): Frame {
+export function exampleFrame(name: ExampleName, scene: Scene, view: View, beta: number): TestView {
   const c = speedOfLight(scene);
   const t = scene.hints.openAt ?? scene.startTime;
   const { position, orientation, fovY } = observerFromCamera(scene.cameras[0] ?? framingCamera(scene), t, c);
@@ -39,7 +39,11 @@ export function exampleFrame(name: ExampleName, scene: Scene, view: View, beta: 
 }
 
 /** The subject in the middle of the picture, which shows `extent` metres at its apparent distance: lengths across the line of sight are seen as they are. */
-export function extraFrame({ scene, t, eye, subject, extent, towards }: ExtraScene, view: View, beta: number): Frame {
+export function extraFrame(
+  { scene, t, eye, subject, extent, towards }: ExtraScene,
+  view: View,
+  beta: number,
+): TestView {
   const u = properVelocity(scale(towards, beta));
   const dx = sub(subject, eye);
   const shown =

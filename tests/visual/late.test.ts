@@ -1,18 +1,25 @@
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { add, cross, dot, length, normalize, scale, sub, type Vec3, ZERO } from '../../src/math/vec3.ts';
-import { apparentPosition } from '../../src/physics/apparent.ts';
-import { properVelocity } from '../../src/physics/boost.ts';
-import { simultaneousPosition } from '../../src/physics/simultaneity.ts';
-import { lookAtOrientation } from '../../src/scene/camera.ts';
-import { probeVertices } from '../../src/scene/probe.ts';
+import { properVelocity } from '../../src/physics/lorentz/boost.ts';
+import { apparentPosition } from '../../src/physics/optics/apparentPosition.ts';
+import { simultaneousPosition } from '../../src/physics/worldLines/simultaneity.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import type { RenderSettings } from '../../src/scene/view.ts';
-import type { Frame } from './frames.ts';
+import { lookAtOrientation } from '../../src/scene/view/camera.ts';
+import { probeVertices } from '../../src/scene/view/probe.ts';
+import type { RenderSettings } from '../../src/scene/view/view.ts';
+import type { TestView } from './frames.ts';
 import { DATA_SETTINGS } from './frames.ts';
-import { REACH } from './judge.ts';
-import { C, EYE, LATE_SCENES, T } from './lateScenes.ts';
+import { C, LATE_SCENES, OBSERVER_POSITION, T } from './lateScenes.ts';
+import { MAX_DISPLACEMENT } from './pixelOracle.ts';
 import { allPixels } from './pixels.ts';
-import { expectRight, judgeFrame, openStage, Report, type Stage, withPainters } from './visual.ts';
+import {
+  type ComparedScene,
+  expectWithinTolerance,
+  judgeFrame,
+  openComparedScene,
+  Report,
+  withRasterizers,
+} from './visual.ts';
 
 const SIZE = { width: 160, height: 90 };
 /** Every fifth pixel of every fifth row. */
@@ -20,7 +27,7 @@ const PIXELS = allPixels(SIZE).filter((i) => (i % SIZE.width) % 5 === 2 && Math.
 
 const FORWARD = normalize([0.3, 0.1, -0.6]);
 /** Where edges are seen straight, or too small to bend, f32 is all that can be wrong [px]; else the pieces of a curve are, as everywhere. */
-const [STRAIGHT, CURVED] = [0.1, REACH];
+const [STRAIGHT, CURVED] = [0.1, MAX_DISPLACEMENT];
 const LOOKS: readonly (readonly [string, Partial<RenderSettings>, beta: number, limit: number])[] = [
   ['light-cone', {}, 0, STRAIGHT],
   ['light-cone', {}, 0.9, CURVED],
@@ -32,42 +39,49 @@ const LOOKS: readonly (readonly [string, Partial<RenderSettings>, beta: number, 
 ];
 
 /** Looks where the first object's middle is in this view; it fills most of the picture, however small or large the speed makes it. */
-function frameOf(scene: Scene, change: Partial<RenderSettings>, beta: number): Frame {
+function frameOf(scene: Scene, change: Partial<RenderSettings>, beta: number): TestView {
   const settings = { ...DATA_SETTINGS, ...change, speedOfLight: C };
   const u = properVelocity(scale(FORWARD, beta));
   const places = placesOf(scene, u, settings);
   const middle = scale(places.reduce(add, ZERO), 1 / places.length);
   const fovY = Math.min(1.5, 3 * Math.max(...places.map((x) => angle(x, middle))));
-  return { view: { t: T, position: EYE, u, orientation: lookAtOrientation(middle, [0, 1, 0]), fovY }, settings };
+  return {
+    view: { t: T, position: OBSERVER_POSITION, u, orientation: lookAtOrientation(middle, [0, 1, 0]), fovY },
+    settings,
+  };
 }
 
 /** Where the vertices of the first object are shown, from the observer [m]. */
 function placesOf({ objects }: Scene, u: Vec3, { view, lightDelay, aberration }: RenderSettings): Vec3[] {
   const events = view === 'light-cone' && !lightDelay ? 'galilean' : view;
-  const probes = probeVertices(objects[0], { t: T, position: EYE, u }, C, events).filter((p) => p !== undefined);
+  const probes = probeVertices(objects[0], { t: T, position: OBSERVER_POSITION, u }, C, events).filter(
+    (p) => p !== undefined,
+  );
   const show = view === 'simultaneity' ? simultaneousPosition : apparentPosition;
   const plain = view === 'galilean' || (view === 'light-cone' && !aberration);
-  return probes.map(({ position }) => (plain ? sub(position, EYE) : show(sub(position, EYE), u)));
+  return probes.map(({ position }) =>
+    plain ? sub(position, OBSERVER_POSITION) : show(sub(position, OBSERVER_POSITION), u),
+  );
 }
 
 const angle = (a: Vec3, b: Vec3): number => Math.atan2(length(cross(a, b)), dot(a, b));
 
-const painters = withPainters();
+const painters = withRasterizers();
 
 describe.each(LATE_SCENES.map((scene) => [scene.name, scene] as const))(
   '%s, at t = 1e4 s and c = 10 m/s',
   (name, scene) => {
-    let stage: Stage;
+    let stage: ComparedScene;
     const report = new Report();
     beforeAll(async () => {
-      stage = await openStage(scene, painters);
+      stage = await openComparedScene(scene, painters);
     });
     afterAll(() => report.print(name));
 
     it.each(LOOKS)('%s', async (look, change, beta, limit) => {
       const tallies = await judgeFrame(stage, frameOf(scene, change, beta), SIZE, PIXELS);
       report.add(`${look} ${beta} c`, tallies);
-      expectRight(tallies);
+      expectWithinTolerance(tallies);
       for (const tally of tallies.values()) {
         expect(tally.wrong).toBe(0);
         expect(tally.displacement.worst).toBeLessThan(limit);

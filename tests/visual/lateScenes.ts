@@ -1,15 +1,15 @@
 import { fromAxisAngle, IDENTITY } from '../../src/math/quat.ts';
 import { normalize, type Vec3 } from '../../src/math/vec3.ts';
 import { makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
-import { box, sphere } from '../../src/scene/primitives.ts';
+import { box, sphere } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh, Motion, Scene } from '../../src/scene/types.ts';
 
 /** Slow light and a late time, so that world times and places are large numbers: f32 must never meet them. */
 export const C = 10;
 export const T = 1e4;
-export const EYE: Vec3 = [200, 12, -70];
+export const OBSERVER_POSITION: Vec3 = [200, 12, -70];
 /** Where things are when they are seen, about. */
-const HERE: Vec3 = [EYE[0] + 0.4, EYE[1] + 0.2, EYE[2] - 9];
+const SUBJECT_POSITION: Vec3 = [OBSERVER_POSITION[0] + 0.4, OBSERVER_POSITION[1] + 0.2, OBSERVER_POSITION[2] - 9];
 
 const pose = (position: Vec3) => ({ position, orientation: fromAxisAngle([1, 2, 3], 0.7) });
 const off = (a: Vec3, x: number, y: number, z: number): Vec3 => [a[0] + x, a[1] + y, a[2] + z];
@@ -17,13 +17,13 @@ const off = (a: Vec3, x: number, y: number, z: number): Vec3 => [a[0] + x, a[1] 
 const back = (at: Vec3, v: Vec3, t: number): Vec3 => [at[0] - v[0] * t, at[1] - v[1] * t, at[2] - v[2] * t];
 
 function uniform(velocity: Vec3): Motion {
-  return { kind: 'uniform', velocity, pose: pose(back(HERE, velocity, T - 0.9)) };
+  return { kind: 'uniform', velocity, pose: pose(back(SUBJECT_POSITION, velocity, T - 0.9)) };
 }
 function hyperbolic(properAcceleration: Vec3): Motion {
-  return { kind: 'hyperbolic', pose: pose(HERE), properAcceleration, t0: T - 2 };
+  return { kind: 'hyperbolic', pose: pose(SUBJECT_POSITION), properAcceleration, t0: T - 2 };
 }
 
-/** A curve through `HERE` with a turn about a slanted axis: 250 samples, the last 4 s after the observer's time. */
+/** A curve through `SUBJECT_POSITION` with a turn about a slanted axis: 250 samples, the last 4 s after the observer's time. */
 function sampled(): Motion {
   const count = 250;
   const times = Float64Array.from({ length: count }, (_, k) => T - 8 + (12 * k) / (count - 1));
@@ -31,7 +31,7 @@ function sampled(): Motion {
   const poses = new Float64Array(7 * count);
   times.forEach((t, k) => {
     const s = t - T;
-    const place = off(HERE, 2.5 * Math.sin(2 * s), Math.cos(1.7 * s), 0.8 * s);
+    const place = off(SUBJECT_POSITION, 2.5 * Math.sin(2 * s), Math.cos(1.7 * s), 0.8 * s);
     poses.set([...place, ...fromAxisAngle(axis, 1.5 * s)], 7 * k);
   });
   return { kind: 'sampled', times, poses };
@@ -50,17 +50,21 @@ function wobbling(mesh: Mesh): Motion {
     }
     return out;
   });
-  return { kind: 'sampled-points', times, origin: HERE, points };
+  return { kind: 'sampled-points', times, origin: SUBJECT_POSITION, points };
 }
 
 const ball = sphere(1.5, { segments: 48, rings: 24 });
-const backdrop = makeObject({ path: '/wall', mesh: box([14, 9, 1]), motion: restingAt(off(HERE, 0, 0, -6)) });
+const backdrop = makeObject({
+  path: '/wall',
+  mesh: box([14, 9, 1]),
+  motion: restingAt(off(SUBJECT_POSITION, 0, 0, -6)),
+});
 const scene = (name: string, ...objects: Scene['objects'][number][]): Scene =>
   makeScene({ name: `late: ${name}`, objects: [...objects, backdrop], hints: { speedOfLight: C } });
 
 /** One for each kind of motion; the object that matters is the first. */
 export const LATE_SCENES: readonly Scene[] = [
-  scene('static', makeObject({ path: '/ball', mesh: ball, motion: { kind: 'static', pose: pose(HERE) } })),
+  scene('static', makeObject({ path: '/ball', mesh: ball, motion: { kind: 'static', pose: pose(SUBJECT_POSITION) } })),
   scene('uniform', makeObject({ path: '/ball', mesh: ball, motion: uniform([7, 1, 3]) })),
   scene('uniform at rest', makeObject({ path: '/ball', mesh: ball, motion: uniform([-6, 2, 5]), authoredIn: 'rest' })),
   scene('hyperbolic', makeObject({ path: '/ball', mesh: ball, motion: hyperbolic([6, 0, 2]) })),
@@ -78,7 +82,7 @@ export const LATE_SCENES: readonly Scene[] = [
     makeObject({
       path: '/late',
       mesh: box([1, 1, 1]),
-      motion: { kind: 'static', pose: { position: off(HERE, 3, 1, 2), orientation: IDENTITY } },
+      motion: { kind: 'static', pose: { position: off(SUBJECT_POSITION, 3, 1, 2), orientation: IDENTITY } },
       lifetime: { birth: T - 0.7, death: T + 9 },
     }),
   ),

@@ -3,15 +3,15 @@ import { SceneRenderer } from '../../src/render/renderer.ts';
 import type { RendererInfo } from '../../src/render/settings.ts';
 import { EXTRA_SCENES } from './extraScenes.ts';
 import { LATE_SCENES } from './lateScenes.ts';
-import { type Order, takePixels } from './pixels.ts';
+import { type PixelRequest, readSamplePixels } from './pixels.ts';
 
 declare global {
   interface Window {
     visual: {
       /** An example by its file, or one of the scenes made for these tests by its name. */
       open(name: string): Promise<void>;
-      /** `takePixels` as base64. */
-      take(order: Order): Promise<string>;
+      /** `readSamplePixels` as base64. */
+      take(order: PixelRequest): Promise<string>;
       info(): Promise<RendererInfo>;
     };
     /** A file of examples/, as base64; it comes from the test. */
@@ -30,7 +30,7 @@ window.visual = {
     await renderer.setScene(made.find((scene) => scene.name === name) ?? (await readUsd(files, name, {})));
   },
   async take(order) {
-    const values = await takePixels(renderer, order);
+    const values = await readSamplePixels(renderer, order);
     return base64(new Uint8Array(values.buffer));
   },
   info: async () => renderer.info,

@@ -1,7 +1,7 @@
 import { random } from '../../src/math/random.ts';
-import type { PictureMaker } from '../../src/render/api.ts';
-import type { RenderSettings, ViewPoint } from '../../src/scene/view.ts';
-import type { Claim } from './judge.ts';
+import type { RasterRenderer } from '../../src/render/api.ts';
+import type { RenderSettings, ViewPoint } from '../../src/scene/view/view.ts';
+import type { PixelSample } from './pixelOracle.ts';
 
 export interface Size {
   readonly width: number;
@@ -9,7 +9,7 @@ export interface Size {
 }
 
 /** A picture to make, and the pixels of it that are wanted. Plain data: it travels to a page. */
-export interface Order extends Size {
+export interface PixelRequest extends Size {
   readonly view: ViewPoint;
   readonly settings: RenderSettings;
   /** Places in the picture's rows; absent: all. */
@@ -21,7 +21,7 @@ const NAMES = ['object', 'position', 'emission_time', 'depth', 'doppler', 'veloc
 const FLOATS = 13;
 
 /** Makes the picture; `FLOATS` numbers for each wanted pixel. */
-export async function takePixels(renderer: PictureMaker, order: Order): Promise<Float32Array> {
+export async function readSamplePixels(renderer: RasterRenderer, order: PixelRequest): Promise<Float32Array> {
   const { view, settings, width, height } = order;
   if (renderer.width !== width || renderer.height !== height) renderer.setSize(width, height);
   renderer.render(view, settings);
@@ -50,8 +50,8 @@ export function somePixels({ width, height }: Size, count: number, seed: number)
   return [...chosen];
 }
 
-/** What the pixel at place `k` of `takePixels` says. */
-export function claimAt(values: Float32Array, k: number): Claim {
+/** What the pixel at place `k` of `readSamplePixels` says. */
+export function pixelSampleAt(values: Float32Array, k: number): PixelSample {
   const [object, x, y, z, time, depth, doppler, vx, vy, vz, r, g, b] = values.subarray(FLOATS * k, FLOATS * (k + 1));
   return { object, position: [x, y, z], time, depth, doppler, velocity: [vx, vy, vz], albedo: [r, g, b] };
 }

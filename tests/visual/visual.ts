@@ -1,12 +1,12 @@
 import { afterAll, beforeAll, expect } from 'vitest';
-import { type TracedScene, traceable } from '../../src/reference/trace.ts';
+import { createTracedScene, type TracedScene } from '../../src/reference/intersection/tracedScene.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { speedOfLight } from '../examples/open.ts';
-import type { Frame } from './frames.ts';
-import { Judge } from './judge.ts';
-import { openWebGl, openWebGpu, type Painter } from './painters.ts';
+import { type ErrorTally, MEASURES, type Measure, type Spread, tallyErrors } from './errorTally.ts';
+import type { TestView } from './frames.ts';
+import { PixelOracle } from './pixelOracle.ts';
 import { allPixels, type Size } from './pixels.ts';
-import { MEASURES, type Measure, type Spread, type Tally, tallyOf } from './tally.ts';
+import { openWebGl, openWebGpu, type TestRasterizer } from './rasterizers.ts';
 
 /*
  * What the pictures must reach. Goal of the renderer (issue 3): within half a pixel of the reference, but for a thousandth of the pixels; those
@@ -30,8 +30,8 @@ const LIMITS: Record<Measure, Spread> = {
 const ALBEDO_UNFIT = 0.02;
 
 /** Opens both backends for the tests of a file, and closes them. */
-export function withPainters(): readonly Painter[] {
-  const painters: Painter[] = [];
+export function withRasterizers(): readonly TestRasterizer[] {
+  const painters: TestRasterizer[] = [];
   beforeAll(async () => {
     painters.push(await openWebGpu(), await openWebGl());
   });
@@ -42,37 +42,40 @@ export function withPainters(): readonly Painter[] {
 }
 
 /** A scene as the reference has it, and on every painter. */
-export interface Stage {
+export interface ComparedScene {
   readonly traced: TracedScene;
-  readonly painters: readonly Painter[];
+  readonly painters: readonly TestRasterizer[];
 }
 
-export async function openStage(scene: Scene, painters: readonly Painter[]): Promise<Stage> {
+export async function openComparedScene(scene: Scene, painters: readonly TestRasterizer[]): Promise<ComparedScene> {
   for (const painter of painters) await painter.open(scene);
-  return { traced: traceable(scene, speedOfLight(scene)), painters };
+  return { traced: createTracedScene(scene, speedOfLight(scene)), painters };
 }
 
 /** Pictures of one frame by every painter, judged at the given pixels, or at all. */
 export async function judgeFrame(
-  { traced, painters }: Stage,
-  { view, settings }: Frame,
+  { traced, painters }: ComparedScene,
+  { view, settings }: TestView,
   { width, height }: Size,
   pixels: readonly number[] = allPixels({ width, height }),
-): Promise<ReadonlyMap<Painter['name'], Tally>> {
-  const judge = new Judge({ scene: traced, view, settings, width, height });
+): Promise<ReadonlyMap<TestRasterizer['name'], ErrorTally>> {
+  const judge = new PixelOracle({ scene: traced, view, settings, width, height });
   const pictures = await Promise.all(painters.map((p) => p.take({ view, settings, width, height, pixels })));
-  return new Map(painters.map(({ name }, i) => [name, tallyOf(judge, pictures[i], pixels)]));
+  return new Map(painters.map(({ name }, i) => [name, tallyErrors(judge, pictures[i], pixels)]));
 }
 
 /** Fails with a line for everything that is not as near as it must be; `without`: what says nothing here. */
-export function expectRight(tallies: ReadonlyMap<string, Tally>, without: readonly Measure[] = []): void {
+export function expectWithinTolerance(
+  tallies: ReadonlyMap<string, ErrorTally>,
+  without: readonly Measure[] = [],
+): void {
   const complaints = [...tallies].flatMap(([name, tally]) =>
     complaintsOf(tally, without).map((words) => `${name}: ${words}`),
   );
   if (complaints.length > 0) expect.fail(complaints.join('\n'));
 }
 
-function complaintsOf(tally: Tally, without: readonly Measure[]): string[] {
+function complaintsOf(tally: ErrorTally, without: readonly Measure[]): string[] {
   const limits: (readonly [what: string, value: number, limit: number])[] = [
     [`share of wrong pixels (places ${tally.wrongPlaces.join(', ')})`, tally.wrong, WRONG],
     ['share of base colours that are not there', tally.albedoUnfit, ALBEDO_UNFIT],
@@ -90,9 +93,13 @@ function complaintsOf(tally: Tally, without: readonly Measure[]): string[] {
  * What became of a scene's pictures, printed when it is done: for each backend a line with the worst of them. SHOW_ERRORS=1 prints a line for every picture.
  */
 export class Report {
-  private readonly entries: { readonly frame: string; readonly name: Painter['name']; readonly tally: Tally }[] = [];
+  private readonly entries: {
+    readonly frame: string;
+    readonly name: TestRasterizer['name'];
+    readonly tally: ErrorTally;
+  }[] = [];
 
-  add(frame: string, tallies: ReadonlyMap<Painter['name'], Tally>): void {
+  add(frame: string, tallies: ReadonlyMap<TestRasterizer['name'], ErrorTally>): void {
     for (const [name, tally] of tallies) this.entries.push({ frame, name, tally });
   }
 
@@ -103,9 +110,9 @@ export class Report {
     console.log(lines.join('\n'));
   }
 
-  private worstOf(painter: Painter['name']): string {
+  private worstOf(painter: TestRasterizer['name']): string {
     const own = this.entries.filter(({ name }) => name === painter);
-    const most = (value: (tally: Tally) => number) =>
+    const most = (value: (tally: ErrorTally) => number) =>
       own.reduce((worst, entry) => (value(entry.tally) > value(worst.tally) ? entry : worst));
     const [wrong, displaced] = [most((t) => t.wrong), most((t) => t.displacement.worst)];
     return [

@@ -1,10 +1,10 @@
-import { type PairLaw, Pairs } from './pairs.ts';
+import { PairForce, type PairPotential } from './pairs.ts';
 
 /** 1/4πε₀ [N m²/C²], CODATA 2022. */
-export const COULOMB = 8.987551786e9;
+export const COULOMB_CONSTANT = 8.987551786e9;
 
 /** Charges that push each other apart, or together: V = Σ k q_i q_j/r over all pairs. At once, as springs do. `strength`: k [N m²/C²]. */
-export function coulomb(charges: Float64Array, strength = COULOMB): Pairs {
+export function coulomb(charges: Float64Array, strength = COULOMB_CONSTANT): PairForce {
   const ends: number[] = [];
   const products: number[] = [];
   for (let i = 0; i < charges.length; i++)
@@ -13,10 +13,10 @@ export function coulomb(charges: Float64Array, strength = COULOMB): Pairs {
       ends.push(i, j);
       products.push(strength * charges[i] * charges[j]);
     }
-  return new Pairs(Uint32Array.from(ends), new InverseSquare(products));
+  return new PairForce(Uint32Array.from(ends), new CoulombPotential(products));
 }
 
-class InverseSquare implements PairLaw {
+class CoulombPotential implements PairPotential {
   readonly kind = 'inverse-square';
   /** k q q′ [N m²] */
   private readonly k: readonly number[];
@@ -26,12 +26,12 @@ class InverseSquare implements PairLaw {
   }
 
   strength = (s: number): number => this.k[s];
-  length = (): number => 0;
+  restLength = (): number => 0;
   energy = (r: number, s: number): number => this.k[s] / r;
-  slope = (r: number, s: number): number => -this.k[s] / (r * r);
-  curvature = (r: number, s: number): number => (2 * this.k[s]) / (r * r * r);
+  derivative = (r: number, s: number): number => -this.k[s] / (r * r);
+  secondDerivative = (r: number, s: number): number => (2 * this.k[s]) / (r * r * r);
   /** (1/r₁ − 1/r₀)/(r₁² − r₀²) = −1/(r₀ r₁ (r₀ + r₁)) */
-  quotient = (r0: number, r1: number, s: number): number => -this.k[s] / (r0 * r1 * (r0 + r1));
+  discreteDerivative = (r0: number, r1: number, s: number): number => -this.k[s] / (r0 * r1 * (r0 + r1));
   /** Without a bound: the nearer the stiffer. */
-  rigidity = (): number => 0;
+  maxStiffness = (): number => 0;
 }

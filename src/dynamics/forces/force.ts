@@ -4,7 +4,7 @@ import type { Obstacle } from './obstacle.ts';
 /** What has a potential V(x) of the points' places. x, y, z of one point after the other; N, m, J. */
 export interface Force {
   /** The same as data, for who computes it elsewhere. */
-  readonly plain: PlainForce;
+  readonly data: ForceData;
   /** V [J] */
   energy(x: Float64Array): number;
   /** sum −= ∇V */
@@ -13,27 +13,27 @@ export interface Force {
    * sum −= ∇̄V, a discrete gradient: ∇̄V(x₀, x₁)·(x₁ − x₀) = V(x₁) − V(x₀) for any two places, and ∇V where they are one.
    * Source: Gonzalez 1996, J. Nonlinear Sci. 6, 449; Hairer, Lubich, Wanner, "Geometric Numerical Integration", §V.5.
    */
-  addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void;
+  addDiscreteGradient(x0: Float64Array, x1: Float64Array, sum: Float64Array): void;
   /** `spent`: one from before that is needed no more, whose room may be taken. */
   stiffness(x: Float64Array, form: StiffnessForm, spent?: Stiffness): Stiffness;
   /** bound_i += what bounds Σ_j |∂²V/∂x_i∂x_j| wherever the points are, of V's parts that pull back [N/m]. */
-  addRigidity(bound: Float64Array): void;
+  addStiffnessBound(bound: Float64Array): void;
   /** Of what is solid: a point that went through it on its way from x₀ to x₁ within a step, so that it is pushed out on the wrong side from now on. */
-  pierced?(x0: Float64Array, x1: Float64Array): number | undefined;
+  findTunneled?(x0: Float64Array, x1: Float64Array): number | undefined;
 }
 
 /** What a force is made of. */
-export type PlainForce = PlainUniform | PlainPairs | PlainBarrier | PlainNear;
+export type ForceData = UniformFieldData | PairForceData | BarrierData | NeighborForceData;
 
 /** a_i f on each point: `amounts`, `field`. */
-export interface PlainUniform {
+export interface UniformFieldData {
   readonly kind: 'uniform';
   readonly amounts: Float64Array;
   readonly field: Vec3;
 }
 
 /** Along the line between two points: a spring ½k(r − L)², a penalty, which is one that only pushes, or k/r of charges. */
-export interface PlainPairs {
+export interface PairForceData {
   readonly kind: 'spring' | 'penalty' | 'inverse-square';
   /** Both ends, pair after pair. */
   readonly ends: Uint32Array;
@@ -44,7 +44,7 @@ export interface PlainPairs {
 }
 
 /** ½K(margin − d)² of points that are nearer to what stands fast than the margin. */
-export interface PlainBarrier {
+export interface BarrierData {
   readonly kind: 'barrier';
   readonly obstacle: Obstacle;
   readonly points: readonly number[];
@@ -55,12 +55,12 @@ export interface PlainBarrier {
 }
 
 /** A penalty between points of different bodies, whichever come near. */
-export interface PlainNear {
+export interface NeighborForceData {
   readonly kind: 'near';
   /** K [N/m] */
   readonly strength: number;
   /** [m] */
-  readonly reach: number;
+  readonly cutoff: number;
   /** Both ends of all pairs that can come within reach while each point goes `way` [m] at most. */
   candidates(x: Float64Array, way: number): Uint32Array;
 }

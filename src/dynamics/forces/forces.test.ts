@@ -1,16 +1,16 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { uniform as between } from '../../../tests/physicsArbitraries.ts';
+import { uniform as between } from '../../../tests/support/physicsArbitraries.ts';
 import { conjugate, fromAxisAngle, multiply, type Quat, rotate } from '../../math/quat.ts';
 import { add, normalize, sub, type Vec3 } from '../../math/vec3.ts';
 import { barrier } from './barrier.ts';
-import { ballContacts, Penalty } from './contact.ts';
+import { PenaltyPotential, sphereContacts } from './contact.ts';
 import { coulomb } from './coulomb.ts';
 import type { Force, Stiffness } from './force.ts';
-import { NearPairs } from './near.ts';
+import { NeighborPairs } from './neighborPairs.ts';
 import { box, plane } from './obstacle.ts';
-import { springs } from './springs.ts';
-import { uniform } from './uniform.ts';
+import { springForce } from './springs.ts';
+import { uniformField } from './uniformField.ts';
 
 const POINTS = 4;
 const places = (size = 1.5): fc.Arbitrary<Float64Array> =>
@@ -20,17 +20,17 @@ const TURNED = fromAxisAngle([1, 2, -1], 0.7);
 const FORCES: readonly (readonly [string, Force])[] = [
   [
     'springs',
-    springs({
+    springForce({
       ends: Uint32Array.of(0, 1, 1, 2, 0, 3, 2, 3),
       stiffness: Float64Array.of(3, 100, 0.2, 7),
       lengths: Float64Array.of(1, 0.4, 0, 2),
     }),
   ],
   ['charges', coulomb(Float64Array.of(1, -2, 0, 0.5), 1)],
-  ['weight', uniform(Float64Array.of(1, 2, 0.5, 4), [0.3, -9.8, 1])],
+  ['weight', uniformField(Float64Array.of(1, 2, 0.5, 4), [0.3, -9.8, 1])],
   [
     'balls',
-    ballContacts(
+    sphereContacts(
       [
         { point: 1, radius: 0.9 },
         { point: 3, radius: 0.6 },
@@ -42,7 +42,10 @@ const FORCES: readonly (readonly [string, Force])[] = [
   ['a plane', barrier(plane([0, 0.2, 0], [0.2, 1, -0.1]), [0, 1, 2, 3], 80, 0.05)],
   ['a box', barrier(box([0.1, 0, 0], [1.8, 1.2, 2]), [0, 1, 2, 3], 80, 0.1)],
   ['a turned box', barrier(box([0.1, 0, 0], [1.8, 1.2, 2], TURNED), [0, 1, 2, 3], 80, 0.1)],
-  ['points that are near', new NearPairs(Int32Array.of(0, 0, 1, 1), new Float64Array(12), 1, new Penalty(60, () => 1))],
+  [
+    'points that are near',
+    new NeighborPairs(Int32Array.of(0, 0, 1, 1), new Float64Array(12), 1, new PenaltyPotential(60, () => 1)),
+  ],
 ];
 
 const zeros = (): Float64Array => new Float64Array(3 * POINTS);
@@ -93,7 +96,7 @@ describe.each(FORCES)('%s', (name, force) => {
       fc.property(places(), places(), (x0, x1) => {
         fc.pre(apart(x0) && apart(x1));
         const mean = zeros();
-        force.addMean(x0, x1, mean);
+        force.addDiscreteGradient(x0, x1, mean);
         const work = inner(mean, along(x1, x0, -1));
         const scale = Math.abs(force.energy(x0)) + Math.abs(force.energy(x1)) + 1;
         expect(Math.abs(work + force.energy(x1) - force.energy(x0))).toBeLessThan(1e-12 * scale);
@@ -106,7 +109,7 @@ describe.each(FORCES)('%s', (name, force) => {
       fc.property(places(), (x) => {
         fc.pre(apart(x));
         const mean = zeros();
-        force.addMean(x, x, mean);
+        force.addDiscreteGradient(x, x, mean);
         forceOf(force, x).forEach((value, j) => {
           expect(Math.abs(mean[j] - value)).toBeLessThan(1e-10 * (1 + Math.abs(value)));
         });
@@ -171,7 +174,7 @@ describe('a barrier that is carried', () => {
         });
         // Where nothing goes, the mean is what pushes there.
         const mean = new Float64Array(all.length);
-        carried.addMean(all, all, mean);
+        carried.addDiscreteGradient(all, all, mean);
         wanted.forEach((f, j) => {
           expect(mean[j]).toBeCloseTo(f, 8);
         });

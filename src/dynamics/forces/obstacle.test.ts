@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { uniform as between } from '../../../tests/physicsArbitraries.ts';
+import { uniform as between } from '../../../tests/support/physicsArbitraries.ts';
 import { fromAxisAngle, rotate } from '../../math/quat.ts';
 import { add, addScaled, length, sub, type Vec3 } from '../../math/vec3.ts';
 import { box, plane } from './obstacle.ts';
@@ -14,7 +14,7 @@ const OBSTACLES = [
   ['a turned box', box(MIDDLE, SIZE, TURN)],
 ] as const;
 
-describe.each(OBSTACLES)('%s', (_, { outside, distance }) => {
+describe.each(OBSTACLES)('%s', (_, { distanceAndNormal: outside, distance }) => {
   it('tells the same distance with the way out and without, and nobody comes nearer by more than he goes', () => {
     fc.assert(
       fc.property(place, place, (a, b) => {

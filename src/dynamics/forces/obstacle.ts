@@ -1,10 +1,10 @@
-import { conjugate, IDENTITY, type Quat, rotate, shortestTurn, toMatrix } from '../../math/quat.ts';
+import { conjugate, IDENTITY, type Quat, rotate, shortestRotation, toMatrix } from '../../math/quat.ts';
 import { dot, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
 
 /** Something that stands fast, and is convex. */
 export interface Obstacle {
   /** How far a place is outside of it (below 0: inside) [m], and the unit direction that leads out. */
-  outside(place: Vec3): readonly [distance: number, out: Vec3];
+  distanceAndNormal(place: Vec3): readonly [distance: number, out: Vec3];
   /** The same distance alone. */
   distance(x: number, y: number, z: number): number;
   /** A place on a plane, or the middle of a box [m]. */
@@ -21,8 +21,8 @@ export function plane(point: Vec3, normal: Vec3): Obstacle {
   const [nx, ny, nz] = n;
   const height = dot(point, n);
   return {
-    ...{ middle: point, orientation: shortestTurn([0, 0, 1], n) },
-    outside: (place) => [dot(sub(place, point), n), n],
+    ...{ middle: point, orientation: shortestRotation([0, 0, 1], n) },
+    distanceAndNormal: (place) => [dot(sub(place, point), n), n],
     distance: (x, y, z) => nx * x + ny * y + nz * z - height,
   };
 }
@@ -48,15 +48,15 @@ export function box(middle: Vec3, size: Vec3, orientation = IDENTITY): Obstacle 
       const bz = Math.max(0, oz);
       return Math.sqrt(bx * bx + by * by + bz * bz) + Math.min(0, Math.max(ox, oy, oz));
     },
-    outside(place) {
-      const [distance, out] = outOfBox(rotate(back, sub(place, middle)), half);
+    distanceAndNormal(place) {
+      const [distance, out] = boxDistanceAndNormal(rotate(back, sub(place, middle)), half);
       return [distance, rotate(orientation, out)];
     },
   };
 }
 
 /** The same in the frame of a box. */
-function outOfBox(d: Vec3, half: Vec3): readonly [distance: number, out: Vec3] {
+function boxDistanceAndNormal(d: Vec3, half: Vec3): readonly [distance: number, out: Vec3] {
   const over = d.map((value, k) => Math.abs(value) - half[k]);
   const beyond: Vec3 = [0, 1, 2].map((k) => Math.max(0, over[k]) * Math.sign(d[k])) as unknown as Vec3;
   const far = Math.hypot(...beyond);

@@ -1,49 +1,49 @@
 import { addScaled, dot, length, sub, type Vec3 } from '../../math/vec3.ts';
-import { addBlock, type Force, type PlainPairs, type Stiffness, type StiffnessForm } from './force.ts';
+import { addBlock, type Force, type PairForceData, type Stiffness, type StiffnessForm } from './force.ts';
 
 /** A potential φ of the distance of two points. */
-export interface PairLaw {
-  readonly kind: PlainPairs['kind'];
+export interface PairPotential {
+  readonly kind: PairForceData['kind'];
   /** k [N/m], or [N m²]. */
   strength(pair: number): number;
   /** L [m] */
-  length(pair: number): number;
+  restLength(pair: number): number;
   /** φ(r) [J] */
   energy(r: number, pair: number): number;
   /** φ′(r) [N] */
-  slope(r: number, pair: number): number;
+  derivative(r: number, pair: number): number;
   /** φ″(r) [N/m] */
-  curvature(r: number, pair: number): number;
+  secondDerivative(r: number, pair: number): number;
   /** (φ(r₁) − φ(r₀))/(r₁² − r₀²), without its cancellation; φ′/2r where r₁ = r₀ [N/m]. */
-  quotient(r0: number, r1: number, pair: number): number;
+  discreteDerivative(r0: number, r1: number, pair: number): number;
   /** The most that φ″ and φ′/r are above 0 [N/m]. */
-  rigidity(pair: number): number;
+  maxStiffness(pair: number): number;
 }
 
 /**
  * A force along the line between two points, for each of many pairs: V = Σ φ(|x_i − x_j|). Its discrete gradient
  * (φ(r₁) − φ(r₀))/(r₁² − r₀²)·(d₀ + d₁), d = x_i − x_j, keeps momentum, and angular momentum too, for it is symmetric in the ends.
  */
-export class Pairs implements Force {
+export class PairForce implements Force {
   /** Both ends, pair after pair. */
   private readonly ends: Uint32Array;
-  private readonly law: PairLaw;
+  private readonly law: PairPotential;
 
-  constructor(ends: Uint32Array, law: PairLaw) {
+  constructor(ends: Uint32Array, law: PairPotential) {
     this.ends = ends;
     this.law = law;
   }
 
-  get plain(): PlainPairs {
+  get data(): PairForceData {
     const { ends, law } = this;
     const of = (value: (pair: number) => number) => Float64Array.from({ length: ends.length / 2 }, (_, s) => value(s));
-    return { kind: law.kind, ends, strengths: of((s) => law.strength(s)), lengths: of((s) => law.length(s)) };
+    return { kind: law.kind, ends, strengths: of((s) => law.strength(s)), lengths: of((s) => law.restLength(s)) };
   }
 
   energy(x: Float64Array): number {
     const { ends, law } = this;
     let sum = 0;
-    for (let s = 0; 2 * s < ends.length; s++) sum += law.energy(between(x, 3 * ends[2 * s], 3 * ends[2 * s + 1]), s);
+    for (let s = 0; 2 * s < ends.length; s++) sum += law.energy(distanceAt(x, 3 * ends[2 * s], 3 * ends[2 * s + 1]), s);
     return sum;
   }
 
@@ -52,19 +52,19 @@ export class Pairs implements Force {
     for (let s = 0; 2 * s < ends.length; s++) {
       const i = 3 * ends[2 * s];
       const j = 3 * ends[2 * s + 1];
-      const r = between(x, i, j);
-      if (r > 0) push(sum, i, j, x, x, law.slope(r, s) / (2 * r));
+      const r = distanceAt(x, i, j);
+      if (r > 0) addPairForce(sum, i, j, x, x, law.derivative(r, s) / (2 * r));
     }
   }
 
-  addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
+  addDiscreteGradient(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
     const { ends, law } = this;
     for (let s = 0; 2 * s < ends.length; s++) {
       const i = 3 * ends[2 * s];
       const j = 3 * ends[2 * s + 1];
-      const r0 = between(x0, i, j);
-      const r1 = between(x1, i, j);
-      if (r0 + r1 > 0) push(sum, i, j, x0, x1, law.quotient(r0, r1, s));
+      const r0 = distanceAt(x0, i, j);
+      const r1 = distanceAt(x1, i, j);
+      if (r0 + r1 > 0) addPairForce(sum, i, j, x0, x1, law.discreteDerivative(r0, r1, s));
     }
   }
 
@@ -75,7 +75,7 @@ export class Pairs implements Force {
     const known = new Float64Array(5 * count);
     for (let s = 0; s < count; s++) {
       const [i, j] = [3 * ends[2 * s], 3 * ends[2 * s + 1]];
-      const r = between(x, i, j);
+      const r = distanceAt(x, i, j);
       if (r === 0) continue;
       const [across, along] = this.curvatures(r, s, form);
       known[5 * s] = across;
@@ -88,39 +88,39 @@ export class Pairs implements Force {
   /** φ′/r, across the line between the ends, and φ″, along it. */
   private curvatures(r: number, s: number, form: StiffnessForm): readonly [across: number, along: number] {
     const { law } = this;
-    const [across, along] = [law.slope(r, s) / r, law.curvature(r, s)];
+    const [across, along] = [law.derivative(r, s) / r, law.secondDerivative(r, s)];
     if (form === 'exact') return [across, along];
     if (form === 'safe') return [Math.max(0, across), Math.max(0, along)];
     // What does not pull now may be out of reach.
-    const k = along > 0 ? law.rigidity(s) : 0;
+    const k = along > 0 ? law.maxStiffness(s) : 0;
     return [k, k];
   }
 
   /** The second end of a pair whose ends came nearer than half of where they touch, or passed each other within touch: from before to behind the middle. */
-  pierced(x0: Float64Array, x1: Float64Array): number | undefined {
+  findTunneled(x0: Float64Array, x1: Float64Array): number | undefined {
     const { ends, law } = this;
     if (law.kind !== 'penalty') return undefined;
     for (let s = 0; 2 * s < ends.length; s++) {
       const i = 3 * ends[2 * s];
       const j = 3 * ends[2 * s + 1];
-      const touch = law.length(s);
-      const passed = product(x0, x1, i, j) < 0 && nearest(x0, x1, i, j) < touch;
-      if (passed || product(x1, x1, i, j) < (touch * touch) / 4) return ends[2 * s + 1];
+      const touch = law.restLength(s);
+      const passed = dotProduct(x0, x1, i, j) < 0 && closestApproach(x0, x1, i, j) < touch;
+      if (passed || dotProduct(x1, x1, i, j) < (touch * touch) / 4) return ends[2 * s + 1];
     }
     return undefined;
   }
 
-  addRigidity(bound: Float64Array): void {
+  addStiffnessBound(bound: Float64Array): void {
     const { ends, law } = this;
     for (let s = 0; 2 * s < ends.length; s++) {
-      const k = 2 * law.rigidity(s);
+      const k = 2 * law.maxStiffness(s);
       bound[ends[2 * s]] += k;
       bound[ends[2 * s + 1]] += k;
     }
   }
 }
 
-function between(x: Float64Array, i: number, j: number): number {
+function distanceAt(x: Float64Array, i: number, j: number): number {
   const dx = x[i] - x[j];
   const dy = x[i + 1] - x[j + 1];
   const dz = x[i + 2] - x[j + 2];
@@ -128,20 +128,20 @@ function between(x: Float64Array, i: number, j: number): number {
 }
 
 /** d₀·d₁ */
-const product = (x0: Float64Array, x1: Float64Array, i: number, j: number): number =>
+const dotProduct = (x0: Float64Array, x1: Float64Array, i: number, j: number): number =>
   (x0[i] - x0[j]) * (x1[i] - x1[j]) +
   (x0[i + 1] - x0[j + 1]) * (x1[i + 1] - x1[j + 1]) +
   (x0[i + 2] - x0[j + 2]) * (x1[i + 2] - x1[j + 2]);
 
 /** How near two points come that go straight on from x₀ to x₁ and pass each other. */
-function nearest(x0: Float64Array, x1: Float64Array, i: number, j: number): number {
+function closestApproach(x0: Float64Array, x1: Float64Array, i: number, j: number): number {
   const from: Vec3 = [x0[i] - x0[j], x0[i + 1] - x0[j + 1], x0[i + 2] - x0[j + 2]];
   const way = sub([x1[i] - x1[j], x1[i + 1] - x1[j + 1], x1[i + 2] - x1[j + 2]], from);
   return length(addScaled(from, way, -dot(from, way) / dot(way, way)));
 }
 
 /** sum −= ±k(d₀ + d₁) */
-function push(sum: Float64Array, i: number, j: number, x0: Float64Array, x1: Float64Array, k: number): void {
+function addPairForce(sum: Float64Array, i: number, j: number, x0: Float64Array, x1: Float64Array, k: number): void {
   const fx = k * (x0[i] - x0[j] + (x1[i] - x1[j]));
   const fy = k * (x0[i + 1] - x0[j + 1] + (x1[i + 1] - x1[j + 1]));
   const fz = k * (x0[i + 2] - x0[j + 2] + (x1[i + 2] - x1[j + 2]));

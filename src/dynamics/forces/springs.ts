@@ -1,4 +1,4 @@
-import { addBlock, type Force, type PlainForce, type Stiffness, type StiffnessForm } from './force.ts';
+import { addBlock, type Force, type ForceData, type Stiffness, type StiffnessForm } from './force.ts';
 
 /** Springs between points: V = Σ ½k(r − L)². They act at once, in the world frame (docs/model.md). */
 export interface Springs {
@@ -10,23 +10,23 @@ export interface Springs {
   readonly lengths: Float64Array;
 }
 
-export const springs = (given: Springs): Force => new SpringNet(given);
+export const springForce = (given: Springs): Force => new SpringForce(given);
 
 /**
- * What `Pairs` is for any law, written out for springs: they are what a step's time goes into. They are kept point by point, each at one of its ends, so that what is known
- * of a point is read once for all of its springs. The discrete gradient is the one of `Pairs`. (In such loops a list of names for a list of values costs four times as much as a
+ * What `PairForce` is for any law, written out for springs: they are what a step's time goes into. They are kept point by point, each at one of its ends, so that what is known
+ * of a point is read once for all of its springs. The discrete gradient is the one of `PairForce`. (In such loops a list of names for a list of values costs four times as much as a
  * line for each.)
  */
-class SpringNet implements Force {
-  readonly plain: PlainForce;
-  private readonly rows: Rows;
+class SpringForce implements Force {
+  readonly data: ForceData;
+  private readonly rows: SpringRows;
   private readonly k: Float64Array;
   private readonly L: Float64Array;
   private readonly kL: Float64Array;
 
   constructor({ ends, stiffness, lengths }: Springs) {
-    this.plain = { kind: 'spring', ends, strengths: stiffness, lengths };
-    const { rows, order } = byFirstEnd(ends);
+    this.data = { kind: 'spring', ends, strengths: stiffness, lengths };
+    const { rows, order } = groupByFirstEnd(ends);
     this.rows = rows;
     this.k = Float64Array.from(order, (s) => stiffness[s]);
     this.L = Float64Array.from(order, (s) => lengths[s]);
@@ -85,7 +85,7 @@ class SpringNet implements Force {
   }
 
   /** −½k(r₀ + r₁ − 2L)/(r₀ + r₁)·(d₀ + d₁) */
-  addMean(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
+  addDiscreteGradient(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
     const { k, kL } = this;
     const { from, other } = this.rows;
     for (let i = 0, a = 0; a < from.length - 1; a++, i += 3) {
@@ -152,7 +152,7 @@ class SpringNet implements Force {
     return stiffness;
   }
 
-  addRigidity(bound: Float64Array): void {
+  addStiffnessBound(bound: Float64Array): void {
     const { k } = this;
     const { from, other } = this.rows;
     for (let a = 0; a < from.length - 1; a++)
@@ -164,14 +164,14 @@ class SpringNet implements Force {
 }
 
 /** Springs by their first ends. */
-interface Rows {
+interface SpringRows {
   /** Of each point, where its springs begin. */
   readonly from: Uint32Array;
   /** Of each spring, where the coordinates of its other end are. */
   readonly other: Uint32Array;
 }
 
-function byFirstEnd(ends: Uint32Array): { readonly rows: Rows; readonly order: Uint32Array } {
+function groupByFirstEnd(ends: Uint32Array): { readonly rows: SpringRows; readonly order: Uint32Array } {
   const points = ends.reduce((most, end) => Math.max(most, end + 1), 0);
   const count = ends.length / 2;
   const from = new Uint32Array(points + 1);
@@ -185,11 +185,11 @@ function byFirstEnd(ends: Uint32Array): { readonly rows: Rows; readonly order: U
 
 /** a I + m mᵀ of each spring: a across, and |m|² more along. */
 class SpringStiffness implements Stiffness {
-  readonly rows: Rows;
+  readonly rows: SpringRows;
   /** a and m, spring after spring. */
   readonly known: Float64Array;
 
-  constructor(rows: Rows, known: Float64Array) {
+  constructor(rows: SpringRows, known: Float64Array) {
     this.rows = rows;
     this.known = known;
   }

@@ -1,7 +1,7 @@
-import { inner } from './inner.ts';
+import { innerProduct } from './inner.ts';
 
 /** How a linear system was left. */
-export interface Solved {
+export interface LinearSolveResult {
   readonly iterations: number;
   /** |r| ≤ tolerance · |b| */
   readonly converged: boolean;
@@ -10,7 +10,7 @@ export interface Solved {
 }
 
 /** A symmetric matrix as it is used. */
-export interface Matrix {
+export interface LinearOperator {
   /** out = A u */
   multiply(u: Float64Array, out: Float64Array): void;
   /** out = P⁻¹ u of a preconditioner P that is symmetric and positive definite. */
@@ -34,19 +34,19 @@ export class ConjugateGradients {
     this.Ad = new Float64Array(size);
   }
 
-  solve(A: Matrix, b: Float64Array, x: Float64Array, tolerance: number, most: number): Solved {
+  solve(A: LinearOperator, b: Float64Array, x: Float64Array, tolerance: number, most: number): LinearSolveResult {
     const { r, z, d, Ad } = this;
     A.multiply(x, Ad);
     for (let i = 0; i < r.length; i++) r[i] = b[i] - Ad[i];
     A.precondition(r, z);
     d.set(z);
-    let rz = inner(r, z);
-    let rr = inner(r, r);
-    const enough = tolerance * tolerance * inner(b, b);
+    let rz = innerProduct(r, z);
+    let rr = innerProduct(r, r);
+    const enough = tolerance * tolerance * innerProduct(b, b);
     for (let iterations = 0; iterations < most; iterations++) {
       if (rr <= enough) return { iterations, converged: true, indefinite: false };
       A.multiply(d, Ad);
-      const dAd = inner(d, Ad);
+      const dAd = innerProduct(d, Ad);
       if (!(dAd > 0)) return { iterations, converged: false, indefinite: true };
       const alpha = rz / dAd;
       rr = 0;
@@ -56,7 +56,7 @@ export class ConjugateGradients {
         rr += r[i] * r[i];
       }
       A.precondition(r, z);
-      const next = inner(r, z);
+      const next = innerProduct(r, z);
       const beta = next / rz;
       rz = next;
       for (let i = 0; i < r.length; i++) d[i] = z[i] + beta * d[i];

@@ -1,5 +1,5 @@
 /** The inner product aᵀb of two vectors of one length. */
-export function inner(a: Float64Array, b: Float64Array): number {
+export function innerProduct(a: Float64Array, b: Float64Array): number {
   let sum = 0;
   for (let i = 0; i < a.length; i++) sum += a[i] * b[i];
   return sum;

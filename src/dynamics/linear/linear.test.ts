@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { random } from '../../math/random.ts';
 import type { Stiffness } from '../forces/force.ts';
-import { springs } from '../forces/springs.ts';
-import { Anderson } from './anderson.ts';
+import { springForce } from '../forces/springs.ts';
+import { AndersonAcceleration } from './andersonAcceleration.ts';
 import { ConjugateGradients } from './conjugateGradients.ts';
 import { StepMatrix } from './stepMatrix.ts';
 
@@ -13,7 +13,7 @@ const N = 6;
 function net(seed: number, form: 'exact' | 'safe' | 'isotropic', size: number): Stiffness {
   const next = random(seed);
   const ends = Array.from({ length: N * N }, (_, k) => [Math.floor(k / N), k % N]).filter(([i, j]) => i < j);
-  const force = springs({
+  const force = springForce({
     ends: Uint32Array.from(ends.flat()),
     stiffness: Float64Array.from(ends, () => 5 * next()),
     lengths: Float64Array.from(ends, () => next()),
@@ -87,7 +87,7 @@ describe('conjugate gradients', () => {
 describe('Anderson’s mixing', () => {
   it('finds the end of a row in three rounds where all goes one way, also where the row itself runs away', () => {
     const x = Float64Array.of(1, 2, 3);
-    const mixing = new Anderson(3);
+    const mixing = new AndersonAcceleration(3);
     const end = [5, -1, 2];
     for (let round = 0; round < 3; round++)
       mixing.next(
@@ -102,7 +102,7 @@ describe('Anderson’s mixing', () => {
   it('comes nearer in each round than the row itself, whose errors shrink at different rates', () => {
     // x → Bx has its end in 0.
     const B = [-0.25, -0.1, 0, -0.2];
-    const mixing = new Anderson(4);
+    const mixing = new AndersonAcceleration(4);
     const x = Float64Array.of(1, 1, 1, 1);
     for (let round = 0; round < 12; round++)
       mixing.next(

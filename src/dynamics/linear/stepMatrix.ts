@@ -1,11 +1,11 @@
 import { addBlock, type Stiffness } from '../forces/force.ts';
-import type { Matrix } from './conjugateGradients.ts';
+import type { LinearOperator } from './conjugateGradients.ts';
 
 /**
  * What implicit steps solve: A = W(I + γ²ββᵀ) + ∇²V, with W and β of each point: I + γ²ββᵀ is the inverse of I − ββᵀ, by which a force turns into acceleration; on this
  * side the matrix is symmetric. Points that are pinned keep their places. Preconditioned by the inverses of its 3 × 3 blocks.
  */
-export class StepMatrix implements Matrix {
+export class StepMatrix implements LinearOperator {
   private readonly pinned: Uint8Array;
   private readonly inverses: Float64Array;
   private stiffnesses: readonly Stiffness[] = [];

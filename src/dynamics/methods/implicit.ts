@@ -1,41 +1,41 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Stiffness } from '../forces/force.ts';
-import { Anderson } from '../linear/anderson.ts';
+import { AndersonAcceleration } from '../linear/andersonAcceleration.ts';
 import { ConjugateGradients } from '../linear/conjugateGradients.ts';
 import { StepMatrix } from '../linear/stepMatrix.ts';
-import { fastestOscillation } from '../stability.ts';
-import { assign, movingMasses, type State, type System } from '../system.ts';
-import { forceAt, type Method, StepFailure, type Stepper } from './method.ts';
+import { maxAngularFrequency } from '../stability.ts';
+import { assignState, relativisticMasses, type State, type System } from '../system.ts';
+import { type IntegrationMethod, potentialForces, StepFailure, type Stepper } from './method.ts';
 
 /**
  * Steps x₁ = x₀ + h (p₀ + p₁)/W, p₁ = p₀ + h F̄: what W and F̄ are makes the method. |x₁ − x₀| < c h by construction.
  */
-interface Rule {
+interface ImplicitScheme {
   /** W of each point [kg]; M₀ = E₀/c². */
-  weights(system: System, step: Begun, p1: Float64Array, out: Float64Array): void;
+  weights(system: System, step: StepStart, p1: Float64Array, out: Float64Array): void;
   /** F̄ of the potentials [N]; `half` is room for places. */
   meanForce(system: System, x0: Float64Array, x1: Float64Array, half: Float64Array, out: Float64Array): void;
 }
 
-interface Begun {
+interface StepStart {
   readonly p0: Float64Array;
   readonly M0: Float64Array;
 }
 
 /** W = (E₀ + E₁)/c² and F̄ the discrete gradient: v̄·Δp = ΔT and F̄·Δx = −ΔV, and so the energy is kept, as far as the equations are solved. */
-const KEEPING_ENERGY: Rule = {
+const DISCRETE_GRADIENT_SCHEME: ImplicitScheme = {
   weights(system, { M0 }, p1, out) {
-    movingMasses(system, p1, out);
+    relativisticMasses(system, p1, out);
     for (let i = 0; i < out.length; i++) out[i] += M0[i];
   },
   meanForce({ forces }, x0, x1, _, out) {
     out.fill(0);
-    for (const force of forces) force.addMean(x0, x1, out);
+    for (const force of forces) force.addDiscreteGradient(x0, x1, out);
   },
 };
 
 /** Velocity and force halfway; symplectic, and it keeps what is quadratic: momentum and angular momentum. */
-const HALFWAY: Rule = {
+const MIDPOINT_SCHEME: ImplicitScheme = {
   weights({ c, masses }, { p0 }, p1, out) {
     const perSquare = 1 / (c * c);
     for (let i = 0, j = 0; i < masses.length; i++, j += 3) {
@@ -46,54 +46,54 @@ const HALFWAY: Rule = {
     }
   },
   meanForce(system, x0, x1, half, out) {
-    middle(x0, x1, half);
-    forceAt(system, half, out);
+    midpointOf(x0, x1, half);
+    potentialForces(system, half, out);
   },
 };
 
-function middle(a: Float64Array, b: Float64Array, out: Float64Array): void {
+function midpointOf(a: Float64Array, b: Float64Array, out: Float64Array): void {
   for (let j = 0; j < out.length; j++) out[j] = 0.5 * (a[j] + b[j]);
 }
 
 /** Keeps the energy exactly, whatever the step. Source: Gonzalez 1996; for H = √(p²c² + m²c⁴) + V physics.md, Mechanics. */
-export const discreteGradient: Method = {
+export const discreteGradient: IntegrationMethod = {
   id: 'discrete-gradient',
   order: 2,
-  bounded: false,
-  begin: (system) => new Implicit(system, KEEPING_ENERGY),
+  conditionallyStable: false,
+  begin: (system) => new ImplicitStepper(system, DISCRETE_GRADIENT_SCHEME),
 };
 
 /** Source: Hairer, Lubich, Wanner, §II.1 and §VI.4. */
-export const implicitMidpoint: Method = {
+export const implicitMidpoint: IntegrationMethod = {
   id: 'implicit-midpoint',
   order: 2,
-  bounded: false,
-  begin: (system) => new Implicit(system, HALFWAY),
+  conditionallyStable: false,
+  begin: (system) => new ImplicitStepper(system, MIDPOINT_SCHEME),
 };
 
 /** Rounds of x₁ → x₀ + h v̄(x₁) that may be taken, and of Newton's. */
-const MOST_ROUNDS = 200;
+const MAX_ITERATIONS = 200;
 /** So many that bring it no nearer are the end. */
-const PATIENCE = 12;
+const MAX_STALLED_ITERATIONS = 12;
 /** Rounds by themselves leave (hω/2)² of the error or less: where that is below 1, Newton's steps are not worth their price. */
-const SIMPLE = 4;
+const FIXED_POINT_LIMIT = 4;
 /** Solved where a round moves no point by more than this, over the largest coordinate. */
-const ENOUGH = Number.EPSILON;
+const TOLERANCE = Number.EPSILON;
 /** Rounds by themselves are carried one further than the forces that they come from. */
-const ENOUGH_BEFORE_LAST = 4 * Number.EPSILON;
+const FIXED_POINT_TOLERANCE = 4 * Number.EPSILON;
 /** Rounding may leave more: this is enough where one round made it no better, or where two did not. */
-const NEARLY = 8 * Number.EPSILON;
-const ALMOST = 1e-13;
+const STALL_TOLERANCE = 8 * Number.EPSILON;
+const REPEATED_STALL_TOLERANCE = 1e-13;
 /** A step is cut into 2¹⁰ at most. */
-const MOST_HALVINGS = 10;
+const MAX_HALVINGS = 10;
 /** Of 1 − β², for rounding must not make it 0. */
-const LEAST_REST = 1e-12;
+const MIN_INVERSE_GAMMA_SQUARED = 1e-12;
 /** How well, and in how many rounds, Newton's linear systems are solved: better would be wasted, for their matrix is not quite that of the next round. */
-const LINEAR = { tolerance: 1e-2, most: 400 };
+const LINEAR_SOLVE = { tolerance: 1e-2, most: 400 };
 
-class Implicit implements Stepper {
+class ImplicitStepper implements Stepper {
   private readonly system: System;
-  private readonly rule: Rule;
+  private readonly rule: ImplicitScheme;
   private readonly omega: number;
   private readonly W: Float64Array;
   private readonly M0: Float64Array;
@@ -101,7 +101,7 @@ class Implicit implements Stepper {
   private readonly N: Float64Array;
   private readonly x0: Float64Array;
   private readonly p0: Float64Array;
-  private readonly begun: Begun;
+  private readonly stepStart: StepStart;
   private readonly next: Float64Array;
   private readonly force: Float64Array;
   private readonly half: Float64Array;
@@ -111,19 +111,19 @@ class Implicit implements Stepper {
   private readonly linear: ConjugateGradients;
   private readonly matrix: StepMatrix;
   private stiffnesses: Stiffness[] = [];
-  private readonly anderson: Anderson;
+  private readonly anderson: AndersonAcceleration;
 
-  constructor(system: System, rule: Rule) {
+  constructor(system: System, rule: ImplicitScheme) {
     this.system = system;
     this.rule = rule;
-    this.omega = fastestOscillation(system);
+    this.omega = maxAngularFrequency(system);
     const size = 3 * system.masses.length;
     this.W = new Float64Array(system.masses.length);
     this.M0 = new Float64Array(system.masses.length);
     this.N = new Float64Array(system.masses.length);
     this.x0 = new Float64Array(size);
     this.p0 = new Float64Array(size);
-    this.begun = { p0: this.p0, M0: this.M0 };
+    this.stepStart = { p0: this.p0, M0: this.M0 };
     this.next = new Float64Array(size);
     this.force = new Float64Array(size);
     this.half = new Float64Array(size);
@@ -131,40 +131,43 @@ class Implicit implements Stepper {
     this.u = new Float64Array(size);
     this.linear = new ConjugateGradients(size);
     this.matrix = new StepMatrix(system.pinned);
-    this.anderson = new Anderson(size);
+    this.anderson = new AndersonAcceleration(size);
   }
 
   /** A step whose equations resist is taken in halves: what is kept exactly is kept by these too. */
   step(state: State, h: number, halvings = 0): void {
     const { t } = state;
-    if (this.whole(state, h)) {
+    if (this.solveStep(state, h)) {
       state.t = t + h;
       return;
     }
-    if (halvings === MOST_HALVINGS)
+    if (halvings === MAX_HALVINGS)
       throw new StepFailure('unsolved', 'the equations of an implicit step were not solved; take a smaller step');
-    assign(state, { x: this.x0, p: this.p0, t });
+    assignState(state, { x: this.x0, p: this.p0, t });
     this.step(state, h / 2, halvings + 1);
     this.step(state, h / 2, halvings + 1);
     state.t = t + h;
   }
 
-  private whole(state: State, h: number): boolean {
+  private solveStep(state: State, h: number): boolean {
     this.x0.set(state.x);
     this.p0.set(state.p);
-    movingMasses(this.system, state.p, this.M0);
-    this.guess(state, h);
-    if ((this.omega * h) ** 2 < SIMPLE && this.solve(state, h, ENOUGH_BEFORE_LAST, () => this.rest(state.x))) {
+    relativisticMasses(this.system, state.p, this.M0);
+    this.predict(state, h);
+    if (
+      (this.omega * h) ** 2 < FIXED_POINT_LIMIT &&
+      this.solve(state, h, FIXED_POINT_TOLERANCE, () => this.fixedPointChange(state.x))
+    ) {
       state.x.set(this.next);
       return true;
     }
     state.p.set(this.p0);
-    this.guess(state, h);
-    return this.solve(state, h, ENOUGH, () => this.newton(state.x, h));
+    this.predict(state, h);
+    return this.solve(state, h, TOLERANCE, () => this.newtonChange(state.x, h));
   }
 
   /** Straight on. */
-  private guess({ x, p }: State, h: number): void {
+  private predict({ x, p }: State, h: number): void {
     const { M0, x0 } = this;
     for (let i = 0, j = 0; i < M0.length; i++, j += 3) {
       const s = h / M0[i];
@@ -177,13 +180,14 @@ class Implicit implements Stepper {
   /** Rounds until x₁ stays; `change` tells by how much x₁ is to change. Whether it came to an end. */
   private solve(state: State, h: number, enough: number, change: () => Float64Array): boolean {
     const { anderson } = this;
-    anderson.forget();
+    anderson.reset();
     let best = Number.POSITIVE_INFINITY;
-    for (let round = 0, since = 0; since < PATIENCE && round < MOST_ROUNDS; round++) {
-      const [off, size] = this.round(state, h);
+    for (let round = 0, since = 0; since < MAX_STALLED_ITERATIONS && round < MAX_ITERATIONS; round++) {
+      const [off, size] = this.evaluateResidual(state, h);
       if (off <= enough * size) return true;
       since = off < best ? 0 : since + 1;
-      if ((since > 0 && off <= NEARLY * size) || (since > 1 && off <= ALMOST * size)) return true;
+      if ((since > 0 && off <= STALL_TOLERANCE * size) || (since > 1 && off <= REPEATED_STALL_TOLERANCE * size))
+        return true;
       if (!Number.isFinite(off)) return false;
       best = Math.min(best, off);
       anderson.next(state.x, change());
@@ -192,17 +196,17 @@ class Implicit implements Stepper {
   }
 
   /** What a round changes by itself. */
-  private rest(x: Float64Array): Float64Array {
+  private fixedPointChange(x: Float64Array): Float64Array {
     const { next, change } = this;
     for (let j = 0; j < x.length; j++) change[j] = next[j] - x[j];
     return change;
   }
 
   /** p₁ of x₁ = `state.x`, and `next` = x₀ + h v̄: how far it is from x₁, and the largest coordinate. */
-  private round({ x, p }: State, h: number): readonly [off: number, size: number] {
+  private evaluateResidual({ x, p }: State, h: number): readonly [off: number, size: number] {
     const { system, x0, p0, next, W } = this;
-    this.push(x, p, h);
-    this.rule.weights(system, this.begun, p, W);
+    this.updateMomenta(x, p, h);
+    this.rule.weights(system, this.stepStart, p, W);
     let off = 0;
     let size = 0;
     for (let i = 0, j = 0; i < W.length; i++, j += 3) {
@@ -220,31 +224,31 @@ class Implicit implements Stepper {
   }
 
   /** p = p₀ + h (F̄ + q v̄ × B), v̄ = (x − x₀)/h; of what is pinned p₀. */
-  private push(x: Float64Array, p: Float64Array, h: number): void {
+  private updateMomenta(x: Float64Array, p: Float64Array, h: number): void {
     const { system, x0, p0, force } = this;
     this.rule.meanForce(system, x0, x, this.half, force);
     for (let j = 0; j < p.length; j++) p[j] = p0[j] + h * force[j];
     const { charges, magneticField: B, pinned } = system;
-    if (charges && B) addTurn(p, x0, x, charges, B);
+    if (charges && B) addMagneticImpulse(p, x0, x, charges, B);
     for (let i = 0; i < pinned.length; i++) if (pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] = p0[j];
   }
 
   /** x −= [N(I + γ²ββᵀ) + ∇²V]⁻¹ N(I + γ²ββᵀ)(x − next), N = 2W/h²: Newton's step, but that ∇²V is that of halfway; without its negative parts, where they would lead astray. */
-  private newton(x: Float64Array, h: number): Float64Array {
+  private newtonChange(x: Float64Array, h: number): Float64Array {
     const { system, x0, change, matrix, half, u, N, force: b } = this;
-    middle(x0, x, half);
-    this.inertia(x, h, b);
+    midpointOf(x0, x, half);
+    this.assembleInertia(x, h, b);
     for (const form of ['exact', 'safe'] as const) {
       this.stiffnesses = system.forces.map((force, k) => force.stiffness(half, form, this.stiffnesses[k]));
       matrix.set(this.stiffnesses, N, u);
       change.fill(0);
-      if (!this.linear.solve(matrix, b, change, LINEAR.tolerance, LINEAR.most).indefinite) break;
+      if (!this.linear.solve(matrix, b, change, LINEAR_SOLVE.tolerance, LINEAR_SOLVE.most).indefinite) break;
     }
     return change;
   }
 
   /** γβ of the mean velocities, N, and b = N(I + γ²ββᵀ)(next − x). */
-  private inertia(x: Float64Array, h: number, b: Float64Array): void {
+  private assembleInertia(x: Float64Array, h: number, b: Float64Array): void {
     const { system, x0, W, N, next, u } = this;
     const perLight = 1 / (h * system.c);
     for (let i = 0, j = 0; i < W.length; i++, j += 3) {
@@ -253,7 +257,7 @@ class Implicit implements Stepper {
       const bx = (next[j] - x0[j]) * perLight;
       const by = (next[j + 1] - x0[j + 1]) * perLight;
       const bz = (next[j + 2] - x0[j + 2]) * perLight;
-      const gamma = 1 / Math.sqrt(Math.max(LEAST_REST, 1 - (bx * bx + by * by + bz * bz)));
+      const gamma = 1 / Math.sqrt(Math.max(MIN_INVERSE_GAMMA_SQUARED, 1 - (bx * bx + by * by + bz * bz)));
       u[j] = gamma * bx;
       u[j + 1] = gamma * by;
       u[j + 2] = gamma * bz;
@@ -269,7 +273,7 @@ class Implicit implements Stepper {
 }
 
 /** p += q (x − x₀) × B */
-function addTurn(p: Float64Array, x0: Float64Array, x: Float64Array, charges: Float64Array, B: Vec3): void {
+function addMagneticImpulse(p: Float64Array, x0: Float64Array, x: Float64Array, charges: Float64Array, B: Vec3): void {
   for (let i = 0, j = 0; i < charges.length; i++, j += 3) {
     const [dx, dy, dz] = [x[j] - x0[j], x[j + 1] - x0[j + 1], x[j + 2] - x0[j + 2]];
     p[j] += charges[i] * (dy * B[2] - dz * B[1]);

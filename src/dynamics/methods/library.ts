@@ -1,12 +1,12 @@
 import { discreteGradient, implicitMidpoint } from './implicit.ts';
-import type { Method } from './method.ts';
-import { linearlyImplicit, localGlobal, semiImplicitEuler } from './sources.ts';
+import type { IntegrationMethod } from './method.ts';
 import { leapfrog, yoshida4, yoshida6, yoshida8 } from './splitting.ts';
+import { linearlyImplicit, localGlobal, semiImplicitEuler } from './velocityMethods.ts';
 
 const CORRECTIONS = [0, 1, 2, 3] as const;
 
 /** All methods by their ids; those of the source documents by their correction too (`local-global-2`). */
-export const METHODS: ReadonlyMap<string, Method> = new Map(
+export const METHODS: ReadonlyMap<string, IntegrationMethod> = new Map(
   [
     discreteGradient,
     implicitMidpoint,

@@ -1,14 +1,14 @@
 import type { State, System } from '../system.ts';
 
 /** A way to go from one time to the next. */
-export interface Method {
+export interface IntegrationMethod {
   readonly id: string;
   /** The error of a given time grows like this power of the step. */
   readonly order: number;
   /** Steps longer than 2/ω of the fastest oscillation run away. */
-  readonly bounded: boolean;
+  readonly conditionallyStable: boolean;
   /** Of a splitting, its shares of h: x goes on for half of the first, p is pushed for the first, x goes on for half of the first and half of the second, and so on. */
-  readonly shares?: readonly number[];
+  readonly coefficients?: readonly number[];
   begin(system: System): Stepper;
 }
 
@@ -19,7 +19,7 @@ export interface Stepper {
 }
 
 /** Why a step could not be done. */
-export type Failure =
+export type StepFailureReason =
   /** A point reached the speed of light. */
   | 'light'
   /** The matrix of a linear step is not positive definite any more. */
@@ -38,11 +38,11 @@ export type Failure =
   | 'lost';
 
 export class StepFailure extends Error {
-  readonly reason: Failure;
+  readonly reason: StepFailureReason;
   /** That it happened to first, where it is one. */
   readonly point: number | undefined;
 
-  constructor(reason: Failure, message: string, point?: number) {
+  constructor(reason: StepFailureReason, message: string, point?: number) {
     super(message);
     this.reason = reason;
     this.point = point;
@@ -50,7 +50,7 @@ export class StepFailure extends Error {
 }
 
 /** The force of all potentials on each point [N]. */
-export function forceAt({ forces }: System, x: Float64Array, out: Float64Array): void {
+export function potentialForces({ forces }: System, x: Float64Array, out: Float64Array): void {
   out.fill(0);
   for (const force of forces) force.add(x, out);
 }

@@ -1,18 +1,18 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { uniform as between } from '../../../tests/physicsArbitraries.ts';
+import { uniform as between } from '../../../tests/support/physicsArbitraries.ts';
 import { cross, type Vec3 } from '../../math/vec3.ts';
-import { ledger } from '../energy.ts';
-import { Penalty } from '../forces/contact.ts';
+import { conservedQuantities } from '../energy.ts';
+import { PenaltyPotential } from '../forces/contact.ts';
 import { coulomb } from '../forces/coulomb.ts';
-import { Pairs } from '../forces/pairs.ts';
-import { springs } from '../forces/springs.ts';
-import { uniform } from '../forces/uniform.ts';
-import { copyOf, makeSystem, momenta, type State, type System, velocities } from '../system.ts';
+import { PairForce } from '../forces/pairs.ts';
+import { springForce } from '../forces/springs.ts';
+import { uniformField } from '../forces/uniformField.ts';
+import { copyState, makeSystem, momenta, type State, type System, velocities } from '../system.ts';
 import { METHODS } from './library.ts';
-import { type Method, StepFailure } from './method.ts';
+import { type IntegrationMethod, StepFailure } from './method.ts';
 
-const method = (id: string): Method => METHODS.get(id)!;
+const method = (id: string): IntegrationMethod => METHODS.get(id)!;
 /** Those with momenta as their state, which keep below c by construction. */
 const OURS = ['discrete-gradient', 'implicit-midpoint', 'leapfrog', 'yoshida-4', 'yoshida-6', 'yoshida-8'] as const;
 const OF_SOURCES = [...METHODS.keys()].filter((id) => !OURS.includes(id as (typeof OURS)[number]));
@@ -21,8 +21,8 @@ const OF_SOURCES = [...METHODS.keys()].filter((id) => !OURS.includes(id as (type
 const TANGENT = OF_SOURCES.filter((id) => id.endsWith('-1'));
 const ALL = [...OURS, ...OF_SOURCES.filter((id) => !TANGENT.includes(id))];
 
-function follow(system: System, start: State, by: Method, time: number, steps: number): State {
-  const state = copyOf(start);
+function follow(system: System, start: State, by: IntegrationMethod, time: number, steps: number): State {
+  const state = copyState(start);
   const stepper = by.begin(system);
   for (let i = 0; i < steps; i++) stepper.step(state, time / steps);
   return state;
@@ -41,7 +41,7 @@ const oscillator = (c: number, k: number): System =>
     masses: Float64Array.of(1, 1),
     pinned: Uint8Array.of(1, 0),
     c,
-    forces: [springs({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(0) })],
+    forces: [springForce({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(0) })],
   });
 
 /** Complete elliptic integrals K(m) and E(m), by the arithmetic-geometric mean (Abramowitz and Stegun §17.6). */
@@ -80,7 +80,7 @@ describe('rounds of the documents’ implicit methods', () => {
     const system = makeSystem({
       masses: Float64Array.of(1, 1),
       pinned: Uint8Array.of(1, 0),
-      forces: [springs({ ends, stiffness: Float64Array.of(1 / h ** 2), lengths: Float64Array.of(1) })],
+      forces: [springForce({ ends, stiffness: Float64Array.of(1 / h ** 2), lengths: Float64Array.of(1) })],
     });
     const end = follow(system, moving(system, [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, v, 0]), method(id), h, 1);
     expect(1 - end.x[4] / (v * h)).toBeCloseTo(left, 8);
@@ -109,7 +109,10 @@ describe.each(OURS)('%s', (id) => {
     const start = moving(system, [0, 0, 0, r, 0, 0], [0, 0, 0, 0, beta * c, 0]);
     const end = follow(system, start, method(id), (2 * Math.PI * r) / (beta * c), 3000);
     expect(distance(end.x, start.x)).toBeLessThan(2e-4);
-    const [L0, L1] = [ledger(system, start).angularMomentum[2], ledger(system, end).angularMomentum[2]];
+    const [L0, L1] = [
+      conservedQuantities(system, start).angularMomentum[2],
+      conservedQuantities(system, end).angularMomentum[2],
+    ];
     expect(Math.abs(L1 / L0 - 1)).toBeLessThan(1e-12);
   });
 
@@ -141,8 +144,8 @@ describe.each(OURS)('%s', (id) => {
     fc.assert(
       fc.property(fc.array(velocity, { minLength: 4, maxLength: 4 }), (v) => {
         const start = moving(system, TETRAHEDRON, v.flat());
-        const [before, end] = [ledger(system, start), follow(system, start, method(id), 0.5, 40)];
-        const later = ledger(system, end);
+        const [before, end] = [conservedQuantities(system, start), follow(system, start, method(id), 0.5, 40)];
+        const later = conservedQuantities(system, end);
         for (let k = 0; k < 3; k++) {
           expect(later.momentum[k]).toBeCloseTo(before.momentum[k], 11);
           expect(later.angularMomentum[k]).toBeCloseTo(before.angularMomentum[k], 10);
@@ -163,8 +166,8 @@ describe.each(OURS)('%s', (id) => {
         const masses = Float64Array.from(MASSES);
         const net = { ends: Uint32Array.from(ENDS), lengths: new Float64Array(6).fill(LENGTH) };
         const forces = [
-          springs({ ...net, stiffness: new Float64Array(6).fill(stiff) }),
-          uniform(masses, [0.6 * push * c, 0, 0.8 * push * c]),
+          springForce({ ...net, stiffness: new Float64Array(6).fill(stiff) }),
+          uniformField(masses, [0.6 * push * c, 0, 0.8 * push * c]),
         ];
         const system = makeSystem({ masses, c, forces });
         const state = moving(system, TETRAHEDRON, new Array(12).fill(0.5 * c));
@@ -174,7 +177,7 @@ describe.each(OURS)('%s', (id) => {
             const before = state.x.slice();
             stepper.step(state, h);
             // Rounding alone makes c of what is nearer to it than 64 bits can tell: γ > 10⁸.
-            const { fastest } = ledger(system, state);
+            const { fastest } = conservedQuantities(system, state);
             expect(fastest).toBeLessThanOrEqual(c * (1 + 4 * Number.EPSILON));
             const momentum = Math.max(...state.p.map(Math.abs));
             if (momentum < 1e6 * c) expect(fastest).toBeLessThan(c);
@@ -207,7 +210,11 @@ const nearly = (id: string): number => NEARLY.get(method(id).order) ?? 1e-9;
 describe.each(ALL)('%s, of the sources or ours,', (id) => {
   it('follows the hyperbola of a constant force: x = (√(1 + (Ft/mc)²) − 1) mc²/F', () => {
     const [c, F, time] = [3, 20, 2];
-    const system = makeSystem({ masses: Float64Array.of(1.5), c, forces: [uniform(Float64Array.of(1), [0, F, 0])] });
+    const system = makeSystem({
+      masses: Float64Array.of(1.5),
+      c,
+      forces: [uniformField(Float64Array.of(1), [0, F, 0])],
+    });
     const end = follow(system, moving(system, [0, 0, 0], [0, 0, 0]), method(id), time, 4000);
     const s = (F * time) / (1.5 * c);
     expect(Math.abs(end.x[1] / (((Math.hypot(1, s) - 1) * 1.5 * c * c) / F) - 1)).toBeLessThan(nearly(id));
@@ -224,7 +231,7 @@ describe.each(ALL)('%s, of the sources or ours,', (id) => {
       masses: Float64Array.from(masses),
       c,
       forces: [
-        springs({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(length) }),
+        springForce({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(length) }),
       ],
     });
     // Along a line through nothing that is singular: until the spring is as long as at rest, or both are where it is 0.
@@ -315,7 +322,7 @@ const free = (): System =>
     masses: Float64Array.from(MASSES),
     c: 1,
     forces: [
-      springs({
+      springForce({
         ends: Uint32Array.from(ENDS),
         stiffness: Float64Array.from(STIFFNESS),
         lengths: new Float64Array(6).fill(LENGTH),
@@ -329,7 +336,7 @@ const all = (c: number): System => {
   const { forces } = free();
   return makeSystem({
     ...{ masses: Float64Array.from(MASSES), c, charges, magneticField: [0.4, -0.3, 1.1] },
-    forces: [...forces, uniform(Float64Array.from(MASSES), [0.5, -2, 0.3]), coulomb(charges, 0.7)],
+    forces: [...forces, uniformField(Float64Array.from(MASSES), [0.5, -2, 0.3]), coulomb(charges, 0.7)],
   });
 };
 
@@ -368,10 +375,10 @@ describe('the energy', () => {
     const system = free();
     for (const h of [0.01, 0.1, 0.5]) {
       const state = moving(system, TETRAHEDRON, SPIN);
-      const before = ledger(system, state);
+      const before = conservedQuantities(system, state);
       const stepper = method('discrete-gradient').begin(system);
       for (let i = 0; i < 3000; i++) stepper.step(state, h);
-      const later = ledger(system, state);
+      const later = conservedQuantities(system, state);
       expect(Math.abs(later.total - before.total) / before.kinetic).toBeLessThan(1e-11);
       expect(Math.hypot(...later.angularMomentum) / Math.hypot(...before.angularMomentum)).toBeCloseTo(1, 10);
     }
@@ -380,12 +387,12 @@ describe('the energy', () => {
   it('swings without a trend by the splittings', () => {
     const system = free();
     const state = moving(system, TETRAHEDRON, SPIN);
-    const before = ledger(system, state);
+    const before = conservedQuantities(system, state);
     const stepper = method('leapfrog').begin(system);
     const worst = [0, 0];
     for (let i = 0; i < 20_000; i++) {
       stepper.step(state, 0.02);
-      const off = Math.abs(ledger(system, state).total - before.total) / before.kinetic;
+      const off = Math.abs(conservedQuantities(system, state).total - before.total) / before.kinetic;
       const half = i < 10_000 ? 0 : 1;
       worst[half] = Math.max(worst[half], off);
     }
@@ -394,12 +401,16 @@ describe('the energy', () => {
   });
 
   it('is kept where things bounce off each other', () => {
-    const law = new Penalty(10_000, () => 1.1);
-    const system = makeSystem({ masses: Float64Array.of(1, 2), c: 10, forces: [new Pairs(Uint32Array.of(0, 1), law)] });
+    const law = new PenaltyPotential(10_000, () => 1.1);
+    const system = makeSystem({
+      masses: Float64Array.of(1, 2),
+      c: 10,
+      forces: [new PairForce(Uint32Array.of(0, 1), law)],
+    });
     const start = moving(system, [0, 0, 0, 4, 0.3, 0], [8, 0, 0, -6, 0, 0]);
-    const before = ledger(system, start);
+    const before = conservedQuantities(system, start);
     const end = follow(system, start, method('discrete-gradient'), 1, 2000);
-    const later = ledger(system, end);
+    const later = conservedQuantities(system, end);
     expect(end.p[0]).toBeLessThan(0);
     expect(Math.abs(later.total / before.total - 1)).toBeLessThan(1e-11);
     expect(later.momentum[0]).toBeCloseTo(before.momentum[0], 9);
@@ -408,8 +419,8 @@ describe('the energy', () => {
   it('of two charges that fall towards each other stays, and they stay below c', () => {
     const system = makeSystem({ masses: Float64Array.of(1, 1), c: 1, forces: [coulomb(Float64Array.of(1, -1), 0.2)] });
     const start = moving(system, [-1, 0, 0, 1, 0, 0], [0, 0.2, 0, 0, -0.2, 0]);
-    const before = ledger(system, start);
-    const state = copyOf(start);
+    const before = conservedQuantities(system, start);
+    const state = copyState(start);
     const stepper = method('discrete-gradient').begin(system);
     const v = new Float64Array(6);
     for (let i = 0; i < 4000; i++) {
@@ -417,7 +428,7 @@ describe('the energy', () => {
       velocities(system, state.p, v);
       expect(Math.hypot(v[0], v[1], v[2])).toBeLessThan(1);
     }
-    expect(Math.abs(ledger(system, state).total - before.total)).toBeLessThan(1e-10);
+    expect(Math.abs(conservedQuantities(system, state).total - before.total)).toBeLessThan(1e-10);
   });
 });
 
@@ -437,7 +448,9 @@ describe('the methods of the sources', () => {
     expect(() => follow(system, start, method('semi-implicit-euler-0'), 1, 50)).toThrow(/not below c = 1 m\/s/);
     const pressed = makeSystem({
       ...oscillator(10, 1000),
-      forces: [springs({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(1000), lengths: Float64Array.of(2) })],
+      forces: [
+        springForce({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(1000), lengths: Float64Array.of(2) }),
+      ],
     });
     const short = moving(pressed, [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 0.1, 0]);
     expect(() => follow(pressed, short, method('linearly-implicit-0'), 1, 10)).toThrow(/positive definite/);

@@ -1,16 +1,22 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { State, System } from '../system.ts';
-import { forceAt, type Method, type Stepper } from './method.ts';
+import { type IntegrationMethod, potentialForces, type Stepper } from './method.ts';
 
 /**
  * H = Σ√(p²c² + m²c⁴) + V(x) is a part of p and a part of x, each of which is followed exactly in turn: x goes on at constant p for half a step, p is pushed at
  * constant x, x goes on. Symplectic and reversible; the energy swings, and has no trend. Steps of several lengths in a symmetric row cancel the errors of lower orders.
  * `row`: their shares of h before the middle one. Sources: Yoshida 1990, Phys. Lett. A 150, 262; Suzuki and Umeno 1993; Hairer, Lubich, Wanner, §V.3.2.
  */
-const splitting = (id: string, order: number, row: readonly number[]): Method => {
+const splitting = (id: string, order: number, row: readonly number[]): IntegrationMethod => {
   const middle = 1 - 2 * row.reduce((sum, share) => sum + share, 0);
   const shares = [...row, middle, ...row.toReversed()];
-  return { id, order, bounded: true, shares, begin: (system) => new Splitting(system, shares) };
+  return {
+    id,
+    order,
+    conditionallyStable: true,
+    coefficients: shares,
+    begin: (system) => new SplittingStepper(system, shares),
+  };
 };
 
 export const leapfrog = splitting('leapfrog', 2, []);
@@ -25,7 +31,7 @@ export const yoshida8 = splitting(
   ],
 );
 
-class Splitting implements Stepper {
+class SplittingStepper implements Stepper {
   private readonly system: System;
   private readonly shares: readonly number[];
   private readonly force: Float64Array;
@@ -41,7 +47,7 @@ class Splitting implements Stepper {
     const { system, shares, force } = this;
     this.drift(state, (shares[0] * h) / 2);
     shares.forEach((share, k) => {
-      forceAt(system, state.x, force);
+      potentialForces(system, state.x, force);
       this.kick(state, share * h);
       this.drift(state, ((share + (shares[k + 1] ?? 0)) * h) / 2);
     });
@@ -67,15 +73,15 @@ class Splitting implements Stepper {
   private kick(state: State, h: number): void {
     const { charges, magneticField } = this.system;
     if (!charges || !magneticField) {
-      this.push(state, h);
+      this.applyForce(state, h);
       return;
     }
-    this.push(state, h / 2);
-    this.turn(state, h, charges, magneticField);
-    this.push(state, h / 2);
+    this.applyForce(state, h / 2);
+    this.rotateMomenta(state, h, charges, magneticField);
+    this.applyForce(state, h / 2);
   }
 
-  private push({ p }: State, h: number): void {
+  private applyForce({ p }: State, h: number): void {
     const { force } = this;
     const { pinned } = this.system;
     for (let i = 0, j = 0; i < pinned.length; i++, j += 3) {
@@ -87,7 +93,7 @@ class Splitting implements Stepper {
   }
 
   /** dp/dt = q p × B/γm turns p about −B by q|B|h/γm, exactly. */
-  private turn({ p }: State, h: number, charges: Float64Array, B: Vec3): void {
+  private rotateMomenta({ p }: State, h: number, charges: Float64Array, B: Vec3): void {
     const { c: light, masses, pinned } = this.system;
     const strength = Math.hypot(...B);
     if (strength === 0) return;

@@ -1,21 +1,21 @@
 import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
-import { type Figures, figuresOf } from '../../dynamics/books.ts';
+import { type RunSummary, summarizeRun } from '../../dynamics/runRecord.ts';
 import { formatBeta, formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { nodeTitle } from '../panels/nodeTitle.ts';
-import { useStudioState, useTelemetry } from '../state/context.tsx';
-import { type Run, runsIn, unseenIn } from '../state/runs.ts';
-import { lineStyle } from './lines.ts';
-import { namesOf } from './names.ts';
-import { type Line, Plot } from './Plot.tsx';
-import { frameAt, QUANTITIES, type Quantity, unitOf, valuesOf } from './series.ts';
+import { userTitle } from '../panels/nodeTitle.ts';
+import { useEditorState, useTelemetry } from '../state/context.tsx';
+import { type SimulationRun, simulationRuns, unevaluatedSimulations } from '../state/simulationRuns.ts';
+import { LinePlot, type PlotLine } from './LinePlot.tsx';
+import { lineStyle } from './lineStyle.ts';
+import { runNames } from './runNames.ts';
+import { frameIndexAt, QUANTITIES, type Quantity, unitOf, valuesOf } from './series.ts';
 
 /** A run with what it is called, and its line in the plot. */
-interface Named extends Run {
+interface LabeledRun extends SimulationRun {
   readonly name: string;
-  readonly line: Line;
+  readonly line: PlotLine;
 }
 
 /** Books of all simulations of the project: plots over each other, and their figures in words. */
@@ -23,10 +23,10 @@ export default function EnergyPanel(): ReactNode {
   const { t } = useTexts();
   const [quantity, setQuantity] = useState<Quantity>('change');
   const [logarithmic, setLogarithmic] = useState(false);
-  const results = useStudioState((state) => state.results);
-  const runs = useMemo(() => runsIn(results), [results]);
+  const results = useEditorState((state) => state.results);
+  const runs = useMemo(() => simulationRuns(results), [results]);
   const unit = unitOf(quantity, runs);
-  const named = useNamed(runs, quantity, unit);
+  const named = useLabeledRuns(runs, quantity, unit);
   return (
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
       <Stack gap="xs" p="md" component="section" aria-label={t('panel.energy')}>
@@ -44,30 +44,30 @@ export default function EnergyPanel(): ReactNode {
               onChange={(chosen) => chosen && setQuantity(chosen as Quantity)}
               data={QUANTITIES.map((value) => ({ value, label: `${t(`energy.${value}`)} [${unitOf(value, runs)}]` }))}
             />
-            <Drawn runs={named} quantity={quantity} unit={unit} logarithmic={logarithmic} />
+            <EnergyPlot runs={named} quantity={quantity} unit={unit} logarithmic={logarithmic} />
             <Switch
               size="xs"
               label={t('energy.logarithmic')}
               checked={logarithmic}
               onChange={(event) => setLogarithmic(event.currentTarget.checked)}
             />
-            <Table runs={named} quantity={quantity} unit={unit} />
+            <EnergyTable runs={named} quantity={quantity} unit={unit} />
           </>
         )}
-        <Unseen />
+        <UnevaluatedNote />
       </Stack>
     </ScrollArea>
   );
 }
 
 /** Simulate nodes that nothing is asked of: only what leads to the picture is computed. */
-function Unseen(): ReactNode {
+function UnevaluatedNote(): ReactNode {
   const { t } = useTexts();
-  const document = useStudioState((state) => state.history.document);
-  const results = useStudioState((state) => state.results);
-  const busy = useStudioState((state) => state.loading !== undefined);
+  const document = useEditorState((state) => state.history.document);
+  const results = useEditorState((state) => state.results);
+  const busy = useEditorState((state) => state.loading !== undefined);
   const names = useMemo(
-    () => unseenIn(document, results).map((node) => nodeTitle(document, node) ?? node),
+    () => unevaluatedSimulations(document, results).map((node) => userTitle(document, node) ?? node),
     [document, results],
   );
   if (busy || names.length === 0 || results.size === 0) return null;
@@ -78,39 +78,39 @@ function Unseen(): ReactNode {
   );
 }
 
-function useNamed(runs: readonly Run[], quantity: Quantity, unit: string): readonly Named[] {
+function useLabeledRuns(runs: readonly SimulationRun[], quantity: Quantity, unit: string): readonly LabeledRun[] {
   const { any } = useTexts();
-  const document = useStudioState((state) => state.history.document);
+  const document = useEditorState((state) => state.history.document);
   return useMemo(() => {
-    const names = namesOf(runs, (node) => nodeTitle(document, node), any);
+    const names = runNames(runs, (node) => userTitle(document, node), any);
     return runs.map((run, i) => {
-      const line = { times: run.books.times, values: valuesOf(run.books, quantity, unit) };
+      const line = { times: run.record.times, values: valuesOf(run.record, quantity, unit) };
       return { ...run, name: names[i]!, line };
     });
   }, [runs, quantity, unit, document, any]);
 }
 
-interface ShownProps {
-  readonly runs: readonly Named[];
+interface RunsProps {
+  readonly runs: readonly LabeledRun[];
   readonly quantity: Quantity;
   readonly unit: string;
 }
 
-function Drawn({ runs, quantity, unit, logarithmic }: ShownProps & { readonly logarithmic: boolean }): ReactNode {
+function EnergyPlot({ runs, quantity, unit, logarithmic }: RunsProps & { readonly logarithmic: boolean }): ReactNode {
   const { t } = useTexts();
   const lines = useMemo(() => runs.map(({ line }) => line), [runs]);
   const spoken = (time: number) => runs.map(({ name, line }) => `${name} ${valueAt(line, time)} ${unit}`).join('; ');
   const label = t('energy.plot', { quantity: t(`energy.${quantity}`) });
-  return <Plot lines={lines} logarithmic={logarithmic} label={label} spoken={spoken} />;
+  return <LinePlot lines={lines} logarithmic={logarithmic} label={label} spoken={spoken} />;
 }
 
-function valueAt({ times, values }: Line, t: number): string {
-  const frame = frameAt(times, t);
+function valueAt({ times, values }: PlotLine, t: number): string {
+  const frame = frameIndexAt(times, t);
   return frame < 0 ? '–' : formatNumber(values[frame]!);
 }
 
 /** What there is at the page's time, and what a run comes to as a whole. */
-function Table({ runs, unit }: ShownProps): ReactNode {
+function EnergyTable({ runs, unit }: RunsProps): ReactNode {
   const { t } = useTexts();
   return (
     <table className="sl-energy">
@@ -118,7 +118,7 @@ function Table({ runs, unit }: ShownProps): ReactNode {
         <tr>
           <th scope="col">{t('energy.run')}</th>
           <th scope="col">
-            <Now unit={unit} />
+            <CurrentTime unit={unit} />
           </th>
           <th scope="col" title={t('energy.drift.help')}>
             {t('energy.drift')}
@@ -127,13 +127,13 @@ function Table({ runs, unit }: ShownProps): ReactNode {
         </tr>
       </thead>
       {runs.map((run, n) => (
-        <Row key={run.node} run={run} n={n} />
+        <RunRow key={run.node} run={run} n={n} />
       ))}
     </table>
   );
 }
 
-function Now({ unit }: { readonly unit: string }): ReactNode {
+function CurrentTime({ unit }: { readonly unit: string }): ReactNode {
   const time = useTelemetry((live) => live.t);
   return (
     <>
@@ -142,12 +142,12 @@ function Now({ unit }: { readonly unit: string }): ReactNode {
   );
 }
 
-function Row({ run, n }: { readonly run: Named; readonly n: number }): ReactNode {
-  const { name, books, line } = run;
-  const figures = useMemo(() => figuresOf(books), [books]);
+function RunRow({ run, n }: { readonly run: LabeledRun; readonly n: number }): ReactNode {
+  const { name, record, line } = run;
+  const figures = useMemo(() => summarizeRun(record), [record]);
   const { drift, fastest } = figures;
   const now = useTelemetry((live) => valueAt(line, live.t));
-  const { speedOfLight: c } = books;
+  const { speedOfLight: c } = record;
   return (
     <tbody>
       <tr>
@@ -159,22 +159,22 @@ function Row({ run, n }: { readonly run: Named; readonly n: number }): ReactNode
         </th>
         <td>{now}</td>
         <td>{drift === undefined ? '–' : formatNumber(drift, 2)}</td>
-        <td>{Number.isFinite(c) ? `${shareOfLight(fastest / c)} c` : `${formatNumber(fastest, 2)} m/s`}</td>
+        <td>{Number.isFinite(c) ? `${formatFractionOfC(fastest / c)} c` : `${formatNumber(fastest, 2)} m/s`}</td>
       </tr>
-      <Remarks run={run} figures={figures} />
+      <RunNotes run={run} figures={figures} />
     </tbody>
   );
 }
 
 /** What is below c is told so. */
-const shareOfLight = (beta: number): string => (beta > 0.1 ? formatBeta(beta) : formatNumber(beta, 2));
+const formatFractionOfC = (beta: number): string => (beta > 0.1 ? formatBeta(beta) : formatNumber(beta, 2));
 
 /** With which step, how far it came, and what went wrong. */
-function Remarks({ run, figures }: { readonly run: Named; readonly figures: Figures }): ReactNode {
+function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures: RunSummary }): ReactNode {
   const { t, said } = useTexts();
-  const running = useStudioState((state) => state.interim === 'running');
-  const { books, interim } = run;
-  const { step, stop, speedOfLight } = books;
+  const running = useEditorState((state) => state.interim === 'running');
+  const { record, interim } = run;
+  const { step, stop, speedOfLight } = record;
   const { until, grown } = figures;
   const h = step > 0 ? t('energy.step', { step: formatNumber(step * 1000, 2) }) : t('energy.adaptive');
   const c = Number.isFinite(speedOfLight) ? `c = ${formatNumber(speedOfLight)} m/s` : t('energy.newton');

@@ -1,15 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { add, build } from '../../../tests/support/graphKit.ts';
-import { type Books, figuresOf } from '../../dynamics/books.ts';
-import type { NodeResult } from '../../graph/results.ts';
-import { computedUntil, runsIn, unseenIn } from '../state/runs.ts';
-import { lineStyle } from './lines.ts';
-import { namesOf } from './names.ts';
-import { frameAt, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
+import { type RunRecord, summarizeRun } from '../../dynamics/runRecord.ts';
+import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
+import { computedUntil, simulationRuns, unevaluatedSimulations } from '../state/simulationRuns.ts';
+import { lineStyle } from './lineStyle.ts';
+import { runNames } from './runNames.ts';
+import { frameIndexAt, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
 import { tick } from './ticks.ts';
 
 /** Three frames: of 3 J of motion at most, 1.5 J are lost. */
-const books: Books = {
+const record: RunRecord = {
   method: 'leapfrog',
   speedOfLight: 10,
   step: 0.01,
@@ -33,12 +33,12 @@ describe('the books of an evaluation', () => {
   it('are told of once, by the node that made them, also where they are passed on', () => {
     const results = new Map<string, NodeResult>([
       ['box', done({ geometry: {} })],
-      ['run', done({ geometry: {}, books }, true)],
-      ['passed', done({ books }, true)],
+      ['run', done({ geometry: {}, books: record }, true)],
+      ['passed', done({ books: record }, true)],
       ['gone', { status: 'blocked', by: 'box' }],
-      ['outer/run', done({ books: { ...books, times: Float64Array.of(0, 3) } })],
+      ['outer/run', done({ books: { ...record, times: Float64Array.of(0, 3) } })],
     ]);
-    expect(runsIn(results).map(({ node, interim }) => [node, interim])).toEqual([
+    expect(simulationRuns(results).map(({ node, interim }) => [node, interim])).toEqual([
       ['run', true],
       ['outer/run', false],
     ]);
@@ -49,28 +49,28 @@ describe('the books of an evaluation', () => {
 
   it('are missing of what leads to nothing that was asked for', () => {
     const document = build(add('run', 'simulate'), add('other', 'simulate'), add('box', 'box'));
-    expect(unseenIn(document, new Map([['run', done({ books })]]))).toEqual(['other']);
-    expect(unseenIn(document, new Map(['run', 'other'].map((node) => [node, done({})])))).toEqual([]);
+    expect(unevaluatedSimulations(document, new Map([['run', done({ books: record })]]))).toEqual(['other']);
+    expect(unevaluatedSimulations(document, new Map(['run', 'other'].map((node) => [node, done({})])))).toEqual([]);
   });
 
   it('give what is plotted', () => {
-    expect([...valuesOf(books, 'change', 'J')]).toEqual([0, -1, -1.5]);
-    expect([...valuesOf(books, 'potential', 'J')]).toEqual([4, 0, 1.5]);
-    expect([...valuesOf(books, 'momentum', 'kg m/s')]).toEqual([0, 5, 13]);
-    expect([...valuesOf(books, 'angularMomentum', 'kg m²/s')]).toEqual([0, 3, 0]);
-    expect([...valuesOf(books, 'fastest', 'c')]).toEqual([0, 0.8, 0.5]);
+    expect([...valuesOf(record, 'change', 'J')]).toEqual([0, -1, -1.5]);
+    expect([...valuesOf(record, 'potential', 'J')]).toEqual([4, 0, 1.5]);
+    expect([...valuesOf(record, 'momentum', 'kg m/s')]).toEqual([0, 5, 13]);
+    expect([...valuesOf(record, 'angularMomentum', 'kg m²/s')]).toEqual([0, 3, 0]);
+    expect([...valuesOf(record, 'fastest', 'c')]).toEqual([0, 0.8, 0.5]);
   });
 
   it('tell speeds in m/s as soon as one of them knows no speed of light', () => {
-    const run = (speedOfLight: number) => ({ node: 'run', interim: false, books: { ...books, speedOfLight } });
+    const run = (speedOfLight: number) => ({ node: 'run', interim: false, record: { ...record, speedOfLight } });
     expect(unitOf('fastest', [run(10), run(1)])).toBe('c');
     expect(unitOf('fastest', [run(10), run(Number.POSITIVE_INFINITY)])).toBe('m/s');
-    expect([...valuesOf(books, 'fastest', 'm/s')]).toEqual([0, 8, 5]);
+    expect([...valuesOf(record, 'fastest', 'm/s')]).toEqual([0, 8, 5]);
   });
 
   it('come to a drift in parts of the motion there was, a top speed and an end', () => {
-    expect(figuresOf(books)).toEqual({ drift: 0.5, fastest: 8, until: 1 });
-    expect(figuresOf({ ...books, kinetic: Float64Array.of(0, 0, 0) }).drift).toBeUndefined();
+    expect(summarizeRun(record)).toEqual({ drift: 0.5, fastest: 8, until: 1 });
+    expect(summarizeRun({ ...record, kinetic: Float64Array.of(0, 0, 0) }).drift).toBeUndefined();
   });
 });
 
@@ -78,10 +78,10 @@ it('runs are called by title or method, and where these are the same by what tel
   const run = (node: string, method: string, speedOfLight = 10) => ({
     node,
     interim: false,
-    books: { ...books, method, speedOfLight },
+    record: { ...record, method, speedOfLight },
   });
-  const names = (...runs: Parameters<typeof namesOf>[0]) =>
-    namesOf(
+  const names = (...runs: Parameters<typeof runNames>[0]) =>
+    runNames(
       runs,
       (node) => (node === 'mine' ? 'My cloth' : undefined),
       (key) => key.replace('method.', ''),
@@ -98,7 +98,7 @@ it('runs are called by title or method, and where these are the same by what tel
 });
 
 it('what is read at a time is of the frame before', () => {
-  expect([-1, 0, 0.49, 0.5, 7].map((t) => frameAt(books.times, t))).toEqual([-1, 0, 0, 1, 2]);
+  expect([-1, 0, 0.49, 0.5, 7].map((t) => frameIndexAt(record.times, t))).toEqual([-1, 0, 0, 1, 2]);
 });
 
 it('a logarithmic axis has sizes, and nothing for what has none', () => {

@@ -1,6 +1,6 @@
-import type { Books } from '../../dynamics/books.ts';
-import { samplesUntil } from '../../physics/worldLine.ts';
-import type { Run } from '../state/runs.ts';
+import type { RunRecord } from '../../dynamics/runRecord.ts';
+import { samplesUntil } from '../../physics/worldLines/worldLine.ts';
+import type { SimulationRun } from '../state/simulationRuns.ts';
 
 /** What is plotted over time. */
 export const QUANTITIES = [
@@ -15,7 +15,7 @@ export const QUANTITIES = [
 export type Quantity = (typeof QUANTITIES)[number];
 
 /** Of each frame; `unit`: see there. */
-export function valuesOf(books: Books, quantity: Quantity, unit: string): Float64Array {
+export function valuesOf(books: RunRecord, quantity: Quantity, unit: string): Float64Array {
   const { total, speedOfLight, fastest } = books;
   if (quantity === 'change') return total.map((energy) => energy - (total[0] ?? 0));
   if (quantity === 'fastest') return unit === 'c' ? fastest.map((speed) => speed / speedOfLight) : fastest;
@@ -24,11 +24,11 @@ export function valuesOf(books: Books, quantity: Quantity, unit: string): Float6
 }
 
 /** Where one of the runs knows no speed of light, none is told in its units. */
-export function unitOf(quantity: Quantity, runs: readonly Run[]): string {
+export function unitOf(quantity: Quantity, runs: readonly SimulationRun[]): string {
   if (quantity === 'momentum') return 'kg m/s';
   if (quantity === 'angularMomentum') return 'kg m²/s';
   if (quantity !== 'fastest') return 'J';
-  return runs.every(({ books }) => Number.isFinite(books.speedOfLight)) ? 'c' : 'm/s';
+  return runs.every(({ record }) => Number.isFinite(record.speedOfLight)) ? 'c' : 'm/s';
 }
 
 const lengths = (vectors: Float64Array): Float64Array =>
@@ -37,7 +37,7 @@ const lengths = (vectors: Float64Array): Float64Array =>
   );
 
 /** The place of the last frame that is not after t; −1: all are. */
-export const frameAt = (times: Float64Array, t: number): number => samplesUntil(times, t) - 1;
+export const frameIndexAt = (times: Float64Array, t: number): number => samplesUntil(times, t) - 1;
 
 /** What a logarithmic axis can show of a value. */
 export const onLogarithmicAxis = (values: Float64Array): (number | null)[] =>

@@ -2,16 +2,24 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { IDENTITY, rotate } from '../../math/quat.ts';
 import { length, sub, type Vec3 } from '../../math/vec3.ts';
-import { gamma, velocity } from '../../physics/boost.ts';
-import type { ObserverState } from '../../physics/observer.ts';
-import { type Controls, type FlightRules, IDLE, look, stepFlight, walkingSpeed, wrapTime } from './flight.ts';
+import { gamma, velocity } from '../../physics/lorentz/boost.ts';
+import type { ObserverState } from '../../physics/lorentz/observer.ts';
+import {
+  type FlightControls,
+  type FlightRules,
+  NO_CONTROLS,
+  stepFlight,
+  turnView,
+  walkingSpeed,
+  wrapTime,
+} from './flight.ts';
 
 const rest: ObserverState = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, properTime: 0 };
 const rules: FlightRules = { c: 30, maxSpeed: 0.9, lock: 'free', cruise: false, playing: true, up: [0, 1, 0] };
-const forward: Controls = { thrust: [0, 0, -1], fullSpeed: false };
-const sprint: Controls = { ...forward, fullSpeed: true };
+const forward: FlightControls = { thrust: [0, 0, -1], fullSpeed: false };
+const sprint: FlightControls = { ...forward, fullSpeed: true };
 
-function fly(state: ObserverState, controls: Controls, seconds: number, by: FlightRules = rules, dt = 1 / 60) {
+function fly(state: ObserverState, controls: FlightControls, seconds: number, by: FlightRules = rules, dt = 1 / 60) {
   const speeds = [];
   let now = state;
   for (let time = 0; time < seconds - 1e-9; time += dt) {
@@ -47,8 +55,8 @@ describe('flight', () => {
 
   it('brakes to rest without a key, and keeps its velocity on cruise', () => {
     const { now } = fly(rest, sprint, 3);
-    expect(length(fly(now, IDLE, 3).now.u)).toBe(0);
-    expect(fly(now, IDLE, 3, { ...rules, cruise: true }).now.u).toEqual(now.u);
+    expect(length(fly(now, NO_CONTROLS, 3).now.u)).toBe(0);
+    expect(fly(now, NO_CONTROLS, 3, { ...rules, cruise: true }).now.u).toEqual(now.u);
   });
 
   it('look: has a velocity without moving, and its own clock runs slow', () => {
@@ -101,9 +109,9 @@ describe('flight', () => {
 
 describe('looking around', () => {
   it('turns left about the up axis, and never over the top', () => {
-    const left = rotate(look(IDENTITY, Math.PI / 2, 0, [0, 1, 0]), [0, 0, -1]);
+    const left = rotate(turnView(IDENTITY, Math.PI / 2, 0, [0, 1, 0]), [0, 0, -1]);
     expect(length(sub(left, [-1, 0, 0] as Vec3))).toBeLessThan(1e-12);
-    const high = rotate(look(IDENTITY, 0, 10, [0, 1, 0]), [0, 0, -1]);
+    const high = rotate(turnView(IDENTITY, 0, 10, [0, 1, 0]), [0, 0, -1]);
     expect(high[1]).toBeCloseTo(1, 3);
     expect(high[2]).toBeLessThan(0);
   });

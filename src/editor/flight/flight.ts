@@ -1,8 +1,8 @@
 import { fromAxisAngle, multiply, normalizeQuat, type Quat, rotate } from '../../math/quat.ts';
 import { addScaled, dot, length, normalize, scale, type Vec3, ZERO } from '../../math/vec3.ts';
-import { gamma, properVelocity, rapidity } from '../../physics/boost.ts';
-import { accelerate, coast, type ObserverState } from '../../physics/observer.ts';
-import { relativeVelocity } from '../../physics/velocity.ts';
+import { gamma, properVelocity, rapidity } from '../../physics/lorentz/boost.ts';
+import { accelerate, coast, type ObserverState } from '../../physics/lorentz/observer.ts';
+import { relativeVelocity } from '../../physics/lorentz/velocity.ts';
 
 /**
  * `free`: the observer flies. `look`: a velocity without moving, to see what a speed does to one place. `fly`: moving
@@ -12,12 +12,12 @@ export type Lock = 'free' | 'look' | 'fly';
 export const LOCKS: readonly Lock[] = ['free', 'look', 'fly'];
 
 /** What the person asks for at one moment. */
-export interface Controls {
+export interface FlightControls {
   /** In camera axes, each −1 … 1: right, along the scene's up axis, back. */
   readonly thrust: Vec3;
   readonly fullSpeed: boolean;
 }
-export const IDLE: Controls = { thrust: ZERO, fullSpeed: false };
+export const NO_CONTROLS: FlightControls = { thrust: ZERO, fullSpeed: false };
 
 export interface FlightRules {
   /** [m/s] */
@@ -33,17 +33,17 @@ export interface FlightRules {
 }
 
 /** [m/s]: as fast as one goes without asking for full speed. */
-const WALK = 8;
+const WALKING_SPEED = 8;
 /** Time to reach the greatest speed, and the walking speed, from rest [s, own clock]. */
 const SPRINT_TIME = 2;
 const WALK_TIME = 0.5;
 
 /** The smaller of half the greatest speed and 8 m/s, as a fraction of c. */
 export const walkingSpeed = ({ c, maxSpeed }: Pick<FlightRules, 'c' | 'maxSpeed'>): number =>
-  Math.min(maxSpeed / 2, WALK / c);
+  Math.min(maxSpeed / 2, WALKING_SPEED / c);
 
 /** The proper velocity that the controls ask for, world frame; undefined: as it is. */
-export function wantedVelocity(state: ObserverState, controls: Controls, rules: FlightRules): Vec3 | undefined {
+export function targetVelocity(state: ObserverState, controls: FlightControls, rules: FlightRules): Vec3 | undefined {
   const [right, up, back] = controls.thrust;
   const push = length(controls.thrust);
   if (push === 0) return rules.cruise ? undefined : ZERO;
@@ -56,17 +56,22 @@ export function wantedVelocity(state: ObserverState, controls: Controls, rules: 
  * The observer after dt [s] of the person's time, which is the observer's own: a constant proper acceleration towards the
  * wanted velocity, exactly. Where time stands still in the world the observer still moves, through a frozen instant.
  */
-export function stepFlight(state: ObserverState, controls: Controls, dt: number, rules: FlightRules): ObserverState {
-  const moved = thrust(state, wantedVelocity(state, controls, rules), dt, rules);
+export function stepFlight(
+  state: ObserverState,
+  controls: FlightControls,
+  dt: number,
+  rules: FlightRules,
+): ObserverState {
+  const moved = thrust(state, targetVelocity(state, controls, rules), dt, rules);
   if (rules.lock === 'free') return rules.playing ? moved : { ...moved, t: state.t, properTime: state.properTime };
-  const held = { ...moved, ...clocks(state, moved.u, dt, rules) };
+  const held = { ...moved, ...lockedClocks(state, moved.u, dt, rules) };
   if (rules.lock === 'look') return { ...held, position: state.position };
   const position = addScaled(state.position, moved.u, (rules.c * dt) / gamma(moved.u));
   return { ...held, position, orientation: state.orientation };
 }
 
 /** In the locks the world's time runs as the person's: `look` stays at one place, and `fly` is at rest for the picture. */
-function clocks(state: ObserverState, u: Vec3, dt: number, { lock, playing }: FlightRules) {
+function lockedClocks(state: ObserverState, u: Vec3, dt: number, { lock, playing }: FlightRules) {
   if (!playing) return { t: state.t, properTime: state.properTime };
   return { t: state.t + dt, properTime: state.properTime + (lock === 'look' ? dt / gamma(u) : dt) };
 }
@@ -89,7 +94,7 @@ function properAcceleration(u: Vec3, wanted: Vec3, rules: FlightRules): number {
 }
 
 /** Turns the head: yaw about the scene's up axis, then pitch about the camera's own right [rad]; never over the top. */
-export function look(orientation: Quat, yaw: number, pitch: number, up: Vec3): Quat {
+export function turnView(orientation: Quat, yaw: number, pitch: number, up: Vec3): Quat {
   const turned = multiply(fromAxisAngle(up, yaw), orientation);
   const forward = rotate(turned, [0, 0, -1]);
   const elevation = Math.asin(Math.max(-1, Math.min(1, dot(forward, up))));

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { messages } from '../i18n/messages.ts';
+import { uiTexts } from '../i18n/texts.ts';
 
 const text = (path: string): string => readFileSync(new URL(path, import.meta.url), 'utf8');
 const greek = (words: string): readonly string[] => [...new Set(words.match(/\p{Script=Greek}/gu))].toSorted();
@@ -23,7 +23,7 @@ it('the sheet offers the Greek letters that the font was cut to, and no others',
 });
 
 it('the page’s own words need no other Greek letters', () => {
-  const used = greek(Object.values(messages).flat().join(''));
+  const used = greek(Object.values(uiTexts).flat().join(''));
   expect(used).toContain('γ');
   expect(used.filter((letter) => !inFont.includes(letter))).toEqual([]);
 });

@@ -1,28 +1,28 @@
 import type { ReactNode } from 'react';
-import { own } from '../../graph/document.ts';
-import { groupOf } from '../../graph/structure.ts';
+import { own } from '../../graph/document/document.ts';
+import { groupKeyOf } from '../../graph/document/structuralTypes.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { useStudio, useStudioState } from '../state/context.tsx';
-import { contextOf, leave } from './actions.ts';
-import { levelAt, pathIn, useCanvas } from './canvas.ts';
+import { useEditor, useEditorState } from '../state/context.tsx';
+import { existingPath, levelAt, useCanvas } from './canvas/canvasState.ts';
+import { actionContext, leaveGroup } from './commands/actions.ts';
 
 /** In which group the canvas is, and the way out. */
 export function Breadcrumb(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const document = useStudioState((state) => state.history.document);
-  const path = pathIn(
+  const studio = useEditor();
+  const document = useEditorState((state) => state.history.document);
+  const path = existingPath(
     document,
     useCanvas((state) => state.path),
   );
   if (path.length === 0) return null;
   const titles = path.map((node, i) => {
     const held = own(levelAt(document, path.slice(0, i)).graph.nodes, node);
-    return held?.title || (held && own(document.groups, groupOf(held))?.title) || t('node.group');
+    return held?.title || (held && own(document.groups, groupKeyOf(held))?.title) || t('node.group');
   });
   const go = (depth: number) => {
-    const context = contextOf(studio);
-    if (context) leave(context, depth);
+    const context = actionContext(studio);
+    if (context) leaveGroup(context, depth);
   };
   return (
     <nav className="sl-breadcrumb" aria-label={t('graph.where')}>

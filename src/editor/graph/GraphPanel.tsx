@@ -1,18 +1,18 @@
 import '@xyflow/react/dist/base.css';
-import './sockets.css';
+import './cards/sockets.css';
 import './graph.css';
-import './pictures.css';
+import './pictures/pictures.css';
 import { ReactFlowProvider } from '@xyflow/react';
 import { type ReactNode, useRef } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import { loadPreferences } from '../state/preferences.ts';
-import { AddNode } from './AddNode.tsx';
 import { Breadcrumb } from './Breadcrumb.tsx';
-import { Canvas } from './Canvas.tsx';
-import { canvas, useCanvas } from './canvas.ts';
-import { Toolbar } from './Toolbar.tsx';
-import { useCanvasKeys } from './useCanvasKeys.ts';
-import { useKeptFocus } from './useKeptFocus.ts';
+import { GraphCanvas } from './canvas/Canvas.tsx';
+import { canvas, useCanvas } from './canvas/canvasState.ts';
+import { useCanvasKeys } from './canvas/useCanvasKeys.ts';
+import { useFocusRestore } from './canvas/useFocusRestore.ts';
+import { Toolbar } from './commands/Toolbar.tsx';
+import { AddNode } from './search/AddNode.tsx';
 
 canvas.setState({ pictures: loadPreferences().nodePictures });
 
@@ -22,11 +22,11 @@ export default function GraphPanel(): ReactNode {
   const panel = useRef<HTMLElement>(null);
   const adding = useCanvas((state) => state.adding);
   useCanvasKeys(panel);
-  useKeptFocus(panel);
+  useFocusRestore(panel);
   return (
     <section ref={panel} className="sl-graph" aria-label={t('panel.graph')}>
       <ReactFlowProvider>
-        <Canvas panel={panel} />
+        <GraphCanvas panel={panel} />
         <Breadcrumb />
         <Toolbar />
       </ReactFlowProvider>

@@ -1,6 +1,6 @@
-import { exampleWords } from './exampleWords.ts';
-import { messagesIn } from './messages.ts';
+import { exampleTexts } from './exampleTexts.ts';
+import { textsIn } from './texts.ts';
 
 // The build puts the texts themselves here (vite.config.ts), so that the page loads one language.
-export const words = messagesIn(1);
-export const examples = exampleWords;
+export const words = textsIn(1);
+export const examples = exampleTexts;

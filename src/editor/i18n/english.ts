@@ -1,4 +1,4 @@
-import { messagesIn } from './messages.ts';
+import { textsIn } from './texts.ts';
 
 // The build puts the texts themselves here (vite.config.ts), so that the page loads one language.
-export const words = messagesIn(0);
+export const words = textsIn(0);

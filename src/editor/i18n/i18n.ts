@@ -1,35 +1,37 @@
 import i18next from 'i18next';
 import { initReactI18next, useTranslation } from 'react-i18next';
-import type { exampleWords } from './exampleWords.ts';
-import type { MessageKey } from './messages.ts';
-import { type Catalogue, type Say, sayer } from './sayings/sayer.ts';
+import type { exampleTexts } from './exampleTexts.ts';
+import type { TextKey } from './texts.ts';
+import { type MessageCatalogue, messageTranslator, type TranslateMessage } from './translations/translateMessage.ts';
 
 export const LANGUAGES = ['en', 'zh'] as const;
 export type Language = (typeof LANGUAGES)[number];
 
 /** A text of the catalogue. */
-export type Translate = (key: MessageKey, values?: Readonly<Record<string, string | number>>) => string;
+export type Translate = (key: TextKey, values?: Readonly<Record<string, string | number>>) => string;
 
 interface Texts {
   readonly words: Readonly<Record<string, string>>;
   /** Of the examples, where they are not as their files have them. */
-  readonly examples?: typeof exampleWords;
+  readonly examples?: typeof exampleTexts;
 }
 
 /** A page loads the language that it is in. */
-const TEXTS: Readonly<Record<Language, () => Promise<Texts>>> = {
+const TEXT_LOADERS: Readonly<Record<Language, () => Promise<Texts>>> = {
   en: () => import('./english.ts'),
   zh: () => import('./chinese.ts'),
 };
 
 /** Of sentences that arise in English, in the other languages; loaded after the page's own words, for nothing is said at first. */
-const SAYINGS: Readonly<Partial<Record<Language, () => Promise<{ readonly sayings: Catalogue }>>>> = {
-  zh: () => import('./sayings/index.ts'),
+const TRANSLATION_LOADERS: Readonly<
+  Partial<Record<Language, () => Promise<{ readonly translations: MessageCatalogue }>>>
+> = {
+  zh: () => import('./translations/index.ts'),
 };
-const sayers = new Map<Language, Say>();
-const asItIs: Say = (sentence) => sentence;
+const messageTranslators = new Map<Language, TranslateMessage>();
+const untranslated: TranslateMessage = (sentence) => sentence;
 /** Tells those who show sentences. */
-const LEARNT = 'learnt';
+const TRANSLATIONS_LOADED = 'learnt';
 
 /** The language that a browser's list of preferences asks for. */
 export const preferredLanguage = (wanted: readonly string[]): Language =>
@@ -43,9 +45,9 @@ export async function startTranslation(language: Language): Promise<void> {
     keySeparator: false,
     nsSeparator: false,
     interpolation: { escapeValue: false },
-    react: { bindI18n: `languageChanged ${LEARNT}` },
+    react: { bindI18n: `languageChanged ${TRANSLATIONS_LOADED}` },
   });
-  learn(language);
+  loadTranslations(language);
 }
 
 /** Rejects where the language cannot be loaded; the page stays as it is. */
@@ -54,23 +56,23 @@ export async function setLanguage(language: Language): Promise<void> {
     i18next.addResourceBundle(language, namespace, texts);
   }
   await i18next.changeLanguage(language);
-  learn(language);
+  loadTranslations(language);
 }
 
 /** Until it is learnt, and where it cannot be loaded, sentences stay English. */
-function learn(language: Language): void {
-  if (sayers.has(language)) return;
-  SAYINGS[language]?.().then(
-    ({ sayings }) => {
-      sayers.set(language, sayer(sayings));
-      i18next.emit(LEARNT);
+function loadTranslations(language: Language): void {
+  if (messageTranslators.has(language)) return;
+  TRANSLATION_LOADERS[language]?.().then(
+    ({ translations }) => {
+      messageTranslators.set(language, messageTranslator(translations));
+      i18next.emit(TRANSLATIONS_LOADED);
     },
     () => {},
   );
 }
 
 async function resourcesOf(language: Language): Promise<{ readonly translation: object; readonly examples: object }> {
-  const { words, examples = {} } = await TEXTS[language]();
+  const { words, examples = {} } = await TEXT_LOADERS[language]();
   return { translation: words, examples };
 }
 
@@ -79,8 +81,8 @@ export function useTexts(): {
   readonly t: Translate;
   readonly language: Language;
   readonly any: (key: string, values?: Readonly<Record<string, string>>) => string;
-  readonly said: Say;
-  readonly example: (name: string) => (typeof exampleWords)[string] | undefined;
+  readonly said: TranslateMessage;
+  readonly example: (name: string) => (typeof exampleTexts)[string] | undefined;
 } {
   const { t, i18n } = useTranslation();
   const language = i18n.language === 'zh' ? 'zh' : 'en';
@@ -90,7 +92,7 @@ export function useTexts(): {
     /** For keys that come out of descriptions: what is not in the catalogue stands for itself. */
     any: (key, values) => (i18n.exists(key) ? t(key, values ?? {}) : key),
     /** What the program says of its own accord, which arises in English. */
-    said: sayers.get(language) ?? asItIs,
+    said: messageTranslators.get(language) ?? untranslated,
     /** What is said of an example scene or project, where its file does not say it in this language. */
     example: (name) => i18n.getResource(i18n.language, 'examples', name),
   };

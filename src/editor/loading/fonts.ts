@@ -1,4 +1,4 @@
-import type { ReadFont } from '../../formats/font/letters.ts';
+import type { ReadFont } from '../../formats/font/glyphs.ts';
 
 /** Reads fonts that lie beside the page; the build puts them there. */
 export const readFont: ReadFont = async (path) => {

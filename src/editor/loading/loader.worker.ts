@@ -1,18 +1,18 @@
+import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { entryOf } from '../../formats/entry.ts';
-import { inputError } from '../../formats/fail.ts';
+import { type FileSource, normalizePath } from '../../formats/files/fileSource.ts';
 import { openScene } from '../../formats/open.ts';
-import { type FileSource, normalizePath } from '../../formats/source.ts';
-import { bytesFile, splitArchive, zipSource } from '../../formats/zip/source.ts';
-import { transferables } from '../../graph/transfer.ts';
+import { memoryFile, splitArchive, zipSource } from '../../formats/zip/zipSource.ts';
+import { transferables } from '../../graph/evaluation/transferables.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
-import { readFilesWith } from '../../scene/storedNumbers.ts';
+import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { InputError } from '../../scene/types.ts';
-import { readBlob } from './blobs.ts';
+import { localSource, urlSource } from './fileSources.ts';
+import { loadedScene } from './loadedScene.ts';
 import type { LoaderReply, LoadRequest } from './protocol.ts';
-import { localSource, urlSource } from './sources.ts';
-import { loadedScene } from './survey.ts';
+import { readBlob } from './readBlob.ts';
 
-readFilesWith(readBlob);
+setFileReader(readBlob);
 
 /** Reads one scene off the main thread; its arrays are handed over, not copied. */
 addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
@@ -67,7 +67,7 @@ async function sceneIn(source: FileSource, path: string): Promise<{ source: File
   const zip = splitArchive(path);
   const bytes = zip && (await source.read(zip.archive));
   if (!zip || !bytes) return { source, entry: path };
-  const inside = await zipSource(bytesFile(bytes), zip.archive, source);
+  const inside = await zipSource(memoryFile(bytes), zip.archive, source);
   const entry = zip.inner === undefined ? entryOf(await inside.list()) : `${zip.archive}/${zip.inner}`;
   if (entry === undefined) throw inputError('zip.no-scene', zip.archive, 'none of its files is a scene');
   return { source: inside, entry };

@@ -1,8 +1,8 @@
 import { zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import { readHeld, withArchives } from './held.ts';
 import { LocalFiles, sceneKey } from './localFiles.ts';
-import { completes, missingPaths } from './purpose.ts';
+import { missingPaths, suppliesMissingFiles } from './missingFiles.ts';
+import { expandArchives, readUserFile } from './userFiles.ts';
 
 const blob = (words: string) => new Blob([words]);
 const text = async (bytes: Promise<Uint8Array>) => new TextDecoder().decode(await bytes);
@@ -27,26 +27,26 @@ describe('the files of a session', () => {
   it('take others, and the scene is still the same; the set before them stays for undo', () => {
     const local = new LocalFiles();
     const first = local.add(new Map([['a/x.usda', blob('x')]]), 'a/x.usda');
-    const second = local.supply(
+    const second = local.addToSet(
       first,
       new Map([
         ['wood.png', blob('w')],
         ['tex/ice.png', blob('i')],
       ]),
     );
-    const third = local.supply(second, new Map([['last.png', blob('l')]]));
+    const third = local.addToSet(second, new Map([['last.png', blob('l')]]));
     expect(local.paths(third)).toEqual(['a/x.usda', 'a/wood.png', 'tex/ice.png', 'a/last.png']);
     expect(local.paths(first)).toEqual(['a/x.usda']);
     expect(new Set([first, second, third].map(sceneKey))).toEqual(new Set(['local:1/a/x.usda']));
     expect(new Set([first, second, third]).size).toBe(3);
-    const branch = local.supply(first, new Map());
+    const branch = local.addToSet(first, new Map());
     expect(branch).not.toBe(second);
     expect(local.paths(second)).toHaveLength(3);
   });
 
   it('unpack archives where they are read, with the share of a file that has come', async () => {
     const zip = new Blob([zipSync({ 's/a.txt': new TextEncoder().encode('packed') })]);
-    const files = await withArchives(
+    const files = await expandArchives(
       new Map([
         ['set.zip', zip],
         ['b.txt', blob('plain')],
@@ -55,10 +55,10 @@ describe('the files of a session', () => {
     expect([...files.keys()]).toEqual(['set.zip/s/a.txt', 'b.txt']);
     const heard: number[] = [];
     const report = (received: number, total: number) => heard.push(received / total);
-    expect(await text(readHeld(files.get('set.zip/s/a.txt')!, report))).toBe('packed');
-    expect(await text(readHeld(files.get('b.txt')!, report))).toBe('plain');
+    expect(await text(readUserFile(files.get('set.zip/s/a.txt')!, report))).toBe('packed');
+    expect(await text(readUserFile(files.get('b.txt')!, report))).toBe('plain');
     expect(heard.at(-1)).toBe(1);
-    await expect(withArchives(new Map([['bad.zip', blob('no')]]))).rejects.toThrow(/bad\.zip: the archive/);
+    await expect(expandArchives(new Map([['bad.zip', blob('no')]]))).rejects.toThrow(/bad\.zip: the archive/);
   });
 });
 
@@ -82,6 +82,6 @@ describe('what files that are dropped are for', () => {
     [['data.bin'], true, true],
     [['scene.usda'], true, false],
   ])('%j, refused: %s → %s', (paths, isRefused, result) =>
-    expect(completes(paths, { name: 'open.usda', missing, isRefused })).toBe(result),
+    expect(suppliesMissingFiles(paths, { name: 'open.usda', missing, failed: isRefused })).toBe(result),
   );
 });

@@ -1,6 +1,6 @@
-import type { HeldFiles } from './held.ts';
+import { splitAddress } from './fileSources.ts';
 import type { SceneFiles } from './protocol.ts';
-import { splitAddress } from './sources.ts';
+import type { UserFiles } from './userFiles.ts';
 
 /**
  * The files that the person gave this session, by the name under which a document refers to them: `local:3/set/scene.usda` is
@@ -8,65 +8,65 @@ import { splitAddress } from './sources.ts';
  * added: `local:4.1@examples/scene.usda`.
  */
 export class LocalFiles {
-  readonly #sets = new Map<string, HeldFiles>();
-  #count = 0;
+  private readonly sets = new Map<string, UserFiles>();
+  private count = 0;
 
   /** Returns the name to open a file of a new set by. */
-  add(files: HeldFiles, entry: string): string {
-    const id = String(++this.#count);
-    this.#sets.set(id, files);
+  add(files: UserFiles, entry: string): string {
+    const id = String(++this.count);
+    this.sets.set(id, files);
     return `local:${id}/${entry}`;
   }
 
   /** Adds files to the set of a scene; returns the name to open it by from then on. */
-  supply(source: string, files: HeldFiles): string {
-    const { id, rest } = localParts(source) ?? { id: String(++this.#count), rest: `@${source}` };
-    const before = this.#sets.get(id) ?? new Map();
-    const next = `${id.split('.')[0]}.${++this.#count}`;
-    this.#sets.set(next, new Map([...before, ...beside(files, rest)]));
+  addToSet(source: string, files: UserFiles): string {
+    const { id, rest } = parseLocalName(source) ?? { id: String(++this.count), rest: `@${source}` };
+    const before = this.sets.get(id) ?? new Map();
+    const next = `${id.split('.')[0]}.${++this.count}`;
+    this.sets.set(next, new Map([...before, ...relativeToScene(files, rest)]));
     return `local:${next}${rest}`;
   }
 
   /** The set that a name is of, with its key. */
-  setOf(source: string): { readonly id: string; readonly files: HeldFiles } | undefined {
-    const id = localParts(source)?.id ?? '';
-    const files = this.#sets.get(id);
+  setOf(source: string): { readonly id: string; readonly files: UserFiles } | undefined {
+    const id = parseLocalName(source)?.id ?? '';
+    const files = this.sets.get(id);
     return files && { id, files };
   }
 
   /** A file that was given before, by its path; of several, the one that was given last. */
   find(path: string): string | undefined {
-    const [id] = [...this.#sets].findLast(([, files]) => files.has(path)) ?? [];
+    const [id] = [...this.sets].findLast(([, files]) => files.has(path)) ?? [];
     return id === undefined ? undefined : `local:${id}/${path}`;
   }
 
   /** Takes a set of an earlier session, under its key where that is free; returns its key. */
-  adopt(id: string, files: HeldFiles): string {
-    const key = this.#sets.has(id) ? String(++this.#count) : id;
-    this.#sets.set(key, files);
-    this.reserve(`local:${key}/`);
+  restoreSet(id: string, files: UserFiles): string {
+    const key = this.sets.has(id) ? String(++this.count) : id;
+    this.sets.set(key, files);
+    this.reserveName(`local:${key}/`);
     return key;
   }
 
   /** Names that are in use already are not given again, whether their files are here or not. */
-  reserve(source: string): void {
-    const numbers = localParts(source)?.id.split('.').map(Number) ?? [];
-    this.#count = Math.max(this.#count, ...numbers);
+  reserveName(source: string): void {
+    const numbers = parseLocalName(source)?.id.split('.').map(Number) ?? [];
+    this.count = Math.max(this.count, ...numbers);
   }
 
   /** Paths of the set that a scene belongs to. */
   paths(source: string): string[] {
-    return [...(this.#sets.get(localParts(source)?.id ?? '')?.keys() ?? [])];
+    return [...(this.sets.get(parseLocalName(source)?.id ?? '')?.keys() ?? [])];
   }
 
   /** Another scene of the same set. */
   sibling(source: string, entry: string): string {
-    return `local:${localParts(source)?.id}/${entry}`;
+    return `local:${parseLocalName(source)?.id}/${entry}`;
   }
 
   get(source: string): SceneFiles | undefined {
-    const { id = '', rest = '' } = localParts(source) ?? {};
-    const files = this.#sets.get(id);
+    const { id = '', rest = '' } = parseLocalName(source) ?? {};
+    const files = this.sets.get(id);
     if (!files) return undefined;
     if (rest.startsWith('@')) return { files: [...files], ...splitAddress(new URL(rest.slice(1), document.baseURI)) };
     return { files: [...files], entry: rest.slice(1) };
@@ -74,20 +74,20 @@ export class LocalFiles {
 }
 
 /** `local:3.1/set/scene.usda` → `3.1` and `/set/scene.usda`. */
-export function localParts(source: string): { id: string; rest: string } | undefined {
+export function parseLocalName(source: string): { id: string; rest: string } | undefined {
   const [, id, rest] = /^local:([\d.]+)([/@].*)$/s.exec(source) ?? [];
   return id === undefined || rest === undefined ? undefined : { id, rest };
 }
 
 /** Single files come beside the scene; a folder or an archive keeps its own paths. */
-function beside(files: HeldFiles, rest: string): HeldFiles {
+function relativeToScene(files: UserFiles, rest: string): UserFiles {
   const folder = rest.startsWith('@') ? '' : rest.slice(1, rest.lastIndexOf('/') + 1);
   return new Map([...files].map(([path, file]) => [path.includes('/') ? path : folder + path, file]));
 }
 
 /** What stays the same while files are added to a scene: by this the page knows that it is still the same one. */
 export function sceneKey(source: string): string {
-  const { id, rest } = localParts(source) ?? {};
+  const { id, rest } = parseLocalName(source) ?? {};
   if (id === undefined || rest === undefined) return source;
   return rest.startsWith('@') ? rest.slice(1) : `local:${id.split('.')[0]}${rest}`;
 }

@@ -1,12 +1,12 @@
 import type { Interpolation } from '../../formats/registry.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import type { Diagnostic } from '../../scene/types.ts';
-import type { HeldFile } from './held.ts';
+import type { UserFile } from './userFiles.ts';
 
 /** Where the worker finds a scene's files. */
 export interface SceneFiles {
   /** Chosen or dropped by the person: looked at first. */
-  readonly files: readonly (readonly [path: string, file: HeldFile])[];
+  readonly files: readonly (readonly [path: string, file: UserFile])[];
   /** Folder on the page's own server, ending with '/'; absent where the person gave all files. */
   readonly base?: string;
   readonly entry: string;
@@ -20,11 +20,11 @@ export interface LoadRequest extends SceneFiles {
   readonly collect?: true;
 }
 
-export type Stage = 'fetch' | 'parse';
+export type LoadStage = 'fetch' | 'parse';
 
 export type LoaderReply =
   /** `part` 0 … 1; undefined where it cannot be known. */
-  | { readonly kind: 'progress'; readonly part: number | undefined; readonly stage: Stage }
+  | { readonly kind: 'progress'; readonly part: number | undefined; readonly stage: LoadStage }
   | { readonly kind: 'done'; readonly loaded: LoadedScene }
   /** By their paths beside the scene. */
   | { readonly kind: 'collected'; readonly files: ReadonlyMap<string, Uint8Array> }

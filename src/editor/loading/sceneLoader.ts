@@ -1,27 +1,31 @@
-import { CancelledError } from '../../graph/evaluate.ts';
-import type { Cancellation, Progress } from '../../graph/nodeType.ts';
+import { CancelledError } from '../../graph/evaluation/evaluator.ts';
+import type { AbortSignalLike, ProgressCallback } from '../../graph/nodeType.ts';
 import type { LoadedScene, ReadRequest, Services } from '../../nodes/services.ts';
 import { InputError } from '../../scene/types.ts';
+import { localSource, splitAddress, urlSource } from './fileSources.ts';
 import { type LocalFiles, sceneName } from './localFiles.ts';
 import type { LoaderReply, LoadRequest, SceneFiles } from './protocol.ts';
-import { localSource, splitAddress, urlSource } from './sources.ts';
 
 /** Reads the scene of a document's `source`: files of this session, or an address beside the page. */
 export function sceneReader(local: LocalFiles): Services['readScene'] {
   return (source, how) => readInWorker(requestFor(local, source, how), how);
 }
 
-function requestFor(local: LocalFiles, source: string, { variants = new Map(), interpolation }: How): LoadRequest {
-  const files = local.get(source) ?? addressed(source);
+function requestFor(
+  local: LocalFiles,
+  source: string,
+  { variants = new Map(), interpolation }: SceneReadOptions,
+): LoadRequest {
+  const files = local.get(source) ?? filesAtAddress(source);
   return { ...files, variants: [...variants], ...(interpolation && { interpolation }) };
 }
 
-type How = Pick<ReadRequest, 'variants' | 'interpolation'>;
+type SceneReadOptions = Pick<ReadRequest, 'variants' | 'interpolation'>;
 
 /** Reads a small file of a document: one of this session, or at an address beside the page. */
 export function fileReader(local: LocalFiles): Services['readFile'] {
   return async (source) => {
-    const { files, base, entry } = local.get(source) ?? addressed(source);
+    const { files, base, entry } = local.get(source) ?? filesAtAddress(source);
     const others = base === undefined ? undefined : urlSource(base, () => {});
     const bytes = await localSource(new Map(files), () => {}, others).read(entry);
     if (bytes) return bytes;
@@ -30,7 +34,7 @@ export function fileReader(local: LocalFiles): Services['readFile'] {
   };
 }
 
-function addressed(source: string): SceneFiles {
+function filesAtAddress(source: string): SceneFiles {
   if (source.startsWith('local:')) {
     const message = 'the file was opened in an earlier session; open it again';
     throw new InputError({ severity: 'error', code: 'file.forgotten', place: sceneName(source), message });
@@ -41,23 +45,27 @@ function addressed(source: string): SceneFiles {
 /** One worker per scene: to cancel is to end it, whatever it is doing. */
 async function readInWorker(request: LoadRequest, { signal, progress }: ReadRequest): Promise<LoadedScene> {
   progress(undefined, 'fetch');
-  const reply = await asked(request, progress, signal);
+  const reply = await askWorker(request, progress, signal);
   if (reply.kind === 'done') return reply.loaded;
   throw new Error('the reader did not give the scene');
 }
 
 /** The files on a server that reading a scene asks for, by their paths from its folder. */
-export async function collected(local: LocalFiles, source: string, how: How): Promise<ReadonlyMap<string, Uint8Array>> {
-  const reply = await asked({ ...requestFor(local, source, how), collect: true }, () => {});
+export async function collectServerFiles(
+  local: LocalFiles,
+  source: string,
+  how: SceneReadOptions,
+): Promise<ReadonlyMap<string, Uint8Array>> {
+  const reply = await askWorker({ ...requestFor(local, source, how), collect: true }, () => {});
   if (reply.kind !== 'collected') throw new Error('the reader did not give the files');
   return reply.files;
 }
 
-type Answer = Extract<LoaderReply, { readonly kind: 'done' | 'collected' }>;
+type LoaderAnswer = Extract<LoaderReply, { readonly kind: 'done' | 'collected' }>;
 
-function asked(request: LoadRequest, progress: Progress, signal?: Cancellation): Promise<Answer> {
+function askWorker(request: LoadRequest, progress: ProgressCallback, signal?: AbortSignalLike): Promise<LoaderAnswer> {
   const worker = new Worker(new URL('./loader.worker.ts', import.meta.url), { type: 'module' });
-  const reading = new Promise<Answer>((resolve, reject) => {
+  const reading = new Promise<LoaderAnswer>((resolve, reject) => {
     signal?.addEventListener('abort', () => reject(new CancelledError()));
     worker.addEventListener('error', (event) => reject(new Error(event.message || 'the reader could not be started')));
     worker.addEventListener('message', ({ data }: MessageEvent<LoaderReply>) => {

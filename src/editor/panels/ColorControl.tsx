@@ -1,11 +1,11 @@
 import { ColorInput, Group } from '@mantine/core';
 import { type ReactNode, useId } from 'react';
 import type { ColorParam } from '../../graph/nodeType.ts';
-import { decodeSrgb } from '../../spectrum/srgb.ts';
+import { decodeSrgb } from '../../spectrum/display/srgb.ts';
 import { cssColor } from '../color.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import type { ParamProps } from './ParamControl.tsx';
-import { Label, Reset } from './ParamLabel.tsx';
+import { ParamLabel, ResetButton } from './ParamLabel.tsx';
 
 /** A colour, chosen and typed as screens have it; the document holds linear light. */
 export function ColorControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<ColorParam>): ReactNode {
@@ -18,9 +18,9 @@ export function ColorControl({ spec, set, value, onChange, onGestureEnd }: Param
   };
   return (
     <Group gap={4} wrap="nowrap" justify="space-between">
-      <Label spec={spec} id={id} />
+      <ParamLabel spec={spec} id={id} />
       <Group gap={2} wrap="nowrap">
-        <Reset set={set} onChange={onChange} />
+        <ResetButton set={set} onChange={onChange} />
         <ColorInput
           size="xs"
           w={124}

@@ -1,18 +1,18 @@
 import { Divider, ScrollArea, Stack, Text, Tooltip } from '@mantine/core';
 import { Fragment, type ReactNode } from 'react';
-import { type GraphDocument, own } from '../../graph/document.ts';
-import type { FlatNode } from '../../graph/flatten.ts';
+import type { FlatNode } from '../../graph/analysis/flatten.ts';
+import { type GraphDocument, own } from '../../graph/document/document.ts';
 import type { NodeType } from '../../graph/nodeType.ts';
-import { chainOf } from '../../nodes/chain.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
+import { nodesFeedingOutput } from '../../nodes/project/outputChain.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { useStudioState } from '../state/context.tsx';
-import { feedersIn } from './driven.ts';
-import { NodeParams, shownParams } from './NodeParams.tsx';
-import { nodeTitle } from './nodeTitle.ts';
+import { useEditorState } from '../state/context.tsx';
+import { drivenInputTitlesOf } from './drivenInputs.ts';
+import { NodeParams, visibleParams } from './NodeParams.tsx';
+import { userTitle } from './nodeTitle.ts';
 
 /** What a person reaches for most comes first; other nodes follow, the nearest to the output first. */
-const ORDER = [
+const SECTION_ORDER = [
   'relativity-console',
   'relativity-rasterize',
   'deferred-lighting',
@@ -22,7 +22,7 @@ const ORDER = [
   'scene',
 ];
 
-interface Section {
+interface ParamSection {
   readonly node: FlatNode;
   readonly type: NodeType;
   /** What a person calls the node. */
@@ -31,7 +31,7 @@ interface Section {
 
 /** The parameters of the nodes that make the picture. It is made from their descriptions and knows none of them. */
 export function ControlsPanel(): ReactNode {
-  const document = useStudioState((state) => state.history.document);
+  const document = useEditorState((state) => state.history.document);
   const sections = sectionsOf(document);
   return (
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
@@ -39,7 +39,7 @@ export function ControlsPanel(): ReactNode {
         {sections.map((section, i) => (
           <Fragment key={section.node.id}>
             {i > 0 && <Divider />}
-            <NodeSection section={section} feeders={feedersIn(document, section.node.id)} />
+            <NodeSection section={section} inputTitles={drivenInputTitlesOf(document, section.node.id)} />
           </Fragment>
         ))}
       </Stack>
@@ -48,14 +48,14 @@ export function ControlsPanel(): ReactNode {
 }
 
 interface NodeSectionProps {
-  readonly section: Section;
-  readonly feeders: Readonly<Record<string, string>>;
+  readonly section: ParamSection;
+  readonly inputTitles: Readonly<Record<string, string>>;
 }
 
-function NodeSection({ section, feeders }: NodeSectionProps): ReactNode {
+function NodeSection({ section, inputTitles: feeders }: NodeSectionProps): ReactNode {
   const { any } = useTexts();
   const { node, type, title } = section;
-  const shown = shownParams(type, node.params);
+  const shown = visibleParams(type, node.params);
   return (
     <Stack gap={10} component="section" aria-label={title ?? any(type.title)}>
       <Tooltip label={any(type.help)} position="top-start" openDelay={400}>
@@ -63,24 +63,25 @@ function NodeSection({ section, feeders }: NodeSectionProps): ReactNode {
           {title ?? any(type.title)}
         </Text>
       </Tooltip>
-      <NodeParams node={node.id} type={type} set={node.params} shown={shown} feeders={feeders} />
+      <NodeParams node={node.id} type={type} set={node.params} visible={shown} inputTitles={feeders} />
     </Stack>
   );
 }
 
-function sectionsOf(document: GraphDocument): Section[] {
-  const place = (type: NodeType) => (ORDER.includes(type.id) ? ORDER.indexOf(type.id) : ORDER.length);
-  return chainOf(document)
-    .flatMap((node): Section[] => {
+function sectionsOf(document: GraphDocument): ParamSection[] {
+  const place = (type: NodeType) =>
+    SECTION_ORDER.includes(type.id) ? SECTION_ORDER.indexOf(type.id) : SECTION_ORDER.length;
+  return nodesFeedingOutput(document)
+    .flatMap((node): ParamSection[] => {
       const type = own(nodeLibrary, node.type);
-      const title = nodeTitle(document, node.id);
-      return type && isShown(type, title) ? [{ node, type, title }] : [];
+      const title = userTitle(document, node.id);
+      return type && isListed(type, title) ? [{ node, type, title }] : [];
     })
     .sort((a, b) => place(a.type) - place(b.type));
 }
 
 /** What is in the scene and how it moves is the Scene panel's; of what only computes, what a person has given a name is a control. */
-const isShown = (type: NodeType, title: string | undefined): boolean =>
+const isListed = (type: NodeType, title: string | undefined): boolean =>
   type.category !== 'geometry' &&
   (type.category !== 'utility' || title !== undefined) &&
   Object.values(type.params).some((spec) => spec.kind !== 'text' || spec.choices);

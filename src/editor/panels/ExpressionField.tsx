@@ -2,7 +2,7 @@ import { TextInput, Tooltip } from '@mantine/core';
 import { type KeyboardEvent, type ReactNode, useState } from 'react';
 import { evaluateExpression } from '../../graph/expression.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { useStudioState } from '../state/context.tsx';
+import { useEditorState } from '../state/context.tsx';
 
 interface ExpressionFieldProps {
   readonly label: string;
@@ -27,7 +27,7 @@ export function ExpressionField({
   leftSection,
 }: ExpressionFieldProps): ReactNode {
   const { t, said } = useTexts();
-  const speedOfLight = useStudioState((state) => state.picture?.speedOfLight);
+  const speedOfLight = useEditorState((state) => state.picture?.speedOfLight);
   const [typed, setTyped] = useState<string>();
   const [problem, setProblem] = useState<string>();
   const forget = () => {

@@ -1,20 +1,20 @@
 import type { ReactNode } from 'react';
-import type { GraphNode } from '../../graph/document.ts';
-import { matters, meaning, type NodeType, type ParamSpec, resolveParams } from '../../graph/nodeType.ts';
+import type { GraphNode } from '../../graph/document/document.ts';
+import { isParamActive, type NodeType, type ParamSpec, resolveParams, resolveSpec } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { useStudio, useStudioState } from '../state/context.tsx';
+import { useEditor, useEditorState } from '../state/context.tsx';
 import { ParamControl } from './ParamControl.tsx';
 import { suggestion } from './suggestion.ts';
 
 /** What does not matter now is not shown: the steps of a solver that is not chosen. `always`: by name, what is shown all the same. */
-export function shownParams(
+export function visibleParams(
   type: NodeType,
   set: GraphNode['params'],
   always: Readonly<Record<string, unknown>> = {},
 ): readonly (readonly [name: string, spec: ParamSpec])[] {
   const resolved = resolveParams(type, set);
   return Object.entries(type.params).flatMap(([name, spec]) =>
-    always[name] || matters(spec, resolved) ? [[name, meaning(type, spec, resolved)] as const] : [],
+    always[name] || isParamActive(spec, resolved) ? [[name, resolveSpec(type, spec, resolved)] as const] : [],
   );
 }
 
@@ -23,16 +23,16 @@ interface NodeParamsProps {
   readonly node: string;
   readonly type: NodeType;
   readonly set: GraphNode['params'];
-  readonly shown: ReturnType<typeof shownParams>;
+  readonly visible: ReturnType<typeof visibleParams>;
   /** Titles of the nodes that say what parameters are, by these. */
-  readonly feeders: Readonly<Record<string, string>>;
+  readonly inputTitles: Readonly<Record<string, string>>;
 }
 
 /** A control for each parameter. */
-export function NodeParams({ node, type, set, shown, feeders }: NodeParamsProps): ReactNode {
+export function NodeParams({ node, type, set, visible: shown, inputTitles }: NodeParamsProps): ReactNode {
   const { any } = useTexts();
-  const studio = useStudio();
-  const picture = useStudioState((state) => state.picture);
+  const studio = useEditor();
+  const picture = useEditorState((state) => state.picture);
   const resolved = resolveParams(type, set);
   return shown.map(([name, spec]) => (
     <ParamControl
@@ -41,7 +41,7 @@ export function NodeParams({ node, type, set, shown, feeders }: NodeParamsProps)
       set={set[name]}
       value={resolved[name] ?? suggestion(spec, picture)}
       choices={picture?.scene.cameras.map(({ path }) => path)}
-      drivenBy={feeders[name] && any(feeders[name])}
+      drivenBy={inputTitles[name] && any(inputTitles[name])}
       onChange={(value, gesture) => studio.set(node, name, value, spec.title, gesture)}
       onGestureEnd={studio.endGesture}
     />

@@ -3,10 +3,10 @@ import { MantineProvider } from '@mantine/core';
 import { cleanup, fireEvent, render, screen } from '@testing-library/react';
 import { afterEach, beforeAll, expect, it, vi } from 'vitest';
 import type { NumberParam } from '../../graph/nodeType.ts';
-import { threadServices } from '../../nodes/services.ts';
+import { workerServices } from '../../nodes/services.ts';
 import { startTranslation } from '../i18n/i18n.ts';
-import { StudioProvider } from '../state/context.tsx';
-import { beginningWith, createStudio } from '../state/studio.ts';
+import { EditorProvider } from '../state/context.tsx';
+import { createEditor, projectOfScene } from '../state/editor.ts';
 import { ParamControl } from './ParamControl.tsx';
 
 const spec: NumberParam = {
@@ -35,15 +35,15 @@ beforeAll(async () => {
 });
 afterEach(cleanup);
 
-const studio = createStudio({ services: threadServices, beginning: beginningWith(''), playing: false });
+const studio = createEditor({ services: workerServices, project: projectOfScene(''), playing: false });
 
 function show(set: number | undefined) {
   const onChange = vi.fn();
   render(
     <MantineProvider>
-      <StudioProvider value={studio}>
+      <EditorProvider value={studio}>
         <ParamControl spec={spec} set={set} value={set ?? 30} onChange={onChange} onGestureEnd={() => {}} />
-      </StudioProvider>
+      </EditorProvider>
     </MantineProvider>,
   );
   return { onChange, field: screen.getByRole('textbox', { name: 'Speed of light' }) };

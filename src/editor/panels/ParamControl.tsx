@@ -1,6 +1,6 @@
 import { Badge, Group, SegmentedControl, Select, Slider, Stack, Switch, Tooltip } from '@mantine/core';
 import { type ReactNode, useId } from 'react';
-import type { ParamValue } from '../../graph/document.ts';
+import type { ParamValue } from '../../graph/document/document.ts';
 import {
   type ChoiceParam,
   isUnphysical,
@@ -12,8 +12,8 @@ import {
 import { useTexts } from '../i18n/i18n.ts';
 import { ColorControl } from './ColorControl.tsx';
 import { ExpressionField } from './ExpressionField.tsx';
-import { Driven, Label, Reset } from './ParamLabel.tsx';
-import { positionOf, valueAt } from './scales.ts';
+import { DrivenParam, ParamLabel, ResetButton } from './ParamLabel.tsx';
+import { sliderPosition, sliderValue } from './sliderScale.ts';
 import { ListControl, TextControl } from './TextControl.tsx';
 import { VectorControl } from './VectorControl.tsx';
 
@@ -35,7 +35,7 @@ export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
 /** One parameter of a node, as its description says. */
 export function ParamControl(props: ParamProps): ReactNode {
   const { spec, drivenBy } = props;
-  if (drivenBy !== undefined) return <Driven spec={spec} by={drivenBy} />;
+  if (drivenBy !== undefined) return <DrivenParam spec={spec} by={drivenBy} />;
   switch (spec.kind) {
     case 'number':
       return <NumberControl {...props} spec={spec} />;
@@ -72,10 +72,10 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
   return (
     <Stack gap={2}>
       <Group gap={4} wrap="nowrap" justify="space-between">
-        <Label spec={spec} id={id} />
+        <ParamLabel spec={spec} id={id} />
         <Group gap={2} wrap="nowrap">
           <Unphysical spec={spec} value={number} nature={String(spec.physical)} />
-          <Reset set={set} onChange={onChange} />
+          <ResetButton set={set} onChange={onChange} />
           <NumberField {...{ spec, number, onChange }} label={any(spec.title)} precision={precision} />
         </Group>
       </Group>
@@ -86,8 +86,8 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
           max={1}
           step={spec.integer ? 1 / (spec.max - spec.min) : 0.002}
           label={null}
-          value={positionOf(spec, number)}
-          onChange={(position) => onChange(valueAt(spec, position), `slider ${id}`)}
+          value={sliderPosition(spec, number)}
+          onChange={(position) => onChange(sliderValue(spec, position), `slider ${id}`)}
           onChangeEnd={onGestureEnd}
           thumbLabel={any(spec.title)}
           thumbValueText={`${number} ${spec.unit ?? ''}`.trim()}
@@ -148,10 +148,10 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
   const id = useId();
   return (
     <Group gap={4} wrap="nowrap" justify="space-between" mih={24}>
-      <Label spec={spec} id={id} />
+      <ParamLabel spec={spec} id={id} />
       <Group gap={6} wrap="nowrap">
         <Unphysical spec={spec} value={value} nature={t(spec.physical === false ? 'graph.off' : 'graph.on')} />
-        <Reset set={set} onChange={onChange} />
+        <ResetButton set={set} onChange={onChange} />
         <Switch
           size="xs"
           aria-label={any(spec.title)}
@@ -164,17 +164,17 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
 }
 
 /** More choices than fit side by side are a list. */
-const FEW = 5;
+const MAX_SEGMENTS = 5;
 
 function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>): ReactNode {
   const { any } = useTexts();
   const id = useId();
-  if (spec.options.length > FEW)
+  if (spec.options.length > MAX_SEGMENTS)
     return (
       <Stack gap={2}>
         <Group gap={4} wrap="nowrap" justify="space-between">
-          <Label spec={spec} id={id} />
-          <Reset set={set} onChange={onChange} />
+          <ParamLabel spec={spec} id={id} />
+          <ResetButton set={set} onChange={onChange} />
         </Group>
         <Select
           size="xs"
@@ -189,7 +189,7 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
     );
   return (
     <Stack gap={2}>
-      <Label spec={spec} id={id} />
+      <ParamLabel spec={spec} id={id} />
       <SegmentedControl
         size="xs"
         fullWidth
@@ -208,7 +208,7 @@ function TextChoiceControl({ spec, value, choices, onChange }: ParamProps<TextPa
   if (!choices || choices.length < 2) return null;
   return (
     <Stack gap={2}>
-      <Label spec={spec} id={id} />
+      <ParamLabel spec={spec} id={id} />
       <Select
         size="xs"
         aria-label={any(spec.title)}

@@ -1,12 +1,12 @@
 import { ActionIcon, Group, Text, Tooltip } from '@mantine/core';
 import { IconRestore } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
-import type { ParamValue } from '../../graph/document.ts';
+import type { ParamValue } from '../../graph/document/document.ts';
 import type { ParamSpec } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
 
 /** What a parameter is called, and what it is for. */
-export function Label({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
+export function ParamLabel({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
   const { any } = useTexts();
   const text = (
     <Text size="sm" id={id} className="sl-param-label" truncate>
@@ -28,7 +28,7 @@ interface ResetProps {
 }
 
 /** Back to the default, where another value is set. */
-export function Reset({ set, onChange }: ResetProps): ReactNode {
+export function ResetButton({ set, onChange }: ResetProps): ReactNode {
   const { t } = useTexts();
   if (set === undefined) return null;
   return (
@@ -47,11 +47,11 @@ export function Reset({ set, onChange }: ResetProps): ReactNode {
 }
 
 /** In place of its control: another node says what a parameter is. */
-export function Driven({ spec, by }: { readonly spec: ParamSpec; readonly by: string }): ReactNode {
+export function DrivenParam({ spec, by }: { readonly spec: ParamSpec; readonly by: string }): ReactNode {
   const { any, t } = useTexts();
   return (
     <Group gap={4} wrap="nowrap" justify="space-between" mih={26} aria-label={any(spec.title)} role="group">
-      <Label spec={spec} id="" />
+      <ParamLabel spec={spec} id="" />
       <Text size="xs" c="dimmed" truncate>
         {t('param.drivenBy', { node: by })}
       </Text>

@@ -1,19 +1,19 @@
 import { Button } from '@mantine/core';
 import type { ReactNode } from 'react';
-import { graphIn } from '../../graph/document.ts';
-import { placeOf } from '../../graph/edits/place.ts';
-import type { Problem } from '../../graph/nodeType.ts';
+import { graphIn } from '../../graph/document/document.ts';
+import { locateNode } from '../../graph/edits/locateNode.ts';
+import type { NodeProblem } from '../../graph/nodeType.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { formatNumber } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { useStudio, useStudioState } from '../state/context.tsx';
+import { useEditor, useEditorState } from '../state/context.tsx';
 
 /** What would put a problem right, to be done at once. */
-export function Remedy({ remedy }: { readonly remedy: NonNullable<Problem['remedy']> }): ReactNode {
+export function Remedy({ remedy }: { readonly remedy: NonNullable<NodeProblem['remedy']> }): ReactNode {
   const { t, any } = useTexts();
-  const studio = useStudio();
-  const type = useStudioState(({ history: { document } }) => {
-    const place = placeOf(document, remedy.node);
+  const studio = useEditor();
+  const type = useEditorState(({ history: { document } }) => {
+    const place = locateNode(document, remedy.node);
     return (place && graphIn(document, place.group)?.nodes[place.node]?.type) ?? '';
   });
   const spec = nodeLibrary[type]?.params[remedy.param];

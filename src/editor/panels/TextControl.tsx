@@ -3,7 +3,7 @@ import { type KeyboardEvent, type ReactNode, useId, useState } from 'react';
 import type { ListParam, TextParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import type { ParamProps } from './ParamControl.tsx';
-import { Label, Reset } from './ParamLabel.tsx';
+import { ParamLabel, ResetButton } from './ParamLabel.tsx';
 
 /** What is longer is written in a field of several lines [characters]. */
 const LONG = 60;
@@ -52,8 +52,8 @@ function Lines({ spec, set, text, long, onChange, take }: LinesProps): ReactNode
   return (
     <Stack gap={2}>
       <Group gap={4} wrap="nowrap" justify="space-between">
-        <Label spec={spec} id={id} />
-        <Reset set={set} onChange={onChange} />
+        <ParamLabel spec={spec} id={id} />
+        <ResetButton set={set} onChange={onChange} />
       </Group>
       {long ? (
         <Textarea {...field} autosize minRows={2} maxRows={16} classNames={{ input: 'sl-long' }} />

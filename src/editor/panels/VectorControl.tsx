@@ -1,10 +1,10 @@
 import { Group, Select, Stack, Text } from '@mantine/core';
 import { type ReactNode, useId } from 'react';
-import type { ParamValue } from '../../graph/document.ts';
+import type { ParamValue } from '../../graph/document/document.ts';
 import type { VectorParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { ExpressionField } from './ExpressionField.tsx';
-import { Label, Reset } from './ParamLabel.tsx';
+import { ParamLabel, ResetButton } from './ParamLabel.tsx';
 
 type Vector = VectorParam['default'];
 
@@ -39,9 +39,9 @@ export function VectorControl({ spec, set, value, onChange }: VectorControlProps
   return (
     <Stack gap={4} role="group" aria-labelledby={id}>
       <Group gap={4} wrap="nowrap" justify="space-between">
-        <Label spec={spec} id={id} />
+        <ParamLabel spec={spec} id={id} />
         <Group gap={4} wrap="nowrap">
-          <Reset set={set} onChange={onChange} />
+          <ResetButton set={set} onChange={onChange} />
           {/* What has a unit is no direction. */}
           {spec.unit === undefined && (
             <Select

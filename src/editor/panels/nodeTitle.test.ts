@@ -1,13 +1,13 @@
 import { expect, it } from 'vitest';
-import { newProject } from '../../nodes/project.ts';
-import { nodeTitle, shownTitle } from './nodeTitle.ts';
+import { newProject } from '../../nodes/project/projectCommands.ts';
+import { displayTitle, userTitle } from './nodeTitle.ts';
 
 it('a node is called as the person says, else after its kind; what is no node is called nothing', () => {
   const project = newProject('a.usda');
-  expect(nodeTitle(project, 'falseColour')).toBeUndefined();
-  expect(shownTitle(project, 'falseColour')).toBe('node.falseColor');
+  expect(userTitle(project, 'falseColour')).toBeUndefined();
+  expect(displayTitle(project, 'falseColour')).toBe('node.falseColor');
   const { falseColour } = project.nodes;
   const named = { ...project, nodes: { ...project.nodes, falseColour: { ...falseColour!, title: 'Bands' } } };
-  expect([nodeTitle(named, 'falseColour'), shownTitle(named, 'falseColour')]).toEqual(['Bands', 'Bands']);
-  expect(shownTitle(project, '/World/Cube')).toBeUndefined();
+  expect([userTitle(named, 'falseColour'), displayTitle(named, 'falseColour')]).toEqual(['Bands', 'Bands']);
+  expect(displayTitle(project, '/World/Cube')).toBeUndefined();
 });

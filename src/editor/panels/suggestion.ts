@@ -1,12 +1,12 @@
-import type { ParamValue } from '../../graph/document.ts';
+import type { ParamValue } from '../../graph/document/document.ts';
 import type { ParamSpec } from '../../graph/nodeType.ts';
 import { degrees } from '../../math/angle.ts';
-import type { Picture } from '../../nodes/define.ts';
-import { cameraOf } from '../../nodes/picture.ts';
+import type { PictureSpec } from '../../nodes/defineNode.ts';
+import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
 
-const SUGGESTED: Readonly<Record<string, (picture: Picture) => number>> = {
+const SUGGESTED: Readonly<Record<string, (picture: PictureSpec) => number>> = {
   speedOfLight: ({ speedOfLight }) => speedOfLight,
-  fieldOfView: (picture) => Math.round(10 * degrees(cameraOf(picture).fovY)) / 10,
+  fieldOfView: (picture) => Math.round(10 * degrees(pictureCamera(picture).fovY)) / 10,
   openAt: ({ scene }) => scene.hints.openAt ?? scene.startTime,
   startTime: ({ scene }) => scene.startTime,
   endTime: ({ scene }) => scene.endTime,
@@ -14,7 +14,7 @@ const SUGGESTED: Readonly<Record<string, (picture: Picture) => number>> = {
 };
 
 /** What holds while the person has set nothing: the picture tells what the scene suggested. */
-export function suggestion(spec: ParamSpec, picture: Picture | undefined): ParamValue {
+export function suggestion(spec: ParamSpec, picture: PictureSpec | undefined): ParamValue {
   const of = spec.kind === 'number' && spec.suggestion ? SUGGESTED[spec.suggestion] : undefined;
   return picture && of ? of(picture) : spec.default;
 }

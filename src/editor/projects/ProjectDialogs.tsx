@@ -1,24 +1,24 @@
 import { Button, Group, Modal, Stack, Text, TextInput } from '@mantine/core';
 import { IconCheck, IconCopy, IconPackageExport } from '@tabler/icons-react';
 import { type FormEvent, type ReactNode, useRef, useState } from 'react';
-import { messageOf } from '../../formats/fail.ts';
-import { filesIn, withFiles } from '../../graph/files.ts';
-import type { History } from '../../graph/history.ts';
-import { sharedFragment } from '../../graph/share.ts';
+import { messageOf } from '../../formats/diagnostics/inputError.ts';
+import { referencedFiles, renameFiles } from '../../graph/document/fileReferences.ts';
+import { encodeShareLink } from '../../graph/document/shareLink.ts';
+import type { History } from '../../graph/edits/history.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { type Translate, useTexts } from '../i18n/i18n.ts';
-import { localParts } from '../loading/localFiles.ts';
-import { useStudio, useStudioState } from '../state/context.tsx';
-import type { StudioState } from '../state/studio.ts';
-import { outsideName, projectName } from './names.ts';
+import { parseLocalName } from '../loading/localFiles.ts';
+import { useEditor, useEditorState } from '../state/context.tsx';
+import type { EditorState } from '../state/editor.ts';
+import { exportedName, projectName } from './projectNames.ts';
 import { useSaveProject } from './useSaveProject.ts';
 
 /** Dialogues about the project as a whole. */
 export function ProjectDialogs(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const dialog = useStudioState((state) => state.dialog);
-  const close = () => studio.change({ dialog: undefined });
+  const studio = useEditor();
+  const dialog = useEditorState((state) => state.dialog);
+  const close = () => studio.update({ dialog: undefined });
   const frame = { onClose: close, centered: true, closeButtonProps: { 'aria-label': t('close') } };
   return (
     <>
@@ -34,20 +34,22 @@ export function ProjectDialogs(): ReactNode {
 
 function Share(): ReactNode {
   const { t } = useTexts();
-  const state = useStudioState((now) => now);
+  const state = useEditorState((now) => now);
   const shared = linkTo(state, t);
   return 'link' in shared ? <Link link={shared.link} /> : <NoLink why={shared.why} />;
 }
 
 /** The address of the page with the project in it, or why there can be none. */
-function linkTo(state: StudioState, t: Translate): { readonly link: string } | { readonly why: string } {
+function linkTo(state: EditorState, t: Translate): { readonly link: string } | { readonly why: string } {
   const { document, origin } = state.history;
-  const called = (file: string): string => outsideName(file, origin);
-  const own = filesIn(document, nodeLibrary).filter((file) => localParts(file));
+  const called = (file: string): string => exportedName(file, origin);
+  const own = referencedFiles(document, nodeLibrary).filter((file) => parseLocalName(file));
   if (own.length > 0) return { why: t('share.local', { files: own.map(called).join(', ') }) };
   try {
     const named = { ...document, ...titleOf(state.history, projectName(state)) };
-    return { link: `${location.origin}${location.pathname}#${sharedFragment(withFiles(named, nodeLibrary, called))}` };
+    return {
+      link: `${location.origin}${location.pathname}#${encodeShareLink(renameFiles(named, nodeLibrary, called))}`,
+    };
   } catch (error) {
     return { why: messageOf(error) };
   }
@@ -90,11 +92,11 @@ function Link({ link }: { readonly link: string }): ReactNode {
 
 function NoLink({ why }: { readonly why: string }): ReactNode {
   const { t, said } = useTexts();
-  const studio = useStudio();
-  const { saveAll } = useSaveProject();
+  const studio = useEditor();
+  const { saveWithFiles } = useSaveProject();
   const save = () => {
-    studio.change({ dialog: undefined });
-    void saveAll();
+    studio.update({ dialog: undefined });
+    void saveWithFiles();
   };
   return (
     <Stack gap="sm">
@@ -112,7 +114,7 @@ function NoLink({ why }: { readonly why: string }): ReactNode {
 
 function Name({ onDone }: { readonly onDone: () => void }): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
+  const studio = useEditor();
   const [name, setName] = useState(() => projectName(studio.store.getState()));
   const submit = (event: FormEvent) => {
     event.preventDefault();

@@ -12,21 +12,21 @@ import {
   IconPencil,
 } from '@tabler/icons-react';
 import { type ReactNode, useRef, useState } from 'react';
-import { messageOf } from '../../formats/fail.ts';
+import { messageOf } from '../../formats/diagnostics/inputError.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { pickedFiles } from '../loading/picked.ts';
+import { pickedFiles } from '../loading/pickedFiles.ts';
 import { useServices } from '../services.tsx';
 import { useOpenFiles } from '../shell/useOpenFiles.ts';
-import { useStudio, useStudioState } from '../state/context.tsx';
-import { beginningWith, isUnsaved } from '../state/studio.ts';
-import { FIRST_SCENE } from './beginning.ts';
-import { projectName } from './names.ts';
-import type { KeptSession } from './sessions.ts';
-import { formatTime, useResume } from './useKeeping.ts';
+import { useEditor, useEditorState } from '../state/context.tsx';
+import { isUnsaved, projectOfScene } from '../state/editor.ts';
+import { projectName } from './projectNames.ts';
+import type { SessionRecord } from './sessionStore.ts';
+import { DEFAULT_SCENE } from './startup.ts';
 import { useSaveProject } from './useSaveProject.ts';
+import { formatTime, useRestoreSession } from './useSessionRecovery.ts';
 
 /** So many projects of closed tabs are shown. */
-const MOST_EARLIER = 5;
+const MAX_LISTED_SESSIONS = 5;
 
 /** Everything that is done with whole projects. */
 export function ProjectMenu(): ReactNode {
@@ -34,7 +34,7 @@ export function ProjectMenu(): ReactNode {
   const open = useOpenFiles();
   const fileInput = useRef<HTMLInputElement>(null);
   const folderInput = useRef<HTMLInputElement>(null);
-  const [earlier, look] = useEarlier();
+  const [earlier, look] = useClosedSessions();
   const onPicked = (input: HTMLInputElement) => {
     open(pickedFiles(input.files ?? []));
     input.value = '';
@@ -57,7 +57,7 @@ export function ProjectMenu(): ReactNode {
           <OpenItems onFile={() => fileInput.current?.click()} onFolder={() => folderInput.current?.click()} />
           <Menu.Divider />
           <SaveItems />
-          {earlier.length > 0 && <EarlierItems earlier={earlier} />}
+          {earlier.length > 0 && <ClosedSessionItems earlier={earlier} />}
         </Menu.Dropdown>
       </Menu>
       <input ref={fileInput} type="file" multiple hidden onChange={(event) => onPicked(event.currentTarget)} />
@@ -76,12 +76,12 @@ export function ProjectMenu(): ReactNode {
 
 function OpenItems({ onFile, onFolder }: { readonly onFile: () => void; readonly onFolder: () => void }): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
+  const studio = useEditor();
   return (
     <>
       <Menu.Item
         leftSection={<IconFilePlus size={15} />}
-        onClick={() => studio.openProject(beginningWith(FIRST_SCENE))}
+        onClick={() => studio.openProject(projectOfScene(DEFAULT_SCENE))}
       >
         {t('project.new')}
       </Menu.Item>
@@ -98,29 +98,29 @@ function OpenItems({ onFile, onFolder }: { readonly onFile: () => void; readonly
 
 function SaveItems(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const { save, saveAll } = useSaveProject();
+  const studio = useEditor();
+  const { save, saveWithFiles } = useSaveProject();
   return (
     <>
       <Menu.Item leftSection={<IconDeviceFloppy size={15} />} rightSection={<Kbd size="xs">Ctrl S</Kbd>} onClick={save}>
         {t('project.save')}
       </Menu.Item>
-      <Menu.Item leftSection={<IconPackageExport size={15} />} onClick={() => void saveAll()}>
+      <Menu.Item leftSection={<IconPackageExport size={15} />} onClick={() => void saveWithFiles()}>
         {t('project.saveAll')}
       </Menu.Item>
-      <Menu.Item leftSection={<IconLink size={15} />} onClick={() => studio.change({ dialog: 'share' })}>
+      <Menu.Item leftSection={<IconLink size={15} />} onClick={() => studio.update({ dialog: 'share' })}>
         {t('project.share')}
       </Menu.Item>
-      <Menu.Item leftSection={<IconPencil size={15} />} onClick={() => studio.change({ dialog: 'name' })}>
+      <Menu.Item leftSection={<IconPencil size={15} />} onClick={() => studio.update({ dialog: 'name' })}>
         {t('project.rename')}
       </Menu.Item>
     </>
   );
 }
 
-function EarlierItems({ earlier }: { readonly earlier: readonly KeptSession[] }): ReactNode {
+function ClosedSessionItems({ earlier }: { readonly earlier: readonly SessionRecord[] }): ReactNode {
   const { t, language } = useTexts();
-  const resume = useResume();
+  const resume = useRestoreSession();
   return (
     <>
       <Menu.Divider />
@@ -138,13 +138,13 @@ function EarlierItems({ earlier }: { readonly earlier: readonly KeptSession[] })
 }
 
 /** Work of tabs that are closed, as of the last look. */
-function useEarlier(): readonly [readonly KeptSession[], () => void] {
-  const studio = useStudio();
+function useClosedSessions(): readonly [readonly SessionRecord[], () => void] {
+  const studio = useEditor();
   const { sessions } = useServices();
-  const [earlier, setEarlier] = useState<readonly KeptSession[]>([]);
+  const [earlier, setEarlier] = useState<readonly SessionRecord[]>([]);
   const look = () => {
-    sessions?.closed().then(
-      (closed) => setEarlier(closed.filter(({ unsaved }) => unsaved).slice(0, MOST_EARLIER)),
+    sessions?.closedSessions().then(
+      (closed) => setEarlier(closed.filter(({ unsaved }) => unsaved).slice(0, MAX_LISTED_SESSIONS)),
       (error: unknown) => studio.notify({ kind: 'error', text: messageOf(error) }),
     );
   };
@@ -154,9 +154,9 @@ function useEarlier(): readonly [readonly KeptSession[], () => void] {
 /** What the project is called, and whether there is anything that no file holds; to be called otherwise. */
 export function ProjectName(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const name = useStudioState(projectName);
-  const unsaved = useStudioState(isUnsaved);
+  const studio = useEditor();
+  const name = useEditorState(projectName);
+  const unsaved = useEditorState(isUnsaved);
   const shown = name || t('project.unnamed');
   return (
     <UnstyledButton
@@ -164,7 +164,7 @@ export function ProjectName(): ReactNode {
       aria-label={`${t('project.name')}: ${shown}${unsaved ? `, ${t('project.unsaved')}` : ''}`}
       title={unsaved ? t('project.unsaved') : undefined}
       data-unsaved={unsaved}
-      onClick={() => studio.change({ dialog: 'name' })}
+      onClick={() => studio.update({ dialog: 'name' })}
     >
       <span className="sl-project-title">{shown}</span>
       {unsaved && <span aria-hidden="true">•</span>}

@@ -1,37 +1,44 @@
 // @vitest-environment jsdom
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { threadServices } from '../../nodes/services.ts';
+import { workerServices } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
+import { ObserverController } from '../flight/observerController.ts';
 import { LocalFiles } from '../loading/localFiles.ts';
-import { beginningWith, createStudio, type Studio } from '../state/studio.ts';
-import { Pilot } from '../viewport/pilot.ts';
-import { Autosave, type Unkept } from './autosave.ts';
-import type { KeptSession, Sessions } from './sessions.ts';
+import { createEditor, type Editor, projectOfScene } from '../state/editor.ts';
+import { Autosave, type AutosaveFailure } from './autosave.ts';
+import type { SessionRecord, SessionStore } from './sessionStore.ts';
 
 const sessions = {
-  keep: vi.fn<(session: KeptSession) => Promise<void>>(async () => {}),
-  keepFiles: vi.fn(async () => {}),
-  forget: vi.fn<(id: string) => Promise<void>>(async () => {}),
+  save: vi.fn<(session: SessionRecord) => Promise<void>>(async () => {}),
+  saveFiles: vi.fn(async () => {}),
+  delete: vi.fn<(id: string) => Promise<void>>(async () => {}),
 };
-let studio: Studio;
+let studio: Editor;
 let localFiles: LocalFiles;
-let told: Unkept[];
+let told: AutosaveFailure[];
 let autosave: Autosave;
 
 beforeEach(async () => {
   vi.useFakeTimers();
   vi.clearAllMocks();
-  sessions.keep.mockResolvedValue();
+  sessions.save.mockResolvedValue();
   vi.stubGlobal('navigator', {});
   told = [];
   localFiles = new LocalFiles();
-  const services = { ...threadServices, readScene: async (name: string) => ({ scene: makeScene({ name }) }) };
-  studio = createStudio({ services, beginning: beginningWith('a.usda'), playing: false });
+  const services = { ...workerServices, readScene: async (name: string) => ({ scene: makeScene({ name }) }) };
+  studio = createEditor({ services, project: projectOfScene('a.usda'), playing: false });
   await vi.advanceTimersByTimeAsync(10);
-  const store = sessions as unknown as Sessions;
+  const store = sessions as unknown as SessionStore;
   const address = () => '/?scene=a.usda';
-  autosave = new Autosave({ studio, pilot: new Pilot(studio), localFiles, sessions: store, id: 'tab', address });
-  autosave.onUnkept = (unkept) => told.push(unkept);
+  autosave = new Autosave({
+    studio,
+    observerController: new ObserverController(studio),
+    localFiles,
+    sessions: store,
+    id: 'tab',
+    address,
+  });
+  autosave.onFailure = (unkept) => told.push(unkept);
 });
 afterEach(() => {
   vi.useRealTimers();
@@ -40,22 +47,22 @@ afterEach(() => {
 
 const expose = (exposure: number) => studio.set('toneMap', 'exposure', exposure, 'exposure', 'drag');
 const exposureKept = () => {
-  const { document } = sessions.keep.mock.lastCall?.[0] ?? {};
-  return (document as ReturnType<typeof beginningWith>['document']).nodes.toneMap?.params.exposure;
+  const { document } = sessions.save.mock.lastCall?.[0] ?? {};
+  return (document as ReturnType<typeof projectOfScene>['document']).nodes.toneMap?.params.exposure;
 };
 
 it('nothing is kept of who only looks; of a drag the last of its edits, at the latest after two seconds', async () => {
   dispatchEvent(new Event('pagehide'));
-  expect(sessions.keep).not.toHaveBeenCalled();
+  expect(sessions.save).not.toHaveBeenCalled();
   for (let i = 1; i <= 30; i++) {
     expose(i / 10);
     await vi.advanceTimersByTimeAsync(100);
   }
-  expect(sessions.keep).toHaveBeenCalledTimes(1);
+  expect(sessions.save).toHaveBeenCalledTimes(1);
   await vi.advanceTimersByTimeAsync(400);
-  expect(sessions.keep).toHaveBeenCalledTimes(2);
+  expect(sessions.save).toHaveBeenCalledTimes(2);
   expect(exposureKept()).toBe(3);
-  expect(sessions.keep.mock.lastCall?.[0]).toMatchObject({
+  expect(sessions.save.mock.lastCall?.[0]).toMatchObject({
     id: 'tab',
     address: '/?scene=a.usda',
     unsaved: true,
@@ -74,54 +81,54 @@ it('files are kept once, and too large ones told; all else is kept', async () =>
   await vi.advanceTimersByTimeAsync(400);
   expose(1);
   await vi.advanceTimersByTimeAsync(400);
-  expect(sessions.keepFiles.mock.calls).toEqual([['tab', '1', localFiles.setOf('local:1/s.usda')?.files]]);
+  expect(sessions.saveFiles.mock.calls).toEqual([['tab', '1', localFiles.setOf('local:1/s.usda')?.files]]);
   const large = Object.defineProperty(new Blob(['x']), 'size', { value: 2 ** 30 });
   studio.open(localFiles.add(new Map([['big.usda', large]]), 'big.usda'));
   await vi.advanceTimersByTimeAsync(400);
-  expect(await autosave.now()).toBe(false);
-  expect(sessions.keepFiles).toHaveBeenCalledTimes(1);
-  expect(sessions.keep.mock.lastCall?.[0].name).toBe('big');
+  expect(await autosave.saveNow()).toBe(false);
+  expect(sessions.saveFiles).toHaveBeenCalledTimes(1);
+  expect(sessions.save.mock.lastCall?.[0].name).toBe('big');
   expect(told).toEqual([{ kind: 'files', size: '1.00 GiB' }]);
 });
 
 it('a full store is told once, and again when it was well in between', async () => {
-  sessions.keep.mockRejectedValue(new Error('no room is left'));
+  sessions.save.mockRejectedValue(new Error('no room is left'));
   for (const exposure of [1, 2]) {
     expose(exposure);
-    expect(await autosave.now()).toBe(false);
+    expect(await autosave.saveNow()).toBe(false);
   }
   expect(told).toEqual([{ kind: 'work', why: 'no room is left' }]);
-  sessions.keep.mockResolvedValue();
-  expect(await autosave.now()).toBe(true);
-  sessions.keep.mockRejectedValue(new Error('gone'));
-  await autosave.now();
+  sessions.save.mockResolvedValue();
+  expect(await autosave.saveNow()).toBe(true);
+  sessions.save.mockRejectedValue(new Error('gone'));
+  await autosave.saveNow();
   expect(told).toHaveLength(2);
 });
 
 it('what was not saved is put aside where another project takes its place, with its files; the latest three', async () => {
   studio.open(localFiles.add(new Map([['s.usda', new Blob(['x'])]]), 's.usda'));
-  studio.openProject(beginningWith('b.usda'));
+  studio.openProject(projectOfScene('b.usda'));
   await vi.advanceTimersByTimeAsync(400);
-  const others = () => sessions.keep.mock.calls.map(([session]) => session).filter(({ id }) => id !== 'tab');
+  const others = () => sessions.save.mock.calls.map(([session]) => session).filter(({ id }) => id !== 'tab');
   expect(others(), 'of who only looked').toEqual([]);
   studio.undo();
   await vi.advanceTimersByTimeAsync(400);
   expose(1);
-  studio.openProject(beginningWith('b.usda'));
+  studio.openProject(projectOfScene('b.usda'));
   await vi.advanceTimersByTimeAsync(400);
   const [aside] = others();
   expect(aside).toMatchObject({ name: 's', unsaved: true, passed: true });
   expect(aside?.document).toMatchObject({ nodes: { toneMap: { params: { exposure: 1 } } } });
-  expect(sessions.keepFiles).toHaveBeenCalledWith(aside?.id, '1', localFiles.setOf('local:1/s.usda')?.files);
+  expect(sessions.saveFiles).toHaveBeenCalledWith(aside?.id, '1', localFiles.setOf('local:1/s.usda')?.files);
   studio.undo();
   studio.redo();
   await vi.advanceTimersByTimeAsync(400);
   expect(others(), 'doing it again').toHaveLength(1);
   for (const exposure of [2, 3, 4]) {
     expose(exposure);
-    studio.openProject(beginningWith('c.usda'));
+    studio.openProject(projectOfScene('c.usda'));
     await vi.advanceTimersByTimeAsync(400);
   }
   expect(others()).toHaveLength(4);
-  expect(sessions.forget.mock.calls).toEqual([[aside?.id]]);
+  expect(sessions.delete.mock.calls).toEqual([[aside?.id]]);
 });

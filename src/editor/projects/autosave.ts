@@ -1,41 +1,41 @@
-import { formatBytes, messageOf } from '../../formats/fail.ts';
-import type { GraphDocument } from '../../graph/document.ts';
-import { filesIn } from '../../graph/files.ts';
+import { formatBytes, messageOf } from '../../formats/diagnostics/inputError.ts';
+import type { GraphDocument } from '../../graph/document/document.ts';
+import { referencedFiles } from '../../graph/document/fileReferences.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
-import type { HeldFile, HeldFiles } from '../loading/held.ts';
+import type { ObserverController } from '../flight/observerController.ts';
 import type { LocalFiles } from '../loading/localFiles.ts';
-import { isUnsaved, type Studio, type StudioState } from '../state/studio.ts';
-import type { Pilot } from '../viewport/pilot.ts';
-import { projectName } from './names.ts';
-import { freshId, type KeptSession, type Sessions } from './sessions.ts';
+import type { UserFile, UserFiles } from '../loading/userFiles.ts';
+import { type Editor, type EditorState, isUnsaved } from '../state/editor.ts';
+import { projectName } from './projectNames.ts';
+import { randomId, type SessionRecord, type SessionStore } from './sessionStore.ts';
 
 /** After the last edit, and at the latest after the first [ms]. */
-const PAUSE = 300;
-const LATEST = 2000;
+const SAVE_DELAY = 300;
+const MAX_SAVE_DELAY = 2000;
 /** Of the files that a person gave, all sets of a session together [bytes]. */
-const MOST_KEPT = 2 ** 28;
+const MAX_SESSION_FILE_BYTES = 2 ** 28;
 /** So many projects that others took the place of, of one tab; so that they do not crowd out the work of closed tabs. */
-const MOST_ASIDE = 3;
+const MAX_REPLACED_PROJECTS = 3;
 
 /** What cannot be kept, and why; told once each. */
-export type Unkept =
+export type AutosaveFailure =
   | { readonly kind: 'work'; readonly why: string }
   | { readonly kind: 'files'; readonly size: string };
 
 export interface AutosaveOptions {
-  readonly studio: Studio;
-  readonly pilot: Pilot;
+  readonly studio: Editor;
+  readonly observerController: ObserverController;
   readonly localFiles: LocalFiles;
   /** Undefined: the browser keeps nothing, for this reason. */
-  readonly sessions: Sessions | { readonly refusal: string };
+  readonly sessions: SessionStore | { readonly refusal: string };
   readonly id: string;
   readonly address: () => string;
   /** The session is that of this tab before it was loaded again: these sets are kept already. */
-  readonly kept?: Iterable<string>;
+  readonly savedSets?: Iterable<string>;
 }
 
 /** The sets of files of one session that are in the store. */
-interface KeptSets {
+interface SavedSets {
   readonly ids: Set<string>;
   bytes: number;
 }
@@ -46,85 +46,85 @@ interface KeptSets {
  */
 export class Autosave {
   /** Hears of what cannot be kept. */
-  onUnkept: (unkept: Unkept) => void = () => {};
+  onFailure: (unkept: AutosaveFailure) => void = () => {};
   /** The page came back where it was. */
   readonly isRestored: boolean;
-  readonly #options: AutosaveOptions;
-  readonly #keptSets: KeptSets;
+  private readonly options: AutosaveOptions;
+  private readonly keptSets: SavedSets;
   /** Put aside, the oldest first. */
-  readonly #aside: string[] = [];
-  readonly #told = new Set<Unkept['kind']>();
+  private readonly aside: string[] = [];
+  private readonly told = new Set<AutosaveFailure['kind']>();
   /** Of the first edit that is not kept yet [ms]. */
-  #since: number | undefined;
-  #timer: ReturnType<typeof setTimeout> | undefined;
+  private since: number | undefined;
+  private timer: ReturnType<typeof setTimeout> | undefined;
   /** There is something of this tab in the store, or to be put there. */
-  #touched: boolean;
+  private touched: boolean;
 
   constructor(options: AutosaveOptions) {
-    this.#options = options;
-    this.#keptSets = { ids: new Set(options.kept), bytes: 0 };
-    this.isRestored = options.kept !== undefined;
-    this.#touched = this.isRestored;
+    this.options = options;
+    this.keptSets = { ids: new Set(options.savedSets), bytes: 0 };
+    this.isRestored = options.savedSets !== undefined;
+    this.touched = this.isRestored;
     const { studio } = options;
     studio.store.subscribe((now, before) => {
       if (now.history.document === before.history.document && isUnsaved(now) === isUnsaved(before)) return;
-      this.#touched = true;
-      if (isReplaced(now, before) && isUnsaved(before)) void this.#putAside(before);
-      this.#later();
+      this.touched = true;
+      if (isReplaced(now, before) && isUnsaved(before)) void this.putAside(before);
+      this.later();
     });
-    addEventListener('pagehide', () => void this.now());
+    addEventListener('pagehide', () => void this.saveNow());
     document.addEventListener('visibilitychange', () => {
-      if (document.visibilityState === 'hidden') void this.now();
+      if (document.visibilityState === 'hidden') void this.saveNow();
     });
   }
 
   /** Keeps what there is; the page may go at once. Gives whether all of it is kept. */
-  async now(): Promise<boolean> {
-    clearTimeout(this.#timer);
-    this.#since = undefined;
-    if (!this.#touched) return false;
-    const { sessions } = this.#options;
+  async saveNow(): Promise<boolean> {
+    clearTimeout(this.timer);
+    this.since = undefined;
+    if (!this.touched) return false;
+    const { sessions } = this.options;
     try {
       if ('refusal' in sessions) throw new Error(sessions.refusal);
-      const { studio, pilot, id } = this.#options;
+      const { studio, observerController, id } = this.options;
       const state = studio.store.getState();
       const { lock, cruise, playing, loop } = state;
-      const view = state.picture && { observer: pilot.observer, lock, cruise, playing, loop };
-      await this.#keep(sessions, { ...this.#session(id, state), ...(view && { view }) }, this.#keptSets);
-      this.#told.delete('work');
-      return !this.#told.has('files');
+      const view = state.picture && { observer: observerController.observer, lock, cruise, playing, loop };
+      await this.keep(sessions, { ...this.session(id, state), ...(view && { view }) }, this.keptSets);
+      this.told.delete('work');
+      return !this.told.has('files');
     } catch (error) {
-      this.#tell({ kind: 'work', why: messageOf(error) });
+      this.tell({ kind: 'work', why: messageOf(error) });
       return false;
     }
   }
 
-  #later(): void {
-    this.#since ??= performance.now();
-    clearTimeout(this.#timer);
-    const left = this.#since + LATEST - performance.now();
-    this.#timer = setTimeout(() => void this.now(), Math.max(0, Math.min(PAUSE, left)));
+  private later(): void {
+    this.since ??= performance.now();
+    clearTimeout(this.timer);
+    const left = this.since + MAX_SAVE_DELAY - performance.now();
+    this.timer = setTimeout(() => void this.saveNow(), Math.max(0, Math.min(SAVE_DELAY, left)));
   }
 
   /** It is offered in the menu, as the work of closed tabs is. */
-  async #putAside(state: StudioState): Promise<void> {
-    const { sessions } = this.#options;
+  private async putAside(state: EditorState): Promise<void> {
+    const { sessions } = this.options;
     if ('refusal' in sessions) return;
-    const id = freshId();
-    this.#aside.push(id);
+    const id = randomId();
+    this.aside.push(id);
     try {
-      await this.#keep(sessions, { ...this.#session(id, state), passed: true }, { ids: new Set(), bytes: 0 });
-      if (this.#aside.length > MOST_ASIDE) await sessions.forget(this.#aside.shift()!);
+      await this.keep(sessions, { ...this.session(id, state), passed: true }, { ids: new Set(), bytes: 0 });
+      if (this.aside.length > MAX_REPLACED_PROJECTS) await sessions.delete(this.aside.shift()!);
     } catch (error) {
-      this.#tell({ kind: 'work', why: messageOf(error) });
+      this.tell({ kind: 'work', why: messageOf(error) });
     }
   }
 
-  #session(id: string, state: StudioState): KeptSession {
+  private session(id: string, state: EditorState): SessionRecord {
     const { document, origin } = state.history;
     return {
       id,
-      address: this.#options.address(),
+      address: this.options.address(),
       name: projectName(state),
       document,
       origin,
@@ -135,26 +135,30 @@ export class Autosave {
   }
 
   /** The document is written although the page may go at once. */
-  async #keep(sessions: Sessions, session: KeptSession, kept: KeptSets): Promise<void> {
-    const written = sessions.keep(session);
-    await this.#keepFiles(sessions, session, kept);
+  private async keep(sessions: SessionStore, session: SessionRecord, kept: SavedSets): Promise<void> {
+    const written = sessions.save(session);
+    await this.keepFiles(sessions, session, kept);
     await written;
   }
 
-  async #keepFiles(sessions: Sessions, { id, document, origin }: KeptSession, kept: KeptSets): Promise<void> {
-    const { localFiles } = this.#options;
-    for (const name of [origin, ...filesIn(document as GraphDocument, nodeLibrary)]) {
+  private async keepFiles(
+    sessions: SessionStore,
+    { id, document, origin }: SessionRecord,
+    kept: SavedSets,
+  ): Promise<void> {
+    const { localFiles } = this.options;
+    for (const name of [origin, ...referencedFiles(document as GraphDocument, nodeLibrary)]) {
       const set = localFiles.setOf(name);
       if (!set || kept.ids.has(set.id)) continue;
       kept.ids.add(set.id);
       const size = sizeOf(set.files);
-      if (kept.bytes + size > MOST_KEPT) {
-        this.#tell({ kind: 'files', size: formatBytes(size) });
+      if (kept.bytes + size > MAX_SESSION_FILE_BYTES) {
+        this.tell({ kind: 'files', size: formatBytes(size) });
         continue;
       }
       kept.bytes += size;
       try {
-        await sessions.keepFiles(id, set.id, set.files);
+        await sessions.saveFiles(id, set.id, set.files);
       } catch (error) {
         kept.ids.delete(set.id);
         throw error;
@@ -162,21 +166,21 @@ export class Autosave {
     }
   }
 
-  #tell(unkept: Unkept): void {
-    if (this.#told.has(unkept.kind)) return;
-    this.#told.add(unkept.kind);
-    this.onUnkept(unkept);
+  private tell(unkept: AutosaveFailure): void {
+    if (this.told.has(unkept.kind)) return;
+    this.told.add(unkept.kind);
+    this.onFailure(unkept);
   }
 }
 
 /** Another project was opened; not by doing again what was undone. */
-function isReplaced({ history: now }: StudioState, { history: before }: StudioState): boolean {
+function isReplaced({ history: now }: EditorState, { history: before }: EditorState): boolean {
   const step = now.past.at(-1);
   return step?.origins !== undefined && now.past.length > before.past.length && step !== before.future[0];
 }
 
 /** Archives count once, whatever of them is used. */
-function sizeOf(files: HeldFiles): number {
-  const blobs = new Set([...files.values()].map((file: HeldFile) => (file instanceof Blob ? file : file.archive)));
+function sizeOf(files: UserFiles): number {
+  const blobs = new Set([...files.values()].map((file: UserFile) => (file instanceof Blob ? file : file.archive)));
   return [...blobs].reduce((sum, { size }) => sum + size, 0);
 }

@@ -1,14 +1,14 @@
 import { zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import { applyCommand } from '../../graph/commands.ts';
-import { serializeDocument } from '../../graph/serialize.ts';
-import { newProject, setCommand } from '../../nodes/project.ts';
-import { withArchives } from '../loading/held.ts';
+import { serializeDocument } from '../../graph/document/serialize.ts';
+import { applyCommand } from '../../graph/edits/commands.ts';
+import { newProject, setParamCommand } from '../../nodes/project/projectCommands.ts';
 import { LocalFiles } from '../loading/localFiles.ts';
-import { adopted } from './adopting.ts';
-import { fileName, outsideName, projectIn, projectName } from './names.ts';
-import { openingProblem, projectFrom } from './opening.ts';
-import type { KeptSession } from './sessions.ts';
+import { expandArchives } from '../loading/userFiles.ts';
+import { exportedName, fileName, findProject, projectName } from './projectNames.ts';
+import { openErrorOf, projectFromFiles } from './projectSource.ts';
+import { restoreSession } from './restoreSession.ts';
+import type { SessionRecord } from './sessionStore.ts';
 
 const blob = (words: string) => new Blob([words]);
 const projectOf = (source: string) => blob(serializeDocument(newProject(source)));
@@ -24,27 +24,27 @@ describe('the names of files', () => {
     ['local:3.2/yard/a/scene.usda', 'local:3/yard/my.slowlight.json', 'a/scene.usda'],
     ['local:4/yard/a/scene.usda', 'local:3/yard/my.slowlight.json', 'yard/a/scene.usda'],
   ])('%s, of a project at "%s", is outside %s', (source, origin, name) =>
-    expect(outsideName(source, origin)).toBe(name),
+    expect(exportedName(source, origin)).toBe(name),
   );
 
   it('a project is found among files, the least deep first, and not where it is hidden', () => {
-    expect(projectIn(['a/b.slowlight.json', 'z.SLOWLIGHT.json', '.x.slowlight.json', 'scene.usda'])).toBe(
+    expect(findProject(['a/b.slowlight.json', 'z.SLOWLIGHT.json', '.x.slowlight.json', 'scene.usda'])).toBe(
       'z.SLOWLIGHT.json',
     );
-    expect(projectIn(['__MACOSX/a.slowlight.json', 'a.json'])).toBeUndefined();
+    expect(findProject(['__MACOSX/a.slowlight.json', 'a.json'])).toBeUndefined();
   });
 
   it('a project is called as the person says, else after its file, its archive or its scene', () => {
     const state = (origin: string, title?: string) => ({
       history: { document: { ...newProject(), title }, origin, past: [], future: [] },
-      opened: { origin, source: 'local:1/a/street.v2.usda', reads: {} },
+      pictureSource: { origin, source: 'local:1/a/street.v2.usda', reads: {} },
     });
     expect(projectName(state('local:1/yard.zip/project.slowlight.json'))).toBe('yard');
     expect(projectName(state('examples/workshop.slowlight.json'))).toBe('workshop');
     expect(projectName(state('examples/workshop.slowlight.json', 'Mine'))).toBe('Mine');
     expect(projectName(state(''))).toBe('street.v2');
     const refused = { document: newProject('examples/wheel.usda'), origin: '', past: [], future: [] };
-    expect(projectName({ history: refused, opened: { origin: '', source: '', reads: {} } })).toBe('wheel');
+    expect(projectName({ history: refused, pictureSource: { origin: '', source: '', reads: {} } })).toBe('wheel');
     expect(fileName('a/b: "c"?\n', '.zip')).toBe('a b c.zip');
     expect(fileName('///', '.zip')).toBe('project.zip');
   });
@@ -64,15 +64,15 @@ describe('a project among files', () => {
     ['of another session', 'local:9/set/scene.usda', ['my.slowlight.json'], 'set/scene.usda'],
   ])('finds a file %s', async (_, named, paths, found) => {
     const files = new Map(paths.map((path) => [path, path.endsWith('.json') ? projectOf(named) : blob('x')]));
-    const { document, origin } = await projectFrom(files, projectIn(paths)!, new LocalFiles());
+    const { document, origin } = await projectFromFiles(files, findProject(paths)!, new LocalFiles());
     expect(sourceOf(document)).toBe(found);
-    expect(origin).toBe(`local:1/${projectIn(paths)}`);
+    expect(origin).toBe(`local:1/${findProject(paths)}`);
   });
 
   it('finds what was given before, and what is packed with it', async () => {
     const local = new LocalFiles();
     local.add(new Map([['set/scene.usda', blob('x')]]), 'set/scene.usda');
-    const alone = await projectFrom(
+    const alone = await projectFromFiles(
       new Map([['my.slowlight.json', projectOf('set/scene.usda')]]),
       'my.slowlight.json',
       local,
@@ -80,16 +80,16 @@ describe('a project among files', () => {
     expect(sourceOf(alone.document)).toBe('local:1/set/scene.usda');
     const text = new TextEncoder().encode(serializeDocument(newProject('scene.usda')));
     const zip = new Blob([zipSync({ 'project.slowlight.json': text, 'scene.usda': new Uint8Array(1) })]);
-    const files = await withArchives(new Map([['yard.zip', zip]]));
-    const packed = await projectFrom(files, projectIn([...files.keys()])!, new LocalFiles());
+    const files = await expandArchives(new Map([['yard.zip', zip]]));
+    const packed = await projectFromFiles(files, findProject([...files.keys()])!, new LocalFiles());
     expect(sourceOf(packed.document)).toBe('local:1/yard.zip/scene.usda');
   });
 
   it('that is none is refused with file, place and what to do', async () => {
     const open = (words: string) =>
-      projectFrom(new Map([['my.slowlight.json', blob(words)]]), 'my.slowlight.json', new LocalFiles()).then(
+      projectFromFiles(new Map([['my.slowlight.json', blob(words)]]), 'my.slowlight.json', new LocalFiles()).then(
         () => undefined,
-        (error) => openingProblem('my.slowlight.json', error),
+        (error) => openErrorOf('my.slowlight.json', error),
       );
     const bad = JSON.parse(await projectOf('a.usda').text());
     bad.nodes.read.params.source = { no: 'text' };
@@ -102,14 +102,14 @@ describe('a project among files', () => {
 });
 
 describe('what was kept', () => {
-  const kept = (document: unknown, origin = ''): KeptSession => ({
+  const kept = (document: unknown, origin = ''): SessionRecord => ({
     ...{ id: 'a', address: '/', name: 'x', document, origin, unsaved: true, at: 0, passed: false },
   });
   const files = new Map([['2.3', new Map([['s.usda', blob('s')]])]]);
 
   it('comes back under its own names, and keys are not given again', () => {
     const local = new LocalFiles();
-    const { document, unsaved } = adopted(kept(newProject('local:2.3/s.usda')), files, local);
+    const { document, unsaved } = restoreSession(kept(newProject('local:2.3/s.usda')), files, local);
     expect([sourceOf(document), unsaved]).toEqual(['local:2.3/s.usda', true]);
     expect(local.get('local:2.3/s.usda')?.entry).toBe('s.usda');
     expect(local.add(new Map(), 'b.usda')).toBe('local:4/b.usda');
@@ -117,8 +117,8 @@ describe('what was kept', () => {
 
   it('comes into another session under other names where these are taken', () => {
     const local = new LocalFiles();
-    adopted(kept(newProject()), files, local);
-    const { document, origin } = adopted(
+    restoreSession(kept(newProject()), files, local);
+    const { document, origin } = restoreSession(
       kept(newProject('local:2.3@examples/s.usda'), 'local:2.3/p.slowlight.json'),
       files,
       local,
@@ -128,13 +128,13 @@ describe('what was kept', () => {
 
   it('whose files were not kept does not get those of others', () => {
     const local = new LocalFiles();
-    const { document } = adopted(kept(newProject('local:7/big.usda')), new Map(), local);
+    const { document } = restoreSession(kept(newProject('local:7/big.usda')), new Map(), local);
     expect(sourceOf(document)).toBe('local:7/big.usda');
     expect(local.add(new Map(), 'b.usda')).toBe('local:8/b.usda');
   });
 
   it('is read as strictly as a file', () => {
-    const { document } = applyCommand(newProject(), setCommand(newProject(), 'read', 'source', 'a'));
-    expect(() => adopted(kept({ ...document, nodes: 3 }), new Map(), new LocalFiles())).toThrow(/nodes/);
+    const { document } = applyCommand(newProject(), setParamCommand(newProject(), 'read', 'source', 'a'));
+    expect(() => restoreSession(kept({ ...document, nodes: 3 }), new Map(), new LocalFiles())).toThrow(/nodes/);
   });
 });

@@ -1,24 +1,24 @@
 import { useMemo } from 'react';
-import { filesIn, withFiles } from '../../graph/files.ts';
-import { serializeDocument } from '../../graph/serialize.ts';
+import { referencedFiles, renameFiles } from '../../graph/document/fileReferences.ts';
+import { serializeDocument } from '../../graph/document/serialize.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { localParts } from '../loading/localFiles.ts';
+import { parseLocalName } from '../loading/localFiles.ts';
 import { useServices } from '../services.tsx';
 import { download } from '../shell/download.ts';
-import { useStudio } from '../state/context.tsx';
-import { fileName, outsideName, projectName } from './names.ts';
-import { openingProblem } from './opening.ts';
+import { useEditor } from '../state/context.tsx';
+import { exportedName, fileName, projectName } from './projectNames.ts';
+import { openErrorOf } from './projectSource.ts';
 
 export interface SaveProject {
   /** As a file of words, without what it reads. */
   readonly save: () => void;
   /** As a zip with all that it reads. */
-  readonly saveAll: () => Promise<void>;
+  readonly saveWithFiles: () => Promise<void>;
 }
 
 export function useSaveProject(): SaveProject {
-  const studio = useStudio();
+  const studio = useEditor();
   const { localFiles } = useServices();
   const { t } = useTexts();
   return useMemo(() => {
@@ -34,25 +34,25 @@ export function useSaveProject(): SaveProject {
     const save = (): void => {
       const state = studio.store.getState();
       const { document, origin } = state.history;
-      const called = (file: string): string => outsideName(file, origin);
-      const text = serializeDocument(withFiles(document, nodeLibrary, called));
-      const own = filesIn(document, nodeLibrary).filter((file) => localParts(file));
+      const called = (file: string): string => exportedName(file, origin);
+      const text = serializeDocument(renameFiles(document, nodeLibrary, called));
+      const own = referencedFiles(document, nodeLibrary).filter((file) => parseLocalName(file));
       done(text, 'application/json', fileName(projectName(state), '.slowlight.json'), own.map(called));
     };
-    const saveAll = async (): Promise<void> => {
+    const saveWithFiles = async (): Promise<void> => {
       const state = studio.store.getState();
       const name = fileName(projectName(state), '.zip');
       studio.notify({ kind: 'info', text: t('notice.packing') });
-      const { packedProject, TooMuchToPack } = await import('./packing.ts');
+      const { packedProject, ProjectTooLargeToPack } = await import('./packedProject.ts');
       try {
         const { document, origin } = state.history;
         done((await packedProject(document, origin, localFiles)).slice(), 'application/zip', name, []);
       } catch (error) {
-        if (error instanceof TooMuchToPack)
-          studio.notify({ kind: 'error', text: t('notice.tooMuchToPack', { size: error.size, most: error.most }) });
-        else studio.notify({ kind: 'error', ...openingProblem(name, error) });
+        if (error instanceof ProjectTooLargeToPack)
+          studio.notify({ kind: 'error', text: t('notice.tooMuchToPack', { size: error.size, most: error.limit }) });
+        else studio.notify({ kind: 'error', ...openErrorOf(name, error) });
       }
     };
-    return { save, saveAll };
+    return { save, saveWithFiles };
   }, [studio, localFiles, t]);
 }

@@ -2,7 +2,7 @@ import { Button } from '@mantine/core';
 import { IconDownload } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
-import { useSaving } from './saving.ts';
+import { useSaving } from './savingState.ts';
 import { useSaveFile } from './useSaveFile.ts';
 
 interface SaveFileProps {
@@ -29,7 +29,7 @@ export function SaveFileButton({ node }: SaveFileProps): ReactNode {
 }
 
 /** The same on a node's card; keys reach that of the inspector. */
-export function SaveFileMark({ node }: SaveFileProps): ReactNode {
+export function SaveFileIcon({ node }: SaveFileProps): ReactNode {
   const { t } = useTexts();
   const save = useSaveFile();
   const busy = useSaving(({ job }) => job !== undefined);

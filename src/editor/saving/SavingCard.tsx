@@ -1,7 +1,7 @@
 import { Button, Group, Paper, Progress, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
-import { useSaving } from './saving.ts';
+import { useSaving } from './savingState.ts';
 
 /** What is being made, how far that is, and the way to end it. */
 export function SavingCard(): ReactNode {

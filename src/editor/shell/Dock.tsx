@@ -3,16 +3,16 @@ import { createDockview, type DockviewApi, type DockviewTheme, type ITabRenderer
 import { lazy, type ReactNode, Suspense, useEffect, useRef, useState } from 'react';
 import { createPortal } from 'react-dom';
 import { useTexts } from '../i18n/i18n.ts';
-import type { MessageKey } from '../i18n/messages.ts';
+import type { TextKey } from '../i18n/texts.ts';
 import { ControlsPanel } from '../panels/ControlsPanel.tsx';
 import { ScenePanel } from '../panels/scene/ScenePanel.tsx';
-import { useStudio, useStudioState } from '../state/context.tsx';
-import type { StudioState } from '../state/studio.ts';
+import { useEditor, useEditorState } from '../state/context.tsx';
+import type { EditorState } from '../state/editor.ts';
 import { Viewport } from '../viewport/Viewport.tsx';
 
 /** The graph comes when it is asked for: opening the page does not wait for it. */
 const GraphPanel = lazy(() => import('../graph/GraphPanel.tsx'));
-const Inspector = lazy(() => import('../graph/Inspector.tsx'));
+const Inspector = lazy(() => import('../graph/inspector/Inspector.tsx'));
 /** And the plots of simulations when there are some. */
 const EnergyPanel = lazy(() => import('../energy/EnergyPanel.tsx'));
 
@@ -23,7 +23,7 @@ const PANELS = {
   energy: { title: 'panel.energy', content: <EnergyPanel /> },
   graph: { title: 'panel.graph', content: <GraphPanel /> },
   node: { title: 'panel.node', content: <Inspector /> },
-} as const satisfies Record<string, { title: MessageKey; content: ReactNode }>;
+} as const satisfies Record<string, { title: TextKey; content: ReactNode }>;
 type PanelName = keyof typeof PANELS;
 
 const THEMES = {
@@ -33,10 +33,10 @@ const THEMES = {
 
 const SIDE_WIDTH = 308;
 /** Below this the side panel goes under the picture, where that is the longer way. */
-const NARROW = 700;
+const MIN_SIDE_BY_SIDE_WIDTH = 700;
 /** Of the height of the picture, what the graph takes of it. */
-const HALF = 0.5;
-const LARGE = 0.86;
+const GRAPH_SHARE = 0.5;
+const LARGE_GRAPH_SHARE = 0.86;
 
 /** The panels, which a person may move, stack and resize. React draws into the elements that dockview keeps. */
 export function Dock(): ReactNode {
@@ -46,7 +46,7 @@ export function Dock(): ReactNode {
   useGraph(api, host);
   useEnergy(api);
   useTitles(api);
-  const maximized = useStudioState((state) => state.maximized);
+  const maximized = useEditorState((state) => state.maximized);
   useEffect(() => {
     if (!api) return;
     if (maximized) api.getPanel('picture')?.api.maximize();
@@ -95,13 +95,13 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
 }
 
 const isNarrow = ({ clientWidth, clientHeight }: HTMLElement): boolean =>
-  clientWidth < NARROW && clientWidth < clientHeight;
+  clientWidth < MIN_SIDE_BY_SIDE_WIDTH && clientWidth < clientHeight;
 
 /** Shows the graph under the picture, and what is chosen of it beside the other panels; where that is too narrow, all in one place. */
 function useGraph(api: DockviewApi | undefined, host: React.RefObject<HTMLDivElement | null>): void {
-  const studio = useStudio();
-  const shown = useStudioState((state) => state.graph);
-  const inspecting = useStudioState((state) => state.inspecting);
+  const studio = useEditor();
+  const shown = useEditorState((state) => state.graph);
+  const inspecting = useEditorState((state) => state.inspecting);
   useEffect(() => {
     const controls = api?.getPanel('controls');
     if (!api || !host.current || !shown || !controls) return;
@@ -125,22 +125,24 @@ function useGraph(api: DockviewApi | undefined, host: React.RefObject<HTMLDivEle
       if (api.getPanel('graph')) api.removePanel(graph);
     };
   }, [api, host, shown]);
-  const large = useStudioState((state) => state.largeGraph);
+  const large = useEditorState((state) => state.graphEnlarged);
   useEffect(() => {
     const graph = api?.getPanel('graph');
     if (!shown || !graph || !host.current || graph.group === api?.getPanel('controls')?.group) return;
-    graph.group.api.setSize({ height: Math.round((large ? LARGE : HALF) * host.current.clientHeight) });
+    graph.group.api.setSize({
+      height: Math.round((large ? LARGE_GRAPH_SHARE : GRAPH_SHARE) * host.current.clientHeight),
+    });
   }, [api, host, shown, large]);
   useEffect(() => {
     if (!inspecting) return;
-    studio.change({ graph: true });
+    studio.update({ graph: true });
     api?.getPanel('node')?.api.setActive();
   }, [api, inspecting, studio]);
 }
 
 /** Plots are there where something is simulated. */
 function useEnergy(api: DockviewApi | undefined): void {
-  const shown = useStudioState(simulates);
+  const shown = useEditorState(simulates);
   useEffect(() => {
     if (!api?.getPanel('controls') || !shown) return;
     const position = { referencePanel: 'controls' };
@@ -151,7 +153,7 @@ function useEnergy(api: DockviewApi | undefined): void {
   }, [api, shown]);
 }
 
-const simulates = ({ history: { document } }: StudioState): boolean =>
+const simulates = ({ history: { document } }: EditorState): boolean =>
   [document, ...Object.values(document.groups)].some(({ nodes }) =>
     Object.values(nodes).some(({ type }) => type === 'simulate'),
   );
@@ -185,8 +187,8 @@ function layOut(api: DockviewApi, narrow: boolean): void {
 /** Tabs speak the language of the page. */
 function useTitles(api: DockviewApi | undefined): void {
   const { t } = useTexts();
-  const graph = useStudioState((state) => state.graph);
-  const energy = useStudioState(simulates);
+  const graph = useEditorState((state) => state.graph);
+  const energy = useEditorState(simulates);
   // biome-ignore lint/correctness/useExhaustiveDependencies: with the graph, and what is simulated, panels are added
   useEffect(() => {
     for (const [name, panel] of Object.entries(PANELS)) api?.getPanel(name)?.api.setTitle(t(panel.title));

@@ -1,16 +1,16 @@
 import { Text } from '@mantine/core';
 import { IconDownload } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useState } from 'react';
-import { messageOf } from '../../formats/fail.ts';
+import { messageOf } from '../../formats/diagnostics/inputError.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { droppedFiles } from '../loading/picked.ts';
-import { useStudio } from '../state/context.tsx';
+import { droppedFiles } from '../loading/pickedFiles.ts';
+import { useEditor } from '../state/context.tsx';
 import { useOpenFiles } from './useOpenFiles.ts';
 
 /** The whole page takes files; panels that are dragged about inside it are not files. */
 export function DropZone(): ReactNode {
   const { t, said } = useTexts();
-  const studio = useStudio();
+  const studio = useEditor();
   const open = useOpenFiles();
   const [over, setOver] = useState(false);
   useEffect(() => {

@@ -1,19 +1,19 @@
 import { Badge, Group, Modal, SimpleGrid, Stack, Text, UnstyledButton } from '@mantine/core';
 import { type ReactNode, useEffect, useState } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
-import { useSceneWords } from '../i18n/useSceneWords.ts';
+import { useSceneTexts } from '../i18n/useSceneTexts.ts';
 import { type Example, loadExamples } from '../loading/examples.ts';
 import { Section } from '../panels/scene/Section.tsx';
-import { isProject } from '../projects/names.ts';
+import { isProject } from '../projects/projectNames.ts';
 import { useOpenAddress } from '../projects/useOpenAddress.ts';
-import { useStudio, useStudioState } from '../state/context.tsx';
+import { useEditor, useEditorState } from '../state/context.tsx';
 
 /** The example scenes and projects, each with a picture and what to look for. */
 export function Gallery(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const opened = useStudioState((state) => state.dialog === 'gallery');
-  const close = () => studio.change({ dialog: undefined });
+  const studio = useEditor();
+  const opened = useEditorState((state) => state.dialog === 'gallery');
+  const close = () => studio.update({ dialog: undefined });
   return (
     <Modal
       opened={opened}
@@ -33,7 +33,7 @@ export function Gallery(): ReactNode {
 
 function Cards({ onChosen }: { readonly onChosen: () => void }): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
+  const studio = useEditor();
   const open = useOpenAddress();
   const [examples, setExamples] = useState<readonly Example[]>();
   useEffect(() => {
@@ -80,11 +80,11 @@ function Grid({ examples, onChoose }: GridProps): ReactNode {
 
 function Card({ example, onChoose }: { readonly example: Example; readonly onChoose: () => void }): ReactNode {
   const { t } = useTexts();
-  const current = useStudioState(
-    ({ opened: { origin, source } }) =>
+  const current = useEditorState(
+    ({ pictureSource: { origin, source } }) =>
       (isProject(example.source) ? origin : origin === '' && source) === example.source,
   );
-  const texts = useSceneWords(example.source, example);
+  const texts = useSceneTexts(example.source, example);
   return (
     <UnstyledButton className="sl-card" onClick={onChoose} data-example={example.name}>
       {example.thumbnail ? (

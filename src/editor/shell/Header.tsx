@@ -22,14 +22,14 @@ import {
 import type { ReactNode } from 'react';
 import { setLanguage, useTexts } from '../i18n/i18n.ts';
 import { ProjectMenu, ProjectName } from '../projects/ProjectMenu.tsx';
-import { useStudio, useStudioState } from '../state/context.tsx';
+import { useEditor, useEditorState } from '../state/context.tsx';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { Logo } from './Logo.tsx';
 import { useSavePicture } from './useSavePicture.ts';
 
 export function Header(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
+  const studio = useEditor();
   const save = useSavePicture();
   return (
     <Group component="header" className="sl-header" gap="xs" wrap="nowrap" px="sm" aria-label={t('header.toolbar')}>
@@ -42,7 +42,7 @@ export function Header(): ReactNode {
         variant="default"
         leftSection={<IconLayoutGrid size={15} />}
         aria-label={t('header.scenes')}
-        onClick={() => studio.change({ dialog: 'gallery' })}
+        onClick={() => studio.update({ dialog: 'gallery' })}
       >
         {t('header.scenes')}
       </Button>
@@ -56,7 +56,7 @@ export function Header(): ReactNode {
       </IconButton>
       <LanguageButton />
       <SchemeButton />
-      <IconButton label={t('header.help')} keys="?" onClick={() => studio.change({ dialog: 'help' })}>
+      <IconButton label={t('header.help')} keys="?" onClick={() => studio.update({ dialog: 'help' })}>
         <IconKeyboard size={17} />
       </IconButton>
     </Group>
@@ -90,9 +90,9 @@ function IconButton({ label, keys, disabled, lang, onClick, children }: IconButt
 
 function UndoRedo(): ReactNode {
   const { t, any } = useTexts();
-  const studio = useStudio();
-  const last = useStudioState(({ history }) => history.past.at(-1)?.label);
-  const next = useStudioState(({ history }) => history.future[0]?.label);
+  const studio = useEditor();
+  const last = useEditorState(({ history }) => history.past.at(-1)?.label);
+  const next = useEditorState(({ history }) => history.future[0]?.label);
   return (
     <Group gap={0} wrap="nowrap">
       <IconButton
@@ -118,13 +118,13 @@ function UndoRedo(): ReactNode {
 /** The graph is there for those who ask for it. */
 function GraphButton(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const shown = useStudioState((state) => state.graph);
+  const studio = useEditor();
+  const shown = useEditorState((state) => state.graph);
   return (
     <IconButton
       label={t(shown ? 'graph.hide' : 'graph.show')}
       keys="Ctrl ⇧ G"
-      onClick={() => studio.change({ graph: !shown })}
+      onClick={() => studio.update({ graph: !shown })}
     >
       <IconSitemap size={17} />
     </IconButton>
@@ -133,7 +133,7 @@ function GraphButton(): ReactNode {
 
 function LanguageButton(): ReactNode {
   const { t, language } = useTexts();
-  const studio = useStudio();
+  const studio = useEditor();
   const other = language === 'en' ? 'zh' : 'en';
   const change = () =>
     setLanguage(other).then(

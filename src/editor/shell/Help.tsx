@@ -1,16 +1,16 @@
 import { Modal, SimpleGrid, Stack, Text } from '@mantine/core';
 import { lazy, type ReactNode, Suspense } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
-import type { MessageKey } from '../i18n/messages.ts';
-import { useStudio, useStudioState } from '../state/context.tsx';
+import type { TextKey } from '../i18n/texts.ts';
+import { useEditor, useEditorState } from '../state/context.tsx';
 import { type KeyRow, KeySection } from './KeySection.tsx';
 
 /** The graph's come with its own code. */
-const GraphKeys = lazy(() => import('../graph/GraphKeys.tsx'));
+const GraphKeys = lazy(() => import('../graph/commands/GraphKeys.tsx'));
 
-type Section = readonly [title: MessageKey, rows: readonly KeyRow[]];
+type KeyGroup = readonly [title: TextKey, rows: readonly KeyRow[]];
 
-const COLUMNS: readonly (readonly Section[])[] = [
+const COLUMNS: readonly (readonly KeyGroup[])[] = [
   [
     [
       'help.flying',
@@ -55,12 +55,12 @@ const COLUMNS: readonly (readonly Section[])[] = [
 /** All keys, over the picture. */
 export function Help(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const opened = useStudioState((state) => state.dialog === 'help');
+  const studio = useEditor();
+  const opened = useEditorState((state) => state.dialog === 'help');
   return (
     <Modal
       opened={opened}
-      onClose={() => studio.change({ dialog: undefined })}
+      onClose={() => studio.update({ dialog: undefined })}
       size="min(820px, 94vw)"
       centered
       title={t('help.title')}

@@ -1,10 +1,10 @@
 import { Group, Kbd, Stack, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
-import type { MessageKey } from '../i18n/messages.ts';
+import type { TextKey } from '../i18n/texts.ts';
 
 /** What keys do; `OR` stands between such as do the same. */
-export type KeyRow = readonly [keys: readonly string[], what: MessageKey];
+export type KeyRow = readonly [keys: readonly string[], what: TextKey];
 export const OR = ' or ';
 
 export function KeyRows({ rows }: { readonly rows: readonly KeyRow[] }): ReactNode {
@@ -31,13 +31,7 @@ const Key = ({ name }: { readonly name: string }): ReactNode =>
     <Kbd>{name}</Kbd>
   );
 
-export function KeySection({
-  title,
-  rows,
-}: {
-  readonly title: MessageKey;
-  readonly rows: readonly KeyRow[];
-}): ReactNode {
+export function KeySection({ title, rows }: { readonly title: TextKey; readonly rows: readonly KeyRow[] }): ReactNode {
   const { t } = useTexts();
   return (
     <Stack gap={8}>

@@ -3,25 +3,25 @@ import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useRef } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import { sceneName } from '../loading/localFiles.ts';
-import { shownTitle } from '../panels/nodeTitle.ts';
+import { displayTitle } from '../panels/nodeTitle.ts';
 import { Remedy } from '../panels/Remedy.tsx';
 import { SavingCard } from '../saving/SavingCard.tsx';
-import { useStudio, useStudioState } from '../state/context.tsx';
-import type { Notice } from '../state/studio.ts';
+import { useEditor, useEditorState } from '../state/context.tsx';
+import type { Notice } from '../state/editor.ts';
 
-const INFO_LASTS = 4000; // [ms]
+const INFO_DURATION = 4000; // [ms]
 /** To read a letter [ms]. */
-const LETTER = 50;
+const READING_TIME_PER_CHARACTER = 50;
 
 /** Of missing files; the Scene panel lists all. */
-const MOST_NAMED = 3;
+const MAX_NAMED_FILES = 3;
 
 const COLORS = { error: 'red', warning: 'yellow', info: 'teal' } as const;
 
 /** What went wrong, where, and what to do; each until it is put right or put away. */
 export function Notices(): ReactNode {
-  useRemarks();
-  const notices = useStudioState((state) => state.notices);
+  useSceneNotices();
+  const notices = useEditorState((state) => state.notices);
   return (
     <Stack className="sl-notices" gap="xs">
       <SavingCard />
@@ -35,12 +35,12 @@ export function Notices(): ReactNode {
 }
 
 /** Says what a newly opened file lacks, for as long as it is open; else that its reader had something to remark. */
-function useRemarks(): void {
+function useSceneNotices(): void {
   const { t } = useTexts();
-  const studio = useStudio();
+  const studio = useEditor();
   const say = useRef(t);
   say.current = t;
-  const source = useStudioState((state) => state.opened.source);
+  const source = useEditorState((state) => state.pictureSource.source);
   useEffect(() => {
     const scene = studio.store.getState().picture?.scene;
     if (!source || !scene) return;
@@ -51,7 +51,9 @@ function useRemarks(): void {
       return () => studio.dismiss(id);
     };
     if (missing.length > 0) {
-      const files = [...missing.slice(0, MOST_NAMED), ...(missing.length > MOST_NAMED ? ['…'] : [])].join(', ');
+      const files = [...missing.slice(0, MAX_NAMED_FILES), ...(missing.length > MAX_NAMED_FILES ? ['…'] : [])].join(
+        ', ',
+      );
       return warn(say.current('notice.missing', { count: missing.length, files }));
     }
     if (scene.objects.length === 0) return warn(say.current('notice.empty', { name: sceneName(source) }));
@@ -62,13 +64,16 @@ function useRemarks(): void {
 
 function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
   const { t, said } = useTexts();
-  const studio = useStudio();
-  const kept = useStudioState((state) => state.picture !== undefined);
+  const studio = useEditor();
+  const kept = useEditorState((state) => state.picture !== undefined);
   const place = usePlace(notice);
   const error = notice.kind === 'error';
   useEffect(() => {
     if (notice.kind !== 'info' || notice.action) return;
-    const timer = setTimeout(() => studio.dismiss(notice.id), Math.max(INFO_LASTS, LETTER * notice.text.length));
+    const timer = setTimeout(
+      () => studio.dismiss(notice.id),
+      Math.max(INFO_DURATION, READING_TIME_PER_CHARACTER * notice.text.length),
+    );
     return () => clearTimeout(timer);
   }, [studio, notice]);
   return (
@@ -117,6 +122,6 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
 /** A node by what it is called in the graph. */
 function usePlace({ place }: Notice): string | undefined {
   const { any, said } = useTexts();
-  const title = useStudioState(({ history }) => (place ? shownTitle(history.document, place) : undefined));
+  const title = useEditorState(({ history }) => (place ? displayTitle(history.document, place) : undefined));
   return title ? any(title) : place && said(place);
 }

@@ -1,14 +1,14 @@
 import { Group, Text, Tooltip, UnstyledButton } from '@mantine/core';
 import { IconEye, IconGauge, IconLockOpen, IconPlane } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
-import { type GraphDocument, own } from '../../graph/document.ts';
-import { isUnphysical, matters, resolveParams } from '../../graph/nodeType.ts';
+import { type GraphDocument, own } from '../../graph/document/document.ts';
+import { isParamActive, isUnphysical, resolveParams } from '../../graph/nodeType.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import type { Lock } from '../flight/flight.ts';
 import { formatBeta, formatCount, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { useServices } from '../services.tsx';
-import { useStudio, useStudioState, useTelemetry } from '../state/context.tsx';
+import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 
 const LOCK_ICONS = { free: IconLockOpen, look: IconEye, fly: IconPlane } as const satisfies Record<Lock, unknown>;
 
@@ -30,8 +30,8 @@ export function StatusBar(): ReactNode {
 
 function LockButton(): ReactNode {
   const { t } = useTexts();
-  const { pilot } = useServices();
-  const lock = useStudioState((state) => state.lock);
+  const { observerController } = useServices();
+  const lock = useEditorState((state) => state.lock);
   const Icon = LOCK_ICONS[lock];
   return (
     <Tooltip label={t(`lock.${lock}.help`)} openDelay={300}>
@@ -39,7 +39,7 @@ function LockButton(): ReactNode {
         className="sl-status-item sl-status-button"
         aria-label={`${t('lock.label')}: ${t(`lock.${lock}`)}`}
         data-lock={lock}
-        onClick={() => pilot.nextLock()}
+        onClick={() => observerController.cycleLock()}
       >
         <Icon size={14} />
         <Text size="xs" fw={600}>
@@ -52,14 +52,14 @@ function LockButton(): ReactNode {
 
 function CruiseButton(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const cruise = useStudioState((state) => state.cruise);
+  const studio = useEditor();
+  const cruise = useEditorState((state) => state.cruise);
   return (
     <Tooltip label={t('cruise.help')} openDelay={300}>
       <UnstyledButton
         className="sl-status-item sl-status-button"
         aria-pressed={cruise}
-        onClick={() => studio.change({ cruise: !cruise })}
+        onClick={() => studio.update({ cruise: !cruise })}
       >
         <IconGauge size={14} opacity={cruise ? 1 : 0.35} />
         <Text size="xs" c={cruise ? undefined : 'dimmed'}>
@@ -96,7 +96,7 @@ function Speed(): ReactNode {
   const { t } = useTexts();
   const beta = useTelemetry((live) => live.beta);
   const gamma = useTelemetry((live) => live.gamma);
-  const c = useStudioState((state) => state.picture?.speedOfLight);
+  const c = useEditorState((state) => state.picture?.speedOfLight);
   return (
     <>
       <Item
@@ -114,7 +114,7 @@ function Speed(): ReactNode {
 /** Names what is not as in nature, as long as it is not. */
 function Unphysical(): ReactNode {
   const { t, any } = useTexts();
-  const document = useStudioState((state) => state.history.document);
+  const document = useEditorState((state) => state.history.document);
   const names = unphysical(document).map((title) => any(title));
   const text = `${t('status.unphysical')}: ${names.join(', ')}`;
   return names.length > 0 ? (
@@ -131,7 +131,7 @@ const unphysical = ({ nodes }: GraphDocument): string[] =>
     if (!type) return [];
     const params = resolveParams(type, node.params);
     return Object.entries(type.params).flatMap(([name, spec]) =>
-      isUnphysical(spec, params[name]!) && matters(spec, params) ? [spec.title] : [],
+      isUnphysical(spec, params[name]!) && isParamActive(spec, params) ? [spec.title] : [],
     );
   });
 
@@ -142,13 +142,13 @@ function Clock(): ReactNode {
 }
 
 /** Nobody sees by how much less than this what is drawn is off [px]. */
-const EXACT = 0.5;
+const MAX_UNNOTICED_ERROR = 0.5;
 
 const BACKENDS = { webgpu: 'WebGPU', webgl: 'WebGL 2' } as const;
 
 function Machine(): ReactNode {
   const { t } = useTexts();
-  const graphics = useStudioState((state) => state.graphics);
+  const graphics = useEditorState((state) => state.graphics);
   const triangles = useTelemetry((live) => live.triangles);
   const tolerance = useTelemetry((live) => live.tolerance);
   const waiting = useTelemetry((live) => live.waiting);
@@ -158,7 +158,7 @@ function Machine(): ReactNode {
     <>
       <Text size="xs" className="sl-status-item sl-figure" c="dimmed" data-status="triangles">
         {t('status.triangles', { count: formatCount(triangles) })}
-        {tolerance > EXACT && ` · ${t('status.coarse', { pixels: formatCount(Math.ceil(tolerance)) })}`}
+        {tolerance > MAX_UNNOTICED_ERROR && ` · ${t('status.coarse', { pixels: formatCount(Math.ceil(tolerance)) })}`}
         {waiting && ` · ${t('status.waiting')}`}
       </Text>
       <Text size="xs" className="sl-status-item" c="dimmed" data-status="backend">

@@ -4,8 +4,8 @@ import type { ReactNode } from 'react';
 import { formatSeconds } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { useServices } from '../services.tsx';
-import { useStudio, useStudioState, useTelemetry } from '../state/context.tsx';
-import { computedUntil } from '../state/runs.ts';
+import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
+import { computedUntil } from '../state/simulationRuns.ts';
 
 /** The world's time: play, pause, scrub, loop. */
 export function Timeline(): ReactNode {
@@ -21,17 +21,22 @@ export function Timeline(): ReactNode {
 
 function PlayButtons(): ReactNode {
   const { t } = useTexts();
-  const { pilot } = useServices();
-  const playing = useStudioState((state) => state.playing);
-  const start = useStudioState((state) => state.picture?.scene.startTime ?? 0);
+  const { observerController } = useServices();
+  const playing = useEditorState((state) => state.playing);
+  const start = useEditorState((state) => state.picture?.scene.startTime ?? 0);
   const label = playing ? t('timeline.pause') : t('timeline.play');
   return (
     <Group gap={2} wrap="nowrap">
-      <ActionIcon variant="subtle" color="gray" aria-label={t('timeline.start')} onClick={() => pilot.seek(start)}>
+      <ActionIcon
+        variant="subtle"
+        color="gray"
+        aria-label={t('timeline.start')}
+        onClick={() => observerController.seek(start)}
+      >
         <IconPlayerSkipBackFilled size={14} />
       </ActionIcon>
       <Tooltip label={label} openDelay={400}>
-        <ActionIcon variant="light" aria-label={label} onClick={() => pilot.togglePlaying()}>
+        <ActionIcon variant="light" aria-label={label} onClick={() => observerController.togglePlaying()}>
           {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
         </ActionIcon>
       </Tooltip>
@@ -41,12 +46,12 @@ function PlayButtons(): ReactNode {
 
 function Scrubber(): ReactNode {
   const { t } = useTexts();
-  const { pilot } = useServices();
+  const { observerController } = useServices();
   const time = useTelemetry((live) => live.t);
-  const start = useStudioState((state) => state.picture?.scene.startTime ?? 0);
-  const end = useStudioState((state) => state.picture?.scene.endTime ?? 0);
+  const start = useEditorState((state) => state.picture?.scene.startTime ?? 0);
+  const end = useEditorState((state) => state.picture?.scene.endTime ?? 0);
   // Of a motion that is not whole.
-  const until = useStudioState(({ interim, results }) => (interim ? computedUntil(results) : end));
+  const until = useEditorState(({ interim, results }) => (interim ? computedUntil(results) : end));
   return (
     <>
       <Text size="xs" className="sl-figure sl-clock" data-status="world-time">
@@ -62,7 +67,7 @@ function Scrubber(): ReactNode {
           label={null}
           marks={until < end ? [{ value: until }] : []}
           value={Math.min(end, Math.max(start, time))}
-          onChange={(value) => pilot.seek(value)}
+          onChange={(value) => observerController.seek(value)}
           thumbLabel={t('timeline.time')}
           thumbValueText={formatSeconds(time)}
         />
@@ -82,8 +87,8 @@ function Scrubber(): ReactNode {
 
 function LoopButton(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const loop = useStudioState((state) => state.loop);
+  const studio = useEditor();
+  const loop = useEditorState((state) => state.loop);
   return (
     <Tooltip label={t('timeline.loop')} openDelay={400}>
       <ActionIcon
@@ -91,7 +96,7 @@ function LoopButton(): ReactNode {
         color={loop ? undefined : 'gray'}
         aria-label={t('timeline.loop')}
         aria-pressed={loop}
-        onClick={() => studio.change({ loop: !loop })}
+        onClick={() => studio.update({ loop: !loop })}
       >
         <IconRepeat size={15} />
       </ActionIcon>

@@ -1,18 +1,18 @@
 import { createContext, useContext } from 'react';
 import { useStore } from 'zustand';
-import { type LegendState, legend } from './legend.ts';
-import type { Studio, StudioState } from './studio.ts';
+import { type LegendState, legendStore } from '../viewport/legend/legendState.ts';
+import type { Editor, EditorState } from './editor.ts';
 import { type Telemetry, telemetry } from './telemetry.ts';
 
-const StudioContext = createContext<Studio | undefined>(undefined);
-export const StudioProvider = StudioContext.Provider;
+const EditorContext = createContext<Editor | undefined>(undefined);
+export const EditorProvider = EditorContext.Provider;
 
-export function useStudio(): Studio {
-  const studio = useContext(StudioContext);
+export function useEditor(): Editor {
+  const studio = useContext(EditorContext);
   if (!studio) throw new Error('no StudioProvider above this component');
   return studio;
 }
 
-export const useStudioState = <T,>(select: (state: StudioState) => T): T => useStore(useStudio().store, select);
-export const useLegend = <T,>(select: (state: LegendState) => T): T => useStore(legend, select);
+export const useEditorState = <T,>(select: (state: EditorState) => T): T => useStore(useEditor().store, select);
+export const useLegend = <T,>(select: (state: LegendState) => T): T => useStore(legendStore, select);
 export const useTelemetry = <T,>(select: (state: Telemetry) => T): T => useStore(telemetry, select);

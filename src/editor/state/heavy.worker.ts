@@ -1,13 +1,13 @@
-import { serveHeavy } from '../../graph/heavy.ts';
+import { serveHeavy } from '../../graph/evaluation/heavyWorkers.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
-import { threadServices } from '../../nodes/services.ts';
-import { readFilesWith } from '../../scene/storedNumbers.ts';
-import { readBlob } from '../loading/blobs.ts';
+import { workerServices } from '../../nodes/services.ts';
+import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
+import { readBlob } from '../loading/readBlob.ts';
 
-readFilesWith(readBlob);
+setFileReader(readBlob);
 
 /** Evaluates heavy nodes off the main thread. */
-serveHeavy(nodeLibrary, threadServices, {
+serveHeavy(nodeLibrary, workerServices, {
   listen: (hear) => addEventListener('message', ({ data }) => hear(data)),
   reply: (reply, transfer) => postMessage(reply, { transfer }),
 });

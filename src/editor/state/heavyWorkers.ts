@@ -1,9 +1,9 @@
-import type { RunHeavy } from '../../graph/evaluate.ts';
-import { heavyThreads } from '../../graph/heavy.ts';
+import type { RunHeavy } from '../../graph/evaluation/evaluator.ts';
+import { heavyWorkerPool } from '../../graph/evaluation/heavyWorkers.ts';
 
 /** Has heavy nodes evaluated in the page's workers. */
 export const heavyWorkers = (): RunHeavy =>
-  heavyThreads(() => {
+  heavyWorkerPool(() => {
     const worker = new Worker(new URL('./heavy.worker.ts', import.meta.url), { type: 'module' });
     return {
       send: (order) => worker.postMessage(order),

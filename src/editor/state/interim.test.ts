@@ -1,14 +1,14 @@
 import { beforeEach, expect, it, vi } from 'vitest';
-import { applyCommand, type Command } from '../../graph/commands.ts';
-import { CancelledError, type HeavyOrder } from '../../graph/evaluate.ts';
+import { applyCommand, type Command } from '../../graph/edits/commands.ts';
+import { CancelledError, type HeavyRequest } from '../../graph/evaluation/evaluator.ts';
 import type { Outputs } from '../../graph/nodeType.ts';
-import { newProject } from '../../nodes/project.ts';
-import { type Services, threadServices } from '../../nodes/services.ts';
+import { newProject } from '../../nodes/project/projectCommands.ts';
+import { type Services, workerServices } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
-import { createStudio } from './studio.ts';
+import { createEditor } from './editor.ts';
 
 /** Heavy work, as the test leads it. */
-interface Led extends HeavyOrder {
+interface Led extends HeavyRequest {
   readonly give: (name: string) => void;
   readonly end: (name: string, more?: Outputs) => void;
   readonly progress: (part: number) => void;
@@ -19,7 +19,7 @@ const outputs = (name: string): Outputs => ({ geometry: { scene: makeScene({ nam
 vi.mock('./heavyWorkers.ts', () => ({
   heavyWorkers:
     () =>
-    (order: HeavyOrder, work: { signal?: AbortSignal; progress: Led['progress']; interim: (of: Outputs) => void }) =>
+    (order: HeavyRequest, work: { signal?: AbortSignal; progress: Led['progress']; interim: (of: Outputs) => void }) =>
       new Promise<Outputs>((done, fail) => {
         const progress = (part: number) => (work.progress as (part: number, what: string) => void)(part, 'simulate');
         const give = (name: string) => work.interim(outputs(name));
@@ -50,11 +50,11 @@ const document = applyCommand(newProject('a.usda'), {
     edge('work', 'scene', 'geometry.1'),
   ],
 }).document;
-const services: Services = { ...threadServices, readScene: async () => ({ scene: makeScene({ name: 'a' }) }) };
+const services: Services = { ...workerServices, readScene: async () => ({ scene: makeScene({ name: 'a' }) }) };
 const settled = () => new Promise((done) => setTimeout(done, 30));
 
 async function open() {
-  const studio = createStudio({ services, beginning: { document, origin: 'p', unsaved: false }, playing: false });
+  const studio = createEditor({ services, project: { document, origin: 'p', unsaved: false }, playing: false });
   await settled();
   return { studio, state: () => studio.store.getState(), end: () => studio.store.getState().picture?.scene.endTime };
 }
@@ -69,7 +69,7 @@ it('the picture shows the motion so far, while it goes on to be loaded', async (
   expect(state().picture).toBeUndefined();
   led[0]!.give('ab');
   await vi.waitFor(() => expect(state().interim).toBe('running'));
-  expect(state()).toMatchObject({ opened: { origin: 'p' }, loading: { part: 0.25 } });
+  expect(state()).toMatchObject({ pictureSource: { origin: 'p' }, loading: { part: 0.25 } });
   expect(end()).toBe(2);
   expect(state().results.get('work')).toMatchObject({ status: 'done', interim: true });
   led[0]!.give('abc');
@@ -98,7 +98,7 @@ it('stopped work stays as it is through edits, and goes on from there when it is
   expect(state()).toMatchObject({ interim: 'stopped', picture: { exposure: 1 } });
   expect(led).toHaveLength(1);
 
-  studio.goOn();
+  studio.resumeWork();
   await settled();
   expect(led[1]).toMatchObject({ interims: true, resume: outputs('abc') });
   expect(state()).toMatchObject({ interim: 'running' });

@@ -10,11 +10,11 @@ export interface Preferences {
   readonly nodePictures: boolean;
 }
 
-const KEY = 'slowlight.preferences';
+const PREFERENCES_KEY = 'slowlight.preferences';
 
 /** Nothing kept, or nothing readable (private windows, full disks): the browser's own wishes. */
 export function loadPreferences(): Preferences {
-  const kept = readKept();
+  const kept = readStoredPreferences();
   const language =
     kept.language === 'en' || kept.language === 'zh' ? kept.language : preferredLanguage(navigator.languages);
   return {
@@ -27,15 +27,15 @@ export function loadPreferences(): Preferences {
 
 export function savePreferences(preferences: Preferences): void {
   try {
-    localStorage.setItem(KEY, JSON.stringify(preferences));
+    localStorage.setItem(PREFERENCES_KEY, JSON.stringify(preferences));
   } catch {
     // The page works without; the choice lasts for this visit.
   }
 }
 
-function readKept(): Partial<Record<keyof Preferences, unknown>> {
+function readStoredPreferences(): Partial<Record<keyof Preferences, unknown>> {
   try {
-    const kept: unknown = JSON.parse(localStorage.getItem(KEY) ?? '{}');
+    const kept: unknown = JSON.parse(localStorage.getItem(PREFERENCES_KEY) ?? '{}');
     return typeof kept === 'object' && kept !== null ? kept : {};
   } catch {
     return {};

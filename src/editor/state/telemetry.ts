@@ -1,7 +1,7 @@
 import { createStore } from 'zustand/vanilla';
 import { length } from '../../math/vec3.ts';
-import { gamma } from '../../physics/boost.ts';
-import type { ObserverState } from '../../physics/observer.ts';
+import { gamma } from '../../physics/lorentz/boost.ts';
+import type { ObserverState } from '../../physics/lorentz/observer.ts';
 
 /** What the instruments show; renewed a few times a second, so that a page full of text does not redraw at every frame. */
 export interface Telemetry {
@@ -34,16 +34,16 @@ export const telemetry = createStore<Telemetry>(() => ({
   preparing: false,
 }));
 
-let last = Number.NEGATIVE_INFINITY;
+let lastUpdate = Number.NEGATIVE_INFINITY;
 
 /** `now` [ms] is the frame's time stamp. What changed too recently is shown with a later frame. */
-export function report(
+export function updateTelemetry(
   state: ObserverState,
   drawn: Pick<Telemetry, 'triangles' | 'tolerance' | 'waiting' | 'preparing'>,
   now: number,
 ): void {
-  if (now - last < INTERVAL) return;
-  last = now;
+  if (now - lastUpdate < INTERVAL) return;
+  lastUpdate = now;
   const g = gamma(state.u);
   const { triangles, tolerance, waiting, preparing } = drawn;
   const picture = { triangles, tolerance, waiting, preparing };

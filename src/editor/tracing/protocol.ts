@@ -1,10 +1,10 @@
-import type { TracedPicture } from '../../nodes/trace.ts';
+import type { TraceOptions } from '../../nodes/trace.ts';
 import type { Scene } from '../../scene/types.ts';
 
 /** What the worker that has pictures traced is told, once. */
-export interface TraceOrder {
+export interface TraceRequest {
   readonly scene: Scene;
-  readonly picture: TracedPicture;
+  readonly picture: TraceOptions;
 }
 
 /** What it answers. */

@@ -1,23 +1,23 @@
 import { Button, Group, Progress, Stack, Text, UnstyledButton } from '@mantine/core';
 import { IconX } from '@tabler/icons-react';
 import { type ReactNode, type RefObject, useEffect, useRef, useState } from 'react';
+import { useFlightControls } from '../flight/useFlightControls.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import { useOpenedWords } from '../i18n/useSceneWords.ts';
+import { useOpenedTexts } from '../i18n/useSceneTexts.ts';
 import { sceneName } from '../loading/localFiles.ts';
-import { useStudio, useStudioState, useTelemetry } from '../state/context.tsx';
+import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
-import { Legend } from './Legend.tsx';
-import { useFlightControls } from './useFlightControls.ts';
-import { useStage } from './useStage.ts';
+import { Legend } from './legend/Legend.tsx';
+import { useViewportRenderer } from './useViewportRenderer.ts';
 
 /** The picture, and what lies over it. */
 export function Viewport(): ReactNode {
   const { t } = useTexts();
   const host = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
-  const life = useStage(canvas);
+  const life = useViewportRenderer(canvas);
   const focused = useFlightControls(host);
-  const shown = useStudioState(({ opened }) => opened.origin || opened.source);
+  const shown = useEditorState(({ pictureSource }) => pictureSource.origin || pictureSource.source);
   return (
     <div className="sl-viewport" data-opened={shown}>
       <div ref={host} className="sl-picture" role="application" aria-label={t('viewport.label')} data-viewport>
@@ -27,15 +27,15 @@ export function Viewport(): ReactNode {
       {!focused && <StartHint />}
       <Legend />
       <Caption />
-      <Preparing />
-      <Work picture={host} />
+      <CompilingHint />
+      <ActivityOverlay picture={host} />
     </div>
   );
 }
 
 function StartHint(): ReactNode {
   const { t } = useTexts();
-  const open = useStudioState((state) => state.picture?.falseColor === 'none' && !state.loading);
+  const open = useEditorState((state) => state.picture?.falseColor === 'none' && !state.loading);
   return open ? (
     <Text size="xs" className="sl-hint">
       {t('viewport.start')}
@@ -47,7 +47,7 @@ function StartHint(): ReactNode {
 function Caption(): ReactNode {
   const { t } = useTexts();
   const [shown, setShown] = useState(() => loadPreferences().captions);
-  const { title, lookFor } = useOpenedWords();
+  const { title, lookFor } = useOpenedTexts();
   const show = (captions: boolean) => {
     setShown(captions);
     savePreferences({ ...loadPreferences(), captions });
@@ -78,10 +78,10 @@ function Caption(): ReactNode {
 }
 
 /** Shaders being compiled: told where that takes long enough to be noticed (editor.css). */
-function Preparing(): ReactNode {
+function CompilingHint(): ReactNode {
   const { t } = useTexts();
   const preparing = useTelemetry((live) => live.preparing);
-  const busy = useStudioState((state) => state.loading !== undefined || state.graphics === 'recovering');
+  const busy = useEditorState((state) => state.loading !== undefined || state.graphics === 'recovering');
   return preparing && !busy ? (
     <Text size="xs" className="sl-hint sl-preparing" role="status">
       {t('viewport.preparing')}
@@ -90,10 +90,10 @@ function Preparing(): ReactNode {
 }
 
 /** What is under way, or was stopped. Who pressed a button that goes away with it is not left without a place: the next one has the focus, or the picture. */
-function Work({ picture }: { readonly picture: RefObject<HTMLElement | null> }): ReactNode {
+function ActivityOverlay({ picture }: { readonly picture: RefObject<HTMLElement | null> }): ReactNode {
   const box = useRef<HTMLDivElement>(null);
   const within = useRef(false);
-  const stage = useStudioState(({ loading, interim }) => (loading ? 'busy' : interim));
+  const stage = useEditorState(({ loading, interim }) => (loading ? 'busy' : interim));
   // biome-ignore lint/correctness/useExhaustiveDependencies: buttons come and go with the stage
   useEffect(() => {
     if (!within.current || document.activeElement !== document.body) return;
@@ -114,23 +114,23 @@ function Work({ picture }: { readonly picture: RefObject<HTMLElement | null> }):
         });
       }}
     >
-      <Busy />
-      <Stopped />
+      <BusyCard />
+      <StoppedCard />
     </div>
   );
 }
 
 /** What does not read a scene, and may take minutes. */
-const LONG = { trace: 'viewport.tracing', simulate: 'viewport.simulating' } as const;
+const LONG_STAGES = { trace: 'viewport.tracing', simulate: 'viewport.simulating' } as const;
 
 /** A scene being read, or the device starting again. */
-function Busy(): ReactNode {
+function BusyCard(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const loading = useStudioState((state) => state.loading);
-  const graphics = useStudioState((state) => state.graphics);
-  const shown = useStudioState(({ picture }) => picture !== undefined);
-  const running = useStudioState(({ interim }) => interim === 'running');
+  const studio = useEditor();
+  const loading = useEditorState((state) => state.loading);
+  const graphics = useEditorState((state) => state.graphics);
+  const shown = useEditorState(({ picture }) => picture !== undefined);
+  const running = useEditorState(({ interim }) => interim === 'running');
   if (loading) {
     const { part, stage } = loading;
     const step = t(`loading.${stage}`);
@@ -138,7 +138,7 @@ function Busy(): ReactNode {
     return (
       <Stack className="sl-busy" gap={8} role="status" data-aside={(shown && long) || undefined}>
         <Text size="sm" fw={600}>
-          {long ? t(LONG[stage]) : t('viewport.loading', { name: sceneName(loading.source) })}
+          {long ? t(LONG_STAGES[stage]) : t('viewport.loading', { name: sceneName(loading.source) })}
         </Text>
         {part === undefined ? (
           <div className="sl-working" role="progressbar" aria-label={step} />
@@ -165,14 +165,14 @@ function Busy(): ReactNode {
 }
 
 /** The picture shows what there was of work that was stopped. */
-function Stopped(): ReactNode {
+function StoppedCard(): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const stopped = useStudioState(({ interim, loading }) => interim === 'stopped' && !loading);
+  const studio = useEditor();
+  const stopped = useEditorState(({ interim, loading }) => interim === 'stopped' && !loading);
   return stopped ? (
     <Group className="sl-busy" justify="space-between" wrap="nowrap" role="status" data-aside>
       <Text size="xs">{t('viewport.stopped')}</Text>
-      <Button size="compact-xs" variant="default" onClick={studio.goOn}>
+      <Button size="compact-xs" variant="default" onClick={studio.resumeWork}>
         {t('viewport.goOn')}
       </Button>
     </Group>

@@ -1,10 +1,10 @@
-import { serveSamples } from '../../render/sampleServer.ts';
-import { readFilesWith } from '../../scene/storedNumbers.ts';
-import { keepSamplesIn } from '../../scene/streamedPoints.ts';
-import { readBlob } from '../loading/blobs.ts';
+import { serveSamples } from '../../render/geometry/pointSamples/sampleServer.ts';
+import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
+import { setSampleCacheSize } from '../../scene/streaming/streamedPoints.ts';
+import { readBlob } from '../loading/readBlob.ts';
 
 /** Reads samples that are left in files off the main thread. */
-readFilesWith(readBlob);
+setFileReader(readBlob);
 // Each is asked for once.
-keepSamplesIn(0);
+setSampleCacheSize(0);
 serveSamples(self);

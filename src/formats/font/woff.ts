@@ -13,7 +13,7 @@ interface Table {
  * The TrueType file of a WOFF (W3C, WOFF File Format 1.0, §4–5): its tables unpacked, those for outlines only. opentype.js has an
  * inflater of its own, which fails on some sound files (tiny-inflate, issue 4).
  */
-export function unwrapped(woff: Uint8Array): ArrayBuffer {
+export function unpackWoff(woff: Uint8Array): ArrayBuffer {
   const from = new DataView(woff.buffer, woff.byteOffset, woff.byteLength);
   if (from.getUint32(0) !== 0x774f4646) throw new Error('the font is no WOFF file');
   const tables = Array.from({ length: from.getUint16(12) }, (_, i) => tableAt(from, woff, 44 + 20 * i)).filter(

@@ -1,9 +1,9 @@
 import type { Document, GLTF } from '@gltf-transform/core';
 import type { VariantSet } from '../../scene/types.ts';
-import type { SampledSpectrum } from '../../spectrum/lightSpectrum.ts';
-import type { Code } from '../codes.ts';
-import { inputError } from '../fail.ts';
-import type { Notes } from '../notes.ts';
+import type { SampledSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
+import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
+import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
+import { inputError } from '../diagnostics/inputError.ts';
 import type { ReadOptions } from '../registry.ts';
 
 /** What every part of the reader needs to know of the file it reads. */
@@ -16,7 +16,7 @@ export interface GltfContext {
   readonly options: ReadOptions;
   /** Of its materials, with the one to show. */
   readonly variants: VariantSet | undefined;
-  readonly notes: Notes;
+  readonly notes: DiagnosticLog;
   /** Tables of spectra that its lights name. */
   readonly spectra: ReadonlyMap<string, SampledSpectrum | undefined>;
 }
@@ -25,5 +25,5 @@ export interface GltfContext {
 export type Resources = Record<string, Uint8Array<ArrayBuffer>>;
 
 /** Refuses the file: `what` names the thing in it, `message` the value and what to do. */
-export const gltfError = (entry: string, code: Code, what: string, message: string, cause?: unknown) =>
+export const gltfError = (entry: string, code: DiagnosticCode, what: string, message: string, cause?: unknown) =>
   inputError(code, what ? `${entry}: ${what}` : entry, message, cause);

@@ -2,18 +2,18 @@ import { EXTMeshGPUInstancing, KHRLightsPunctual, KHRMaterialsVariants } from '@
 import { AnimationMixer, type InstancedMesh, Matrix4, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { describe, expect, it } from 'vitest';
-import { find, Kit } from '../../../tests/support/gltfKit.ts';
+import { find, GltfBuilder } from '../../../tests/support/gltfBuilder.ts';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { random } from '../../math/random.ts';
 import { distance } from '../../math/vec3.ts';
-import { vertexPosition } from '../../scene/motion.ts';
-import { memorySource } from '../source.ts';
+import { vertexPosition } from '../../scene/motion/motion.ts';
+import { memorySource } from '../files/fileSource.ts';
 import { readGltf } from './index.ts';
 
 describe('KHR_materials_variants', () => {
   /** A shoe, red where nothing is chosen; the sole has no variants. */
-  function shoe(): Kit {
-    const kit = new Kit();
+  function shoe(): GltfBuilder {
+    const kit = new GltfBuilder();
     const variants = kit.doc.createExtension(KHRMaterialsVariants);
     const [beach, street] = ['beach', 'street'].map((name) => variants.createVariant(name));
     const material = (name: string) => kit.doc.createMaterial(name);
@@ -44,7 +44,7 @@ describe('KHR_materials_variants', () => {
   it('refuses what is not there, and says what is', async () => {
     const variants = new Map([['material', 'moon']]);
     await expect(shoe().read({ variants })).rejects.toThrow('a.glb: no variant moon of its materials; there are beach');
-    const plain = new Kit();
+    const plain = new GltfBuilder();
     plain.scene.addChild(plain.meshNode('Plain', plain.triangle()));
     await expect(plain.read({ variants })).rejects.toThrow('no variant moon of its materials; the file has none');
     expect((await plain.read({ variants: new Map([['/Car{paint}', 'red']]) })).variants).toBeUndefined();
@@ -71,8 +71,8 @@ describe('KHR_materials_variants', () => {
 
 describe('EXT_mesh_gpu_instancing', () => {
   const COUNT = 7;
-  function trees(next: () => number, isStill: boolean): Kit {
-    const kit = new Kit();
+  function trees(next: () => number, isStill: boolean): GltfBuilder {
+    const kit = new GltfBuilder();
     const many = (f: () => readonly number[]): number[] => Array.from({ length: COUNT }, f).flat();
     const batch = kit.doc
       .createExtension(EXTMeshGPUInstancing)
@@ -137,7 +137,7 @@ describe('EXT_mesh_gpu_instancing', () => {
   });
 
   it('copies of one size share their mesh', async () => {
-    const kit = new Kit();
+    const kit = new GltfBuilder();
     const places = kit.values('VEC3', [0, 0, 0, 5, 0, 0, 9, 0, 0]);
     const sizes = kit.values('VEC3', [1, 1, 1, 2, 2, 2, 2, 2, 2]);
     const batch = kit.doc.createExtension(EXTMeshGPUInstancing).createInstancedMesh();
@@ -154,7 +154,7 @@ describe('EXT_mesh_gpu_instancing', () => {
   });
 
   it('refuses attributes of different lengths', async () => {
-    const kit = new Kit();
+    const kit = new GltfBuilder();
     const batch = kit.doc.createExtension(EXTMeshGPUInstancing).createInstancedMesh();
     batch.setAttribute('TRANSLATION', kit.values('VEC3', [0, 0, 0, 5, 0, 0]));
     batch.setAttribute('SCALE', kit.values('VEC3', [1, 1, 1]));
@@ -165,7 +165,7 @@ describe('EXT_mesh_gpu_instancing', () => {
 
 describe('what a scene cannot carry is said', () => {
   it('of lights and cameras', async () => {
-    const kit = new Kit();
+    const kit = new GltfBuilder();
     const spot = kit.doc.createExtension(KHRLightsPunctual).createLight('Spot').setType('spot').setRange(12);
     kit.scene.addChild(kit.meshNode('Floor', kit.triangle()));
     kit.scene.addChild(kit.doc.createNode('Spot').setExtension('KHR_lights_punctual', spot));
@@ -184,7 +184,7 @@ describe('what a scene cannot carry is said', () => {
 
   it('of colours that are not opaque', async () => {
     const alpha = async (mode: 'OPAQUE' | 'BLEND', last: number): Promise<string[]> => {
-      const kit = new Kit();
+      const kit = new GltfBuilder();
       const colors = kit.values('VEC4', [1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, last]);
       const glass = kit
         .triangle()

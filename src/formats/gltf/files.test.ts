@@ -2,10 +2,10 @@ import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
-import { boundingBox } from '../../scene/bounds.ts';
+import { boundingBox } from '../../scene/bounds/bounds.ts';
 import type { Scene } from '../../scene/types.ts';
+import type { FileSource } from '../files/fileSource.ts';
 import { openScene } from '../open.ts';
-import type { FileSource } from '../source.ts';
 
 /** Files that nobody here made. They lie beside the repository, and only on some machines. */
 const root = fileURLToPath(new URL('../../../../shared/data/gltf/packages/', import.meta.url));

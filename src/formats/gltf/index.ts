@@ -1,1 +1,1 @@
-export { readGltf } from './read.ts';
+export { readGltf } from './read/read.ts';

@@ -5,8 +5,8 @@ import { describe, expect, it } from 'vitest';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { random } from '../../math/random.ts';
 import { distance } from '../../math/vec3.ts';
-import { vertexPosition } from '../../scene/motion.ts';
-import { memorySource } from '../source.ts';
+import { vertexPosition } from '../../scene/motion/motion.ts';
+import { memorySource } from '../files/fileSource.ts';
 import { readGltf } from './index.ts';
 
 /** Random animated documents, played by three.js and by us: every vertex is at the same place at many times. */

@@ -1,27 +1,27 @@
-import type { Code } from '../codes.ts';
-import { inputError } from '../fail.ts';
-import type { Notes } from '../notes.ts';
-import type { FileSource } from '../source.ts';
-import { numberIn } from '../textLines.ts';
+import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
+import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
+import { inputError } from '../diagnostics/inputError.ts';
+import type { FileSource } from '../files/fileSource.ts';
+import { parseFiniteNumber } from '../files/textLines.ts';
 
 /** What every part of the reader needs to know. */
 export interface ObjContext {
   readonly source: FileSource;
   /** Path of the .obj. */
   readonly entry: string;
-  readonly notes: Notes;
+  readonly notes: DiagnosticLog;
 }
 
 /** Refuses a file: `message` tells the value on that line and what to do. */
-export const lineError = (file: string, line: number, code: Code, message: string): Error =>
+export const lineError = (file: string, line: number, code: DiagnosticCode, message: string): Error =>
   inputError(code, `${file}: line ${line}`, message);
 
 /** A number of a line; throws where it is none. */
 export const numberOf = (file: string, line: number, word: string | undefined): number =>
-  numberIn(word, (message) => lineError(file, line, 'obj.number', message));
+  parseFiniteNumber(word, (message) => lineError(file, line, 'obj.number', message));
 
 /** The words after a line's keyword, and all of them as they stand. */
-export interface Statement {
+export interface ObjStatement {
   readonly line: number;
   readonly keyword: string;
   readonly words: readonly string[];

@@ -1,18 +1,18 @@
 import { makeMaterial } from '../../scene/defaults.ts';
 import type { Material, Texture } from '../../scene/types.ts';
-import { meanOf, withAlphaFrom } from '../images.ts';
-import { resolvePath } from '../source.ts';
-import { lineError, numberOf, type ObjContext, type Statement } from './context.ts';
+import { resolvePath } from '../files/fileSource.ts';
+import { channelMean, withAlphaFrom } from '../image/decodeImage.ts';
+import { lineError, numberOf, type ObjContext, type ObjStatement } from './context.ts';
 import type { UvPlacement } from './meshes.ts';
-import { PictureLoader, type PictureRef, pictureRef } from './pictures.ts';
 import { statements } from './statements.ts';
+import { ObjTextureLoader, parseTextureReference, type TextureReference } from './textures.ts';
 
 /** A material as an .mtl writes it. */
 interface MtlMaterial {
   readonly file: string;
   readonly name: string;
   readonly numbers: ReadonlyMap<string, readonly number[]>;
-  readonly pictures: ReadonlyMap<string, PictureRef>;
+  readonly pictures: ReadonlyMap<string, TextureReference>;
 }
 
 /** A material with how its pictures are placed. */
@@ -32,52 +32,52 @@ const SHOWN_PICTURES = ['map_Kd', 'map_Ke', 'map_d', 'map_Pr', 'map_Pm', 'norm']
 const LEFT_OUT = /^(map_|bump$|disp$|decal$|refl$|Tf$|Pc$|Pcr$|Ps$|aniso$|anisor$)/i;
 
 /** The materials of .mtl files by name; what is missing is named with where it was looked for. */
-export class MaterialLibrary {
-  readonly #context: ObjContext;
-  readonly #pictures: PictureLoader;
-  readonly #written = new Map<string, MtlMaterial>();
-  readonly #files: string[] = [];
-  #named = 0;
+export class ObjMaterialLibrary {
+  private readonly context: ObjContext;
+  private readonly pictures: ObjTextureLoader;
+  private readonly written = new Map<string, MtlMaterial>();
+  private readonly files: string[] = [];
+  private named = 0;
   constructor(context: ObjContext) {
-    this.#context = context;
-    this.#pictures = new PictureLoader(context);
+    this.context = context;
+    this.pictures = new ObjTextureLoader(context);
   }
 
   /** `mtllib a.mtl b.mtl`: a name may hold spaces, which the format leaves open. */
-  async load({ line, words, rest }: Statement): Promise<void> {
-    this.#named += words.length;
-    if (this.#named > MAX_FILES) {
-      throw lineError(this.#context.entry, line, 'obj.too-many', `more than ${MAX_FILES} files of materials are named`);
+  async load({ line, words, rest }: ObjStatement): Promise<void> {
+    this.named += words.length;
+    if (this.named > MAX_FILES) {
+      throw lineError(this.context.entry, line, 'obj.too-many', `more than ${MAX_FILES} files of materials are named`);
     }
-    if (await this.#loadFile(rest)) return;
+    if (await this.loadFile(rest)) return;
     const missing: string[] = [];
-    for (const name of words.length > 1 ? words : []) if (!(await this.#loadFile(name))) missing.push(name);
+    for (const name of words.length > 1 ? words : []) if (!(await this.loadFile(name))) missing.push(name);
     const names = words.length > 1 ? missing : [rest];
     for (const name of names) {
-      const { entry, notes } = this.#context;
+      const { entry, notes } = this.context;
       const message = `the materials ${name} are not there (looked for ${resolvePath(entry, name)}); put them beside it, or open the folder that holds both`;
       const missing = { name, lookedFor: [resolvePath(entry, name)] };
       notes.add('warning', 'file.missing-materials', `line ${line}`, message, { missing });
     }
   }
 
-  async #loadFile(name: string): Promise<boolean> {
-    const file = resolvePath(this.#context.entry, name);
-    if (this.#files.includes(file)) return true;
-    const bytes = name === '' ? undefined : await this.#context.source.read(file);
+  private async loadFile(name: string): Promise<boolean> {
+    const file = resolvePath(this.context.entry, name);
+    if (this.files.includes(file)) return true;
+    const bytes = name === '' ? undefined : await this.context.source.read(file);
     if (!bytes) return false;
-    this.#files.push(file);
-    for (const material of readMtl(bytes, file, this.#context)) this.#written.set(material.name, material);
+    this.files.push(file);
+    for (const material of readMtl(bytes, file, this.context)) this.written.set(material.name, material);
     return true;
   }
 
   /** The material of a name; a light grey one, with a warning, where no file has it. */
   async read(name: string): Promise<ReadMaterial> {
-    const written = this.#written.get(name);
-    if (written) return convert(written, this.#pictures);
+    const written = this.written.get(name);
+    if (written) return convert(written, this.pictures);
     if (name !== '') {
-      const where = this.#files.length > 0 ? this.#files.join(', ') : 'no materials were found';
-      this.#context.notes.add(
+      const where = this.files.length > 0 ? this.files.join(', ') : 'no materials were found';
+      this.context.notes.add(
         'warning',
         'obj.missing-material',
         name,
@@ -92,7 +92,7 @@ export class MaterialLibrary {
 function readMtl(bytes: Uint8Array, file: string, { notes }: ObjContext): MtlMaterial[] {
   const out: MtlMaterial[] = [];
   let numbers = new Map<string, readonly number[]>();
-  let pictures = new Map<string, PictureRef>();
+  let pictures = new Map<string, TextureReference>();
   for (const statement of statements(bytes, file)) {
     const { line, keyword, words, rest } = statement;
     if (keyword === 'newmtl') {
@@ -106,7 +106,7 @@ function readMtl(bytes: Uint8Array, file: string, { notes }: ObjContext): MtlMat
       else numbers.set(keyword, colorOf(file, statement));
     } else if (SCALARS.includes(keyword)) numbers.set(keyword, [scalarOf(file, statement)]);
     else if (SHOWN_PICTURES.includes(keyword))
-      pictures.set(keyword, pictureRef(file, out.at(-1)?.name ?? '', statement));
+      pictures.set(keyword, parseTextureReference(file, out.at(-1)?.name ?? '', statement));
     else if (LEFT_OUT.test(keyword)) {
       notes.add('info', 'obj.ignored', `material ${out.at(-1)?.name ?? ''}`, `${keyword} of it is left out`);
     }
@@ -115,16 +115,16 @@ function readMtl(bytes: Uint8Array, file: string, { notes }: ObjContext): MtlMat
 }
 
 /** One number stands for all three. */
-function colorOf(file: string, { line, words }: Statement): readonly number[] {
+function colorOf(file: string, { line, words }: ObjStatement): readonly number[] {
   const r = numberOf(file, line, words[0]);
   return words.length < 3 ? [r, r, r] : [r, numberOf(file, line, words[1]), numberOf(file, line, words[2])];
 }
 
 /** `d -halo 0.5` is read as `d 0.5`. */
-const scalarOf = (file: string, { line, words }: Statement): number =>
+const scalarOf = (file: string, { line, words }: ObjStatement): number =>
   numberOf(file, line, words.filter((w) => w !== '-halo')[0]);
 
-async function convert({ name, numbers, pictures }: MtlMaterial, loader: PictureLoader): Promise<ReadMaterial> {
+async function convert({ name, numbers, pictures }: MtlMaterial, loader: ObjTextureLoader): Promise<ReadMaterial> {
   const [r, g, b] = numbers.get('Kd') ?? (pictures.has('map_Kd') ? [1, 1, 1] : [0.8, 0.8, 0.8]);
   const emissive = numbers.get('Ke') ?? (pictures.has('map_Ke') ? [1, 1, 1] : [0, 0, 0]);
   const ior = scalar(numbers, 'Ni');
@@ -158,7 +158,7 @@ function channelOf(
 ): Partial<Material> {
   if (!texture) return { [what]: what === 'roughness' ? roughnessOf(numbers) : clamped(scalar(numbers, 'Pm') ?? 0) };
   const scale = clamped(scalar(numbers, keyword) ?? 1);
-  return { [what]: scale * meanOf(texture, 0), [`${what}Texture`]: { texture, channel: 0, scale, bias: 0 } };
+  return { [what]: scale * channelMean(texture, 0), [`${what}Texture`]: { texture, channel: 0, scale, bias: 0 } };
 }
 
 const scalar = (numbers: ReadonlyMap<string, readonly number[]>, name: string): number | undefined =>
@@ -179,8 +179,8 @@ function roughnessOf(numbers: ReadonlyMap<string, readonly number[]>): number {
 
 /** The colour's picture, with the opacity's in its alpha. */
 async function baseTexture(
-  pictures: ReadonlyMap<string, PictureRef>,
-  loader: PictureLoader,
+  pictures: ReadonlyMap<string, TextureReference>,
+  loader: ObjTextureLoader,
 ): Promise<Texture | undefined> {
   const [color, opacity] = [pictures.get('map_Kd'), pictures.get('map_d')];
   const alpha = opacity && (await loader.image(opacity));

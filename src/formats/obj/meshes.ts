@@ -1,6 +1,6 @@
-import { makeMesh } from '../../scene/geometry.ts';
-import { cornerNormals } from '../../scene/normals.ts';
-import type { Polygons } from '../../scene/polygons.ts';
+import { makeMesh } from '../../scene/mesh/makeMesh.ts';
+import { cornerNormals } from '../../scene/mesh/normals.ts';
+import type { Polygons } from '../../scene/mesh/polygons.ts';
 import type { Mesh } from '../../scene/types.ts';
 import { FLAT, type ObjGeometry, type ObjPart } from './geometry.ts';
 
@@ -11,24 +11,24 @@ export interface UvPlacement {
 }
 
 /** What a face's material is to its mesh. */
-export interface Worn {
+export interface FaceMaterial {
   /** In `Scene.materials`. */
   readonly place: number;
   readonly uvs?: UvPlacement;
 }
 
 /** The triangles of a part; `worn`: by place among the file's materials. */
-export function meshOf(geometry: ObjGeometry, part: ObjPart, worn: readonly Worn[]): Mesh {
+export function meshOf(geometry: ObjGeometry, part: ObjPart, faceMaterials: readonly FaceMaterial[]): Mesh {
   const corners = part.corners.values();
   const own = ownPoints(geometry, corners);
   const faces = { points: own.points, faceCounts: part.counts.values(), faceIndices: own.indices };
-  const uvs = cornerUvs(geometry, part, corners, worn);
+  const uvs = cornerUvs(geometry, part, corners, faceMaterials);
   const polygons: Polygons = {
     ...faces,
     normals: { per: 'corner', values: allNormals(geometry, part, corners, faces) },
     ...(uvs && { uvs: { per: 'corner', values: uvs } }),
     ...(own.colors && { colors: { per: 'point', values: own.colors } }),
-    faceMaterials: part.materials.values().map((material) => worn[material].place),
+    faceMaterials: part.materials.values().map((material) => faceMaterials[material].place),
     // The format does not say which side is the outside, and its files do not agree.
     doubleSided: true,
   };
@@ -59,7 +59,7 @@ function cornerUvs(
   { uvs }: ObjGeometry,
   part: ObjPart,
   corners: Int32Array,
-  worn: readonly Worn[],
+  worn: readonly FaceMaterial[],
 ): Float32Array | undefined {
   if (uvs.length === 0) return undefined;
   const [from, materials] = [uvs.values(), part.materials.values()];

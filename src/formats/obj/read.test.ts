@@ -3,10 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { sceneSoup, threeSoup } from '../../../tests/support/threeSoup.ts';
 import { random } from '../../math/random.ts';
 import { distance } from '../../math/vec3.ts';
-import { pointAt } from '../../scene/polygons.ts';
+import { pointAt } from '../../scene/mesh/polygons.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
-import { encodePng } from '../png.ts';
-import { memorySource } from '../source.ts';
+import { memorySource } from '../files/fileSource.ts';
+import { encodePng } from '../image/encodePng.ts';
 import { readObj } from './index.ts';
 
 const text = (value: string): Uint8Array => new TextEncoder().encode(value);

@@ -1,12 +1,12 @@
 import type { Material, Scene } from '../../scene/types.ts';
-import { inputError } from '../fail.ts';
-import { Notes } from '../notes.ts';
-import { plainScene } from '../plainScene.ts';
-import type { FileSource } from '../source.ts';
-import { lineError, type ObjContext, type Statement } from './context.ts';
+import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
+import { inputError } from '../diagnostics/inputError.ts';
+import type { FileSource } from '../files/fileSource.ts';
+import { meshScene } from '../read/meshScene.ts';
+import { lineError, type ObjContext, type ObjStatement } from './context.ts';
 import { ObjGeometry } from './geometry.ts';
-import { MaterialLibrary } from './materials.ts';
-import { meshOf, type Worn } from './meshes.ts';
+import { ObjMaterialLibrary } from './materials.ts';
+import { type FaceMaterial, meshOf } from './meshes.ts';
 import { statements } from './statements.ts';
 
 /** Most kinds of statements that are passed over: the format itself has fewer. */
@@ -19,10 +19,10 @@ const MAX_UNREAD = 100;
 export async function readObj(source: FileSource, entry: string): Promise<Scene> {
   const bytes = await source.read(entry);
   if (!bytes) throw inputError('file.missing', entry, 'no such file');
-  const context: ObjContext = { source, entry, notes: new Notes(entry) };
+  const context: ObjContext = { source, entry, notes: new DiagnosticLog(entry) };
   const geometry = new ObjGeometry(entry);
-  const library = new MaterialLibrary(context);
-  const unread = new Map<string, Statement>();
+  const library = new ObjMaterialLibrary(context);
+  const unread = new Map<string, ObjStatement>();
   for (const statement of statements(bytes, entry)) {
     if (statement.keyword === 'mtllib') await library.load(statement);
     else if (!apply(geometry, statement) && !unread.has(statement.keyword)) unread.set(statement.keyword, statement);
@@ -32,13 +32,13 @@ export async function readObj(source: FileSource, entry: string): Promise<Scene>
   }
   geometry.checkIndices();
   noteUnread(context, unread);
-  const { materials, worn } = await wear(geometry, library);
+  const { materials, worn } = await readMaterials(geometry, library);
   const meshes = geometry.parts.map((part) => ({ name: part.name, mesh: meshOf(geometry, part, worn) }));
-  return plainScene(entry, meshes, materials, context.notes);
+  return meshScene(entry, meshes, materials, context.notes);
 }
 
 /** Whether the statement is one that is read. */
-function apply(geometry: ObjGeometry, statement: Statement): boolean {
+function apply(geometry: ObjGeometry, statement: ObjStatement): boolean {
   const { keyword, rest, words } = statement;
   if (keyword === 'v') geometry.addPoint(statement);
   else if (keyword === 'vt') geometry.addUv(statement);
@@ -63,7 +63,7 @@ const UNREAD: ReadonlyMap<string, string> = new Map([
 const SILENT =
   /^(cstype|deg|bmat|step|parm|trim|hole|scrv|sp|end|con|mg|vp|bevel|c_interp|d_interp|lod|shadow_obj|trace_obj|ctech|stech|usemap|maplib)$/;
 
-function noteUnread({ notes }: ObjContext, unread: ReadonlyMap<string, Statement>): void {
+function noteUnread({ notes }: ObjContext, unread: ReadonlyMap<string, ObjStatement>): void {
   for (const [keyword, { line }] of unread) {
     const what = UNREAD.get(keyword);
     if (what) notes.add('warning', 'obj.ignored', `line ${line}`, `${what} not shown (${keyword}, first on this line)`);
@@ -77,9 +77,12 @@ function noteUnread({ notes }: ObjContext, unread: ReadonlyMap<string, Statement
   }
 }
 
-async function wear(geometry: ObjGeometry, library: MaterialLibrary): Promise<{ materials: Material[]; worn: Worn[] }> {
+async function readMaterials(
+  geometry: ObjGeometry,
+  library: ObjMaterialLibrary,
+): Promise<{ materials: Material[]; worn: FaceMaterial[] }> {
   const materials: Material[] = [];
-  const worn: Worn[] = [];
+  const worn: FaceMaterial[] = [];
   for (const name of geometry.materials) {
     const { material, uvs } = await library.read(name);
     worn.push(uvs ? { place: worn.length, uvs } : { place: worn.length });

@@ -1,8 +1,8 @@
-import { textLines } from '../textLines.ts';
-import type { Statement } from './context.ts';
+import { textLines } from '../files/textLines.ts';
+import type { ObjStatement } from './context.ts';
 
 /** The statements of an .obj or .mtl: comments and empty lines left out, lines that end in a backslash joined with the next. */
-export function* statements(bytes: Uint8Array, file: string): Generator<Statement> {
+export function* statements(bytes: Uint8Array, file: string): Generator<ObjStatement> {
   let held = '';
   let first = 0;
   for (const { number, text } of textLines(bytes, file)) {
@@ -19,7 +19,7 @@ export function* statements(bytes: Uint8Array, file: string): Generator<Statemen
   if (last) yield last;
 }
 
-function statementOf(line: number, text: string): Statement | undefined {
+function statementOf(line: number, text: string): ObjStatement | undefined {
   const hash = text.indexOf('#');
   const plain = (hash >= 0 ? text.slice(0, hash) : text).trim();
   if (plain === '') return undefined;

@@ -5,9 +5,9 @@ import { describe, expect, it } from 'vitest';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { distance } from '../../math/vec3.ts';
 import { makeMaterial, makeObject, makeScene } from '../../scene/defaults.ts';
-import { vertexPosition } from '../../scene/motion.ts';
-import { box, sphere } from '../../scene/primitives.ts';
-import { decodeImage } from '../images.ts';
+import { box, sphere } from '../../scene/mesh/primitives.ts';
+import { vertexPosition } from '../../scene/motion/motion.ts';
+import { decodeImage } from '../image/decodeImage.ts';
 import { writeObj } from './write.ts';
 
 const cube = box([1, 2, 3]);

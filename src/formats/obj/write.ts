@@ -1,23 +1,23 @@
 import { rotate } from '../../math/quat.ts';
 import { add, type Vec3 } from '../../math/vec3.ts';
 import type { Material, Mesh, Pose, Scene, Texture, TextureChannel } from '../../scene/types.ts';
-import { asRed } from '../channelPicture.ts';
-import { Notes } from '../notes.ts';
-import { encodePng } from '../png.ts';
-import { plainObjects, posesOf, type Written, yUp } from '../written.ts';
+import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
+import { redTexture } from '../image/channelTexture.ts';
+import { encodePng } from '../image/encodePng.ts';
+import { type ExportedScene, exportObjects, exportPoses, vectorYUp } from '../write/exportMotion.ts';
 
 /**
  * A scene as Wavefront OBJ with its MTL and textures, in metres with Y up. OBJ holds shapes alone: what moves is written
  * where it is at its first sample, and what is lost is said.
  */
-export function writeObj(scene: Scene, name: string): Written {
-  const losses = new Notes(name);
+export function writeObj(scene: Scene, name: string): ExportedScene {
+  const losses = new DiagnosticLog(name);
   const base = name.replace(/\.[^.]*$/, '');
-  const library = new MaterialLibrary(scene.materials, base);
+  const library = new MtlWriter(scene.materials, base);
   // Counts from 1, through all objects.
   let first = 1;
   const parts = [['# Y up, metres', `mtllib ${base}.mtl`]];
-  for (const { path, mesh, motion } of plainObjects(scene, losses)) {
+  for (const { path, mesh, motion } of exportObjects(scene, losses)) {
     if (motion.kind !== 'static')
       losses.add(
         'warning',
@@ -26,7 +26,7 @@ export function writeObj(scene: Scene, name: string): Written {
         `OBJ has no motion: it is written where it is at ${motion.times[0]} s`,
       );
     const name = path.replace(/^\//, '').replace(/\s/g, '_');
-    parts.push([`o ${name}`], vertexLines(scene, mesh, posesOf(motion)[0]), faceLines(mesh, first, library));
+    parts.push([`o ${name}`], vertexLines(scene, mesh, exportPoses(motion)[0]), faceLines(mesh, first, library));
     first += mesh.positions.length / 3;
   }
   if (Object.keys(scene.hints).length > 0)
@@ -46,15 +46,15 @@ function vertexLines(scene: Scene, { positions, normals, uvs, colors }: Mesh, po
   const at = (values: Float32Array, i: number): Vec3 => [values[i], values[i + 1], values[i + 2]];
   const [v, vt, vn]: string[][] = [[], [], []];
   for (let i = 0; i < positions.length; i += 3) {
-    const p = yUp(scene, add(pose.position, rotate(pose.orientation, at(positions, i))));
+    const p = vectorYUp(scene, add(pose.position, rotate(pose.orientation, at(positions, i))));
     v.push(`v ${numbers(p)}${colors ? ` ${numbers(at(colors, i))}` : ''}`);
-    vn.push(`vn ${numbers(yUp(scene, rotate(pose.orientation, at(normals, i))))}`);
+    vn.push(`vn ${numbers(vectorYUp(scene, rotate(pose.orientation, at(normals, i))))}`);
     vt.push(`vt ${numbers([uvs[(2 * i) / 3], uvs[(2 * i) / 3 + 1]])}`);
   }
   return [...v, ...vt, ...vn];
 }
 
-function faceLines({ indices, groups }: Mesh, first: number, library: MaterialLibrary): string[] {
+function faceLines({ indices, groups }: Mesh, first: number, library: MtlWriter): string[] {
   return groups.flatMap(({ start, count, material }) => {
     const lines = [`usemtl ${library.name(material)}`];
     for (let i = start; i < start + count; i += 3) {
@@ -69,7 +69,7 @@ function faceLines({ indices, groups }: Mesh, first: number, library: MaterialLi
 const numbers = (values: readonly number[]): string => values.map((x) => Number(x.toPrecision(9))).join(' ');
 
 /** Materials with names of their own, and the pictures that they name. */
-class MaterialLibrary {
+class MtlWriter {
   private readonly materials: readonly Material[];
   private readonly base: string;
   private readonly names: readonly string[];
@@ -113,7 +113,7 @@ class MaterialLibrary {
   /** A picture of numbers is read from its red: what comes from elsewhere is written apart. */
   private channel(keyword: string, from: TextureChannel | undefined): string[] {
     if (!from) return [];
-    const values = this.reds.get(from) ?? asRed(from);
+    const values = this.reds.get(from) ?? redTexture(from);
     this.reds.set(from, values);
     return [`${keyword} ${this.file(values)}`];
   }

@@ -1,4 +1,4 @@
-import { inputError } from '../fail.ts';
+import { inputError } from '../diagnostics/inputError.ts';
 
 /** Scalar types by all their names, with their size [bytes]. */
 const TYPES = new Map([
@@ -62,65 +62,63 @@ export function readHeader(bytes: Uint8Array, entry: string): PlyHeader {
 }
 
 class HeaderBuilder {
-  readonly #fail: (line: number, message: string) => Error;
-  readonly #elements: { name: string; rows: number; properties: Property[] }[] = [];
-  #format: PlyHeader['format'] | undefined;
-  #texture: string | undefined;
+  private readonly fail: (line: number, message: string) => Error;
+  private readonly elements: { name: string; rows: number; properties: Property[] }[] = [];
+  private format: PlyHeader['format'] | undefined;
+  private texture: string | undefined;
   constructor(fail: (line: number, message: string) => Error) {
-    this.#fail = fail;
+    this.fail = fail;
   }
 
   read(line: number, text: string): void {
     const words = text.split(/\s+/);
-    if (words[0] === 'format') this.#readFormat(line, words);
-    else if (words[0] === 'element') this.#readElement(line, words);
-    else if (words[0] === 'property') this.#readProperty(line, words);
-    else if (words[0] === 'comment') this.#texture ??= /^comment\s+TextureFile\s+(.+)$/i.exec(text)?.[1];
+    if (words[0] === 'format') this.readFormat(line, words);
+    else if (words[0] === 'element') this.readElement(line, words);
+    else if (words[0] === 'property') this.readProperty(line, words);
+    else if (words[0] === 'comment') this.texture ??= /^comment\s+TextureFile\s+(.+)$/i.exec(text)?.[1];
     else if (words[0] !== 'obj_info' && text !== '')
-      throw this.#fail(line, `${words[0].slice(0, 40)} is not known in a header`);
+      throw this.fail(line, `${words[0].slice(0, 40)} is not known in a header`);
   }
 
   finish(): Omit<PlyHeader, 'end' | 'endLine'> {
-    if (!this.#format) throw this.#fail(2, 'its header has no format');
+    if (!this.format) throw this.fail(2, 'its header has no format');
     return {
-      format: this.#format,
-      elements: this.#elements,
-      ...(this.#texture !== undefined && { texture: this.#texture }),
+      format: this.format,
+      elements: this.elements,
+      ...(this.texture !== undefined && { texture: this.texture }),
     };
   }
 
-  #readFormat(line: number, [, format, version]: readonly string[]): void {
+  private readFormat(line: number, [, format, version]: readonly string[]): void {
     const isKnown = format === 'ascii' || format === 'binary_little_endian' || format === 'binary_big_endian';
-    if (!isKnown || version !== '1.0') throw this.#fail(line, `the format ${format} ${version} is not known`);
-    this.#format = format;
+    if (!isKnown || version !== '1.0') throw this.fail(line, `the format ${format} ${version} is not known`);
+    this.format = format;
   }
 
-  #readElement(line: number, [, name, count]: readonly string[]): void {
+  private readElement(line: number, [, name, count]: readonly string[]): void {
     const rows = /^\d{1,15}$/.test(count ?? '') ? Number(count) : Number.NaN;
-    if (!name || Number.isNaN(rows))
-      throw this.#fail(line, `an element needs a name and a count, not ${name} ${count}`);
-    if (this.#elements.some((element) => element.name === name))
-      throw this.#fail(line, `the element ${name} comes twice`);
-    if (this.#elements.length >= MAX_PROPERTIES)
-      throw this.#fail(line, `there are more than ${MAX_PROPERTIES} elements`);
-    this.#elements.push({ name, rows, properties: [] });
+    if (!name || Number.isNaN(rows)) throw this.fail(line, `an element needs a name and a count, not ${name} ${count}`);
+    if (this.elements.some((element) => element.name === name))
+      throw this.fail(line, `the element ${name} comes twice`);
+    if (this.elements.length >= MAX_PROPERTIES) throw this.fail(line, `there are more than ${MAX_PROPERTIES} elements`);
+    this.elements.push({ name, rows, properties: [] });
   }
 
-  #readProperty(line: number, words: readonly string[]): void {
-    const properties = this.#elements.at(-1)?.properties;
-    if (!properties) throw this.#fail(line, 'a property comes before the first element');
+  private readProperty(line: number, words: readonly string[]): void {
+    const properties = this.elements.at(-1)?.properties;
+    if (!properties) throw this.fail(line, 'a property comes before the first element');
     if (properties.length >= MAX_PROPERTIES)
-      throw this.#fail(line, `an element has more than ${MAX_PROPERTIES} properties`);
+      throw this.fail(line, `an element has more than ${MAX_PROPERTIES} properties`);
     const isList = words[1] === 'list';
     const name = words[isList ? 4 : 2];
-    const type = this.#type(line, words[isList ? 3 : 1]);
-    if (!name) throw this.#fail(line, 'a property has no name');
-    properties.push(isList ? { name, type, count: this.#type(line, words[2]) } : { name, type });
+    const type = this.type(line, words[isList ? 3 : 1]);
+    if (!name) throw this.fail(line, 'a property has no name');
+    properties.push(isList ? { name, type, count: this.type(line, words[2]) } : { name, type });
   }
 
-  #type(line: number, name: string | undefined): ScalarType {
+  private type(line: number, name: string | undefined): ScalarType {
     const type = TYPES.get(name as 'int') ?? name ?? '';
     if (Object.hasOwn(SIZES, type)) return type as ScalarType;
-    throw this.#fail(line, `the type ${name} is not known`);
+    throw this.fail(line, `the type ${name} is not known`);
   }
 }

@@ -4,8 +4,8 @@ import { describe, expect, it } from 'vitest';
 import { sceneSoup, threeSoup } from '../../../tests/support/threeSoup.ts';
 import { random } from '../../math/random.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
-import { encodePng } from '../png.ts';
-import { memorySource } from '../source.ts';
+import { memorySource } from '../files/fileSource.ts';
+import { encodePng } from '../image/encodePng.ts';
 import { readPly } from './index.ts';
 
 type Format = 'ascii' | 'binary_little_endian' | 'binary_big_endian';

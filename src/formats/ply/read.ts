@@ -1,16 +1,16 @@
 import { makeMaterial } from '../../scene/defaults.ts';
-import { makeMesh } from '../../scene/geometry.ts';
-import type { PolygonValues } from '../../scene/polygons.ts';
+import { makeMesh } from '../../scene/mesh/makeMesh.ts';
+import type { PolygonValues } from '../../scene/mesh/polygons.ts';
 import { InputError, type Material, type Mesh, type Scene, type Texture } from '../../scene/types.ts';
-import { inputError } from '../fail.ts';
-import { decodeImage } from '../images.ts';
-import { missingTexture } from '../missing.ts';
-import { Notes } from '../notes.ts';
-import { plainScene } from '../plainScene.ts';
-import { type FileSource, resolvePath } from '../source.ts';
+import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
+import { inputError } from '../diagnostics/inputError.ts';
+import { missingTexture } from '../diagnostics/missingFiles.ts';
+import { type FileSource, resolvePath } from '../files/fileSource.ts';
+import { decodeImage } from '../image/decodeImage.ts';
+import { meshScene } from '../read/meshScene.ts';
 import { type PlyContents, readContents } from './contents.ts';
 import { readHeader } from './header.ts';
-import { valueReader } from './rows.ts';
+import { plyValueReader } from './valueReader.ts';
 
 /** Faces without normals that meet at less than this are smooth [rad], as those of USD are. */
 const SMOOTH_ANGLE = Math.PI / 3;
@@ -22,16 +22,16 @@ const SMOOTH_ANGLE = Math.PI / 3;
 export async function readPly(source: FileSource, entry: string): Promise<Scene> {
   const bytes = await source.read(entry);
   if (!bytes) throw inputError('file.missing', entry, 'no such file');
-  const notes = new Notes(entry);
+  const notes = new DiagnosticLog(entry);
   const header = readHeader(bytes, entry);
-  const contents = readContents(header, valueReader(bytes, header, entry), entry);
+  const contents = readContents(header, plyValueReader(bytes, header, entry), entry);
   const mesh = meshOf(contents, notes);
-  if (!mesh) return plainScene(entry, [], [], notes);
+  if (!mesh) return meshScene(entry, [], [], notes);
   const texture = header.texture === undefined ? undefined : await readTexture(source, entry, header.texture, notes);
-  return plainScene(entry, [{ name: '', mesh }], [materialOf(texture, contents)], notes);
+  return meshScene(entry, [{ name: '', mesh }], [materialOf(texture, contents)], notes);
 }
 
-function meshOf(contents: PlyContents, notes: Notes): Mesh | undefined {
+function meshOf(contents: PlyContents, notes: DiagnosticLog): Mesh | undefined {
   const { points, normals, colors, faceColors } = contents;
   if (contents.faceCounts.length === 0) {
     notes.add('warning', 'ply.points', '', `its ${points.length / 3} points have no faces; points are not shown`);
@@ -75,7 +75,7 @@ async function readTexture(
   source: FileSource,
   entry: string,
   name: string,
-  notes: Notes,
+  notes: DiagnosticLog,
 ): Promise<Texture | undefined> {
   const path = resolvePath(entry, name);
   const bytes = await source.read(path);

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../math/vec3.ts';
-import { formatBytes, inputError } from '../fail.ts';
-import type { Notes } from '../notes.ts';
+import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
+import { formatBytes, inputError } from '../diagnostics/inputError.ts';
 import { type Facets, facetNormal, isTurned } from './facets.ts';
 
 /** Bytes before the facets: a text of 80, and how many there are. */
@@ -9,7 +9,7 @@ const HEADER = 84;
 const FACET = 50;
 
 /** Whether the bytes are a binary STL. Some of these begin with `solid` as texts do, but then their size is exact. */
-export function isBinary(bytes: Uint8Array): boolean {
+export function isBinaryStl(bytes: Uint8Array): boolean {
   const start = new TextDecoder().decode(bytes.subarray(0, 512));
   if (!/^\s*solid\b/i.test(start)) return true;
   return bytes.length >= HEADER && bytes.length === HEADER + FACET * countOf(bytes);
@@ -18,7 +18,7 @@ export function isBinary(bytes: Uint8Array): boolean {
 const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 const countOf = (bytes: Uint8Array): number => viewOf(bytes).getUint32(80, true);
 
-export function readBinary(bytes: Uint8Array, entry: string, notes: Notes): Facets {
+export function readBinaryStl(bytes: Uint8Array, entry: string, notes: DiagnosticLog): Facets {
   if (bytes.length < HEADER) {
     const message = `of ${bytes.length} bytes is neither text (it does not begin with solid) nor long enough for a binary STL; copy it again`;
     throw inputError('stl.truncated', entry, message);

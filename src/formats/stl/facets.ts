@@ -1,5 +1,5 @@
 import { cross, dot, normalize, sub, type Vec3 } from '../../math/vec3.ts';
-import { pointAt } from '../../scene/polygons.ts';
+import { pointAt } from '../../scene/mesh/polygons.ts';
 import type { Mesh } from '../../scene/types.ts';
 
 /** The facets of one solid. */

@@ -3,10 +3,10 @@ import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { describe, expect, it } from 'vitest';
 import { area, openEdges, volume } from '../../../tests/support/meshes.ts';
 import { sceneSoup, threeSoup } from '../../../tests/support/threeSoup.ts';
-import { pointAt } from '../../scene/polygons.ts';
-import { box } from '../../scene/primitives.ts';
+import { pointAt } from '../../scene/mesh/polygons.ts';
+import { box } from '../../scene/mesh/primitives.ts';
 import { InputError, type Mesh, type Scene } from '../../scene/types.ts';
-import { memorySource } from '../source.ts';
+import { memorySource } from '../files/fileSource.ts';
 import { readStl } from './index.ts';
 
 const encode = (value: string): Uint8Array => new TextEncoder().encode(value);
@@ -75,8 +75,8 @@ describe('STL', () => {
   });
 
   it('says what it leaves out, and what does not fit together', async () => {
-    const coloured = binaryStl(BOX, 'COLOR=rgba');
-    const longer = new Uint8Array([...coloured, 1, 2, 3]);
+    const colored = binaryStl(BOX, 'COLOR=rgba');
+    const longer = new Uint8Array([...colored, 1, 2, 3]);
     const turned = encode(
       textStl(BOX).replace(/normal (\S+) (\S+) (\S+)/g, (_, x, y, z) => `normal ${-x} ${-y} ${-z}`),
     );

@@ -1,5 +1,5 @@
-export type * from './layer.ts';
-export { parseLayer } from './parser.ts';
+export type * from './layer/layer.ts';
 export { readUsd } from './read.ts';
 export { readLayer } from './readLayer.ts';
-export { writeTextures, writeUsda, writeUsdz } from './write.ts';
+export { parseLayer } from './text/parser.ts';
+export { writeTextures, writeUsda, writeUsdz } from './write/writeUsd.ts';

@@ -3,7 +3,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { InputError, type Scene } from '../../scene/types.ts';
-import { memorySource } from '../source.ts';
+import { memorySource } from '../files/fileSource.ts';
 import { readUsd } from './read.ts';
 
 const readText = (body: string, header = 'metersPerUnit = 0.5'): Promise<Scene> => {

@@ -1,19 +1,19 @@
-import { RefinementBudget } from '../../scene/refine.ts';
+import { SamplingBudget } from '../../scene/motion/adaptiveSampling.ts';
 import type { Diagnostic, MissingFile, Scene } from '../../scene/types.ts';
-import { inputError } from '../fail.ts';
-import { DiagnosticList } from '../notes.ts';
+import { DiagnosticList } from '../diagnostics/diagnosticLog.ts';
+import { inputError } from '../diagnostics/inputError.ts';
+import type { FileSource } from '../files/fileSource.ts';
 import type { ReadOptions } from '../registry.ts';
-import type { FileSource } from '../source.ts';
-import { AssetFiles } from './compose/assets.ts';
-import { LayerStore } from './compose/layerStore.ts';
-import type { VariantChoice } from './compose/session.ts';
-import { type ComposedStage, composeStage } from './compose/stage.ts';
-import { metadataNumber, report, type StageContext, upAxisOf } from './context.ts';
-import type { Layer } from './layer.ts';
+import { AssetFiles } from './assets/assetFiles.ts';
+import { type ComposedStage, composeStage } from './compose/composeStage.ts';
+import { LayerStore } from './compose/layers/layerStore.ts';
+import type { VariantSelection } from './compose/sessionLayer.ts';
+import type { Layer } from './layer/layer.ts';
 import { readLayer } from './readLayer.ts';
-import { SampleBudget } from './sampleBudget.ts';
-import { hintsOf } from './slowlight.ts';
-import { readStage, type StageContents } from './stage.ts';
+import { metadataNumber, report, type StageContext, upAxisOf } from './schema/context.ts';
+import { SampleBudget } from './schema/sampleBudget.ts';
+import { hintsOf } from './schema/slowlightAttributes.ts';
+import { readStage, type StageContents } from './schema/stageReader.ts';
 
 /** Distance between a resampled path and the true one, as a fraction of the object's greatest size, where none is asked for. */
 export const CHORD_TOLERANCE = 1e-4;
@@ -22,12 +22,12 @@ export const BEND_TOLERANCE = 1e-3;
 /** For all deforming meshes of a scene together [bytes]: a small file can ask for any number of samples of a large mesh. */
 export const POINT_BUDGET = 2 ** 30;
 
-export const MOST_LEVELS = 8;
+export const MAX_SUBDIVISION_LEVELS = 8;
 
 /** For the samples of deforming meshes that could as well stay in their file [bytes]. */
 export const SAMPLE_MEMORY = 2 ** 28;
 /** In a file a mesh takes at least such a part of what it takes in memory: three halves a point, not six floats. */
-const LEAST_PART = 4;
+const MIN_STORED_RATIO = 4;
 
 /** For the paths of all moving things together [ops]: about half a second. */
 const MOTION_BUDGET = 2 ** 18;
@@ -39,38 +39,38 @@ const MOTION_BUDGET = 2 ** 18;
 export async function readUsd(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
   const diagnostics = new DiagnosticList();
   const sampleMemory = options.sampleMemory ?? SAMPLE_MEMORY;
-  const files = new AssetFiles(source, entry, sampleMemory / LEAST_PART);
+  const files = new AssetFiles(source, entry, sampleMemory / MIN_STORED_RATIO);
   const content = await files.content(entry);
   if (!content) throw inputError('file.missing', entry, 'no such file');
   const store = new LayerStore(files, readLayer);
   const root = await store.root(entry, content);
   const stage = await composeStage(store, root, diagnostics, {
-    variants: choicesIn(options.variants),
+    variants: variantSelections(options.variants),
     fallbacks: options.variantFallbacks,
   });
   const context = contextOf(stage.layer, files, diagnostics, { ...options, sampleMemory });
   const contents = await readStage(context);
-  noteSubdivision(context);
+  reportSubdivision(context);
   const { error } = context.motionBudget;
   return {
     ...sceneHeader(context, entry),
     ...timeRange(context, contents),
     ...contents,
-    diagnostics: diagnostics.list.map((one) => naming(one, store.missing)),
+    diagnostics: diagnostics.list.map((one) => withMissingFile(one, store.missing)),
     ...variantsIn(stage),
     ...(error !== undefined && { pathError: error }),
   };
 }
 
 /** What is said of a layer that is not there, with the file that was asked for. */
-function naming(diagnostic: Diagnostic, layers: ReadonlyMap<string, MissingFile>): Diagnostic {
+function withMissingFile(diagnostic: Diagnostic, layers: ReadonlyMap<string, MissingFile>): Diagnostic {
   if (diagnostic.code !== 'usd.missing-layer') return diagnostic;
   const missing = layers.get(diagnostic.message.slice(diagnostic.message.indexOf('@')));
   return missing ? { ...diagnostic, missing } : diagnostic;
 }
 
 /** `/World/Car{paint}` is how a scene calls the set `paint` of the prim `/World/Car`. */
-function choicesIn(variants: ReadOptions['variants'] = new Map()): VariantChoice[] {
+function variantSelections(variants: ReadOptions['variants'] = new Map()): VariantSelection[] {
   return [...variants].map(([key, variant]) => {
     const [, path, set] = /^(.*)\{(.*)\}$/.exec(key) ?? ['', key, ''];
     return { path, set, variant };
@@ -105,7 +105,7 @@ function contextOf(
     sampleBudget: new SampleBudget(layer),
     sampleMemory: { bytes: options.sampleMemory },
     progress: options.progress ?? (() => {}),
-    motionBudget: new RefinementBudget(MOTION_BUDGET),
+    motionBudget: new SamplingBudget(MOTION_BUDGET),
     subdivision: options.subdivision === undefined ? {} : { wanted: levelsWanted(options.subdivision) },
     subdivided: [],
   };
@@ -121,7 +121,7 @@ function contextOf(
 }
 
 /** Whole, and not so many that a single face would be more than a scene has. */
-const levelsWanted = (levels: number): number => Math.max(0, Math.min(MOST_LEVELS, Math.floor(levels) || 0));
+const levelsWanted = (levels: number): number => Math.max(0, Math.min(MAX_SUBDIVISION_LEVELS, Math.floor(levels) || 0));
 
 function sceneHeader(context: StageContext, entry: string) {
   return {
@@ -148,7 +148,7 @@ function timeRange(context: StageContext, { objects, cameras }: StageContents) {
   return { startTime, endTime: Math.max(startTime, endTime) };
 }
 
-function noteSubdivision(context: StageContext): void {
+function reportSubdivision(context: StageContext): void {
   const [first, ...rest] = context.subdivided;
   if (first === undefined) return;
   const message =

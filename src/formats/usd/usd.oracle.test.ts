@@ -3,15 +3,15 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
-import { hasUsdCore, python } from '../../../tests/usdCore.ts';
-import { vertexPosition } from '../../scene/motion.ts';
-import { sphere } from '../../scene/primitives.ts';
+import { hasUsdCore, python } from '../../../tests/support/pythonOracles.ts';
+import { sphere } from '../../scene/mesh/primitives.ts';
+import { vertexPosition } from '../../scene/motion/motion.ts';
 import type { Mesh, Scene, SceneObject } from '../../scene/types.ts';
-import { memorySource } from '../source.ts';
+import { memorySource } from '../files/fileSource.ts';
 import { layerJson } from './fixtures/layerJson.ts';
-import { parseLayer } from './parser.ts';
 import { readUsd } from './read.ts';
-import { writeUsda, writeUsdz } from './write.ts';
+import { parseLayer } from './text/parser.ts';
+import { writeUsda, writeUsdz } from './write/writeUsd.ts';
 
 const fixture = (name: string): string => fileURLToPath(new URL(`./fixtures/${name}`, import.meta.url));
 

@@ -1,8 +1,8 @@
-import { formatBytes, inputError } from '../fail.ts';
-import { normalizePath } from '../source.ts';
+import { formatBytes, inputError } from '../diagnostics/inputError.ts';
+import { normalizePath } from '../files/fileSource.ts';
 
 /** A file of which parts can be read: on disk, in a browser, in memory. */
-export interface PartedFile {
+export interface RandomAccessFile {
   /** [bytes] */
   readonly size: number;
   /** The bytes from `from` up to `to`; both lie in the file. */
@@ -43,7 +43,7 @@ const BOMB_RATIO = 200;
  * The files of a zip archive, of which only the directory is read. Throws an InputError where it is damaged, encrypted or too
  * large, where a name leads out of it or is there twice, and where files share their bytes, as bombs do.
  */
-export async function readZipDirectory(file: PartedFile, name: string): Promise<ZipEntry[]> {
+export async function readZipDirectory(file: RandomAccessFile, name: string): Promise<ZipEntry[]> {
   const from = Math.max(0, file.size - TAIL);
   const { count, start, size } = directoryPlace(await file.read(from, file.size), from, name);
   return entriesIn(await file.read(start, start + size), count, file.size, name);

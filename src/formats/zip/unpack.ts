@@ -1,13 +1,13 @@
 import { Inflate } from 'fflate';
-import { crc32 } from '../crc32.ts';
-import { inputError, messageOf } from '../fail.ts';
-import { dataStart, LOCAL_SIZE, type PartedFile, type ZipEntry } from './directory.ts';
+import { inputError, messageOf } from '../diagnostics/inputError.ts';
+import { crc32 } from '../files/crc32.ts';
+import { dataStart, LOCAL_SIZE, type RandomAccessFile, type ZipEntry } from './directory.ts';
 
 /** What is inflated at a time [bytes]: of a file that holds more than it says not much more is made than this, 1032-fold. */
 const PORTION = 2 ** 14;
 
 /** The bytes of one file of an archive. Throws an InputError where they are not what the directory says. */
-export async function unpack(archive: PartedFile, entry: ZipEntry, name: string): Promise<Uint8Array> {
+export async function unpack(archive: RandomAccessFile, entry: ZipEntry, name: string): Promise<Uint8Array> {
   const { path, method, packed, size, crc, offset } = entry;
   const fail = (message: string, cause?: unknown): never => {
     throw inputError('zip.damaged', name, `${path} in it ${message}; copy or pack it again`, cause);

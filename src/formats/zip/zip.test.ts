@@ -2,9 +2,9 @@ import fc from 'fast-check';
 import { zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { entryOf } from '../entry.ts';
-import { memorySource } from '../source.ts';
+import { memorySource } from '../files/fileSource.ts';
 import { readZipDirectory } from './directory.ts';
-import { bytesFile, splitArchive, zipSource } from './source.ts';
+import { memoryFile, splitArchive, zipSource } from './zipSource.ts';
 
 const text = (words: string) => new TextEncoder().encode(words);
 const FILES = {
@@ -12,7 +12,7 @@ const FILES = {
   'set/tex/wood.png': text('wood'),
   '__MACOSX/set/._scene.usda': text('fork'),
 };
-const opened = (bytes: Uint8Array, around = {}) => zipSource(bytesFile(bytes), 'set.zip', memorySource(around));
+const opened = (bytes: Uint8Array, around = {}) => zipSource(memoryFile(bytes), 'set.zip', memorySource(around));
 
 /** A copy with a number of two or four bytes set at a place. */
 function with2(bytes: Uint8Array, at: number, value: number): Uint8Array {

@@ -1,48 +1,58 @@
-import type { Command, Point } from '../commands.ts';
-import { type GraphDocument, graphIn, own } from '../document.ts';
-import { inside, type Selection } from './fragment.ts';
+import { type GraphDocument, graphIn, own } from '../document/document.ts';
+import type { CanvasPoint, Command } from './commands.ts';
+import { type GraphSelection, insideGroup } from './fragment.ts';
 
 /** What of the nodes comes into line. */
 export type Alignment = 'left' | 'center' | 'right' | 'top' | 'middle' | 'bottom';
 
 /** A node where it stands, with its size on the canvas [px]. */
-interface Box {
+interface NodeBox {
   readonly node: string;
-  readonly at: Point;
-  readonly size: Point;
+  readonly at: CanvasPoint;
+  readonly size: CanvasPoint;
 }
 
 /** Width and height of a node on the canvas [px]. */
-export type SizeOf = (node: string) => Point;
+export type SizeOf = (node: string) => CanvasPoint;
 
 /** Brings the chosen nodes into line with the outermost of them, or with their middle. */
-export function alignmentOf(document: GraphDocument, selection: Selection, to: Alignment, sizeOf: SizeOf): Command {
-  const boxes = boxesOf(document, selection, sizeOf);
+export function alignCommand(
+  document: GraphDocument,
+  selection: GraphSelection,
+  to: Alignment,
+  sizeOf: SizeOf,
+): Command {
+  const boxes = nodeBoxes(document, selection, sizeOf);
   const axis = to === 'left' || to === 'center' || to === 'right' ? 0 : 1;
   // How far along its size the line goes through each: 0, ½, 1.
   const share = to === 'left' || to === 'top' ? 0 : to === 'center' || to === 'middle' ? 0.5 : 1;
   const low = Math.min(...boxes.map(({ at }) => at[axis]));
   const high = Math.max(...boxes.map(({ at, size }) => at[axis] + size[axis]));
   const line = low + share * (high - low);
-  return moved(selection, boxes, axis, ({ size }) => Math.round(line - share * size[axis]));
+  return moveCommand(selection, boxes, axis, ({ size }) => Math.round(line - share * size[axis]));
 }
 
 /** Spaces the chosen nodes evenly, the outermost where they are. */
-export function distributionOf(document: GraphDocument, selection: Selection, axis: 0 | 1, sizeOf: SizeOf): Command {
-  const boxes = boxesOf(document, selection, sizeOf).sort((a, b) => a.at[axis] - b.at[axis]);
+export function distributeCommand(
+  document: GraphDocument,
+  selection: GraphSelection,
+  axis: 0 | 1,
+  sizeOf: SizeOf,
+): Command {
+  const boxes = nodeBoxes(document, selection, sizeOf).sort((a, b) => a.at[axis] - b.at[axis]);
   const [first, last] = [boxes[0], boxes.at(-1)];
   if (!first || !last || first === last) return { kind: 'batch', commands: [] };
   const filled = boxes.reduce((sum, { size }) => sum + size[axis], 0);
   const gap = (last.at[axis] + last.size[axis] - first.at[axis] - filled) / (boxes.length - 1);
   let next = first.at[axis];
-  return moved(selection, boxes, axis, ({ size }) => {
+  return moveCommand(selection, boxes, axis, ({ size }) => {
     const place = next;
     next += size[axis] + gap;
     return Math.round(place);
   });
 }
 
-function boxesOf(document: GraphDocument, { nodes, group }: Selection, sizeOf: SizeOf): Box[] {
+function nodeBoxes(document: GraphDocument, { nodes, group }: GraphSelection, sizeOf: SizeOf): NodeBox[] {
   const layout = graphIn(document, group)?.layout ?? {};
   return nodes.flatMap((node) => {
     const at = own(layout, node);
@@ -50,10 +60,15 @@ function boxesOf(document: GraphDocument, { nodes, group }: Selection, sizeOf: S
   });
 }
 
-function moved({ group }: Selection, boxes: readonly Box[], axis: 0 | 1, place: (box: Box) => number): Command {
-  const to = boxes.map((box): [string, Point] => {
+function moveCommand(
+  { group }: GraphSelection,
+  boxes: readonly NodeBox[],
+  axis: 0 | 1,
+  place: (box: NodeBox) => number,
+): Command {
+  const to = boxes.map((box): [string, CanvasPoint] => {
     const value = place(box);
     return [box.node, axis === 0 ? [value, box.at[1]] : [box.at[0], value]];
   });
-  return inside(group, { kind: 'move-nodes', to: Object.fromEntries(to) });
+  return insideGroup(group, { kind: 'move-nodes', to: Object.fromEntries(to) });
 }

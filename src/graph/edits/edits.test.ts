@@ -1,18 +1,18 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { add, build, connect, documents, edited, seeds, set, toys, tried } from '../../../tests/support/graphKit.ts';
-import { applyCommand, type Command, CommandError } from '../commands.ts';
-import { emptyDocument, emptyGraph, type GraphDocument } from '../document.ts';
-import { Evaluator } from '../evaluate.ts';
-import { type FlatSource, flatten } from '../flatten.ts';
-import { execute, newHistory, redo, undo } from '../history.ts';
-import { readDocument } from '../read.ts';
-import { serializeDocument } from '../serialize.ts';
-import { GROUP } from '../structure.ts';
-import { alignmentOf, distributionOf } from './arrange.ts';
-import { copyOf, duplicateOf, parseFragment, pasteOf, serializeFragment } from './fragment.ts';
-import { groupingOf } from './group.ts';
-import { ungroupingOf } from './ungroup.ts';
+import { type FlatSource, flatten } from '../analysis/flatten.ts';
+import { emptyDocument, emptyGraph, type GraphDocument } from '../document/document.ts';
+import { readDocument } from '../document/parse.ts';
+import { serializeDocument } from '../document/serialize.ts';
+import { GROUP } from '../document/structuralTypes.ts';
+import { Evaluator } from '../evaluation/evaluator.ts';
+import { alignCommand, distributeCommand } from './arrange.ts';
+import { applyCommand, type Command, CommandError } from './commands.ts';
+import { copyFragment, duplicateSelection, parseFragment, pasteFragment, serializeFragment } from './fragment.ts';
+import { groupCommand } from './group.ts';
+import { executeCommand, newHistory, redo, undo } from './history.ts';
+import { ungroupCommand } from './ungroup.ts';
 
 /** What is evaluated, in words that do not depend on which groups it lies in, nor on the order of keys. */
 function wiring(document: GraphDocument): string[] {
@@ -59,7 +59,7 @@ describe('commands', () => {
           const next = tried(history.document, seed);
           if (!next) continue;
           const before = history;
-          history = execute(history, next.command, 'step');
+          history = executeCommand(history, next.command, 'step');
           if (history !== before) walk.push(serializeDocument(history.document));
         }
         expect(readDocument(JSON.parse(walk.at(-1)!))).toEqual(history.document);
@@ -80,7 +80,7 @@ describe('commands', () => {
   it('a long drag of many nodes is no long step', () => {
     let history = newHistory(chain());
     for (let i = 0; i < 500; i++)
-      history = execute(history, { kind: 'move-nodes', to: { x: [i, 1], y: [i, 2] } }, 'move', 'drag');
+      history = executeCommand(history, { kind: 'move-nodes', to: { x: [i, 1], y: [i, 2] } }, 'move', 'drag');
     expect(history.past).toHaveLength(1);
     expect(history.past[0]!.patches.length).toBeLessThan(8);
     expect(history.document.layout).toMatchObject({ x: [499, 1], y: [499, 2] });
@@ -89,7 +89,7 @@ describe('commands', () => {
   });
 
   it('refuse what would leave a document that cannot be read', () => {
-    const grouped = applyCommand(chain(), groupingOf(chain(), { nodes: ['s'] }, 'g', toys).command).document;
+    const grouped = applyCommand(chain(), groupCommand(chain(), { nodes: ['s'] }, 'g', toys).command).document;
     const itself = {
       kind: 'inside',
       group: 'group',
@@ -129,7 +129,7 @@ describe('commands', () => {
 describe('a group', () => {
   it('computes what its nodes did, with one socket for each source', async () => {
     const before = chain();
-    const { command, node, group } = groupingOf(before, { nodes: ['s', 'w'] }, 'Sum', toys);
+    const { command, node, group } = groupCommand(before, { nodes: ['s', 'w'] }, 'Sum', toys);
     const after = applyCommand(before, command).document;
     expect(after.groups[group]).toMatchObject({
       title: 'Sum',
@@ -143,7 +143,7 @@ describe('a group', () => {
     expect(wiring(after)).toEqual(wiring(before));
     expect(await resultOf(after)).toBe(41);
     expect(await resultOf(before)).toBe(41);
-    const open = ungroupingOf(after, node);
+    const open = ungroupCommand(after, node);
     const back = applyCommand(after, open.command).document;
     expect([back.nodes, back.edges, back.groups]).toEqual([before.nodes, before.edges, {}]);
   });
@@ -155,9 +155,9 @@ describe('a group', () => {
         const ids = Object.keys(document.nodes);
         fc.pre(ids.length > 0);
         const nodes = [...new Set(picks.map((pick) => ids[pick % ids.length]!))];
-        let command: ReturnType<typeof groupingOf>;
+        let command: ReturnType<typeof groupCommand>;
         try {
-          command = groupingOf(document, { nodes }, 'any', toys);
+          command = groupCommand(document, { nodes }, 'any', toys);
         } catch (error) {
           expect(error).toBeInstanceOf(CommandError);
           return;
@@ -165,7 +165,7 @@ describe('a group', () => {
         grouped++;
         const after = applyCommand(document, command.command).document;
         expect(wiring(after)).toEqual(wiring(document));
-        const back = applyCommand(after, ungroupingOf(after, command.node).command).document;
+        const back = applyCommand(after, ungroupCommand(after, command.node).command).document;
         expect(wiring(back)).toEqual(wiring(document));
       }),
       { numRuns: 300 },
@@ -174,9 +174,9 @@ describe('a group', () => {
   });
 
   it('is refused where it would feed itself', () => {
-    expect(() => groupingOf(chain(), { nodes: ['s', 'out'] }, 'g', toys)).toThrow(/feed itself over w/);
-    expect(() => groupingOf(chain(), { nodes: [] }, 'g', toys)).toThrow(/choose/);
-    expect(() => ungroupingOf(chain(), 'x')).toThrow(/no group/);
+    expect(() => groupCommand(chain(), { nodes: ['s', 'out'] }, 'g', toys)).toThrow(/feed itself over w/);
+    expect(() => groupCommand(chain(), { nodes: [] }, 'g', toys)).toThrow(/choose/);
+    expect(() => ungroupCommand(chain(), 'x')).toThrow(/no group/);
   });
 });
 
@@ -187,15 +187,15 @@ describe('copies', () => {
         const ids = Object.keys(document.nodes);
         fc.pre(ids.length > 0);
         const chosen = [...new Set(picks.map((pick) => ids[pick % ids.length]!))];
-        const copied = copyOf(document, { nodes: chosen });
+        const copied = copyFragment(document, { nodes: chosen });
         const fragment = parseFragment(serializeFragment(copied));
         expect(fragment).toEqual(copied);
-        const alone = edited(emptyDocument(), pasteOf(emptyDocument(), fragment).command);
-        const { command, nodes } = pasteOf(document, fragment);
+        const alone = edited(emptyDocument(), pasteFragment(emptyDocument(), fragment).command);
+        const { command, nodes } = pasteFragment(document, fragment);
         const pasted = applyCommand(document, command).document;
         expect(nodes).toHaveLength(chosen.length);
         // Copied again out of where it was pasted, into nothing, it is what it was.
-        const again = edited(emptyDocument(), pasteOf(emptyDocument(), copyOf(pasted, { nodes })).command);
+        const again = edited(emptyDocument(), pasteFragment(emptyDocument(), copyFragment(pasted, { nodes })).command);
         const kinds = (graph: GraphDocument) =>
           wiring(graph)
             .map((line) => line.replace(/\b[a-z]+\d*(?=[:.])/g, '_'))
@@ -209,22 +209,27 @@ describe('copies', () => {
   });
 
   it('bring their groups along, once', () => {
-    const grouping = groupingOf(chain(), { nodes: ['s', 'w'] }, 'Sum', toys);
+    const grouping = groupCommand(chain(), { nodes: ['s', 'w'] }, 'Sum', toys);
     const document = applyCommand(chain(), grouping.command).document;
     const selection = { nodes: [grouping.node] };
-    expect(Object.keys(applyCommand(document, duplicateOf(document, selection).command).document.groups)).toEqual([
-      'group',
-    ]);
-    const fragment = copyOf(document, selection);
+    expect(
+      Object.keys(applyCommand(document, duplicateSelection(document, selection).command).document.groups),
+    ).toEqual(['group']);
+    const fragment = copyFragment(document, selection);
     const other = edited(document, { kind: 'inside', group: 'group', command: set('s', 'bias', 3) });
-    const both = applyCommand(other, pasteOf(other, fragment).command).document;
+    const both = applyCommand(other, pasteFragment(other, fragment).command).document;
     expect(Object.keys(both.groups)).toEqual(['group', 'group2']);
     expect(both.groups.group2).toEqual(document.groups.group);
     expect(both.nodes.group2!.params).toEqual({ group: 'group2' });
   });
 
   it('come to where they are put', () => {
-    const { command, nodes } = pasteOf(chain(), copyOf(chain(), { nodes: ['x', 'y'] }), undefined, [1000, 1000]);
+    const { command, nodes } = pasteFragment(
+      chain(),
+      copyFragment(chain(), { nodes: ['x', 'y'] }),
+      undefined,
+      [1000, 1000],
+    );
     const { layout } = applyCommand(chain(), command).document;
     expect(nodes.map((id) => layout[id])).toEqual([
       [1000, 950],
@@ -236,9 +241,9 @@ describe('copies', () => {
     ['{', /not JSON/],
     ['{"format":"slowlight"}', /no nodes of Slowlight/],
     ['null', /no nodes of Slowlight/],
-    [serializeFragment({ ...copyOf(chain(), { nodes: ['x'] }), version: 99 as 4 }), /^version/],
+    [serializeFragment({ ...copyFragment(chain(), { nodes: ['x'] }), version: 99 as 4 }), /^version/],
     [
-      serializeFragment({ ...copyOf(chain(), { nodes: ['x'] }), layout: { y: [0, 0] } }),
+      serializeFragment({ ...copyFragment(chain(), { nodes: ['x'] }), layout: { y: [0, 0] } }),
       /layout.y: there is no node "y"/,
     ],
   ])('refuse %s', (text, message) => {
@@ -259,11 +264,15 @@ describe('arranging', () => {
     ['top', { x: [10, 0], y: [50, 0], s: [400, 0] }],
     ['bottom', { x: [10, 300], y: [50, 300], s: [400, 300] }],
   ] as const)('brings nodes into line: %s', (to, wanted) => {
-    expect(layout(alignmentOf(placed, { nodes }, to, sizeOf))).toEqual(wanted);
+    expect(layout(alignCommand(placed, { nodes }, to, sizeOf))).toEqual(wanted);
   });
 
   it('spaces them evenly', () => {
-    expect(layout(distributionOf(placed, { nodes }, 1, sizeOf))).toEqual({ x: [10, 0], s: [400, 150], y: [50, 300] });
-    expect(layout(distributionOf(placed, { nodes: ['x'] }, 1, sizeOf))).toEqual(placed.layout);
+    expect(layout(distributeCommand(placed, { nodes }, 1, sizeOf))).toEqual({
+      x: [10, 0],
+      s: [400, 150],
+      y: [50, 300],
+    });
+    expect(layout(distributeCommand(placed, { nodes: ['x'] }, 1, sizeOf))).toEqual(placed.layout);
   });
 });

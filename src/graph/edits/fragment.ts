@@ -1,5 +1,4 @@
 import * as z from 'zod/mini';
-import type { Command, Point } from '../commands.ts';
 import {
   DocumentError,
   documentSchema,
@@ -7,17 +6,18 @@ import {
   type Graph,
   type GraphDocument,
   type GraphNode,
-  type Group,
   graphIn,
+  type NodeGroup,
   own,
-} from '../document.ts';
-import { faultIn } from '../integrity.ts';
-import { CURRENT_VERSION, migrate } from '../migrations.ts';
-import { checked, parseJson } from '../read.ts';
-import { sorted } from '../serialize.ts';
-import { GROUP, groupOf } from '../structure.ts';
-import { FreshKeys } from './fresh.ts';
-import { middleOf, partOf, renamed } from './renamed.ts';
+} from '../document/document.ts';
+import { findFault } from '../document/integrity.ts';
+import { CURRENT_VERSION, migrate } from '../document/migrations.ts';
+import { parseJson, parseWithSchema } from '../document/parse.ts';
+import { sortKeys } from '../document/serialize.ts';
+import { GROUP, groupKeyOf } from '../document/structuralTypes.ts';
+import type { CanvasPoint, Command } from './commands.ts';
+import { FreshKeys } from './freshKeys.ts';
+import { layoutCenter, rekeyGraph, subgraphOf } from './subgraph.ts';
 
 /** Nodes out of a document, with the groups that they use: what copying puts on the clipboard. */
 const fragmentSchema = z.strictObject({
@@ -27,20 +27,20 @@ const fragmentSchema = z.strictObject({
 export type Fragment = z.infer<typeof fragmentSchema>;
 
 /** What is chosen in a level of a document. */
-export interface Selection {
+export interface GraphSelection {
   readonly nodes: readonly string[];
   readonly notes?: readonly string[];
   /** Key of the group that the level is; absent of the document's own. */
   readonly group?: string;
 }
 
-export function copyOf(document: GraphDocument, { nodes, notes, group }: Selection): Fragment {
+export function copyFragment(document: GraphDocument, { nodes, notes, group }: GraphSelection): Fragment {
   const level = graphIn(document, group) ?? document;
-  const part = partOf(level, new Set(nodes), new Set(notes));
-  return { format: 'slowlight-nodes', version: CURRENT_VERSION, ...part, groups: groupsUsed(document, part) };
+  const part = subgraphOf(level, new Set(nodes), new Set(notes));
+  return { format: 'slowlight-nodes', version: CURRENT_VERSION, ...part, groups: usedGroups(document, part) };
 }
 
-export const serializeFragment = (fragment: Fragment): string => JSON.stringify(sorted(fragment));
+export const serializeFragment = (fragment: Fragment): string => JSON.stringify(sortKeys(fragment));
 
 /** Reads what was copied, also by an earlier version. Throws a DocumentError with the place of the first fault. */
 export function parseFragment(text: string): Fragment {
@@ -50,8 +50,8 @@ export function parseFragment(text: string): Fragment {
   const migrated = migrate(data);
   // A whole document has files; a fragment of an earlier version has none to bring along.
   if (typeof migrated === 'object' && migrated !== null && 'files' in migrated) delete migrated.files;
-  const fragment = checked(fragmentSchema, migrated, 'no nodes of Slowlight');
-  const fault = faultIn({ ...emptyDocument(), ...fragment, format: 'slowlight' });
+  const fragment = parseWithSchema(fragmentSchema, migrated, 'no nodes of Slowlight');
+  const fault = findFault({ ...emptyDocument(), ...fragment, format: 'slowlight' });
   if (fault) throw new DocumentError(fault);
   return fragment;
 }
@@ -64,31 +64,34 @@ export interface Paste {
 }
 
 /** Adds a fragment to a level: its middle at `at`, or without that a little beside where it was. */
-export function pasteOf(document: GraphDocument, fragment: Fragment, group?: string, at?: Point): Paste {
+export function pasteFragment(document: GraphDocument, fragment: Fragment, group?: string, at?: CanvasPoint): Paste {
   const level = graphIn(document, group) ?? document;
-  const groups = groupsFor(document, fragment.groups);
-  const keys = renaming(level, fragment);
-  const middle = middleOf(Object.values(fragment.layout));
-  const shift: Point = at ? [at[0] - middle[0], at[1] - middle[1]] : [40, 40];
-  const added = renamed(withGroups(fragment, groups.names), keys, shift);
+  const groups = mergeGroups(document, fragment.groups);
+  const keys = freshKeyMapping(level, fragment);
+  const middle = layoutCenter(Object.values(fragment.layout));
+  const shift: CanvasPoint = at ? [at[0] - middle[0], at[1] - middle[1]] : [40, 40];
+  const added = rekeyGraph(withGroupKeys(fragment, groups.names), keys, shift);
   const insert: Command = { kind: 'insert', graph: added };
   return {
-    command: { kind: 'batch', commands: [...groups.commands, group === undefined ? insert : inside(group, insert)] },
+    command: {
+      kind: 'batch',
+      commands: [...groups.commands, group === undefined ? insert : insideGroup(group, insert)],
+    },
     nodes: Object.keys(added.nodes),
     notes: Object.keys(added.notes),
   };
 }
 
-export const duplicateOf = (document: GraphDocument, selection: Selection): Paste =>
-  pasteOf(document, copyOf(document, selection), selection.group);
+export const duplicateSelection = (document: GraphDocument, selection: GraphSelection): Paste =>
+  pasteFragment(document, copyFragment(document, selection), selection.group);
 
-export const inside = (group: string | undefined, command: Command): Command =>
+export const insideGroup = (group: string | undefined, command: Command): Command =>
   group === undefined ? command : { kind: 'inside', group, command };
 
-function renaming(level: Graph, fragment: Fragment) {
+function freshKeyMapping(level: Graph, fragment: Fragment) {
   const names = (taken: object, wanted: object): ((key: string) => string) => {
     const fresh = new FreshKeys(taken);
-    const found = new Map(Object.keys(wanted).map((key) => [key, fresh.take(key)]));
+    const found = new Map(Object.keys(wanted).map((key) => [key, fresh.next(key)]));
     return (key) => found.get(key) ?? key;
   };
   return {
@@ -99,12 +102,12 @@ function renaming(level: Graph, fragment: Fragment) {
 }
 
 /** The groups that the nodes of a graph use, and those that these use. */
-function groupsUsed(document: GraphDocument, graph: Graph): Record<string, Group> {
-  const found = new Map<string, Group>();
+function usedGroups(document: GraphDocument, graph: Graph): Record<string, NodeGroup> {
+  const found = new Map<string, NodeGroup>();
   const open: Graph[] = [graph];
   for (let level = open.pop(); level; level = open.pop()) {
     for (const node of Object.values(level.nodes)) {
-      const key = node.type === GROUP ? groupOf(node) : '';
+      const key = node.type === GROUP ? groupKeyOf(node) : '';
       const group = found.has(key) ? undefined : own(document.groups, key);
       if (!group) continue;
       found.set(key, group);
@@ -115,28 +118,28 @@ function groupsUsed(document: GraphDocument, graph: Graph): Record<string, Group
 }
 
 /** Groups that are there already, the same in all they hold, are used; others come under names that are free. */
-function groupsFor(document: GraphDocument, groups: Readonly<Record<string, Group>>) {
+function mergeGroups(document: GraphDocument, groups: Readonly<Record<string, NodeGroup>>) {
   const fresh = new FreshKeys(document.groups, groups);
-  const text = (group: Group | undefined): string => JSON.stringify(sorted(group));
+  const text = (group: NodeGroup | undefined): string => JSON.stringify(sortKeys(group));
   const isTaken = (key: string): boolean => {
     const held = own(document.groups, key);
     return held !== undefined && text(held) !== text(groups[key]);
   };
   const clash = Object.keys(groups).some(isTaken);
   // Where one has to be called otherwise, so do those that use it.
-  const names = new Map(Object.keys(groups).map((key) => [key, clash ? fresh.take(key) : key]));
+  const names = new Map(Object.keys(groups).map((key) => [key, clash ? fresh.next(key) : key]));
   const commands = Object.entries(groups).flatMap(([key, group]): Command[] => {
     const name = names.get(key)!;
     if (own(document.groups, name)) return [];
-    return [{ kind: 'set-group', group: name, value: { ...group, ...withGroups(group, names) } }];
+    return [{ kind: 'set-group', group: name, value: { ...group, ...withGroupKeys(group, names) } }];
   });
   return { names, commands };
 }
 
 /** A graph whose nodes use their groups under other names. */
-function withGroups<G extends Graph>(graph: G, names: ReadonlyMap<string, string>): G {
+function withGroupKeys<G extends Graph>(graph: G, names: ReadonlyMap<string, string>): G {
   const nodes = Object.entries(graph.nodes).map(([id, node]): [string, GraphNode] => {
-    const name = node.type === GROUP ? names.get(groupOf(node)) : undefined;
+    const name = node.type === GROUP ? names.get(groupKeyOf(node)) : undefined;
     return [id, name === undefined ? node : { ...node, params: { ...node.params, group: name } }];
   });
   return { ...graph, nodes: Object.fromEntries(nodes) };

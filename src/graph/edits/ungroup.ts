@@ -1,9 +1,9 @@
-import { type Command, CommandError } from '../commands.ts';
-import { edgeKey, type Graph, type GraphDocument, type GraphEdge, graphIn, own } from '../document.ts';
-import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupOf } from '../structure.ts';
-import { inside } from './fragment.ts';
-import { FreshKeys } from './fresh.ts';
-import { middleOf, partOf, renamed } from './renamed.ts';
+import { edgeKey, type Graph, type GraphDocument, type GraphEdge, graphIn, own } from '../document/document.ts';
+import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupKeyOf } from '../document/structuralTypes.ts';
+import { type Command, CommandError } from './commands.ts';
+import { insideGroup } from './fragment.ts';
+import { FreshKeys } from './freshKeys.ts';
+import { layoutCenter, rekeyGraph, subgraphOf } from './subgraph.ts';
 
 export interface Ungrouping {
   readonly command: Command;
@@ -12,41 +12,44 @@ export interface Ungrouping {
 }
 
 /** Puts what a group holds in place of its node; the group itself goes with the last node that uses it. */
-export function ungroupingOf(document: GraphDocument, node: string, around?: string): Ungrouping {
+export function ungroupCommand(document: GraphDocument, node: string, around?: string): Ungrouping {
   const level = graphIn(document, around);
   const held = level && own(level.nodes, node);
-  const key = held?.type === GROUP ? groupOf(held) : '';
+  const key = held?.type === GROUP ? groupKeyOf(held) : '';
   const group = own(document.groups, key);
   if (!level || !group) throw new CommandError(`${node} is no group`);
-  const content = Object.keys(group.nodes).filter((id) => !isCarrier(group, id));
-  const names = namesIn(level, node, content, group);
+  const content = Object.keys(group.nodes).filter((id) => !isBoundaryNode(group, id));
+  const names = keyMappingFor(level, node, content, group);
   const [x, y] = level.layout[node] ?? [0, 0];
-  const [mx, my] = middleOf(Object.values(group.layout));
-  const out = renamed(partOf(group, new Set(content), new Set(Object.keys(group.notes))), names, [x - mx, y - my]);
+  const [mx, my] = layoutCenter(Object.values(group.layout));
+  const out = rekeyGraph(subgraphOf(group, new Set(content), new Set(Object.keys(group.notes))), names, [
+    x - mx,
+    y - my,
+  ]);
   const here: Command[] = [
     { kind: 'remove-nodes', nodes: [node] },
     { kind: 'insert', graph: out },
-    ...joints(level, node, group, names.node).map((edge): Command => ({ kind: 'connect', edge })),
+    ...reconnectedEdges(level, node, group, names.node).map((edge): Command => ({ kind: 'connect', edge })),
   ];
-  const commands = [inside(around, { kind: 'batch', commands: here })];
-  if (usesOf(document, key) === 1) commands.push({ kind: 'set-group', group: key });
+  const commands = [insideGroup(around, { kind: 'batch', commands: here })];
+  if (countGroupUses(document, key) === 1) commands.push({ kind: 'set-group', group: key });
   return { command: { kind: 'batch', commands }, nodes: Object.keys(out.nodes) };
 }
 
-const isCarrier = ({ nodes }: Graph, id: string): boolean =>
+const isBoundaryNode = ({ nodes }: Graph, id: string): boolean =>
   nodes[id]?.type === GROUP_INPUT || nodes[id]?.type === GROUP_OUTPUT;
 
 /** How many nodes, anywhere in the document, are of a group. */
-export const usesOf = (document: GraphDocument, group: string): number =>
+export const countGroupUses = (document: GraphDocument, group: string): number =>
   [document, ...Object.values(document.groups)]
     .flatMap(({ nodes }) => Object.values(nodes))
-    .filter((held) => held.type === GROUP && groupOf(held) === group).length;
+    .filter((held) => held.type === GROUP && groupKeyOf(held) === group).length;
 
-function namesIn(level: Graph, node: string, content: readonly string[], group: Graph) {
+function keyMappingFor(level: Graph, node: string, content: readonly string[], group: Graph) {
   const { [node]: _gone, ...left } = level.nodes;
   const keep = (taken: object, keys: readonly string[]) => {
     const fresh = new FreshKeys(taken);
-    const found = new Map(keys.map((key) => [key, fresh.take(key)]));
+    const found = new Map(keys.map((key) => [key, fresh.next(key)]));
     return (key: string): string => found.get(key) ?? key;
   };
   return {
@@ -57,7 +60,7 @@ function namesIn(level: Graph, node: string, content: readonly string[], group: 
 }
 
 /** The edges between what was in the group and what is around it. */
-function joints(level: Graph, node: string, group: Graph, name: (key: string) => string): GraphEdge[] {
+function reconnectedEdges(level: Graph, node: string, group: Graph, name: (key: string) => string): GraphEdge[] {
   const exit = Object.entries(group.nodes).find(([, { type }]) => type === GROUP_OUTPUT)?.[0];
   /** What an edge in the group comes from, seen from outside. */
   const source = ({ node: id, output }: GraphEdge['from']): GraphEdge['from'] | undefined =>
@@ -67,7 +70,7 @@ function joints(level: Graph, node: string, group: Graph, name: (key: string) =>
   const joined = (from: GraphEdge['from'] | undefined, to: GraphEdge['to']): GraphEdge[] =>
     from ? [{ from, to }] : [];
   const inward = Object.values(group.edges).flatMap(({ from, to }) =>
-    group.nodes[from.node]?.type === GROUP_INPUT && !isCarrier(group, to.node)
+    group.nodes[from.node]?.type === GROUP_INPUT && !isBoundaryNode(group, to.node)
       ? joined(source(from), { node: name(to.node), input: to.input })
       : [],
   );

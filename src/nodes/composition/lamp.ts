@@ -1,12 +1,12 @@
 import { scale } from '../../math/vec3.ts';
-import { carriedBy } from '../../scene/compose/moved.ts';
-import { motionOf } from '../../scene/compose/paths.ts';
+import { composeMotion } from '../../scene/compose/applyRigidMotion.ts';
+import { motionFromPath } from '../../scene/compose/motionPaths.ts';
 import { FOREVER } from '../../scene/defaults.ts';
-import type { Lamp } from '../../scene/types.ts';
-import { defineNode } from '../define.ts';
-import { metres } from '../geometry/primitive.ts';
-import { rotation, vector } from '../geometry/shared.ts';
-import { brightness, lightColor, lightOf, madeOf, nameParam } from './shine.ts';
+import type { LocalLight } from '../../scene/types.ts';
+import { rotationXYZ, vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { lengthParam } from '../geometry/primitives/definePrimitive.ts';
+import { brightnessParam, emissionParam, lightBase, lightColorParam, nameParam } from './lightParams.ts';
 
 /** A lamp somewhere, which may move. A rectangle or disc shines towards its −Z. */
 export const lampNode = defineNode({
@@ -27,36 +27,36 @@ export const lampNode = defineNode({
         { value: 'disk', title: 'lamp.disk' },
       ],
     },
-    position: vector('param.position', [0, 3, 0], 'm'),
-    rotation: vector('param.rotation', [-90, 0, 0], '°'),
-    size: { ...metres('param.lampSize', 1), help: 'param.lampSize.help' },
-    color: lightColor,
-    brightness: brightness('param.lampBrightness', 10),
-    madeOf,
+    position: vectorParam('param.position', [0, 3, 0], 'm'),
+    rotation: vectorParam('param.rotation', [-90, 0, 0], '°'),
+    size: { ...lengthParam('param.lampSize', 1), help: 'param.lampSize.help' },
+    color: lightColorParam,
+    brightness: brightnessParam('param.lampBrightness', 10),
+    madeOf: emissionParam,
   },
   inputs: { spectrum: { type: 'spectrum', optional: true }, motion: { type: 'motion', optional: true } },
   outputs: { lights: { type: 'lights' } },
   evaluate({ spectrum, motion: course }, params, { node }) {
     const { name, shape, position, rotation: angles, size, color, brightness: strength, madeOf: preset } = params;
-    const pose = { position, orientation: rotation(angles) };
+    const pose = { position, orientation: rotationXYZ(angles) };
     const motion = course
-      ? carriedBy(motionOf(course, Math.hypot(...position) + size), pose)
+      ? composeMotion(motionFromPath(course, Math.hypot(...position) + size), pose)
       : ({ kind: 'static', pose } as const);
     const common = {
-      ...lightOf(name, node, preset, spectrum),
+      ...lightBase(name, node, preset, spectrum),
       motion,
       lifetime: FOREVER,
       color: scale(color, strength),
     };
-    return { lights: [{ ...common, ...shapeOf(shape, size) }] };
+    return { lights: [{ ...common, ...lightGeometry(shape, size) }] };
   },
 });
 
-type Shape =
+type LightGeometry =
   | { readonly kind: 'rect'; readonly width: number; readonly height: number }
   | { readonly kind: 'sphere' | 'disk'; readonly radius: number };
 
-function shapeOf(shape: string, size: number): Shape & Pick<Lamp, 'kind'> {
+function lightGeometry(shape: string, size: number): LightGeometry & Pick<LocalLight, 'kind'> {
   switch (shape) {
     case 'rect':
       return { kind: 'rect', width: size, height: size };

@@ -1,12 +1,12 @@
-import { framingCamera } from '../../scene/camera.ts';
-import { mergeScenes } from '../../scene/compose/merge.ts';
+import { mergeScenes } from '../../scene/compose/mergeScenes.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import type { Light, Scene } from '../../scene/types.ts';
-import { defineNode, type TimeRange } from '../define.ts';
-import { surveyed } from '../geometry/surveyed.ts';
+import { framingCamera } from '../../scene/view/camera.ts';
+import { toLoadedScene } from '../common/loadedScene.ts';
+import { defineNode, type TimeRange } from '../defineNode.ts';
 
 /** Composes what is observed: things, lights, when and how fast; with a camera that has all of it in view where none is brought. */
-export const scene = defineNode({
+export const sceneNode = defineNode({
   id: 'scene',
   title: 'node.scene',
   help: 'node.scene.help',
@@ -22,17 +22,17 @@ export const scene = defineNode({
   evaluate({ geometry, lights, observer, time }) {
     const [only] = geometry;
     const plain = geometry.length === 1 && lights.length === 0 && !time;
-    const merged = mergeScenes([...geometry.map((part) => part.scene), ...lights.map(lit)]);
-    const timed = withTime(merged, time);
+    const merged = mergeScenes([...geometry.map((part) => part.scene), ...lights.map(lightScene)]);
+    const timed = withTimeRange(merged, time);
     const hinted = observer ? { ...timed, hints: { ...timed.hints, beta: observer } } : timed;
     const seen = hinted.cameras.length > 0 ? hinted : { ...hinted, cameras: [framingCamera(hinted)] };
-    return { scene: plain ? { ...only!, scene: seen } : surveyed(seen) };
+    return { scene: plain ? { ...only!, scene: seen } : toLoadedScene(seen) };
   },
 });
 
-const lit = (lights: readonly Light[]): Scene => makeScene({ name: 'lights', lights });
+const lightScene = (lights: readonly Light[]): Scene => makeScene({ name: 'lights', lights });
 
-function withTime(scene: Scene, time: TimeRange | undefined): Scene {
+function withTimeRange(scene: Scene, time: TimeRange | undefined): Scene {
   if (!time) return scene;
   const { start, end, openAt } = time;
   return { ...scene, startTime: start, endTime: end, hints: { ...scene.hints, openAt } };

@@ -1,6 +1,6 @@
-import { LIGHT_PRESETS } from '../../spectrum/lightPresets.ts';
-import { defineNode } from '../define.ts';
-import { madeOf } from './shine.ts';
+import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
+import { defineNode } from '../defineNode.ts';
+import { emissionParam } from './lightParams.ts';
 
 /** What light is made of: a lamp's, or a blackbody's. */
 export const spectrumNode = defineNode({
@@ -29,7 +29,7 @@ export const spectrumNode = defineNode({
       scale: 'log',
       onlyWhen: { param: 'kind', is: 'thermal' },
     },
-    lamp: { ...madeOf, onlyWhen: { param: 'kind', is: 'lamp' } },
+    lamp: { ...emissionParam, onlyWhen: { param: 'kind', is: 'lamp' } },
   },
   inputs: {},
   outputs: { spectrum: { type: 'spectrum' } },

@@ -1,7 +1,7 @@
 import { normalize, scale } from '../../math/vec3.ts';
-import { defineNode } from '../define.ts';
-import { vector } from '../geometry/shared.ts';
-import { brightness, lightColor, lightOf, madeOf, nameParam } from './shine.ts';
+import { vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { brightnessParam, emissionParam, lightBase, lightColorParam, nameParam } from './lightParams.ts';
 
 /** Light from far away, all from one side. */
 export const sunNode = defineNode({
@@ -11,15 +11,15 @@ export const sunNode = defineNode({
   category: 'composition',
   params: {
     name: nameParam('Sun'),
-    direction: vector('param.lightDirection', [-0.5, -1, -0.7]),
-    color: lightColor,
-    brightness: brightness('param.irradiance', 2.5),
-    madeOf,
+    direction: vectorParam('param.lightDirection', [-0.5, -1, -0.7]),
+    color: lightColorParam,
+    brightness: brightnessParam('param.irradiance', 2.5),
+    madeOf: emissionParam,
   },
   inputs: { spectrum: { type: 'spectrum', optional: true } },
   outputs: { lights: { type: 'lights' } },
   evaluate({ spectrum }, { name, direction, color, brightness: strength, madeOf: preset }, { node }) {
-    const light = lightOf(name, node, preset, spectrum);
+    const light = lightBase(name, node, preset, spectrum);
     const sun = { ...light, direction: normalize(direction, [0, -1, 0]), color: scale(color, strength) };
     return { lights: [{ kind: 'distant', ...sun }] };
   },

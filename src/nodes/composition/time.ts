@@ -1,6 +1,6 @@
-import { defineNode } from '../define.ts';
-import { seconds } from '../geometry/shared.ts';
-import { checkSpan } from '../motion/span.ts';
+import { timeParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { assertTimeSpan } from '../motion/checkSpan.ts';
 
 /** From when to when a scene is shown. */
 export const timeNode = defineNode({
@@ -8,11 +8,11 @@ export const timeNode = defineNode({
   title: 'node.time',
   help: 'node.time.help',
   category: 'composition',
-  params: { from: seconds('param.from', 0), to: seconds('param.to', 10), openAt: seconds('param.openAt', 0) },
+  params: { from: timeParam('param.from', 0), to: timeParam('param.to', 10), openAt: timeParam('param.openAt', 0) },
   inputs: {},
   outputs: { time: { type: 'time' } },
   evaluate(_inputs, { from, to, openAt }, { node }) {
-    checkSpan({ from, to }, node);
+    assertTimeSpan({ from, to }, node);
     return { time: { start: from, end: to, openAt: Math.min(Math.max(openAt, from), to) } };
   },
 });

@@ -1,6 +1,6 @@
 import { InputError } from '../../scene/types.ts';
-import { defineNode } from '../define.ts';
-import { refusal } from '../geometry/shared.ts';
+import { nodeRefusal } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** Takes a simulation from the file that it was written to, so that it is not computed again. */
 export const cacheNode = defineNode({
@@ -15,7 +15,7 @@ export const cacheNode = defineNode({
   async evaluate({ geometry }, { file }, { node, services, signal, progress }) {
     if (file === '') {
       if (geometry) return { geometry };
-      throw refusal(
+      throw nodeRefusal(
         'cache.none',
         node,
         'it passes on what comes in; connect something, or name a file to read instead',
@@ -26,7 +26,7 @@ export const cacheNode = defineNode({
     } catch (error) {
       if (!(error instanceof InputError)) throw error;
       const { code, place, message } = error.diagnostic;
-      throw refusal(code, place, message, { node, param: 'file', value: '' });
+      throw nodeRefusal(code, place, message, { node, param: 'file', value: '' });
     }
   },
 });

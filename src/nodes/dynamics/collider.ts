@@ -1,8 +1,8 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
-import { defineNode } from '../define.ts';
-import { vector, whichParam } from '../geometry/shared.ts';
-import type { SolidMatter } from './matter.ts';
-import { amount, chargeParam, massParam, parted, penaltyParam } from './shared.ts';
+import { vectorParam, whichParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import type { ColliderMatter } from './matter.ts';
+import { chargeParam, massParam, penaltyParam, quantityParam, splitByPath } from './params.ts';
 
 const FREE = { param: 'free', is: true } as const;
 const HELD = { param: 'rods', is: ['pivot', 'chain'] } as const;
@@ -28,12 +28,18 @@ export const colliderNode = defineNode({
     },
     stiffness: penaltyParam,
     scale: {
-      ...amount({ title: 'param.contactScale', help: 'param.contactScale.help', unit: '×', default: 1.1, min: 0.01 }),
+      ...quantityParam({
+        title: 'param.contactScale',
+        help: 'param.contactScale.help',
+        unit: '×',
+        default: 1.1,
+        min: 0.01,
+      }),
       max: 100,
       onlyWhen: { param: 'shape', is: 'ball' },
     },
     margin: {
-      ...amount({ title: 'param.margin', help: 'param.margin.help', unit: 'm', default: 0.01 }),
+      ...quantityParam({ title: 'param.margin', help: 'param.margin.help', unit: 'm', default: 0.01 }),
       onlyWhen: { param: 'shape', is: ['plane', 'box'] },
     },
     free: {
@@ -44,7 +50,7 @@ export const colliderNode = defineNode({
       onlyWhen: { param: 'shape', is: 'ball' },
     },
     mass: { ...massParam, onlyWhen: FREE },
-    velocity: { ...vector('param.startVelocity', [0, 0, 0], 'm/s'), onlyWhen: FREE },
+    velocity: { ...vectorParam('param.startVelocity', [0, 0, 0], 'm/s'), onlyWhen: FREE },
     charge: { ...chargeParam, onlyWhen: { param: 'shape', is: 'ball' } },
     rods: {
       kind: 'choice',
@@ -58,13 +64,13 @@ export const colliderNode = defineNode({
       ],
       onlyWhen: FREE,
     },
-    pivot: { ...vector('param.pivot', [0, 1, 0], 'm'), help: 'param.pivot.help', onlyWhen: HELD },
+    pivot: { ...vectorParam('param.pivot', [0, 1, 0], 'm'), help: 'param.pivot.help', onlyWhen: HELD },
     rodStiffness: {
-      ...amount({ title: 'param.rodStiffness', unit: 'N/m', default: 100_000, min: 1e-6, step: 1 }),
+      ...quantityParam({ title: 'param.rodStiffness', unit: 'N/m', default: 100_000, min: 1e-6, step: 1 }),
       onlyWhen: HELD,
     },
     thickness: {
-      ...amount({ title: 'param.rodThickness', help: 'param.rodThickness.help', unit: 'm', default: 0.02 }),
+      ...quantityParam({ title: 'param.rodThickness', help: 'param.rodThickness.help', unit: 'm', default: 0.02 }),
       onlyWhen: HELD,
     },
   },
@@ -72,7 +78,7 @@ export const colliderNode = defineNode({
   outputs: { matter: { type: 'matter' }, rest: { type: 'geometry', title: 'socket.rest' } },
   evaluate({ geometry }, params, { node }) {
     const { shape, stiffness, scale, margin, mass, velocity, charge } = params;
-    const { chosen, rest } = parted(geometry, params.which, node, params.free ? 'rest' : 'rigid');
+    const { chosen, rest } = splitByPath(geometry, params.which, node, params.free ? 'rest' : 'rigid');
     if (params.free && shape !== 'ball') {
       const message = 'only balls can be free; choose the shape ball, or let it stand fast';
       const remedy = { node, param: 'free', value: false };
@@ -80,7 +86,7 @@ export const colliderNode = defineNode({
     }
     const rods = rodsOf(params);
     const free = { mass, velocity, ...(rods && { rods }) };
-    const matter: SolidMatter = {
+    const matter: ColliderMatter = {
       ...{ kind: 'solid', node, scene: chosen, shape: shape as 'ball', stiffness, scale, margin, charge },
       ...(params.free && { free }),
     };

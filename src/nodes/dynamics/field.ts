@@ -1,6 +1,6 @@
-import { defineNode } from '../define.ts';
-import { vector } from '../geometry/shared.ts';
-import { amount } from './shared.ts';
+import { vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { quantityParam } from './params.ts';
 
 /** What acts on all that is simulated; several add up. */
 export const fieldNode = defineNode({
@@ -9,10 +9,10 @@ export const fieldNode = defineNode({
   help: 'node.field.help',
   category: 'dynamics',
   params: {
-    gravity: { ...vector('param.gravity', [0, -9.8, 0], 'm/s²'), help: 'param.gravity.help' },
-    drag: amount({ title: 'param.drag', help: 'param.drag.help', unit: '1/s', default: 0, max: 1e6 }),
-    electric: vector('param.electric', [0, 0, 0], 'V/m'),
-    magnetic: vector('param.magnetic', [0, 0, 0], 'T'),
+    gravity: { ...vectorParam('param.gravity', [0, -9.8, 0], 'm/s²'), help: 'param.gravity.help' },
+    drag: quantityParam({ title: 'param.drag', help: 'param.drag.help', unit: '1/s', default: 0, max: 1e6 }),
+    electric: vectorParam('param.electric', [0, 0, 0], 'V/m'),
+    magnetic: vectorParam('param.magnetic', [0, 0, 0], 'T'),
     coulomb: { kind: 'boolean', title: 'param.coulomb', help: 'param.coulomb.help', default: false },
   },
   inputs: {},

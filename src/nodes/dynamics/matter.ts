@@ -2,15 +2,15 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { Scene } from '../../scene/types.ts';
 
 /** What is to be simulated, by parts: descriptions, for other threads compute with them. World frame, SI units. */
-export type Matter = NetMatter | SolidMatter | FieldMatter;
+export type Matter = MassSpringMatter | ColliderMatter | FieldMatter;
 
-interface Part {
+interface MatterBase {
   /** The node that describes it, for what is said of it. */
   readonly node: string;
 }
 
 /** Things whose points have masses, with springs between them. */
-export interface NetMatter extends Part, Start {
+export interface MassSpringMatter extends MatterBase, InitialConditions {
   readonly kind: 'net';
   /** The things alone, at rest. */
   readonly scene: Scene;
@@ -24,13 +24,13 @@ export interface NetMatter extends Part, Start {
   };
   /** How long springs are at rest, of what they are at the start. */
   readonly tension: number;
-  readonly pins: Pins;
+  readonly pins: PinSelection;
   /** About the middle of each thing [rad/s]. */
   readonly spin: Vec3;
 }
 
 /** How each thing begins. */
-export interface Start {
+export interface InitialConditions {
   /** Of each thing [kg]. */
   readonly mass: number;
   /** [m/s] */
@@ -40,14 +40,14 @@ export interface Start {
 }
 
 /** Which points are held where they are. */
-export type Pins =
+export type PinSelection =
   | { readonly kind: 'none' | 'corners' | 'top' }
   | { readonly kind: 'box'; readonly center: Vec3; readonly size: Vec3 }
   /** Vertices of the mesh of each thing. */
   | { readonly kind: 'points'; readonly vertices: readonly number[] };
 
 /** Things that nothing gets into. */
-export interface SolidMatter extends Part {
+export interface ColliderMatter extends MatterBase {
   readonly kind: 'solid';
   /** The things alone, at rest. */
   readonly scene: Scene;
@@ -61,7 +61,7 @@ export interface SolidMatter extends Part {
   /** Of each thing [C]. */
   readonly charge: number;
   /** Of balls that are moved by what they touch; absent: they stand fast. */
-  readonly free?: Omit<Start, 'charge'> & { readonly rods?: Rods };
+  readonly free?: Omit<InitialConditions, 'charge'> & { readonly rods?: Rods };
 }
 
 /** Springs as stiff as rods that hold balls. */
@@ -77,7 +77,7 @@ export interface Rods {
 }
 
 /** What acts on all that moves. */
-export interface FieldMatter extends Part {
+export interface FieldMatter extends MatterBase {
   readonly kind: 'field';
   /** [m/s²] */
   readonly gravity: Vec3;

@@ -1,15 +1,15 @@
 import { length, sub, type Vec3 } from '../../math/vec3.ts';
-import { boundingBox } from '../../scene/bounds.ts';
-import { pointAt } from '../../scene/polygons.ts';
-import { refusal } from '../geometry/shared.ts';
-import type { NetMatter } from './matter.ts';
-import { FLAT } from './things.ts';
+import { boundingBox } from '../../scene/bounds/bounds.ts';
+import { pointAt } from '../../scene/mesh/polygons.ts';
+import { nodeRefusal } from '../common/params.ts';
+import type { MassSpringMatter } from './matter.ts';
+import { FLATNESS_TOLERANCE } from './objects.ts';
 
 /** The points of a thing that are held. */
-export function pinnedIn(
+export function pinnedPoints(
   points: Float64Array,
   pointOfVertex: Uint32Array,
-  { pins, node }: NetMatter,
+  { pins, node }: MassSpringMatter,
   up: number,
   path: string,
 ): ReadonlySet<number> {
@@ -21,7 +21,7 @@ export function pinnedIn(
       const odd = pins.vertices.find((vertex) => vertex >= pointOfVertex.length);
       if (odd === undefined) return new Set(pins.vertices.map((vertex) => pointOfVertex[vertex]));
       const message = `${path} has no point ${odd}: they are numbered from 0 to ${pointOfVertex.length - 1}`;
-      throw refusal('pins.numbers', `${node}.pinned`, message, { node, param: 'pinned', value: '0' });
+      throw nodeRefusal('pins.numbers', `${node}.pinned`, message, { node, param: 'pinned', value: '0' });
     }
     case 'box': {
       const isIn = (i: number): boolean =>
@@ -30,16 +30,16 @@ export function pinnedIn(
     }
     case 'top': {
       const { min, max } = boundingBox(points)!;
-      const least = max[up] - FLAT * length(sub(max, min));
+      const least = max[up] - FLATNESS_TOLERANCE * length(sub(max, min));
       return new Set(all.filter((i) => points[3 * i + up] >= least));
     }
     case 'corners':
-      return new Set(cornersOf(points, up).map((corner) => nearestTo(points, corner)));
+      return new Set(upperCorners(points, up).map((corner) => nearestPoint(points, corner)));
   }
 }
 
 /** The four upper corners of the box round points. */
-function cornersOf(points: Float64Array, up: number): Vec3[] {
+function upperCorners(points: Float64Array, up: number): Vec3[] {
   const { min, max } = boundingBox(points)!;
   const [a, b] = [0, 1, 2].filter((k) => k !== up);
   return [min[a], max[a]].flatMap((p) =>
@@ -52,7 +52,7 @@ function cornersOf(points: Float64Array, up: number): Vec3[] {
   );
 }
 
-function nearestTo(points: Float64Array, place: Vec3): number {
+function nearestPoint(points: Float64Array, place: Vec3): number {
   let [nearest, least] = [0, Number.POSITIVE_INFINITY];
   for (let i = 0; 3 * i < points.length; i++) {
     const away = length(sub(pointAt(points, i), place));

@@ -1,20 +1,20 @@
 import { describe, expect, it } from 'vitest';
 import { add, build, connect } from '../../../tests/support/graphKit.ts';
-import { type Books, figuresOf } from '../../dynamics/books.ts';
+import { type RunRecord, summarizeRun } from '../../dynamics/runRecord.ts';
 import { openScene } from '../../formats/open.ts';
-import type { Command } from '../../graph/commands.ts';
-import type { GraphDocument, ParamValue } from '../../graph/document.ts';
-import { CancelledError, Evaluator } from '../../graph/evaluate.ts';
+import type { GraphDocument, ParamValue } from '../../graph/document/document.ts';
+import type { Command } from '../../graph/edits/commands.ts';
+import { CancelledError, Evaluator } from '../../graph/evaluation/evaluator.ts';
 import type { Outputs } from '../../graph/nodeType.ts';
 import { length, sub, type Vec3 } from '../../math/vec3.ts';
-import { poseAt, vertexPositions } from '../../scene/motion.ts';
-import { grid } from '../../scene/primitives.ts';
-import { probeVertices } from '../../scene/probe.ts';
+import { grid } from '../../scene/mesh/primitives.ts';
+import { poseAt, vertexPositions } from '../../scene/motion/motion.ts';
 import { InputError, type Scene, type SceneObject } from '../../scene/types.ts';
-import { validate } from '../../scene/validate.ts';
+import { validate } from '../../scene/validation/validate.ts';
+import { probeVertices } from '../../scene/view/probe.ts';
 import { nodeLibrary } from '../library.ts';
-import { type LoadedScene, type Services, threadServices } from '../services.ts';
-import { writtenScene } from '../writtenScene.ts';
+import { exportSceneFile } from '../project/exportSceneFile.ts';
+import { type LoadedScene, type Services, workerServices } from '../services.ts';
 
 type Params = Readonly<Record<string, ParamValue>>;
 const sets = (node: string, params: Params): Command[] =>
@@ -39,13 +39,15 @@ const running = (parts: readonly string[], params: Params): Command[] => [
 ];
 
 async function resultOf(document: GraphDocument) {
-  return (await new Evaluator(nodeLibrary).evaluate(document, 'run', threadServices)).target;
+  return (await new Evaluator(nodeLibrary).evaluate(document, 'run', workerServices)).target;
 }
 
-async function simulated(...commands: readonly Command[]): Promise<{ readonly scene: Scene; readonly books: Books }> {
+async function simulated(
+  ...commands: readonly Command[]
+): Promise<{ readonly scene: Scene; readonly books: RunRecord }> {
   const target = await resultOf(build(...commands));
   if (target.status !== 'done') throw new Error(JSON.stringify(target));
-  return { scene: (target.outputs.geometry as LoadedScene).scene, books: target.outputs.books as Books };
+  return { scene: (target.outputs.geometry as LoadedScene).scene, books: target.outputs.books as RunRecord };
 }
 
 const refusalOf = async (...commands: readonly Command[]) => {
@@ -337,7 +339,7 @@ describe('a run', () => {
     const abort = new AbortController();
     let seen: Outputs | undefined;
     const document = build(...hanging(params));
-    const stopped = evaluator.evaluate(document, 'run', threadServices, {
+    const stopped = evaluator.evaluate(document, 'run', workerServices, {
       signal: abort.signal,
       onInterim: () => {},
       progress: (_, part) => {
@@ -347,12 +349,12 @@ describe('a run', () => {
     await expect(stopped).rejects.toThrow(CancelledError);
     // An evaluation that came before the work noticed would keep it going.
     await new Promise((resolve) => setTimeout(resolve, 300));
-    const early = (await evaluator.evaluate(document, 'run', threadServices, { interims: 'stopped' })).target;
+    const early = (await evaluator.evaluate(document, 'run', workerServices, { interims: 'stopped' })).target;
     if (early.status === 'done') seen = early.outputs;
-    const frames = (seen!.books as Books).times.length;
+    const frames = (seen!.books as RunRecord).times.length;
     expect(frames).toBeGreaterThan(0);
     expect(frames).toBeLessThan(201);
-    const rest = (await evaluator.evaluate(document, 'run', threadServices)).target;
+    const rest = (await evaluator.evaluate(document, 'run', workerServices)).target;
     if (rest.status !== 'done') throw new Error('it did not go on');
     expect((rest.outputs.geometry as LoadedScene).scene).toEqual(first.scene);
     expect(rest.outputs.books).toEqual(first.books);
@@ -406,7 +408,7 @@ describe('a run', () => {
   it('refuses what is too much, too fast or not there, with what to do', async () => {
     expect(await refusalOf(...hanging({ rate: 1e6 }))).toMatchObject({ code: 'simulate.frames', place: 'run.rate' });
     expect(await refusalOf(...hanging({ duration: 1e5, rate: 0.1 }))).toMatchObject({ code: 'simulate.steps' });
-    // Here there is none; what it computes is in tests/gpu/compute.test.ts.
+    // Here there is none; what it computes is in tests/gpu/compute/compute.test.ts.
     expect(await refusalOf(...hanging({ method: 'leapfrog', onGpu: true }))).toMatchObject({
       ...{ code: 'simulate.gpu', place: 'run.onGpu', remedy: { param: 'onGpu', value: false } },
       message: 'there is no GPU here that computes (WebGPU); compute it on the processor',
@@ -474,7 +476,7 @@ describe('what moves already', () => {
     expect(books.kinetic[0]).toBe(0);
     expect(books.stop).toBeUndefined();
     // It gives energy; nothing is said of any that would come from nowhere.
-    expect(figuresOf(books).grown).toBeUndefined();
+    expect(summarizeRun(books).grown).toBeUndefined();
     expect(scene.diagnostics).toEqual([]);
     for (const t of [0, 0.4, 1]) expect(placeOf(thing(scene, '/Mover'), t, c)).toEqual([u * t, 0, 0]);
     expect(validate(scene, c).filter(({ severity }) => severity === 'error')).toEqual([]);
@@ -575,13 +577,13 @@ describe('a cache', () => {
   };
 
   it('passes on what comes in, and reads what was written of it instead, as it moved, without running it', async () => {
-    const before = await keptOf(threadServices);
+    const before = await keptOf(workerServices);
     if (before.status !== 'done') throw new Error('nothing comes through');
     const { scene } = before.outputs.geometry as LoadedScene;
-    const { files } = await writtenScene({ kind: 'scene', name: 'a.usda', scene, sampled: true }, 'a.usda');
+    const { files } = await exportSceneFile({ kind: 'scene', name: 'a.usda', scene, sampled: true }, 'a.usda');
     const asked: unknown[] = [];
     const services: Services = {
-      ...threadServices,
+      ...workerServices,
       readScene: async (source, { interpolation }) => {
         asked.push(source, interpolation);
         const read = async (path: string) => files.get(path);
@@ -606,7 +608,7 @@ describe('a cache', () => {
       message: 'there is no such file',
       severity: 'error',
     } as const;
-    const services = { ...threadServices, readScene: () => Promise.reject(new InputError(missing)) };
+    const services = { ...workerServices, readScene: () => Promise.reject(new InputError(missing)) };
     expect(await keptOf(services, ...sets('kept', { file: 'a.usda' }))).toMatchObject({
       problem: { code: 'file.missing', remedy: { node: 'kept', param: 'file', value: '' } },
     });

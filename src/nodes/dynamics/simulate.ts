@@ -1,8 +1,8 @@
-import { CancelledError } from '../../graph/evaluate.ts';
-import { defineNode } from '../define.ts';
-import type { Reel } from './film.ts';
-import { amount, penaltyParam } from './shared.ts';
-import type { Settings, Simulated } from './simulation.ts';
+import { CancelledError } from '../../graph/evaluation/evaluator.ts';
+import { defineNode } from '../defineNode.ts';
+import type { RecordedMotion } from './motionRecorder.ts';
+import { penaltyParam, quantityParam } from './params.ts';
+import type { SimulationOutputs, SimulationSettings } from './simulation.ts';
 
 /** Those of the source documents, which have corrections, are last. */
 const METHODS = [
@@ -16,12 +16,12 @@ const METHODS = [
   { value: 'linearly-implicit', title: 'method.linear' },
   { value: 'local-global', title: 'method.localGlobal' },
 ];
-const CORRECTED = METHODS.slice(6).map(({ value }) => value);
+const CORRECTED_METHODS = METHODS.slice(6).map(({ value }) => value);
 /** Those that a GPU can take. */
-const SPLITTINGS = METHODS.slice(2, 6).map(({ value }) => value);
+const SPLITTING_METHODS = METHODS.slice(2, 6).map(({ value }) => value);
 
 /** Where it is not in a thread of its own it lets others work, and hears whether it is still wanted, so often [ms]. */
-const BREATH = 50;
+const YIELD_INTERVAL = 50;
 
 /** Computes how matter moves, and keeps books of its energy. */
 export const simulateNode = defineNode({
@@ -30,7 +30,7 @@ export const simulateNode = defineNode({
   help: 'node.simulate.help',
   category: 'dynamics',
   heavy: true,
-  onGpu: (params) => settingsOf(params).onGpu,
+  onGpu: (params) => simulationSettings(params).onGpu,
   params: {
     speedOfLight: {
       kind: 'number',
@@ -53,8 +53,8 @@ export const simulateNode = defineNode({
         { value: 'newton', title: 'mechanics.newton' },
       ],
     },
-    duration: amount({ title: 'param.duration', unit: 's', default: 4, min: 1e-6, max: 1e6 }),
-    rate: amount({
+    duration: quantityParam({ title: 'param.duration', unit: 's', default: 4, min: 1e-6, max: 1e6 }),
+    rate: quantityParam({
       title: 'param.frameRate',
       help: 'param.frameRate.help',
       unit: '1/s',
@@ -80,16 +80,16 @@ export const simulateNode = defineNode({
         { value: '2', title: 'correction.secant' },
         { value: '3', title: 'correction.root' },
       ],
-      onlyWhen: { param: 'method', is: CORRECTED },
+      onlyWhen: { param: 'method', is: CORRECTED_METHODS },
     },
     onGpu: {
       kind: 'boolean',
       title: 'param.onGpu',
       help: 'param.onGpu.help',
       default: false,
-      onlyWhen: { param: 'method', is: SPLITTINGS },
+      onlyWhen: { param: 'method', is: SPLITTING_METHODS },
     },
-    tolerance: amount({
+    tolerance: quantityParam({
       title: 'param.errorASecond',
       help: 'param.errorASecond.help',
       unit: 'm',
@@ -97,8 +97,8 @@ export const simulateNode = defineNode({
       max: 1e6,
       step: 1e-6,
     }),
-    step: amount({ title: 'param.step', help: 'param.step.help', unit: 's', default: 0, max: 1e6, step: 1e-6 }),
-    reach: amount({ title: 'param.touchReach', help: 'param.touchReach.help', unit: 'm', default: 0 }),
+    step: quantityParam({ title: 'param.step', help: 'param.step.help', unit: 's', default: 0, max: 1e6, step: 1e-6 }),
+    reach: quantityParam({ title: 'param.touchReach', help: 'param.touchReach.help', unit: 'm', default: 0 }),
     stiffness: penaltyParam,
   },
   inputs: { matter: { type: 'matter', many: true } },
@@ -106,36 +106,41 @@ export const simulateNode = defineNode({
   async evaluate({ matter }, params, { node, services, progress, interim, resume, signal }) {
     // Pages evaluate it in a worker: what computes is loaded there.
     const { Simulation } = await import('./simulation.ts');
-    const simulation = new Simulation(matter, settingsOf(params), node, resume?.reel as Reel | undefined);
+    const simulation = new Simulation(
+      matter,
+      simulationSettings(params),
+      node,
+      resume?.reel as RecordedMotion | undefined,
+    );
     let breath = performance.now();
     for await (const _ of simulation.run(services.openGpu)) {
-      progress(simulation.taken / simulation.frames, 'simulate');
+      progress(simulation.recordedFrames / simulation.frames, 'simulate');
       interim?.(() => ({ ...simulation.outputs() }));
-      if (signal && performance.now() - breath >= BREATH) {
+      if (signal && performance.now() - breath >= YIELD_INTERVAL) {
         await new Promise((resolve) => setTimeout(resolve));
         breath = performance.now();
       }
       if (signal?.aborted) throw new CancelledError();
     }
-    const { geometry, books }: Simulated = simulation.outputs();
+    const { geometry, books }: SimulationOutputs = simulation.outputs();
     return { geometry, books };
   },
 });
 
 /** What the parameters say; shared with the command line, which simulates by itself. */
-export function settingsOf(params: Readonly<Record<string, unknown>>): Settings {
-  const { method, correction, mechanics, onGpu, reach, stiffness, ...rest } = params as unknown as Params;
+export function simulationSettings(params: Readonly<Record<string, unknown>>): SimulationSettings {
+  const { method, correction, mechanics, onGpu, reach, stiffness, ...rest } = params as unknown as SimulateParams;
   return {
     ...rest,
-    method: CORRECTED.includes(method) ? `${method}-${correction}` : method,
+    method: CORRECTED_METHODS.includes(method) ? `${method}-${correction}` : method,
     newtonian: mechanics === 'newton',
-    onGpu: onGpu && SPLITTINGS.includes(method),
+    onGpu: onGpu && SPLITTING_METHODS.includes(method),
     touch: { reach, stiffness },
   };
 }
 
-interface Params
-  extends Pick<Settings, 'speedOfLight' | 'duration' | 'rate' | 'step' | 'tolerance' | 'method' | 'onGpu'> {
+interface SimulateParams
+  extends Pick<SimulationSettings, 'speedOfLight' | 'duration' | 'rate' | 'step' | 'tolerance' | 'method' | 'onGpu'> {
   readonly correction: string;
   readonly mechanics: string;
   readonly reach: number;

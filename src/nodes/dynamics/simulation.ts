@@ -1,21 +1,21 @@
-import type { ComputeGpu } from '../../compute/gpu.ts';
-import { runOnGpu } from '../../compute/run.ts';
-import { type Books, figuresOf } from '../../dynamics/books.ts';
-import { ledger } from '../../dynamics/energy.ts';
+import type { ComputeGpu } from '../../compute/computeDevice.ts';
+import { runOnGpu } from '../../compute/runOnGpu.ts';
+import { conservedQuantities } from '../../dynamics/energy.ts';
 import { METHODS } from '../../dynamics/methods/library.ts';
-import { type Frame, type Order, run, type Stop, stepsOf } from '../../dynamics/run.ts';
+import { type EarlyStop, integrate, type RunOptions, type SimulationFrame, stepSchedule } from '../../dynamics/run.ts';
+import { type RunRecord, summarizeRun } from '../../dynamics/runRecord.ts';
 import { pointName, type State, SystemError } from '../../dynamics/system.ts';
 import type { Diagnostic } from '../../scene/types.ts';
-import { refusal } from '../geometry/shared.ts';
-import { surveyed } from '../geometry/surveyed.ts';
+import { toLoadedScene } from '../common/loadedScene.ts';
+import { nodeRefusal } from '../common/params.ts';
 import type { LoadedScene, Services } from '../services.ts';
-import type { Touch } from './acting.ts';
-import { Film, type Reel } from './film.ts';
+import type { ProximityContact } from './forces.ts';
 import type { Matter } from './matter.ts';
-import { type Actor, type Cast, type Stage, stageOf } from './stage.ts';
+import { MotionRecorder, type RecordedMotion } from './motionRecorder.ts';
+import { type BodyGroup, type SimulatedBody, type SimulationSetup, setUpSimulation } from './setup.ts';
 
 /** How a simulation is to be computed. */
-export interface Settings {
+export interface SimulationSettings {
   /** Id of the method. */
   readonly method: string;
   /** [m/s] */
@@ -32,63 +32,63 @@ export interface Settings {
   readonly tolerance: number;
   /** By a GPU, in 32-bit numbers. */
   readonly onGpu: boolean;
-  readonly touch: Touch;
+  readonly touch: ProximityContact;
 }
 
 /** What the node gives; under `reel` what only itself needs, to go on. */
-export interface Simulated {
+export interface SimulationOutputs {
   readonly geometry: LoadedScene;
-  readonly books: Books;
-  readonly reel?: Reel;
+  readonly books: RunRecord;
+  readonly reel?: RecordedMotion;
 }
 
 /** Most vertices times frames that are kept: at 36 bytes each. */
-const MOST_SAMPLES = 10_000_000;
-const MOST_FRAMES = 100_000;
-const MOST_STEPS = 100_000_000;
+const MAX_SAMPLES = 10_000_000;
+const MAX_FRAMES = 100_000;
+const MAX_STEPS = 100_000_000;
 
 /** A run from frame to frame, of what parts make together. */
 export class Simulation {
-  readonly order: Order;
-  private readonly settings: Settings;
+  readonly runOptions: RunOptions;
+  private readonly settings: SimulationSettings;
   private readonly node: string;
-  private readonly film: Film;
-  private readonly casts: readonly Cast[];
-  private stop: Stop | undefined;
+  private readonly recorder: MotionRecorder;
+  private readonly bodyGroups: readonly BodyGroup[];
+  private stop: EarlyStop | undefined;
   /** The GPU is a program on the processor. */
   private onSoftware = false;
 
   /** `before`: goes on from there. Throws a NodeRefusal. */
-  constructor(matter: readonly Matter[], settings: Settings, node: string, before?: Reel) {
+  constructor(matter: readonly Matter[], settings: SimulationSettings, node: string, before?: RecordedMotion) {
     const c = settings.newtonian ? Number.POSITIVE_INFINITY : settings.speedOfLight;
     if (matter.every(({ kind }) => kind === 'field'))
-      throw refusal('simulate.nothing', node, 'nothing is there to move; connect a Mass spring or a Collider');
-    const stage = refusing(node, () => stageOf(matter, c, settings.touch));
+      throw nodeRefusal('simulate.nothing', node, 'nothing is there to move; connect a Mass spring or a Collider');
+    const stage = withSystemErrors(node, () => setUpSimulation(matter, c, settings.touch));
     this.settings = settings;
     this.node = node;
-    this.order = orderOf(stage, settings, node);
-    this.casts = stage.casts;
-    this.film = new Film(this.order, stage.casts, before);
+    this.runOptions = runOptionsFor(stage, settings, node);
+    this.bodyGroups = stage.bodyGroups;
+    this.recorder = new MotionRecorder(this.runOptions, stage.bodyGroups, before);
   }
 
   /** Frames that there will be. */
   get frames(): number {
-    return Math.round(this.order.duration / this.order.every) + 1;
+    return Math.round(this.runOptions.duration / this.runOptions.every) + 1;
   }
 
   /** Frames that there are. */
-  get taken(): number {
-    return this.film.length;
+  get recordedFrames(): number {
+    return this.recorder.length;
   }
 
   /** Takes further frames, one each time it is asked; `openGpu`: what takes the steps, where a GPU is to. Throws a NodeRefusal where it cannot. */
-  async *run(openGpu: Services['openGpu']): AsyncGenerator<Frame, void> {
-    if (this.taken === this.frames) return;
+  async *run(openGpu: Services['openGpu']): AsyncGenerator<SimulationFrame, void> {
+    if (this.recordedFrames === this.frames) return;
     let gpu: ComputeGpu | undefined;
     try {
       if (this.settings.onGpu) gpu = await openGpu();
       this.onSoftware = gpu?.software ?? false;
-      yield* this.follow(gpu?.device);
+      yield* this.runRemaining(gpu?.device);
     } catch (error) {
       throw error instanceof SystemError ? gpuRefusal(this.node, error) : error;
     } finally {
@@ -96,26 +96,26 @@ export class Simulation {
     }
   }
 
-  private async *follow(device: GPUDevice | undefined): AsyncGenerator<Frame, void> {
-    const { order, film } = this;
-    const { length } = film;
-    const { state: start, steps } = film.latest;
+  private async *runRemaining(device: GPUDevice | undefined): AsyncGenerator<SimulationFrame, void> {
+    const { runOptions: order, recorder } = this;
+    const { length } = recorder;
+    const { state: start, steps } = recorder.latest;
     const known = Math.max(1, length) - 1;
     const since = { t: order.start.t, frames: known };
     const left = (this.frames - 1 - known) * order.every;
-    const rest: Order = { ...order, since, duration: left, start: { ...start, t: since.t + known * order.every } };
-    const running = device ? runOnGpu(device, rest) : run(rest);
+    const rest: RunOptions = { ...order, since, duration: left, start: { ...start, t: since.t + known * order.every } };
+    const running = device ? runOnGpu(device, rest) : integrate(rest);
     try {
       // The first frame is the one that it goes on from.
       if (length > 0) await running.next();
       for (;;) {
         const { done, value } = await running.next();
         if (done) {
-          this.stop = value && named(value, this.casts);
+          this.stop = value && withObjectName(value, this.bodyGroups);
           return;
         }
         const frame = { ...value, steps: steps + value.steps };
-        film.take(frame);
+        recorder.addFrame(frame);
         yield frame;
       }
     } finally {
@@ -124,28 +124,28 @@ export class Simulation {
   }
 
   /** Enters a frame that was computed before. */
-  enter(state: State, steps: number): void {
-    this.film.take({ state, steps, ledger: ledger(this.order.system, state) });
+  addFrame(state: State, steps: number): void {
+    this.recorder.addFrame({ state, steps, quantities: conservedQuantities(this.runOptions.system, state) });
   }
 
   /** All there is so far. */
-  outputs(): Simulated {
-    const { film, settings } = this;
-    const books: Books = { ...film.accounts(this.stop), ...(settings.onGpu && { onGpu: true }) };
-    const whole = film.scene(this.notes(books));
+  outputs(): SimulationOutputs {
+    const { recorder, settings } = this;
+    const books: RunRecord = { ...recorder.record(this.stop), ...(settings.onGpu && { onGpu: true }) };
+    const whole = recorder.scene(this.notes(books));
     const hints = { ...whole.hints, speedOfLight: settings.speedOfLight };
     return {
-      geometry: surveyed({ ...whole, hints }),
+      geometry: toLoadedScene({ ...whole, hints }),
       books,
-      ...(film.length < this.frames && { reel: film.reel() }),
+      ...(recorder.length < this.frames && { reel: recorder.recordedMotion() }),
     };
   }
 
-  private notes(books: Books): Diagnostic[] {
-    const { node, order, onSoftware } = this;
+  private notes(books: RunRecord): Diagnostic[] {
+    const { node, runOptions: order, onSoftware } = this;
     const { stop } = books;
-    const { h, stable } = stepsOf(order);
-    const { grown } = figuresOf(books);
+    const { h, stable } = stepSchedule(order);
+    const { grown } = summarizeRun(books);
     const notes: Diagnostic[] = [];
     const note = (code: string, param: string, message: string, severity: 'warning' | 'info' = 'warning'): void =>
       void notes.push({ severity, code, place: param ? `${node}.${param}` : node, message });
@@ -170,18 +170,18 @@ export class Simulation {
 }
 
 /** Why a run ended, with the thing that it happened to instead of the number of a point. */
-function named(stop: Stop, casts: readonly Cast[]): Stop {
+function withObjectName(stop: EarlyStop, casts: readonly BodyGroup[]): EarlyStop {
   const { point } = stop;
   if (point === undefined) return stop;
-  for (const actor of casts.flatMap(({ actors }) => actors)) {
-    const name = nameIn(actor, point);
+  for (const actor of casts.flatMap(({ bodies }) => bodies)) {
+    const name = pointNameIn(actor, point);
     if (name) return { ...stop, message: stop.message.replace(pointName(point), name) };
   }
   return stop;
 }
 
 /** What a point is of an actor; undefined where it is of none of its things. */
-function nameIn(actor: Actor, point: number): string | undefined {
+function pointNameIn(actor: SimulatedBody, point: number): string | undefined {
   switch (actor.kind) {
     case 'net': {
       const vertex = actor.pointOfVertex.indexOf(point);
@@ -198,49 +198,53 @@ function nameIn(actor: Actor, point: number): string | undefined {
 
 /** What a GPU cannot do is refused with the way round it. */
 const gpuRefusal = (node: string, { message }: SystemError): Error =>
-  refusal('simulate.gpu', `${node}.onGpu`, `${message}; compute it on the processor`, {
+  nodeRefusal('simulate.gpu', `${node}.onGpu`, `${message}; compute it on the processor`, {
     ...{ node, param: 'onGpu', value: false },
   });
 
 /** What cannot be a system is refused at the node. */
-function refusing<T>(node: string, make: () => T): T {
+function withSystemErrors<T>(node: string, make: () => T): T {
   try {
     return make();
   } catch (error) {
-    if (error instanceof SystemError) throw refusal('simulate.system', node, error.message);
+    if (error instanceof SystemError) throw nodeRefusal('simulate.system', node, error.message);
     throw error;
   }
 }
 
-function orderOf({ system, start, casts }: Stage, settings: Settings, node: string): Order {
+function runOptionsFor(
+  { system, start, bodyGroups }: SimulationSetup,
+  settings: SimulationSettings,
+  node: string,
+): RunOptions {
   const { duration, rate, step, tolerance, onGpu } = settings;
   const frames = Math.max(1, Math.round(duration * rate));
   const set = (param: string, value: number) => ({ node, param, value });
-  if (frames > MOST_FRAMES) {
-    const message = `${frames} frames are more than ${MOST_FRAMES}; keep fewer a second, or let it end sooner`;
-    throw refusal('simulate.frames', `${node}.rate`, message, set('duration', MOST_FRAMES / rate));
+  if (frames > MAX_FRAMES) {
+    const message = `${frames} frames are more than ${MAX_FRAMES}; keep fewer a second, or let it end sooner`;
+    throw nodeRefusal('simulate.frames', `${node}.rate`, message, set('duration', MAX_FRAMES / rate));
   }
-  const vertices = casts
-    .flatMap(({ actors }) => actors)
+  const vertices = bodyGroups
+    .flatMap(({ bodies }) => bodies)
     .reduce((sum, actor) => sum + (actor.kind === 'net' ? actor.pointOfVertex.length : 0), 0);
-  if (vertices * frames > MOST_SAMPLES) {
-    const message = `${vertices} vertices in ${frames} frames are more than ${MOST_SAMPLES} samples; keep fewer frames a second, let it end sooner, or take coarser meshes`;
-    const most = Math.floor(MOST_SAMPLES / vertices / duration);
-    throw refusal('simulate.samples', `${node}.rate`, message, most >= 1 ? set('rate', most) : undefined);
+  if (vertices * frames > MAX_SAMPLES) {
+    const message = `${vertices} vertices in ${frames} frames are more than ${MAX_SAMPLES} samples; keep fewer frames a second, let it end sooner, or take coarser meshes`;
+    const most = Math.floor(MAX_SAMPLES / vertices / duration);
+    throw nodeRefusal('simulate.samples', `${node}.rate`, message, most >= 1 ? set('rate', most) : undefined);
   }
   if (onGpu && tolerance > 0) {
     const message = 'steps that follow their error are not taken on the GPU; let them be all alike, with 0';
-    throw refusal('simulate.gpu', `${node}.tolerance`, message, set('tolerance', 0));
+    throw nodeRefusal('simulate.gpu', `${node}.tolerance`, message, set('tolerance', 0));
   }
-  const order: Order = {
+  const order: RunOptions = {
     ...{ system, start, method: METHODS.get(settings.method)!, duration, every: duration / frames },
     ...(step > 0 && { step }),
     ...(tolerance > 0 && { tolerance }),
   };
-  const { h, perFrame } = stepsOf(order);
-  if (perFrame * frames > MOST_STEPS) {
-    const message = `it would take ${(perFrame * frames).toExponential(1)} steps of ${h.toExponential(1)} s, more than ${MOST_STEPS}; set a longer step, take softer springs, or let it end sooner`;
-    throw refusal('simulate.steps', `${node}.step`, message, set('step', duration / MOST_STEPS));
+  const { h, perFrame } = stepSchedule(order);
+  if (perFrame * frames > MAX_STEPS) {
+    const message = `it would take ${(perFrame * frames).toExponential(1)} steps of ${h.toExponential(1)} s, more than ${MAX_STEPS}; set a longer step, take softer springs, or let it end sooner`;
+    throw nodeRefusal('simulate.steps', `${node}.step`, message, set('step', duration / MAX_STEPS));
   }
   return order;
 }

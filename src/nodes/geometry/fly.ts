@@ -1,11 +1,11 @@
-import { NodeRefusal, type Problem } from '../../graph/nodeType.ts';
+import { type NodeProblem, NodeRefusal } from '../../graph/nodeType.ts';
 import { length, normalize, scale } from '../../math/vec3.ts';
-import { fastest } from '../../scene/fastest.ts';
-import { fly, isAt, tooLargeToFly } from '../../scene/fly.ts';
+import { fastestVertex } from '../../scene/motion/fastestVertex.ts';
+import { fly, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
 import type { Scene } from '../../scene/types.ts';
-import { defineNode, type Relativity } from '../define.ts';
-import type { FastestPoint } from '../services.ts';
-import { seconds } from './shared.ts';
+import { timeParam } from '../common/params.ts';
+import { defineNode, type RelativisticScene } from '../defineNode.ts';
+import type { FastestScenePoint } from '../services.ts';
 
 /** Makes a thing fly along a straight line, whatever moved it before. */
 export const flyNode = defineNode({
@@ -32,7 +32,7 @@ export const flyNode = defineNode({
       help: 'param.flyDirection.help',
       default: [1, 0, 0],
     },
-    at: { ...seconds('param.flyAt', 0), help: 'param.flyAt.help' },
+    at: { ...timeParam('param.flyAt', 0), help: 'param.flyAt.help' },
     authoredIn: {
       kind: 'choice',
       title: 'param.flyShape',
@@ -49,23 +49,23 @@ export const flyNode = defineNode({
   evaluate({ relativity }, { object: path, speed, direction, at, authoredIn }, { node }) {
     if (path === '') return { relativity };
     const { scene, speedOfLight: c } = relativity;
-    refuseFlight(scene, path, direction, node);
+    assertCanFly(scene, path, direction, node);
     const flown = fly(
       scene,
       { path, beta: scale(normalize(direction), speed), at, authoredIn: authoredIn as 'rest' },
       c,
     );
     const fast = fastestAfter(relativity, flown, path);
-    if (fast && fast.speed >= c) throw refusal(tooFast(fast, c, node));
+    if (fast && fast.speed >= c) throw refusal(superluminalProblem(fast, c, node));
     return { relativity: { ...relativity, scene: flown, fastest: fast } };
   },
 });
 
-const refusal = (problem: Omit<Problem, 'severity'>) => new NodeRefusal({ severity: 'error', ...problem });
+const refusal = (problem: Omit<NodeProblem, 'severity'>) => new NodeRefusal({ severity: 'error', ...problem });
 
-function refuseFlight(scene: Scene, path: string, direction: readonly [number, number, number], node: string): void {
+function assertCanFly(scene: Scene, path: string, direction: readonly [number, number, number], node: string): void {
   const [large] = tooLargeToFly(scene, path);
-  if (!scene.objects.some((object) => isAt(object.path, path))) {
+  if (!scene.objects.some((object) => isAtOrBelow(object.path, path))) {
     throw refusal({
       code: 'fly.missing',
       place: path,
@@ -83,21 +83,25 @@ function refuseFlight(scene: Scene, path: string, direction: readonly [number, n
 }
 
 /** The fastest of what flies and of the rest; of the rest it is known, unless it was one of those that fly now. */
-function fastestAfter({ fastest: before, scene, speedOfLight: c }: Relativity, flown: Scene, path: string) {
-  const known = before && !isAt(before.path, path) ? before : undefined;
+function fastestAfter({ fastest: before, scene, speedOfLight: c }: RelativisticScene, flown: Scene, path: string) {
+  const known = before && !isAtOrBelow(before.path, path) ? before : undefined;
   const changed = new Set(scene.objects);
-  let best: FastestPoint | undefined = known;
+  let best: FastestScenePoint | undefined = known;
   for (const object of flown.objects) {
-    const isLookedAt = isAt(object.path, path) || (before && !known && changed.has(object));
+    const isLookedAt = isAtOrBelow(object.path, path) || (before && !known && changed.has(object));
     if (!isLookedAt) continue;
-    const { speed, from } = fastest(object, c, [flown.startTime, flown.endTime], best?.speed);
+    const { speed, from } = fastestVertex(object, c, [flown.startTime, flown.endTime], best?.speed);
     if (speed > (best?.speed ?? 0))
       best = { path: object.path, speed, time: Number.isFinite(from) ? from : flown.startTime };
   }
   return best;
 }
 
-function tooFast({ path, speed, time }: FastestPoint, c: number, node: string): Omit<Problem, 'severity'> {
+function superluminalProblem(
+  { path, speed, time }: FastestScenePoint,
+  c: number,
+  node: string,
+): Omit<NodeProblem, 'severity'> {
   const message = `with its own motion the flight makes it ${(speed / c).toPrecision(3)} c at t = ${time.toFixed(2)} s; fly slower, or raise the speed of light`;
   return { code: 'motion.superluminal', place: path, message, remedy: { node, param: 'speed', value: 0.5 } };
 }

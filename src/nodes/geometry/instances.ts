@@ -1,9 +1,9 @@
 import { normalize, type Vec3 } from '../../math/vec3.ts';
-import { block, copies, MOST_COPIES, ring } from '../../scene/compose/instances.ts';
-import { defineNode } from '../define.ts';
-import { metres, pieces } from './primitive.ts';
-import { refusal, vector } from './shared.ts';
-import { surveyed } from './surveyed.ts';
+import { arrangeCopies, gridPoses, MAX_COPIES, ringPoses } from '../../scene/compose/arrange.ts';
+import { toLoadedScene } from '../common/loadedScene.ts';
+import { nodeRefusal, vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { countParam, lengthParam } from './primitives/definePrimitive.ts';
 
 const BLOCK = { param: 'arrangement', is: 'block' } as const;
 const RING = { param: 'arrangement', is: 'ring' } as const;
@@ -24,27 +24,27 @@ export const instancesNode = defineNode({
         { value: 'ring', title: 'arrangement.ring' },
       ],
     },
-    countX: { ...pieces('param.countX', 3, 1, 1000), onlyWhen: BLOCK },
-    countY: { ...pieces('param.countY', 1, 1, 1000), onlyWhen: BLOCK },
-    countZ: { ...pieces('param.countZ', 3, 1, 1000), onlyWhen: BLOCK },
-    spacing: { ...vector('param.spacing', [2, 2, 2], 'm'), onlyWhen: BLOCK },
-    count: { ...pieces('param.count', 8, 1, 1000), onlyWhen: RING },
-    radius: { ...metres('param.radius', 4), onlyWhen: RING },
-    axis: { ...vector('param.axisVector', [0, 1, 0]), onlyWhen: RING },
+    countX: { ...countParam('param.countX', 3, 1, 1000), onlyWhen: BLOCK },
+    countY: { ...countParam('param.countY', 1, 1, 1000), onlyWhen: BLOCK },
+    countZ: { ...countParam('param.countZ', 3, 1, 1000), onlyWhen: BLOCK },
+    spacing: { ...vectorParam('param.spacing', [2, 2, 2], 'm'), onlyWhen: BLOCK },
+    count: { ...countParam('param.count', 8, 1, 1000), onlyWhen: RING },
+    radius: { ...lengthParam('param.radius', 4), onlyWhen: RING },
+    axis: { ...vectorParam('param.axisVector', [0, 1, 0]), onlyWhen: RING },
   },
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
   evaluate({ geometry: { scene } }, params, { node }) {
     const { arrangement, countX, countY, countZ, count, spacing, radius, axis } = params;
     const many = (arrangement === 'block' ? countX * countY * countZ : count) * scene.objects.length;
-    if (many > MOST_COPIES) {
-      const message = `that would be ${many} things, more than ${MOST_COPIES}; take fewer`;
-      throw refusal('instances.many', node, message);
+    if (many > MAX_COPIES) {
+      const message = `that would be ${many} things, more than ${MAX_COPIES}; take fewer`;
+      throw nodeRefusal('instances.many', node, message);
     }
     const spots =
       arrangement === 'block'
-        ? block([countX, countY, countZ], spacing)
-        : ring(count, radius, normalize(axis as Vec3, [0, 1, 0]));
-    return { geometry: surveyed(copies(scene, spots)) };
+        ? gridPoses([countX, countY, countZ], spacing)
+        : ringPoses(count, radius, normalize(axis as Vec3, [0, 1, 0]));
+    return { geometry: toLoadedScene(arrangeCopies(scene, spots)) };
   },
 });

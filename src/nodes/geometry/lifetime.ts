@@ -1,6 +1,6 @@
-import { livingIn } from '../../scene/compose/dress.ts';
-import { defineNode } from '../define.ts';
-import { checkPath, refusal, seconds, whichParam } from './shared.ts';
+import { withLifetime } from '../../scene/compose/assignMaterial.ts';
+import { assertPathExists, nodeRefusal, timeParam, whichParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** From when to when things are there. */
 export const lifetimeNode = defineNode({
@@ -8,15 +8,20 @@ export const lifetimeNode = defineNode({
   title: 'node.lifetime',
   help: 'node.lifetime.help',
   category: 'geometry',
-  params: { which: whichParam, birth: seconds('param.birth', 0), death: seconds('param.death', 10) },
+  params: { which: whichParam, birth: timeParam('param.birth', 0), death: timeParam('param.death', 10) },
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
   evaluate({ geometry }, { which, birth, death }, { node }) {
-    checkPath(geometry.scene, which, node);
+    assertPathExists(geometry.scene, which, node);
     if (!(death > birth)) {
       const remedy = { node, param: 'death', value: birth + 1 };
-      throw refusal('lifetime.empty', `${node}.death`, `it ends at ${death} s, before it begins at ${birth} s`, remedy);
+      throw nodeRefusal(
+        'lifetime.empty',
+        `${node}.death`,
+        `it ends at ${death} s, before it begins at ${birth} s`,
+        remedy,
+      );
     }
-    return { geometry: { ...geometry, scene: livingIn(geometry.scene, which, { birth, death }) } };
+    return { geometry: { ...geometry, scene: withLifetime(geometry.scene, which, { birth, death }) } };
   },
 });

@@ -1,17 +1,17 @@
-import { readReflectanceCsv } from '../../formats/spectrumCsv.ts';
-import { dress } from '../../scene/compose/dress.ts';
+import { readReflectanceCsv } from '../../formats/attributes/spectrumCsv.ts';
+import { assignMaterial } from '../../scene/compose/assignMaterial.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
-import { measuredSurface } from '../../scene/measuredSurface.ts';
+import { measuredMaterial } from '../../scene/materials/measuredMaterial.ts';
 import { InputError, type Material } from '../../scene/types.ts';
-import { MATERIAL_PRESETS } from '../../spectrum/materialPresets.ts';
-import type { Reflectance } from '../../spectrum/measured.ts';
-import { defineNode } from '../define.ts';
+import { MATERIAL_PRESETS } from '../../spectrum/reflectance/materialPresets.ts';
+import type { MeasuredReflectance } from '../../spectrum/reflectance/measuredReflectance.ts';
+import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
 import type { Services } from '../services.ts';
-import { checkPath, refusal, whichParam } from './shared.ts';
 
-const share = (title: string, value: number) =>
+const fractionParam = (title: string, value: number) =>
   ({ kind: 'number', title, default: value, min: 0, max: 1, step: 0.01 }) as const;
-const OWN = { param: 'preset', is: 'own' } as const;
+const CUSTOM_PRESET = { param: 'preset', is: 'own' } as const;
 
 /** What a surface is of. */
 export const materialNode = defineNode({
@@ -37,12 +37,12 @@ export const materialNode = defineNode({
       help: 'param.reflectance.help',
       default: '',
       file: true,
-      onlyWhen: OWN,
+      onlyWhen: CUSTOM_PRESET,
     },
-    color: { kind: 'color', title: 'param.color', default: [0.5, 0.5, 0.5], onlyWhen: OWN },
-    roughness: { ...share('param.roughness', 0.6), onlyWhen: OWN },
-    metallic: { ...share('param.metallic', 0), onlyWhen: OWN },
-    opacity: share('param.opacity', 1),
+    color: { kind: 'color', title: 'param.color', default: [0.5, 0.5, 0.5], onlyWhen: CUSTOM_PRESET },
+    roughness: { ...fractionParam('param.roughness', 0.6), onlyWhen: CUSTOM_PRESET },
+    metallic: { ...fractionParam('param.metallic', 0), onlyWhen: CUSTOM_PRESET },
+    opacity: fractionParam('param.opacity', 1),
     glow: {
       kind: 'number',
       title: 'param.glow',
@@ -68,24 +68,24 @@ export const materialNode = defineNode({
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
   async evaluate({ geometry }, { which, reflectance, ...how }, { node, services }) {
-    checkPath(geometry.scene, which, node);
+    assertPathExists(geometry.scene, which, node);
     const table = how.preset === 'own' && reflectance ? await readTable(reflectance, services) : undefined;
-    const material = { ...materialOf(node, how), ...(table && measuredSurface(table)) };
-    return { geometry: { ...geometry, scene: dress(geometry.scene, which, material) } };
+    const material = { ...materialOf(node, how), ...(table && measuredMaterial(table)) };
+    return { geometry: { ...geometry, scene: assignMaterial(geometry.scene, which, material) } };
   },
 });
 
-async function readTable(source: string, services: Services): Promise<Reflectance> {
+async function readTable(source: string, services: Services): Promise<MeasuredReflectance> {
   try {
     return readReflectanceCsv(await services.readFile(source), source);
   } catch (error) {
     if (!(error instanceof InputError)) throw error;
     const { code, place, message } = error.diagnostic;
-    throw refusal(code, place, message);
+    throw nodeRefusal(code, place, message);
   }
 }
 
-interface Looks {
+interface MaterialParams {
   readonly preset: string;
   readonly color: Material['baseColor'];
   readonly roughness: number;
@@ -95,11 +95,14 @@ interface Looks {
   readonly temperature: number;
 }
 
-function materialOf(name: string, { preset, color, roughness, metallic, opacity, glow, temperature }: Looks): Material {
+function materialOf(
+  name: string,
+  { preset, color, roughness, metallic, opacity, glow, temperature }: MaterialParams,
+): Material {
   const known = MATERIAL_PRESETS.get(preset);
   const shine = glow > 0 ? { emissive: [glow, glow, glow] as const, emissionTemperature: temperature } : {};
   if (!known) return makeMaterial({ name, baseColor: color, roughness, metallic, opacity, ...shine });
-  const { rgb, uv, ir } = known.bands;
+  const { rgb, uv, ir } = known.filter;
   const surface = { baseColor: rgb, uv, ir, roughness: known.roughness, metallic: known.metallic ? 1 : 0 };
   return makeMaterial({ name, ...surface, opacity, ...shine });
 }

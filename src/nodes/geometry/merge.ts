@@ -1,6 +1,6 @@
-import { mergeScenes } from '../../scene/compose/merge.ts';
-import { defineNode } from '../define.ts';
-import { surveyed } from './surveyed.ts';
+import { mergeScenes } from '../../scene/compose/mergeScenes.ts';
+import { toLoadedScene } from '../common/loadedScene.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** Several things together; the first has the say where there can be only one. */
 export const mergeNode = defineNode({
@@ -11,5 +11,5 @@ export const mergeNode = defineNode({
   params: {},
   inputs: { geometry: { type: 'geometry', many: true } },
   outputs: { geometry: { type: 'geometry' } },
-  evaluate: ({ geometry }) => ({ geometry: surveyed(mergeScenes(geometry.map(({ scene }) => scene))) }),
+  evaluate: ({ geometry }) => ({ geometry: toLoadedScene(mergeScenes(geometry.map(({ scene }) => scene))) }),
 });

@@ -1,9 +1,9 @@
-import { moved, movedReach, movingAt } from '../../scene/compose/moved.ts';
-import { motionOf } from '../../scene/compose/paths.ts';
-import type { FrameMotion, SceneObject } from '../../scene/types.ts';
-import { defineNode } from '../define.ts';
-import { checkPath, refusal, whichParam } from './shared.ts';
-import { surveyed } from './surveyed.ts';
+import { applyRigidMotion, movingPaths, reachFromOrigin } from '../../scene/compose/applyRigidMotion.ts';
+import { motionFromPath } from '../../scene/compose/motionPaths.ts';
+import type { RigidMotion, SceneObject } from '../../scene/types.ts';
+import { toLoadedScene } from '../common/loadedScene.ts';
+import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** Things at rest moved, all as one body. */
 export const moveNode = defineNode({
@@ -27,20 +27,20 @@ export const moveNode = defineNode({
   inputs: { geometry: { type: 'geometry' }, motion: { type: 'motion' } },
   outputs: { geometry: { type: 'geometry' } },
   evaluate({ geometry: { scene }, motion: course }, { which, authoredIn }, { node }) {
-    checkPath(scene, which, node);
-    const [moving] = movingAt(scene, which);
+    assertPathExists(scene, which, node);
+    const [moving] = movingPaths(scene, which);
     if (moving !== undefined) {
       const message = `${moving} moves already; put this before what moves it, or choose things at rest`;
-      throw refusal('move.moving', moving, message);
+      throw nodeRefusal('move.moving', moving, message);
     }
-    const motion = motionOf(course, movedReach(scene, which));
-    const carried = moved(scene, which, motion, authoredIn as SceneObject['authoredIn']);
-    return { geometry: surveyed({ ...carried, ...rangeWith(scene, motion) }) };
+    const motion = motionFromPath(course, reachFromOrigin(scene, which));
+    const carried = applyRigidMotion(scene, which, motion, authoredIn as SceneObject['authoredIn']);
+    return { geometry: toLoadedScene({ ...carried, ...timeRangeIncluding(scene, motion) }) };
   },
 });
 
 /** The range of time holds what is sampled. */
-function rangeWith({ startTime, endTime }: { startTime: number; endTime: number }, motion: FrameMotion) {
+function timeRangeIncluding({ startTime, endTime }: { startTime: number; endTime: number }, motion: RigidMotion) {
   if (motion.kind !== 'sampled') return { startTime, endTime };
   const [first, last] = [motion.times[0]!, motion.times[motion.times.length - 1]!];
   const still = endTime <= startTime;

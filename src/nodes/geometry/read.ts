@@ -1,10 +1,10 @@
-import { parseChoice } from '../../formats/choices.ts';
+import { parseVariantChoice } from '../../formats/variantChoice.ts';
 import { InputError } from '../../scene/types.ts';
-import { defineNode } from '../define.ts';
-import { refusal } from './shared.ts';
+import { nodeRefusal } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** Reads a scene file of any kind that `formats/` knows. */
-export const read = defineNode({
+export const readNode = defineNode({
   id: 'read',
   title: 'node.read',
   help: 'node.read.help',
@@ -27,19 +27,24 @@ export const read = defineNode({
   inputs: {},
   outputs: { geometry: { type: 'geometry' } },
   async evaluate(_inputs, { source, variants, interpolation }, { node, services, signal, progress }) {
-    if (!source) throw refusal('read.none', node, 'no file is chosen; open one, or take one of the examples');
+    if (!source) throw nodeRefusal('read.none', node, 'no file is chosen; open one, or take one of the examples');
     try {
       return {
-        geometry: await services.readScene(source, { variants: chosenOf(variants), interpolation, signal, progress }),
+        geometry: await services.readScene(source, {
+          variants: parseVariants(variants),
+          interpolation,
+          signal,
+          progress,
+        }),
       };
     } catch (error) {
       if (!(error instanceof InputError)) throw error;
       const { code, place, message } = error.diagnostic;
-      throw refusal(code, place, message);
+      throw nodeRefusal(code, place, message);
     }
   },
 });
 
 /** Options by the sets that they are of; what is no choice is left out. */
-export const chosenOf = (variants: readonly string[]): ReadonlyMap<string, string> =>
-  new Map(variants.flatMap((text) => [parseChoice(text)].filter((choice) => choice !== undefined)));
+export const parseVariants = (variants: readonly string[]): ReadonlyMap<string, string> =>
+  new Map(variants.flatMap((text) => [parseVariantChoice(text)].filter((choice) => choice !== undefined)));

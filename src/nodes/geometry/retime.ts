@@ -1,8 +1,8 @@
-import { fastest } from '../../scene/fastest.ts';
-import { retime } from '../../scene/retime.ts';
-import { defineNode } from '../define.ts';
+import { fastestVertex } from '../../scene/motion/fastestVertex.ts';
+import { retime } from '../../scene/motion/retime.ts';
+import { timeParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
 import type { LoadedScene } from '../services.ts';
-import { seconds } from './shared.ts';
 
 /** When and how fast a scene's animation runs. */
 export const retimeNode = defineNode({
@@ -22,26 +22,26 @@ export const retimeNode = defineNode({
       step: 0.01,
       scale: 'log',
     },
-    offset: { ...seconds('param.animationOffset', 0), help: 'param.animationOffset.help' },
+    offset: { ...timeParam('param.animationOffset', 0), help: 'param.animationOffset.help' },
   },
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
   evaluate({ geometry: loaded }, timing) {
     const scene = retime(loaded.scene, timing);
     return {
-      geometry: scene === loaded.scene ? loaded : { ...loaded, scene, ...fastestIn(scene, loaded, timing.speed) },
+      geometry: scene === loaded.scene ? loaded : { ...loaded, scene, ...retimedFastest(scene, loaded, timing.speed) },
     };
   },
 });
 
 /** The fastest point goes by as much faster, at its new time; of hyperbolic motion, which nears c, it is looked for again. */
-function fastestIn(scene: LoadedScene['scene'], before: LoadedScene, speed: number): Pick<LoadedScene, 'fastest'> {
+function retimedFastest(scene: LoadedScene['scene'], before: LoadedScene, speed: number): Pick<LoadedScene, 'fastest'> {
   const point = before.fastest;
   const object = point && scene.objects.find(({ path }) => path === point.path);
   if (!point || !object) return {};
   const { startTime, endTime, hints } = scene;
   if (object.motion.kind === 'hyperbolic') {
-    const found = fastest(object, hints.speedOfLight ?? 299_792_458, [startTime, endTime]);
+    const found = fastestVertex(object, hints.speedOfLight ?? 299_792_458, [startTime, endTime]);
     return { fastest: { path: object.path, time: found.from, speed: found.speed } };
   }
   const time = startTime + (point.time - before.scene.startTime) / speed;

@@ -1,9 +1,9 @@
-import { withObjects } from '../../scene/compose/dress.ts';
-import { isChosen } from '../../scene/compose/merge.ts';
-import { defineNode } from '../define.ts';
-import { pieces } from './primitive.ts';
-import { checkPath, refusal, whichParam } from './shared.ts';
-import { surveyed } from './surveyed.ts';
+import { withObjects } from '../../scene/compose/assignMaterial.ts';
+import { matchesPath } from '../../scene/compose/mergeScenes.ts';
+import { toLoadedScene } from '../common/loadedScene.ts';
+import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { countParam } from './primitives/definePrimitive.ts';
 
 /** Cuts triangles in four, or makes a smooth surface of them. */
 export const subdivideNode = defineNode({
@@ -14,7 +14,7 @@ export const subdivideNode = defineNode({
   heavy: true,
   params: {
     which: whichParam,
-    levels: pieces('param.levels', 1, 0, 6),
+    levels: countParam('param.levels', 1, 0, 6),
     surface: {
       kind: 'choice',
       title: 'param.surface',
@@ -30,21 +30,23 @@ export const subdivideNode = defineNode({
   outputs: { geometry: { type: 'geometry' } },
   async evaluate({ geometry: { scene } }, { which, levels, surface }, { node }) {
     // Pages evaluate it in a worker: what it needs is loaded there.
-    const { canBeFiner, MOST_TRIANGLES, smooth, split, trianglesAfter } = await import('../../scene/compose/finer.ts');
-    checkPath(scene, which, node);
-    const chosen = scene.objects.filter(({ path }) => isChosen(path, which));
+    const { canSubdivide, MAX_TRIANGLES, loopSubdivide, midpointSubdivide, trianglesAfter } = await import(
+      '../../scene/compose/subdivideObject.ts'
+    );
+    assertPathExists(scene, which, node);
+    const chosen = scene.objects.filter(({ path }) => matchesPath(path, which));
     const triangles = chosen.reduce((sum, { mesh }) => sum + trianglesAfter(mesh, levels), 0);
-    if (triangles > MOST_TRIANGLES) {
-      const message = `${levels} levels would make ${triangles.toExponential(1)} triangles, more than ${MOST_TRIANGLES}; take fewer levels, or fewer things`;
-      throw refusal('subdivide.many', `${node}.levels`, message, { node, param: 'levels', value: levels - 1 });
+    if (triangles > MAX_TRIANGLES) {
+      const message = `${levels} levels would make ${triangles.toExponential(1)} triangles, more than ${MAX_TRIANGLES}; take fewer levels, or fewer things`;
+      throw nodeRefusal('subdivide.many', `${node}.levels`, message, { node, param: 'levels', value: levels - 1 });
     }
-    const stored = chosen.find((object) => !canBeFiner(object));
+    const stored = chosen.find((object) => !canSubdivide(object));
     if (stored) {
       const message = `${stored.path} deforms and its samples are left in their file, so that they cannot be cut; choose other things`;
-      throw refusal('subdivide.stored', stored.path, message);
+      throw nodeRefusal('subdivide.stored', stored.path, message);
     }
-    const finer = surface === 'smooth' ? smooth : split;
+    const finer = surface === 'smooth' ? loopSubdivide : midpointSubdivide;
     const objects = withObjects(scene, which, (object) => (levels === 0 ? object : finer(object, levels)));
-    return { geometry: surveyed({ ...scene, objects }) };
+    return { geometry: toLoadedScene({ ...scene, objects }) };
   },
 });

@@ -1,7 +1,7 @@
-import { placeScene } from '../../scene/compose/place.ts';
-import { defineNode } from '../define.ts';
-import { rotation, vector } from './shared.ts';
-import { surveyed } from './surveyed.ts';
+import { transformScene } from '../../scene/compose/transformScene.ts';
+import { toLoadedScene } from '../common/loadedScene.ts';
+import { rotationXYZ, vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** Turns, enlarges and carries everything that comes in, with its motions, lamps and cameras. */
 export const transformNode = defineNode({
@@ -10,8 +10,8 @@ export const transformNode = defineNode({
   help: 'node.transform.help',
   category: 'geometry',
   params: {
-    position: vector('param.position', [0, 0, 0], 'm'),
-    rotation: vector('param.rotation', [0, 0, 0], '°'),
+    position: vectorParam('param.position', [0, 0, 0], 'm'),
+    rotation: vectorParam('param.rotation', [0, 0, 0], '°'),
     scale: {
       kind: 'number',
       title: 'param.scale',
@@ -27,6 +27,6 @@ export const transformNode = defineNode({
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
   evaluate: ({ geometry }, { position, rotation: angles, scale }) => ({
-    geometry: surveyed(placeScene(geometry.scene, { position, orientation: rotation(angles), scale })),
+    geometry: toLoadedScene(transformScene(geometry.scene, { position, orientation: rotationXYZ(angles), scale })),
   }),
 });

@@ -3,14 +3,14 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import { add, build, connect, edited, set } from '../../../tests/support/graphKit.ts';
-import { hasUsdCore, python } from '../../../tests/usdCore.ts';
-import { readFont } from '../../cli/fonts.ts';
-import { Evaluator } from '../../graph/evaluate.ts';
-import type { SceneFile } from '../files.ts';
+import { hasUsdCore, python } from '../../../tests/support/pythonOracles.ts';
+import { readFont } from '../../cli/files/fonts.ts';
+import { Evaluator } from '../../graph/evaluation/evaluator.ts';
 import { nodeLibrary } from '../library.ts';
-import { type LoadedScene, threadServices } from '../services.ts';
-import { filesOf, writersIn } from '../writers.ts';
-import { writtenScene } from '../writtenScene.ts';
+import { exportSceneFile } from '../project/exportSceneFile.ts';
+import { fileNodesIn, requestedFiles } from '../project/fileNodes.ts';
+import type { SceneOutput } from '../project/outputFiles.ts';
+import { type LoadedScene, workerServices } from '../services.ts';
 
 const folder = mkdtempSync(join(tmpdir(), 'slowlight-nodes-'));
 afterAll(() => rmSync(folder, { recursive: true }));
@@ -45,16 +45,16 @@ const flying = build(
   ],
   connect('time.time', 'usd.time'),
 );
-const services = { ...threadServices, readFont };
+const services = { ...workerServices, readFont };
 
-async function asked(motion: 'sampled' | 'exact'): Promise<{ readonly file: SceneFile; readonly path: string }> {
+async function asked(motion: 'sampled' | 'exact'): Promise<{ readonly file: SceneOutput; readonly path: string }> {
   const document = edited(flying, set('usd', 'motion', motion));
-  const writers = writersIn(document);
+  const writers = fileNodesIn(document);
   const evaluation = await new Evaluator(nodeLibrary).evaluate(document, [...writers.keys()], services);
-  const file = filesOf(evaluation, writers).get('usd');
+  const file = requestedFiles(evaluation, writers).get('usd');
   if (file?.kind !== 'scene') throw new Error('the node asks for no scene');
   const path = join(folder, `${motion}.usda`);
-  writeFileSync(path, (await writtenScene(file, 'geometry.usda')).files.get('geometry.usda')!);
+  writeFileSync(path, (await exportSceneFile(file, 'geometry.usda')).files.get('geometry.usda')!);
   return { file, path };
 }
 

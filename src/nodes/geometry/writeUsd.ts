@@ -1,5 +1,5 @@
-import { defineNode } from '../define.ts';
-import { fileName } from '../files.ts';
+import { defineNode } from '../defineNode.ts';
+import { checkedFileName } from '../project/outputFiles.ts';
 
 /** [m/s] */
 const SPEED_OF_LIGHT = 299_792_458;
@@ -45,7 +45,7 @@ export const writeUsdNode = defineNode({
       geometry,
       file: {
         kind: 'scene',
-        name: fileName(name, ['usda', 'usdz', 'usdc'], node),
+        name: checkedFileName(name, ['usda', 'usdz', 'usdc'], node),
         scene,
         sampled: motion === 'sampled',
       },

@@ -1,8 +1,8 @@
 import { normalize } from '../../math/vec3.ts';
-import { defineNode } from '../define.ts';
-import { metres } from '../geometry/primitive.ts';
-import { seconds, vector } from '../geometry/shared.ts';
-import { checkSpan, checkTurns } from './span.ts';
+import { timeParam, vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { lengthParam } from '../geometry/primitives/definePrimitive.ts';
+import { assertTimeSpan, assertTurns } from './checkSpan.ts';
 
 /** Round a circle at one speed. */
 export const circularNode = defineNode({
@@ -11,9 +11,9 @@ export const circularNode = defineNode({
   help: 'node.circular.help',
   category: 'geometry',
   params: {
-    center: vector('param.center', [0, 0, 0], 'm'),
-    axis: vector('param.axisVector', [0, 1, 0]),
-    radius: metres('param.radius', 4),
+    center: vectorParam('param.center', [0, 0, 0], 'm'),
+    axis: vectorParam('param.axisVector', [0, 1, 0]),
+    radius: lengthParam('param.radius', 4),
     speed: {
       kind: 'number',
       title: 'param.speed',
@@ -26,15 +26,15 @@ export const circularNode = defineNode({
       slider: false,
     },
     facing: { kind: 'boolean', title: 'param.facing', help: 'param.facing.help', default: true },
-    from: seconds('param.from', 0),
-    to: seconds('param.to', 60),
+    from: timeParam('param.from', 0),
+    to: timeParam('param.to', 60),
   },
   inputs: {},
   outputs: { motion: { type: 'motion' } },
   evaluate(_inputs, { speed, axis, ...circle }, { node }) {
     const rate = speed / circle.radius;
-    checkSpan(circle, node);
-    checkTurns(rate, circle, node);
+    assertTimeSpan(circle, node);
+    assertTurns(rate, circle, node);
     return { motion: { kind: 'circle', ...circle, axis: normalize(axis, [0, 1, 0]), rate } };
   },
 });

@@ -1,6 +1,6 @@
-import { ORIGIN } from '../../scene/defaults.ts';
-import { defineNode } from '../define.ts';
-import { seconds, vector } from '../geometry/shared.ts';
+import { IDENTITY_POSE } from '../../scene/defaults.ts';
+import { timeParam, vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** With a constant proper acceleration, at rest for a moment. */
 export const hyperbolicNode = defineNode({
@@ -9,15 +9,15 @@ export const hyperbolicNode = defineNode({
   help: 'node.hyperbolic.help',
   category: 'geometry',
   params: {
-    acceleration: vector('param.properAcceleration', [1, 0, 0], 'm/s²'),
-    restAt: seconds('param.restAt', 0),
+    acceleration: vectorParam('param.properAcceleration', [1, 0, 0], 'm/s²'),
+    restAt: timeParam('param.restAt', 0),
   },
   inputs: {},
   outputs: { motion: { type: 'motion' } },
   evaluate: (_inputs, { acceleration, restAt }) => ({
     motion: {
       kind: 'frame',
-      motion: { kind: 'hyperbolic', pose: ORIGIN, properAcceleration: acceleration, t0: restAt },
+      motion: { kind: 'hyperbolic', pose: IDENTITY_POSE, properAcceleration: acceleration, t0: restAt },
     },
   }),
 });

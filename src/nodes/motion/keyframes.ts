@@ -1,6 +1,6 @@
-import { keyed } from '../../scene/compose/paths.ts';
-import { defineNode } from '../define.ts';
-import { readKeys } from '../geometry/readPlaces.ts';
+import { keyframedMotion } from '../../scene/compose/motionPaths.ts';
+import { defineNode } from '../defineNode.ts';
+import { parsePoseKeys } from './keyTable.ts';
 
 /** From place to place at given times, straight, turning evenly. */
 export const keyframesNode = defineNode({
@@ -14,6 +14,6 @@ export const keyframesNode = defineNode({
   inputs: {},
   outputs: { motion: { type: 'motion' } },
   evaluate: (_inputs, { keys }, { node }) => ({
-    motion: { kind: 'frame', motion: keyed(readKeys(keys, node)) },
+    motion: { kind: 'frame', motion: keyframedMotion(parsePoseKeys(keys, node)) },
   }),
 });

@@ -1,7 +1,7 @@
 import { normalize } from '../../math/vec3.ts';
-import { defineNode } from '../define.ts';
-import { seconds, vector } from '../geometry/shared.ts';
-import { checkSpan, checkTurns } from './span.ts';
+import { timeParam, vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { assertTimeSpan, assertTurns } from './checkSpan.ts';
 
 /** Turning in its place. */
 export const spinNode = defineNode({
@@ -10,8 +10,8 @@ export const spinNode = defineNode({
   help: 'node.spin.help',
   category: 'geometry',
   params: {
-    center: vector('param.center', [0, 0, 0], 'm'),
-    axis: vector('param.axisVector', [0, 1, 0]),
+    center: vectorParam('param.center', [0, 0, 0], 'm'),
+    axis: vectorParam('param.axisVector', [0, 1, 0]),
     rate: {
       kind: 'number',
       title: 'param.rate',
@@ -22,14 +22,14 @@ export const spinNode = defineNode({
       step: 0.01,
       slider: false,
     },
-    from: seconds('param.from', 0),
-    to: seconds('param.to', 60),
+    from: timeParam('param.from', 0),
+    to: timeParam('param.to', 60),
   },
   inputs: {},
   outputs: { motion: { type: 'motion' } },
   evaluate(_inputs, { axis, ...spin }, { node }) {
-    checkSpan(spin, node);
-    checkTurns(spin.rate, spin, node);
+    assertTimeSpan(spin, node);
+    assertTurns(spin.rate, spin, node);
     return { motion: { kind: 'spin', ...spin, axis: normalize(axis, [0, 1, 0]) } };
   },
 });

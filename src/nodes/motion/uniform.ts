@@ -1,7 +1,7 @@
 import { IDENTITY } from '../../math/quat.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import { defineNode } from '../define.ts';
-import { seconds, vector } from '../geometry/shared.ts';
+import { timeParam, vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** At one velocity, along a straight line, for ever. */
 export const uniformNode = defineNode({
@@ -9,7 +9,7 @@ export const uniformNode = defineNode({
   title: 'node.uniform',
   help: 'node.uniform.help',
   category: 'geometry',
-  params: { velocity: vector('param.velocity', [1, 0, 0], 'm/s'), at: seconds('param.passes', 0) },
+  params: { velocity: vectorParam('param.velocity', [1, 0, 0], 'm/s'), at: timeParam('param.passes', 0) },
   inputs: {},
   outputs: { motion: { type: 'motion' } },
   evaluate(_inputs, { velocity, at }) {

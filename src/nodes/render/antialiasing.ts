@@ -1,11 +1,11 @@
-import { EFFECTS } from '../../scene/effects.ts';
-import { defineNode } from '../define.ts';
+import { EFFECTS } from '../../scene/frameGraph/effects.ts';
+import { defineNode } from '../defineNode.ts';
 
 const { title, help, args } = EFFECTS.antialiasing;
 const [contrast, search, single] = args;
 
 /** Hard edges of a finished picture without their stairs. */
-export const antialiasing = defineNode({
+export const antialiasingNode = defineNode({
   id: 'antialiasing',
   title,
   help,

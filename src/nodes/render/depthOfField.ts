@@ -1,11 +1,11 @@
-import { EFFECTS } from '../../scene/effects.ts';
-import { defineNode } from '../define.ts';
+import { EFFECTS } from '../../scene/frameGraph/effects.ts';
+import { defineNode } from '../defineNode.ts';
 
 const { title, help, args } = EFFECTS['depth-of-field'];
 const [focus, aperture, mostBlur] = args;
 
 /** A lens that is in focus at one distance. */
-export const depthOfField = defineNode({
+export const depthOfFieldNode = defineNode({
   id: 'depth-of-field',
   title,
   help,

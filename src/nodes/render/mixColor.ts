@@ -1,8 +1,8 @@
-import { defineNode } from '../define.ts';
-import { leading } from '../plan.ts';
+import { defineNode } from '../defineNode.ts';
+import { primaryGBuffer } from '../frameGraph/buildFrameGraph.ts';
 
 /** Two images into one. */
-export const mixColor = defineNode({
+export const mixColorNode = defineNode({
   id: 'mix-color',
   title: 'node.mixColor',
   help: 'node.mixColor.help',
@@ -43,7 +43,7 @@ export const mixColor = defineNode({
   evaluate: ({ below, above, mask }, { mode, alpha }) => ({
     image: {
       step: { kind: 'mix', mode, alpha, below, above, ...(mask && { mask }) },
-      gbuffer: leading(below.gbuffer, above.gbuffer),
+      gbuffer: primaryGBuffer(below.gbuffer, above.gbuffer),
     },
   }),
 });

@@ -1,8 +1,8 @@
-import { defineNode } from '../define.ts';
-import { pictureFor } from './pictureFor.ts';
+import { defineNode } from '../defineNode.ts';
+import { buildPictureAt } from './pictureFor.ts';
 
 /** What the screen shows and what is saved. */
-export const output = defineNode({
+export const outputNode = defineNode({
   id: 'output',
   title: 'node.output',
   help: 'node.output.help',
@@ -10,5 +10,5 @@ export const output = defineNode({
   params: {},
   inputs: { image: { type: 'image' } },
   outputs: { picture: { type: 'picture' } },
-  evaluate: ({ image }, _, { node }) => ({ picture: pictureFor(image, node) }),
+  evaluate: ({ image }, _, { node }) => ({ picture: buildPictureAt(image, node) }),
 });

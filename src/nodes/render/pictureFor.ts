@@ -1,13 +1,13 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
-import type { Image, Picture } from '../define.ts';
-import { PlanError, planned } from '../plan.ts';
+import type { ImageSpec, PictureSpec } from '../defineNode.ts';
+import { buildPicture, FrameGraphError } from '../frameGraph/buildFrameGraph.ts';
 
 /** The picture of an image that comes into `node`; what is put together of too much is refused there. */
-export function pictureFor(image: Image, node: string): Picture {
+export function buildPictureAt(image: ImageSpec, node: string): PictureSpec {
   try {
-    return planned(image);
+    return buildPicture(image);
   } catch (error) {
-    if (!(error instanceof PlanError)) throw error;
+    if (!(error instanceof FrameGraphError)) throw error;
     throw new NodeRefusal({ severity: 'error', code: 'picture.large', place: node, message: error.message });
   }
 }

@@ -1,12 +1,12 @@
 import { NodeRefusal, type NumberParam } from '../../graph/nodeType.ts';
-import { EFFECTS, type EffectId, type EffectInfo } from '../../scene/effects.ts';
-import type { WrittenEffect } from '../../scene/plan.ts';
-import { ShaderTextError } from '../../scene/shaderText/place.ts';
+import { EFFECTS, type EffectId, type EffectInfo } from '../../scene/frameGraph/effects.ts';
+import type { CustomEffect } from '../../scene/frameGraph/frameGraph.ts';
 import { readShaderText } from '../../scene/shaderText/shaderText.ts';
-import { defineNode } from '../define.ts';
+import { ShaderTextError } from '../../scene/shaderText/sourceLocation.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** Depth of field is a node of its own. */
-const LIBRARY = [
+const BUILTIN_EFFECTS = [
   'gaussian-blur',
   'bilateral-filter',
   'sky-background',
@@ -16,7 +16,7 @@ const LIBRARY = [
   'vignette',
   'fog',
 ] as const satisfies readonly EffectId[];
-const WRITTEN = 'written';
+const CUSTOM_EFFECT = 'written';
 
 const EXAMPLE = `// Darker lines, as on an old screen.
 fn effect(p: Pixel) -> vec4f {
@@ -25,22 +25,22 @@ fn effect(p: Pixel) -> vec4f {
 }
 `;
 
-const ARGS = ['param.arg1', 'param.arg2', 'param.arg3', 'param.arg4'] as const;
+const ARGUMENT_TITLES = ['param.arg1', 'param.arg2', 'param.arg3', 'param.arg4'] as const;
 
 /** arg1 … arg4: each effect has its own names, units and ranges for them; an effect that somebody writes takes any numbers. */
-function argument(index: 0 | 1 | 2 | 3) {
-  const own = LIBRARY.flatMap((id) => {
+function argumentParam(index: 0 | 1 | 2 | 3) {
+  const own = BUILTIN_EFFECTS.flatMap((id) => {
     const args: EffectInfo['args'] = EFFECTS[id].args;
     const arg = args[index];
     return arg ? [[id, arg] as const] : [];
   });
-  const any = { title: ARGS[index]!, default: 0, min: -1e9, max: 1e9, step: 0.01, slider: false } as const;
-  const cases = { ...Object.fromEntries(own), [WRITTEN]: any };
+  const any = { title: ARGUMENT_TITLES[index]!, default: 0, min: -1e9, max: 1e9, step: 0.01, slider: false } as const;
+  const cases = { ...Object.fromEntries(own), [CUSTOM_EFFECT]: any };
   return { kind: 'number', ...any, as: { param: 'effect', cases } } as const satisfies NumberParam;
 }
 
 /** One effect over an image, which may know of the G-buffer. */
-export const postProcess = defineNode({
+export const postProcessNode = defineNode({
   id: 'post-process',
   title: 'node.postProcess',
   help: 'node.postProcess.help',
@@ -52,21 +52,21 @@ export const postProcess = defineNode({
       help: 'param.effect.help',
       default: 'gaussian-blur',
       options: [
-        ...LIBRARY.map((value) => ({ value, title: EFFECTS[value].title })),
-        { value: WRITTEN, title: 'effect.written' },
+        ...BUILTIN_EFFECTS.map((value) => ({ value, title: EFFECTS[value].title })),
+        { value: CUSTOM_EFFECT, title: 'effect.written' },
       ],
     },
-    arg1: argument(0),
-    arg2: argument(1),
-    arg3: argument(2),
-    arg4: argument(3),
+    arg1: argumentParam(0),
+    arg2: argumentParam(1),
+    arg3: argumentParam(2),
+    arg4: argumentParam(3),
     text: {
       kind: 'text',
       title: 'param.shaderText',
       help: 'param.shaderText.help',
       default: EXAMPLE,
       shader: true,
-      onlyWhen: { param: 'effect', is: WRITTEN },
+      onlyWhen: { param: 'effect', is: CUSTOM_EFFECT },
     },
   },
   inputs: {
@@ -78,7 +78,7 @@ export const postProcess = defineNode({
   evaluate({ image, gbuffer = image.gbuffer, mask }, { effect, arg1, arg2, arg3, arg4, text }, { node }) {
     const step = {
       kind: 'effect',
-      effect: effect === WRITTEN ? written(text, node) : effect,
+      effect: effect === CUSTOM_EFFECT ? parseCustomEffect(text, node) : effect,
       args: [arg1, arg2, arg3, arg4],
       image,
       buffer: gbuffer,
@@ -89,7 +89,7 @@ export const postProcess = defineNode({
 });
 
 /** Throws a NodeRefusal with the line and the column of what cannot be. */
-function written(text: string, node: string): WrittenEffect {
+function parseCustomEffect(text: string, node: string): CustomEffect {
   try {
     readShaderText(text);
     return { text };

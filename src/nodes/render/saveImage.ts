@@ -1,7 +1,7 @@
-import { defineNode } from '../define.ts';
-import { fileName } from '../files.ts';
-import { refusal, seconds } from '../geometry/shared.ts';
-import { samples, savedPicture, saving } from './saving.ts';
+import { nodeRefusal, timeParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { checkedFileName } from '../project/outputFiles.ts';
+import { pictureSizeParams, pictureToSave, samplesParam } from './saveParams.ts';
 
 /** Asks for an image to be written as a picture of one moment, and passes it on. */
 export const saveImageNode = defineNode({
@@ -11,16 +11,16 @@ export const saveImageNode = defineNode({
   category: 'render',
   params: {
     name: { kind: 'text', title: 'param.fileName', help: 'param.imageName.help', default: 'picture.png' },
-    ...saving,
-    time: { ...seconds('param.pictureTime', 0), help: 'param.pictureTime.help', suggestion: 'openAt' },
-    samples: samples(4),
+    ...pictureSizeParams,
+    time: { ...timeParam('param.pictureTime', 0), help: 'param.pictureTime.help', suggestion: 'openAt' },
+    samples: samplesParam(4),
   },
   inputs: { image: { type: 'image' } },
   outputs: { image: { type: 'image' }, file: { type: 'file', title: 'socket.file' } },
   evaluate({ image }, { name, width, height, time, samples }, { node }) {
-    const called = fileName(name, ['png', 'exr'], node);
-    checkNumber(called, node);
-    const picture = savedPicture(image, called, node);
+    const called = checkedFileName(name, ['png', 'exr'], node);
+    assertNoFrameNumber(called, node);
+    const picture = pictureToSave(image, called, node);
     const { hints, startTime } = picture.scene;
     const at = time ?? hints.openAt ?? startTime;
     return { image, file: { kind: 'image', name: called, picture, width, height, samples, time: at } };
@@ -28,10 +28,10 @@ export const saveImageNode = defineNode({
 });
 
 /** A single picture is no frame of anything. */
-function checkNumber(name: string, node: string): void {
+function assertNoFrameNumber(name: string, node: string): void {
   if (!name.includes('#')) return;
   const bare = name.replace(/[._-]?#+/g, '');
   const value = bare.startsWith('.') ? `picture${bare}` : bare;
   const message = `"${name}": # stands for the numbers of frames, and this is one picture; Save Video writes several`;
-  throw refusal('file.frame', `${node}.name`, message, { node, param: 'name', value });
+  throw nodeRefusal('file.frame', `${node}.name`, message, { node, param: 'name', value });
 }

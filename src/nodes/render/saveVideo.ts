@@ -1,11 +1,11 @@
-import { extensionOf } from '../../formats/source.ts';
-import { defineNode } from '../define.ts';
-import { fileName, frameCount, type VideoFile } from '../files.ts';
-import { refusal, seconds } from '../geometry/shared.ts';
-import { samples, savedPicture, saving } from './saving.ts';
+import { extensionOf } from '../../formats/files/fileSource.ts';
+import { nodeRefusal, timeParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { checkedFileName, frameCount, type VideoOutput } from '../project/outputFiles.ts';
+import { pictureSizeParams, pictureToSave, samplesParam } from './saveParams.ts';
 
 /** Of a film: three quarters of an hour at 24 frames per second. */
-const MOST_FRAMES = 65_536;
+const MAX_FRAMES = 65_536;
 
 /** Asks for an image to be written as it goes through time, as a film or frame by frame, and passes it on. */
 export const saveVideoNode = defineNode({
@@ -15,9 +15,9 @@ export const saveVideoNode = defineNode({
   category: 'render',
   params: {
     name: { kind: 'text', title: 'param.fileName', help: 'param.videoName.help', default: 'film.mp4' },
-    ...saving,
-    from: { ...seconds('param.from', 0), suggestion: 'startTime' },
-    to: { ...seconds('param.to', 0), suggestion: 'endTime' },
+    ...pictureSizeParams,
+    from: { ...timeParam('param.from', 0), suggestion: 'startTime' },
+    to: { ...timeParam('param.to', 0), suggestion: 'endTime' },
     fps: {
       kind: 'number',
       title: 'param.fps',
@@ -30,46 +30,46 @@ export const saveVideoNode = defineNode({
       suggestion: 'timeCodesPerSecond',
     },
     hold: { kind: 'boolean', title: 'param.hold', help: 'param.hold.help', default: false },
-    samples: samples(2),
+    samples: samplesParam(2),
   },
   inputs: { image: { type: 'image' } },
   outputs: { image: { type: 'image' }, file: { type: 'file', title: 'socket.file' } },
   evaluate({ image }, { name, width, height, from, to, fps, hold, samples }, { node }) {
-    const called = fileName(name, ['mp4', 'png', 'exr'], node);
-    const picture = savedPicture(image, called, node);
+    const called = checkedFileName(name, ['mp4', 'png', 'exr'], node);
+    const picture = pictureToSave(image, called, node);
     const { startTime, endTime, timeCodesPerSecond } = picture.scene;
     const span = { from: from ?? startTime, to: to ?? endTime, fps: fps ?? timeCodesPerSecond };
-    checkSpan(span, node);
-    if (extensionOf(called) === 'mp4') checkEven({ width, height }, node);
-    else checkNumbered(called, node);
+    assertFrameRange(span, node);
+    if (extensionOf(called) === 'mp4') assertEvenSize({ width, height }, node);
+    else assertFrameNumber(called, node);
     return { image, file: { kind: 'video', name: called, picture, width, height, samples, hold, ...span } };
   },
 });
 
-function checkSpan(span: Pick<VideoFile, 'from' | 'to' | 'fps'>, node: string): void {
+function assertFrameRange(span: Pick<VideoOutput, 'from' | 'to' | 'fps'>, node: string): void {
   const { from, to, fps } = span;
   if (to < from) {
     const message = `it ends at ${to} s, before it begins at ${from} s`;
-    throw refusal('file.span', `${node}.to`, message, { node, param: 'to', value: from });
+    throw nodeRefusal('file.span', `${node}.to`, message, { node, param: 'to', value: from });
   }
   const count = frameCount(span);
-  if (count <= MOST_FRAMES) return;
-  const message = `${count} frames are more than ${MOST_FRAMES}; let it be shorter, or of fewer frames per second`;
-  throw refusal('file.frames', `${node}.to`, message, { node, param: 'to', value: from + (MOST_FRAMES - 1) / fps });
+  if (count <= MAX_FRAMES) return;
+  const message = `${count} frames are more than ${MAX_FRAMES}; let it be shorter, or of fewer frames per second`;
+  throw nodeRefusal('file.frames', `${node}.to`, message, { node, param: 'to', value: from + (MAX_FRAMES - 1) / fps });
 }
 
 /** Colours of a film are those of 2 × 2 pixels together. */
-function checkEven(size: Pick<VideoFile, 'width' | 'height'>, node: string): void {
+function assertEvenSize(size: Pick<VideoOutput, 'width' | 'height'>, node: string): void {
   for (const param of ['width', 'height'] as const) {
     if (size[param] % 2 === 0) continue;
     const message = `an .mp4 needs an even width and height; ${param} is ${size[param]}`;
-    throw refusal('file.even', `${node}.${param}`, message, { node, param, value: size[param] + 1 });
+    throw nodeRefusal('file.even', `${node}.${param}`, message, { node, param, value: size[param] + 1 });
   }
 }
 
-function checkNumbered(name: string, node: string): void {
+function assertFrameNumber(name: string, node: string): void {
   if (name.includes('#')) return;
   const value = name.replace(/(\.\w+)$/, '.####$1');
   const message = `"${name}": several frames need a place for their number, like ${value}; or write an .mp4`;
-  throw refusal('file.frame', `${node}.name`, message, { node, param: 'name', value });
+  throw nodeRefusal('file.frame', `${node}.name`, message, { node, param: 'name', value });
 }

@@ -1,7 +1,7 @@
-import { defineNode } from '../define.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** Brings linear light to what a screen can show. */
-export const toneMap = defineNode({
+export const toneMapNode = defineNode({
   id: 'tone-map',
   title: 'node.toneMap',
   help: 'node.toneMap.help',

@@ -1,7 +1,7 @@
 import type { NumberParam } from '../../graph/nodeType.ts';
 
 /** A parameter that is any number at all. */
-export const anyNumber = <const Title extends string>(title: Title, value = 0) =>
+export const numberParam = <const Title extends string>(title: Title, value = 0) =>
   ({
     kind: 'number',
     title,

@@ -1,4 +1,4 @@
-import { defineNode } from '../define.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** A colour that several inputs share, in linear sRGB. */
 export const colorNode = defineNode({

@@ -1,5 +1,5 @@
-import { defineNode } from '../define.ts';
-import { anyNumber } from './anyNumber.ts';
+import { defineNode } from '../defineNode.ts';
+import { numberParam } from './anyNumber.ts';
 
 const RELATIONS = {
   less: (a, b) => a < b,
@@ -25,8 +25,8 @@ export const compareNode = defineNode({
       default: 'less',
       options: NAMES.map((value) => ({ value, title: `relation.${value}` })),
     },
-    a: anyNumber('A'),
-    b: anyNumber('B'),
+    a: numberParam('A'),
+    b: numberParam('B'),
     tolerance: {
       kind: 'number',
       title: 'param.tolerance',

@@ -1,6 +1,6 @@
-import { GROUP } from '../../graph/structure.ts';
-import { defineNode } from '../define.ts';
-import { isNeverEvaluated } from './structure.ts';
+import { GROUP } from '../../graph/document/structuralTypes.ts';
+import { defineNode } from '../defineNode.ts';
+import { neverEvaluated } from './neverEvaluated.ts';
 
 /** Nodes as one node. Its sockets are those of its definition in the document. */
 export const groupNode = defineNode({
@@ -11,5 +11,5 @@ export const groupNode = defineNode({
   params: { group: { kind: 'text', title: 'node.group', default: '' } },
   inputs: {},
   outputs: {},
-  evaluate: isNeverEvaluated,
+  evaluate: neverEvaluated,
 });

@@ -1,6 +1,6 @@
-import { GROUP_INPUT } from '../../graph/structure.ts';
-import { defineNode } from '../define.ts';
-import { isNeverEvaluated } from './structure.ts';
+import { GROUP_INPUT } from '../../graph/document/structuralTypes.ts';
+import { defineNode } from '../defineNode.ts';
+import { neverEvaluated } from './neverEvaluated.ts';
 
 /** Inside a group: what comes into it. Its outputs are the group’s inputs. */
 export const groupInputNode = defineNode({
@@ -11,5 +11,5 @@ export const groupInputNode = defineNode({
   params: {},
   inputs: {},
   outputs: {},
-  evaluate: isNeverEvaluated,
+  evaluate: neverEvaluated,
 });

@@ -1,6 +1,6 @@
-import { GROUP_OUTPUT } from '../../graph/structure.ts';
-import { defineNode } from '../define.ts';
-import { isNeverEvaluated } from './structure.ts';
+import { GROUP_OUTPUT } from '../../graph/document/structuralTypes.ts';
+import { defineNode } from '../defineNode.ts';
+import { neverEvaluated } from './neverEvaluated.ts';
 
 /** Inside a group: what it gives. Its inputs are the group’s outputs. */
 export const groupOutputNode = defineNode({
@@ -11,5 +11,5 @@ export const groupOutputNode = defineNode({
   params: {},
   inputs: {},
   outputs: {},
-  evaluate: isNeverEvaluated,
+  evaluate: neverEvaluated,
 });

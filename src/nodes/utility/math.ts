@@ -1,6 +1,6 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
-import { defineNode } from '../define.ts';
-import { anyNumber } from './anyNumber.ts';
+import { defineNode } from '../defineNode.ts';
+import { numberParam } from './anyNumber.ts';
 import { arity, OPERATIONS, type Operation } from './operations.ts';
 
 const NAMES = Object.keys(OPERATIONS) as Operation[];
@@ -19,9 +19,9 @@ export const mathNode = defineNode({
       default: 'add',
       options: NAMES.map((value) => ({ value, title: `math.${value}` })),
     },
-    a: anyNumber('A'),
-    b: { ...anyNumber('B'), onlyWhen: { param: 'operation', is: withArity(2) } },
-    c: { ...anyNumber('C', 0.5), onlyWhen: { param: 'operation', is: withArity(3) } },
+    a: numberParam('A'),
+    b: { ...numberParam('B'), onlyWhen: { param: 'operation', is: withArity(2) } },
+    c: { ...numberParam('C', 0.5), onlyWhen: { param: 'operation', is: withArity(3) } },
   },
   inputs: {},
   outputs: { number: { type: 'number' } },

@@ -1,5 +1,5 @@
-import { defineNode } from '../define.ts';
-import { anyNumber } from './anyNumber.ts';
+import { defineNode } from '../defineNode.ts';
+import { numberParam } from './anyNumber.ts';
 
 /** A number that several inputs share. */
 export const numberNode = defineNode({
@@ -7,7 +7,7 @@ export const numberNode = defineNode({
   title: 'node.number',
   help: 'node.number.help',
   category: 'utility',
-  params: { number: anyNumber('socket.number') },
+  params: { number: numberParam('socket.number') },
   inputs: {},
   outputs: { number: { type: 'number' } },
   evaluate: (_inputs, { number }) => ({ number }),

@@ -1,6 +1,6 @@
-import { REROUTE } from '../../graph/structure.ts';
-import { defineNode } from '../define.ts';
-import { isNeverEvaluated } from './structure.ts';
+import { REROUTE } from '../../graph/document/structuralTypes.ts';
+import { defineNode } from '../defineNode.ts';
+import { neverEvaluated } from './neverEvaluated.ts';
 
 /** A bend in an edge, to keep it clear of others. */
 export const rerouteNode = defineNode({
@@ -11,5 +11,5 @@ export const rerouteNode = defineNode({
   params: {},
   inputs: { in: { type: 'any', title: 'socket.in' } },
   outputs: { out: { type: 'any', title: 'socket.out' } },
-  evaluate: isNeverEvaluated,
+  evaluate: neverEvaluated,
 });

@@ -1,4 +1,4 @@
-import { defineNode } from '../define.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** The three numbers of a vector or a colour. */
 export const separateNode = defineNode({

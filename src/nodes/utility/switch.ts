@@ -1,4 +1,4 @@
-import { defineNode } from '../define.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** One of two inputs, of any type; the other is not evaluated. */
 export const switchNode = defineNode({

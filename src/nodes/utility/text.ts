@@ -1,4 +1,4 @@
-import { defineNode } from '../define.ts';
+import { defineNode } from '../defineNode.ts';
 
 /** A text that several inputs share. */
 export const textNode = defineNode({

@@ -2,15 +2,15 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { utilityProject } from '../../../tests/support/exampleGraphs.ts';
 import { add, build, edited, set } from '../../../tests/support/graphKit.ts';
-import type { ParamValue } from '../../graph/document.ts';
-import { Evaluator } from '../../graph/evaluate.ts';
-import { validateDocument } from '../../graph/validate.ts';
-import { gamma as gammaOf, velocity } from '../../physics/boost.ts';
+import { validateDocument } from '../../graph/analysis/validate.ts';
+import type { ParamValue } from '../../graph/document/document.ts';
+import { Evaluator } from '../../graph/evaluation/evaluator.ts';
+import { gamma as gammaOf, velocity } from '../../physics/lorentz/boost.ts';
 import { makeObject, makeScene } from '../../scene/defaults.ts';
-import { box } from '../../scene/primitives.ts';
+import { box } from '../../scene/mesh/primitives.ts';
 import { nodeLibrary } from '../library.ts';
-import { pictureOf } from '../picture.ts';
-import { type Services, threadServices } from '../services.ts';
+import { evaluatedPicture } from '../pictures/renderSettings.ts';
+import { type Services, workerServices } from '../services.ts';
 import { arity, OPERATIONS, type Operation } from './operations.ts';
 
 async function outputs(type: string, params: Record<string, ParamValue>) {
@@ -18,7 +18,7 @@ async function outputs(type: string, params: Record<string, ParamValue>) {
     build(add('it', type)),
     ...Object.entries(params).map(([param, value]) => ({ kind: 'set-param', node: 'it', param, value }) as const),
   );
-  const { target } = await new Evaluator(nodeLibrary).evaluate(document, 'it', threadServices);
+  const { target } = await new Evaluator(nodeLibrary).evaluate(document, 'it', workerServices);
   return target.status === 'done' ? target.outputs : target;
 }
 const math = async (operation: Operation, a: number, b = 0, c = 0) => {
@@ -118,12 +118,12 @@ describe('compare', () => {
 describe('utility nodes', () => {
   const house = makeObject({ path: '/House', mesh: box([1, 1, 1]) });
   const services: Services = {
-    ...threadServices,
+    ...workerServices,
     readScene: async () => ({ scene: { ...makeScene({ name: 'a' }), objects: [house] } }),
   };
   const pictured = async (gamma: number) => {
     const document = edited(utilityProject(), set('number', 'number', gamma), set('text', 'text', ''));
-    return pictureOf(await new Evaluator(nodeLibrary).evaluate(document, 'output', services));
+    return evaluatedPicture(await new Evaluator(nodeLibrary).evaluate(document, 'output', services));
   };
 
   it('drive a picture', async () => {

@@ -1,5 +1,5 @@
-import { defineNode } from '../define.ts';
-import { anyNumber } from './anyNumber.ts';
+import { defineNode } from '../defineNode.ts';
+import { numberParam } from './anyNumber.ts';
 
 /** Three numbers as one vector. */
 export const vectorNode = defineNode({
@@ -7,7 +7,7 @@ export const vectorNode = defineNode({
   title: 'node.vector',
   help: 'node.vector.help',
   category: 'utility',
-  params: { x: anyNumber('X'), y: anyNumber('Y'), z: anyNumber('Z') },
+  params: { x: numberParam('X'), y: numberParam('Y'), z: numberParam('Z') },
   inputs: {},
   outputs: { vector: { type: 'vector' } },
   evaluate: (_inputs, { x, y, z }) => ({ vector: [x, y, z] }),

@@ -1,7 +1,7 @@
 import { add, cross, dot, length, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
-import { defineNode } from '../define.ts';
-import { refusal, vector } from '../geometry/shared.ts';
-import { anyNumber } from './anyNumber.ts';
+import { nodeRefusal, vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { numberParam } from './anyNumber.ts';
 
 /** What the node computes, by the names in its menu. */
 const OPERATIONS = {
@@ -28,9 +28,9 @@ export const vectorMathNode = defineNode({
       default: 'add',
       options: (Object.keys(OPERATIONS) as Operation[]).map((value) => ({ value, title: `vectorMath.${value}` })),
     },
-    a: vector('A', [0, 0, 0]),
-    b: { ...vector('B', [0, 0, 0]), onlyWhen: { param: 'operation', is: ['add', 'subtract', 'cross', 'dot'] } },
-    factor: { ...anyNumber('param.factor', 1), onlyWhen: { param: 'operation', is: 'scale' } },
+    a: vectorParam('A', [0, 0, 0]),
+    b: { ...vectorParam('B', [0, 0, 0]), onlyWhen: { param: 'operation', is: ['add', 'subtract', 'cross', 'dot'] } },
+    factor: { ...numberParam('param.factor', 1), onlyWhen: { param: 'operation', is: 'scale' } },
   },
   inputs: {},
   outputs: { vector: { type: 'vector' }, number: { type: 'number' } },
@@ -43,6 +43,6 @@ export const vectorMathNode = defineNode({
     const result: Vec3 = typeof found === 'number' ? [found, found, found] : found;
     const number = typeof found === 'number' ? found : length(found);
     if (Number.isFinite(number)) return { vector: result, number };
-    throw refusal('math.undefined', node, `${operation} of ${a} is beyond all numbers; take smaller ones`);
+    throw nodeRefusal('math.undefined', node, `${operation} of ${a} is beyond all numbers; take smaller ones`);
   },
 });

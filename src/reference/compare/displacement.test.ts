@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { add, dot, scale, type Vec3 } from '../../math/vec3.ts';
-import type { Shown } from './channels.ts';
+import type { VisiblePoints } from './channels.ts';
 import { displacement, LOST } from './displacement.ts';
 
 const [width, height] = [20, 16];
@@ -11,7 +11,7 @@ const every = Array.from({ length: width * height }, (_, i) => i);
 type World = (x: number, y: number) => { readonly object: number; readonly at: Vec3 } | undefined;
 
 /** A picture of `world` in which everything is seen dx, dy further to the right and down than it should be. */
-function shown(world: World, dx = 0, dy = 0): Shown {
+function shown(world: World, dx = 0, dy = 0): VisiblePoints {
   const pixels = every.map((i) => world((i % width) - dx, Math.floor(i / width) - dy));
   const axis = (k: number) => Float32Array.from(pixels, (pixel) => pixel?.at[k] ?? 0);
   return { object: pixels.map((pixel) => pixel?.object ?? 0), position: [axis(0), axis(1), axis(2)] };

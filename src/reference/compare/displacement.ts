@@ -1,5 +1,5 @@
 import { cross, dot, length, lerp, sub, type Vec3 } from '../../math/vec3.ts';
-import type { Shown } from './channels.ts';
+import type { VisiblePoints } from './channels.ts';
 
 /**
  * How far, in pixels, a point that A shows lies from where B shows it. At the pixel p, A shows the world point X_A(p) of some object.
@@ -13,7 +13,7 @@ import type { Shown } from './channels.ts';
  * |J δ − (X_A − X_B)|/|J|_min [pixels].
  */
 export interface Displacement {
-  /** [pixels] for each pixel; `LOST` or `UNKNOWN` where there is none. */
+  /** [pixels] for each pixel; `LOST` or `UNKNOWN_COLOR` where there is none. */
   readonly pixels: Float32Array;
   /** Pixels whose displacement was found. */
   readonly measured: number;
@@ -26,7 +26,7 @@ export const LOST = Number.POSITIVE_INFINITY;
 export const UNKNOWN = Number.NaN;
 
 /** `a` is judged, `b` is the truth. */
-export function displacement(a: Shown, b: Shown, width: number, height: number): Displacement {
+export function displacement(a: VisiblePoints, b: VisiblePoints, width: number, height: number): Displacement {
   const gradients = gradientsOf(b, width, height);
   const pixels = new Float32Array(width * height);
   for (let y = 0; y < height; y++)
@@ -38,11 +38,11 @@ export function displacement(a: Shown, b: Shown, width: number, height: number):
   };
 }
 
-const pointAt = ({ position: [x, y, z] }: Shown, i: number): Vec3 => [x[i], y[i], z[i]];
+const pointAt = ({ position: [x, y, z] }: VisiblePoints, i: number): Vec3 => [x[i], y[i], z[i]];
 
 function displacementAt(
-  a: Shown,
-  b: Shown,
+  a: VisiblePoints,
+  b: VisiblePoints,
   gradients: Float64Array,
   x: number,
   y: number,
@@ -75,7 +75,7 @@ interface Gradient {
 }
 
 /** Six numbers per pixel; not a number where B shows nothing, or nothing more of the object beside it. */
-function gradientsOf(b: Shown, width: number, height: number): Float64Array {
+function gradientsOf(b: VisiblePoints, width: number, height: number): Float64Array {
   const gradients = new Float64Array(6 * width * height);
   for (let i = 0; i < width * height; i++) {
     const [x, y] = [i % width, Math.floor(i / width)];
@@ -98,7 +98,7 @@ const NONE: Vec3 = [Number.NaN, Number.NaN, Number.NaN];
  * Central difference over the pixels before and after `i`; one-sided at an outline, and, where one side is far longer (the surface
  * there jumps to another part of the same object), the shorter side alone.
  */
-function derivative(b: Shown, i: number, before: number, after: number): Vec3 {
+function derivative(b: VisiblePoints, i: number, before: number, after: number): Vec3 {
   const here = pointAt(b, i);
   const isSame = (j: number): boolean => b.object[i] !== 0 && j !== i && b.object[j] === b.object[i];
   const back = isSame(before) ? sub(here, pointAt(b, before)) : undefined;

@@ -4,7 +4,7 @@ import expected from './fixtures/flip.json' with { type: 'json' };
 import { HEIGHT, pair, picture, WIDTH } from './fixtures/pairs.ts';
 import { flip } from './flip.ts';
 import { exposuresFor, hdrFlip } from './hdrFlip.ts';
-import type { Picture } from './picture.ts';
+import type { RgbImage } from './rgbImage.ts';
 import { summarize } from './statistics.ts';
 
 /** The authors' program reckons in f32, and raises to powers below 1 what is nearly 0. */
@@ -33,7 +33,7 @@ describe("against the authors' own program", () => {
 
 describe('what must hold of every pair', () => {
   const size = { width: 9, height: 7 };
-  const anyPicture = (most: number): fc.Arbitrary<Picture> =>
+  const anyPicture = (most: number): fc.Arbitrary<RgbImage> =>
     fc
       .array(fc.float({ min: 0, max: most, noNaN: true }), { minLength: 189, maxLength: 189 })
       .map((values) => ({ ...size, rgb: Float32Array.from(values) }));
@@ -53,7 +53,7 @@ describe('what must hold of every pair', () => {
   it('is 0 of any light and itself, and does not depend on the unit of light', () => {
     fc.assert(
       fc.property(anyPicture(100), anyPicture(100), fc.constantFrom(0.25, 4), (a, b, unit) => {
-        const scaled = (p: Picture): Picture => ({ ...p, rgb: p.rgb.map((value) => unit * value) });
+        const scaled = (p: RgbImage): RgbImage => ({ ...p, rgb: p.rgb.map((value) => unit * value) });
         // A black reference has no exposure of its own.
         fc.pre(exposuresFor(b).stop < 15);
         expect(hdrFlip(b, b).map.every((error) => error === 0)).toBe(true);

@@ -1,8 +1,8 @@
 import { radians } from '../../math/angle.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { fromXyz, lab, toXyz } from './colors.ts';
+import { fromXyz, lab, toXyz } from './colorSpaces.ts';
 import { alongColumns, alongRows, type Kernel, kernelOf } from './convolve.ts';
-import type { Picture } from './picture.ts';
+import type { RgbImage } from './rgbImage.ts';
 
 /**
  * ꟻLIP, the difference that a person sees who looks at two pictures in turn: 0 none … 1 as large as can be, for each pixel.
@@ -15,7 +15,7 @@ import type { Picture } from './picture.ts';
 export const PIXELS_PER_DEGREE = radians(0.7 * (3840 / 0.7));
 
 /** Both pictures: linear sRGB as it leaves the screen, 0 … 1. Symmetric in them. */
-export function flip(a: Picture, b: Picture, pixelsPerDegree = PIXELS_PER_DEGREE): Float32Array {
+export function flip(a: RgbImage, b: RgbImage, pixelsPerDegree = PIXELS_PER_DEGREE): Float32Array {
   const color = colorDifference(a, b, pixelsPerDegree);
   const feature = featureDifference(luminances(a), luminances(b), a.width, a.height, pixelsPerDegree);
   return color.map((difference, i) => difference ** (1 - feature[i]));
@@ -44,8 +44,8 @@ const KNEE_VALUE = 0.95;
 /** The largest difference on a screen: between its green and its blue. */
 const LARGEST = difference(perceived([0, 1, 0]), perceived([0, 0, 1])) ** COLOR_EXPONENT;
 
-function colorDifference(a: Picture, b: Picture, pixelsPerDegree: number): Float32Array {
-  const [seenA, seenB] = [seen(a, pixelsPerDegree), seen(b, pixelsPerDegree)];
+function colorDifference(a: RgbImage, b: RgbImage, pixelsPerDegree: number): Float32Array {
+  const [seenA, seenB] = [filteredOpponents(a, pixelsPerDegree), filteredOpponents(b, pixelsPerDegree)];
   return Float32Array.from({ length: a.width * a.height }, (_, i) =>
     redistribute(difference(perceivedAt(seenA, i), perceivedAt(seenB, i)) ** COLOR_EXPONENT),
   );
@@ -54,7 +54,7 @@ function colorDifference(a: Picture, b: Picture, pixelsPerDegree: number): Float
 /** Y, X − Y and Y − Z over those of white: the axes of YCxCz but for constants, which filters that add up to 1 leave alone. */
 type Opponents = readonly [Float32Array, Float32Array, Float32Array];
 
-function seen(picture: Picture, pixelsPerDegree: number): Opponents {
+function filteredOpponents(picture: RgbImage, pixelsPerDegree: number): Opponents {
   const { width, height } = picture;
   const [y, redGreen, blueYellow] = opponents(picture);
   const filtered = (plane: Float32Array, parts: readonly Gaussian[]) =>
@@ -62,7 +62,7 @@ function seen(picture: Picture, pixelsPerDegree: number): Opponents {
   return [filtered(y, LIGHT_DARK), filtered(redGreen, RED_GREEN), filtered(blueYellow, BLUE_YELLOW)];
 }
 
-function opponents({ rgb }: Picture): Opponents {
+function opponents({ rgb }: RgbImage): Opponents {
   const pixels = rgb.length / 3;
   const planes: Opponents = [new Float32Array(pixels), new Float32Array(pixels), new Float32Array(pixels)];
   for (let i = 0; i < pixels; i++) {
@@ -133,7 +133,7 @@ function redistribute(value: number): number {
 const FEATURE_WIDTH = 0.082;
 const FEATURE_EXPONENT = 0.5;
 
-function luminances({ rgb }: Picture): Float32Array {
+function luminances({ rgb }: RgbImage): Float32Array {
   return Float32Array.from(
     { length: rgb.length / 3 },
     (_, i) => toXyz([rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]])[1],

@@ -1,6 +1,6 @@
-import { luminance } from './colors.ts';
+import { luminance } from './colorSpaces.ts';
 import { flip, PIXELS_PER_DEGREE } from './flip.ts';
-import type { Picture } from './picture.ts';
+import type { RgbImage } from './rgbImage.ts';
 
 /**
  * ꟻLIP of pictures that no screen can show at once: the largest over a row of exposures. Source: Andersson, Nilsson, Shirley &
@@ -20,8 +20,8 @@ export interface Exposures {
 
 /** Both pictures: linear light, sRGB primaries, of any brightness. `exposures` come from the reference alone: not symmetric. */
 export function hdrFlip(
-  test: Picture,
-  reference: Picture,
+  test: RgbImage,
+  reference: RgbImage,
   exposures = exposuresFor(reference),
   pixelsPerDegree = PIXELS_PER_DEGREE,
 ): HdrFlip {
@@ -41,7 +41,7 @@ const BRIGHT = 0.85;
 const DARKEST = 2 ** -23;
 
 /** From the exposure at which the brightest pixel is just not blown out to the one at which half of all are. */
-export function exposuresFor(reference: Picture): Exposures {
+export function exposuresFor(reference: RgbImage): Exposures {
   const luminances = Float32Array.from({ length: reference.rgb.length / 3 }, (_, i) => {
     const [r, g, b] = reference.rgb.subarray(3 * i, 3 * i + 3);
     return Math.max(luminance(r, g, b), DARKEST);
@@ -67,7 +67,7 @@ function inverseFilmic(y: number): number {
   return (-b + Math.sqrt(b * b - 4 * a * c)) / (2 * a);
 }
 
-function exposed({ width, height, rgb }: Picture, exposure: number): Picture {
+function exposed({ width, height, rgb }: RgbImage, exposure: number): RgbImage {
   const factor = 2 ** exposure;
   return { width, height, rgb: rgb.map((value) => Math.min(filmic(Math.max(value, 0) * factor), 1)) };
 }

@@ -1,12 +1,12 @@
 /** What a set of errors comes to; `undefined` where there is none. */
-export interface Summary {
+export interface ErrorSummary {
   readonly mean: number;
   readonly max: number;
   /** 99 of 100 are at most this. */
   readonly p99: number;
 }
 
-export function summarize(errors: ArrayLike<number>): Summary | undefined {
+export function summarize(errors: ArrayLike<number>): ErrorSummary | undefined {
   if (errors.length === 0) return undefined;
   const sorted = Float64Array.from(errors).sort();
   const sum = sorted.reduce((total, error) => total + error, 0);

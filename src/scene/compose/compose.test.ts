@@ -1,20 +1,20 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { direction, expectClose, uniform } from '../../../tests/physicsArbitraries.ts';
+import { direction, expectClose, uniform } from '../../../tests/support/physicsArbitraries.ts';
 import { fromAxisAngle, rotate } from '../../math/quat.ts';
 import { add, cross, distance, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../defaults.ts';
-import { poseAt, vertexPosition } from '../motion.ts';
-import { pointAt } from '../polygons.ts';
-import { box, sphere } from '../primitives.ts';
-import type { Lamp, Mesh, Motion, SceneObject } from '../types.ts';
-import { dress, livingIn } from './dress.ts';
-import { smooth, split } from './finer.ts';
-import { block, copies, ring } from './instances.ts';
-import { mergeScenes } from './merge.ts';
-import { moved, movingAt } from './moved.ts';
-import { keyed, motionOf } from './paths.ts';
-import { type Placement, placeScene } from './place.ts';
+import { pointAt } from '../mesh/polygons.ts';
+import { box, sphere } from '../mesh/primitives.ts';
+import { poseAt, vertexPosition } from '../motion/motion.ts';
+import type { LocalLight, Mesh, Motion, SceneObject } from '../types.ts';
+import { applyRigidMotion, movingPaths } from './applyRigidMotion.ts';
+import { arrangeCopies, gridPoses, ringPoses } from './arrange.ts';
+import { assignMaterial, withLifetime } from './assignMaterial.ts';
+import { mergeScenes } from './mergeScenes.ts';
+import { keyframedMotion, motionFromPath } from './motionPaths.ts';
+import { loopSubdivide, midpointSubdivide } from './subdivideObject.ts';
+import { type SimilarityTransform, transformScene } from './transformScene.ts';
 
 const C = 30;
 const mesh = box([1, 2, 3]);
@@ -37,7 +37,7 @@ const MOTIONS: readonly Motion[] = [
     velocities: points.map((p) => p.map((x) => x / 4)),
   },
 ];
-const where = (by: Placement, x: Vec3): Vec3 => add(by.position, rotate(by.orientation, scale(x, by.scale)));
+const where = (by: SimilarityTransform, x: Vec3): Vec3 => add(by.position, rotate(by.orientation, scale(x, by.scale)));
 const placement = fc.record({
   position: fc.tuple(uniform(-9, 9), uniform(-9, 9), uniform(-9, 9)),
   orientation: fc.tuple(direction, uniform(-3, 3)).map(([axis, angle]) => fromAxisAngle(axis, angle)),
@@ -51,7 +51,7 @@ describe('a placed scene', () => {
       const object = makeObject({ path: '/It', mesh, motion });
       fc.assert(
         fc.property(placement, uniform(-1, 4), fc.nat(23), (by, t, v) => {
-          const [placed] = placeScene(makeScene({ name: 'it', objects: [object] }), by).objects;
+          const [placed] = transformScene(makeScene({ name: 'it', objects: [object] }), by).objects;
           expectClose([...vertexPosition(placed!, v, t, C)], where(by, vertexPosition(object, v, t, C)), 1e-5);
         }),
         { numRuns: 60 },
@@ -60,7 +60,7 @@ describe('a placed scene', () => {
   );
 
   it('a lamp lights a placed wall as it lit the wall before', () => {
-    const lamp = (radius: number): Lamp => ({
+    const lamp = (radius: number): LocalLight => ({
       kind: 'sphere',
       path: '/L',
       radius,
@@ -69,12 +69,12 @@ describe('a placed scene', () => {
       color: [1, 2, 3],
     });
     for (const radius of [0, 0.5]) {
-      const { lights } = placeScene(makeScene({ name: 'l', lights: [lamp(radius)] }), {
+      const { lights } = transformScene(makeScene({ name: 'l', lights: [lamp(radius)] }), {
         position: [0, 0, 0],
         orientation: turn,
         scale: 4,
       });
-      const [light] = lights as [Lamp & { radius: number }];
+      const [light] = lights as [LocalLight & { radius: number }];
       // E = I/d² of a point, π L (r/d)² of a ball.
       const E = (l: { radius: number; color: Vec3 }, d: number) =>
         (l.radius === 0 ? l.color[1] : Math.PI * l.color[1] * l.radius ** 2) / d ** 2;
@@ -111,13 +111,13 @@ describe('merged scenes', () => {
   it('what is dressed or born is what was chosen', () => {
     const merged = mergeScenes([one, other]);
     const green = makeMaterial({ name: 'green' });
-    const dressed = dress(merged, '/Ball2', green);
+    const dressed = assignMaterial(merged, '/Ball2', green);
     expect(dressed.objects.map((o) => dressed.materials[o.mesh.groups[0]!.material]!.name)).toEqual([
       'red',
       'green',
       'blue',
     ]);
-    const born = livingIn(merged, '/Ball', { birth: 1, death: 2 });
+    const born = withLifetime(merged, '/Ball', { birth: 1, death: 2 });
     expect(born.objects.map(({ lifetime }) => lifetime.birth)).toEqual([1, -Infinity, -Infinity]);
   });
 });
@@ -142,8 +142,8 @@ describe('moved things', () => {
       from: 1,
       to: 9,
     } as const;
-    const frame = motionOf(circle, 5);
-    const [carried] = moved(scene, '', frame, 'world').objects;
+    const frame = motionFromPath(circle, 5);
+    const [carried] = applyRigidMotion(scene, '', frame, 'world').objects;
     const period = (2 * Math.PI) / circle.rate;
     for (const t of [1, 2.3, 3.9]) {
       const origin = poseAt(frame, t, C).position;
@@ -159,8 +159,8 @@ describe('moved things', () => {
   });
 
   it('spin about their axis: what is on it rests, all else goes round at ω r', () => {
-    const frame = motionOf({ kind: 'spin', center: [2, 0, 1], axis: [0, 1, 0], rate: -2, from: 0, to: 5 }, 4);
-    const [spun] = moved(scene, '', frame, 'world').objects;
+    const frame = motionFromPath({ kind: 'spin', center: [2, 0, 1], axis: [0, 1, 0], rate: -2, from: 0, to: 5 }, 4);
+    const [spun] = applyRigidMotion(scene, '', frame, 'world').objects;
     const p = (v: number, t: number) => sub(at(spun!, v, t), [2, 0, 1]);
     for (const v of [0, 5, 11, 23]) {
       const axial = cross([0, 1, 0], p(v, 2));
@@ -177,7 +177,7 @@ describe('moved things', () => {
       [4, 3, 0],
       [0, 3, 5],
     ];
-    const frame = motionOf({ kind: 'path', places, facing: false, from: 2, to: 12 }, 1);
+    const frame = motionFromPath({ kind: 'path', points: places, facing: false, from: 2, to: 12 }, 1);
     const trail = Array.from({ length: 2001 }, (_, k) => poseAt(frame, 2 + k / 200, C).position);
     for (const place of places) expect(Math.min(...trail.map((x) => distance(x, place)))).toBeLessThan(0.02);
     const speeds = trail.slice(1).map((x, k) => 200 * distance(x, trail[k]!));
@@ -190,10 +190,10 @@ describe('moved things', () => {
       { time: 0, position: [0, 0, 0] as Vec3, orientation: turn },
       { time: 2, position: [4, 0, 0] as Vec3, orientation: turn },
     ];
-    const carried = moved(scene, '/It', keyed(keys), 'world');
+    const carried = applyRigidMotion(scene, '/It', keyframedMotion(keys), 'world');
     expectClose([...at(carried.objects[0]!, 3, 1)], add([2, 0, 0], rotate(turn, at(object, 3, 0))), 1e-12);
-    expect(movingAt(carried, '')).toEqual(['/It']);
-    expect(movingAt(scene, '')).toEqual([]);
+    expect(movingPaths(carried, '')).toEqual(['/It']);
+    expect(movingPaths(scene, '')).toEqual([]);
   });
 });
 
@@ -209,7 +209,7 @@ describe('finer meshes', () => {
   const deforming = makeObject({ path: '/It', mesh, motion: MOTIONS[3]! });
 
   it('that keep their shape have its area, four times the triangles a level, and deform as it does', () => {
-    const finer = split(deforming, 2);
+    const finer = midpointSubdivide(deforming, 2);
     expect(finer.mesh.indices.length).toBe(16 * mesh.indices.length);
     expect(finer.mesh.groups.reduce((n, { count }) => n + count, 0)).toBe(finer.mesh.indices.length);
     expect(area(finer.mesh)).toBeCloseTo(area(mesh), 4);
@@ -220,13 +220,13 @@ describe('finer meshes', () => {
 
   it('that are smooth are between the ball inside and the mesh, and at each sample what the shape at that sample becomes', () => {
     const cage = sphere(1, { segments: 8, rings: 4 });
-    const { mesh: round } = smooth(makeObject({ path: '/S', mesh: cage }), 2);
+    const { mesh: round } = loopSubdivide(makeObject({ path: '/S', mesh: cage }), 2);
     const radii = Array.from({ length: round.positions.length / 3 }, (_, v) => length(pointAt(round.positions, v)));
     expect(Math.max(...radii)).toBeLessThan(1);
     expect(Math.min(...radii)).toBeGreaterThan(0.6);
     expect(round.indices.length).toBe(16 * cage.indices.length);
-    const moving = smooth(deforming, 1);
-    const still = smooth(makeObject({ path: '/S', mesh: { ...mesh, positions: points[1]! } }), 1);
+    const moving = loopSubdivide(deforming, 1);
+    const still = loopSubdivide(makeObject({ path: '/S', mesh: { ...mesh, positions: points[1]! } }), 1);
     for (let v = 0; v < moving.mesh.positions.length / 3; v++)
       expectClose([...sub(vertexPosition(moving, v, 1, C), [5, 0, 0])], pointAt(still.mesh.positions, v), 1e-5);
   });
@@ -236,18 +236,18 @@ describe('copies', () => {
   const scene = makeScene({ name: 'it', objects: [makeObject({ path: '/It', mesh, motion: MOTIONS[1]! })] });
 
   it('in rows are a step apart round the origin, share the mesh, and have names of their own', () => {
-    const rows = copies(scene, block([2, 1, 3], [2, 9, 4]));
+    const rows = arrangeCopies(scene, gridPoses([2, 1, 3], [2, 9, 4]));
     expect(rows.objects).toHaveLength(6);
     expect(new Set(rows.objects.map(({ mesh: worn }) => worn)).size).toBe(1);
     expect(new Set(rows.objects.map(({ path }) => path)).size).toBe(6);
-    const places = block([2, 1, 3], [2, 9, 4]).map(({ position }) => position);
+    const places = gridPoses([2, 1, 3], [2, 9, 4]).map(({ position }) => position);
     expect(places).toContainEqual([1, 0, -4]);
     expectClose([...places.reduce(add)], [0, 0, 0], 1e-12);
   });
 
   it('of copies have names of their own too, below the same thing', () => {
     const paths = [2, 3, 2]
-      .reduce((all, count) => copies(all, block([count, 1, 1], [1, 1, 1])), scene)
+      .reduce((all, count) => arrangeCopies(all, gridPoses([count, 1, 1], [1, 1, 1])), scene)
       .objects.map(({ path }) => path);
     expect(new Set(paths).size).toBe(12);
     expect(paths.filter((path) => !path.startsWith('/It'))).toEqual([]);
@@ -259,7 +259,7 @@ describe('copies', () => {
   });
 
   it('on a circle are as far from its axis as asked, evenly, each carried with the turn', () => {
-    const spots = ring(5, 3, [0, 0, 1]);
+    const spots = ringPoses(5, 3, [0, 0, 1]);
     for (const [k, { position, orientation }] of spots.entries()) {
       expect(Math.hypot(position[0], position[1])).toBeCloseTo(3, 12);
       expect(position[2]).toBeCloseTo(0, 12);

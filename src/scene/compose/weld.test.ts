@@ -1,15 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { lattice } from '../lattice.ts';
-import { box, grid, sphere } from '../primitives.ts';
+import { lattice } from '../mesh/lattice.ts';
+import { box, grid, sphere } from '../mesh/primitives.ts';
 import type { Mesh } from '../types.ts';
-import { flatFaces } from './flatFaces.ts';
+import { recoverQuads } from './recoverQuads.ts';
 import { weld } from './weld.ts';
 
 const facesOf = (mesh: Mesh, within = 0) => {
   const { pointOfVertex, vertexOfPoint } = weld(mesh.positions, within);
   const points = Array.from(vertexOfPoint, (v) => [...mesh.positions.subarray(3 * v, 3 * v + 3)]);
   const triangles = Array.from(mesh.indices, (v) => pointOfVertex[v]);
-  return { points, ...flatFaces(points.flat(), triangles) };
+  return { points, ...recoverQuads(points.flat(), triangles) };
 };
 
 describe('welding', () => {
@@ -43,10 +43,10 @@ describe('faces', () => {
 
   it('stay triangles where they bend, and where no side is the longest', () => {
     const bent = [0, 0, 0, 1, 0, 0, 1, 1, 0.1, 0, 1, 0];
-    expect(flatFaces(bent, [0, 1, 2, 0, 2, 3]).counts).toEqual([3, 3]);
+    expect(recoverQuads(bent, [0, 1, 2, 0, 2, 3]).counts).toEqual([3, 3]);
     const h = Math.sqrt(3) / 2;
     const even = [0, 0, 0, 1, 0, 0, 0.5, h, 0, 1.5, h, 0];
-    expect(flatFaces(even, [0, 1, 2, 1, 3, 2]).counts).toEqual([3, 3]);
-    expect(flatFaces([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 1, 0, 1, 2]).counts).toEqual([3]);
+    expect(recoverQuads(even, [0, 1, 2, 1, 3, 2]).counts).toEqual([3, 3]);
+    expect(recoverQuads([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 1, 0, 1, 2]).counts).toEqual([3]);
   });
 });

@@ -1,5 +1,5 @@
 /** Vertices that are one point. */
-export interface Welded {
+export interface WeldedVertices {
   /** Of each vertex. */
   readonly pointOfVertex: Uint32Array;
   /** The first vertex of each point. */
@@ -7,7 +7,7 @@ export interface Welded {
 }
 
 /** Vertices at one place are one point, or within so much of it along each axis [m]: meshes are split where normals and uvs differ. */
-export function weld(positions: Float32Array, within = 0): Welded {
+export function weld(positions: Float32Array, within = 0): WeldedVertices {
   const cells = new Map<string, number[]>();
   const vertexOfPoint: number[] = [];
   const pointOfVertex = new Uint32Array(positions.length / 3);

@@ -1,6 +1,6 @@
 import { degrees, radians } from '../../math/angle.ts';
-import type { Operation } from './program.ts';
-import { isFloat, type Type } from './types.ts';
+import type { ShaderOperation } from './program.ts';
+import { isFloat, type ShaderType } from './types.ts';
 
 /*
  * What the operations of a shader text are, in f64. Truth is 1 and 0; matrices are column after column. Where WGSL leaves a result to the machine
@@ -8,7 +8,7 @@ import { isFloat, type Type } from './types.ts';
  */
 
 type Numbers = readonly number[];
-type Component = (...args: number[]) => number;
+type ComponentFunction = (...args: number[]) => number;
 
 const clampTo = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
 /** Halves go to the even neighbour. */
@@ -24,7 +24,7 @@ function smoothstep(from: number, to: number, x: number): number {
 const whole = (x: number): number => x | 0;
 
 /** By components. */
-const COMPONENTS: Readonly<Partial<Record<Operation, Component>>> = {
+const COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFunction>>> = {
   sin: Math.sin,
   cos: Math.cos,
   tan: Math.tan,
@@ -74,14 +74,14 @@ const COMPONENTS: Readonly<Partial<Record<Operation, Component>>> = {
 };
 
 /** Whole numbers of 32 bits; by 0 nothing is divided. */
-const WHOLE: Readonly<Partial<Record<Operation, Component>>> = {
+const INTEGER_COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFunction>>> = {
   add: (a, b) => whole(a + b),
   sub: (a, b) => whole(a - b),
   mul: Math.imul,
   div: (a = 0, b = 0) => (b === 0 ? a : whole(a / b)),
   rem: (a, b) => (b === 0 ? 0 : a % b),
 };
-const BROKEN: Readonly<Partial<Record<Operation, Component>>> = {
+const FLOAT_COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFunction>>> = {
   div: (a, b) => a / b,
   rem: (a, b) => a - b * Math.trunc(a / b),
 };
@@ -90,7 +90,7 @@ const dot = (a: Numbers, b: Numbers): number => a.reduce((sum, x, i) => sum + x 
 const length = (a: Numbers): number => Math.hypot(...a);
 
 /** Of whole vectors. */
-const VECTORS: Readonly<Partial<Record<Operation, (a: Numbers, b: Numbers) => Numbers>>> = {
+const VECTORS: Readonly<Partial<Record<ShaderOperation, (a: Numbers, b: Numbers) => Numbers>>> = {
   dot: (a, b) => [dot(a, b)],
   length: (a) => [length(a)],
   distance: (a, b) => [length(a.map((x, i) => x - (b[i] ?? 0)))],
@@ -100,13 +100,13 @@ const VECTORS: Readonly<Partial<Record<Operation, (a: Numbers, b: Numbers) => Nu
 };
 
 /** An operation on values whose types are those of the arguments; one number stands for as many as are wanted. */
-export function apply(f: Operation, args: readonly Numbers[], types: readonly Type[]): Numbers {
+export function applyOperation(f: ShaderOperation, args: readonly Numbers[], types: readonly ShaderType[]): Numbers {
   const [a = [], b = [], c = []] = args;
   if (f === 'select') return c[0] ? b : a;
-  if (f === 'product') return product(a, b, types[0] as Type, types[1] as Type);
+  if (f === 'product') return product(a, b, types[0] as ShaderType, types[1] as ShaderType);
   const ofVectors = VECTORS[f];
   if (ofVectors) return ofVectors(a, b);
-  const special = types[0] && isFloat(types[0]) ? BROKEN[f] : WHOLE[f];
+  const special = types[0] && isFloat(types[0]) ? FLOAT_COMPONENTS[f] : INTEGER_COMPONENTS[f];
   const each = special ?? COMPONENTS[f];
   if (!each) throw new Error(`no operation ${f}`);
   const size = Math.max(...args.map((arg) => arg.length));
@@ -114,7 +114,7 @@ export function apply(f: Operation, args: readonly Numbers[], types: readonly Ty
 }
 
 /** Columns of b, each a sum of a's. A vector on the left is a row. */
-function product(a: Numbers, b: Numbers, left: Type, right: Type): Numbers {
+function product(a: Numbers, b: Numbers, left: ShaderType, right: ShaderType): Numbers {
   const row = left.columns === 1;
   const [rows, inner, columns] = row ? [1, left.rows, right.columns] : [left.rows, left.columns, right.columns];
   const at = (m: Numbers, stride: number, i: number, j: number): number => m[j * stride + i] ?? 0;
@@ -127,7 +127,7 @@ function product(a: Numbers, b: Numbers, left: Type, right: Type): Numbers {
 }
 
 /** To the components of a type. */
-export function convert(numbers: Numbers, to: Type): Numbers {
+export function convertComponents(numbers: Numbers, to: ShaderType): Numbers {
   if (to.of === 'bool') return numbers.map((x) => Number(x !== 0));
   return to.of === 'i32' || to.of === 'whole' ? numbers.map((x) => whole(Math.trunc(x))) : numbers;
 }

@@ -1,8 +1,8 @@
-import { LIMITS, type Place, refuse } from './place.ts';
-import type { Channel, Program, Step, Value } from './program.ts';
+import type { ShaderChannel, ShaderExpression, ShaderProgram, ShaderStatement } from './program.ts';
+import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
 
 /** What a part of a program takes for one pixel. */
-interface Cost {
+interface ShaderCost {
   readonly steps: number;
   /** With all calls written out. */
   readonly size: number;
@@ -10,23 +10,23 @@ interface Cost {
   readonly rounds: number;
 }
 
-const LOOK = 8;
+const SAMPLE_COST = 8;
 
 /** Refuses what would take too long, or calls itself; tells what is looked at. `places`: of the functions. */
-export function boundedReads(
-  { functions, effect }: Pick<Program, 'functions' | 'effect'>,
-  places: readonly Place[],
-): ReadonlySet<Channel> {
-  const reads = new Set<Channel>();
-  const known = new Map<number, Cost>();
+export function checkCost(
+  { functions, effect }: Pick<ShaderProgram, 'functions' | 'effect'>,
+  places: readonly SourceLocation[],
+): ReadonlySet<ShaderChannel> {
+  const reads = new Set<ShaderChannel>();
+  const known = new Map<number, ShaderCost>();
   const open = new Set<number>();
 
-  const sum = (costs: readonly Cost[], own = 0): Cost => ({
+  const sum = (costs: readonly ShaderCost[], own = 0): ShaderCost => ({
     steps: own + costs.reduce((all, { steps }) => all + steps, 0),
     size: own + costs.reduce((all, { size }) => all + size, 0),
     rounds: Math.max(1, ...costs.map(({ rounds }) => rounds)),
   });
-  const ofValue = (value: Value): Cost => {
+  const ofValue = (value: ShaderExpression): ShaderCost => {
     switch (value.op) {
       case 'constant':
       case 'local':
@@ -34,7 +34,7 @@ export function boundedReads(
         return { steps: 0, size: 1, rounds: 1 };
       case 'look':
         reads.add(value.channel);
-        return sum([ofValue(value.offset)], LOOK);
+        return sum([ofValue(value.offset)], SAMPLE_COST);
       case 'call':
         return sum([...value.args.map(ofValue), ofFunction(value.f)], 1);
       case 'apply':
@@ -45,8 +45,8 @@ export function boundedReads(
         return sum([ofValue(value.of)], 1);
     }
   };
-  const ofSteps = (steps: readonly Step[]): Cost => sum(steps.map(ofStep));
-  const ofStep = (step: Step): Cost => {
+  const ofSteps = (steps: readonly ShaderStatement[]): ShaderCost => sum(steps.map(ofStep));
+  const ofStep = (step: ShaderStatement): ShaderCost => {
     switch (step.op) {
       case 'set':
       case 'return':
@@ -62,7 +62,7 @@ export function boundedReads(
         return { steps: 1, size: 1, rounds: 1 };
     }
   };
-  const ofFunction = (index: number): Cost => {
+  const ofFunction = (index: number): ShaderCost => {
     const at = places[index] ?? { line: 1, column: 1 };
     const name = functions[index]?.name ?? '';
     if (open.has(index)) refuse(at, `${name} calls itself, which no shader can: write a loop`);
@@ -71,20 +71,20 @@ export function boundedReads(
     open.add(index);
     const cost = ofSteps(functions[index]?.body ?? []);
     open.delete(index);
-    if (cost.rounds > LIMITS.nested)
+    if (cost.rounds > SHADER_TEXT_LIMITS.nested)
       refuse(
         at,
-        `loops within loops of ${name} go round ${cost.rounds} times; more than ${LIMITS.nested} are not taken: take fewer`,
+        `loops within loops of ${name} go round ${cost.rounds} times; more than ${SHADER_TEXT_LIMITS.nested} are not taken: take fewer`,
       );
-    if (cost.size > LIMITS.size)
+    if (cost.size > SHADER_TEXT_LIMITS.size)
       refuse(
         at,
-        `${name} has ${cost.size} operations, with those of the functions that it calls; more than ${LIMITS.size} are not taken`,
+        `${name} has ${cost.size} operations, with those of the functions that it calls; more than ${SHADER_TEXT_LIMITS.size} are not taken`,
       );
-    if (cost.steps > LIMITS.steps)
+    if (cost.steps > SHADER_TEXT_LIMITS.steps)
       refuse(
         at,
-        `${name} takes ${cost.steps} steps for each pixel (a look at a pixel counts ${LOOK}); more than ${LIMITS.steps} are not taken: let loops go round fewer times`,
+        `${name} takes ${cost.steps} steps for each pixel (a look at a pixel counts ${SAMPLE_COST}); more than ${SHADER_TEXT_LIMITS.steps} are not taken: let loops go round fewer times`,
       );
     known.set(index, cost);
     return cost;

@@ -1,15 +1,15 @@
-import { LIMITS, type Place, refuse } from './place.ts';
+import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
 import type {
-  Assignment,
-  Declaration,
-  Expression,
-  ForLoop,
-  FunctionText,
-  Statement,
-  Syntax,
-  TypeName,
+  AssignmentSyntax,
+  DeclarationSyntax,
+  ExpressionSyntax,
+  ForLoopSyntax,
+  FunctionSyntax,
+  ModuleSyntax,
+  StatementSyntax,
+  TypeSyntax,
 } from './syntax.ts';
-import { type Token, tokensOf } from './tokens.ts';
+import { type ShaderToken, tokenize } from './tokens.ts';
 
 /** Of WGSL, what a text for one pixel has no use for, or could not be bounded with; and what to write instead. */
 const REFUSED: Readonly<Record<string, string>> = {
@@ -37,21 +37,21 @@ const BITS = new Set(['&', '|', '^', '~', '<<', '>>']);
 const TEMPLATES = /^(vec[234]|mat[234]x[234]|array|ptr|atomic|texture_\w+)$/;
 
 /** The structure of a text; refuses what is not of the language, with its place. */
-export const parse = (text: string): Syntax => new Parser(tokensOf(text)).module();
+export const parse = (text: string): ModuleSyntax => new Parser(tokenize(text)).module();
 
 class Parser {
-  private readonly tokens: readonly Token[];
+  private readonly tokens: readonly ShaderToken[];
   private next = 0;
   private depth = 0;
   private chained = 0;
 
-  constructor(tokens: readonly Token[]) {
+  constructor(tokens: readonly ShaderToken[]) {
     this.tokens = tokens;
   }
 
-  module(): Syntax {
-    const constants: Declaration[] = [];
-    const functions: FunctionText[] = [];
+  module(): ModuleSyntax {
+    const constants: DeclarationSyntax[] = [];
+    const functions: FunctionSyntax[] = [];
     while (this.here.kind !== 'end') {
       if (this.takes(';')) continue;
       if (this.is('fn')) functions.push(this.function());
@@ -63,11 +63,11 @@ class Parser {
     return { constants, functions };
   }
 
-  private function(): FunctionText {
+  private function(): FunctionSyntax {
     const at = this.word('fn');
     const name = this.name('a name for the function');
     this.word('(');
-    const params: { at: Place; name: string; type: TypeName }[] = [];
+    const params: { at: SourceLocation; name: string; type: TypeSyntax }[] = [];
     while (!this.is(')')) {
       const param = this.name('a parameter');
       this.word(':');
@@ -79,7 +79,7 @@ class Parser {
     return { at: { ...at, ...name }, name: name.text, params, result: this.type(), body: this.block() };
   }
 
-  private type(): TypeName {
+  private type(): TypeSyntax {
     const at = this.name('the name of a type');
     const why = TYPES_REFUSED.find(([names]) => names.test(at.text));
     if (why) refuse(at, `the type ${at.text} is not taken: ${why[1]}`);
@@ -89,10 +89,10 @@ class Parser {
     return { at, name: at.text, of };
   }
 
-  private block(): readonly Statement[] {
+  private block(): readonly StatementSyntax[] {
     return this.within(() => {
       this.word('{');
-      const body: Statement[] = [];
+      const body: StatementSyntax[] = [];
       while (!this.is('}')) {
         if (this.takes(';')) continue;
         body.push(this.statement());
@@ -102,7 +102,7 @@ class Parser {
     });
   }
 
-  private statement(): Statement {
+  private statement(): StatementSyntax {
     const at = this.here;
     switch (at.text) {
       case '{':
@@ -125,7 +125,7 @@ class Parser {
     }
   }
 
-  private branch(): Statement {
+  private branch(): StatementSyntax {
     const at = this.word('if');
     const test = this.expression();
     const yes = this.block();
@@ -134,7 +134,7 @@ class Parser {
     return { at, kind: 'if', test, yes, no };
   }
 
-  private loop(): ForLoop {
+  private loop(): ForLoopSyntax {
     const at = this.word('for');
     this.word('(');
     const first = this.is(';') ? undefined : this.simple();
@@ -147,14 +147,14 @@ class Parser {
   }
 
   /** A declaration or an assignment, without the semicolon. */
-  private simple(): Declaration | Assignment {
+  private simple(): DeclarationSyntax | AssignmentSyntax {
     if (this.is('let') || this.is('var') || this.is('const')) return this.declaration();
     const at = this.here;
     if (at.kind !== 'name' || REFUSED[at.text]) this.refused('a statement');
     const target = this.postfix();
     const sign = this.here.text;
     if (this.takes('++') || this.takes('--')) {
-      const one: Expression = { at, kind: 'number', text: '1' };
+      const one: ExpressionSyntax = { at, kind: 'number', text: '1' };
       return { at, kind: 'assign', target, sign: sign[0], value: one };
     }
     if (target.kind === 'call')
@@ -164,9 +164,9 @@ class Parser {
     return { at, kind: 'assign', target, sign: sign === '=' ? undefined : sign[0], value: this.expression() };
   }
 
-  private declaration(): Declaration {
+  private declaration(): DeclarationSyntax {
     const at = this.here;
-    const how = this.take().text as Declaration['how'];
+    const how = this.take().text as DeclarationSyntax['how'];
     if (this.is('<')) refuse(this.here, 'address spaces are not taken: write `var` alone');
     const { text: name } = this.name('a name for the value');
     const type = this.takes(':') ? this.type() : undefined;
@@ -175,7 +175,7 @@ class Parser {
     return { at, kind: 'declare', how, name, type, value };
   }
 
-  private expression(level = 0): Expression {
+  private expression(level = 0): ExpressionSyntax {
     if (level === LEVELS.length) return this.unary();
     let a = this.within(() => this.expression(level + 1));
     while ((LEVELS[level] as readonly string[]).includes(this.here.text) && this.here.kind === 'sign') {
@@ -189,7 +189,7 @@ class Parser {
     return a;
   }
 
-  private unary(): Expression {
+  private unary(): ExpressionSyntax {
     const at = this.here;
     if (this.takes('-') || this.takes('!'))
       return { at, kind: 'unary', sign: at.text, of: this.within(() => this.unary()) };
@@ -197,7 +197,7 @@ class Parser {
     return this.postfix();
   }
 
-  private postfix(): Expression {
+  private postfix(): ExpressionSyntax {
     let of = this.primary();
     for (;;) {
       const at = this.here;
@@ -211,7 +211,7 @@ class Parser {
     }
   }
 
-  private primary(): Expression {
+  private primary(): ExpressionSyntax {
     const at = this.here;
     if (at.kind === 'number') return { at, kind: 'number', text: this.take().text };
     if (this.takes('true') || this.takes('false')) return { at, kind: 'truth', value: at.text === 'true' };
@@ -227,7 +227,7 @@ class Parser {
       if (templated) this.refused('`(`');
       return { at, kind: 'name', name: callee.name };
     }
-    const args: Expression[] = [];
+    const args: ExpressionSyntax[] = [];
     while (!this.is(')')) {
       args.push(this.within(() => this.expression()));
       if (!this.takes(',')) break;
@@ -237,17 +237,17 @@ class Parser {
   }
 
   private within<T>(read: () => T): T {
-    if (++this.depth > LEVELS.length * LIMITS.depth)
-      refuse(this.here, `this lies more than ${LIMITS.depth} brackets deep: give parts of it names`);
+    if (++this.depth > LEVELS.length * SHADER_TEXT_LIMITS.depth)
+      refuse(this.here, `this lies more than ${SHADER_TEXT_LIMITS.depth} brackets deep: give parts of it names`);
     const found = read();
     this.depth--;
     return found;
   }
 
   /** Chains are as deep as they are long. */
-  private chain(at: Token, longer = true): void {
-    if (longer && ++this.chained > LIMITS.chain)
-      refuse(at, `this statement is longer than ${LIMITS.chain} operators: give parts of it names`);
+  private chain(at: ShaderToken, longer = true): void {
+    if (longer && ++this.chained > SHADER_TEXT_LIMITS.chain)
+      refuse(at, `this statement is longer than ${SHADER_TEXT_LIMITS.chain} operators: give parts of it names`);
   }
 
   private ended<T>(statement: T): T {
@@ -256,11 +256,11 @@ class Parser {
     return statement;
   }
 
-  private get here(): Token {
-    return this.tokens[Math.min(this.next, this.tokens.length - 1)] as Token;
+  private get here(): ShaderToken {
+    return this.tokens[Math.min(this.next, this.tokens.length - 1)] as ShaderToken;
   }
 
-  private take(): Token {
+  private take(): ShaderToken {
     const token = this.here;
     this.next++;
     return token;
@@ -276,12 +276,12 @@ class Parser {
     return true;
   }
 
-  private word(text: string): Token {
+  private word(text: string): ShaderToken {
     if (!this.is(text)) this.refused(`\`${text}\``);
     return this.take();
   }
 
-  private name(what: string): Token {
+  private name(what: string): ShaderToken {
     if (this.here.kind !== 'name' || REFUSED[this.here.text]) this.refused(what);
     return this.take();
   }

@@ -1,7 +1,7 @@
-import type { Type } from './types.ts';
+import type { ShaderType } from './types.ts';
 
 /** What a text may look at of any pixel, by its offset from the one that is worked on, in whole pixels, y down. */
-export const CHANNELS = {
+export const SHADER_CHANNELS = {
   /** Linear light of the picture, and its opacity. */
   image: 4,
   /** 1 where anything is, 0 where only sky is. */
@@ -21,10 +21,10 @@ export const CHANNELS = {
   /** Place of the object in the scene plus one. */
   object: 1,
 } as const;
-export type Channel = keyof typeof CHANNELS;
+export type ShaderChannel = keyof typeof SHADER_CHANNELS;
 
 /** What is known without looking, by its name and its components. */
-export const INPUTS = {
+export const SHADER_INPUTS = {
   arg1: 1,
   arg2: 1,
   arg3: 1,
@@ -40,7 +40,7 @@ export const INPUTS = {
   /** Where the pixel looks in the world: unit, world frame. */
   'p.direction': 3,
 } as const;
-export type Input = keyof typeof INPUTS;
+export type ShaderInput = keyof typeof SHADER_INPUTS;
 
 /** Functions of numbers. All work component by component, but for those of `WHOLES`; all arguments are of one shape. */
 export const FLOAT_FUNCTIONS = {
@@ -52,53 +52,71 @@ export const NUMBER_FUNCTIONS = { abs: 1, sign: 1, min: 2, max: 2, clamp: 3 } as
 /** Of whole vectors. */
 export const VECTOR_FUNCTIONS = { dot: 2, length: 1, distance: 2, normalize: 1, cross: 2, reflect: 2 } as const;
 
-export type Operation =
+export type ShaderOperation =
   | keyof typeof FLOAT_FUNCTIONS
   | keyof typeof NUMBER_FUNCTIONS
   | keyof typeof VECTOR_FUNCTIONS
   | 'select'
   | 'negate'
   | 'not'
-  | Binary
+  | ShaderBinaryOperation
   /** Matrix by matrix or vector, and vector by matrix. */
   | 'product';
-export type Binary = 'add' | 'sub' | 'mul' | 'div' | 'rem' | 'and' | 'or' | 'eq' | 'ne' | 'lt' | 'le' | 'gt' | 'ge';
+export type ShaderBinaryOperation =
+  | 'add'
+  | 'sub'
+  | 'mul'
+  | 'div'
+  | 'rem'
+  | 'and'
+  | 'or'
+  | 'eq'
+  | 'ne'
+  | 'lt'
+  | 'le'
+  | 'gt'
+  | 'ge';
 
 /** A checked text: names are places of variables, types are known and equal where they must be, and every loop goes round a number of times that is known. */
-export interface Program {
-  readonly functions: readonly ProgramFunction[];
+export interface ShaderProgram {
+  readonly functions: readonly ShaderFunction[];
   /** Place of `effect` among them. */
   readonly effect: number;
-  readonly reads: ReadonlySet<Channel>;
+  readonly reads: ReadonlySet<ShaderChannel>;
 }
 
-export interface ProgramFunction {
+export interface ShaderFunction {
   readonly name: string;
   /** The types of its variables; the first ones are its parameters. */
-  readonly locals: readonly Type[];
+  readonly locals: readonly ShaderType[];
   readonly params: number;
-  readonly result: Type;
-  readonly body: readonly Step[];
+  readonly result: ShaderType;
+  readonly body: readonly ShaderStatement[];
 }
 
-export type Value = { readonly type: Type } & (
+export type ShaderExpression = { readonly type: ShaderType } & (
   | { readonly op: 'constant'; readonly numbers: readonly number[] }
   | { readonly op: 'local'; readonly local: number }
-  | { readonly op: 'input'; readonly input: Input }
-  | { readonly op: 'look'; readonly channel: Channel; readonly offset: Value }
+  | { readonly op: 'input'; readonly input: ShaderInput }
+  | { readonly op: 'look'; readonly channel: ShaderChannel; readonly offset: ShaderExpression }
   /** Components of a vector, or a column of a matrix. */
-  | { readonly op: 'parts'; readonly of: Value; readonly parts: readonly number[] }
-  | { readonly op: 'column'; readonly of: Value; readonly column: number }
+  | { readonly op: 'parts'; readonly of: ShaderExpression; readonly parts: readonly number[] }
+  | { readonly op: 'column'; readonly of: ShaderExpression; readonly column: number }
   /** Of components one after the other; of a single number, all are that. */
-  | { readonly op: 'build'; readonly parts: readonly Value[] }
-  | { readonly op: 'convert'; readonly of: Value }
-  | { readonly op: 'apply'; readonly f: Operation; readonly args: readonly Value[] }
-  | { readonly op: 'call'; readonly f: number; readonly args: readonly Value[] }
+  | { readonly op: 'build'; readonly parts: readonly ShaderExpression[] }
+  | { readonly op: 'convert'; readonly of: ShaderExpression }
+  | { readonly op: 'apply'; readonly f: ShaderOperation; readonly args: readonly ShaderExpression[] }
+  | { readonly op: 'call'; readonly f: number; readonly args: readonly ShaderExpression[] }
 );
 
-export type Step =
-  | { readonly op: 'set'; readonly local: number; readonly part: number | undefined; readonly value: Value }
-  | { readonly op: 'if'; readonly test: Value; readonly yes: readonly Step[]; readonly no: readonly Step[] }
+export type ShaderStatement =
+  | { readonly op: 'set'; readonly local: number; readonly part: number | undefined; readonly value: ShaderExpression }
+  | {
+      readonly op: 'if';
+      readonly test: ShaderExpression;
+      readonly yes: readonly ShaderStatement[];
+      readonly no: readonly ShaderStatement[];
+    }
   /** The variable is `first`, `first + by` …, `count` times. */
   | {
       readonly op: 'for';
@@ -106,7 +124,7 @@ export type Step =
       readonly first: number;
       readonly by: number;
       readonly count: number;
-      readonly body: readonly Step[];
+      readonly body: readonly ShaderStatement[];
     }
-  | { readonly op: 'return'; readonly value: Value }
+  | { readonly op: 'return'; readonly value: ShaderExpression }
   | { readonly op: 'break' | 'continue' };

@@ -1,37 +1,45 @@
-import { apply, convert } from './arithmetic.ts';
-import type { Channel, Input, Program, ProgramFunction, Step, Value } from './program.ts';
-import { sizeOf } from './types.ts';
+import { applyOperation, convertComponents } from './arithmetic.ts';
+import type {
+  ShaderChannel,
+  ShaderExpression,
+  ShaderFunction,
+  ShaderInput,
+  ShaderProgram,
+  ShaderStatement,
+} from './program.ts';
+import { componentCount } from './types.ts';
 
 /** What a program is told of the pixel that it works on. */
-export interface Surroundings {
-  look(channel: Channel, dx: number, dy: number): readonly number[];
-  input(name: Input): readonly number[];
+export interface PixelContext {
+  look(channel: ShaderChannel, dx: number, dy: number): readonly number[];
+  input(name: ShaderInput): readonly number[];
 }
 
 type Numbers = readonly number[];
-type End = 'break' | 'continue' | { readonly value: Numbers } | undefined;
+type ControlFlow = 'break' | 'continue' | { readonly value: Numbers } | undefined;
 
 /** The colour that a program gives a pixel, in f64. */
-export const run = (program: Program, about: Surroundings): Numbers => call(program, program.effect, [], about);
+export const runShaderProgram = (program: ShaderProgram, about: PixelContext): Numbers =>
+  callFunction(program, program.effect, [], about);
 
-function call(program: Program, index: number, args: readonly Numbers[], about: Surroundings): Numbers {
-  const of = program.functions[index] as ProgramFunction;
-  const end = new Call(program, of, args, about).steps(of.body);
+function callFunction(program: ShaderProgram, index: number, args: readonly Numbers[], about: PixelContext): Numbers {
+  const of = program.functions[index] as ShaderFunction;
+  const end = new FunctionCall(program, of, args, about).steps(of.body);
   return typeof end === 'object' ? end.value : [];
 }
 
-class Call {
+class FunctionCall {
   private readonly locals: Numbers[];
-  private readonly program: Program;
-  private readonly about: Surroundings;
+  private readonly program: ShaderProgram;
+  private readonly about: PixelContext;
 
-  constructor(program: Program, of: ProgramFunction, args: readonly Numbers[], about: Surroundings) {
+  constructor(program: ShaderProgram, of: ShaderFunction, args: readonly Numbers[], about: PixelContext) {
     this.program = program;
     this.about = about;
     this.locals = of.locals.map((_, i) => args[i] ?? []);
   }
 
-  steps(steps: readonly Step[]): End {
+  steps(steps: readonly ShaderStatement[]): ControlFlow {
     for (const step of steps) {
       const end = this.step(step);
       if (end) return end;
@@ -39,7 +47,7 @@ class Call {
     return undefined;
   }
 
-  private step(step: Step): End {
+  private step(step: ShaderStatement): ControlFlow {
     switch (step.op) {
       case 'set':
         this.set(step.local, step.part, this.value(step.value));
@@ -55,7 +63,7 @@ class Call {
     }
   }
 
-  private loop({ local, first, by, count, body }: Step & { readonly op: 'for' }): End {
+  private loop({ local, first, by, count, body }: ShaderStatement & { readonly op: 'for' }): ControlFlow {
     for (let k = 0; k < count; k++) {
       this.locals[local] = [first + k * by];
       const end = this.steps(body);
@@ -70,7 +78,7 @@ class Call {
     this.locals[local] = part === undefined ? value : before.map((x, i) => (i === part ? (value[0] ?? 0) : x));
   }
 
-  private value(value: Value): Numbers {
+  private value(value: ShaderExpression): Numbers {
     switch (value.op) {
       case 'constant':
         return value.numbers;
@@ -90,18 +98,18 @@ class Call {
         return this.value(value.of).slice(value.type.rows * value.column, value.type.rows * (value.column + 1));
       case 'build': {
         const parts = value.parts.flatMap((part) => this.value(part));
-        return parts.length === 1 ? Array.from({ length: sizeOf(value.type) }, () => parts[0] ?? 0) : parts;
+        return parts.length === 1 ? Array.from({ length: componentCount(value.type) }, () => parts[0] ?? 0) : parts;
       }
       case 'convert':
-        return convert(this.value(value.of), value.type);
+        return convertComponents(this.value(value.of), value.type);
       case 'apply':
-        return apply(
+        return applyOperation(
           value.f,
           value.args.map((arg) => this.value(arg)),
           value.args.map(({ type }) => type),
         );
       case 'call':
-        return call(
+        return callFunction(
           this.program,
           value.f,
           value.args.map((arg) => this.value(arg)),

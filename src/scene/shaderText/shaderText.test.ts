@@ -1,16 +1,17 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { LIMITS, ShaderTextError } from './place.ts';
-import { run, type Surroundings } from './run.ts';
+import { type PixelContext, runShaderProgram } from './run.ts';
 import { readShaderText } from './shaderText.ts';
+import { SHADER_TEXT_LIMITS, ShaderTextError } from './sourceLocation.ts';
 
-const ABOUT: Surroundings = {
+const ABOUT: PixelContext = {
   look: (channel, dx, dy) =>
     channel === 'image' ? [dx, dy, 10 * dx + dy, 1] : channel === 'normal' ? [0, 0, 1] : [dx + dy],
   input: (name) => (name === 'p.uv' ? [0.25, 0.75] : name === 'arg1' ? [3] : name.startsWith('p.') ? [5, 7] : [0]),
 };
 const effect = (body: string, before = ''): string => `${before}\nfn effect(p: Pixel) -> vec4f {\n${body}\n}`;
-const result = (body: string, before?: string): readonly number[] => run(readShaderText(effect(body, before)), ABOUT);
+const result = (body: string, before?: string): readonly number[] =>
+  runShaderProgram(readShaderText(effect(body, before)), ABOUT);
 /** What a number comes to. */
 const number = (expression: string, before?: string): number =>
   result(`return vec4f(${expression}, 0, 0, 1);`, before)[0]!;
@@ -112,7 +113,7 @@ describe('a shader text', () => {
 
   it('may be written in any way', () => {
     const text = '/* a /* nested */ comment */ fn effect ( p : Pixel , )->vec4 < f32 >{// end\nreturn(vec4<f32>(1));;}';
-    expect(run(readShaderText(text), ABOUT)).toEqual([1, 1, 1, 1]);
+    expect(runShaderProgram(readShaderText(text), ABOUT)).toEqual([1, 1, 1, 1]);
   });
 });
 
@@ -189,7 +190,7 @@ describe('a text is refused, with the place and what to do:', () => {
   });
 
   it('where it is too long, too deep or takes too long', () => {
-    expect(refusal(' '.repeat(LIMITS.length + 1)).message).toMatch(/shorten it/);
+    expect(refusal(' '.repeat(SHADER_TEXT_LIMITS.length + 1)).message).toMatch(/shorten it/);
     expect(refusal(body(`let x = ${'('.repeat(5000)}1${')'.repeat(5000)};`)).message).toMatch(/brackets deep/);
     expect(refusal(body(`let x = ${'-'.repeat(5000)}1;`)).message).toMatch(/expected|brackets deep/);
     expect(refusal(body(`let x = 1${' + 1'.repeat(3000)};`)).message).toMatch(/longer than 128 operators/);
@@ -277,7 +278,7 @@ describe('a text is refused, with the place and what to do:', () => {
     fc.assert(
       fc.property(text, (written) => {
         try {
-          expect(run(readShaderText(written), ABOUT).length).toBe(4);
+          expect(runShaderProgram(readShaderText(written), ABOUT).length).toBe(4);
         } catch (thrown) {
           expect(thrown).toBeInstanceOf(ShaderTextError);
         }

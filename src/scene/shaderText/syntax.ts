@@ -1,69 +1,74 @@
-import type { Place } from './place.ts';
+import type { SourceLocation } from './sourceLocation.ts';
 
 /** A text as it is written, before anything is known of what its names stand for. */
 
-interface At {
-  readonly at: Place;
+interface SyntaxNode {
+  readonly at: SourceLocation;
 }
 /** `vec3f`, or `vec3` with `f32` in brackets. */
-export interface TypeName extends At {
+export interface TypeSyntax extends SyntaxNode {
   readonly name: string;
-  readonly of?: TypeName;
+  readonly of?: TypeSyntax;
 }
 
-export type Expression =
-  | (At & { readonly kind: 'number'; readonly text: string })
-  | (At & { readonly kind: 'truth'; readonly value: boolean })
-  | (At & { readonly kind: 'name'; readonly name: string })
-  | (At & { readonly kind: 'unary'; readonly sign: string; readonly of: Expression })
-  | (At & { readonly kind: 'binary'; readonly sign: string; readonly a: Expression; readonly b: Expression })
-  | (At & { readonly kind: 'call'; readonly callee: TypeName; readonly args: readonly Expression[] })
-  | (At & { readonly kind: 'member'; readonly of: Expression; readonly name: string })
-  | (At & { readonly kind: 'index'; readonly of: Expression; readonly index: Expression });
+export type ExpressionSyntax =
+  | (SyntaxNode & { readonly kind: 'number'; readonly text: string })
+  | (SyntaxNode & { readonly kind: 'truth'; readonly value: boolean })
+  | (SyntaxNode & { readonly kind: 'name'; readonly name: string })
+  | (SyntaxNode & { readonly kind: 'unary'; readonly sign: string; readonly of: ExpressionSyntax })
+  | (SyntaxNode & {
+      readonly kind: 'binary';
+      readonly sign: string;
+      readonly a: ExpressionSyntax;
+      readonly b: ExpressionSyntax;
+    })
+  | (SyntaxNode & { readonly kind: 'call'; readonly callee: TypeSyntax; readonly args: readonly ExpressionSyntax[] })
+  | (SyntaxNode & { readonly kind: 'member'; readonly of: ExpressionSyntax; readonly name: string })
+  | (SyntaxNode & { readonly kind: 'index'; readonly of: ExpressionSyntax; readonly index: ExpressionSyntax });
 
-export interface Declaration extends At {
+export interface DeclarationSyntax extends SyntaxNode {
   readonly kind: 'declare';
   readonly how: 'let' | 'var' | 'const';
   readonly name: string;
-  readonly type: TypeName | undefined;
-  readonly value: Expression | undefined;
+  readonly type: TypeSyntax | undefined;
+  readonly value: ExpressionSyntax | undefined;
 }
-export interface Assignment extends At {
+export interface AssignmentSyntax extends SyntaxNode {
   readonly kind: 'assign';
-  readonly target: Expression;
+  readonly target: ExpressionSyntax;
   /** Of `+=` the plus. */
   readonly sign: string | undefined;
-  readonly value: Expression;
+  readonly value: ExpressionSyntax;
 }
-export interface ForLoop extends At {
+export interface ForLoopSyntax extends SyntaxNode {
   readonly kind: 'for';
-  readonly first: Statement | undefined;
-  readonly while: Expression | undefined;
-  readonly next: Statement | undefined;
-  readonly body: readonly Statement[];
+  readonly first: StatementSyntax | undefined;
+  readonly while: ExpressionSyntax | undefined;
+  readonly next: StatementSyntax | undefined;
+  readonly body: readonly StatementSyntax[];
 }
-export type Statement =
-  | Declaration
-  | Assignment
-  | ForLoop
-  | (At & {
+export type StatementSyntax =
+  | DeclarationSyntax
+  | AssignmentSyntax
+  | ForLoopSyntax
+  | (SyntaxNode & {
       readonly kind: 'if';
-      readonly test: Expression;
-      readonly yes: readonly Statement[];
-      readonly no: readonly Statement[];
+      readonly test: ExpressionSyntax;
+      readonly yes: readonly StatementSyntax[];
+      readonly no: readonly StatementSyntax[];
     })
-  | (At & { readonly kind: 'block'; readonly body: readonly Statement[] })
-  | (At & { readonly kind: 'return'; readonly value: Expression })
-  | (At & { readonly kind: 'break' | 'continue' });
+  | (SyntaxNode & { readonly kind: 'block'; readonly body: readonly StatementSyntax[] })
+  | (SyntaxNode & { readonly kind: 'return'; readonly value: ExpressionSyntax })
+  | (SyntaxNode & { readonly kind: 'break' | 'continue' });
 
-export interface FunctionText extends At {
+export interface FunctionSyntax extends SyntaxNode {
   readonly name: string;
-  readonly params: readonly (At & { readonly name: string; readonly type: TypeName })[];
-  readonly result: TypeName;
-  readonly body: readonly Statement[];
+  readonly params: readonly (SyntaxNode & { readonly name: string; readonly type: TypeSyntax })[];
+  readonly result: TypeSyntax;
+  readonly body: readonly StatementSyntax[];
 }
 
-export interface Syntax {
-  readonly constants: readonly Declaration[];
-  readonly functions: readonly FunctionText[];
+export interface ModuleSyntax {
+  readonly constants: readonly DeclarationSyntax[];
+  readonly functions: readonly FunctionSyntax[];
 }

@@ -1,6 +1,6 @@
-import { LIMITS, type Place, refuse } from './place.ts';
+import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
 
-export interface Token extends Place {
+export interface ShaderToken extends SourceLocation {
   readonly kind: 'name' | 'number' | 'sign' | 'end';
   readonly text: string;
 }
@@ -13,15 +13,18 @@ const PARTS = {
 } as const;
 
 /** The words of a text, and a last one for its end. */
-export function tokensOf(text: string): readonly Token[] {
-  const tokens: Token[] = [];
+export function tokenize(text: string): readonly ShaderToken[] {
+  const tokens: ShaderToken[] = [];
   let [at, line, start] = [0, 1, 0];
-  const here = (): Place => ({ line, column: at - start + 1 });
-  if (text.length > LIMITS.length)
-    refuse(here(), `the text has ${text.length} characters; more than ${LIMITS.length} are not taken: shorten it`);
+  const here = (): SourceLocation => ({ line, column: at - start + 1 });
+  if (text.length > SHADER_TEXT_LIMITS.length)
+    refuse(
+      here(),
+      `the text has ${text.length} characters; more than ${SHADER_TEXT_LIMITS.length} are not taken: shorten it`,
+    );
   while (at < text.length) {
     const place = here();
-    const [kind, found] = wordAt(text, at, place);
+    const [kind, found] = tokenAt(text, at, place);
     if (kind !== 'space') tokens.push({ ...place, kind, text: found });
     for (let i = 0; i < found.length; i++)
       if (found[i] === '\n') {
@@ -33,7 +36,7 @@ export function tokensOf(text: string): readonly Token[] {
   return [...tokens, { ...here(), kind: 'end', text: '' }];
 }
 
-function wordAt(text: string, at: number, place: Place): readonly [keyof typeof PARTS, string] {
+function tokenAt(text: string, at: number, place: SourceLocation): readonly [keyof typeof PARTS, string] {
   if (text.startsWith('/*', at)) return ['space', comment(text, at, place)];
   for (const kind of Object.keys(PARTS) as (keyof typeof PARTS)[]) {
     PARTS[kind].lastIndex = at;
@@ -47,7 +50,7 @@ function wordAt(text: string, at: number, place: Place): readonly [keyof typeof 
 }
 
 /** Comments lie within comments. */
-function comment(text: string, from: number, place: Place): string {
+function comment(text: string, from: number, place: SourceLocation): string {
   let depth = 0;
   for (let at = from; at < text.length; at += 2) {
     if (text.startsWith('/*', at)) depth++;

@@ -1,47 +1,47 @@
-import { type Place, refuse } from './place.ts';
-import type { TypeName } from './syntax.ts';
+import { refuse, type SourceLocation } from './sourceLocation.ts';
+import type { TypeSyntax } from './syntax.ts';
 
 /** Of what kind components are; those of literals are `whole` or `broken` until it is known what they are wanted as. */
-export type Component = 'f32' | 'i32' | 'bool' | 'whole' | 'broken';
+export type ComponentType = 'f32' | 'i32' | 'bool' | 'whole' | 'broken';
 
 /** A number (1 × 1), a vector (n × 1), a square matrix (its columns one after the other), or the pixel that is worked on. */
-export interface Type {
-  readonly of: Component | 'pixel';
+export interface ShaderType {
+  readonly of: ComponentType | 'pixel';
   readonly rows: number;
   readonly columns: number;
 }
 
-export const scalar = (of: Type['of']): Type => ({ of, rows: 1, columns: 1 });
-export const vector = (rows: number, of: Type['of'] = 'f32'): Type => ({ of, rows, columns: 1 });
+export const scalar = (of: ShaderType['of']): ShaderType => ({ of, rows: 1, columns: 1 });
+export const vector = (rows: number, of: ShaderType['of'] = 'f32'): ShaderType => ({ of, rows, columns: 1 });
 export const F32 = scalar('f32');
 export const I32 = scalar('i32');
 export const BOOL = scalar('bool');
 export const PIXEL = scalar('pixel');
 
-export const sizeOf = ({ rows, columns }: Type): number => rows * columns;
-export const isFloat = ({ of }: Type): boolean => of === 'f32' || of === 'broken';
-export const sameShape = (a: Type, b: Type): boolean => a.rows === b.rows && a.columns === b.columns;
-export const isSame = (a: Type, b: Type): boolean => a.of === b.of && sameShape(a, b);
+export const componentCount = ({ rows, columns }: ShaderType): number => rows * columns;
+export const isFloat = ({ of }: ShaderType): boolean => of === 'f32' || of === 'broken';
+export const sameShape = (a: ShaderType, b: ShaderType): boolean => a.rows === b.rows && a.columns === b.columns;
+export const isSameType = (a: ShaderType, b: ShaderType): boolean => a.of === b.of && sameShape(a, b);
 /** What a literal is where nothing asks for anything else. */
-export const concrete = (type: Type): Type =>
+export const concreteType = (type: ShaderType): ShaderType =>
   type.of === 'whole' ? { ...type, of: 'i32' } : type.of === 'broken' ? { ...type, of: 'f32' } : type;
 /** Whether one may stand for the other without a conversion that is written. */
-export const becomes = (from: Type, to: Type): boolean =>
-  sameShape(from, to) && (from.of === to.of || rank(from.of, to.of));
-const rank = (from: Type['of'], to: Type['of']): boolean =>
+export const isConvertible = (from: ShaderType, to: ShaderType): boolean =>
+  sameShape(from, to) && (from.of === to.of || isComponentConvertible(from.of, to.of));
+const isComponentConvertible = (from: ShaderType['of'], to: ShaderType['of']): boolean =>
   (from === 'whole' && (to === 'broken' || to === 'f32' || to === 'i32')) || (from === 'broken' && to === 'f32');
 
 /** The component kind that all of them can become. */
-export function commonOf(types: readonly Type[]): Component | undefined {
+export function commonComponentType(types: readonly ShaderType[]): ComponentType | undefined {
   const kinds = ['whole', 'broken', 'i32', 'f32', 'bool'] as const;
-  return kinds.find((of) => types.every((type) => type.of === of || rank(type.of, of)));
+  return kinds.find((of) => types.every((type) => type.of === of || isComponentConvertible(type.of, of)));
 }
 
 const NAMED = /^(?:(f32|i32|bool)|vec([234])([fi])|mat([234])x\4f)$/;
 const TEMPLATED = /^(?:vec([234])|mat([234])x\2)$/;
 
 /** As it is written in WGSL. */
-export function nameOf({ of, rows, columns }: Type): string {
+export function typeName({ of, rows, columns }: ShaderType): string {
   const component = of === 'whole' ? 'i32' : of === 'broken' ? 'f32' : of === 'pixel' ? 'Pixel' : of;
   if (columns > 1) return `mat${columns}x${rows}f`;
   if (rows === 1) return component;
@@ -49,25 +49,25 @@ export function nameOf({ of, rows, columns }: Type): string {
 }
 
 /** A type by its name; undefined where it has none of ours. A vector's or a matrix' without its component (`vec3`) is of `whole` literals. */
-export function typeNamed({ name, of }: TypeName): Type | undefined {
+export function typeNamed({ name, of }: TypeSyntax): ShaderType | undefined {
   if (name === 'Pixel') return PIXEL;
   const named = NAMED.exec(name);
   if (named && !of) {
     const [, component, n, letter, size] = named;
-    if (component) return scalar(component as Component);
+    if (component) return scalar(component as ComponentType);
     if (n) return vector(Number(n), letter === 'f' ? 'f32' : 'i32');
     return { of: 'f32', rows: Number(size), columns: Number(size) };
   }
   const shape = TEMPLATED.exec(name);
   const inner = of && typeNamed(of);
-  if (!shape || (of && !inner) || (inner && sizeOf(inner) !== 1)) return undefined;
+  if (!shape || (of && !inner) || (inner && componentCount(inner) !== 1)) return undefined;
   const [, n, size] = shape;
   if (n) return vector(Number(n), inner?.of ?? 'whole');
   return { of: 'f32', rows: Number(size), columns: Number(size) };
 }
 
 /** The type that stands before a value or a parameter. */
-export function declaredType(written: TypeName): Type {
+export function declaredType(written: TypeSyntax): ShaderType {
   const type = typeNamed(written);
   const whole = type && !(written.name.length === 4 && !written.of);
   if (type && whole) return type;
@@ -77,7 +77,10 @@ export function declaredType(written: TypeName): Type {
   );
 }
 
-export const expectType = (found: Type, wanted: Type, at: Place, what: string): void => {
-  if (!becomes(found, wanted))
-    refuse(at, `${what} is ${nameOf(found)}, and should be ${nameOf(wanted)}: convert it by ${nameOf(wanted)}(…)`);
+export const expectType = (found: ShaderType, wanted: ShaderType, at: SourceLocation, what: string): void => {
+  if (!isConvertible(found, wanted))
+    refuse(
+      at,
+      `${what} is ${typeName(found)}, and should be ${typeName(wanted)}: convert it by ${typeName(wanted)}(…)`,
+    );
 };

@@ -1,6 +1,6 @@
 import { fromHalf } from '../../math/half.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { blackbodyCurve, luminanceOf, rowOf } from '../../spectrum/thermalTable.ts';
+import { blackbodyCurve, blackbodyLuminance, rowOf } from '../../spectrum/doppler/thermalTable.ts';
 
 /** The linear sRGB of a blackbody of T [K] at luminance 1, and its luminance over that of daylight's. A sky has thousands of stars for each picture: so from a curve. */
 export function blackbody(T: number): { readonly color: Vec3; readonly luminance: number } {
@@ -10,7 +10,7 @@ export function blackbody(T: number): { readonly color: Vec3; readonly luminance
   const s = place - i;
   const { values } = curve;
   const at = (k: number): number => (1 - s) * values[4 * i + k] + s * values[4 * (i + 1) + k];
-  return { color: [at(0), at(1), at(2)], luminance: luminanceOf(at(3), T) };
+  return { color: [at(0), at(1), at(2)], luminance: blackbodyLuminance(at(3), T) };
 }
 
 let curve: { readonly values: Float64Array; readonly rows: number } | undefined;

@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../math/vec3.ts';
-import { DAYLIGHT } from '../../spectrum/lightSpectrum.ts';
-import { logLuminance } from '../../spectrum/planck.ts';
-import type { RenderSettings } from '../view.ts';
+import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
+import { logLuminance } from '../../spectrum/sources/planck.ts';
+import type { RenderSettings } from '../view/view.ts';
 import { blackbody } from './blackbody.ts';
 
 /** The cosmic microwave background at rest in it [K]. Source: Fixsen 2009, ApJ 707, 916. */

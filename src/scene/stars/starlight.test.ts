@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { WHITE } from '../../spectrum/bands.ts';
-import { seenColor } from '../../spectrum/observerColor.ts';
+import { observedColor } from '../../spectrum/color/observerColor.ts';
+import { WHITE_FILTER } from '../../spectrum/reflectance/spectralFilter.ts';
 import { starlight } from './starlight.ts';
 
 const FULL = { colors: 'spectral', dopplerMix: 1, beaming: 1 } as const;
@@ -14,7 +14,7 @@ describe('starlight', () => {
   test('is what integration over all wavelengths gives, times D⁴', () => {
     fc.assert(
       fc.property(temperature, shift, (T, D) => {
-        const exact = seenColor(WHITE, WHITE, { kind: 'thermal', temperature: T }, 1, D);
+        const exact = observedColor(WHITE_FILTER, WHITE_FILTER, { kind: 'thermal', temperature: T }, 1, D);
         const scale = luminance(exact) * D ** 4;
         starlight(T, D, FULL).forEach((value, k) => {
           expect(Math.abs(value - exact[k] * D ** 4)).toBeLessThan(0.006 * scale + 1e-9);

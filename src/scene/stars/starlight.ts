@@ -1,7 +1,7 @@
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import { dopplerTint } from '../../spectrum/dopplerTint.ts';
-import { glowColor } from '../../spectrum/planckian.ts';
-import type { RenderSettings } from '../view.ts';
+import { glowColor } from '../../spectrum/color/blackbodyColor.ts';
+import { dopplerTint } from '../../spectrum/doppler/dopplerTint.ts';
+import type { RenderSettings } from '../view/view.ts';
 import { blackbody } from './blackbody.ts';
 
 /**

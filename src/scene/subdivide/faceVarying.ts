@@ -1,21 +1,26 @@
-import { cornersAround, type PolygonValues } from '../polygons.ts';
-import { INFINITELY_SHARP, makeTopology, type Topology } from './topology.ts';
+import { cornersAround, type PolygonValues } from '../mesh/polygons.ts';
+import { INFINITELY_SHARP, makeTopology, type SubdivisionTopology } from './topology.ts';
 
 /** Where values on corners stay linear: at the borders of their pieces, say the seams of a texture (OpenSubdiv's names, as USD has them). */
 export type FaceVaryingRule = 'none' | 'cornersOnly' | 'cornersPlus1' | 'cornersPlus2' | 'boundaries' | 'all';
 
 /** Values on corners as a mesh of their own: corners at one point with the same value hang together. */
-export interface Channel {
-  readonly topology: Topology;
+export interface FaceVaryingChannel {
+  readonly topology: SubdivisionTopology;
   /** `width` numbers for each of its points. */
   readonly values: Float64Array;
 }
 
 /** At one point so many different values are compared; more are taken as different. */
-const MOST_COMPARED = 64;
+const MAX_COMPARED_VALUES = 64;
 
-export function channelOf(mesh: Topology, given: PolygonValues, width: number, rule: FaceVaryingRule): Channel {
-  const { ids, count, values } = weld(mesh, given, width);
+export function makeFaceVaryingChannel(
+  mesh: SubdivisionTopology,
+  given: PolygonValues,
+  width: number,
+  rule: FaceVaryingRule,
+): FaceVaryingChannel {
+  const { ids, count, values } = weldValues(mesh, given, width);
   const faceCounts = Array.from(
     { length: mesh.faceStarts.length - 1 },
     (_, f) => mesh.faceStarts[f + 1] - mesh.faceStarts[f],
@@ -29,7 +34,7 @@ export function channelOf(mesh: Topology, given: PolygonValues, width: number, r
   return { topology, values };
 }
 
-function weld({ points, corners }: Topology, { values, indices }: PolygonValues, width: number) {
+function weldValues({ points, corners }: SubdivisionTopology, { values, indices }: PolygonValues, width: number) {
   const first = new Int32Array(points).fill(-1);
   const next = new Int32Array(corners.length).fill(-1);
   const ids = new Uint32Array(corners.length);
@@ -42,8 +47,8 @@ function weld({ points, corners }: Topology, { values, indices }: PolygonValues,
   for (let c = 0; c < corners.length; c++) {
     const from = (indices ? indices[c] : c) * width;
     let [id, compared] = [first[corners[c]], 0];
-    while (id >= 0 && compared++ < MOST_COMPARED && !isSame(id, from)) id = next[id];
-    if (id < 0 || compared > MOST_COMPARED) {
+    while (id >= 0 && compared++ < MAX_COMPARED_VALUES && !isSame(id, from)) id = next[id];
+    if (id < 0 || compared > MAX_COMPARED_VALUES) {
       id = count++;
       for (let k = 0; k < width; k++) out[id * width + k] = values[from + k] ?? 0;
       next[id] = first[corners[c]];
@@ -55,7 +60,7 @@ function weld({ points, corners }: Topology, { values, indices }: PolygonValues,
 }
 
 /** Of the values at inner points what the mesh has there; at borders what the rule pins. */
-function pointSharpness(mesh: Topology, channel: Topology, rule: FaceVaryingRule): Float64Array {
+function pointSharpness(mesh: SubdivisionTopology, channel: SubdivisionTopology, rule: FaceVaryingRule): Float64Array {
   const isBorder = new Uint8Array(channel.points);
   channel.twins.forEach((twin, c) => {
     if (twin < 0) for (const end of [0, 1]) isBorder[channel.edgePoints[2 * channel.cornerEdges[c] + end]] = 1;

@@ -1,19 +1,19 @@
-import { cornersAround } from '../polygons.ts';
-import { isLinear, loopWeight, type Scheme } from './masks.ts';
-import { creasesAt, ruleOf } from './rules.ts';
-import { type Sparse, SparseBuilder } from './sparse.ts';
-import { nextCorner, previousCorner, type Topology } from './topology.ts';
+import { cornersAround } from '../mesh/polygons.ts';
+import { isLinear, loopWeight, type SubdivisionScheme } from './masks.ts';
+import { creaseRule, creasesAt } from './rules.ts';
+import { type SparseMatrix, SparseMatrixBuilder } from './sparseMatrix.ts';
+import { nextCorner, previousCorner, type SubdivisionTopology } from './topology.ts';
 
 /**
  * Where the points of a refined mesh (all quads, or all triangles) come to lie, and the tangents there. Sharp edges part
  * the faces around a point: each part has its own tangents, and is called a slot.
  */
-export interface Limit {
+export interface LimitMatrices {
   /** By point. */
-  readonly positions: Sparse;
+  readonly positions: SparseMatrix;
   /** By slot; their cross product points to the side from which the faces run counter-clockwise. */
-  readonly along: Sparse;
-  readonly across: Sparse;
+  readonly along: SparseMatrix;
+  readonly across: SparseMatrix;
   readonly slotOfCorner: Uint32Array;
   readonly pointOfSlot: Uint32Array;
 }
@@ -22,23 +22,23 @@ export interface Limit {
 const LOOKS_SHARP = 1;
 
 /** Limit masks: Halstead et al. (1993) for Catmull–Clark, Loop (1987); on creases derived here, as Biermann et al. (2000) do. */
-export function limitOf(topology: Topology, scheme: Scheme): Limit {
+export function limitMatrices(topology: SubdivisionTopology, scheme: SubdivisionScheme): LimitMatrices {
   const around = cornersAround(topology.corners, topology.points);
   return { positions: positionRows(topology, scheme, around), ...tangentRows(topology, scheme, around) };
 }
 
 /** All else at once: a matrix of the points themselves. */
-export function limitPositions(topology: Topology, scheme: Scheme): Sparse {
+export function limitPositions(topology: SubdivisionTopology, scheme: SubdivisionScheme): SparseMatrix {
   return positionRows(topology, scheme, cornersAround(topology.corners, topology.points));
 }
 
-type Around = (point: number) => Uint32Array;
+type CornersOfPoint = (point: number) => Uint32Array;
 
-function positionRows(topology: Topology, scheme: Scheme, around: Around): Sparse {
+function positionRows(topology: SubdivisionTopology, scheme: SubdivisionScheme, around: CornersOfPoint): SparseMatrix {
   const creases = creasesAt(topology, topology.edgeSharpness);
-  const rows = new SparseBuilder(topology.points, scheme === 'loop' ? 7 : 9);
+  const rows = new SparseMatrixBuilder(topology.points, scheme === 'loop' ? 7 : 9);
   for (let p = 0; p < topology.points; p++) {
-    const rule = isLinear(scheme) ? 'corner' : ruleOf(creases, topology.pointSharpness, p);
+    const rule = isLinear(scheme) ? 'corner' : creaseRule(creases, topology.pointSharpness, p);
     if (rule === 'corner') rows.add(p, 1);
     else if (rule === 'crease') {
       rows.add(p, 2 / 3);
@@ -51,7 +51,12 @@ function positionRows(topology: Topology, scheme: Scheme, around: Around): Spars
   return rows.build();
 }
 
-function addSmoothCatmullClark(rows: SparseBuilder, topology: Topology, p: number, corners: Uint32Array): void {
+function addSmoothCatmullClark(
+  rows: SparseMatrixBuilder,
+  topology: SubdivisionTopology,
+  p: number,
+  corners: Uint32Array,
+): void {
   const n = corners.length;
   rows.add(p, n / (n + 5));
   for (const c of corners) {
@@ -61,20 +66,25 @@ function addSmoothCatmullClark(rows: SparseBuilder, topology: Topology, p: numbe
   }
 }
 
-function addSmoothLoop(rows: SparseBuilder, topology: Topology, p: number, corners: Uint32Array): void {
+function addSmoothLoop(
+  rows: SparseMatrixBuilder,
+  topology: SubdivisionTopology,
+  p: number,
+  corners: Uint32Array,
+): void {
   const n = corners.length;
   const own = 3 / (8 * loopWeight(n));
   rows.add(p, own / (own + n));
   for (const c of corners) rows.add(topology.corners[nextCorner(topology, c)], 1 / (own + n));
 }
 
-function tangentRows(topology: Topology, scheme: Scheme, around: Around) {
+function tangentRows(topology: SubdivisionTopology, scheme: SubdivisionScheme, around: CornersOfPoint) {
   const isBreak = (edge: number): boolean => isLinear(scheme) || topology.edgeSharpness[edge] >= LOOKS_SHARP;
   const creases = creasesAt(topology, topology.edgeSharpness, LOOKS_SHARP);
   const slotOfCorner = new Uint32Array(topology.corners.length);
   const pointOfSlot: number[] = [];
   const mostSlots = topology.corners.length + 1;
-  const [along, across] = [new SparseBuilder(mostSlots, 3), new SparseBuilder(mostSlots, 3)];
+  const [along, across] = [new SparseMatrixBuilder(mostSlots, 3), new SparseMatrixBuilder(mostSlots, 3)];
   for (let p = 0; p < topology.points; p++) {
     const isFixed = topology.pointSharpness[p] >= LOOKS_SHARP || creases.counts[p] > 2 || isLinear(scheme);
     const corners = around(p);
@@ -103,13 +113,13 @@ interface Fan {
 }
 
 /** All corners around a point without sharp edges. */
-function wholeFan(topology: Topology, corners: Uint32Array): Fan {
+function wholeFan(topology: SubdivisionTopology, corners: Uint32Array): Fan {
   const fan: number[] = [];
   for (let c = corners[0]; fan.length < corners.length; c = topology.twins[previousCorner(topology, c)]) fan.push(c);
   return { corners: fan, isClosed: true };
 }
 
-function fansOf(topology: Topology, corners: Uint32Array, isBreak: (edge: number) => boolean): Fan[] {
+function fansOf(topology: SubdivisionTopology, corners: Uint32Array, isBreak: (edge: number) => boolean): Fan[] {
   const { cornerEdges, twins } = topology;
   const walk = (first: number): Fan => {
     const fan: number[] = [];
@@ -141,15 +151,15 @@ function fansOf(topology: Topology, corners: Uint32Array, isBreak: (edge: number
 }
 
 /** The fan ends at the edge at which it begins. */
-function isDart(topology: Topology, { corners }: Fan): boolean {
+function isDart(topology: SubdivisionTopology, { corners }: Fan): boolean {
   return topology.twins[previousCorner(topology, corners[corners.length - 1])] === corners[0];
 }
 
 function addTangents(
-  along: SparseBuilder,
-  across: SparseBuilder,
-  topology: Topology,
-  scheme: Scheme,
+  along: SparseMatrixBuilder,
+  across: SparseMatrixBuilder,
+  topology: SubdivisionTopology,
+  scheme: SubdivisionScheme,
   p: number,
   fan: Fan,
   isFixed: boolean,
@@ -167,7 +177,12 @@ function addTangents(
 type Opposite = ((i: number) => number) | undefined;
 
 /** Of a wave that goes once around: a Fourier sum over the edges and, of quads, over the points across the faces. */
-function addSmoothTangents(along: SparseBuilder, across: SparseBuilder, edges: number[], opposite: Opposite): void {
+function addSmoothTangents(
+  along: SparseMatrixBuilder,
+  across: SparseMatrixBuilder,
+  edges: number[],
+  opposite: Opposite,
+): void {
   const { edge, cosines, sines, face } = waveOf(edges.length);
   const ofEdge = opposite ? edge : 1;
   for (let i = 0; i < edges.length; i++) {
@@ -199,14 +214,14 @@ function waveOf(n: number): Wave {
   const sums = (values: readonly number[]): number[] => values.slice(0, n).map((x, i) => x + values[i + 1]);
   const edge = 1 + Math.cos(turn) + Math.cos(turn / 2) * Math.sqrt(2 * (9 + Math.cos(turn)));
   const wave = { edge, cosines, sines, face: { cosines: sums(cosines), sines: sums(sines) } };
-  if (n <= MOST_KEPT) waves.set(n, wave);
+  if (n <= MAX_CACHED_EDGES) waves.set(n, wave);
   return wave;
 }
 /** Waves of so many edges are kept. */
-const MOST_KEPT = 32;
+const MAX_CACHED_EDGES = 32;
 
 /** Of a point that stays, the edges themselves: of one face exactly, of two the sum of both faces' normals. */
-function addCornerTangents(along: SparseBuilder, across: SparseBuilder, p: number, edges: number[]): void {
+function addCornerTangents(along: SparseMatrixBuilder, across: SparseMatrixBuilder, p: number, edges: number[]): void {
   const last = edges.length - 1;
   along.add(edges[0], 1);
   along.add(last > 1 ? edges[last] : p, -1);
@@ -216,8 +231,8 @@ function addCornerTangents(along: SparseBuilder, across: SparseBuilder, p: numbe
 
 /** From one end of the crease to the other, and into the faces beside it. */
 function addCreaseTangents(
-  along: SparseBuilder,
-  across: SparseBuilder,
+  along: SparseMatrixBuilder,
+  across: SparseMatrixBuilder,
   p: number,
   edges: number[],
   opposite: Opposite,
@@ -234,7 +249,12 @@ function addCreaseTangents(
 }
 
 /** Into the faces, by a half wave sin(iθ) over the inner edges: a left eigenvector of the subdivision matrix around the point. */
-function addQuadsAcross(across: SparseBuilder, p: number, edges: number[], opposite: (i: number) => number): void {
+function addQuadsAcross(
+  across: SparseMatrixBuilder,
+  p: number,
+  edges: number[],
+  opposite: (i: number) => number,
+): void {
   const faces = edges.length - 1;
   const theta = Math.PI / faces;
   const c = 1 + Math.cos(theta);
@@ -249,7 +269,7 @@ function addQuadsAcross(across: SparseBuilder, p: number, edges: number[], oppos
   addCreaseItself(across, p, edges, eigenvalue, sum * ((3 / 8) * ofEdge + 1 / 2), 8 * eigenvalue * Math.sin(theta));
 }
 
-function addTrianglesAcross(across: SparseBuilder, p: number, edges: number[]): void {
+function addTrianglesAcross(across: SparseMatrixBuilder, p: number, edges: number[]): void {
   const faces = edges.length - 1;
   const theta = Math.PI / faces;
   let sum = 0;
@@ -265,7 +285,7 @@ function addTrianglesAcross(across: SparseBuilder, p: number, edges: number[]): 
  * λ u = u/2 + w/8 + `end`/8 and λ w = 3w/4 + u + `inner`, where the inner edges and faces add `end` and `inner`.
  */
 function addCreaseItself(
-  across: SparseBuilder,
+  across: SparseMatrixBuilder,
   p: number,
   edges: number[],
   eigenvalue: number,

@@ -1,19 +1,19 @@
-import { cornersAround } from '../polygons.ts';
-import { type Creases, creasesAt, decayed, type Rule, ruleOf, transitions } from './rules.ts';
-import { type Sparse, SparseBuilder } from './sparse.ts';
-import { nextCorner, previousCorner, type Topology } from './topology.ts';
+import { cornersAround } from '../mesh/polygons.ts';
+import { type CreaseRule, type Creases, creaseRule, creasesAt, decaySharpness, transitions } from './rules.ts';
+import { type SparseMatrix, SparseMatrixBuilder } from './sparseMatrix.ts';
+import { nextCorner, previousCorner, type SubdivisionTopology } from './topology.ts';
 
 /** How faces are split, and how smoothly: `bilinear` splits as Catmull–Clark does, `linear` as Loop does. */
-export type Scheme = 'catmullClark' | 'loop' | 'bilinear' | 'linear';
+export type SubdivisionScheme = 'catmullClark' | 'loop' | 'bilinear' | 'linear';
 
-export const splitsTriangles = (scheme: Scheme): boolean => scheme === 'loop' || scheme === 'linear';
-export const isLinear = (scheme: Scheme): boolean => scheme === 'bilinear' || scheme === 'linear';
+export const splitsTriangles = (scheme: SubdivisionScheme): boolean => scheme === 'loop' || scheme === 'linear';
+export const isLinear = (scheme: SubdivisionScheme): boolean => scheme === 'bilinear' || scheme === 'linear';
 
 /** One level of refinement: the middles of the faces, from the points; then the next level's points, from the points and, behind them, the middles. */
-export interface Step {
+export interface RefinementStep {
   /** Without rows where the scheme has no use for them. */
-  readonly middles: Sparse;
-  readonly children: Sparse;
+  readonly middles: SparseMatrix;
+  readonly children: SparseMatrix;
 }
 
 /** Weight of a triangle's middle at its edges where triangles are to be smoothed (Stam and Loop 2003; of a quad 1/4). */
@@ -24,22 +24,26 @@ const SMOOTH_TRIANGLE = 0.47;
  * a sharp edge has its middle, a point on two of them 3/4 of itself and 1/8 of each end, a corner itself. Where sharpness
  * ends between two levels, the masks before and after are blended.
  */
-export function refinementStep(topology: Topology, scheme: Scheme, smoothTriangles = false): Step {
+export function refinementStep(
+  topology: SubdivisionTopology,
+  scheme: SubdivisionScheme,
+  smoothTriangles = false,
+): RefinementStep {
   const edges = topology.edgePoints.length / 2;
   const faces = topology.faceStarts.length - 1;
   const usesMiddles = !splitsTriangles(scheme);
-  const rows = new SparseBuilder(topology.points + edges + (usesMiddles ? faces : 0), 6);
+  const rows = new SparseMatrixBuilder(topology.points + edges + (usesMiddles ? faces : 0), 6);
   addPointRows(rows, topology, scheme);
   addEdgeRows(rows, topology, scheme, smoothTriangles);
   for (let f = 0; usesMiddles && f < faces; f++) {
     rows.add(topology.points + f, 1);
     rows.endRow();
   }
-  return { middles: usesMiddles ? middlesOf(topology) : new SparseBuilder(0, 0).build(), children: rows.build() };
+  return { middles: usesMiddles ? middlesOf(topology) : new SparseMatrixBuilder(0, 0).build(), children: rows.build() };
 }
 
-function middlesOf({ faceStarts, corners }: Topology): Sparse {
-  const rows = new SparseBuilder(faceStarts.length - 1, 4);
+function middlesOf({ faceStarts, corners }: SubdivisionTopology): SparseMatrix {
+  const rows = new SparseMatrixBuilder(faceStarts.length - 1, 4);
   for (let f = 0; f + 1 < faceStarts.length; f++) {
     const [from, to] = [faceStarts[f], faceStarts[f + 1]];
     for (let c = from; c < to; c++) rows.add(corners[c], 1 / (to - from));
@@ -48,13 +52,13 @@ function middlesOf({ faceStarts, corners }: Topology): Sparse {
   return rows.build();
 }
 
-function addPointRows(rows: SparseBuilder, topology: Topology, scheme: Scheme): void {
+function addPointRows(rows: SparseMatrixBuilder, topology: SubdivisionTopology, scheme: SubdivisionScheme): void {
   const { edgeSharpness, pointSharpness } = topology;
-  const next = { edges: decayed(edgeSharpness), points: decayed(pointSharpness) };
+  const next = { edges: decaySharpness(edgeSharpness), points: decaySharpness(pointSharpness) };
   const [now, later] = [creasesAt(topology, edgeSharpness), creasesAt(topology, next.edges)];
   const left = transitions(topology, next);
   const around = cornersAround(topology.corners, topology.points);
-  const add = (rule: Rule, creases: Creases, p: number, weight: number): void => {
+  const add = (rule: CreaseRule, creases: Creases, p: number, weight: number): void => {
     if (weight === 0) return;
     if (rule === 'corner' || isLinear(scheme)) rows.add(p, weight);
     else if (rule === 'crease') addCrease(rows, creases, p, weight);
@@ -62,7 +66,7 @@ function addPointRows(rows: SparseBuilder, topology: Topology, scheme: Scheme): 
     else addSmoothCatmullClark(rows, topology, p, around(p), weight);
   };
   for (let p = 0; p < topology.points; p++) {
-    const [before, after] = [ruleOf(now, pointSharpness, p), ruleOf(later, next.points, p)];
+    const [before, after] = [creaseRule(now, pointSharpness, p), creaseRule(later, next.points, p)];
     const part = before === after ? 0 : left[p];
     add(before, now, p, part);
     add(after, later, p, 1 - part);
@@ -70,15 +74,15 @@ function addPointRows(rows: SparseBuilder, topology: Topology, scheme: Scheme): 
   }
 }
 
-function addCrease(rows: SparseBuilder, { ends }: Creases, p: number, weight: number): void {
+function addCrease(rows: SparseMatrixBuilder, { ends }: Creases, p: number, weight: number): void {
   rows.add(p, 0.75 * weight);
   rows.add(ends[2 * p], 0.125 * weight);
   rows.add(ends[2 * p + 1], 0.125 * weight);
 }
 
 function addSmoothCatmullClark(
-  rows: SparseBuilder,
-  topology: Topology,
+  rows: SparseMatrixBuilder,
+  topology: SubdivisionTopology,
   p: number,
   around: Uint32Array,
   weight: number,
@@ -94,13 +98,24 @@ function addSmoothCatmullClark(
 /** Loop's weight of each neighbour of a smooth point with `n` of them. */
 export const loopWeight = (n: number): number => (5 / 8 - (3 / 8 + Math.cos((2 * Math.PI) / n) / 4) ** 2) / n;
 
-function addSmoothLoop(rows: SparseBuilder, topology: Topology, p: number, around: Uint32Array, weight: number): void {
+function addSmoothLoop(
+  rows: SparseMatrixBuilder,
+  topology: SubdivisionTopology,
+  p: number,
+  around: Uint32Array,
+  weight: number,
+): void {
   const each = loopWeight(around.length);
   rows.add(p, (1 - around.length * each) * weight);
   for (const c of around) rows.add(topology.corners[nextCorner(topology, c)], each * weight);
 }
 
-function addEdgeRows(rows: SparseBuilder, topology: Topology, scheme: Scheme, smoothTriangles: boolean): void {
+function addEdgeRows(
+  rows: SparseMatrixBuilder,
+  topology: SubdivisionTopology,
+  scheme: SubdivisionScheme,
+  smoothTriangles: boolean,
+): void {
   const { edgePoints, edgeSharpness, cornerEdges, twins, corners, points, faceOfCorner } = topology;
   const cornerOf = new Int32Array(edgeSharpness.length).fill(-1);
   for (let c = 0; c < cornerEdges.length; c++) cornerOf[cornerEdges[c]] = c;
@@ -120,7 +135,11 @@ function addEdgeRows(rows: SparseBuilder, topology: Topology, scheme: Scheme, sm
   }
 }
 
-function sideWeight({ faceStarts, faceOfCorner }: Topology, corner: number, smoothTriangles: boolean): number {
+function sideWeight(
+  { faceStarts, faceOfCorner }: SubdivisionTopology,
+  corner: number,
+  smoothTriangles: boolean,
+): number {
   const face = faceOfCorner[corner];
   return smoothTriangles && faceStarts[face + 1] - faceStarts[face] === 3 ? SMOOTH_TRIANGLE : 1 / 4;
 }

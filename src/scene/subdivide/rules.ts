@@ -1,7 +1,7 @@
-import { INFINITELY_SHARP, type Topology } from './topology.ts';
+import { INFINITELY_SHARP, type SubdivisionTopology } from './topology.ts';
 
 /** What holds a point: nothing, two sharp edges that run through it, or itself. */
-export type Rule = 'smooth' | 'crease' | 'corner';
+export type CreaseRule = 'smooth' | 'crease' | 'corner';
 
 /** The sharp edges that meet at each point. */
 export interface Creases {
@@ -11,11 +11,11 @@ export interface Creases {
 }
 
 /** One level takes 1 from what is not sharp for ever. */
-export const decayed = (sharpness: Float64Array): Float64Array =>
+export const decaySharpness = (sharpness: Float64Array): Float64Array =>
   sharpness.map((s) => (s >= INFINITELY_SHARP ? s : Math.max(0, s - 1)));
 
 /** `least`: edges as sharp as that are sharp; absent: all that are sharp at all. */
-export function creasesAt({ points, edgePoints }: Topology, sharpness: Float64Array, least = 0): Creases {
+export function creasesAt({ points, edgePoints }: SubdivisionTopology, sharpness: Float64Array, least = 0): Creases {
   const counts = new Uint32Array(points);
   const ends = new Int32Array(2 * points).fill(-1);
   for (let e = 0; e < sharpness.length; e++) {
@@ -30,13 +30,16 @@ export function creasesAt({ points, edgePoints }: Topology, sharpness: Float64Ar
 }
 
 /** A single sharp edge ends in the smooth. */
-export function ruleOf({ counts }: Creases, pointSharpness: Float64Array, point: number): Rule {
+export function creaseRule({ counts }: Creases, pointSharpness: Float64Array, point: number): CreaseRule {
   if (pointSharpness[point] > 0 || counts[point] > 2) return 'corner';
   return counts[point] === 2 ? 'crease' : 'smooth';
 }
 
 /** How much of each point's present rule is left where its sharpness ends at the next level: the mean of what ends, at most 1. */
-export function transitions(topology: Topology, next: { edges: Float64Array; points: Float64Array }): Float64Array {
+export function transitions(
+  topology: SubdivisionTopology,
+  next: { edges: Float64Array; points: Float64Array },
+): Float64Array {
   const { points, edgePoints, edgeSharpness, pointSharpness } = topology;
   const sums = new Float64Array(points);
   const counts = new Uint32Array(points);

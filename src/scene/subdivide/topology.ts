@@ -1,4 +1,4 @@
-import { cornersAround } from '../polygons.ts';
+import { cornersAround } from '../mesh/polygons.ts';
 
 /** From here on an edge or a point is sharp at every level (as USD and its kin count). */
 export const INFINITELY_SHARP = 10;
@@ -7,7 +7,7 @@ export const INFINITELY_SHARP = 10;
  * How faces hang together. A corner is a place of a face; from it an edge runs to the face's next corner.
  * Edges of one face only, of more than two, or of two that do not run against each other are sharp for ever.
  */
-export interface Topology {
+export interface SubdivisionTopology {
   readonly points: number;
   /** First corner of each face, and the number of corners. */
   readonly faceStarts: Uint32Array;
@@ -26,7 +26,7 @@ export interface Topology {
 }
 
 /** Faces as runs of corners, each with at least three, whose neighbours differ; and what is sharp in them. */
-export interface Cage {
+export interface ControlCage {
   readonly points: number;
   readonly faceCounts: ArrayLike<number>;
   readonly faceIndices: ArrayLike<number>;
@@ -38,15 +38,15 @@ export interface Cage {
   readonly sharpCorners: boolean;
 }
 
-export const nextCorner = ({ faceStarts, faceOfCorner }: Topology, corner: number): number =>
+export const nextCorner = ({ faceStarts, faceOfCorner }: SubdivisionTopology, corner: number): number =>
   corner + 1 < faceStarts[faceOfCorner[corner] + 1] ? corner + 1 : faceStarts[faceOfCorner[corner]];
 
-export const previousCorner = ({ faceStarts, faceOfCorner }: Topology, corner: number): number => {
+export const previousCorner = ({ faceStarts, faceOfCorner }: SubdivisionTopology, corner: number): number => {
   const face = faceOfCorner[corner];
   return corner > faceStarts[face] ? corner - 1 : faceStarts[face + 1] - 1;
 };
 
-export function makeTopology(cage: Cage): Topology {
+export function makeTopology(cage: ControlCage): SubdivisionTopology {
   const faceStarts = new Uint32Array(cage.faceCounts.length + 1);
   for (let f = 0; f < cage.faceCounts.length; f++) faceStarts[f + 1] = faceStarts[f] + cage.faceCounts[f];
   const corners = Uint32Array.from(cage.faceIndices);
@@ -59,14 +59,14 @@ export function makeTopology(cage: Cage): Topology {
     if (isBroken) return INFINITELY_SHARP;
     return sharpnessOf(cage.creaseSharpness?.(edges.edgePoints[2 * e], edges.edgePoints[2 * e + 1]));
   });
-  const topology: Topology = { ...faces, ...edges, edgeSharpness, pointSharpness };
+  const topology: SubdivisionTopology = { ...faces, ...edges, edgeSharpness, pointSharpness };
   sharpenPoints(topology, cage.sharpCorners, pointSharpness);
   return topology;
 }
 
 const sharpnessOf = (written = 0): number => (written > 0 ? Math.min(written, INFINITELY_SHARP) : 0);
 
-type Faces = Pick<Topology, 'points' | 'faceStarts' | 'faceOfCorner' | 'corners'>;
+type Faces = Pick<SubdivisionTopology, 'points' | 'faceStarts' | 'faceOfCorner' | 'corners'>;
 
 function joinEdges(faces: Faces) {
   const { corners } = faces;
@@ -76,7 +76,7 @@ function joinEdges(faces: Faces) {
   const first = new Int32Array(corners.length).fill(-1);
   const uses = new Uint32Array(corners.length);
   for (let c = 0; c < corners.length; c++) {
-    const edge = table.edge(corners[c], corners[nextCorner(faces as Topology, c)]);
+    const edge = table.edge(corners[c], corners[nextCorner(faces as SubdivisionTopology, c)]);
     cornerEdges[c] = edge;
     if (uses[edge]++ === 0) first[edge] = c;
     else if (uses[edge] === 2 && corners[first[edge]] !== corners[c]) {
@@ -126,7 +126,7 @@ function hash(a: number, b: number): number {
 }
 
 /** Points that keep their place whatever is written: without faces, with one where that is wished, and where fans of faces only touch. */
-function sharpenPoints(topology: Topology, sharpCorners: boolean, sharpness: Float64Array): void {
+function sharpenPoints(topology: SubdivisionTopology, sharpCorners: boolean, sharpness: Float64Array): void {
   const around = cornersAround(topology.corners, topology.points);
   for (let p = 0; p < topology.points; p++) {
     const corners = around(p);
@@ -136,7 +136,7 @@ function sharpenPoints(topology: Topology, sharpCorners: boolean, sharpness: Flo
 }
 
 /** Whether the corners of a point are several closed fans. Open ones are told by their edges. */
-function touchesOnly(topology: Topology, corners: ArrayLike<number>): boolean {
+function touchesOnly(topology: SubdivisionTopology, corners: ArrayLike<number>): boolean {
   let walked = 0;
   let corner = corners[0];
   do {

@@ -1,28 +1,28 @@
 import { describe, expect, it } from 'vitest';
 import { eulerCharacteristic, openEdges, triangles, volume } from '../../../tests/support/meshes.ts';
-import { readFont } from '../../cli/fonts.ts';
-import { readLetters } from '../../formats/font/letters.ts';
+import { readFont } from '../../cli/files/fonts.ts';
+import { readGlyphs } from '../../formats/font/glyphs.ts';
 import { cross, dot, length, normalize, sub } from '../../math/vec3.ts';
-import { pointAt } from '../polygons.ts';
-import { capOf } from './cap.ts';
-import { type Letter, type Pair, twiceArea } from './outline.ts';
-import { solid, trianglesOf } from './solid.ts';
+import { pointAt } from '../mesh/polygons.ts';
+import { type Glyph, type Point2, twiceArea } from './contours.ts';
+import { extrudeContours, extrusionTriangles } from './extrude.ts';
 import { type TextStyle, textMesh } from './textMesh.ts';
+import { triangulateCap } from './triangulateCap.ts';
 
 // Of 捷 earcut drops a corner that lies on a line only but for rounding.
 const LETTERS = 'Slowight BE8%@&ßΩЖ光速捷翱';
-const letters = await readLetters(LETTERS, readFont);
-const letter = (name: string): Letter => letters.get(name)!;
+const letters = await readGlyphs(LETTERS, readFont);
+const letter = (name: string): Glyph => letters.get(name)!;
 const how = (name: string, tolerance = 1e-3) =>
   ({ scale: 1 / letter(name).capHeight, depth: 0.25, tolerance, tile: 1 }) as const;
-const solidOf = (name: string, tolerance?: number) => solid(letter(name).contours, how(name, tolerance));
+const solidOf = (name: string, tolerance?: number) => extrudeContours(letter(name).contours, how(name, tolerance));
 
 /** What the curves themselves enclose: between a parabola and its chord lie two thirds of its triangle (Archimedes). */
-function enclosed({ contours, capHeight }: Letter): number {
+function enclosed({ contours, capHeight }: Glyph): number {
   let twice = 0;
-  for (const { start, strokes } of contours) {
+  for (const { start, segments } of contours) {
     let at = start;
-    for (const { control, to } of strokes) {
+    for (const { control, to } of segments) {
       twice += at[0] * to[1] - to[0] * at[1];
       if (control) twice += (2 / 3) * twiceArea([at, control, to]);
       at = to;
@@ -88,21 +88,21 @@ describe('a solid letter', () => {
 
   it('is of as many triangles as were told beforehand', () => {
     for (const name of named)
-      expect(solidOf(name).indices.length / 3).toBe(trianglesOf(letter(name).contours, how(name)));
+      expect(solidOf(name).indices.length / 3).toBe(extrusionTriangles(letter(name).contours, how(name)));
   });
 });
 
 describe('a cap', () => {
   it('has no corner inside another’s side, where many lie on one line', () => {
     // A comb, and a hole in line with its teeth: 13 corners lie on y = 0.
-    const comb: Pair[] = [
+    const comb: Point2[] = [
       [0, 2],
       [6, 2],
     ];
     for (let tooth = 5; tooth >= 0; tooth--) {
       comb.push([tooth + 1, tooth % 2 ? 0 : -1], [tooth, tooth % 2 ? 0 : -1], [tooth, 0]);
     }
-    const hole: Pair[] = [
+    const hole: Point2[] = [
       [1, 1],
       [2, 1],
       [3, 1],
@@ -110,7 +110,7 @@ describe('a cap', () => {
       [1, 1.5],
     ];
     const all = [...comb, ...hole];
-    const cut = capOf([comb, hole]);
+    const cut = triangulateCap([comb, hole]);
     const sides = new Map<string, number>();
     cut.forEach((a, i) => {
       const b = cut[i % 3 === 2 ? i - 2 : i + 1];

@@ -8,14 +8,24 @@ import {
   velocityAt,
   type WorldLine,
 } from '../../physics/index.ts';
-import { newtonEmission } from '../newtonEmission.ts';
-import { ontoLightCone } from '../ontoLightCone.ts';
-import { polylineEmission } from '../polylineEmission.ts';
-import { staticEmission } from '../staticEmission.ts';
+import { newtonEmission } from '../emission/newtonEmission.ts';
+import { ontoLightCone } from '../emission/ontoLightCone.ts';
+import { polylineEmission } from '../emission/polylineEmission.ts';
+import { staticEmission } from '../emission/staticEmission.ts';
 import type { HyperbolicVertexEvent, Int, Vec4, VertexEvent } from '../types.ts';
 import { always, where, within } from './checks.ts';
-import { AIMS, aimed, draw, logUniform, mover, SPEEDS, unit, vec3At, withLength } from './domain.ts';
-import { type Mover, type MoverStratum, movers } from './movers.ts';
+import {
+  AIMS,
+  aimedDirection,
+  casesOf,
+  logUniform,
+  SPEEDS,
+  unitVector,
+  vec3At,
+  velocityInput,
+  withLength,
+} from './inputs.ts';
+import { type MotionInput, type MotionStratum, motionInputs } from './motions.ts';
 import type { Check, Twin, TwinCase } from './twin.ts';
 
 const OBSERVER = { t: 0, position: ZERO } as const;
@@ -40,7 +50,7 @@ const nearestSample = (line: WorldLine, t: number): number =>
   'times' in line ? Math.min(...Array.from(line.times, (time) => Math.abs(time - t))) : 1;
 
 /** Objects from toy to building, small enough against their distance to be looked at from outside; or around the observer. */
-const strata = (speeds: readonly number[]): readonly MoverStratum[] =>
+const strata = (speeds: readonly number[]): readonly MotionStratum[] =>
   speeds.flatMap((beta) =>
     [1, 100].flatMap((size) =>
       [false, true].map((around) => ({
@@ -55,8 +65,8 @@ const strata = (speeds: readonly number[]): readonly MoverStratum[] =>
 
 /** Around the observer sometimes exactly at the observer. */
 function anchorOf(random: () => number, size: number, around = false): Vec3 {
-  if (!around) return scale(unit(random), logUniform(random, 1.5 * size, 1e5));
-  return scale(unit(random), random() < 0.1 ? 0 : size * random());
+  if (!around) return scale(unitVector(random), logUniform(random, 1.5 * size, 1e5));
+  return scale(unitVector(random), random() < 0.1 ? 0 : size * random());
 }
 
 /**
@@ -71,14 +81,14 @@ const bySpeed =
   };
 
 /** How far away the vertex is and how far it went to reach its event [m]: what its place and time are known to a part of; not less than 5 cm. */
-const reach = (cpu: readonly number[], input: readonly number[]): number => {
+const eventScale = (cpu: readonly number[], input: readonly number[]): number => {
   const dx: Vec3 = [cpu[0], cpu[1], cpu[2]];
   return length(dx) + length(sub(dx, vec3At(input, 0))) + Math.abs(cpu[3]) + 0.05;
 };
 
 const time: Check = {
   name: 'time, over the reach',
-  error: (gpu, cpu, input) => Math.abs(gpu[3] - cpu[3]) / reach(cpu, input),
+  error: (gpu, cpu, input) => Math.abs(gpu[3] - cpu[3]) / eventScale(cpu, input),
   tolerance: bySpeed(3e-6, 2e-5, 2e-2),
 };
 
@@ -86,7 +96,7 @@ const time: Check = {
 const doppler: Check = {
   name: 'D, relative, times |Δx| over the reach',
   error: (gpu, cpu, input) => {
-    const known = length([cpu[0], cpu[1], cpu[2]]) / reach(cpu, input);
+    const known = length([cpu[0], cpu[1], cpu[2]]) / eventScale(cpu, input);
     if (known < 1e-6 || cpu[9] < 1e-4 * (1 + Math.abs(cpu[3]))) return 0;
     return Math.abs(dopplerOf(gpu) / dopplerOf(cpu) - 1) * known;
   },
@@ -105,28 +115,28 @@ const exists: Check = {
 };
 
 export const placeAndTime: readonly Check[] = [
-  where(8, within('place, over the reach', 0, reach, bySpeed(3e-6, 2e-5, 1e-3))),
+  where(8, within('place, over the reach', 0, eventScale, bySpeed(3e-6, 2e-5, 1e-3))),
   where(8, time),
 ];
 const eventChecks: readonly Check[] = [...placeAndTime, where(8, doppler)];
 
-function moverCases(
-  mover: Mover,
+function motionCases(
+  mover: MotionInput,
   random: () => number,
   extra: () => readonly number[] = () => [],
 ): readonly TwinCase[] {
-  return draw(strata(mover.speeds), EACH, (stratum) => {
+  return casesOf(strata(mover.speeds), EACH, (stratum) => {
     const anchor = anchorOf(random, stratum.size, stratum.around);
     return [...withLength(anchor), ...mover.draw(random, stratum, anchor), ...extra()];
   });
 }
 
-const emissionTwin = (mover: Mover, parts: readonly string[]): Twin => ({
+const emissionTwin = (mover: MotionInput, parts: readonly string[]): Twin => ({
   name: `${mover.kind}Emission`,
   parts,
   texels: mover.texels,
   outputs: 3,
-  cases: (random) => moverCases(mover, random),
+  cases: (random) => motionCases(mover, random),
   cpu: (input) => {
     const R = length(vec3At(input, 0));
     const line = mover.worldLine(input, -R);
@@ -138,13 +148,13 @@ const emissionTwin = (mover: Mover, parts: readonly string[]): Twin => ({
 });
 
 /** Newton steps on two kinds of world line: on a hyperbola a long step can land where 1 − v² is noise, and says nothing. */
-const newtonTwin = (mover: Mover): Twin => ({
+const newtonTwin = (mover: MotionInput): Twin => ({
   name: `newtonEmission, ${mover.kind}`,
   parts: ['newtonEmission'],
   texels: mover.texels + 1,
   outputs: 3,
   cases: (random) =>
-    moverCases({ ...mover, speeds: mover.speeds.filter((beta) => beta <= 0.9) }, random, () => [
+    motionCases({ ...mover, speeds: mover.speeds.filter((beta) => beta <= 0.9) }, random, () => [
       Math.floor(12 * random()),
       0.3 + 0.7 * random(),
       0,
@@ -164,12 +174,12 @@ const newtonTwin = (mover: Mover): Twin => ({
   checks: eventChecks,
 });
 
-const placeTwin = (mover: Mover, parts: readonly string[]): Twin => ({
+const placeTwin = (mover: MotionInput, parts: readonly string[]): Twin => ({
   name: `${mover.kind}Place`,
   parts,
   texels: mover.texels + 1,
   outputs: 3,
-  cases: (random) => moverCases(mover, random, () => [20 * random() - 10, 0, 0, 0]),
+  cases: (random) => motionCases(mover, random, () => [20 * random() - 10, 0, 0, 0]),
   cpu: (input) => {
     const line = mover.worldLine(input, 0);
     const time = input[4 * mover.texels];
@@ -188,9 +198,9 @@ const staticTwin: Twin = {
   texels: 2,
   outputs: 3,
   cases: (random) =>
-    draw(strata([0]), EACH, ({ size, around }) => [
+    casesOf(strata([0]), EACH, ({ size, around }) => [
       ...withLength(anchorOf(random, size, around)),
-      ...scale(unit(random), size * random()),
+      ...scale(unitVector(random), size * random()),
       0,
     ]),
   cpu: (input) => {
@@ -208,11 +218,11 @@ const ontoConeTwin: Twin = {
   outputs: 3,
   cases: (random) =>
     // Nearer to c, f32 inputs do not tell how far from the cone an event is.
-    draw(strata(SPEEDS.filter((beta) => beta <= 0.99)), EACH, ({ beta, size }) => {
+    casesOf(strata(SPEEDS.filter((beta) => beta <= 0.99)), EACH, ({ beta, size }) => {
       const dx = anchorOf(random, size);
-      const direction = aimed(random, normalize(dx, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
+      const direction = aimedDirection(random, normalize(dx, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
       const beside = (random() < 0.5 ? -1 : 1) * logUniform(random, 2e-3, 0.05) * (1 - beta);
-      return [...dx, -length(dx) * (1 + beside), ...mover(direction, beta)];
+      return [...dx, -length(dx) * (1 + beside), ...velocityInput(direction, beta)];
     }),
   cpu: (input) => {
     const [dx, s, v] = [vec3At(input, 0), input[3], vec3At(input, 1)];
@@ -236,15 +246,15 @@ const longestTable: Twin = {
   texels: 3,
   outputs: 3,
   cases: (random) =>
-    draw([{ name: '4096 samples', gamma: 1, beta: 0.5 }], 100, () => {
+    casesOf([{ name: '4096 samples', gamma: 1, beta: 0.5 }], 100, () => {
       // Powers of two and their parts, so that the shader's own times are exact.
       const dt = 2 ** -Math.floor(4 * random());
       const first = -(Math.floor((LONGEST + 100) * random()) + Math.floor(1024 * random()) / 1024) * dt;
       return [
         ...withLength(anchorOf(random, 1)),
-        ...scale(unit(random), 0.5),
+        ...scale(unitVector(random), 0.5),
         first,
-        ...scale(unit(random), 0.5 * dt),
+        ...scale(unitVector(random), 0.5 * dt),
         dt,
       ];
     }),
@@ -274,19 +284,19 @@ const longestTable: Twin = {
   checks: placeAndTime,
 };
 
-export const emission: readonly Twin[] = [
+export const emissionTwins: readonly Twin[] = [
   staticTwin,
   ontoConeTwin,
-  emissionTwin(movers.uniform, ['linearEmission']),
-  emissionTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaEmission', 'hyperbolaEvent']),
-  emissionTwin(movers.polyline, ['linearEmission', 'bisect', 'pieceVelocity']),
-  emissionTwin(movers.cubic, ['linearEmission', 'bisect', 'pieceVelocity', 'cubicPiece', 'cubicRoot', 'onCubic']),
+  emissionTwin(motionInputs.uniform, ['linearEmission']),
+  emissionTwin(motionInputs.hyperbolic, ['hyperbolaVertex', 'hyperbolaEmission', 'hyperbolaEvent']),
+  emissionTwin(motionInputs.polyline, ['linearEmission', 'bisect', 'pieceVelocity']),
+  emissionTwin(motionInputs.cubic, ['linearEmission', 'bisect', 'pieceVelocity', 'cubicPiece', 'cubicRoot', 'onCubic']),
   longestTable,
-  newtonTwin(movers.uniform),
-  newtonTwin(movers.polyline),
-  newtonTwin(movers.cubic),
-  placeTwin(movers.uniform, []),
-  placeTwin(movers.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent']),
-  placeTwin(movers.polyline, ['bisect', 'pieceVelocity']),
-  placeTwin(movers.cubic, ['bisect', 'cubicPiece', 'onCubic']),
+  newtonTwin(motionInputs.uniform),
+  newtonTwin(motionInputs.polyline),
+  newtonTwin(motionInputs.cubic),
+  placeTwin(motionInputs.uniform, []),
+  placeTwin(motionInputs.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent']),
+  placeTwin(motionInputs.polyline, ['bisect', 'pieceVelocity']),
+  placeTwin(motionInputs.cubic, ['bisect', 'cubicPiece', 'onCubic']),
 ];

@@ -1,21 +1,26 @@
 import { select, vec4 } from 'three/tsl';
 import { dot, scale } from '../../math/vec3.ts';
-import { type Bands, bandsOf, reflectanceAt, WHITE } from '../../spectrum/bands.ts';
-import { colorMatching, VISIBLE } from '../../spectrum/cie1931.ts';
-import type { DopplerTable } from '../../spectrum/dopplerTable.ts';
-import { coloredTable } from '../../spectrum/filterPairs.ts';
-import { DAYLIGHT } from '../../spectrum/lightSpectrum.ts';
-import { LUMINANCE, seenColor, toLinearSrgb } from '../../spectrum/observerColor.ts';
-import { logLuminance } from '../../spectrum/planck.ts';
-import { skyParts as cpuSkyParts } from '../../spectrum/scatteredLight.ts';
-import { thermalTable } from '../../spectrum/thermalTable.ts';
-import { HalfAtlas } from '../halfAtlas.ts';
-import { lineColor } from '../lineColor.ts';
-import { observerTexels } from '../observerTable.ts';
-import { skyParts } from '../skyParts.ts';
-import { coloredColors, filteredColor, luminanceOf, spectrumTable, thermalColors } from '../spectrumTable.ts';
+import { LUMINANCE_WEIGHTS, observedColor, toLinearSrgb } from '../../spectrum/color/observerColor.ts';
+import { skyParts as cpuSkyParts } from '../../spectrum/color/scatteredLight.ts';
+import type { DopplerTable } from '../../spectrum/doppler/dopplerTable.ts';
+import { filteredBlackbodyTable } from '../../spectrum/doppler/filterPairs.ts';
+import { thermalTable } from '../../spectrum/doppler/thermalTable.ts';
+import { colorMatching, VISIBLE } from '../../spectrum/observer/standardObserver.ts';
+import {
+  filterFromRgb,
+  reflectanceAt,
+  type SpectralFilter,
+  WHITE_FILTER,
+} from '../../spectrum/reflectance/spectralFilter.ts';
+import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
+import { logLuminance } from '../../spectrum/sources/planck.ts';
+import { lineColor } from '../color/lineColor.ts';
+import { skyParts } from '../color/skyParts.ts';
+import { HalfAtlas } from '../tables/halfAtlas.ts';
+import { observerTexels } from '../tables/observerTable.ts';
+import { coloredColors, filteredColor, luminanceOf, spectrumTable, thermalColors } from '../tables/spectrumTable.ts';
 import { absolute, always, within } from './checks.ts';
-import { draw, logUniform, vec3At } from './domain.ts';
+import { casesOf, logUniform, vec3At } from './inputs.ts';
 import type { Twin } from './twin.ts';
 
 /** Of all tables here: each is read beside others. */
@@ -28,14 +33,14 @@ function blackbodies(layers: 3 | 4) {
 }
 
 /** (r, g, b, uv) · (T of the source, D_in, D_out, ir) · (Y(T)/Y(6504 K) of the source, 0, 0, 0) */
-function texelsOf(bands: Bands, T: number, Din: number, Dout: number): readonly number[] {
+function texelsOf(bands: SpectralFilter, T: number, Din: number, Dout: number): readonly number[] {
   const luminance = Math.exp(logLuminance(T) - logLuminance(DAYLIGHT.temperature));
   return [...bands.rgb, bands.uv, T, Din, Dout, bands.ir, luminance, 0, 0, 0];
 }
 
-const bandsAt = (input: readonly number[]): Bands => ({ rgb: vec3At(input, 0), uv: input[3], ir: input[7] });
+const bandsAt = (input: readonly number[]): SpectralFilter => ({ rgb: vec3At(input, 0), uv: input[3], ir: input[7] });
 const whiteAt = ([, , , , temperature, Din, Dout]: readonly number[]) =>
-  seenColor(WHITE, WHITE, { kind: 'thermal', temperature }, Din, Dout);
+  observedColor(WHITE_FILTER, WHITE_FILTER, { kind: 'thermal', temperature }, Din, Dout);
 
 /** Against sums over every nanometre: the table's error is in it. `own`: filters tell of their ultraviolet and infrared. */
 const thermal = (own: boolean): Twin => ({
@@ -44,25 +49,25 @@ const thermal = (own: boolean): Twin => ({
   texels: 3,
   outputs: 1,
   cases: (random) => {
-    const filter = (): Bands => {
+    const filter = (): SpectralFilter => {
       const rgb = [random(), random(), random()] as const;
-      return own ? bandsOf(rgb, random(), random()) : bandsOf(rgb);
+      return own ? filterFromRgb(rgb, random(), random()) : filterFromRgb(rgb);
     };
     return [
-      ...draw([{ name: 'D 1/8 … 8, daylight', gamma: 1 }], 300, () => {
+      ...casesOf([{ name: 'D 1/8 … 8, daylight', gamma: 1 }], 300, () => {
         const [D, Dout] = [logUniform(random, 1 / 8, 8), logUniform(random, 1 / 8, 8)];
         return texelsOf(filter(), DAYLIGHT.temperature, D / Dout, Dout);
       }),
-      ...draw([{ name: 'D near 1, T 2000 … 20,000 K', gamma: 1 }], 300, () => {
+      ...casesOf([{ name: 'D near 1, T 2000 … 20,000 K', gamma: 1 }], 300, () => {
         const shift = () => logUniform(random, 0.7, 1.4);
         return texelsOf(filter(), logUniform(random, 2000, 20_000), shift(), shift());
       }),
-      ...draw([{ name: 'D = 1', gamma: 1 }], 30, () => texelsOf(filter(), DAYLIGHT.temperature, 1, 1)),
+      ...casesOf([{ name: 'D = 1', gamma: 1 }], 30, () => texelsOf(filter(), DAYLIGHT.temperature, 1, 1)),
     ];
   },
   cpu: (input) => {
     const [T, Din, Dout] = input.slice(4);
-    return [...seenColor(bandsAt(input), WHITE, { kind: 'thermal', temperature: T }, Din, Dout), 0];
+    return [...observedColor(bandsAt(input), WHITE_FILTER, { kind: 'thermal', temperature: T }, Din, Dout), 0];
   },
   gpu: (texel) => {
     const [band, light, source] = [texel(0), texel(1), texel(2)];
@@ -87,21 +92,22 @@ const colored: Twin = {
   texels: 2,
   outputs: 1,
   cases: (random) =>
-    draw([{ name: 'D 0.7 … 1.4', gamma: 1 }], 300, () => {
+    casesOf([{ name: 'D 0.7 … 1.4', gamma: 1 }], 300, () => {
       const shift = () => logUniform(random, 0.7, 1.4);
       return [random(), random(), random(), 0, random() < 0.5 ? 0 : 1, shift(), shift(), 0];
     }),
   cpu: (input) => {
     const [light, Din, Dout] = input.slice(4);
     const { temperature, filter } = COLORED[light];
-    const seen = (a: Bands, k: Bands) => seenColor(a, k, { kind: 'thermal', temperature }, Din, Dout);
-    const level = dot(LUMINANCE, seen(WHITE, WHITE));
-    return [...scale(seen(bandsOf(vec3At(input, 0)), bandsOf(filter)), 1 / level), 0];
+    const seen = (a: SpectralFilter, k: SpectralFilter) =>
+      observedColor(a, k, { kind: 'thermal', temperature }, Din, Dout);
+    const level = dot(LUMINANCE_WEIGHTS, seen(WHITE_FILTER, WHITE_FILTER));
+    return [...scale(seen(filterFromRgb(vec3At(input, 0)), filterFromRgb(filter)), 1 / level), 0];
   },
   gpu: (texel) => {
     const [filter, { x, y, z }] = [vec4(texel(0).xyz, 0), texel(1)];
     const [first, second] = COLORED.map((light, i) => {
-      const table = spectrumTable(atlas, `colored ${i}`, coloredTable(light, 3));
+      const table = spectrumTable(atlas, `colored ${i}`, filteredBlackbodyTable(light, 3));
       return filteredColor(coloredColors(table, y.mul(z), z), filter);
     });
     return [vec4(select(x.lessThan(0.5), first, second), 0)];
@@ -116,9 +122,9 @@ const lines = (own: boolean): Twin => ({
   texels: 2,
   outputs: 1,
   cases: (random) =>
-    draw([{ name: '300 … 1000 nm', gamma: 1 }], 600, () => {
+    casesOf([{ name: '300 … 1000 nm', gamma: 1 }], 600, () => {
       const rgb = [random(), random(), random()] as const;
-      const { uv, ir } = own ? bandsOf(rgb, random(), random()) : bandsOf(rgb);
+      const { uv, ir } = own ? filterFromRgb(rgb, random(), random()) : filterFromRgb(rgb);
       return [...rgb, uv, 300 + 700 * random(), 340 + 500 * random(), ir, 0];
     }),
   cpu: (input) => {
@@ -143,7 +149,7 @@ const sky: Twin = {
   name: 'skyParts',
   texels: 1,
   outputs: 2,
-  cases: (random) => draw([{ name: 'any', gamma: 1 }], 300, () => [random(), random(), random(), 0]),
+  cases: (random) => casesOf([{ name: 'any', gamma: 1 }], 300, () => [random(), random(), random(), 0]),
   cpu: (input) => {
     const { scattered, reddened, rest } = cpuSkyParts(vec3At(input, 0));
     return [scattered, ...reddened, ...rest, 0];

@@ -3,7 +3,7 @@ import { IconFilePlus } from '@tabler/icons-react';
 import { type ReactNode, useRef } from 'react';
 import type { Diagnostic } from '../../../scene/types.ts';
 import { useTexts } from '../../i18n/i18n.ts';
-import { pickedFiles } from '../../loading/picked.ts';
+import { pickedFiles } from '../../loading/pickedFiles.ts';
 import { useOpenFiles } from '../../shell/useOpenFiles.ts';
 import { Section } from './Section.tsx';
 

@@ -3,12 +3,12 @@ import type { ReactNode } from 'react';
 import { scenesIn } from '../../../formats/entry.ts';
 import { useTexts } from '../../i18n/i18n.ts';
 import { useServices } from '../../services.tsx';
-import { useStudio } from '../../state/context.tsx';
+import { useEditor } from '../../state/context.tsx';
 
 /** The scenes among the files that were given, where there are several. */
 export function OtherScenes({ source }: { readonly source: string }): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
+  const studio = useEditor();
   const { localFiles } = useServices();
   const given = localFiles.get(source);
   const scenes = given && given.base === undefined ? scenesIn(localFiles.paths(source)) : [];

@@ -1,14 +1,14 @@
 import { Badge, ScrollArea, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
-import type { Picture } from '../../../nodes/define.ts';
+import type { PictureSpec } from '../../../nodes/defineNode.ts';
 import type { Diagnostic } from '../../../scene/types.ts';
 import { formatCount, formatLength, formatSeconds, formatSpeed } from '../../format.ts';
 import { type Translate, useTexts } from '../../i18n/i18n.ts';
-import { useOpenedWords } from '../../i18n/useSceneWords.ts';
+import { useOpenedTexts } from '../../i18n/useSceneTexts.ts';
 import { sceneName } from '../../loading/localFiles.ts';
-import { useStudioState } from '../../state/context.tsx';
+import { useEditorState } from '../../state/context.tsx';
 import { MissingFiles } from './MissingFiles.tsx';
-import { Motion } from './Motion.tsx';
+import { MotionSection } from './MotionSection.tsx';
 import { OtherScenes } from './OtherScenes.tsx';
 import { Section } from './Section.tsx';
 import { Variants } from './Variants.tsx';
@@ -16,8 +16,8 @@ import { Variants } from './Variants.tsx';
 /** What is in the scene that is open, what can be chosen and changed in it, and what its reader had to say. */
 export function ScenePanel(): ReactNode {
   const { t } = useTexts();
-  const picture = useStudioState((state) => state.picture);
-  const source = useStudioState((state) => state.opened.source);
+  const picture = useEditorState((state) => state.picture);
+  const source = useEditorState((state) => state.pictureSource.source);
   return (
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
       {picture ? (
@@ -27,7 +27,7 @@ export function ScenePanel(): ReactNode {
           <MissingFiles notes={picture.scene.diagnostics} />
           <Variants sets={picture.scene.variants ?? []} />
           <Figures picture={picture} />
-          <Motion picture={picture} />
+          <MotionSection picture={picture} />
           <Notes notes={picture.scene.diagnostics.filter(({ missing }) => !missing)} />
         </Stack>
       ) : (
@@ -40,7 +40,7 @@ export function ScenePanel(): ReactNode {
 }
 
 function About({ source }: { readonly source: string }): ReactNode {
-  const { title, lookFor } = useOpenedWords();
+  const { title, lookFor } = useOpenedTexts();
   return (
     <Stack gap={6}>
       <Text fw={600}>{title}</Text>
@@ -56,7 +56,7 @@ function About({ source }: { readonly source: string }): ReactNode {
   );
 }
 
-function Figures({ picture }: { readonly picture: Picture }): ReactNode {
+function Figures({ picture }: { readonly picture: PictureSpec }): ReactNode {
   const { t } = useTexts();
   const { scene, fastest } = picture;
   const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);

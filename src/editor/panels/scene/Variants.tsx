@@ -1,23 +1,23 @@
 import { Select } from '@mantine/core';
 import type { ReactNode } from 'react';
-import { formatChoice } from '../../../formats/choices.ts';
-import { nearestOf } from '../../../nodes/chain.ts';
+import { formatVariantChoice } from '../../../formats/variantChoice.ts';
+import { nearestToOutput } from '../../../nodes/project/outputChain.ts';
 import type { VariantSet } from '../../../scene/types.ts';
 import { useTexts } from '../../i18n/i18n.ts';
-import { useStudio, useStudioState } from '../../state/context.tsx';
+import { useEditor, useEditorState } from '../../state/context.tsx';
 import { Section } from './Section.tsx';
 
 /** What the file offers to choose. The scene is read again with the choice, and the observer stays where he is. */
 export function Variants({ sets }: { readonly sets: readonly VariantSet[] }): ReactNode {
   const { t } = useTexts();
-  const studio = useStudio();
-  const reader = useStudioState(({ history }) => nearestOf(history.document, 'read'));
+  const studio = useEditor();
+  const reader = useEditorState(({ history }) => nearestToOutput(history.document, 'read'));
   const set = reader?.params.variants;
   const chosen: readonly string[] = Array.isArray(set) ? set.map(String) : [];
   if (!reader || sets.length === 0) return null;
   const choose = (name: string, option: string | null) => {
-    const others = chosen.filter((text) => !text.startsWith(formatChoice(name, '')));
-    const next = option ? [...others, formatChoice(name, option)] : others;
+    const others = chosen.filter((text) => !text.startsWith(formatVariantChoice(name, '')));
+    const next = option ? [...others, formatVariantChoice(name, option)] : others;
     studio.set(reader.id, 'variants', next.length > 0 ? next : undefined, 'edit.variant');
   };
   return (
@@ -26,7 +26,7 @@ export function Variants({ sets }: { readonly sets: readonly VariantSet[] }): Re
         <VariantSelect
           key={one.set}
           set={one}
-          chosen={chosen.find((text) => text.startsWith(formatChoice(one.set, '')))?.slice(one.set.length + 1)}
+          chosen={chosen.find((text) => text.startsWith(formatVariantChoice(one.set, '')))?.slice(one.set.length + 1)}
           onChoose={(option) => choose(one.set, option)}
         />
       ))}

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { ListOp } from '../layer.ts';
-import { applyListOp, composeList, inOrder } from './listOps.ts';
-import { arcMap, composeMaps, inverseMap, mapToSource, mapToTarget, withRoot } from './namespaceMap.ts';
-import { composeOffsets, inverseOffset, mapTime } from './offsets.ts';
+import type { ListOp } from '../layer/layer.ts';
+import { applyListOp, composeList, inOrder } from './layers/listOps.ts';
+import { composeOffsets, inverseOffset, mapTime } from './layers/timeOffset.ts';
+import { arcMap, composeMaps, inverseMap, mapToSource, mapToTarget, withRoot } from './primIndex/namespaceMap.ts';
 
 const name = fc.constantFrom('A', 'B', 'C');
 const path = fc.array(name, { minLength: 1, maxLength: 4 }).map((names) => `/${names.join('/')}`);

@@ -3,7 +3,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
-import { hasUsdCore, python } from '../../../../tests/usdCore.ts';
+import { hasUsdCore, python } from '../../../../tests/support/pythonOracles.ts';
 import type { Json } from '../fixtures/layerJson.ts';
 import { composedFiles } from './fixtures/composedFiles.ts';
 import { randomClips } from './fixtures/randomClips.ts';

@@ -2,12 +2,12 @@ import { existsSync, readFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
-import type { FileSource } from '../../source.ts';
+import type { FileSource } from '../../files/fileSource.ts';
 import type { Json } from '../fixtures/layerJson.ts';
 import { composedFiles, composedSource } from './fixtures/composedFiles.ts';
 import { checkSum, stageJson, variantSetsJson } from './fixtures/stageJson.ts';
 import { fixtureStages } from './fixtures/stages.ts';
-import type { VariantChoice } from './session.ts';
+import type { VariantSelection } from './sessionLayer.ts';
 
 interface Expected {
   readonly prims: Record<string, Json>;
@@ -35,7 +35,7 @@ describe.each([...fixtureStages(fixture('stages.txt'))])('the stage %s is what u
 });
 
 /** `/Prim{set=variant}`; nothing where nothing is chosen. */
-function choices(key: string): VariantChoice[] {
+function choices(key: string): VariantSelection[] {
   const [, path, set, variant] = /^(.*)\{(.*)=(.*)\}$/.exec(key) ?? [];
   return path === undefined ? [] : [{ path, set, variant }];
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { AttributeSpec } from '../layer.ts';
+import type { AttributeSpec } from '../layer/layer.ts';
 import { composedFiles } from './fixtures/composedFiles.ts';
 
 const usda = (text: string): string => `#usda 1.0\n${text}`;

@@ -3,11 +3,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
-import { hasUsdCore, python } from '../../../../tests/usdCore.ts';
+import { hasUsdCore, python } from '../../../../tests/support/pythonOracles.ts';
 import { type Json, layerJson } from '../fixtures/layerJson.ts';
-import type { AttributeSpec, Layer } from '../layer.ts';
-import { parseLayer } from '../parser.ts';
-import { readCrate } from './read.ts';
+import type { AttributeSpec, Layer } from '../layer/layer.ts';
+import { parseLayer } from '../text/parser.ts';
+import { readCrate } from './readCrate.ts';
 
 const here = fileURLToPath(new URL('./fixtures/', import.meta.url));
 const texts = fileURLToPath(new URL('../fixtures/', import.meta.url));

@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { type Json, layerJson } from '../fixtures/layerJson.ts';
-import type { AttributeSpec } from '../layer.ts';
-import { parseLayer } from '../parser.ts';
-import { readCrate } from './read.ts';
+import type { AttributeSpec } from '../layer/layer.ts';
+import { parseLayer } from '../text/parser.ts';
+import { readCrate } from './readCrate.ts';
 
 const bytesOf = (name: string): Uint8Array =>
   new Uint8Array(readFileSync(new URL(`./fixtures/${name}`, import.meta.url)));

@@ -1,7 +1,14 @@
-import { type Arc, type ListOp, type MetadataValue, NOTHING, type Value, withEntry } from '../layer.ts';
-import { parseUnregistered, parseUnregisteredItems } from '../metadata.ts';
-import type { Fields } from './fields.ts';
-import type { FieldValue } from './kinds.ts';
+import {
+  EMPTY_MAP,
+  type ListOp,
+  type MetadataValue,
+  type ReferenceSpec,
+  type Value,
+  withEntry,
+} from '../layer/layer.ts';
+import { parseUnregistered, parseUnregisteredItems } from '../text/metadata.ts';
+import type { SpecFields } from './specReader.ts';
+import type { FieldValue } from './values/fieldValue.ts';
 
 /** Names of fields that text calls otherwise. */
 const WRITTEN: ReadonlyMap<string, string> = new Map([
@@ -14,11 +21,11 @@ const WRITTEN: ReadonlyMap<string, string> = new Map([
 const PERMISSIONS = ['public', 'private'];
 
 /** The metadata among a spec's fields, as the text reader has it. */
-export function metadataOf(fields: Fields): ReadonlyMap<string, MetadataValue> {
-  let metadata: ReadonlyMap<string, MetadataValue> = NOTHING;
+export function metadataOf(fields: SpecFields): ReadonlyMap<string, MetadataValue> {
+  let metadata: ReadonlyMap<string, MetadataValue> = EMPTY_MAP;
   const subLayers = subLayersOf(fields);
   if (subLayers) metadata = withEntry<MetadataValue>(metadata, 'subLayers', { type: 'subLayers', data: subLayers });
-  fields.forRest((name, field) => {
+  fields.forEachRemaining((name, field) => {
     const key = WRITTEN.get(name) ?? name;
     metadata = withEntry(metadata, key, entryOf(fields, key, field));
   });
@@ -26,13 +33,13 @@ export function metadataOf(fields: Fields): ReadonlyMap<string, MetadataValue> {
 }
 
 /** Layers below this one, and where on its time line they begin. */
-function subLayersOf(fields: Fields): Arc[] | undefined {
+function subLayersOf(fields: SpecFields): ReferenceSpec[] | undefined {
   const assets = fields.names('subLayers');
   const offsets = fields.take('subLayerOffsets', 'offsets')?.data;
   return assets?.map((asset, i) => ({ asset, path: '', offset: 0, scale: 1, ...offsets?.[i] }));
 }
 
-function entryOf(fields: Fields, key: string, field: FieldValue): MetadataValue {
+function entryOf(fields: SpecFields, key: string, field: FieldValue): MetadataValue {
   switch (field.type) {
     case 'permission':
       return { type: 'token', data: PERMISSIONS[field.data] ?? fields.fail(`its permission is ${field.data}`) };
@@ -57,7 +64,7 @@ function entryOf(fields: Fields, key: string, field: FieldValue): MetadataValue 
   }
 }
 
-function textsOf(fields: Fields, key: string, data: ReadonlyMap<string, Value>): Map<string, string> {
+function textsOf(fields: SpecFields, key: string, data: ReadonlyMap<string, Value>): Map<string, string> {
   const text = (value: Value): string =>
     value.type === 'string' ? value.data : fields.fail(`its ${key} hold a ${value.type}, not only strings`);
   return new Map([...data].map(([from, to]) => [from, text(to)]));

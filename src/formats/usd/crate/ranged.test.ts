@@ -2,13 +2,13 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { random } from '../../../math/random.ts';
 import { InputError } from '../../../scene/types.ts';
-import { type Content, RangedFile } from '../../rangedFile.ts';
-import { readCrate } from './read.ts';
+import { type FileContent, RangedFile } from '../../files/rangedFile.ts';
+import { readCrate } from './readCrate.ts';
 
 const ranged = (handle: Uint8Array): RangedFile => new RangedFile({ name: 'a.usdc', handle }, handle.length);
 
 /** The layer, or why there is none. */
-function outcome(content: Content): unknown {
+function outcome(content: FileContent): unknown {
   try {
     return readCrate(content, 'a.usdc');
   } catch (thrown) {

@@ -1,12 +1,12 @@
-import type { Code } from '../../../codes.ts';
-import { valueAt } from '../../attributes.ts';
-import type { AttributeSpec, PrimSpec, Value } from '../../layer.ts';
-import { isFault, type LayerStore, type LoadedLayer } from '../layerStore.ts';
-import { inverseOffset, isNoOffset } from '../offsets.ts';
-import { isPrimPath, specAt } from '../paths.ts';
+import type { DiagnosticCode } from '../../../diagnostics/diagnosticCodes.ts';
+import { valueAt } from '../../layer/attributes.ts';
+import type { AttributeSpec, PrimSpec, Value } from '../../layer/layer.ts';
+import { isPrimPath, specAt } from '../../layer/primPaths.ts';
+import { isLayerError, type LayerStore, type LoadedLayer } from '../layers/layerStore.ts';
+import { inverseOffset, isNoOffset } from '../layers/timeOffset.ts';
 import type { ClipSetDefinition } from './definitions.ts';
-import { type ClipTable, type Knot, tableOfTemplate } from './template.ts';
-import { innerTime, outerTimes, TimeMap } from './timeMap.ts';
+import { type ClipTable, type TimeKnot, tableOfTemplate } from './template.ts';
+import { clipTime, stageTimes, TimeMap } from './timeMap.ts';
 
 /** One clip while it counts. */
 interface Clip {
@@ -33,13 +33,13 @@ export interface ClipSet {
 export function clipSetOf(
   definition: ClipSetDefinition,
   store: LayerStore,
-  note: (code: Code, message: string) => void,
+  note: (code: DiagnosticCode, message: string) => void,
 ): ClipSet | undefined {
   const { entries, from, name, time } = definition;
   const anchor = from.source.id;
   const layerOf = (asset: string, isOptional: boolean): LoadedLayer | undefined => {
     const found = store.find(anchor, asset);
-    if (!found || !isFault(found)) return found;
+    if (!found || !isLayerError(found)) return found;
     if (!isOptional || found.code !== 'usd.missing-layer') note(found.code, `the clip ${found.message}`);
     return undefined;
   };
@@ -51,7 +51,7 @@ export function clipSetOf(
     ? writtenTable(entries)
     : tableOfTemplate(entries, (asset) => layerOf(asset, true) !== undefined, time);
   if (typeof table === 'string') return refuse(table);
-  const fault = faultIn(table);
+  const fault = clipTableError(table);
   if (fault !== undefined) return refuse(fault);
   const primPath = textOf(entries.get('primPath'));
   if (!isPrimPath(primPath)) return refuse(`its primPath '${primPath}' is not the path of a prim`);
@@ -77,12 +77,12 @@ function writtenTable(entries: ReadonlyMap<string, Value>): ClipTable | string {
   return { assets: assets.data, active: knotsOf(entries.get('active')), times: knotsOf(entries.get('times')) };
 }
 
-function knotsOf(value: Value | undefined): Knot[] {
+function knotsOf(value: Value | undefined): TimeKnot[] {
   if (value?.type !== 'double2[]') return [];
-  return Array.from({ length: value.data.length / 2 }, (_, i): Knot => [value.data[2 * i], value.data[2 * i + 1]]);
+  return Array.from({ length: value.data.length / 2 }, (_, i): TimeKnot => [value.data[2 * i], value.data[2 * i + 1]]);
 }
 
-function faultIn({ assets, active, times }: ClipTable): string | undefined {
+function clipTableError({ assets, active, times }: ClipTable): string | undefined {
   const starts = new Set<number>();
   for (const [time, clip] of active) {
     if (assets[clip] === undefined) return `its active names clip ${clip}, and there are ${assets.length}`;
@@ -126,10 +126,10 @@ export function timesOf(
   map: TimeMap,
   most: number,
 ): number[] {
-  const own = sampled ? outerTimes(map, sampled.timeSamples!.times, [from, to], most) : [];
+  const own = sampled ? stageTimes(map, sampled.timeSamples!.times, [from, to], most) : [];
   return [...own, ...map.bends, start].filter((time) => time >= from && time < to);
 }
 
 /** An attribute's value in a clip at a time of the stage. */
 export const clipValue = (sampled: AttributeSpec, map: TimeMap, time: number): Value | undefined =>
-  valueAt(sampled, innerTime(map, time));
+  valueAt(sampled, clipTime(map, time));

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { valueAt } from '../../attributes.ts';
+import { valueAt } from '../../layer/attributes.ts';
 import { composedFiles } from '../fixtures/composedFiles.ts';
 
 const CLIP = '#usda 1.0\ndef "Clip" {\ndouble x.timeSamples = { 0: 0, 5: 50, 9: 90 }\n}';

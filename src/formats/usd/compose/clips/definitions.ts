@@ -1,9 +1,9 @@
-import type { Dictionary, MetadataValue, Value } from '../../layer.ts';
-import type { LayerStack, StackLayer } from '../layerStack.ts';
-import { applyListOp } from '../listOps.ts';
-import { timeOf } from '../localValues.ts';
-import { isSaid, type Node, strongestFirst } from '../node.ts';
-import { mapTime, type TimeOffset } from '../offsets.ts';
+import type { Dictionary, MetadataValue, Value } from '../../layer/layer.ts';
+import type { LayerStack, StackLayer } from '../layers/layerStack.ts';
+import { applyListOp } from '../layers/listOps.ts';
+import { mapTime, type TimeOffset } from '../layers/timeOffset.ts';
+import { layerToStageTime } from '../prim/stageValues.ts';
+import { hasMetadata, type PrimIndexNode, strongestFirst } from '../primIndex/primIndexNode.ts';
 
 /** A clip set as all layers together define it, and the strongest of those that name its layers: there its values count. */
 export interface ClipSetDefinition {
@@ -17,25 +17,25 @@ export interface ClipSetDefinition {
 }
 
 /** What a layer says of a clip set, and where. */
-interface Entry {
+interface ClipEntry {
   readonly value: Value;
-  readonly node: Node;
+  readonly node: PrimIndexNode;
   readonly from: StackLayer;
 }
 
 /** A clip set while its layers are gone through: where it counts is not known at first. */
-interface Gathered {
-  readonly entries: Map<string, Entry>;
-  source?: { readonly node: Node; readonly from: StackLayer };
+interface GatheredClipSet {
+  readonly entries: Map<string, ClipEntry>;
+  source?: { readonly node: PrimIndexNode; readonly from: StackLayer };
 }
 
 /**
  * The clip sets that a prim defines, the strongest first: by the sites that name their layers, and of one site as its
  * `clipSets` orders them, else by their names.
  */
-export function clipSetDefinitions(index: Node): readonly ClipSetDefinition[] {
-  if (!isSaid(index, 'clips')) return NO_DEFINITIONS;
-  const found = new Map<string, Gathered>();
+export function clipSetDefinitions(index: PrimIndexNode): readonly ClipSetDefinition[] {
+  if (!hasMetadata(index, 'clips')) return NO_DEFINITIONS;
+  const found = new Map<string, GatheredClipSet>();
   const nodes = strongestFirst(index).filter((node) => node.contributes);
   for (const node of nodes)
     for (const { spec, from } of node.opinions) gather(spec.metadata.get('clips'), node, from, found);
@@ -44,9 +44,14 @@ export function clipSetDefinitions(index: Node): readonly ClipSetDefinition[] {
 
 const NO_DEFINITIONS: readonly ClipSetDefinition[] = [];
 
-function gather(clips: MetadataValue | undefined, node: Node, from: StackLayer, into: Map<string, Gathered>): void {
+function gather(
+  clips: MetadataValue | undefined,
+  node: PrimIndexNode,
+  from: StackLayer,
+  into: Map<string, GatheredClipSet>,
+): void {
   for (const [name, written] of dictionaryOf(clips)) {
-    const set: Gathered = into.get(name) ?? { entries: new Map() };
+    const set: GatheredClipSet = into.get(name) ?? { entries: new Map() };
     into.set(name, set);
     const entries = dictionaryOf(written);
     if (entries.has('assetPaths') || entries.has('templateAssetPath')) set.source ??= { node, from };
@@ -55,7 +60,7 @@ function gather(clips: MetadataValue | undefined, node: Node, from: StackLayer, 
 }
 
 /** The sets of which the layers are named here. */
-function orderedIn(node: Node, found: ReadonlyMap<string, Gathered>): string[] {
+function orderedIn(node: PrimIndexNode, found: ReadonlyMap<string, GatheredClipSet>): string[] {
   const names = [...found].flatMap(([name, { source }]) => (source?.node === node ? [name] : [])).sort();
   const ops = node.opinions.flatMap(({ spec }) => {
     const order = spec.metadata.get('clipSets');
@@ -69,16 +74,16 @@ function orderedIn(node: Node, found: ReadonlyMap<string, Gathered>): string[] {
  * `active` and `times` are in the times of the layer that names the clips' layers, whatever layer says them; only stronger
  * ones of the same stack have their own. (So it is in OpenUSD 26.11.)
  */
-function definitionOf(name: string, { entries, source }: Gathered): ClipSetDefinition {
+function definitionOf(name: string, { entries, source }: GatheredClipSet): ClipSetDefinition {
   const { node, from } = source!;
   const { layers } = node.stack;
   const onStage = new Map<string, Value>();
   for (const [key, entry] of entries) {
     const isStronger = entry.node === node && layers.indexOf(entry.from) < layers.indexOf(from);
     const place = { from: isStronger ? entry.from : from, node };
-    onStage.set(key, inTime(key, entry.value, timeOf(place)));
+    onStage.set(key, inTime(key, entry.value, layerToStageTime(place)));
   }
-  const time = timeOf({ from, node });
+  const time = layerToStageTime({ from, node });
   return { name, entries: onStage, stack: node.stack, path: node.path, from, time };
 }
 

@@ -1,15 +1,15 @@
-import type { Value } from '../../layer.ts';
-import { mapTime, type TimeOffset } from '../offsets.ts';
+import type { Value } from '../../layer/layer.ts';
+import { mapTime, type TimeOffset } from '../layers/timeOffset.ts';
 
 /** What a clip set says, whether written out or made from a template. */
 export interface ClipTable {
   readonly assets: readonly string[];
   /** Time of the stage from which on a clip counts, and which one. */
-  readonly active: readonly Knot[];
+  readonly active: readonly TimeKnot[];
   /** Time of the stage, and the clip's own. */
-  readonly times: readonly Knot[];
+  readonly times: readonly TimeKnot[];
 }
-export type Knot = readonly [time: number, other: number];
+export type TimeKnot = readonly [time: number, other: number];
 
 /** Clips of one template. */
 const MAX_CLIPS = 4096;
@@ -68,11 +68,12 @@ export function tableOfTemplate(
   if (offset !== undefined && Math.abs(offset) > stride)
     return `its templateActiveOffset ${offset} is more than the stride ${stride}`;
   const made = clipsOf(template, isThere, { start, end, stride, offset });
-  const mapped = (knots: readonly Knot[]): Knot[] => knots.map(([time, other]) => [mapTime(layerTime, time), other]);
+  const mapped = (knots: readonly TimeKnot[]): TimeKnot[] =>
+    knots.map(([time, other]) => [mapTime(layerTime, time), other]);
   return { assets: made.assets, active: mapped(made.active), times: mapped(made.times) };
 }
 
-interface Steps {
+interface TemplateSteps {
   readonly start: number;
   readonly end: number;
   readonly stride: number;
@@ -82,11 +83,11 @@ interface Steps {
 function clipsOf(
   template: Template,
   isThere: (asset: string) => boolean,
-  { start, end, stride, offset }: Steps,
+  { start, end, stride, offset }: TemplateSteps,
 ): ClipTable {
   const assets: string[] = [];
-  const active: Knot[] = [];
-  const times: Knot[] = [];
+  const active: TimeKnot[] = [];
+  const times: TimeKnot[] = [];
   const reach = Math.abs(offset ?? 0);
   if (offset !== undefined) times.push([start - reach, start - reach]);
   for (let i = 0; start + i * stride <= end; i++) {

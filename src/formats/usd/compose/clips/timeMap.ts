@@ -1,29 +1,29 @@
-import { inverseOffset, mapTime, NO_OFFSET, type TimeOffset } from '../offsets.ts';
-import type { Knot } from './template.ts';
+import { inverseOffset, mapTime, NO_OFFSET, type TimeOffset } from '../layers/timeOffset.ts';
+import type { TimeKnot } from './template.ts';
 
 /** Of two knots at one time the first has its sample so much before, as in OpenUSD (UsdTimeCode::SafeStep): a jump. */
-const STEP = 2 * Number.EPSILON * 1e6 * 10;
+const JUMP_STEP = 2 * Number.EPSILON * 1e6 * 10;
 
 /**
  * How times of the stage become times in clips: straight between knots, held outside of them; evenly without any. Of two
  * knots at one time the first counts before it, the second from it on.
  */
 export class TimeMap {
-  readonly knots: readonly Knot[];
+  readonly knots: readonly TimeKnot[];
   readonly even: TimeOffset;
 
-  constructor(knots: readonly Knot[], even: TimeOffset = NO_OFFSET) {
+  constructor(knots: readonly TimeKnot[], even: TimeOffset = NO_OFFSET) {
     this.knots = [...knots].sort(([a], [b]) => a - b);
     this.even = even;
   }
 
   /** Where samples are because the map bends or jumps there. */
   get bends(): number[] {
-    return this.knots.map(([time], i) => (this.knots[i + 1]?.[0] === time ? time - STEP : time));
+    return this.knots.map(([time], i) => (this.knots[i + 1]?.[0] === time ? time - JUMP_STEP : time));
   }
 }
 
-export function innerTime({ knots, even }: TimeMap, time: number): number {
+export function clipTime({ knots, even }: TimeMap, time: number): number {
   if (knots.length === 0) return mapTime(even, time);
   let low = 0;
   let high = knots.length;
@@ -42,7 +42,7 @@ export function innerTime({ knots, even }: TimeMap, time: number): number {
  * The times of the stage, in a stretch, that times in a clip (rising) are seen at: none, or several. What comes after
  * `most` of them is left out.
  */
-export function outerTimes(
+export function stageTimes(
   { knots, even }: TimeMap,
   inner: Float64Array,
   [from, to]: readonly [number, number],

@@ -1,0 +1,72 @@
+import type { GraphDocument } from '../../src/graph/document/document.ts';
+import type { Command } from '../../src/graph/edits/commands.ts';
+import { add, build, connect, set } from '../../tests/support/graphKit.ts';
+
+/** Boxes in a block of the graph, each with a node that moves it; all of a block become one. */
+const BLOCK = 8;
+/** Of nodes beside each other, of those below each other, and of the blocks themselves [px]. */
+const [COLUMN, ROW, WIDE, HIGH] = [260, 150, 900, 1300];
+/** Blocks below each other. */
+const STACK = 2;
+
+/** A project of so many nodes that makes a picture: blocks of boxes, a sun, and what every picture has. */
+export function gridProject(size: number): GraphDocument {
+  const chain = ['scene', 'relativity-console', 'scene-camera', 'relativity-rasterize', 'deferred-lighting'] as const;
+  const tail = ['post-process', 'tone-map', 'output'] as const;
+  const blocks: Command[] = [];
+  const merges: string[] = [];
+  for (let left = size - chain.length - tail.length - 2; left > 0; ) {
+    const boxes = Math.min(BLOCK, (left - 1) >> 1);
+    // What is left over are notes' worth of numbers.
+    if (boxes < 1) {
+      blocks.push(add(`spare${left--}`, 'number', [0, -ROW]));
+      continue;
+    }
+    const merge = `merge${merges.length}`;
+    blocks.push(...block(merge, boxes, merges.length));
+    merges.push(merge);
+    left -= 2 * boxes + 1;
+  }
+  const x = WIDE * Math.ceil(merges.length / STACK);
+  const at = (i: number): readonly [number, number] => [x + COLUMN * (i + 1), 0];
+  return build(
+    ...blocks,
+    add('sun', 'sun', [x, 0]),
+    add('observer', 'observer', [x, 2 * ROW]),
+    place('observer', 'beta', [0, 0, -0.4]),
+    ...[...chain, ...tail].map((type, i) => add(type, type, at(i))),
+    ...merges.map((merge, i) => connect(`${merge}.geometry`, `scene.geometry.${i + 1}`)),
+    connect('sun.lights', 'scene.lights.1'),
+    connect('observer.observer', 'scene.observer'),
+    connect('scene.scene', 'relativity-console.scene'),
+    connect('relativity-console.relativity', 'scene-camera.relativity'),
+    connect('scene-camera.view', 'relativity-rasterize.view'),
+    connect('relativity-rasterize.gbuffer', 'deferred-lighting.gbuffer'),
+    connect('deferred-lighting.image', 'post-process.image'),
+    connect('post-process.image', 'tone-map.image'),
+    connect('tone-map.image', 'output.image'),
+  );
+}
+
+const place = (node: string, param: string, value: readonly number[]): Command => ({
+  kind: 'set-param',
+  node,
+  param,
+  value: [...value],
+});
+
+function block(merge: string, boxes: number, index: number): Command[] {
+  const [x, y] = [WIDE * Math.floor(index / STACK), HIGH * (index % STACK)];
+  const rows = Array.from({ length: boxes }, (_, i): Command[] => {
+    const [box, moved] = [`${merge}box${i}`, `${merge}moved${i}`];
+    return [
+      add(box, 'box', [x, y + ROW * i]),
+      set(box, 'name', `Box${i}`),
+      add(moved, 'transform', [x + COLUMN, y + ROW * i]),
+      place(moved, 'position', [2 * i - BLOCK, 0, -4 - 2 * index]),
+      connect(`${box}.geometry`, `${moved}.geometry`),
+      connect(`${moved}.geometry`, `${merge}.geometry.${i + 1}`),
+    ];
+  });
+  return [add(merge, 'merge', [x + 2 * COLUMN, y + (ROW * (boxes - 1)) / 2]), ...rows.flat()];
+}

@@ -1,0 +1,46 @@
+import { makeBatches } from '../../src/render/geometry/batches.ts';
+import { makeBody } from '../../src/render/geometry/bodies.ts';
+import { worldObjects } from '../../src/render/geometry/worldObjects.ts';
+import type { TessellationView } from '../../src/render/tessellation/criterion/tessellationView.ts';
+import { LocalPlanner } from '../../src/render/tessellation/plan/planner.ts';
+import type { Scene } from '../../src/scene/types.ts';
+import type { TestView } from '../../tests/visual/frames.ts';
+import type { Size } from '../../tests/visual/pixels.ts';
+import { interleaved } from '../support/bench.ts';
+
+const ROUNDS = 9;
+
+/** What a processor does to cut one picture of light: clusters and coarse cuts, and with the levels of all leaves, as for WebGL2 [ms]. No budget. */
+export async function tessellationTimes(
+  scene: Scene,
+  { view, settings }: TestView,
+  size: Size,
+): Promise<readonly number[]> {
+  const { speedOfLight: c } = settings;
+  const bodies = worldObjects(scene, c).map((object, i) => makeBody(object, i + 1));
+  const batches = makeBatches({ ...scene, objects: bodies.map((body) => body.object) }, bodies);
+  const look = tessellationViewOf(view, c, size);
+  const works = [false, true].map((needsFactors) => {
+    const planner = new LocalPlanner(batches.map((batch) => ({ batch, needsFactors })));
+    return () => void planner.plan({ view: look, visible: batches.map(() => true) });
+  });
+  return interleaved(works, ROUNDS);
+}
+
+function tessellationViewOf(
+  { t, position, u, orientation, fovY }: TestView['view'],
+  c: number,
+  { width, height }: Size,
+): TessellationView {
+  const tanY = Math.tan(fovY / 2);
+  return {
+    observation: { t, position, u, c, hypersurface: 'past-light-cone' },
+    projection: { event: 'emission', place: 'apparent' },
+    orientation,
+    tanX: (tanY * width) / height,
+    tanY,
+    focal: height / (2 * tanY),
+    tolerance: 0.25,
+    maxPatches: Number.POSITIVE_INFINITY,
+  };
+}

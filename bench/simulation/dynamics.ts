@@ -1,0 +1,158 @@
+import { conservedQuantities } from '../../src/dynamics/energy.ts';
+import { springForce } from '../../src/dynamics/forces/springs.ts';
+import { uniformField } from '../../src/dynamics/forces/uniformField.ts';
+import { meshSprings } from '../../src/dynamics/meshSprings.ts';
+import { METHODS } from '../../src/dynamics/methods/library.ts';
+import { maxAngularFrequency } from '../../src/dynamics/stability.ts';
+import { copyState, makeSystem, type State, type System, stateAtRest } from '../../src/dynamics/system.ts';
+import type { Vec3 } from '../../src/math/vec3.ts';
+import { sheet } from '../../tests/support/clothKit.ts';
+import { type Bench, cpuTimed, interleaved, type Table } from '../support/bench.ts';
+import { inChild } from '../support/inChild.ts';
+import { PlainCloth } from './plainCloth.ts';
+
+/** Points along a side. */
+const SIDES = [32, 100, 316];
+/** hω of a step of 1/240 s. With 1000 N/m a point has 2.6 kg, 12 g or 0.1 g; a cloth of 10,000 points and 1 kg has 0.04, 9 or 1000 N/m. */
+const STIFF = [0.4, 6, 64];
+/** [s] */
+export const STEP = 1 / 240;
+/** Explicit methods take steps of hω = 1, half of what is stable. */
+const EXPLICIT = 1;
+const ROUNDS = 3;
+/** Points times steps of 1/240 s in a round. */
+const WORK = 50_000;
+/** What has more is left out: it would take minutes, and say the same. */
+const MOST_WORK = 1_000_000;
+/** [m/s], [m/s²], [N/m] */
+const [C, GRAVITY, K]: readonly [number, Vec3, number] = [10, [0, -9.8, 0], 1000];
+const PLAIN = 'as in the sources';
+const COMPARED = [PLAIN, 'leapfrog', 'yoshida-4', 'discrete-gradient'];
+
+/** What a process of its own measures. */
+export interface ClothTask {
+  readonly side: number;
+  readonly method: string;
+}
+
+export const dynamics: Bench = {
+  name: 'dynamics',
+  title: 'Relativistic cloth: real time and memory',
+  about:
+    'A square cloth of a metre that hangs at two corners, with springs of 1000 N/m along edges, across faces and to the next neighbour (six a point), c = 10 m/s, in one thread. ' +
+    'How hard it is to compute is hω: the fastest swing of its points in a step of 1/240 s, by the mass of a point (0.4: 2.6 kg; 6: 12 g; 64: 0.1 g, which is 1 kg of 10,000 points). ' +
+    'Explicit methods take as many steps as hω ≤ 1 asks for, the discrete gradient takes one, and keeps the energy to rounding. ' +
+    '“As in the sources”: semi-implicit Euler on velocities with (I − ββᵀ) for each point, written plainly, with as many steps; all take turns. Times are those of the processor.',
+  async run() {
+    return [await times(), memory()];
+  },
+};
+
+async function times(): Promise<Table> {
+  const rows: (string | number)[][] = [];
+  let off = 0;
+  for (const side of SIDES)
+    for (const stiff of STIFF) {
+      const mass = massFor(side, stiff);
+      const parts = Math.ceil(stiff / EXPLICIT);
+      if (side * side * parts > MOST_WORK) continue;
+      const frames = Math.max(1, Math.round(WORK / side ** 2));
+      const cloths = COMPARED.map((method) => fallingBy(method, side, mass, bounded(method) ? parts : 1));
+      const works = cloths.map(({ fall }) => () => {
+        for (let i = 0; i < frames; i++) fall();
+      });
+      const ms = (await interleaved(works, ROUNDS, cpuTimed)).map((each) => each / frames);
+      off = Math.max(off, cloths[COMPARED.indexOf('discrete-gradient')].off());
+      rows.push([
+        (side * side).toLocaleString('en'),
+        stiff,
+        String(parts),
+        ...ms,
+        ms[0] / ms[1],
+        ...ms.slice(1).map((each) => `**${((STEP * 1000) / each).toPrecision(2)}**`),
+      ]);
+    }
+  return {
+    columns: [
+      'points',
+      'hω',
+      'explicit steps',
+      ...COMPARED.map((method) => `${method} [ms]`),
+      'sources ÷ leapfrog',
+      ...COMPARED.slice(1).map((method) => `${method}: × real time`),
+    ],
+    rows,
+    remark: `Times are of 1/240 s of motion, with the steps that this takes; above 1 × it is faster than real time. The discrete gradient’s energy was off by ${off.toExponential(0)} of the kinetic energy at most.`,
+  };
+}
+
+function memory(): Table {
+  const rows = SIDES.map((side) => [
+    (side * side).toLocaleString('en'),
+    ...COMPARED.map((method) => inChild<{ bytes: number }>('dynamics', JSON.stringify({ side, method })).bytes),
+  ]);
+  return {
+    columns: ['points', ...COMPARED.map((method) => `${method} [MiB]`), 'discrete gradient, bytes a point'],
+    rows: rows.map(([points, ...bytes], i) => [
+      points,
+      ...bytes.map((each) => Number(each) / 2 ** 20),
+      Number(bytes.at(-1)) / SIDES[i] ** 2,
+    ]),
+    remark:
+      'Growth of resident memory, in a process of its own: the cloth, its springs, and the room a method works in.',
+  };
+}
+
+const bounded = (method: string): boolean => METHODS.get(method)?.conditionallyStable ?? true;
+
+/** Mass of a point [kg] by which a step has this hω. */
+export function massFor(side: number, stiff: number): number {
+  const omega = maxAngularFrequency(cloth(side, 1).system);
+  return ((omega * STEP) / stiff) ** 2;
+}
+
+interface Falling {
+  /** Lets the cloth fall by a step, in its parts. */
+  fall(): void;
+  /** How far the energy is off, over the kinetic energy. */
+  off(): number;
+}
+
+export function fallingBy(id: string, side: number, mass: number, parts: number): Falling {
+  const { system, net, start } = cloth(side, mass);
+  if (id === PLAIN) {
+    const plain = new PlainCloth(start.x, system.pinned, net, mass, GRAVITY, C);
+    return {
+      fall() {
+        for (let i = 0; i < parts; i++) plain.step(STEP / parts);
+      },
+      off: () => Number.NaN,
+    };
+  }
+  const state = copyState(start);
+  const stepper = METHODS.get(id)!.begin(system);
+  const before = conservedQuantities(system, state).total;
+  return {
+    fall() {
+      for (let i = 0; i < parts; i++) stepper.step(state, STEP / parts);
+    },
+    off() {
+      const { total, kinetic } = conservedQuantities(system, state);
+      return Math.abs(total - before) / kinetic;
+    },
+  };
+}
+
+/** A square cloth of a metre that hangs at two corners, with springs of 1000 N/m, where light goes at 10 m/s. */
+export function cloth(
+  side: number,
+  mass: number,
+): { system: System; net: ReturnType<typeof meshSprings>; start: State } {
+  const { x, faces } = sheet(side);
+  const masses = new Float64Array(side * side).fill(mass);
+  const pinned = new Uint8Array(side * side);
+  pinned[0] = pinned[side - 1] = 1;
+  const net = meshSprings(x, faces, { structural: K, shear: K, bending: K });
+  const forces = [springForce(net), uniformField(masses, GRAVITY)];
+  return { system: makeSystem({ masses, pinned, c: C, forces }), net, start: stateAtRest(x) };
+}

@@ -1,0 +1,60 @@
+import { closeSync, fstatSync, openSync, readSync, type Stats, statSync } from 'node:fs';
+import { inputError } from '../../formats/diagnostics/inputError.ts';
+import { RangedFile } from '../../formats/files/rangedFile.ts';
+import type { StoredFile } from '../../scene/streaming/storedNumbers.ts';
+
+/** A file on disk as it was when it was opened; plain data, for threads. */
+interface DiskFile {
+  readonly path: string;
+  readonly size: number;
+  readonly modified: number;
+}
+
+/** So many files are kept open in a thread. */
+const MAX_OPEN_FILES = 32;
+const descriptors = new Map<string, number>();
+
+/** A file of which parts can be read; undefined where there is none. `name`: for messages. */
+export function openDiskFile(path: string, name: string): RangedFile | undefined {
+  const stats = statSync(path, { throwIfNoEntry: false });
+  if (!stats?.isFile()) return undefined;
+  const handle: DiskFile = { path, size: stats.size, modified: stats.mtimeMs };
+  return new RangedFile({ name, handle }, stats.size);
+}
+
+/** Reads a part of a file that `openDiskFile` opened, in any thread: `setFileReader` of scene/streaming/storedNumbers.ts takes it. */
+export function readDiskFile({ name, handle }: StoredFile, at: number, length: number): Uint8Array<ArrayBuffer> {
+  const file = handle as DiskFile;
+  const bytes = new Uint8Array(length);
+  try {
+    const descriptor = descriptorOf(file.path);
+    if (!isUnchanged(file, fstatSync(descriptor))) throw fileChanged(name, 'it was written to since');
+    for (let done = 0; done < length; ) {
+      const read = readSync(descriptor, bytes, done, length - done, at + done);
+      if (read === 0) throw fileChanged(name, `it ends before byte ${at + length}`);
+      done += read;
+    }
+  } catch (error) {
+    const { code } = error as NodeJS.ErrnoException;
+    throw code === undefined ? error : fileChanged(name, code);
+  }
+  return bytes;
+}
+
+const isUnchanged = ({ size, modified }: DiskFile, stats: Stats): boolean =>
+  stats.size === size && stats.mtimeMs === modified;
+
+const fileChanged = (name: string, why: string): Error =>
+  inputError('file.changed', name, `it is not what was opened any more (${why}); open the scene again`);
+
+function descriptorOf(path: string): number {
+  const descriptor = descriptors.get(path) ?? openSync(path, 'r');
+  descriptors.delete(path);
+  descriptors.set(path, descriptor);
+  const [oldest, unused] = descriptors.entries().next().value!;
+  if (descriptors.size > MAX_OPEN_FILES) {
+    descriptors.delete(oldest);
+    closeSync(unused);
+  }
+  return descriptor;
+}

@@ -1,0 +1,65 @@
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { extensionOf } from '../../formats/files/fileSource.ts';
+import type { ExportedScene } from '../../formats/write/exportMotion.ts';
+import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
+import { writeFileAtomically } from './outputFile.ts';
+
+/** Written by Pixar's own USD, from the text layer. */
+export const USDC = 'usdc';
+
+/** Has a scene written as any kind of file: `save` gives those that the program writes by itself. */
+export async function exportScene(
+  name: string,
+  save: (name: string) => Promise<ExportedScene>,
+): Promise<ExportedScene> {
+  return extensionOf(name) === USDC ? convertToUsdc(name, await save('scene.usda')) : save(name);
+}
+
+/** The main file last, so that it is there only when all it needs is. */
+export function writeExportedFiles(folder: string, { files }: ExportedScene): string[] {
+  const [main, ...others] = files;
+  for (const [name, bytes] of others) refuseOverwrite(join(folder, name), bytes);
+  for (const [name, bytes] of [...others, main]) {
+    const path = join(folder, name);
+    mkdirSync(dirname(path), { recursive: true });
+    writeFileAtomically(path, bytes);
+  }
+  return [main, ...others].map(([name]) => join(folder, name));
+}
+
+/** Only the file that was named may be written over: a texture of the same name may belong to another scene. */
+function refuseOverwrite(path: string, bytes: Uint8Array): void {
+  if (existsSync(path) && !readFileSync(path).equals(bytes))
+    throw inputProblem(`${path} is there already and is another file; write into a folder of its own`);
+}
+
+const pythonProgram = (): string => process.env.SLOWLIGHT_PYTHON || 'python3';
+
+export function checkPython(): void {
+  try {
+    execFileSync(pythonProgram(), ['-c', 'import pxr.Sdf'], { stdio: 'ignore' });
+  } catch {
+    throw unavailable(
+      `.usdc is written by Pixar's own USD, which ${pythonProgram()} does not have: install it (pip install usd-core), name a Python that has it in SLOWLIGHT_PYTHON, or write .usda or .usdz`,
+    );
+  }
+}
+
+const USDA_TO_USDC = 'import sys; from pxr import Sdf; Sdf.Layer.FindOrOpen(sys.argv[1]).Export(sys.argv[2])';
+
+/** The text layer as Pixar's USD packs it; textures stay beside it. */
+function convertToUsdc(name: string, { files, diagnostics }: ExportedScene): ExportedScene {
+  const [[, text], ...others] = files;
+  const folder = mkdtempSync(join(tmpdir(), 'slowlight-usdc-'));
+  try {
+    const [from, to] = [join(folder, 'scene.usda'), join(folder, 'scene.usdc')];
+    writeFileSync(from, text);
+    execFileSync(pythonProgram(), ['-c', USDA_TO_USDC, from, to], { stdio: ['ignore', 'ignore', 'pipe'] });
+    return { files: new Map([[name, new Uint8Array(readFileSync(to))], ...others]), diagnostics };
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}

@@ -1,0 +1,47 @@
+import { radians } from '../../math/angle.ts';
+import { addScaled, length, type Vec3 } from '../../math/vec3.ts';
+import type { Scene, SceneCamera } from '../../scene/types.ts';
+import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scene/view/camera.ts';
+import { type ObserverPath, observerPathFrom } from '../../scene/view/observerPath.ts';
+import type { ViewPoint } from '../../scene/view/view.ts';
+import { usageError } from '../terminal/exitCodes.ts';
+import type { ObserverFlags } from './viewFlags.ts';
+
+/**
+ * The observer that the flags ask for, who starts at world time `start` [s]. Where the camera moves, its own velocity comes before the one
+ * that the scene suggests.
+ */
+export function observerPath(scene: Scene, flags: ObserverFlags, c: number, start: number, hold = false): ObserverPath {
+  const camera = chooseCamera(scene, flags.camera);
+  const { position, lookAt, fov } = flags;
+  const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
+  const moves = camera.motion.kind !== 'static' && position === undefined;
+  const beta = flags.beta ?? (moves ? undefined : scene.hints.beta);
+  const standpoint = {
+    camera,
+    hold,
+    ...(beta && { beta }),
+    ...(position && { position }),
+    ...(lookAt && {
+      orientation: lookOrientation(flags, lookAt, observerFromCamera(camera, start, c).position, up),
+    }),
+    ...(fov !== undefined && { fovY: radians(fov) }),
+  };
+  return observerPathFrom(standpoint, c, start);
+}
+
+function chooseCamera(scene: Scene, path: string | undefined): SceneCamera {
+  if (path === undefined) return scene.cameras[0] ?? framingCamera(scene);
+  const camera = scene.cameras.find((candidate) => candidate.path === path);
+  if (camera) return camera;
+  const known = scene.cameras.map((candidate) => candidate.path).join(', ') || 'none';
+  throw usageError(`--camera ${path}: the scene has no such camera; it has ${known}`);
+}
+
+/** The direction is the observer's own, as it stands: the camera's axes are the world's, carried by the pure boost. */
+function lookOrientation(flags: ObserverFlags, target: Vec3, from: Vec3, up: Vec3): ViewPoint['orientation'] {
+  const forward = addScaled(target, flags.position ?? from, -1);
+  if (length(forward) === 0)
+    throw usageError('--look-at names the place where the observer is: there is no direction to look in');
+  return lookAtOrientation(forward, up);
+}

@@ -1,0 +1,125 @@
+import { InvalidArgumentError, Option } from 'commander';
+import { parseVariantChoice } from '../../formats/variantChoice.ts';
+import { length, type Vec3 } from '../../math/vec3.ts';
+import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
+import { MAX_BOUNCES, MAX_SAMPLES, SEED_COUNT } from '../../reference/lights/lightOptions.ts';
+import { AOVS, type AovName } from '../../scene/view/view.ts';
+
+/** Readers of flag values. Each throws an InvalidArgumentError, which names what was expected. */
+
+export function parseNumber(text: string): number {
+  const value = Number(text);
+  if (text.trim() === '' || !Number.isFinite(value)) throw new InvalidArgumentError('Expected a number.');
+  return value;
+}
+
+/** A number with a condition, told in the message where it fails. */
+const numberWhere =
+  (condition: (value: number) => boolean, expected: string) =>
+  (text: string): number => {
+    const value = parseNumber(text);
+    if (!condition(value)) throw new InvalidArgumentError(`Expected ${expected}.`);
+    return value;
+  };
+
+export const parsePositive = numberWhere((x) => x > 0, 'a number above 0');
+export const parseNotNegative = numberWhere((x) => x >= 0, 'a number, 0 or above');
+export const parseFraction = numberWhere((x) => x >= 0 && x <= 1, 'a number from 0 to 1');
+export const parseDamping = numberWhere((x) => x > 0 && x <= 1, 'a number above 0 and at most 1');
+export const parseFov = numberWhere((x) => x > 0 && x < 180, 'degrees between 0 and 180');
+export const parseIterations = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 64, 'a whole number, 1 to 64');
+export const parseSamples = numberWhere(
+  (x) => Number.isInteger(x) && x >= 1 && x <= MAX_SAMPLES,
+  `a whole number, 1 to ${MAX_SAMPLES}`,
+);
+export const parseLevels = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 8, 'a whole number, 0 to 8');
+export const parseThreads = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 1024, 'a whole number, 1 to 1024');
+export const parseSeed = numberWhere(
+  (x) => Number.isInteger(x) && x >= 0 && x < SEED_COUNT,
+  `a whole number, 0 to ${SEED_COUNT - 1}`,
+);
+export const parseBounces = numberWhere(
+  (x) => Number.isInteger(x) && x >= 0 && x <= MAX_BOUNCES,
+  `a whole number, 0 to ${MAX_BOUNCES}`,
+);
+export const parsePort = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 65535, 'a port, 0 to 65535');
+
+export function parseVec3(text: string): Vec3 {
+  const parts = text.split(',');
+  if (parts.length !== 3) throw new InvalidArgumentError('Expected three numbers, X,Y,Z.');
+  const [x, y, z] = parts.map(parseNumber) as [number, number, number];
+  return [x, y, z];
+}
+
+/** A velocity in units of c. */
+export function parseBeta(text: string): Vec3 {
+  const beta = parseVec3(text);
+  if (length(beta) >= 1) {
+    throw new InvalidArgumentError(
+      `Its length is ${length(beta)}, and nothing with mass reaches 1 (the speed of light).`,
+    );
+  }
+  return beta;
+}
+
+/** Adds `SET=OPTION` to those before it; only the set may not hold a `=`. */
+export function addVariant(text: string, before: ReadonlyMap<string, string> = new Map()): ReadonlyMap<string, string> {
+  const choice = parseVariantChoice(text);
+  if (!choice) throw new InvalidArgumentError('Expected SET=OPTION, as inspect lists them: /World/Car{paint}=red.');
+  return new Map([...before, choice]);
+}
+
+export function parseSize(text: string): PictureSize {
+  const match = /^(\d+)[x×](\d+)$/i.exec(text.trim());
+  const width = Number(match?.[1]);
+  const height = Number(match?.[2]);
+  if (!(width >= 1 && height >= 1 && width <= 16384 && height <= 16384)) {
+    throw new InvalidArgumentError('Expected WIDTHxHEIGHT in pixels, like 1280x720.');
+  }
+  return { width, height };
+}
+
+/** `--size`, 1280x720 where it is not given. */
+export const sizeOption = (meaning: string): Option =>
+  new Option('--size <WxH>', meaning).argParser(parseSize).default({ width: 1280, height: 720 }, '1280x720');
+
+/** `A:B`, two different numbers. */
+export function parseRange(text: string): { readonly from: number; readonly to: number } {
+  const parts = text.split(':');
+  const [from, to] = parts.map(Number) as [number, number];
+  if (parts.length !== 2 || !Number.isFinite(from) || !Number.isFinite(to) || !(from < to)) {
+    throw new InvalidArgumentError('Expected FROM:TO, two numbers, the smaller one first, like -2:0.');
+  }
+  return { from, to };
+}
+
+export interface FrameRange {
+  readonly first: number;
+  readonly last: number;
+}
+
+/** `A:B`, both included. */
+export function parseFrames(text: string): FrameRange {
+  const match = /^(-?\d+):(-?\d+)$/.exec(text.trim());
+  const first = Number(match?.[1]);
+  const last = Number(match?.[2]);
+  if (!match || last < first) throw new InvalidArgumentError('Expected FIRST:LAST, two whole numbers, like 1:48.');
+  return { first, last };
+}
+
+export function parseAovs(text: string): AovName[] {
+  const names = text.split(',').map((name) => name.trim());
+  const unknown = names.filter((name) => !(name in AOVS));
+  if (unknown.length > 0) {
+    throw new InvalidArgumentError(`There is no AOV ${unknown.join(', ')}; there are ${Object.keys(AOVS).join(', ')}.`);
+  }
+  return [...new Set(names)] as AovName[];
+}
+
+/** Pixel coordinates from the top left; the centre of the first pixel is 0,0. */
+export function parsePixel(text: string): readonly [number, number] {
+  const parts = text.split(',');
+  if (parts.length !== 2) throw new InvalidArgumentError('Expected two numbers, X,Y.');
+  const [x, y] = parts.map(parseNumber) as [number, number];
+  return [x, y];
+}

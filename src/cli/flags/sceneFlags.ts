@@ -1,0 +1,104 @@
+import { type Command, InvalidArgumentError, Option } from 'commander';
+import type { Interpolation, ReadOptions } from '../../formats/registry.ts';
+import { type Flight, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
+import { changeMotion, type MotionChange } from '../../scene/motion/motionChange.ts';
+import type { Scene, SceneObject } from '../../scene/types.ts';
+import { renderableScene } from '../../scene/validation/renderableScene.ts';
+import { openSceneFile } from '../files/sceneFiles.ts';
+import { inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { addVariant, parseBeta, parseLevels, parseNumber, parsePositive } from './parse.ts';
+import { speedOfLight } from './viewFlags.ts';
+
+/** What of a file is opened, and how its things are to move. */
+export interface SceneFlags {
+  readonly variant?: ReadonlyMap<string, string>;
+  readonly animation?: string;
+  readonly interpolation: Interpolation;
+  readonly subdivision?: number;
+  readonly speedFactor?: number;
+  readonly startOffset?: number;
+  readonly fly?: readonly FlyFlag[];
+  readonly flyShape?: SceneObject['authoredIn'];
+  /** Where the command has it [m/s]. */
+  readonly c?: number;
+}
+
+const interpolations: readonly Interpolation[] = ['linear', 'cubic'];
+
+type FlyFlag = Omit<Flight, 'authoredIn'>;
+
+export const SCENE_ARGUMENT =
+  'USD, glTF, .obj, .ply or .stl file; or a .zip that holds one, set.zip[scene.usda] where it holds several';
+
+export const addSceneFlags = (command: Command): Command =>
+  command
+    .option(
+      '--variant <set=option>',
+      "what a file offers to choose, as inspect lists it: '/World/Car{paint}=red'; several times for several sets",
+      addVariant,
+    )
+    .option('--animation <name>', 'glTF: the animation to show, by name or place from 0 (default: the first)')
+    .addOption(
+      new Option('--interpolation <name>', 'USD: how things go between samples; linear is what USD says')
+        .choices(interpolations)
+        .default('linear'),
+    )
+    .option(
+      '--subdivision <n>',
+      'USD: levels to which subdivision surfaces are refined; 0 draws their polygons (default: as many as look round, fewer where it would be too many faces)',
+      parseLevels,
+    )
+    .option('--speed-factor <k>', 'the animation runs so many times as fast', parsePositive)
+    .option('--start-offset <s>', 'the animation begins so much later, or earlier', parseNumber)
+    .option(
+      '--fly <prim=x,y,z@t>',
+      "a thing and all below it fly at this velocity in units of c, and are where they would be at t [s] (default 0): '/World/Car=0.8,0,0@2'",
+      addFlyFlag,
+    )
+    .addOption(
+      new Option(
+        '--fly-shape <name>',
+        'what the file holds of them: the shape at rest, or as the world has it in flight',
+      )
+        .choices(['rest', 'world'])
+        .default('rest'),
+    );
+
+function addFlyFlag(text: string, before: readonly FlyFlag[] = []): readonly FlyFlag[] {
+  const [, path, velocity, at = '0'] = /^([^=]+)=([^@]+)(?:@(.+))?$/.exec(text) ?? [];
+  if (path === undefined || velocity === undefined)
+    throw new InvalidArgumentError('Expected PRIM=X,Y,Z or PRIM=X,Y,Z@T, like /World/Car=0.8,0,0@2.');
+  return [...before, { path, beta: parseBeta(velocity), at: parseNumber(at) }];
+}
+
+export const readOptions = ({ variant, animation, interpolation, subdivision }: SceneFlags): ReadOptions => ({
+  interpolation,
+  ...(variant && { variants: variant }),
+  ...(subdivision !== undefined && { subdivision }),
+  ...(animation !== undefined && { animation: /^\d+$/.test(animation) ? Number(animation) : animation }),
+});
+
+export const motionChange = ({
+  speedFactor = 1,
+  startOffset = 0,
+  fly = [],
+  flyShape = 'rest',
+}: SceneFlags): MotionChange => ({
+  timing: { speed: speedFactor, offset: startOffset },
+  flights: fly.map((flight) => ({ ...flight, authoredIn: flyShape })),
+});
+
+/** The scene of a file, as the flags would have it, with what can be drawn of it. */
+export async function openSceneWithFlags(path: string, flags: SceneFlags): Promise<Scene> {
+  const { scene } = renderableScene(await openSceneFile(path, readOptions(flags)));
+  for (const flight of flags.fly ?? []) checkFlyFlag(scene, flight.path);
+  return changeMotion(scene, motionChange(flags), speedOfLight(scene, flags.c));
+}
+
+function checkFlyFlag(scene: Scene, path: string): void {
+  const near = scene.objects.map((object) => object.path).slice(0, 8);
+  if (!scene.objects.some((object) => isAtOrBelow(object.path, path)))
+    throw usageError(`--fly ${path}: the scene has no such thing; it has ${near.join(', ') || 'none'}`);
+  const [large] = tooLargeToFly(scene, path);
+  if (large !== undefined) throw inputProblem(`${large}: it deforms, and has too many samples to be carried along`);
+}

@@ -1,0 +1,29 @@
+interface TreeNode {
+  note?: string;
+  readonly children: Map<string, TreeNode>;
+}
+
+/** Paths like `/World/Cube` as an indented tree, each with its note. */
+export function treeLines(entries: readonly { path: string; note: string }[]): string[] {
+  const root: TreeNode = { children: new Map() };
+  for (const { path, note } of entries) {
+    let node = root;
+    for (const name of path.split('/').filter(Boolean)) node = childOf(node, name);
+    node.note = note;
+  }
+  return linesOf(root, '');
+}
+
+function childOf(node: TreeNode, name: string): TreeNode {
+  const child = node.children.get(name) ?? { children: new Map() };
+  node.children.set(name, child);
+  return child;
+}
+
+function linesOf(node: TreeNode, indent: string): string[] {
+  return [...node.children].flatMap(([name, child], i) => {
+    const last = i === node.children.size - 1;
+    const line = `${indent}${last ? '└─ ' : '├─ '}${name}${child.note ? `  (${child.note})` : ''}`;
+    return [line, ...linesOf(child, indent + (last ? '   ' : '│  '))];
+  });
+}

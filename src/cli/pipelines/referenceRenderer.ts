@@ -1,0 +1,148 @@
+import { availableParallelism } from 'node:os';
+import type { Vec3 } from '../../math/vec3.ts';
+import type { PictureSize, RenderedPicture } from '../../nodes/pictures/pictureRenderer.ts';
+import { DEFAULT_LIGHT, type LightOptions } from '../../reference/lights/lightOptions.ts';
+import { encodeDisplay } from '../../reference/post/encodeDisplay.ts';
+import { aovsOfFrameGraph, type CapturedPicture, evaluateFrameGraph } from '../../reference/post/frameGraph.ts';
+import type { OutputLayer } from '../../reference/tile.ts';
+import { renderWithPool, type TracerPool, tilesOf } from '../../reference/tracerPool.ts';
+import { upVector } from '../../scene/lights/sceneLights.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { toneMap } from '../../spectrum/display/toneMap.ts';
+import { killWhenStopped } from '../files/outputFile.ts';
+import { speedOfLight } from '../flags/viewFlags.ts';
+import type { RenderFlags } from '../render/renderCommand.ts';
+import { CliError, EXIT, usageError } from '../terminal/exitCodes.ts';
+import type { PictureScenes, RendererSession } from './openRenderer.ts';
+import { tracerPool } from './tracerPool.ts';
+
+/** Draws on the processor: 64-bit arithmetic, no GPU. */
+export async function openReferenceRenderer(scenes: PictureScenes, flags: RenderFlags): Promise<RendererSession> {
+  const { size, seed = 0 } = flags;
+  const light = lightOptions(flags);
+  const threads = Math.min(flags.threads ?? availableParallelism(), tilesOf(size).length);
+  const pools = new TracerPools(scenes, threads);
+  // Threads take a while to begin.
+  pools.of(0, speedOfLight(scenes[0], flags.c));
+  const forget = killWhenStopped({ kill: () => pools.stop(new CliError(EXIT.cancelled, 'stopped')) });
+  return {
+    info: { pipeline: 'reference', threads, seed },
+    defaultSamples: 4,
+    render: ({ view, settings, samples, pixels, aovs }, onPart) => {
+      const request = { view, ...size, samples, seed, light };
+      const draw = (
+        scene: number,
+        own: RenderSettings,
+        layers: readonly OutputLayer[],
+        told?: (part: number) => void,
+      ) => renderWithPool(pools.of(scene, own.speedOfLight), { ...request, settings: own, layers }, told);
+      return settings.frameGraph
+        ? renderFrameGraph(settings, { view, ...size, scenes, pixels, aovs, draw }, onPart)
+        : renderLayers(settings, { ...size, pixels, aovs, draw }, onPart);
+    },
+    close: async () => {
+      forget();
+      await pools.close();
+    },
+  };
+}
+
+/** Threads for each scene that is drawn, with each speed of light. */
+class TracerPools {
+  private readonly scenes: PictureScenes;
+  private readonly threads: number;
+  private readonly open = new Map<string, TracerPool>();
+
+  constructor(scenes: PictureScenes, threads: number) {
+    this.scenes = scenes;
+    this.threads = threads;
+  }
+
+  of(scene: number, c: number): TracerPool {
+    const key = `${scene} ${c}`;
+    const pool = this.open.get(key) ?? tracerPool(this.scenes[scene] ?? this.scenes[0], c, { threads: this.threads });
+    this.open.set(key, pool);
+    return pool;
+  }
+
+  stop(error: Error): void {
+    for (const pool of this.open.values()) pool.stop(error);
+  }
+
+  async close(): Promise<void> {
+    await Promise.all([...this.open.values()].map((pool) => pool.close()));
+  }
+}
+
+const lightOptions = ({ bounces = DEFAULT_LIGHT.bounces, mirrors, glass }: RenderFlags): LightOptions => ({
+  bounces,
+  mirrors,
+  glass,
+});
+
+/** Draws layers of one G-buffer's picture. */
+type TraceLayers = (
+  scene: number,
+  settings: RenderSettings,
+  layers: readonly OutputLayer[],
+  onPart?: (part: number) => void,
+) => Promise<Map<OutputLayer, Float32Array>>;
+
+interface LayerRequest extends PictureSize {
+  readonly pixels: boolean;
+  readonly aovs: readonly AovName[];
+  readonly draw: TraceLayers;
+}
+
+async function renderLayers(
+  settings: RenderSettings,
+  { width, height, pixels, aovs, draw }: LayerRequest,
+  onPart?: (part: number) => void,
+): Promise<RenderedPicture> {
+  const images = await draw(0, settings, pixels ? [...aovs, 'picture'] : aovs, onPart);
+  const picture = images.get('picture');
+  return { pixels: picture ? encodeDisplay(picture, width, height) : new Uint8Array(), aovs: aovData(images, aovs) };
+}
+
+/** Light is the mean of its samples, and data are of the pixels' centres; effects are applied to that, and the tone curve at the end. */
+async function renderFrameGraph(
+  settings: RenderSettings,
+  {
+    width,
+    height,
+    pixels,
+    aovs,
+    draw,
+    view,
+    scenes,
+  }: LayerRequest & { readonly view: ViewPoint; readonly scenes: PictureScenes },
+  onPart: (part: number) => void = () => {},
+): Promise<RenderedPicture> {
+  const { frameGraph, ...first } = settings;
+  if (!frameGraph) throw new Error('there is no plan to carry out');
+  if (settings.grid)
+    throw usageError(
+      'the grid is drawn by the rasterizer only, where a project puts its picture together: switch it off',
+    );
+  // The beauty is what the plan makes.
+  const data = aovs.filter((name) => name !== 'beauty');
+  const needed = aovsOfFrameGraph(frameGraph).map((names, i) => (i === 0 ? [...new Set([...names, ...data])] : names));
+  const taken: CapturedPicture['buffers'][number][] = [];
+  for (const [i, names] of needed.entries()) {
+    const own = i === 0 ? first : { ...first, ...frameGraph.extraBuffers[i - 1] };
+    const scene = frameGraph.extraBuffers[i - 1]?.scene ?? 0;
+    const images = await draw(scene, own, names, (part) => onPart((i + part) / needed.length));
+    taken.push({ aovs: aovData(images, names), zenith: upVector((scenes[scene] ?? scenes[0]).upAxis) });
+  }
+  const light = evaluateFrameGraph({ view, settings, width, height, buffers: taken });
+  const beauty = Float32Array.from(light.values);
+  const read = new Map(aovs.map((name) => [name, name === 'beauty' ? beauty : taken[0]!.aovs.get(name)!]));
+  if (!pixels) return { pixels: new Uint8Array(), aovs: read };
+  const shown = light.map((x, y) => toneMap(light.at(x, y) as unknown as Vec3, settings.exposure, settings.tone));
+  return { pixels: encodeDisplay(Float32Array.from(shown.values), width, height), aovs: read };
+}
+
+const aovData = (
+  images: ReadonlyMap<OutputLayer, Float32Array>,
+  names: readonly AovName[],
+): Map<AovName, Float32Array> => new Map(names.map((name) => [name, images.get(name)!]));

@@ -1,0 +1,135 @@
+import { randomUUID } from 'node:crypto';
+import type { Browser, Page } from 'playwright-core';
+import { assertPictureSize } from '../../nodes/pictures/maxSize.ts';
+import type { PictureRequest, PictureSize, RenderedPicture } from '../../nodes/pictures/pictureRenderer.ts';
+import { encodeTransfer } from '../../scene/transfer/transferCodec.ts';
+import type { LightMeterReadings } from '../../scene/view/metering.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { readDiskFile } from '../files/diskFiles.ts';
+import { findChromium } from '../gpu/gpuDrivers.ts';
+import { serveApp } from '../serve/staticServer.ts';
+import { unavailable } from '../terminal/exitCodes.ts';
+import type { PictureScenes, RendererSession } from './openRenderer.ts';
+
+/** What the page headless.html offers to whoever drives it; src/app/headless.ts is the other end and says what it means. */
+interface HeadlessPage {
+  start(): Promise<{ adapterName: string; largest: number }>;
+  open(request: { scenes: string; files: string; width: number; height: number }): Promise<void>;
+  render(request: {
+    view: ViewPoint;
+    settings: RenderSettings;
+    samples: number;
+    pixels: boolean;
+    aovs: readonly AovName[];
+  }): Promise<{ pixels: string; aovs: Partial<Record<AovName, string>> }>;
+  measure(request: { view: ViewPoint; settings: RenderSettings }): Promise<Record<keyof LightMeterReadings, string>>;
+}
+/** The page's window, as seen by the functions below that run in it. */
+type HeadlessWindow = { readonly slowlight: HeadlessPage };
+
+/** Draws with the page's renderer on WebGL2, in a Chromium without a window. The scenes are read here, and sent. */
+export async function openWebGlRenderer(
+  scenes: PictureScenes,
+  { width, height }: PictureSize,
+): Promise<RendererSession> {
+  // Names that nobody else on this machine can guess: below the second, whatever samples were left in can be read.
+  const [sent, files] = [`/${randomUUID()}`, `/${randomUUID()}/`];
+  const server = await serveApp(0, async (url) => {
+    if (url === sent) return encodeTransfer(scenes);
+    return url.startsWith(files) ? partOfFile(url.slice(files.length)) : undefined;
+  });
+  let browser: Browser | undefined;
+  const close = async (): Promise<void> => {
+    await browser?.close();
+    await server.close();
+  };
+  try {
+    browser = await launch();
+    const page = await openPage(browser, `${server.url}/headless.html`);
+    const { adapterName, largest } = await page.evaluate(() => (window as unknown as HeadlessWindow).slowlight.start());
+    assertPictureSize({ width, height }, largest);
+    await page.evaluate((request) => (window as unknown as HeadlessWindow).slowlight.open(request), {
+      scenes: sent,
+      files,
+      width,
+      height,
+    });
+    const info = { pipeline: 'raster', backend: 'webgl', adapter: adapterName } as const;
+    const measure = (view: ViewPoint, settings: RenderSettings) => measureLight(page, view, settings);
+    return { info, defaultSamples: 1, render: (request) => renderPicture(page, request), measureLight: measure, close };
+  } catch (error) {
+    await close();
+    throw error;
+  }
+}
+
+/** `from/length/{handle of the file, as JSON}` */
+function partOfFile(address: string): Uint8Array | undefined {
+  const [, at, length, handle] = /^(\d+)\/(\d+)\/(.*)$/s.exec(address) ?? [];
+  if (handle === undefined) return undefined;
+  return readDiskFile({ name: '', handle: JSON.parse(handle) }, Number(at), Number(length));
+}
+
+async function launch(): Promise<Browser> {
+  const executablePath = findChromium();
+  if (!executablePath) {
+    throw unavailable(
+      '--backend webgl needs Chromium, which is not on the PATH (CHROMIUM may name it). On Debian or Ubuntu: apt-get install -y chromium libegl-mesa0 libgl1-mesa-dri',
+    );
+  }
+  const { chromium } = await import('playwright-core');
+  const gl = process.platform === 'linux' ? ['--use-gl=angle', '--use-angle=gl-egl'] : [];
+  const starting = chromium.launch({
+    executablePath,
+    headless: true,
+    handleSIGINT: false,
+    handleSIGTERM: false,
+    args: [...gl, '--ignore-gpu-blocklist'],
+  });
+  return starting.catch((error: unknown) => {
+    throw unavailable(`Chromium (${executablePath}) does not start: ${launchErrors(String(error))}`);
+  });
+}
+
+/** Of Playwright's long report: what went wrong, and what the browser itself said of it. */
+function launchErrors(report: string): string {
+  const [first, ...rest] = report.split('\n');
+  const said = rest.flatMap((line) => /\[err\] (.*)/.exec(line)?.[1] ?? []);
+  return [first, ...new Set(said)].slice(0, 3).join('; ');
+}
+
+async function openPage(browser: Browser, url: string): Promise<Page> {
+  const page = await browser.newPage();
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  await page.goto(url);
+  if (!(await page.evaluate(() => 'slowlight' in window))) {
+    throw new Error(`the page headless.html did not start: ${errors.join('; ') || 'no reason given'}`);
+  }
+  if (!(await page.evaluate(() => document.createElement('canvas').getContext('webgl2') !== null))) {
+    throw unavailable(
+      'the Chromium here has no WebGL2. On Debian or Ubuntu: apt-get install -y libegl-mesa0 libgl1-mesa-dri',
+    );
+  }
+  return page;
+}
+
+async function renderPicture(page: Page, request: PictureRequest): Promise<RenderedPicture> {
+  const { pixels, aovs } = await page.evaluate(
+    (wanted) => (window as unknown as HeadlessWindow).slowlight.render(wanted),
+    request,
+  );
+  const data = Object.entries(aovs).map(([name, text]) => [name as AovName, floats(text)] as const);
+  return { pixels: new Uint8Array(Buffer.from(pixels, 'base64')), aovs: new Map(data) };
+}
+
+async function measureLight(page: Page, view: ViewPoint, settings: RenderSettings): Promise<LightMeterReadings> {
+  const { luminance, doppler, time } = await page.evaluate(
+    (wanted) => (window as unknown as HeadlessWindow).slowlight.measure(wanted),
+    { view, settings },
+  );
+  return { luminance: floats(luminance), doppler: floats(doppler), time: floats(time) };
+}
+
+/** A copy, because a Buffer may start at any byte of its memory. */
+const floats = (base64: string): Float32Array => new Float32Array(new Uint8Array(Buffer.from(base64, 'base64')).buffer);

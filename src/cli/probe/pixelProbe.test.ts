@@ -1,0 +1,63 @@
+import { describe, expect, test } from 'vitest';
+import { addScaled, dot, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { unaberrate } from '../../physics/optics/aberration.ts';
+import { dopplerAtPixel } from '../../physics/optics/doppler.ts';
+import { makeObject, makeScene } from '../../scene/defaults.ts';
+import { plane, sphere } from '../../scene/mesh/primitives.ts';
+import { lookAtOrientation } from '../../scene/view/camera.ts';
+import type { ViewPoint } from '../../scene/view/view.ts';
+import { probePixel } from './pixelProbe.ts';
+
+const size = { width: 200, height: 100 };
+const down: Vec3 = [0, -1, -1];
+const view = (beta: Vec3): ViewPoint => ({
+  t: 3,
+  position: [0, 2, 0],
+  u: properVelocity(beta),
+  orientation: lookAtOrientation(down, [0, 1, 0]),
+  fovY: 1,
+});
+
+describe('what is seen at a pixel', () => {
+  test('of a floor at rest is where the ray, taken back into the world, meets it', () => {
+    const floor = makeObject({ path: '/Floor', mesh: plane(400, 400, 'Y') });
+    const scene = makeScene({ name: 'floor', objects: [floor] });
+    // The middle of the picture is the corner between four pixels.
+    const seen = probePixel(scene, view([0.3, 0.2, -0.6]), 10, 'light-cone', size, [99.5, 49.5]);
+    const nPrime = scale(down, Math.SQRT1_2);
+    const n = unaberrate(nPrime, properVelocity([0.3, 0.2, -0.6]));
+    const distance = -2 / n[1];
+    const expected: Vec3 = [n[0] * distance, 0, n[2] * distance];
+    for (const k of [0, 1, 2]) expect(seen?.position[k]).toBeCloseTo(expected[k], 10);
+    expect(seen?.time).toBeCloseTo(3 - distance / 10, 10);
+    expect(seen?.doppler).toBeCloseTo(dopplerAtPixel(nPrime, properVelocity([0.3, 0.2, -0.6])), 10);
+    expect(seen).toMatchObject({ prim: '/Floor', object: 1 });
+    // The picture's middle is straight ahead, whatever it took to get there.
+    for (const k of [0, 1, 2]) expect(seen?.apparent[k]).toBeCloseTo(nPrime[k] * (seen?.distance ?? 0), 10);
+  });
+
+  test("of a floor in the slice of simultaneity is an event of the observer's own moment: c Δt = β·Δx", () => {
+    const scene = makeScene({ name: 'floor', objects: [makeObject({ path: '/Floor', mesh: plane(400, 400, 'Y') })] });
+    const beta: Vec3 = [0.3, 0.2, -0.6];
+    const seen = probePixel(scene, view(beta), 10, 'simultaneity', size, [99.5, 49.5]);
+    if (!seen) throw new Error('the floor is not hit');
+    expect(10 * (seen.time - 3)).toBeCloseTo(dot(beta, sub(seen.position, [0, 2, 0])), 10);
+    expect(seen.position[1]).toBeCloseTo(0, 10);
+    expect(seen.doppler).toBe(1);
+    const direction = normalize(down);
+    for (const k of [0, 1, 2]) expect(seen.apparent[k]).toBeCloseTo(direction[k] * seen.distance, 10);
+  });
+
+  test('is the nearest thing, and nothing where there is none', () => {
+    const ball = (path: string, along: number) =>
+      makeObject({
+        path,
+        mesh: sphere(0.2),
+        motion: { kind: 'static', pose: { position: addScaled([0, 2, 0], down, along), orientation: [0, 0, 0, 1] } },
+      });
+    const scene = makeScene({ name: 'balls', objects: [ball('/Far', 5), ball('/Near', 2)] });
+    expect(probePixel(scene, view([0, 0, 0]), 10, 'light-cone', size, [99.5, 49.5])?.prim).toBe('/Near');
+    expect(probePixel(scene, view([0, 0, 0]), 10, 'light-cone', size, [0, 0])).toBeUndefined();
+  });
+});

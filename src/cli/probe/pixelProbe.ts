@@ -1,0 +1,58 @@
+import { sub, type Vec3 } from '../../math/vec3.ts';
+import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
+import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { apparentPosition } from '../../physics/optics/apparentPosition.ts';
+import { dopplerFactor } from '../../physics/optics/doppler.ts';
+import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
+import { cameraRay } from '../../reference/camera/cameraRay.ts';
+import { visibleHit } from '../../reference/camera/visibleHit.ts';
+import { createTracedScene } from '../../reference/intersection/tracedScene.ts';
+import type { Scene } from '../../scene/types.ts';
+import type { VertexProbe } from '../../scene/view/probe.ts';
+import { DEFAULT_SETTINGS, type View, type ViewPoint } from '../../scene/view/view.ts';
+
+/** What an observer sees at a pixel: a point of a surface, at the event where the light left it. */
+export interface PixelProbe extends Omit<VertexProbe, 'vertex' | 'visible'> {
+  readonly prim: string;
+  /** Place in the scene plus one, as in the `object` channel. */
+  readonly object: number;
+}
+
+/**
+ * The nearest opaque surface on the ray through a pixel (0, 0: the centre of the first one), as the data channels of a picture have it:
+ * the ray goes into the past, and meets each triangle where that was then.
+ */
+export function probePixel(
+  scene: Scene,
+  view: ViewPoint,
+  c: number,
+  how: View,
+  size: PictureSize,
+  [x, y]: readonly [number, number],
+): PixelProbe | undefined {
+  const settings = { ...DEFAULT_SETTINGS, view: how, speedOfLight: c };
+  const ray = cameraRay(view, settings, x + 0.5, y + 0.5, size.width, size.height);
+  const hit = visibleHit(createTracedScene(scene, c), ray);
+  if (!hit) return undefined;
+  const { object, time, position, velocity, s: distance } = hit;
+  const offset = sub(position, view.position);
+  const apparent = APPARENT_POSITION[how](offset, view.u);
+  const doppler = how === 'light-cone' ? dopplerFactor(offset, view.u, properVelocity(velocity)) : 1;
+  return {
+    prim: scene.objects[object].path,
+    object: object + 1,
+    time,
+    position,
+    velocity,
+    apparent,
+    distance,
+    doppler,
+  };
+}
+
+/** Where an event is in the observer's frame, as each view has it; `offset` from the observer's event, world frame [m]. */
+const APPARENT_POSITION: Record<View, (offset: Vec3, u: Vec3) => Vec3> = {
+  'light-cone': apparentPosition,
+  simultaneity: simultaneousPosition,
+  galilean: (offset) => offset,
+};

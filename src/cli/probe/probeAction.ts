@@ -1,0 +1,75 @@
+import { length, type Vec3 } from '../../math/vec3.ts';
+import { gamma, velocity } from '../../physics/lorentz/boost.ts';
+import type { Scene, SceneObject } from '../../scene/types.ts';
+import { validate } from '../../scene/validation/validate.ts';
+import { probeVertices } from '../../scene/view/probe.ts';
+import type { ViewPoint } from '../../scene/view/view.ts';
+import { observerPath } from '../flags/observerPath.ts';
+import { openSceneWithFlags } from '../flags/sceneFlags.ts';
+import { speedOfLight } from '../flags/viewFlags.ts';
+import { reportDiagnostics } from '../terminal/diagnostics.ts';
+import { usageError } from '../terminal/exitCodes.ts';
+import { probePixel } from './pixelProbe.ts';
+import type { ProbeFlags } from './probeCommand.ts';
+
+export async function probe(path: string, flags: ProbeFlags): Promise<void> {
+  if ((flags.prim === undefined) === (flags.pixel === undefined)) throw usageError('give either --prim or --pixel');
+  const scene = await openSceneWithFlags(path, flags);
+  const c = speedOfLight(scene, flags.c);
+  reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
+  const t = flags.time ?? scene.hints.openAt ?? scene.startTime;
+  const view = observerPath(scene, flags, c, t)(t);
+  const about = { scene: scene.name, time: t, speedOfLight: c, view: flags.view, observer: describeObserver(view) };
+  if (flags.pixel) {
+    const seen = probePixel(scene, view, c, flags.view, flags.size, flags.pixel);
+    return print(flags, { ...about, pixel: flags.pixel, size: flags.size, seen: seen ?? null });
+  }
+  const object = findObject(scene, flags.prim ?? '');
+  const vertices = probeVertices(object, view, c, flags.view).map((seen, i) => seen ?? { vertex: i, visible: false });
+  if (flags.json) print(flags, { ...about, prim: object.path, vertices });
+  else printTable(object, view, c, flags);
+}
+
+const describeObserver = ({ t, position, u }: ViewPoint) => ({
+  time: t,
+  position,
+  beta: velocity(u),
+  speed: length(velocity(u)),
+  gamma: gamma(u),
+});
+
+function findObject(scene: Scene, path: string): SceneObject {
+  const object = scene.objects.find((candidate) => candidate.path === path);
+  if (object) return object;
+  const near = scene.objects.filter((candidate) => candidate.path.includes(path)).slice(0, 8);
+  const known = (near.length > 0 ? near : scene.objects.slice(0, 8)).map((candidate) => candidate.path).join(', ');
+  throw usageError(`--prim ${path}: the scene has no such object; it has ${known || 'none'}`);
+}
+
+/** Plain `key value` lines, or JSON. */
+function print(flags: ProbeFlags, result: object): void {
+  const lines = (value: object, indent: string): string[] =>
+    Object.entries(value).flatMap(([key, entry]) =>
+      entry !== null && typeof entry === 'object' && !Array.isArray(entry)
+        ? [`${indent}${key}`, ...lines(entry, `${indent}  `)]
+        : [`${indent}${key}  ${Array.isArray(entry) ? entry.join(' ') : String(entry ?? 'nothing')}`],
+    );
+  console.log(flags.json ? JSON.stringify(result, null, 2) : lines(result, '').join('\n'));
+}
+
+function printTable(object: SceneObject, view: ViewPoint, c: number, flags: ProbeFlags): void {
+  console.log(['vertex', 'time [s]', 'apparent x', 'y', 'z [m]', 'distance [m]', 'D', 'visible'].join('\t'));
+  const numbers = (v: Vec3): string[] => v.map((x) => x.toPrecision(9));
+  probeVertices(object, view, c, flags.view).forEach((seen, i) => {
+    const cells = seen
+      ? [
+          seen.time.toPrecision(12),
+          ...numbers(seen.apparent),
+          seen.distance.toPrecision(9),
+          seen.doppler.toPrecision(9),
+          seen.visible,
+        ]
+      : ['behind a horizon: no light of it ever comes here'];
+    console.log([i, ...cells].join('\t'));
+  });
+}

@@ -1,0 +1,43 @@
+import { Command } from 'commander';
+import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
+import type { View } from '../../scene/view/view.ts';
+import { parseNumber, parsePixel, sizeOption } from '../flags/parse.ts';
+import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
+import { addObserverFlags, type ObserverFlags, viewOption } from '../flags/viewFlags.ts';
+
+export interface ProbeFlags extends ObserverFlags, SceneFlags {
+  readonly prim?: string;
+  readonly pixel?: readonly [number, number];
+  readonly size: PictureSize;
+  readonly time?: number;
+  readonly view: View;
+  readonly json?: boolean;
+}
+
+const examples = `
+Examples:
+  slowlight probe dice.usda --prim /World/Die --time 1.5 --json
+  slowlight probe dice.usda --pixel 640,360 --size 1280x720 --beta 0,0,-0.9`;
+
+export function probeCommand(): Command {
+  const command = new Command('probe')
+    .description('Tells in double precision what the observer sees of an object, vertex by vertex, or at a pixel.')
+    .argument('<scene>', SCENE_ARGUMENT)
+    .option('--prim <path>', 'every vertex of this object: emission time, apparent position, Doppler factor', String)
+    .option(
+      '--pixel <x,y>',
+      'what is seen at this pixel, from the top left; 0,0 is the centre of the first',
+      parsePixel,
+    )
+    .addOption(sizeOption('of the picture that the pixel is in'))
+    .option(
+      '--time <s>',
+      "world time of the observer's event (default: what the scene suggests, else its start)",
+      parseNumber,
+    );
+  return addSceneFlags(addObserverFlags(command))
+    .addOption(viewOption())
+    .option('--json', 'print as JSON')
+    .addHelpText('after', examples)
+    .action(async (scene: string, flags: ProbeFlags) => (await import('./probeAction.ts')).probe(scene, flags));
+}

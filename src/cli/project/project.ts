@@ -1,0 +1,271 @@
+import { readFile } from 'node:fs/promises';
+import { dirname, isAbsolute, join } from 'node:path';
+import { inputError } from '../../formats/diagnostics/inputError.ts';
+import { validateDocument } from '../../graph/analysis/validate.ts';
+import { type GraphDocument, own, type ParamValue } from '../../graph/document/document.ts';
+import { parseDocument } from '../../graph/document/parse.ts';
+import { applyCommand, type Command } from '../../graph/edits/commands.ts';
+import { type Evaluation, Evaluator, type RunHeavy } from '../../graph/evaluation/evaluator.ts';
+import { type NodeProblem, type ParamSpec, valueError } from '../../graph/nodeType.ts';
+import { degrees } from '../../math/angle.ts';
+import { toLoadedScene } from '../../nodes/common/loadedScene.ts';
+import type { PictureSpec } from '../../nodes/defineNode.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
+import { evaluatedPicture, initialBeta } from '../../nodes/pictures/renderSettings.ts';
+import { outputNodeId } from '../../nodes/project/outputChain.ts';
+import { PROJECT_FILE_NAME } from '../../nodes/project/projectArchive.ts';
+import type { Services } from '../../nodes/services.ts';
+import type { FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
+import type { Scene } from '../../scene/types.ts';
+import { renderableScene } from '../../scene/validation/renderableScene.ts';
+import { readFont } from '../files/fonts.ts';
+import { locateScene, openSceneFile } from '../files/sceneFiles.ts';
+import { openDevice } from '../gpu/device.ts';
+import { traceOnThreads } from '../pipelines/traceOnThreads.ts';
+import type { RenderFlags } from '../render/renderCommand.ts';
+import { inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { heavyNodes } from './heavyNodes.ts';
+
+const isArchive = (path: string): boolean => path.toLowerCase().endsWith('.zip');
+
+/** Whether a file is a project, which is a node graph: by its name, or an archive that holds one. */
+export async function isProject(path: string): Promise<boolean> {
+  if (!isArchive(path)) return path.toLowerCase().endsWith('.slowlight.json');
+  const { source, entry } = await locateScene(pathInArchive(path, PROJECT_FILE_NAME));
+  return (await source.list?.())?.includes(entry) ?? false;
+}
+
+const pathInArchive = (archive: string, file: string): string => `${archive}[${file}]`;
+
+/** Reads a project of any version, of an archive the one in it, and checks nothing but that it is one. */
+export async function readProject(path: string): Promise<GraphDocument> {
+  const bytes = isArchive(path)
+    ? await readPacked(path)
+    : await readFile(path).catch((error) => throwUnreadable(path, error));
+  try {
+    return parseDocument(new TextDecoder().decode(bytes));
+  } catch (error) {
+    throw inputProblem(`${path}: ${error instanceof Error ? error.message : String(error)}`);
+  }
+}
+
+/** A file on disk or in an archive; undefined where there is none. */
+async function readBytes(path: string): Promise<Uint8Array | undefined> {
+  const { source, entry } = await locateScene(path);
+  return source.read(entry);
+}
+
+function throwUnreadable(path: string, { code, message }: NodeJS.ErrnoException): never {
+  throw inputProblem(`${path}: ${code === 'ENOENT' ? 'no such file' : `cannot be read (${message})`}`);
+}
+
+async function readPacked(path: string): Promise<Uint8Array> {
+  const bytes = await readBytes(pathInArchive(path, PROJECT_FILE_NAME));
+  if (!bytes) throw inputProblem(`${path}: it holds no ${PROJECT_FILE_NAME}; save the project with its files again`);
+  return bytes;
+}
+
+/** Sets parameters as `--set node.param=value` has them. */
+export function withParams(document: GraphDocument, sets: readonly string[]): GraphDocument {
+  const commands = sets.map((text): Command => {
+    const [, node, param, value] = /^([^.=]+)\.([^=]+)=(.*)$/s.exec(text) ?? [];
+    if (node === undefined || param === undefined || value === undefined)
+      throw usageError(`--set ${text}: write node.param=value, like console.speedOfLight=10`);
+    return { kind: 'set-param', node, param, value: valueFor(document, node, param, value) };
+  });
+  return applyCommand(document, { kind: 'batch', commands }).document;
+}
+
+function valueFor(document: GraphDocument, node: string, param: string, text: string): ParamValue {
+  const found = own(document.nodes, node);
+  if (!found) {
+    const known = Object.keys(document.nodes).join(', ');
+    throw usageError(`--set ${node}.${param}: the project has no such node; it has ${known || 'none'}`);
+  }
+  const params = own(nodeLibrary, found.type)?.params ?? {};
+  const spec = own(params, param);
+  if (!spec) {
+    const known = Object.keys(params).join(', ');
+    throw usageError(`--set ${node}.${param}: a ${found.type} has no such parameter; it has ${known || 'none'}`);
+  }
+  const value = parseParam(spec, text);
+  const refusal = valueError(spec, value);
+  if (refusal) throw usageError(`--set ${node}.${param}=${text}: ${refusal}`);
+  return value;
+}
+
+function parseParam(spec: ParamSpec, text: string): ParamValue {
+  switch (spec.kind) {
+    case 'number':
+      return text.includes(',') ? text : (numbersIn(text)?.[0] ?? text);
+    case 'boolean':
+      return text === 'true' || text === 'on' ? true : text === 'false' || text === 'off' ? false : text;
+    case 'vector':
+    case 'color':
+      return numbersIn(text) ?? text;
+    case 'list':
+      return text === '' ? [] : text.split(';');
+    default:
+      return text;
+  }
+}
+
+/** Undefined where one of them is none; nothing is not 0. */
+function numbersIn(text: string): number[] | undefined {
+  const parts = text.split(',');
+  return parts.some((part) => part.trim() === '' || Number.isNaN(Number(part))) ? undefined : parts.map(Number);
+}
+
+/** What is wrong with a project as it stands; files are not opened. */
+export const projectProblems = (document: GraphDocument): readonly NodeProblem[] =>
+  validateDocument(document, nodeLibrary);
+
+/** One line for a person: place, what, and what to do. */
+export const formatProblem = ({ place, message }: NodeProblem): string => `${place}: ${message}`;
+
+/** What nodes of a project give. */
+export const evaluateNodes = (
+  path: string,
+  document: GraphDocument,
+  nodes: readonly string[],
+  progress: (node: string, part: number | undefined) => void,
+  heavy: RunHeavy = heavyNodes(),
+): Promise<Evaluation> =>
+  new Evaluator(nodeLibrary, { heavy }).evaluate(document, nodes, servicesAt(path), { progress });
+
+/** The picture that a project describes. Files are looked for beside it. */
+async function evaluateProject(
+  path: string,
+  document: GraphDocument,
+  progress: (node: string, part: number | undefined) => void,
+): Promise<PictureSpec> {
+  const evaluation = await evaluateNodes(path, document, [outputNodeOf(path, document)], progress);
+  const picture = evaluatedPicture(evaluation);
+  if (picture) return picture;
+  const faults = problemsIn(evaluation);
+  throw inputProblem(
+    [`${path}: there is no picture`, ...faults.map((fault) => `  ${formatProblem(fault)}`)].join('\n'),
+  );
+}
+
+function outputNodeOf(path: string, document: GraphDocument): string {
+  const output = outputNodeId(document);
+  if (output !== undefined) return output;
+  throw inputProblem(`${path}: it has no output node, so that it makes no picture; add one`);
+}
+
+export const problemsIn = ({ results }: Evaluation): readonly NodeProblem[] =>
+  [...results.values()].flatMap((result) => (result.status === 'failed' ? [result.problem] : []));
+
+/** Reads files here, from where the project is: beside it, or in its archive. */
+function servicesAt(project: string): Services {
+  const at = (source: string): string => {
+    if (isArchive(project)) return pathInArchive(project, source);
+    return isAbsolute(source) ? source : join(dirname(project), source);
+  };
+  return {
+    readFont,
+    trace: traceOnThreads,
+    openGpu: openDevice,
+    async readScene(source, { variants, interpolation }) {
+      const read = await openSceneFile(at(source), {
+        ...(variants && { variants }),
+        ...(interpolation && { interpolation }),
+      });
+      return toLoadedScene(renderableScene(read).scene);
+    },
+    async readFile(name) {
+      const bytes = await readBytes(at(name));
+      if (!bytes) throw inputError('file.missing', name, 'there is no such file; put it beside the project');
+      return bytes;
+    },
+  };
+}
+
+/** A project's picture in the words of the command line; what the user says there comes before it. */
+export async function openProjectJob<Flags extends RenderFlags>(
+  path: string,
+  flags: Flags,
+  given: ReadonlySet<string>,
+  progress: (node: string, part: number | undefined) => void,
+): Promise<RenderJob<Flags>> {
+  refuseSceneFlags(given);
+  const document = withParams(await readProject(path), flags.set ?? []);
+  return renderJobOf(await evaluateProject(path, document, progress), flags, given, flags.frames !== undefined);
+}
+
+/**
+ * A picture of a project, drawn as it says; what the user says on the command line comes before it. As in the page, an observer who does not ride the
+ * camera begins at rest in it; in a film he goes with it.
+ */
+export function renderJobOf<Flags extends RenderFlags>(
+  picture: PictureSpec,
+  flags: Flags,
+  given: ReadonlySet<string>,
+  film: boolean,
+): RenderJob<Flags> {
+  const said = Object.fromEntries(Object.entries(flagsOf(picture, film)).filter(([name]) => !given.has(name)));
+  const { scenes, frameGraph } = picture;
+  return {
+    scene: picture.scene,
+    others: scenes.slice(1),
+    ...(frameGraph && { frameGraph }),
+    flags: { ...flags, ...said },
+  };
+}
+
+/** What is drawn, and how. */
+export interface RenderJob<Flags> {
+  readonly scene: Scene;
+  /** What the frame graph's other G-buffers are of. */
+  readonly others: readonly Scene[];
+  /** What a project makes of the light; undefined: nothing. */
+  readonly frameGraph?: FrameGraph;
+  readonly flags: Flags;
+}
+
+/** What a scene file is opened with is written in a project's own nodes. */
+const SCENE_FLAGS = [
+  'variant',
+  'animation',
+  'interpolation',
+  'subdivision',
+  'speedFactor',
+  'startOffset',
+  'fly',
+  'flyShape',
+];
+
+export function refuseSceneFlags(given: ReadonlySet<string>): void {
+  const odd = SCENE_FLAGS.find((name) => given.has(name));
+  if (odd === undefined) return;
+  const flag = `--${odd.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+  throw usageError(`${flag} is for scene files; a project says so in its nodes: use --set node.param=value`);
+}
+
+function flagsOf(picture: PictureSpec, film: boolean): Partial<RenderFlags> {
+  const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone } = picture;
+  const {
+    solver,
+    iterations,
+    damping,
+    antialiasing,
+    grid,
+    speedOfLight,
+    camera,
+    fovY,
+    falseColor,
+    shadows,
+    occlusion,
+  } = picture;
+  const beta = initialBeta(picture, film);
+  return {
+    ...{ view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone, shadows },
+    ...(!occlusion && { occlusionRadius: 0 }),
+    ...{ solver, iterations, damping, antialiasing, grid, c: speedOfLight },
+    ...(camera && { camera }),
+    ...(beta && { beta }),
+    ...(fovY !== undefined && { fov: degrees(fovY) }),
+    ...(falseColor !== 'none' && { falseColour: falseColor }),
+  };
+}

@@ -1,0 +1,69 @@
+import { extname } from 'node:path';
+import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
+import type { PictureFrame } from '../../nodes/pictures/sequence.ts';
+import type { Scene } from '../../scene/types.ts';
+import { checkWritable, writeFileAtomically } from '../files/outputFile.ts';
+import { usageError } from '../terminal/exitCodes.ts';
+import type { RenderFlags } from './renderCommand.ts';
+import { VideoWriter } from './videoWriter.ts';
+
+/** Where finished frames go. */
+export interface FrameSink {
+  /** What has been written. */
+  readonly files: readonly string[];
+  add(frame: PictureFrame): Promise<void>;
+  finish(): Promise<void>;
+  /** Removes what is not finished; after `finish` nothing is. */
+  discard(): void;
+}
+
+export async function openFrameSink(flags: RenderFlags, scene: Scene, frames: number): Promise<FrameSink> {
+  const { output, size } = flags;
+  switch (extname(output).toLowerCase()) {
+    case '.png':
+      return fileSink(output, frames, (frame) => encodePngPicture(size, frame.rendered, frame));
+    case '.exr':
+      return fileSink(output, frames, (frame) => encodeExrPicture(size, frame.rendered, frame, scene));
+    case '.mp4':
+      return videoSink(flags, flags.fps ?? scene.timeCodesPerSecond);
+    default:
+      throw usageError(`--output ${output}: its name must end in .png, .exr or .mp4`);
+  }
+}
+
+/** One file per frame; `####` in the name is the frame's number. */
+function fileSink(output: string, frames: number, encode: (frame: PictureFrame) => Uint8Array): FrameSink {
+  if (frames > 1 && !/#/.test(output)) {
+    const pattern = output.replace(/(\.\w+)$/, '.####$1');
+    throw usageError(`--output ${output}: several frames need a place for their number, like ${pattern}`);
+  }
+  checkWritable(output);
+  const files: string[] = [];
+  return {
+    files,
+    add: async (frame) => {
+      const file = frameName(output, frame.number ?? 0);
+      writeFileAtomically(file, encode(frame));
+      files.push(file);
+    },
+    finish: async () => {},
+    discard: () => {},
+  };
+}
+
+async function videoSink({ output, size }: RenderFlags, fps: number): Promise<FrameSink> {
+  if (size.width % 2 || size.height % 2) {
+    throw usageError(`--size ${size.width}x${size.height}: an .mp4 needs an even width and height`);
+  }
+  const video = await VideoWriter.open(output, size, fps);
+  const files: string[] = [];
+  return {
+    files,
+    add: ({ rendered }) => video.add(rendered.pixels),
+    finish: async () => {
+      await video.finish();
+      files.push(output);
+    },
+    discard: () => video.discard(),
+  };
+}

@@ -1,0 +1,133 @@
+import { join } from 'node:path';
+import { extensionOf } from '../../formats/files/fileSource.ts';
+import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
+import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
+import { fileNodesIn, requestedFiles } from '../../nodes/project/fileNodes.ts';
+import { frameTimes, type ImageOutput, type RequestedFile, type VideoOutput } from '../../nodes/project/outputFiles.ts';
+import { checkPython, exportScene, USDC, writeExportedFiles } from '../files/exportScene.ts';
+import { checkWritable, throwIfStopped } from '../files/outputFile.ts';
+import { checkPipeline } from '../flags/pipelineFlags.ts';
+import {
+  evaluateNodes,
+  formatProblem,
+  isProject,
+  problemsIn,
+  readProject,
+  refuseSceneFlags,
+  renderJobOf,
+  withParams,
+} from '../project/project.ts';
+import { reportDiagnostics } from '../terminal/diagnostics.ts';
+import { inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { Progress } from '../terminal/progress.ts';
+import type { RenderFlags } from './renderCommand.ts';
+import { renderFrames } from './renderFrames.ts';
+import { checkEncoder, VIDEO_EXTENSION } from './videoWriter.ts';
+
+export interface ProjectFilesFlags extends Omit<RenderFlags, 'output'> {
+  readonly folder?: string;
+}
+
+/** Where files are written, of which project, and what somebody wants of them. */
+interface WriteTarget {
+  readonly folder: string;
+  readonly flags: ProjectFilesFlags;
+  /** Flags that somebody wrote. */
+  readonly given: ReadonlySet<string>;
+}
+
+/** How each kind of file is written; gives the paths, the one that was asked for first. */
+const WRITERS: {
+  readonly [K in RequestedFile['kind']]: (
+    file: Extract<RequestedFile, { kind: K }>,
+    place: WriteTarget,
+  ) => Promise<readonly string[]>;
+} = {
+  scene: async (file, { folder }) => {
+    const written = await exportScene(file.name, (name) => exportSceneFile(file, name));
+    reportDiagnostics([...file.scene.diagnostics, ...written.diagnostics]);
+    return writeExportedFiles(folder, written);
+  },
+  image: writeRendered,
+  video: (file, place) => writeRendered(file, place, { fps: file.fps, hold: file.hold }),
+};
+
+/** As `render -o` does it. */
+async function writeRendered(
+  file: ImageOutput | VideoOutput,
+  { folder, flags, given }: WriteTarget,
+  more: Partial<RenderFlags> = {},
+): Promise<readonly string[]> {
+  const { name, width, height, samples, picture } = file;
+  const own = { output: join(folder, name), size: { width, height }, ...more };
+  const opened = renderJobOf(picture, { ...flags, ...own }, given, file.kind === 'video');
+  const sampled = opened.flags.antialiasing ? { ...opened, flags: { ...opened.flags, samples } } : opened;
+  return (await renderFrames(sampled, frameTimes(file), new Progress(`${name}: `))).files;
+}
+
+/** Writes every file that the nodes of a project ask for. Nothing is begun where one of them cannot be. */
+export async function writeProjectFiles(
+  path: string,
+  flags: ProjectFilesFlags,
+  given: ReadonlySet<string>,
+): Promise<void> {
+  if (!(await isProject(path)))
+    throw usageError('name the file to write with -o; only projects say by themselves what they write');
+  checkFlags(flags, given);
+  const { folder = '.', set = [], json } = flags;
+  const files = await wantedFiles(path, withParams(await readProject(path), set));
+  checkFiles(files, folder);
+  const paths: string[] = [];
+  for (const file of files) {
+    throwIfStopped();
+    paths.push(...(await write(file, { folder, flags, given })));
+  }
+  console.log(json ? JSON.stringify({ files: paths }, null, 2) : paths.join('\n'));
+}
+
+const write = (file: RequestedFile, place: WriteTarget): Promise<readonly string[]> =>
+  (WRITERS[file.kind] as (file: RequestedFile, place: WriteTarget) => Promise<readonly string[]>)(file, place);
+
+/** Flags of which each node that writes has its own. */
+const NODE_FLAGS = ['time', 'frames', 'fps', 'hold', 'size', 'samples', 'aov'];
+
+function checkFlags(flags: ProjectFilesFlags, given: ReadonlySet<string>): void {
+  refuseSceneFlags(given);
+  checkPipeline(flags);
+  const odd = NODE_FLAGS.find((name) => given.has(name));
+  if (odd !== undefined)
+    throw usageError(`--${odd} is for -o; without it each node that writes says so itself: use --set node.param=value`);
+}
+
+/** What the nodes ask for; refused where one of them cannot. */
+async function wantedFiles(path: string, document: GraphDocument): Promise<readonly RequestedFile[]> {
+  const writers = flatWriters(path, document);
+  if (writers.size === 0)
+    throw usageError(`${path}: none of its nodes writes a file; add one that does, or name a picture with -o`);
+  const progress = new Progress();
+  const evaluation = await evaluateNodes(path, document, [...writers.keys()], progress.node);
+  progress.clear();
+  const files = [...requestedFiles(evaluation, writers).values()];
+  if (files.length === writers.size) return files;
+  const faults = problemsIn(evaluation).map((fault) => `  ${formatProblem(fault)}`);
+  throw inputProblem([`${path}: not all of its files can be written`, ...faults].join('\n'));
+}
+
+function flatWriters(path: string, document: GraphDocument): ReadonlyMap<string, string> {
+  try {
+    return fileNodesIn(document);
+  } catch (error) {
+    if (error instanceof DocumentError) throw inputProblem(`${path}: ${error.message}`);
+    throw error;
+  }
+}
+
+function checkFiles(files: readonly RequestedFile[], folder: string): void {
+  const names = files.map(({ name }) => name.toLowerCase());
+  const twice = names.find((name, i) => names.indexOf(name) < i);
+  if (twice !== undefined) throw inputProblem(`two nodes write ${twice}; give one of them another name`);
+  for (const { name } of files) checkWritable(join(folder, name));
+  const extensions = new Set(files.map(({ name }) => extensionOf(name)));
+  if (extensions.has(USDC)) checkPython();
+  if (extensions.has(VIDEO_EXTENSION)) checkEncoder();
+}

@@ -1,0 +1,74 @@
+import { extname } from 'node:path';
+import { length } from '../../math/vec3.ts';
+import type { FrameTime } from '../../nodes/project/outputFiles.ts';
+import { gamma, velocity } from '../../physics/lorentz/boost.ts';
+import type { Scene } from '../../scene/types.ts';
+import { checkPipeline } from '../flags/pipelineFlags.ts';
+import { openSceneWithFlags } from '../flags/sceneFlags.ts';
+import { isProject, openProjectJob, type RenderJob } from '../project/project.ts';
+import { usageError } from '../terminal/exitCodes.ts';
+import { Progress } from '../terminal/progress.ts';
+import type { RenderFlags } from './renderCommand.ts';
+import { chooseAovs, type RenderReport, renderFrames } from './renderFrames.ts';
+
+export async function render(path: string, written: RenderFlags, given: ReadonlySet<string>): Promise<void> {
+  checkPipeline(written);
+  checkSamples(written);
+  chooseAovs(written);
+  const progress = new Progress();
+  progress.show('reading …');
+  const what = await openJob(path, written, given, progress);
+  progress.clear();
+  const frames = frameTimes(what.scene, what.flags);
+  report(what, await renderFrames(what, frames, progress));
+}
+
+/** A scene file as the flags would have it, or what a project makes, with what it says of the picture. */
+async function openJob(
+  path: string,
+  flags: RenderFlags,
+  given: ReadonlySet<string>,
+  progress: Progress,
+): Promise<RenderJob<RenderFlags>> {
+  if (await isProject(path)) return openProjectJob(path, flags, given, progress.node);
+  if (flags.set) throw usageError('--set is for projects, .slowlight.json; of a scene file there are no nodes to set');
+  return { scene: await openSceneWithFlags(path, flags), others: [], flags };
+}
+
+function checkSamples({ samples, antialiasing }: RenderFlags): void {
+  if (samples !== undefined && !antialiasing)
+    throw usageError('--no-antialiasing takes one sample, at the centre of each pixel: leave it or --samples out');
+}
+
+function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond, output }: RenderFlags): FrameTime[] {
+  if (!frames) {
+    if (extname(output).toLowerCase() === '.mp4') throw usageError('an .mp4 needs --frames FIRST:LAST');
+    return [{ t: time ?? scene.hints.openAt ?? scene.startTime }];
+  }
+  if (time !== undefined) throw usageError('--time and --frames exclude each other');
+  const count = frames.last - frames.first + 1;
+  return Array.from({ length: count }, (_, i) => ({ number: frames.first + i, t: (frames.first + i) / fps }));
+}
+
+function report({ scene, flags }: RenderJob<RenderFlags>, drawn: RenderReport): void {
+  const { files, frames, first } = drawn;
+  if (!flags.json) {
+    console.log(`${files.length > 1 ? `${files.length} files, the last ` : ''}${files.at(-1)}`);
+    return;
+  }
+  const beta = velocity(first.u);
+  const summary = {
+    files,
+    ...flags.size,
+    frames: frames.length,
+    times: [frames[0]!.t, frames.at(-1)!.t],
+    speedOfLight: drawn.speedOfLight,
+    observer: { position: first.position, beta, speed: length(beta), gamma: gamma(first.u) },
+    ...drawn.info,
+    samples: drawn.samples,
+    exposure: [drawn.exposures[0]!, drawn.exposures.at(-1)!],
+    falseColours: drawn.falseColours,
+    objects: scene.objects.map((object, i) => ({ id: i + 1, path: object.path })),
+  };
+  console.log(JSON.stringify(summary, null, 2));
+}

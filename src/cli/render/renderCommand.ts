@@ -1,0 +1,111 @@
+import { Command, Option } from 'commander';
+import type { FalseColorOptions } from '../../nodes/pictures/falseColor.ts';
+import type { AovName } from '../../scene/view/view.ts';
+import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
+import {
+  type FrameRange,
+  parseAovs,
+  parseFrames,
+  parseNumber,
+  parsePositive,
+  parseRange,
+  parseSamples,
+  sizeOption,
+} from '../flags/parse.ts';
+import { addPipelineFlags, type PipelineFlags } from '../flags/pipelineFlags.ts';
+import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
+import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from '../flags/viewFlags.ts';
+import { usageError } from '../terminal/exitCodes.ts';
+import type { ProjectFilesFlags } from './projectFiles.ts';
+
+type Optional<T, K extends keyof T> = Omit<T, K> & Partial<Pick<T, K>>;
+
+export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags, FalseColorOptions {
+  readonly output: string;
+  readonly time?: number;
+  readonly frames?: FrameRange;
+  readonly fps?: number;
+  readonly hold?: boolean;
+  readonly aov?: readonly AovName[];
+  readonly samples?: number;
+  readonly json?: boolean;
+  /** Of a project: `node.param=value`. */
+  readonly set?: readonly string[];
+}
+
+const examples = `
+Examples:
+  slowlight render street.usda -o street.png --time 2 --c 10 --beta 0,0,-0.8
+  slowlight render street.usda -o street.exr --aov beauty,depth,doppler --size 1920x1080
+  slowlight render street.usda -o street.mp4 --frames 1:96 --fps 24
+  slowlight render street.usda -o 'street.####.png' --frames 1:96
+  slowlight render street.usda -o truth.png --pipeline reference --samples 8
+  slowlight render street.usda -o shift.png --false-colour doppler --legend --beta 0,0,-0.5
+  slowlight render workshop.slowlight.json -o workshop.png --set console.speedOfLight=10`;
+
+export function renderCommand(): Command {
+  const command = new Command('render')
+    .description('Makes pictures of a scene, or of a project: .png, .exr with data channels, or .mp4.')
+    .argument('<scene>', `${SCENE_ARGUMENT}; or a project, .slowlight.json`)
+    .option(
+      '-o, --output <file>',
+      'file to write; #### in the name of a .png or .exr becomes the frame. Without: the files that the nodes of a project ask for',
+    )
+    .option('--folder <folder>', 'of a project, without -o: where its files are written (default: here)')
+    .addOption(sizeOption('in pixels'))
+    .option(
+      '--time <s>',
+      "world time of the observer's event (default: what the scene suggests, else its start)",
+      parseNumber,
+    )
+    .option('--frames <A:B>', 'frames A to B; frame n is at world time n/fps', parseFrames)
+    .option('--fps <n>', "frames per second (default: the scene's time codes per second)", parsePositive);
+  addObserverFlags(addSceneFlags(command)).option(
+    '--hold',
+    'with --frames: stay in place although there is a velocity, instead of coasting with it',
+  );
+  addSettingFlags(command)
+    .option(
+      '--samples <n>',
+      'n × n samples per pixel (default: 1 of raster, whose edges FXAA then smooths; 4 of reference)',
+      parseSamples,
+    )
+    .addOption(
+      new Option(
+        '--false-colour <what>',
+        'colours for numbers: the Doppler factor, the time of emission before now, luminance before exposure, or the part of the spectrum that is seen',
+      ).choices(FALSE_COLOR_QUANTITIES),
+    )
+    .option(
+      '--false-range <from:to>',
+      'values at both ends of the colours, seconds of emission-time, metres of band (default: round numbers that hold the first picture)',
+      parseRange,
+    )
+    .option('--legend', 'with --false-colour: a strip under the picture that tells what its colours mean')
+    .option(
+      '--aov <names>',
+      'for .exr: channels to write, of beauty, albedo, depth, emission_time, doppler, position, normal, velocity, object',
+      parseAovs,
+    );
+  return (
+    addPipelineFlags(command)
+      .option(
+        '--set <node.param=value>',
+        'of a project: a parameter of a node; several times for several; vectors as x,y,z',
+        (text: string, before: readonly string[] = []) => [...before, text],
+      )
+      .option('--json', 'print what was made as JSON')
+      .addHelpText('after', examples)
+      // Loaded when it is needed: the renderer is large.
+      .action(async (scene: string, { output, ...flags }: Optional<RenderFlags, 'output'> & ProjectFilesFlags) => {
+        const given = explicitFlags(command);
+        if (output === undefined) return (await import('./projectFiles.ts')).writeProjectFiles(scene, flags, given);
+        if (flags.folder !== undefined) throw usageError('--folder is for the files of a project; -o names its own');
+        return (await import('./renderAction.ts')).render(scene, { output, ...flags }, given);
+      })
+  );
+}
+
+/** The flags that somebody wrote, by name. */
+const explicitFlags = (command: Command): ReadonlySet<string> =>
+  new Set(Object.keys(command.opts()).filter((name) => command.getOptionValueSource(name) === 'cli'));

@@ -1,0 +1,102 @@
+import { extname } from 'node:path';
+import { outputSize } from '../../nodes/pictures/falseColor.ts';
+import { type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
+import type { FrameTime } from '../../nodes/project/outputFiles.ts';
+import { validate } from '../../scene/validation/validate.ts';
+import type { AovName, ViewPoint } from '../../scene/view/view.ts';
+import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
+import { throwIfStopped } from '../files/outputFile.ts';
+import { observerPath } from '../flags/observerPath.ts';
+import { checkPipeline } from '../flags/pipelineFlags.ts';
+import { renderSettings, speedOfLight } from '../flags/viewFlags.ts';
+import { openRenderer, type PipelineInfo, type RendererSession } from '../pipelines/openRenderer.ts';
+import type { RenderJob } from '../project/project.ts';
+import { reportDiagnostics } from '../terminal/diagnostics.ts';
+import { usageError } from '../terminal/exitCodes.ts';
+import type { Progress } from '../terminal/progress.ts';
+import { type FrameSink, openFrameSink } from './frameSinks.ts';
+import type { RenderFlags } from './renderCommand.ts';
+
+/** What has been made, for a report. */
+export interface RenderReport {
+  readonly files: readonly string[];
+  readonly frames: readonly FrameTime[];
+  readonly first: ViewPoint;
+  readonly info: PipelineInfo;
+  readonly samples: number;
+  /** [m/s] */
+  readonly speedOfLight: number;
+  /** Of each frame [EV]. */
+  readonly exposures: readonly number[];
+  readonly falseColours?: FalseColorScale;
+}
+
+/** Draws frames of a scene, of a file or of a project, and writes them as the flags say: files that are not finished do not stay. */
+export async function renderFrames(
+  { scene, others, frameGraph, flags }: RenderJob<RenderFlags>,
+  frames: readonly FrameTime[],
+  progress: Progress,
+): Promise<RenderReport> {
+  checkPipeline(flags);
+  const aovs = chooseAovs(flags);
+  checkFalseColors(flags, aovs);
+  const c = speedOfLight(scene, flags.c);
+  reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
+  const { size, metering, falseColour, falseRange, legend } = flags;
+  const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
+  const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
+  const wanted = { settings, metering, size, aovs, observer, frames, falseColour, falseRange, legend };
+  const sink = await openFrameSink({ ...flags, size: outputSize(flags) }, scene, frames.length);
+  try {
+    progress.show('getting ready to draw …');
+    const painter = await openRenderer([scene, ...others], flags, (text) => progress.note(text));
+    const samples = flags.samples ?? (flags.antialiasing ? painter.defaultSamples : 1);
+    const made = await renderIntoSink(painter, { ...wanted, samples }, sink, progress).finally(() => painter.close());
+    throwIfStopped();
+    progress.show('finishing …');
+    await sink.finish();
+    const { info } = painter;
+    const { files } = sink;
+    return { files, frames, first: observer(frames[0]!.t), info, samples, speedOfLight: c, ...made };
+  } finally {
+    progress.clear();
+    sink.discard();
+  }
+}
+
+async function renderIntoSink(
+  painter: RendererSession,
+  sequence: PictureSequence,
+  sink: FrameSink,
+  progress: Progress,
+): Promise<Pick<RenderReport, 'exposures' | 'falseColours'>> {
+  const exposures: number[] = [];
+  let falseColors: FalseColorScale | undefined;
+  const count = sequence.frames.length;
+  throwIfStopped();
+  for await (const frame of renderPictureSequence(painter, sequence, (done) => progress.frames(done, count))) {
+    await sink.add(frame);
+    exposures.push(frame.exposure);
+    falseColors ??= frame.settings.falseColors;
+    throwIfStopped();
+  }
+  return { exposures, ...(falseColors && { falseColours: falseColors }) };
+}
+
+/** Data channels need a format that can hold them; without a wish an EXR holds the picture in linear light. */
+export function chooseAovs({ output, aov }: RenderFlags): readonly AovName[] {
+  if (extname(output).toLowerCase() === '.exr') return aov ?? ['beauty'];
+  if (aov) throw usageError(`--aov needs a file that can hold data channels: write an .exr, not ${output}`);
+  return [];
+}
+
+function checkFalseColors({ falseColour, falseRange, legend }: RenderFlags, aovs: readonly AovName[]): void {
+  if (falseColour === undefined) {
+    const idle = falseRange ? '--false-range' : legend ? '--legend' : undefined;
+    if (idle) throw usageError(`${idle} is for false colours: add --false-colour, or leave it out`);
+  } else if (aovs.length > 0) {
+    throw usageError('--false-colour makes pictures for a screen; an .exr holds the numbers themselves: use --aov');
+  } else if (falseRange && falseColour !== 'emission-time' && falseRange.from <= 0) {
+    throw usageError(`--false-range: the scale of ${falseColour} is logarithmic, so that both ends must be above 0`);
+  }
+}

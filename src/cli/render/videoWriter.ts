@@ -1,0 +1,82 @@
+import { type ChildProcessByStdio, spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
+import type { Readable, Writable } from 'node:stream';
+import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
+import { killWhenStopped, OutputFile } from '../files/outputFile.ts';
+import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
+
+/** The extension of films. */
+export const VIDEO_EXTENSION = 'mp4';
+
+const missingEncoder = () =>
+  unavailable('mp4 needs the program ffmpeg, which is not on the PATH. On Debian or Ubuntu: apt-get install -y ffmpeg');
+
+/** Before any work is done for a film. */
+export function checkEncoder(): void {
+  if (spawnSync('ffmpeg', ['-version'], { stdio: 'ignore' }).error) throw missingEncoder();
+}
+
+/** An H.264 film in an mp4 file, encoded by ffmpeg while the frames come. */
+export class VideoWriter {
+  private readonly file: OutputFile;
+  private readonly encoder: ChildProcessByStdio<Writable, null, Readable>;
+  private readonly ended: Promise<number | null>;
+  private complaint = '';
+  private readonly forget: () => void;
+
+  private constructor(path: string, size: PictureSize, fps: number) {
+    this.file = new OutputFile(path);
+    this.encoder = spawn('ffmpeg', [...encoderArguments(size, fps), this.file.temporary], {
+      stdio: ['pipe', 'ignore', 'pipe'],
+    });
+    this.forget = killWhenStopped(this.encoder);
+    this.encoder.stderr.on('data', (chunk: Buffer) => {
+      this.complaint = (this.complaint + chunk.toString()).slice(-2000);
+    });
+    // A write after ffmpeg's end is reported by its exit status, with its own words.
+    this.encoder.stdin.on('error', () => {});
+    this.ended = once(this.encoder, 'close').then(([code]) => code as number | null);
+    this.ended.catch(() => {});
+  }
+
+  static async open(path: string, size: PictureSize, fps: number): Promise<VideoWriter> {
+    const writer = new VideoWriter(path, size, fps);
+    try {
+      await once(writer.encoder, 'spawn');
+    } catch {
+      writer.discard();
+      throw missingEncoder();
+    }
+    return writer;
+  }
+
+  /** RGBA8, rows from the top. */
+  async add(rgba: Uint8Array): Promise<void> {
+    if (this.encoder.stdin.write(rgba)) return;
+    await Promise.race([once(this.encoder.stdin, 'drain'), this.ended]);
+  }
+
+  async finish(): Promise<void> {
+    this.encoder.stdin.end();
+    const code = await this.ended;
+    this.forget();
+    if (code === 0) return this.file.commit();
+    this.file.discard();
+    throw inputProblem(`${this.file.path}: ffmpeg failed: ${this.complaint.trim() || `exit ${code}`}`);
+  }
+
+  discard(): void {
+    this.encoder.kill('SIGKILL');
+    this.forget();
+    this.file.discard();
+  }
+}
+
+/** Frames arrive as raw sRGB pixels; players expect BT.709 in limited range. */
+function encoderArguments({ width, height }: PictureSize, fps: number): string[] {
+  const input = ['-f', 'rawvideo', '-pix_fmt', 'rgba', '-s', `${width}x${height}`, '-r', String(fps), '-i', '-'];
+  const color = ['-colorspace', 'bt709', '-color_primaries', 'bt709', '-color_trc', 'bt709', '-color_range', 'tv'];
+  const filter = ['-vf', 'scale=out_color_matrix=bt709:out_range=tv,format=yuv420p'];
+  const codec = ['-c:v', 'libx264', '-crf', '16', '-preset', 'medium', '-movflags', '+faststart'];
+  return ['-hide_banner', '-loglevel', 'error', '-y', ...input, ...filter, ...codec, ...color, '-f', 'mp4'];
+}

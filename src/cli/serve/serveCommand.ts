@@ -1,0 +1,45 @@
+import { once } from 'node:events';
+import { Command } from 'commander';
+import { parsePort } from '../flags/parse.ts';
+import { PortTaken, type RunningServer, serveApp } from './staticServer.ts';
+
+const DEFAULT_PORT = 5510;
+
+export const serveCommand = (): Command =>
+  new Command('serve')
+    .description('Serves the program to a browser on this machine.')
+    .option(
+      '--port <n>',
+      `port on 127.0.0.1; 0: any that is free (default: ${DEFAULT_PORT}, or any where that is taken)`,
+      parsePort,
+    )
+    .option('--json', 'print the address as JSON')
+    .action(serve);
+
+async function serve(flags: { port?: number; json?: boolean }): Promise<void> {
+  const server = await start(flags.port);
+  console.log(flags.json ? JSON.stringify({ url: server.url }) : welcome(server.url));
+  await Promise.race([once(process, 'SIGINT'), once(process, 'SIGTERM')]);
+  await server.close();
+}
+
+/** A second start beside a running one should work as the first did. */
+async function start(port: number | undefined): Promise<RunningServer> {
+  if (port !== undefined) return serveApp(port);
+  try {
+    return await serveApp(DEFAULT_PORT);
+  } catch (error) {
+    if (error instanceof PortTaken) return serveApp(0);
+    throw error;
+  }
+}
+
+const welcome = (url: string): string => `
+  Slowlight is at  ${url}
+
+  Open it in a browser, pick a scene, then:
+    W A S D Q E   accelerate          mouse drag  look around
+    Shift         up to full speed    Tab         lock: free, look, fly
+    Space         play, pause         ?           all keys
+
+  Ctrl-C here stops it.`;

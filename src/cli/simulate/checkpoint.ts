@@ -1,0 +1,124 @@
+import { createHash } from 'node:crypto';
+import { closeSync, ftruncateSync, openSync, readFileSync, writeSync } from 'node:fs';
+import { endianness } from 'node:os';
+import type { SimulationFrame } from '../../dynamics/run.ts';
+import type { State } from '../../dynamics/system.ts';
+import { inputProblem } from '../terminal/exitCodes.ts';
+
+/** The first line of a checkpoint. After it comes, frame after frame, what a frame is: t, steps, x …, p …, as 64-bit numbers. */
+interface CheckpointHeader {
+  readonly slowlight: 'checkpoint';
+  readonly version: 1;
+  /** What tells this simulation from others. */
+  readonly content: string;
+  readonly points: number;
+  readonly littleEndian: boolean;
+}
+
+/** A frame that is known. */
+export interface CheckpointFrame {
+  readonly state: State;
+  readonly steps: number;
+}
+
+const LITTLE_ENDIAN = endianness() === 'LE';
+
+const sha256Hex = (bytes: string | Uint8Array): string => createHash('sha256').update(bytes).digest('hex');
+
+/** The same of plain data that is the same. */
+export const contentHash = (what: unknown): string =>
+  sha256Hex(
+    JSON.stringify(what, (_, value) =>
+      ArrayBuffer.isView(value) ? sha256Hex(new Uint8Array(value.buffer, value.byteOffset, value.byteLength)) : value,
+    ),
+  );
+
+/** A file to which every frame is added as soon as it is known: whatever ends the program, what was computed is there. */
+export class Checkpoint {
+  private readonly file: number;
+
+  /** `after`: the length of what is in the file and stays [bytes]; without: it begins anew. */
+  constructor(path: string, content: string, points: number, after?: number) {
+    this.file = openForWriting(path, after === undefined ? 'w' : 'r+');
+    if (after === undefined) {
+      const head: CheckpointHeader = {
+        slowlight: 'checkpoint',
+        version: 1,
+        content,
+        points,
+        littleEndian: LITTLE_ENDIAN,
+      };
+      writeSync(this.file, `${JSON.stringify(head)}\n`);
+    } else {
+      ftruncateSync(this.file, after);
+      this.at = after;
+    }
+  }
+
+  private at: number | null = null;
+
+  add({ state: { t, x, p }, steps }: Pick<SimulationFrame, 'state' | 'steps'>): void {
+    const numbers = new Float64Array(2 + x.length + p.length);
+    numbers.set([t, steps]);
+    numbers.set(x, 2);
+    numbers.set(p, 2 + x.length);
+    writeSync(this.file, new Uint8Array(numbers.buffer), 0, numbers.byteLength, this.at);
+    if (this.at !== null) this.at += numbers.byteLength;
+  }
+
+  close(): void {
+    closeSync(this.file);
+  }
+}
+
+function openForWriting(path: string, how: 'w' | 'r+'): number {
+  try {
+    return openSync(path, how);
+  } catch (error) {
+    throw inputProblem(`${path} cannot be written (${(error as Error).message}); name another file`);
+  }
+}
+
+/** The frames of a checkpoint, and where the last whole one ends [bytes]: the program may have ended in the midst of one. */
+export function readCheckpoint(
+  path: string,
+  content: string,
+  points: number,
+): { readonly frames: readonly CheckpointFrame[]; readonly end: number } {
+  const bytes = readBytes(path);
+  const newline = bytes.indexOf(10);
+  const head = parseHeader(bytes.subarray(0, Math.max(0, newline)));
+  if (!head) throw inputProblem(`${path} is no checkpoint of a simulation; leave --resume out to begin anew`);
+  if (head.content !== content || head.points !== points || head.littleEndian !== LITTLE_ENDIAN)
+    throw inputProblem(
+      `${path} was made of another simulation: its things, numbers, method or pace were others; set them as they were, or leave --resume out to begin anew`,
+    );
+  const size = 2 + 6 * points;
+  const body = bytes.slice(newline + 1);
+  const count = Math.floor(body.length / (8 * size));
+  const numbers = new Float64Array(body.buffer, 0, count * size);
+  const frames = Array.from({ length: count }, (_, k): CheckpointFrame => {
+    const [t, steps] = numbers.subarray(k * size);
+    const x = numbers.slice(k * size + 2, k * size + 2 + 3 * points);
+    const p = numbers.slice(k * size + 2 + 3 * points, (k + 1) * size);
+    return { state: { t, x, p }, steps };
+  });
+  return { frames, end: newline + 1 + 8 * count * size };
+}
+
+function readBytes(path: string): Uint8Array {
+  try {
+    return new Uint8Array(readFileSync(path));
+  } catch (error) {
+    throw inputProblem(`${path} cannot be read (${(error as Error).message}); leave --resume out to begin anew`);
+  }
+}
+
+function parseHeader(bytes: Uint8Array): CheckpointHeader | undefined {
+  try {
+    const head = JSON.parse(new TextDecoder().decode(bytes)) as CheckpointHeader;
+    return head.slowlight === 'checkpoint' && head.version === 1 ? head : undefined;
+  } catch {
+    return undefined;
+  }
+}

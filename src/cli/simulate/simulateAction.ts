@@ -1,0 +1,174 @@
+import { basename, dirname, extname, resolve } from 'node:path';
+import { setImmediate } from 'node:timers/promises';
+import { stepSchedule } from '../../dynamics/run.ts';
+import { type RunRecord, runRecordCsv, summarizeRun } from '../../dynamics/runRecord.ts';
+import { writtenExtensions } from '../../formats/save.ts';
+import { flatten } from '../../graph/analysis/flatten.ts';
+import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
+import type { HeavyRequest, RunHeavy } from '../../graph/evaluation/evaluator.ts';
+import type { Matter } from '../../nodes/dynamics/matter.ts';
+import { simulationSettings } from '../../nodes/dynamics/simulate.ts';
+import { Simulation, type SimulationOutputs } from '../../nodes/dynamics/simulation.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
+import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
+import { checkPython, exportScene, USDC, writeExportedFiles } from '../files/exportScene.ts';
+import {
+  checkWritable,
+  handleSignals,
+  requestedExitCode,
+  throwIfStopped,
+  writeFileAtomically,
+} from '../files/outputFile.ts';
+import { openDevice } from '../gpu/device.ts';
+import { heavyNodes } from '../project/heavyNodes.ts';
+import { evaluateNodes, formatProblem, isProject, problemsIn, readProject, withParams } from '../project/project.ts';
+import { reportDiagnostics } from '../terminal/diagnostics.ts';
+import { EXIT, inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { Progress } from '../terminal/progress.ts';
+import { Checkpoint, contentHash, readCheckpoint } from './checkpoint.ts';
+import type { SimulateFlags } from './simulateCommand.ts';
+
+/** Others are let work, and signals heard, so often [ms]. */
+const YIELD_INTERVAL = 50;
+
+export async function simulate(path: string, flags: SimulateFlags): Promise<void> {
+  checkFlags(flags);
+  if (!(await isProject(path))) throw usageError(`${path} is no project; what is simulated is said by its nodes`);
+  const document = withParams(await readProject(path), flags.set ?? []);
+  const node = chooseSimulateNode(path, document, flags.node);
+  handleSignals();
+  const { geometry, books } = await runSimulation(path, document, node, flags);
+  const { scene } = geometry;
+  const { output, csv } = flags;
+  const written =
+    output === undefined
+      ? undefined
+      : await exportScene(basename(output), (name) =>
+          exportSceneFile({ kind: 'scene', name, scene, sampled: true }, name),
+        );
+  reportDiagnostics([...scene.diagnostics, ...(written?.diagnostics ?? [])]);
+  const files = written ? writeExportedFiles(dirname(resolve(output!)), written) : [];
+  if (csv !== undefined) writeFileAtomically(csv, new TextEncoder().encode(runRecordCsv(books)));
+  report(books, csv === undefined ? files : [...files, csv], flags);
+  if (books.stop) process.exitCode = EXIT.ended;
+}
+
+function checkFlags({ output, csv, checkpoint, resume }: SimulateFlags): void {
+  if (output === undefined && csv === undefined)
+    throw usageError('name what to write: a scene with -o, a table of energies with --csv');
+  if (resume && checkpoint === undefined) throw usageError('--resume goes on from a --checkpoint; name it too');
+  for (const file of [output, csv, checkpoint]) if (file !== undefined) checkWritable(file);
+  if (output === undefined) return;
+  const extension = extname(output).slice(1).toLowerCase();
+  const known = [...writtenExtensions, USDC];
+  if (!known.includes(extension))
+    throw usageError(`${output}: a scene is written as ${known.map((each) => `.${each}`).join(', ')}`);
+  if (extension === USDC) checkPython();
+}
+
+/** The one that is to run; in a group `outer/inner`. */
+function chooseSimulateNode(path: string, document: GraphDocument, wanted: string | undefined): string {
+  const all = [...nodesIn(path, document)].filter(({ type }) => type === 'simulate').map(({ id }) => id);
+  if (wanted !== undefined && !all.includes(wanted))
+    throw usageError(`--node ${wanted}: there is no such Simulate node; there is ${all.join(', ') || 'none'}`);
+  if (all.length === 0) throw usageError(`${path}: it has no Simulate node; add one`);
+  if (all.length > 1 && wanted === undefined)
+    throw usageError(`${path} has several Simulate nodes; name one with --node: ${all.join(', ')}`);
+  return wanted ?? all[0];
+}
+
+function nodesIn(path: string, document: GraphDocument) {
+  try {
+    return flatten(document, nodeLibrary).nodes.values();
+  } catch (error) {
+    if (error instanceof DocumentError) throw inputProblem(`${path}: ${error.message}`);
+    throw error;
+  }
+}
+
+/** What the node gives. It runs here, so that its frames can be kept; all before it as ever. */
+async function runSimulation(
+  path: string,
+  document: GraphDocument,
+  node: string,
+  flags: SimulateFlags,
+): Promise<SimulationOutputs> {
+  const threads = heavyNodes();
+  const progress = new Progress(`${node}: `);
+  const heavy: RunHeavy = (order, work) =>
+    order.node === node ? runWithCheckpoint(order, flags, progress) : threads(order, work);
+  const evaluation = await evaluateNodes(path, document, [node], progress.node, heavy);
+  progress.clear();
+  throwIfStopped();
+  const { target } = evaluation;
+  if (target.status === 'done') return target.outputs as unknown as SimulationOutputs;
+  const faults = problemsIn(evaluation).map((fault) => `  ${formatProblem(fault)}`);
+  throw inputProblem([`${path}: it cannot be simulated`, ...faults].join('\n'));
+}
+
+async function runWithCheckpoint(
+  { inputs, params, node }: HeavyRequest,
+  flags: SimulateFlags,
+  progress: Progress,
+): Promise<Readonly<Record<string, unknown>>> {
+  const matter = inputs.matter as readonly Matter[];
+  const simulation = new Simulation(matter, simulationSettings(params), node);
+  const kept = openCheckpoint(simulation, matter, params, flags);
+  let breath = performance.now();
+  try {
+    for await (const frame of simulation.run(openDevice)) {
+      kept?.add(frame);
+      progress.frames(simulation.recordedFrames, simulation.frames);
+      if (performance.now() - breath < YIELD_INTERVAL) continue;
+      await setImmediate();
+      breath = performance.now();
+      if (requestedExitCode() !== undefined) break;
+    }
+  } finally {
+    kept?.close();
+  }
+  if (requestedExitCode() !== undefined) {
+    const how = kept ? `; --resume goes on from ${flags.checkpoint}` : '; nothing is written';
+    progress.note(`stopped after ${simulation.recordedFrames} of ${simulation.frames} frames${how}`);
+  }
+  return { ...simulation.outputs() };
+}
+
+/** The file that frames go to; those that are in it are entered. */
+function openCheckpoint(
+  simulation: Simulation,
+  matter: readonly Matter[],
+  params: HeavyRequest['params'],
+  { checkpoint: path, resume }: SimulateFlags,
+): Checkpoint | undefined {
+  if (path === undefined) return undefined;
+  const { runOptions: order, frames } = simulation;
+  const points = order.system.masses.length;
+  const { duration: _, rate: __, ...settings } = simulationSettings(params);
+  const content = contentHash({ matter, settings, every: order.every, steps: stepSchedule(order) });
+  if (!resume) return new Checkpoint(path, content, points);
+  const known = readCheckpoint(path, content, points);
+  for (const { state, steps } of known.frames.slice(0, frames)) simulation.addFrame(state, steps);
+  return new Checkpoint(path, content, points, known.end);
+}
+
+function report(books: RunRecord, files: readonly string[], { json }: SimulateFlags): void {
+  const { method, onGpu = false, speedOfLight, step, times, stop, steps } = books;
+  const { until, fastest, drift = 0 } = summarizeRun(books);
+  const summary = {
+    files,
+    method,
+    onGpu,
+    speedOfLight: Number.isFinite(speedOfLight) ? speedOfLight : 'infinite',
+    step,
+    steps: steps.at(-1),
+    frames: times.length,
+    until,
+    fastest,
+    /** The most that the energy was from the first, of the greatest kinetic energy. */
+    energyChange: drift,
+    ...(stop && { stop }),
+  };
+  if (json) console.log(JSON.stringify(summary, null, 2));
+  else console.log(files.join('\n'));
+}

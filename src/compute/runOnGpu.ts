@@ -1,0 +1,50 @@
+import { type EarlyStop, earlyStopFor, FrameBuilder, type RunOptions, type SimulationFrame } from '../dynamics/run.ts';
+import { copyState, SystemError } from '../dynamics/system.ts';
+import { GpuIntegrator } from './gpuIntegrator.ts';
+
+/**
+ * What `run` of dynamics does, with steps that a GPU takes, in 32-bit floats (docs/adr/0020-cloth-on-the-gpu.md). By splittings, in steps that are all alike; energies and momenta are added up here, in 64 bits.
+ * The device is not closed. Throws a SystemError for what a GPU cannot compute.
+ */
+export async function* runOnGpu(
+  device: GPUDevice,
+  order: RunOptions,
+): AsyncGenerator<SimulationFrame, EarlyStop | undefined> {
+  const { system, method, tolerance, start } = order;
+  if (!method.coefficients)
+    throw new SystemError(`${method.id} is not computed on the GPU; leapfrog and Yoshida's methods are`);
+  if (tolerance !== undefined)
+    throw new SystemError('steps that follow their error are not taken on the GPU; let them be alike');
+  const course = new FrameBuilder(order);
+  const { h, perFrame } = course.steps;
+  const machine = await withErrorScopes(device, () => GpuIntegrator.create(device, system, method.coefficients!, h));
+  try {
+    const state = copyState(start);
+    yield course.start();
+    while (!course.isDone) {
+      let frame: SimulationFrame;
+      try {
+        await machine.advance(state, perFrame);
+        frame = course.next(state, perFrame);
+      } catch (error) {
+        return earlyStopFor(error, state.t);
+      }
+      yield frame;
+    }
+    return undefined;
+  } finally {
+    machine.release();
+  }
+}
+
+/** What a GPU gives, unless it refuses, for want of memory for instance. */
+async function withErrorScopes<T>(device: GPUDevice, make: () => Promise<T>): Promise<T> {
+  const kinds = ['validation', 'out-of-memory', 'internal'] as const;
+  for (const kind of kinds) device.pushErrorScope(kind);
+  const [result] = await Promise.allSettled([make()]);
+  const errors = await Promise.all(kinds.map(() => device.popErrorScope()));
+  if (result.status === 'rejected') throw result.reason;
+  const refused = errors.find((error) => error !== null);
+  if (refused) throw new SystemError(`the GPU refuses: ${refused.message}`);
+  return result.value;
+}

@@ -1,0 +1,64 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { springForce } from '../dynamics/forces/springs.ts';
+import { Integrator } from '../dynamics/integrator.ts';
+import { METHODS } from '../dynamics/methods/library.ts';
+import { makeSystem, momenta } from '../dynamics/system.ts';
+import { type SplittingStage, splittingStagesOf } from './splittingStages.ts';
+
+const SPLITTINGS = ['leapfrog', 'yoshida-4', 'yoshida-6', 'yoshida-8'];
+const rowOf = (shares: readonly number[], h: number, drag: number, steps: number): SplittingStage[] => {
+  const { begin, within, between, end } = splittingStagesOf(shares, h, drag);
+  const each = Array.from({ length: steps }, () => [...within, between]).flat();
+  return [begin, ...each.slice(0, -1), end];
+};
+
+/** What passes do to a mass on a spring, on the line, in 64 bits. */
+function passed(row: readonly SplittingStage[], from: readonly [x: number, p: number], k: number, c: number): number[] {
+  let [x, p] = from;
+  const v = (): number => p / Math.hypot(1, p / c);
+  for (const { kick, drift, damp, after } of row) {
+    p += kick * -k * x;
+    x += drift * v();
+    p -= damp * p;
+    x += after * v();
+  }
+  return [x, p];
+}
+
+describe.each(SPLITTINGS)('the passes of %s', (id) => {
+  const { coefficients: shares } = METHODS.get(id)!;
+
+  it('are its steps, with the air before and after each', () => {
+    const [k, c] = [3, 2];
+    const spring = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(0) };
+    fc.assert(
+      fc.property(
+        fc.double({ min: -1, max: 1, noNaN: true }),
+        fc.double({ min: -1.9, max: 1.9, noNaN: true }),
+        fc.integer({ min: 1, max: 5 }),
+        fc.constantFrom(0, 0.7),
+        (x, v, steps, drag) => {
+          const pinned = Uint8Array.of(0, 1);
+          const system = makeSystem({ masses: Float64Array.of(1, 1), pinned, c, drag, forces: [springForce(spring)] });
+          const state = { t: 0, x: Float64Array.of(x, 0, 0, 0, 0, 0), p: momenta(system, [v, 0, 0, 0, 0, 0]) };
+          const begun = [x, state.p[0]] as const;
+          const mover = new Integrator(system, METHODS.get(id)!);
+          for (let i = 0; i < steps; i++) mover.step(state, 0.1);
+          const [at, p] = passed(rowOf(shares!, 0.1, drag, steps), begun, k, c);
+          expect(at).toBeCloseTo(state.x[0], 12);
+          expect(p).toBeCloseTo(state.p[0], 12);
+        },
+      ),
+    );
+  });
+
+  it('know how far things went on since the pass before', () => {
+    const row = rowOf(shares!, 0.1, 0, 3);
+    row.slice(1).forEach(({ before }, i) => {
+      const { drift, after } = row[i];
+      // The first pass of some steps counts what the last one of those before went on by.
+      expect(before).toBeCloseTo(i === 0 ? 2 * after : drift + after, 15);
+    });
+  });
+});

@@ -1,0 +1,41 @@
+/** What one pass over all points does, all in a row: p is pushed, x goes on, air takes its share of p, x goes on. */
+export interface SplittingStage {
+  /** p += kick · F(x) [s] */
+  readonly kick: number;
+  /** x += drift · v [s] */
+  readonly drift: number;
+  /** p −= damp · p */
+  readonly damp: number;
+  /** x += after · v, with the new p [s] */
+  readonly after: number;
+  /** What x went on by since the pass before [s]; 0: F is not asked for. */
+  readonly before: number;
+}
+
+/**
+ * Steps of a splitting, as passes each of which asks for the force once: the half drifts at the end of a step and at the beginning of the next one belong to one pass. `begin` comes once, `within` in each step, then
+ * `between` two steps, and `end` after the last. `shares`: as of a `IntegrationMethod`; air: half before each share and half after it.
+ */
+export interface SplittingStages {
+  readonly begin: SplittingStage;
+  readonly within: readonly SplittingStage[];
+  readonly between: SplittingStage;
+  readonly end: SplittingStage;
+}
+
+export function splittingStagesOf(shares: readonly number[], h: number, drag: number): SplittingStages {
+  const last = shares.length - 1;
+  const half = (k: number | undefined): number => (k === undefined ? 0 : (shares[k] * h) / 2);
+  const damp = (time: number): number => -Math.expm1(-drag * time);
+  /** The k-th kick, and what comes until the next. */
+  const pass = (k: number, next?: number): SplittingStage => ({
+    ...{ kick: shares[k] * h, drift: half(k), damp: damp(half(k) + half(next)), after: half(next) },
+    before: half(k === 0 ? last : k - 1) + half(k),
+  });
+  return {
+    begin: { kick: 0, drift: 0, damp: damp(half(0)), after: half(0), before: 0 },
+    within: shares.slice(1).map((_, k) => pass(k, k + 1)),
+    between: pass(last, 0),
+    end: pass(last),
+  };
+}

@@ -1,0 +1,101 @@
+import type { Integrator } from './integrator.ts';
+import { StepFailure } from './methods/method.ts';
+import { assignState, type State, type System, velocities } from './system.ts';
+
+/** Steps are made so much shorter than the estimate asks for, and so much shorter or longer at once at most. */
+const SAFETY_FACTOR = 0.9;
+const [SHRINK, GROW] = [0.2, 4];
+/** The shortest step, over the longest. */
+const MIN_STEP_RATIO = 1e-9;
+
+/**
+ * Steps whose length follows what they get wrong. Each is taken twice, whole and in halves, and the halves are kept where the two agree within tolerance · h: in the place of every point [m], and in
+ * its velocity [m/s], for what a velocity is off moves a point as much in a second. As halves are better than their difference from the whole, the errors of all steps of a
+ * second add up to less than the tolerance. What becomes of an error later is the system's own matter. Each stretch begins anew with the longest step, so that a run can
+ * be taken up from any frame. Steps that follow the state are not symplectic: splittings lose their lack of a trend. Source: Hairer, Nørsett, Wanner, "Solving Ordinary
+ * Differential Equations I", §II.4.
+ */
+export class AdaptiveSteps {
+  private readonly mover: Integrator;
+  private readonly system: System;
+  private readonly settings: AdaptiveSettings;
+  private readonly whole: State;
+  private readonly halves: State;
+  private readonly v: readonly [Float64Array, Float64Array];
+
+  constructor(mover: Integrator, system: System, settings: AdaptiveSettings) {
+    this.mover = mover;
+    this.system = system;
+    this.settings = settings;
+    const room = (): Float64Array => new Float64Array(3 * system.masses.length);
+    this.whole = { t: 0, x: room(), p: room() };
+    this.halves = { t: 0, x: room(), p: room() };
+    this.v = [room(), room()];
+  }
+
+  /** Takes the state `time` further; how many steps were kept. Throws a StepFailure where no step is short enough. */
+  advance(state: State, time: number): number {
+    const { order, longest } = this.settings;
+    let steps = 0;
+    for (let left = time, h = longest; left > 0; ) {
+      const parts = Math.ceil(left / Math.min(h, longest) - 1e-9);
+      const taken = left / parts;
+      const error = this.attempt(state, taken, taken <= MIN_STEP_RATIO * longest);
+      if (error <= 1) {
+        steps += 2;
+        left = parts === 1 ? 0 : left - taken;
+      }
+      h = taken * Math.min(GROW, Math.max(SHRINK, SAFETY_FACTOR * error ** (-1 / order)));
+    }
+    return steps;
+  }
+
+  /** The difference between whole and halves, over what is allowed; where it is 1 at most, the state is that of the halves. */
+  private attempt(state: State, h: number, last: boolean): number {
+    const { whole, halves, mover } = this;
+    assignState(whole, state);
+    assignState(halves, state);
+    try {
+      mover.step(whole, h);
+      mover.step(halves, h / 2);
+      mover.step(halves, h / 2);
+    } catch (failure) {
+      if (last || !(failure instanceof StepFailure)) throw failure;
+      return Number.POSITIVE_INFINITY;
+    }
+    const error = this.difference() / (this.settings.tolerance * h);
+    if (error <= 1) assignState(state, halves);
+    else if (last)
+      throw new StepFailure('tolerance', `even steps of ${h.toExponential(1)} s err too much; allow a larger error`);
+    return Number.isNaN(error) ? Number.POSITIVE_INFINITY : error;
+  }
+
+  /** The largest of any point's place [m] or velocity [m/s]. */
+  private difference(): number {
+    const { whole, halves, v, system } = this;
+    const { pinned } = system;
+    velocities(system, whole.p, v[0]);
+    velocities(system, halves.p, v[1]);
+    return Math.sqrt(Math.max(maxSquaredDistance(whole.x, halves.x, pinned), maxSquaredDistance(v[0], v[1], pinned)));
+  }
+}
+
+interface AdaptiveSettings {
+  /** Of the method. */
+  readonly order: number;
+  /** [m/s] */
+  readonly tolerance: number;
+  /** [s] */
+  readonly longest: number;
+}
+
+/** Of the differences of points that are not pinned; NaN where there is one. */
+function maxSquaredDistance(a: Float64Array, b: Float64Array, pinned: Uint8Array): number {
+  let most = 0;
+  for (let j = 0; j < a.length; j += 3) {
+    if (pinned[j / 3]) continue;
+    const square = (a[j] - b[j]) ** 2 + (a[j + 1] - b[j + 1]) ** 2 + (a[j + 2] - b[j + 2]) ** 2;
+    if (!(square <= most)) most = square;
+  }
+  return most;
+}

@@ -1,0 +1,93 @@
+import { dot, length, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { type IntegrationMethod, StepFailure, type Stepper } from './methods/method.ts';
+import { leapfrog } from './methods/splitting.ts';
+import { momentum, pointAt, pointName, type State, type System } from './system.ts';
+
+/** Takes a system's state from step to step by a method: with the air, and with an eye on what is solid. */
+export class Integrator {
+  private readonly system: System;
+  private readonly stepper: Stepper;
+  /** Of a step, each with the air before and after it. */
+  private readonly shares: readonly number[];
+  private readonly before: Float64Array;
+  /** Momenta of those that are led. */
+  private readonly ways: Float64Array;
+
+  constructor(system: System, method: IntegrationMethod) {
+    this.system = system;
+    // In air a row of leapfrogs stays of its order where each of them has its own air; around all of them it would be of the second.
+    const row = system.drag > 0 ? method.coefficients : undefined;
+    this.stepper = (row ? leapfrog : method).begin(system);
+    this.shares = row ?? [1];
+    this.before = new Float64Array(3 * system.masses.length);
+    this.ways = new Float64Array(3 * (system.led?.length ?? 0));
+  }
+
+  /** Air before and after, half of it each, so that a step stays the same when it is run backwards. Throws a StepFailure; the state is then worth nothing. */
+  step(state: State, h: number): void {
+    const { drag, pinned } = this.system;
+    this.before.set(state.x);
+    const end = state.t + h;
+    this.moveKinematic(state, end);
+    for (const share of this.shares) {
+      applyDrag(state, pinned, (share * drag * h) / 2);
+      this.stepper.step(state, share * h);
+      applyDrag(state, pinned, (share * drag * h) / 2);
+    }
+    state.t = end;
+    this.placeKinematic(state, end);
+    this.assertNotTunneled(state);
+  }
+
+  /** Those that are led go evenly, so that they are at the end of the step where they are then to be. */
+  private moveKinematic({ t, x, p }: State, end: number): void {
+    const { led = [], c, masses } = this.system;
+    led.forEach(({ point, positionAt: place }, i) => {
+      const v = scale(sub(place(end), pointAt(x, point)), 1 / (end - t));
+      if (!(dot(v, v) / (c * c) < 1)) {
+        const message = `${pointName(point)} is led at ${length(v).toPrecision(4)} m/s, not below c = ${c} m/s; lead it slower`;
+        throw new StepFailure('light', message, point);
+      }
+      this.ways.set(momentum(masses[point], v, c), 3 * i);
+      p.set(this.ways.subarray(3 * i, 3 * i + 3), 3 * point);
+    });
+  }
+
+  /** To the last digit, and as they went. */
+  private placeKinematic({ x, p }: State, end: number): void {
+    this.system.led?.forEach(({ point, positionAt: place }, i) => {
+      x.set(place(end), 3 * point);
+      p.set(this.ways.subarray(3 * i, 3 * i + 3), 3 * point);
+    });
+  }
+
+  private assertNotTunneled({ x }: State): void {
+    for (const force of this.system.forces) {
+      const point = force.findTunneled?.(this.before, x);
+      if (point === undefined) continue;
+      throw tunnelingFailure(point, 'to', pointAt(x, point));
+    }
+  }
+}
+
+/** `where`: how a place tells of it [m]. */
+export function tunnelingFailure(point: number, where: string, place: Vec3): StepFailure {
+  const at = place.map((value) => value.toPrecision(4)).join(', ');
+  const message = `${pointName(point)} went through what is solid, ${where} (${at}) m; take a smaller step, a harder penalty, or let it go slower`;
+  return new StepFailure('pierced', message, point);
+}
+
+/** All but what is held, which goes as it is led. */
+function applyDrag({ p }: State, pinned: Uint8Array, much: number): void {
+  if (much === 0) return;
+  const share = Math.exp(-much);
+  for (let i = 0; i < pinned.length; i++) if (!pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] *= share;
+}
+
+/** Throws a StepFailure where something is no number. */
+export function assertFinite({ x, p }: State): void {
+  const odd = x.findIndex((value, j) => !Number.isFinite(value) || !Number.isFinite(p[j]));
+  if (odd < 0) return;
+  const point = Math.floor(odd / 3);
+  throw new StepFailure('infinite', `${pointName(point)} has no place any more; take a smaller step`, point);
+}

@@ -1,0 +1,145 @@
+import type { Springs } from './forces/springs.ts';
+import { SystemError } from './system.ts';
+
+/** How hard the springs of a mesh are [N/m]; 0 leaves them out. */
+export interface MeshStiffness {
+  /** Along the edges. */
+  readonly structural: number;
+  /** Across faces of four and more corners. */
+  readonly shear: number;
+  /** Between what lies on both sides of an edge, and from neighbour to next neighbour. */
+  readonly bending: number;
+}
+
+export interface FaceTopology {
+  /** Corners of each face. */
+  readonly counts: ArrayLike<number>;
+  /** Points of the corners, face after face. */
+  readonly corners: ArrayLike<number>;
+}
+
+const MAX_SPRINGS = 10_000_000;
+
+/**
+ * The springs of a mesh, each pair of points once: structural along edges, shear along the diagonals of faces, bending from each point to the one beyond a neighbour (in
+ * faces of four: straight on) or over an edge between triangles. At rest they are as long as they are in x, times `tension`.
+ */
+export function meshSprings(x: Float64Array, faces: FaceTopology, stiffness: MeshStiffness, tension = 1): Springs {
+  const points = x.length / 3;
+  const sides = halfEdgesOf(faces, points);
+  const order = sortPairs(sides.ends, points);
+  const net = new SpringBuilder();
+  for (let k = 0, end = 0; k < order.length; k = end) {
+    end = endOfRun(sides.ends, order, k);
+    net.add(sides.ends[2 * order[k]], sides.ends[2 * order[k] + 1], stiffness.structural);
+  }
+  addShearSprings(net, faces, stiffness.shear);
+  for (let k = 0, end = 0; k < order.length; k = end) {
+    end = endOfRun(sides.ends, order, k);
+    if (end === k + 2) addBendingSprings(net, sides, faces.corners, order[k], order[k + 1], stiffness.bending);
+  }
+  return net.build(x, tension);
+}
+
+/** Of each corner, the side from it to the next corner of its face. */
+interface HalfEdges {
+  /** The lower and the higher point of each. */
+  readonly ends: Uint32Array;
+  /** The corners before and after each, round its face. */
+  readonly before: Uint32Array;
+  readonly after: Uint32Array;
+}
+
+function halfEdgesOf({ counts, corners }: FaceTopology, points: number): HalfEdges {
+  const count = Array.prototype.reduce.call(counts, (sum, n) => (sum as number) + (n as number), 0) as number;
+  const [ends, before, after] = [new Uint32Array(2 * count), new Uint32Array(count), new Uint32Array(count)];
+  for (let f = 0, first = 0; f < counts.length; first += counts[f++])
+    for (let k = 0; k < counts[f]; k++) {
+      const corner = first + k;
+      const point = corners[corner];
+      if (!(point >= 0 && point < points)) throw new SystemError(`a face has point ${point}, and there are ${points}`);
+      after[corner] = first + ((k + 1) % counts[f]);
+      before[after[corner]] = corner;
+      const next = corners[after[corner]];
+      ends[2 * corner] = Math.min(point, next);
+      ends[2 * corner + 1] = Math.max(point, next);
+    }
+  return { ends, before, after };
+}
+
+/** Pairs of corners that no side joins. */
+function addShearSprings(net: SpringBuilder, { counts, corners }: FaceTopology, k: number): void {
+  for (let f = 0, first = 0; f < counts.length; first += counts[f++])
+    for (let i = 0; i < counts[f]; i++)
+      for (let j = i + 2; j < counts[f]; j++)
+        if (i > 0 || j < counts[f] - 1) net.add(corners[first + i], corners[first + j], k);
+}
+
+/** Of two faces with a side between them: the pairs of corners, one of each face, that lie beyond an end of it. */
+function addBendingSprings(
+  net: SpringBuilder,
+  sides: HalfEdges,
+  corners: ArrayLike<number>,
+  one: number,
+  other: number,
+  k: number,
+): void {
+  const [a, b] = [one, other].map((side) => {
+    const [back, ahead] = [corners[sides.before[side]], corners[sides.after[sides.after[side]]]];
+    return corners[side] === sides.ends[2 * side] ? [back, ahead] : [ahead, back];
+  });
+  net.add(a[0], b[0], k);
+  net.add(a[1], b[1], k);
+}
+
+/** Springs by their ends: the first that joins two points counts. */
+class SpringBuilder {
+  /** The lower and the higher end of each. */
+  private readonly ends: number[] = [];
+  private readonly stiffness: number[] = [];
+
+  add(a: number, b: number, k: number): void {
+    if (!(k > 0) || a === b) return;
+    if (this.stiffness.length === MAX_SPRINGS)
+      throw new SystemError(`the mesh makes more than ${MAX_SPRINGS} springs; take a coarser one`);
+    this.ends.push(Math.min(a, b), Math.max(a, b));
+    this.stiffness.push(k);
+  }
+
+  build(x: Float64Array, tension: number): Springs {
+    const all = sortPairs(this.ends, x.length / 3);
+    const order = all.filter((s, k) => k === 0 || !isSamePair(this.ends, all[k - 1], s));
+    const ends = new Uint32Array(2 * order.length);
+    const lengths = new Float64Array(order.length);
+    order.forEach((s, k) => {
+      const [a, b] = [this.ends[2 * s], this.ends[2 * s + 1]];
+      ends.set([a, b], 2 * k);
+      lengths[k] = tension * Math.hypot(x[3 * a] - x[3 * b], x[3 * a + 1] - x[3 * b + 1], x[3 * a + 2] - x[3 * b + 2]);
+    });
+    return { ends, stiffness: Float64Array.from(order, (s) => this.stiffness[s]), lengths };
+  }
+}
+
+/** The order of pairs by their first ends, and of those by their second; pairs that are equal stay in theirs. By counting, so that the time grows like their number. */
+function sortPairs(ends: ArrayLike<number>, points: number): Uint32Array {
+  let order = Uint32Array.from({ length: ends.length / 2 }, (_, s) => s);
+  for (const end of [1, 0]) {
+    const from = new Uint32Array(points + 1);
+    for (const s of order) from[ends[2 * s + end] + 1]++;
+    for (let i = 0; i < points; i++) from[i + 1] += from[i];
+    const next = new Uint32Array(order.length);
+    for (const s of order) next[from[ends[2 * s + end]]++] = s;
+    order = next;
+  }
+  return order;
+}
+
+const isSamePair = (ends: ArrayLike<number>, s: number, t: number): boolean =>
+  ends[2 * s] === ends[2 * t] && ends[2 * s + 1] === ends[2 * t + 1];
+
+/** Where the pairs end that are equal to the k-th. */
+function endOfRun(ends: ArrayLike<number>, order: Uint32Array, k: number): number {
+  let end = k + 1;
+  while (end < order.length && isSamePair(ends, order[k], order[end])) end++;
+  return end;
+}

@@ -1,0 +1,92 @@
+import { describe, expect, it } from 'vitest';
+import { springForce } from './forces/springs.ts';
+import { METHODS } from './methods/library.ts';
+import { integrate, type RunOptions } from './run.ts';
+import { type RunRecord, RunRecorder, runRecordCsv, summarizeRun } from './runRecord.ts';
+import { makeSystem, momenta } from './system.ts';
+
+/** Two masses on a spring, one of which is thrown at 0.6 c: γ = 1.25. */
+function thrown(): RunOptions {
+  const system = makeSystem({
+    masses: Float64Array.of(2, 3),
+    c: 5,
+    forces: [springForce({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(8), lengths: Float64Array.of(1) })],
+  });
+  const start = {
+    t: 0.5,
+    x: Float64Array.of(0, 0, 0, 2, 0, 0),
+    p: momenta(system, [0, 3, 0, 0, 0, 0]),
+  };
+  return { system, start, method: METHODS.get('discrete-gradient')!, duration: 1, every: 0.25, step: 0.01 };
+}
+
+function kept(order: RunOptions): RunRecord {
+  const keeper = new RunRecorder(order);
+  const running = integrate(order);
+  for (let next = running.next(); ; next = running.next()) {
+    if (next.done) return keeper.record(next.value);
+    keeper.addFrame(next.value);
+  }
+}
+
+describe('the books of a run', () => {
+  it('tell of each frame what mechanics says of it', () => {
+    const books = kept(thrown());
+    expect([books.method, books.speedOfLight, books.step, books.pace]).toEqual(['discrete-gradient', 5, 0.01, 0.25]);
+    expect([...books.times]).toEqual([0.5, 0.75, 1, 1.25, 1.5]);
+    expect([...books.steps]).toEqual([0, 25, 50, 75, 100]);
+    // (γ − 1) m c² = 0.25 · 2 · 25; ½k(r − L)² = 4; p = γmv = 7.5 along y, in the origin.
+    expect([books.kinetic[0], books.potential[0], books.fastest[0]]).toEqual([12.5, 4, expect.closeTo(3, 12)]);
+    expect([...books.momentum.subarray(0, 3)]).toEqual([0, 7.5, 0]);
+    for (let i = 0; i < 5; i++) {
+      expect(books.total[i]).toBeCloseTo(16.5, 11);
+      expect(books.momentum[3 * i + 1]).toBeCloseTo(7.5, 11);
+      expect(books.angularMomentum[3 * i + 2]).toBeCloseTo(0, 11);
+    }
+    expect(books.stop).toBeUndefined();
+  });
+
+  it('end where the run does, and say why', () => {
+    const { stop, times } = kept({
+      ...thrown(),
+      method: METHODS.get('semi-implicit-euler-0')!,
+      step: 2,
+      every: 2,
+      duration: 200,
+    });
+    expect(stop?.reason).toBe('light');
+    expect(times.length).toBeLessThan(100);
+  });
+
+  it('come to a drift, and tell when energy came from nowhere: above the lowest so far by half of what moves has', () => {
+    const books = kept(thrown());
+    const of = (total: number[], kinetic: number[], fastest = [0, 1, 2, 3, 3]) =>
+      summarizeRun({
+        ...books,
+        ...{
+          total: Float64Array.from(total),
+          kinetic: Float64Array.from(kinetic),
+          fastest: Float64Array.from(fastest),
+        },
+      });
+    expect(summarizeRun(books)).toEqual({ drift: expect.closeTo(0, 11), fastest: expect.closeTo(3, 6), until: 1.5 });
+    // Falls by 4 and rises by 1.9 of 4, then by 2.1.
+    expect(of([10, 6, 7.9, 8.1, 20], [0, 4, 4, 4, 9])).toEqual({ drift: 10 / 9, fastest: 3, until: 1.5, grown: 1.25 });
+    expect(of([10, 6, 7.9, 7.9, 7.9], [0, 4, 4, 4, 4])).not.toHaveProperty('grown');
+    // What is there by rounding alone.
+    const still = of([1e-25, 2e-25, 9e-25, 1e-25, 1e-25], [0, 1e-27, 1e-27, 1e-27, 0], [0, 1e-13, 1e-13, 1e-13, 0]);
+    expect(still).toEqual({ drift: undefined, fastest: 1e-13, until: 1.5 });
+    expect(of([1e9, 1e9 + 1e-5, 1e9, 1e9, 1e9], [0, 1e-8, 1e-8, 1e-8, 0])).not.toHaveProperty('grown');
+  });
+
+  it('are a table with units, which reads back to the same numbers', () => {
+    const books = kept(thrown());
+    const [head, ...rows] = runRecordCsv(books).trimEnd().split('\n');
+    expect(head.split(',').slice(0, 3)).toEqual(['time [s]', 'steps', 'kinetic energy [J]']);
+    const numbers = rows.map((row) => row.split(',').map(Number));
+    expect(numbers.every((row) => row.length === head.split(',').length)).toBe(true);
+    expect(numbers.map((row) => row[4])).toEqual([...books.total]);
+    expect(numbers.map((row) => row.at(-1))).toEqual([...books.fastest]);
+    expect(numbers.map((row) => row[6])).toEqual(Array.from({ length: 5 }, (_, i) => books.momentum[3 * i + 1]));
+  });
+});

@@ -1,0 +1,93 @@
+import { lazy, type ReactNode, Suspense, useEffect, useState } from 'react';
+import { useTexts } from './i18n/i18n.ts';
+import { ProjectDialogs } from './projects/ProjectDialogs.tsx';
+import { projectName } from './projects/projectNames.ts';
+import { useSaveProject } from './projects/useSaveProject.ts';
+import { useSessionRecovery } from './projects/useSessionRecovery.ts';
+import { Dock } from './shell/Dock.tsx';
+import { DropZone } from './shell/DropZone.tsx';
+import { Gallery } from './shell/Gallery.tsx';
+import { Header } from './shell/Header.tsx';
+import { Help } from './shell/Help.tsx';
+import { Notices } from './shell/Notices.tsx';
+import { StatusBar } from './shell/StatusBar.tsx';
+import { Timeline } from './shell/Timeline.tsx';
+import { useSavePicture } from './shell/useSavePicture.ts';
+import { useEditor, useEditorState } from './state/context.tsx';
+import { isUnsaved } from './state/editor.ts';
+
+const Palette = lazy(() => import('./graph/search/CommandPalette.tsx'));
+
+export function EditorApp(): ReactNode {
+  const { t } = useTexts();
+  usePageKeys();
+  useSessionRecovery();
+  useTitle();
+  const toPicture = () => document.querySelector<HTMLElement>('[data-viewport]')?.focus();
+  return (
+    <div className="sl-app">
+      <button type="button" className="sl-skip" onClick={toPicture}>
+        {t('app.skip')}
+      </button>
+      <Header />
+      <main className="sl-main">
+        <Dock />
+      </main>
+      <Timeline />
+      <StatusBar />
+      <Notices />
+      <Gallery />
+      <Help />
+      <ProjectDialogs />
+      <DropZone />
+      <LazyCommandPalette />
+    </div>
+  );
+}
+
+/** What the tab is called: the project, marked where no file holds it. */
+function useTitle(): void {
+  const { t } = useTexts();
+  const name = useEditorState(projectName);
+  const unsaved = useEditorState(isUnsaved);
+  useEffect(() => {
+    document.title = [unsaved ? '•' : '', name, name && '–', t('app.title')].filter(Boolean).join(' ');
+  }, [name, unsaved, t]);
+}
+
+/** The list of all commands, from when it is first asked for. */
+function LazyCommandPalette(): ReactNode {
+  const asked = useEditorState((state) => state.dialog === 'palette');
+  const [wanted, setWanted] = useState(false);
+  if (asked && !wanted) setWanted(true);
+  return wanted ? (
+    <Suspense>
+      <Palette />
+    </Suspense>
+  ) : null;
+}
+
+/** Keys that work wherever the focus is, but for fields that are being written in. */
+function usePageKeys(): void {
+  const studio = useEditor();
+  const savePicture = useSavePicture();
+  const { save } = useSaveProject();
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => {
+      const command = event.ctrlKey || event.metaKey;
+      const writing = event.target instanceof HTMLElement && event.target.matches('input:not([type=range]), textarea');
+      if (event.key === 'F1' || (event.key === '?' && !writing)) studio.update({ dialog: 'help' });
+      else if (command && (event.code === 'KeyK' || (event.code === 'KeyP' && event.shiftKey)))
+        studio.update({ dialog: 'palette' });
+      else if (command && event.code === 'KeyG' && event.shiftKey)
+        studio.update({ graph: !studio.store.getState().graph });
+      else if (command && event.code === 'KeyS') event.shiftKey ? void savePicture() : save();
+      else if (command && event.code === 'KeyZ' && !writing) event.shiftKey ? studio.redo() : studio.undo();
+      else if (command && event.code === 'KeyY' && !writing) studio.redo();
+      else return;
+      event.preventDefault();
+    };
+    addEventListener('keydown', onKey);
+    return () => removeEventListener('keydown', onKey);
+  }, [studio, savePicture, save]);
+}

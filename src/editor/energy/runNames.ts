@@ -1,0 +1,25 @@
+import type { RunRecord } from '../../dynamics/runRecord.ts';
+import { simulateNode } from '../../nodes/dynamics/simulate.ts';
+import { formatNumber } from '../format.ts';
+import type { SimulationRun } from '../state/simulationRuns.ts';
+
+/** What runs are called: as a person calls the node, else by the method; where that is the same, also by the speed of light, or the node. */
+export function runNames(
+  runs: readonly SimulationRun[],
+  titleOf: (node: string) => string | undefined,
+  word: (key: string) => string,
+): string[] {
+  const short = runs.map(({ node, record }) => titleOf(node) ?? methodName(record, word));
+  const lit = runs.map(({ record }, i) => `${short[i]}, c = ${formatNumber(record.speedOfLight, 1)} m/s`);
+  return runs.map(({ node }, i) => {
+    const alone = [short, lit].find((names) => names.indexOf(names[i]!) === names.lastIndexOf(names[i]!));
+    return alone?.[i] ?? `${short[i]} (${node})`;
+  });
+}
+
+/** With its correction, where it has several. */
+function methodName({ method, onGpu }: RunRecord, word: (key: string) => string): string {
+  const [, family, correction] = /^(.+?)(?:-([0-3]))?$/.exec(method) ?? [];
+  const known = simulateNode.params.method.options.find(({ value }) => value === family);
+  return [word(known?.title ?? method), correction, onGpu && 'GPU'].filter(Boolean).join(' ');
+}

@@ -1,0 +1,112 @@
+import { length, type Vec3 } from '../../math/vec3.ts';
+import type { FlightControls } from './flight.ts';
+
+/** Thrust of each key in camera axes, by the key's place on the keyboard, so that it is the same on every layout. */
+const THRUST_KEYS: Readonly<Record<string, Vec3>> = {
+  KeyW: [0, 0, -1],
+  KeyS: [0, 0, 1],
+  KeyA: [-1, 0, 0],
+  KeyD: [1, 0, 0],
+  KeyE: [0, 1, 0],
+  KeyQ: [0, -1, 0],
+};
+/** Yaw and pitch of each key. */
+const LOOK_KEYS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [1, 0],
+  ArrowRight: [-1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+/** [rad/s] */
+const LOOK_SPEED = 1.2;
+const DEAD_ZONE = 0.15;
+
+/** Letters that fly, wherever the focus is on something that does not take letters. */
+export const isThrustKey = (code: string): boolean => code in THRUST_KEYS;
+export const isFlightKey = (code: string): boolean => code in THRUST_KEYS || code in LOOK_KEYS;
+
+/** Actions of a gamepad's buttons, by their standard numbers. */
+const GAMEPAD_BUTTONS = { play: 0, lock: 3, down: 4, up: 5, full: 7 } as const;
+
+/** What is held down or pushed now: keys, dragging and a gamepad together. */
+export class InputState {
+  private readonly keys = new Set<string>();
+  private pendingTurn: [yaw: number, pitch: number] = [0, 0];
+  private pressed = new Set<number>();
+  private fullSpeed = false;
+
+  press(code: string): void {
+    this.keys.add(code);
+  }
+  release(code: string): void {
+    this.keys.delete(code);
+  }
+  holdFullSpeed(held: boolean): void {
+    this.fullSpeed = held;
+  }
+  /** Keys whose release will not be heard: the picture lost the focus. */
+  releaseAll(): void {
+    this.keys.clear();
+    this.fullSpeed = false;
+  }
+  /** By the mouse [rad]. */
+  turn(yaw: number, pitch: number): void {
+    this.pendingTurn[0] += yaw;
+    this.pendingTurn[1] += pitch;
+  }
+
+  controls(): FlightControls {
+    const thrust: [number, number, number] = [0, 0, 0];
+    for (const key of this.keys) {
+      const push = THRUST_KEYS[key];
+      if (push) for (let axis = 0; axis < 3; axis++) thrust[axis]! += push[axis]!;
+    }
+    const pad = gamepad();
+    if (pad) {
+      thrust[0] += stickValue(pad, 0);
+      thrust[2] += stickValue(pad, 1);
+      thrust[1] += buttonValue(pad, GAMEPAD_BUTTONS.up) - buttonValue(pad, GAMEPAD_BUTTONS.down);
+    }
+    const l = Math.max(1, length(thrust));
+    const fullSpeed = this.fullSpeed || (pad !== undefined && buttonValue(pad, GAMEPAD_BUTTONS.full) > 0);
+    return { thrust: [thrust[0] / l, thrust[1] / l, thrust[2] / l], fullSpeed };
+  }
+
+  /** Yaw and pitch since the last call [rad]; dt [s]. */
+  takeTurn(dt: number): readonly [number, number] {
+    let [yaw, pitch] = this.pendingTurn;
+    this.pendingTurn = [0, 0];
+    for (const key of this.keys) {
+      yaw += (LOOK_KEYS[key]?.[0] ?? 0) * LOOK_SPEED * dt;
+      pitch += (LOOK_KEYS[key]?.[1] ?? 0) * LOOK_SPEED * dt;
+    }
+    const pad = gamepad();
+    if (pad) {
+      yaw -= stickValue(pad, 2) * 2 * LOOK_SPEED * dt;
+      pitch -= stickValue(pad, 3) * 2 * LOOK_SPEED * dt;
+    }
+    return [yaw, pitch];
+  }
+
+  /** Gamepad buttons that went down since the last call. */
+  takeButtons(): { readonly play: boolean; readonly lock: boolean } {
+    const pad = gamepad();
+    const now = new Set(
+      pad ? [GAMEPAD_BUTTONS.play, GAMEPAD_BUTTONS.lock].filter((button) => buttonValue(pad, button) > 0) : [],
+    );
+    const went = (button: number) => now.has(button as 0 | 3) && !this.pressed.has(button);
+    const taken = { play: went(GAMEPAD_BUTTONS.play), lock: went(GAMEPAD_BUTTONS.lock) };
+    this.pressed = now;
+    return taken;
+  }
+}
+
+const gamepad = (): Gamepad | undefined =>
+  navigator.getGamepads?.().find((pad): pad is Gamepad => pad?.connected === true && pad.mapping === 'standard');
+
+const stickValue = (pad: Gamepad, axis: number): number => {
+  const value = pad.axes[axis] ?? 0;
+  return Math.abs(value) < DEAD_ZONE ? 0 : (value - Math.sign(value) * DEAD_ZONE) / (1 - DEAD_ZONE);
+};
+
+const buttonValue = (pad: Gamepad, button: number): number => (pad.buttons[button]?.pressed ? 1 : 0);

@@ -1,0 +1,109 @@
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { type LoadedScene, workerServices } from '../../nodes/services.ts';
+import { makeScene } from '../../scene/defaults.ts';
+import type { SceneCamera } from '../../scene/types.ts';
+import { createEditor, type Editor, projectOfScene } from '../state/editor.ts';
+import { ObserverController } from './observerController.ts';
+
+const still = (path: string, x: number): SceneCamera => ({
+  path,
+  fovY: 1,
+  motion: { kind: 'static', pose: { position: [x, 0, 0], orientation: [0, 0, 0, 1] } },
+});
+const moving: SceneCamera = {
+  path: '/ride',
+  fovY: 1,
+  motion: {
+    kind: 'sampled',
+    times: Float64Array.of(0, 10),
+    poses: Float64Array.of(0, 0, 0, 0, 0, 0, 1, 60, 0, 0, 0, 0, 0, 1),
+  },
+};
+const loaded: LoadedScene = {
+  scene: makeScene({
+    name: 'a',
+    endTime: 10,
+    cameras: [still('/a', 1), still('/b', 5), moving],
+    hints: { speedOfLight: 10, openAt: 2 },
+  }),
+};
+
+let studio: Editor;
+let pilot: ObserverController;
+const settled = () => new Promise((done) => setTimeout(done));
+/** Takes up what the document says now. */
+async function follow(until?: number): Promise<void> {
+  await settled();
+  const { picture, pictureSource } = studio.store.getState();
+  pilot.setPicture(picture!, pictureSource, until);
+}
+
+beforeEach(async () => {
+  vi.stubGlobal('navigator', {});
+  studio = createEditor({
+    services: { ...workerServices, readScene: async () => loaded },
+    project: projectOfScene('a.usda'),
+    playing: true,
+  });
+  pilot = new ObserverController(studio);
+  await follow();
+});
+afterEach(() => vi.unstubAllGlobals());
+
+it('begins in the first camera at the time that the scene asks for', () => {
+  expect(pilot.observer).toMatchObject({ t: 2, position: [1, 0, 0], u: [0, 0, 0] });
+});
+
+it('stays where it is through an edit, and goes to another camera that is chosen', async () => {
+  pilot.seek(3);
+  studio.set('toneMap', 'exposure', 1, 'exposure');
+  await follow();
+  expect(pilot.observer).toMatchObject({ t: 3, position: [1, 0, 0] });
+  studio.set('camera', 'camera', '/b', 'camera');
+  await follow();
+  expect(pilot.observer).toMatchObject({ t: 3, position: [5, 0, 0] });
+});
+
+it('waits at the end of a motion that is still computed, and goes on when there is more; at the last end it begins again', async () => {
+  studio.update({ loop: false });
+  await follow(6);
+  pilot.seek(5.9);
+  pilot.advance(0.25);
+  expect(pilot.observer.t).toBe(6);
+  const { properTime } = pilot.observer;
+  pilot.advance(0.25);
+  expect(pilot.observer).toMatchObject({ t: 6, properTime });
+  expect(studio.store.getState().playing).toBe(true);
+  studio.update({ loop: true });
+  await follow();
+  pilot.seek(10);
+  pilot.advance(0.25);
+  expect(pilot.observer.t).toBeCloseTo(0.25, 12);
+});
+
+it('rides a camera with its velocity and its slow clock, until a key takes over', async () => {
+  studio.set('camera', 'camera', '/ride', 'camera');
+  studio.set('camera', 'ride', true, 'ride');
+  await follow();
+  pilot.advance(1);
+  expect(pilot.observer.position[0]).toBeCloseTo(18, 9);
+  expect(pilot.observer.u[0]).toBeCloseTo(0.75, 9);
+  expect(pilot.observer.properTime).toBeCloseTo(0.8, 9);
+  pilot.inputs.press('KeyW');
+  pilot.advance(0.1);
+  await settled();
+  expect(studio.store.getState().picture?.ride).toBe(false);
+});
+
+it('time starts again at the end, or stops there where it is not to loop', () => {
+  pilot.seek(9.9);
+  pilot.advance(0.25);
+  expect(pilot.observer.t).toBeCloseTo(0.15, 9);
+  studio.update({ loop: false });
+  pilot.seek(9.9);
+  pilot.advance(0.25);
+  expect(pilot.observer.t).toBe(10);
+  expect(studio.store.getState().playing).toBe(false);
+  pilot.togglePlaying();
+  expect(pilot.observer.t).toBe(0);
+});

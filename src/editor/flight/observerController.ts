@@ -1,0 +1,181 @@
+import { IDENTITY } from '../../math/quat.ts';
+import { length, ZERO } from '../../math/vec3.ts';
+import type { PictureSpec } from '../../nodes/defineNode.ts';
+import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
+import type { ObserverState } from '../../physics/lorentz/observer.ts';
+import type { ViewPoint } from '../../scene/view/view.ts';
+import { sceneKey } from '../loading/localFiles.ts';
+import { leaveCamera } from '../shell/actions.ts';
+import type { Editor, PictureSource } from '../state/editor.ts';
+import { initialObserver, observerOnCamera, sceneUpVector, viewPointOf } from '../state/observer.ts';
+import { LOCKS, type Lock, stepFlight, turnView, wrapTime } from './flight.ts';
+import { InputState } from './inputState.ts';
+
+/** Where an observer goes on. */
+export interface RestoredObserver {
+  readonly observer: ObserverState;
+  readonly lock: Lock;
+  readonly cruise: boolean;
+}
+
+/** Moves the observer, and the world's time, by what the person does: what changes by itself and is in no document. */
+export class ObserverController {
+  readonly inputs = new InputState();
+  private readonly studio: Editor;
+  private currentPicture: PictureSpec | undefined;
+  /** What it is of: files that are added to a scene do not make it another. */
+  private scene = '';
+  private until: number | undefined;
+  private state: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
+
+  /** Of the first picture: where the observer was before the page was loaded again. */
+  private returns: RestoredObserver | undefined;
+
+  constructor(studio: Editor, returns?: RestoredObserver) {
+    this.studio = studio;
+    this.returns = returns;
+  }
+
+  get observer(): ObserverState {
+    return this.state;
+  }
+  get picture(): PictureSpec | undefined {
+    return this.currentPicture;
+  }
+
+  /** So far the motion was computed [s]: time waits there for more. Undefined: it is whole. */
+  get computedUntil(): number | undefined {
+    return this.until;
+  }
+
+  isShowing({ origin, source }: Pick<PictureSource, 'origin' | 'source'>): boolean {
+    return this.scene === sceneIdentity(origin, source);
+  }
+
+  /**
+   * What is shown from now on. Another project or file begins at its own start, another camera is gone to; any other edit leaves the
+   * observer where he is.
+   */
+  setPicture(picture: PictureSpec, { origin, source }: Pick<PictureSource, 'origin' | 'source'>, until?: number): void {
+    const before = this.currentPicture?.camera;
+    const scene = sceneIdentity(origin, source);
+    this.currentPicture = picture;
+    this.until = until;
+    if (scene !== this.scene) {
+      this.scene = scene;
+      this.restart();
+      this.return();
+    } else if (before !== picture.camera) {
+      const { position, orientation } = observerOnCamera(pictureCamera(picture), this.state, picture.speedOfLight);
+      this.state = { ...this.state, position, orientation };
+    }
+  }
+
+  /** Back to where the scene begins, as its author meant it to be seen. */
+  restart(): void {
+    if (!this.currentPicture) return;
+    this.state = initialObserver(this.currentPicture);
+    const moving = this.currentPicture.scene.hints.beta !== undefined;
+    this.studio.update({ lock: moving ? 'look' : 'free', cruise: moving });
+  }
+
+  private return(): void {
+    if (!this.returns) return;
+    const { observer, lock, cruise } = this.returns;
+    this.state = observer;
+    this.studio.update({ lock, cruise });
+    this.returns = undefined;
+  }
+
+  seek(t: number): void {
+    this.state = { ...this.state, t };
+  }
+
+  /** dt [s]: of the person's time. */
+  advance(dt: number): void {
+    this.takeButtons();
+    const picture = this.currentPicture;
+    if (!picture) return;
+    const turn = this.inputs.takeTurn(dt);
+    const controls = this.inputs.controls();
+    const busy = turn[0] !== 0 || turn[1] !== 0 || length(controls.thrust) > 0;
+    if (picture.ride && busy) leaveCamera(this.studio);
+    if (picture.ride && !busy) this.ride(picture, dt);
+    else this.fly(picture, dt, turn, controls);
+    this.keepTime(picture);
+  }
+
+  viewPoint(): ViewPoint | undefined {
+    return this.currentPicture && viewPointOf(this.state, this.currentPicture, this.studio.store.getState().lock);
+  }
+
+  cycleLock(): void {
+    const { lock } = this.studio.store.getState();
+    this.studio.update({ lock: LOCKS[(LOCKS.indexOf(lock) + 1) % LOCKS.length]! });
+  }
+
+  togglePlaying(): void {
+    const { playing, loop } = this.studio.store.getState();
+    const scene = this.currentPicture?.scene;
+    if (!playing && !loop && scene && this.state.t >= scene.endTime) this.seek(scene.startTime);
+    this.studio.update({ playing: !playing });
+  }
+
+  private takeButtons(): void {
+    const buttons = this.inputs.takeButtons();
+    if (buttons.lock) this.cycleLock();
+    if (buttons.play) this.togglePlaying();
+  }
+
+  private fly(
+    picture: PictureSpec,
+    dt: number,
+    [yaw, pitch]: readonly [number, number],
+    controls: Parameters<typeof stepFlight>[1],
+  ) {
+    const { lock, cruise } = this.studio.store.getState();
+    const playing = this.passes;
+    const { scene, speedOfLight: c, maxSpeed } = picture;
+    const up = sceneUpVector(scene);
+    const orientation = yaw || pitch ? turnView(this.state.orientation, yaw, pitch, up) : this.state.orientation;
+    this.state = stepFlight({ ...this.state, orientation }, controls, dt, {
+      c,
+      maxSpeed,
+      lock,
+      cruise,
+      playing,
+      up,
+    });
+  }
+
+  private ride(picture: PictureSpec, dt: number): void {
+    const before = this.state;
+    const after = observerOnCamera(
+      pictureCamera(picture),
+      { ...before, t: before.t + (this.passes ? dt : 0) },
+      picture.speedOfLight,
+    );
+    const slow = Math.hypot(1, length(after.u));
+    this.state = { ...after, properTime: before.properTime + (after.t - before.t) / slow };
+  }
+
+  /** Whether time passes in the world. */
+  private get passes(): boolean {
+    const { playing } = this.studio.store.getState();
+    return playing && (this.until === undefined || this.state.t < this.until);
+  }
+
+  private keepTime({ scene }: PictureSpec): void {
+    const { playing, loop } = this.studio.store.getState();
+    const { startTime, endTime } = scene;
+    const { t: now } = this.state;
+    if (!playing) return;
+    const until = this.until;
+    const t = until === undefined ? wrapTime(now, startTime, endTime, loop) : Math.min(now, endTime, until);
+    if (t === now) return;
+    this.seek(t);
+    if (!loop && until === undefined) this.studio.update({ playing: false });
+  }
+}
+
+const sceneIdentity = (origin: string, source: string): string => JSON.stringify([origin, sceneKey(source)]);

@@ -1,0 +1,178 @@
+import type { Edge, Node, NodeHandle } from '@xyflow/react';
+import { Position } from '@xyflow/react';
+import type { LevelTypes } from '../../../graph/analysis/inferTypes.ts';
+import type { GraphLevel } from '../../../graph/analysis/sockets.ts';
+import { edgeKey, type GraphFrame, type GraphNote } from '../../../graph/document/document.ts';
+import { REROUTE } from '../../../graph/document/structuralTypes.ts';
+import type { CanvasPoint } from '../../../graph/edits/commands.ts';
+import { type CanvasRect, cardSize, frameRect, SOCKET_SIZE, socketPositions } from '../cards/cardGeometry.ts';
+import type { CardModel } from '../cards/cardModel.ts';
+import type { CanvasSelection } from './canvasState.ts';
+
+/**
+ * A level of the document as React Flow has it. It is made anew from the document whenever that changes; what came out the same stays
+ * the same object, and is not drawn again.
+ */
+export type CardNode = Node<{ readonly face: CardModel; readonly reach: CanvasPoint }, 'card' | 'dot'>;
+export type NoteNode = Node<{ readonly id: string; readonly note: GraphNote }, 'note'>;
+export type FrameNode = Node<{ readonly id: string; readonly frame: GraphFrame }, 'frame'>;
+export type FlowNode = CardNode | NoteNode | FrameNode;
+export type WireEdge = Edge<{ readonly type: string; readonly conflict: boolean }, 'wire'>;
+
+/** Notes and frames are nodes too, to React Flow; their keys are told from nodes' by what stands before them. */
+const NOTE = 'note:';
+const FRAME = 'frame:';
+
+export type FlowItem = { readonly kind: 'node' | 'note' | 'frame'; readonly key: string };
+
+export function flowItem(id: string): FlowItem {
+  if (id.startsWith(NOTE)) return { kind: 'note', key: id.slice(NOTE.length) };
+  if (id.startsWith(FRAME)) return { kind: 'frame', key: id.slice(FRAME.length) };
+  return { kind: 'node', key: id };
+}
+
+/** What was made before, under what it was made of. */
+export class ElementCache<Item> {
+  private before = new Map<string, { readonly of: string; readonly item: Item }>();
+  private now = new Map<string, { readonly of: string; readonly item: Item }>();
+
+  /** `of`: all that the item depends on. */
+  get(id: string, of: string, make: () => Item): Item {
+    const before = this.before.get(id);
+    const kept = before?.of === of ? before : { of, item: make() };
+    this.now.set(id, kept);
+    return kept.item;
+  }
+
+  /** Forgets what was not taken since the last time. */
+  evictUnused(): void {
+    this.before = this.now;
+    this.now = new Map();
+  }
+}
+
+export interface FlowInput {
+  readonly level: GraphLevel;
+  readonly cards: ReadonlyMap<string, CardModel>;
+  readonly places: Readonly<Record<string, CanvasPoint>>;
+  /** Where notes are while they are dragged. */
+  readonly notes: Readonly<Record<string, CanvasPoint>>;
+  readonly selection: CanvasSelection;
+  /** How far titles may reach beyond their nodes (zoomedOutTitle.ts). */
+  readonly overhangs: ReadonlyMap<string, CanvasPoint>;
+  /** What a node is to screen readers. */
+  nameOf(face: CardModel): string;
+}
+
+/** Frames lie under notes, notes under nodes. */
+export function flowNodes(scenery: FlowInput, kept: ElementCache<FlowNode>): FlowNode[] {
+  const { level, cards: faces, places, selection, overhangs } = scenery;
+  const boxOf = (id: string): CanvasRect | undefined => {
+    const [face, at] = [faces.get(id), places[id]];
+    return face && at && { at, size: cardSize(face) };
+  };
+  const frames = Object.entries(level.graph.frames).flatMap(([key, frame]): FlowNode[] => {
+    const box = frameRect(frame, boxOf);
+    if (!box) return [];
+    const selected = selection.frames.includes(key);
+    return [kept.get(FRAME + key, JSON.stringify([frame, box, selected]), () => frameNode(key, frame, box, selected))];
+  });
+  const notes = Object.entries(level.graph.notes).map(([key, note]): FlowNode => {
+    const at = scenery.notes[key] ?? note.at;
+    const selected = selection.notes.includes(key);
+    return kept.get(NOTE + key, JSON.stringify([note, at, selected]), () => noteNode(key, note, at, selected));
+  });
+  const selected = new Set(selection.nodes);
+  const cards = [...faces.values()].map((face): FlowNode => {
+    const at = places[face.id] ?? [0, 0];
+    const isSelected = selected.has(face.id);
+    const name = scenery.nameOf(face);
+    const reach = overhangs.get(face.id) ?? [0, 0];
+    return kept.get(face.id, JSON.stringify([face, at, isSelected, name, reach]), () => ({
+      ...cardNode(face, at, isSelected, reach),
+      ariaLabel: name,
+    }));
+  });
+  kept.evictUnused();
+  return [...frames, ...notes, ...cards];
+}
+
+const sized = ([width, height]: CanvasPoint) => ({ width, height, measured: { width, height } });
+const position = ([x, y]: CanvasPoint) => ({ x, y });
+
+const frameNode = (id: string, frame: GraphFrame, { at, size }: CanvasRect, selected: boolean): FrameNode => ({
+  id: FRAME + id,
+  type: 'frame',
+  position: position(at),
+  ...sized(size),
+  handles: [],
+  data: { id, frame },
+  selected,
+  connectable: false,
+  zIndex: -2,
+  // What lies in a frame is reached through it.
+  style: { pointerEvents: 'none' },
+  dragHandle: '.sl-frame-title',
+  ariaLabel: frame.title,
+});
+
+const noteNode = (id: string, note: GraphNote, at: CanvasPoint, selected: boolean): NoteNode => ({
+  id: NOTE + id,
+  type: 'note',
+  position: position(at),
+  ...sized(note.size),
+  handles: [],
+  data: { id, note },
+  selected,
+  connectable: false,
+  zIndex: -1,
+  ariaLabel: note.text,
+});
+
+const cardNode = (face: CardModel, at: CanvasPoint, selected: boolean, reach: CanvasPoint): CardNode => ({
+  id: face.id,
+  type: face.type === REROUTE ? 'dot' : 'card',
+  position: position(at),
+  ...sized(cardSize(face)),
+  handles: socketPositions(face).map(
+    ({ side, socket, at: [x, y] }): NodeHandle => ({
+      id: socket.name,
+      type: side === 'inputs' ? 'target' : 'source',
+      position: side === 'inputs' ? Position.Left : Position.Right,
+      // Edges end at the middle of a mark.
+      x: side === 'inputs' ? x : x - SOCKET_SIZE,
+      y: y - SOCKET_SIZE / 2,
+      width: SOCKET_SIZE,
+      height: SOCKET_SIZE,
+    }),
+  ),
+  data: { face, reach },
+  selected,
+});
+
+export function flowEdges(
+  level: GraphLevel,
+  types: LevelTypes,
+  chosen: CanvasSelection,
+  kept: ElementCache<WireEdge>,
+): WireEdge[] {
+  const conflicts = new Set(types.conflicts.map(({ edge }) => edgeKey(edge.to)));
+  const edges = Object.entries(level.graph.edges).map(([id, { from, to }]) => {
+    const type = types.typeOf(from.node, 'outputs', from.output) ?? 'any';
+    const conflict = conflicts.has(id);
+    const selected = chosen.edges.includes(id);
+    const make = (): WireEdge => ({
+      id,
+      type: 'wire',
+      source: from.node,
+      sourceHandle: from.output,
+      target: to.node,
+      targetHandle: to.input,
+      data: { type, conflict },
+      selected,
+    });
+    return kept.get(id, JSON.stringify([from, type, conflict, selected]), make);
+  });
+  kept.evictUnused();
+  return edges;
+}

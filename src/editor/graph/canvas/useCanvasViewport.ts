@@ -1,0 +1,117 @@
+import { useReactFlow, useStoreApi } from '@xyflow/react';
+import { useEffect, useRef } from 'react';
+import type { CanvasPoint } from '../../../graph/edits/commands.ts';
+import { prefersReducedMotion } from '../../state/preferences.ts';
+import { type CanvasRect, cardSize } from '../cards/cardGeometry.ts';
+import type { CardModel } from '../cards/cardModel.ts';
+import { type CanvasViewport, canvas } from './canvasState.ts';
+import { fitTransform } from './fitView.ts';
+import type { FlowNode, WireEdge } from './flowElements.ts';
+
+const TRANSITION_DURATION = 200; // [ms]
+const transitionDuration = (): number => (prefersReducedMotion() ? 0 : TRANSITION_DURATION);
+/** What lies over the canvas. */
+const OVERLAYS = '.sl-graph-tools, .sl-breadcrumb, .react-flow__minimap';
+
+interface ShownGraph {
+  /** With all the pictures that there would be room for elsewhere. */
+  readonly whole: ReadonlyMap<string, CardModel>;
+  readonly faces: ReadonlyMap<string, CardModel>;
+  readonly places: Readonly<Record<string, CanvasPoint>>;
+  /** As they are drawn, with notes and frames. */
+  readonly nodes: readonly FlowNode[];
+}
+
+/** Of some nodes, or of all that there is. */
+const flowRects = (nodes: readonly FlowNode[], ids?: readonly string[]): readonly CanvasRect[] =>
+  nodes
+    .filter(({ id }) => !ids || ids.includes(id))
+    .map(({ position: { x, y }, width = 0, height = 0 }) => ({ at: [x, y], size: [width, height] }));
+
+function overlayRects(panel: HTMLElement | null): readonly CanvasRect[] {
+  const corner = panel?.getBoundingClientRect();
+  if (!panel || !corner) return [];
+  const boxes = [...panel.querySelectorAll(OVERLAYS)].map((element): CanvasRect => {
+    const { left, top, width, height } = element.getBoundingClientRect();
+    return { at: [left - corner.left, top - corner.top], size: [width, height] };
+  });
+  return boxes.filter(({ size }) => size[0] > 0);
+}
+
+/** Lets actions know, and change, what part of the canvas is seen. */
+export function useCanvasViewport(shown: ShownGraph, panel: React.RefObject<HTMLElement | null>): void {
+  const flow = useReactFlow<FlowNode, WireEdge>();
+  const store = useStoreApi<FlowNode, WireEdge>();
+  const now = useRef(shown);
+  now.current = shown;
+  useEffect(() => {
+    const sizeIn = (faces: ReadonlyMap<string, CardModel>, id: string): CanvasPoint => {
+      const face = faces.get(id);
+      return face ? cardSize(face) : [0, 0];
+    };
+    const sizeOfNode = (id: string): CanvasPoint => sizeIn(now.current.faces, id);
+    const placeOf = (id: string): CanvasPoint => now.current.places[id] ?? [0, 0];
+    const sight: CanvasViewport = {
+      center: () => {
+        const { width, height, transform } = store.getState();
+        const [x, y, zoom] = transform;
+        return [(width / 2 - x) / zoom, (height / 2 - y) / zoom];
+      },
+      toPanel: ([x, y]) => {
+        const [left, top, zoom] = store.getState().transform;
+        return [x * zoom + left, y * zoom + top];
+      },
+      fit: (nodes, swing = transitionDuration()) => {
+        const { width, height } = store.getState();
+        const view = fitTransform(flowRects(now.current.nodes, nodes), [width, height], overlayRects(panel.current));
+        if (view) void flow.setViewport(view, { duration: swing });
+      },
+      zoom: (factor) => void flow.zoomTo(flow.getZoom() * factor, { duration: transitionDuration() }),
+      sizeOf: sizeOfNode,
+      sizeWithPicture: (id) => sizeIn(now.current.whole, id),
+      positionOf: placeOf,
+      reveal: (node) => {
+        const { width, height, transform } = store.getState();
+        const [left, top, zoom] = transform;
+        const [at, size] = [placeOf(node), sizeOfNode(node)];
+        const isIn = (axis: 0 | 1, offset: number, room: number): boolean =>
+          at[axis] * zoom + offset >= 0 && (at[axis] + size[axis]) * zoom + offset <= room;
+        if (isIn(0, left, width) && isIn(1, top, height)) return;
+        void flow.setCenter(at[0] + size[0] / 2, at[1] + size[1] / 2, { zoom, duration: transitionDuration() });
+      },
+      isVisible: (node) => {
+        const { width, height, transform } = store.getState();
+        const [left, top, zoom] = transform;
+        const [at, size] = [placeOf(node), sizeOfNode(node)];
+        const overlaps = (axis: 0 | 1, offset: number, room: number): boolean =>
+          (at[axis] + size[axis]) * zoom + offset > 0 && at[axis] * zoom + offset < room;
+        return overlaps(0, left, width) && overlaps(1, top, height);
+      },
+      focus: (node) => {
+        const give = (selector: string) =>
+          panel.current?.querySelector<HTMLElement>(selector)?.focus({ preventScroll: true });
+        if (node === undefined) {
+          give('.sl-flow');
+          return;
+        }
+        // What was just added is drawn first.
+        requestAnimationFrame(() => {
+          give(`.react-flow__node[data-id="${node}"]`);
+          sight.reveal(node);
+        });
+      },
+    };
+    canvas.setState({ viewport: sight });
+    // At first all is in sight, once the panel has its size.
+    const look = (): boolean => {
+      if (store.getState().width === 0) return false;
+      sight.fit(undefined, 0);
+      return true;
+    };
+    const unwatch = look() ? () => {} : store.subscribe(() => look() && unwatch());
+    return () => {
+      unwatch();
+      canvas.setState({ viewport: undefined, adding: undefined, editing: undefined });
+    };
+  }, [flow, store, panel]);
+}

@@ -1,0 +1,26 @@
+import type { CSSProperties, ReactNode } from 'react';
+import { useTexts } from '../../i18n/i18n.ts';
+import { useEditorState } from '../../state/context.tsx';
+import { flatNodeId, useCanvas } from '../canvas/canvasState.ts';
+
+/** How far a node is with what takes long; of a group, what is in it. */
+export function NodeProgress({ id }: { readonly id: string }): ReactNode {
+  const { t } = useTexts();
+  const name = useCanvas(({ path }) => flatNodeId(path, id));
+  const work = useEditorState(({ loading }) =>
+    loading && (loading.node === name || loading.node.startsWith(`${name}/`)) ? loading : undefined,
+  );
+  if (!work) return null;
+  const percent = work.part === undefined ? undefined : Math.round(100 * work.part);
+  return (
+    <span
+      className="sl-node-work"
+      role="progressbar"
+      aria-label={t(`loading.${work.stage}`)}
+      aria-valuenow={percent}
+      style={{ '--sl-part': `${percent ?? 100}%` } as CSSProperties}
+    >
+      {percent === undefined ? '…' : `${percent}\u202f%`}
+    </span>
+  );
+}

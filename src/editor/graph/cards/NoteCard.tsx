@@ -1,0 +1,74 @@
+import { type NodeProps, NodeResizer } from '@xyflow/react';
+import { memo, type ReactNode } from 'react';
+import type { GraphNote } from '../../../graph/document/document.ts';
+import { insideGroup } from '../../../graph/edits/fragment.ts';
+import { useTexts } from '../../i18n/i18n.ts';
+import { useEditor } from '../../state/context.tsx';
+import type { Editor } from '../../state/editor.ts';
+import { canvas, levelAt, useCanvas } from '../canvas/canvasState.ts';
+import type { FrameNode, NoteNode } from '../canvas/flowElements.ts';
+import { InlineEditor } from './InlineEditor.tsx';
+
+const MIN_SIZE: readonly [width: number, height: number] = [100, 44];
+
+function setNote(studio: Editor, note: string, value: GraphNote): void {
+  const { group } = levelAt(studio.store.getState().history.document, canvas.getState().path);
+  studio.edit(insideGroup(group, { kind: 'set-note', note, value }), 'edit.note');
+}
+
+/** Words on the canvas. */
+export const NoteCard = memo(function NoteCard({ data: { id, note }, selected }: NodeProps<NoteNode>): ReactNode {
+  const { t } = useTexts();
+  const studio = useEditor();
+  const writing = useCanvas((state) => state.editing === `note:${id}`);
+  return (
+    <div className="sl-note" data-selected={selected || undefined}>
+      <NodeResizer
+        isVisible={selected}
+        minWidth={MIN_SIZE[0]}
+        minHeight={MIN_SIZE[1]}
+        lineClassName="sl-resize-line"
+        handleClassName="sl-resize"
+        onResizeEnd={(_event, { x, y, width, height }) =>
+          setNote(studio, id, {
+            ...note,
+            at: [Math.round(x), Math.round(y)],
+            size: [Math.round(width), Math.round(height)],
+          })
+        }
+      />
+      {writing ? (
+        <InlineEditor
+          label={t('graph.note')}
+          words={note.text}
+          long
+          take={(text) => setNote(studio, id, { ...note, text })}
+        />
+      ) : (
+        <p>{note.text || <em>{t('graph.note.empty')}</em>}</p>
+      )}
+    </div>
+  );
+});
+
+/** A frame around nodes; it goes where they go, and takes them along by its title. */
+export const FrameBox = memo(function FrameBox({ data: { id, frame }, selected }: NodeProps<FrameNode>): ReactNode {
+  const { t } = useTexts();
+  const studio = useEditor();
+  const writing = useCanvas((state) => state.editing === `frame:${id}`);
+  const rename = (title: string) => {
+    const { group } = levelAt(studio.store.getState().history.document, canvas.getState().path);
+    studio.edit(insideGroup(group, { kind: 'set-frame', frame: id, value: { ...frame, title } }), 'edit.rename');
+  };
+  return (
+    <div className="sl-frame" data-selected={selected || undefined}>
+      <div className="sl-frame-title">
+        {writing ? (
+          <InlineEditor label={t('graph.frame.title')} words={frame.title} take={rename} />
+        ) : (
+          frame.title || <em>{t('graph.frame.untitled')}</em>
+        )}
+      </div>
+    </div>
+  );
+});

@@ -1,0 +1,30 @@
+import { Handle, Position } from '@xyflow/react';
+import type { ReactNode } from 'react';
+import type { SocketModel } from './cardModel.ts';
+
+interface SocketHandleProps {
+  readonly side: 'inputs' | 'outputs';
+  readonly socket: SocketModel;
+  /** Nothing can be drawn to or from it here. */
+  readonly closed: boolean;
+  /** An edge is being drawn that does not fit it. */
+  readonly unfit: boolean;
+}
+
+/** A socket's mark: its colour and its form tell the type. */
+export function SocketHandle({ side, socket, closed, unfit }: SocketHandleProps): ReactNode {
+  const isInput = side === 'inputs';
+  return (
+    <Handle
+      id={socket.name}
+      type={isInput ? 'target' : 'source'}
+      position={isInput ? Position.Left : Position.Right}
+      isConnectable={!closed}
+      className="sl-socket"
+      data-unfit={unfit || undefined}
+      data-socket={`${side === 'inputs' ? 'in' : 'out'} ${socket.name}`}
+    >
+      <span className="sl-mark" data-type={socket.type} data-free={!socket.connected || undefined} />
+    </Handle>
+  );
+}

@@ -1,0 +1,36 @@
+import { expect, it } from 'vitest';
+import { cardSize, freePosition, withoutCoveringPictures } from './cardGeometry.ts';
+import type { CardModel } from './cardModel.ts';
+
+const face = (id: string, picture?: CardModel['picture']): CardModel => ({
+  id,
+  type: 'tone-map',
+  category: 'render',
+  title: id,
+  muted: false,
+  collapsed: false,
+  rows: [],
+  more: 0,
+  tells: false,
+  blocked: false,
+  ...(picture && { picture }),
+});
+
+it('a picture is left out where it would cover another node, and nowhere else', () => {
+  const [above, below, beside] = [face('above', 'metered'), face('below', 'plain'), face('beside')];
+  const faces = new Map([above, below, beside].map((each) => [each.id, each]));
+  const room = cardSize(above)[1];
+  const tight = withoutCoveringPictures(faces, { above: [0, 0], below: [100, room - 1], beside: [300, 40] });
+  expect([tight.get('above')?.picture, tight.get('below')?.picture]).toEqual([undefined, 'plain']);
+  const loose = withoutCoveringPictures(faces, { above: [0, 0], below: [100, room], beside: [200, 40] });
+  expect([...loose.values()]).toEqual([...faces.values()]);
+});
+
+it('a free place is below all that is in the way', () => {
+  const boxes = [
+    { at: [0, 0] as const, size: [200, 100] as const },
+    { at: [50, 130] as const, size: [200, 100] as const },
+  ];
+  expect(freePosition([10, 10], [200, 50], boxes)).toEqual([10, 254]);
+  expect(freePosition([260, 10], [200, 50], boxes)).toEqual([260, 10]);
+});

@@ -1,0 +1,133 @@
+import { describe, expect, it } from 'vitest';
+import { inferTypes } from '../../../graph/analysis/inferTypes.ts';
+import { levelOf } from '../../../graph/analysis/sockets.ts';
+import type { GraphDocument } from '../../../graph/document/document.ts';
+import { applyCommand, type Command } from '../../../graph/edits/commands.ts';
+import { Evaluator } from '../../../graph/evaluation/evaluator.ts';
+import { nodeLibrary } from '../../../nodes/library.ts';
+import { newProject } from '../../../nodes/project/projectCommands.ts';
+import { workerServices } from '../../../nodes/services.ts';
+import { EMPTY_SELECTION } from '../canvas/canvasState.ts';
+import { ElementCache, type FlowNode, flowEdges, flowNodes, type WireEdge } from '../canvas/flowElements.ts';
+import { cardSize, socketPositions } from './cardGeometry.ts';
+import { type CardModel, cardModel, connectedSockets } from './cardModel.ts';
+import { problemsByNode } from './problems.ts';
+
+const run = (document: GraphDocument, ...commands: Command[]): GraphDocument =>
+  applyCommand(document, { kind: 'batch', commands }).document;
+const add = (node: string, type: string, params = {}): Command => ({
+  kind: 'add-node',
+  node,
+  type,
+  at: [0, 0],
+  params,
+});
+const join = (node: string, output: string, to: string, input: string): Command => ({
+  kind: 'connect',
+  edge: { from: { node, output }, to: { node: to, input } },
+});
+
+const document = run(
+  newProject(''),
+  add('box', 'box', { name: 'A', width: 2, height: 3, depth: 4 }),
+  add('number', 'number', { number: 0.5 }),
+  add('math', 'math', { operation: 'multiply', a: 3 }),
+  add('lost', 'no-such-type'),
+  { kind: 'disconnect', to: { node: 'scene', input: 'geometry.1' } },
+  join('box', 'geometry', 'scene', 'geometry.1'),
+  join('number', 'number', 'box', 'width'),
+  join('number', 'number', 'math', 'b'),
+  join('math', 'number', 'console', 'maxSpeed'),
+  join('box', 'geometry', 'lost', 'anything'),
+);
+const readScene = () => Promise.reject(new Error('there are no files'));
+
+async function facesOf(held: GraphDocument): Promise<ReadonlyMap<string, CardModel>> {
+  const { results } = await new Evaluator(nodeLibrary).evaluate(held, ['output', 'scene'], {
+    ...workerServices,
+    readScene,
+  });
+  const level = levelOf(held)!;
+  const problems = problemsByNode(results);
+  const around = {
+    level,
+    types: inferTypes(level, nodeLibrary),
+    edges: connectedSockets(held.edges),
+    resultOf: (node: string) => results.get(node),
+    problemOf: (node: string) => problems.get(node),
+    pictures: true,
+  };
+  return new Map(Object.entries(held.nodes).map(([id, node]) => [id, cardModel(id, node, around)]));
+}
+
+const inputs = (face: CardModel) => face.rows.flatMap(({ input }) => input?.name ?? []);
+
+describe('what a node shows', () => {
+  it('its own inputs with a free one more of those that take many, and of parameters what is set or driven', async () => {
+    const faces = await facesOf(document);
+    expect(inputs(faces.get('scene')!)).toEqual(['geometry.1', 'geometry.2', 'lights.1', 'observer', 'time']);
+    expect(inputs(faces.get('box')!)).toEqual(['name', 'width', 'height', 'depth']);
+    expect(faces.get('box')!.rows[2]).toMatchObject({ title: 'param.sizeX', input: { connected: true } });
+    expect(faces.get('box')!.rows[2]).not.toHaveProperty('value');
+    expect(inputs(faces.get('console')!)).toEqual(['scene', 'maxSpeed']);
+    expect(inputs(faces.get('math')!)).toEqual(['operation', 'a', 'b']);
+    expect(inputs(faces.get('lost')!)).toEqual(['anything']);
+  });
+
+  it('what it made', async () => {
+    const faces = await facesOf(document);
+    expect(faces.get('box')!.preview).toEqual({
+      kind: 'words',
+      key: 'graph.things',
+      fill: { objects: '1', vertices: '24' },
+    });
+    // 3 × 0.5 c is more than an observer may have.
+    expect(faces.get('math')!.preview).toEqual({ kind: 'text', text: '1.50000' });
+    expect(faces.get('console')!.problem?.message).toContain('1.5 is outside');
+    expect(faces.get('camera')!.blocked).toBe(true);
+    expect(faces.get('number')!.tells).toBe(false);
+  });
+
+  it('in a group, what is wrong stands at the group too', () => {
+    const problem = { severity: 'error', code: 'x', place: 'a/b/c', message: 'no' } as const;
+    const found = problemsByNode(new Map([['a/b/c', { status: 'failed', problem }]]));
+    expect([...found.keys()].sort()).toEqual(['a', 'a/b', 'a/b/c']);
+  });
+
+  it('every socket lies on its border, within its height, apart from the others', async () => {
+    for (const face of (await facesOf(document)).values()) {
+      const [width, height] = cardSize(face);
+      const places = socketPositions(face);
+      expect(new Set(places.map(({ at }) => String(at))).size).toBe(places.length);
+      for (const { at, side } of places) {
+        expect(at[0]).toBe(side === 'inputs' ? 0 : width);
+        expect(at[1]).toBeGreaterThan(0);
+        expect(at[1]).toBeLessThan(height);
+      }
+    }
+  });
+});
+
+it('what is not changed by an edit stays the same object, so that it is not drawn again', async () => {
+  const [nodes, edges] = [new ElementCache<FlowNode>(), new ElementCache<WireEdge>()];
+  const shown = async (held: GraphDocument) => {
+    const level = levelOf(held)!;
+    const scenery = {
+      level,
+      cards: await facesOf(held),
+      places: held.layout,
+      notes: {},
+      selection: EMPTY_SELECTION,
+      overhangs: new Map(),
+    };
+    return {
+      nodes: flowNodes({ ...scenery, nameOf: ({ title }) => title }, nodes),
+      edges: flowEdges(level, inferTypes(level, nodeLibrary), EMPTY_SELECTION, edges),
+    };
+  };
+  const before = await shown(document);
+  const after = await shown(run(document, { kind: 'move-nodes', to: { box: [50, 60] } }));
+  const changed = after.nodes.filter((node, i) => node !== before.nodes[i]);
+  expect(changed.map(({ id, position }) => [id, position])).toEqual([['box', { x: 50, y: 60 }]]);
+  expect(after.edges.every((edge, i) => edge === before.edges[i])).toBe(true);
+});

@@ -1,0 +1,274 @@
+import type { LevelTypes } from '../../../graph/analysis/inferTypes.ts';
+import { type GraphLevel, inputName, socketsOf } from '../../../graph/analysis/sockets.ts';
+import type { GraphEdge, GraphNode, ParamValue } from '../../../graph/document/document.ts';
+import { own } from '../../../graph/document/document.ts';
+import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupKeyOf, REROUTE } from '../../../graph/document/structuralTypes.ts';
+import type { NodeResult } from '../../../graph/evaluation/resultCache.ts';
+import {
+  isParamActive,
+  type NodeProblem,
+  type NodeType,
+  resolveParams,
+  resolveSpec,
+  type Socket,
+} from '../../../graph/nodeType.ts';
+import { nodeLibrary } from '../../../nodes/library.ts';
+import { type DisplayValue, displayParam } from './displayValue.ts';
+import { hasPicturePreview, hasTextPreview, previewedImage, textPreview } from './resultPreview.ts';
+
+/** A socket as a node shows it. */
+export interface SocketModel {
+  /** As edges name it: `geometry.2`. */
+  readonly name: string;
+  /** Key of the catalogue, or plain words. */
+  readonly title: string;
+  /** Of an input that takes many: which of them it is. */
+  readonly number?: number;
+  /** What flows through it, as far as the connections tell. */
+  readonly type: string;
+  readonly connected: boolean;
+}
+
+/** A line of a node: an input at its left, an output at its right; of a parameter its value. */
+export interface CardRow {
+  readonly input?: SocketModel;
+  readonly output?: SocketModel;
+  /** Of a parameter: what it is called, and its value where no edge drives it. */
+  readonly title?: string;
+  readonly value?: DisplayValue;
+}
+
+/** All that is shown of a node: plain data, so that what looks the same need not be drawn again. */
+export interface CardModel {
+  readonly id: string;
+  readonly type: string;
+  readonly category: NodeType['category'] | 'unknown';
+  /** As a person called it; else the key of what its type, or its group, is called. */
+  readonly title: string;
+  /** What its type is called, where the title does not say it. */
+  readonly kind?: string;
+  readonly muted: boolean;
+  readonly collapsed: boolean;
+  readonly rows: readonly CardRow[];
+  /** How many set parameters there is no room for. */
+  readonly more: number;
+  /** Whether it has a line for what it made. */
+  readonly tells: boolean;
+  readonly preview?: DisplayValue;
+  /** Whether it shows a picture of what it made, and with it how the light is spread that its tone curve gets. */
+  readonly picture?: 'plain' | 'metered';
+  readonly problem?: Pick<NodeProblem, 'message' | 'place'>;
+  /** It waits for a node that failed. */
+  readonly blocked: boolean;
+}
+
+/** What faces are made of, besides the nodes. */
+export interface CardContext {
+  readonly level: GraphLevel;
+  readonly types: LevelTypes;
+  readonly edges: ReadonlyMap<string, ConnectedSockets>;
+  /** Of a node of the level, and of what lies in it. */
+  resultOf(node: string): NodeResult | undefined;
+  problemOf(node: string): NodeProblem | undefined;
+  /** Nodes are to show pictures. */
+  readonly pictures: boolean;
+}
+
+/** The sockets of a node that are connected. */
+export interface ConnectedSockets {
+  readonly inputs: readonly string[];
+  readonly outputs: readonly string[];
+}
+
+const NO_CONNECTIONS: ConnectedSockets = { inputs: [], outputs: [] };
+
+export function connectedSockets(edges: Readonly<Record<string, GraphEdge>>): ReadonlyMap<string, ConnectedSockets> {
+  const found = new Map<string, { inputs: string[]; outputs: string[] }>();
+  const endsOf = (node: string) => {
+    const ends = found.get(node) ?? { inputs: [], outputs: [] };
+    found.set(node, ends);
+    return ends;
+  };
+  for (const { from, to } of Object.values(edges)) {
+    endsOf(to.node).inputs.push(to.input);
+    const { outputs } = endsOf(from.node);
+    if (!outputs.includes(from.output)) outputs.push(from.output);
+  }
+  return found;
+}
+
+const TONE_MAP = 'tone-map';
+/** How many parameters that are merely set are shown on a node. */
+const MAX_SET_PARAMS = 5;
+/** A group's node that carries its sockets has one more, to which new ones are drawn. */
+export const NEW_SOCKET = 'new-socket';
+
+export function cardModel(id: string, node: GraphNode, around: CardContext): CardModel {
+  const { level, types } = around;
+  const type = own(nodeLibrary, node.type);
+  const ends = around.edges.get(id) ?? NO_CONNECTIONS;
+  const sockets = socketsOf(level, node, nodeLibrary);
+  const typeOf = (side: 'inputs' | 'outputs', name: string) => types.typeOf(id, side, name) ?? 'any';
+  const outputs = outputsOf(node, sockets?.outputs ?? {}, ends).map(
+    ([name, title]): SocketModel => ({
+      name,
+      title,
+      type: typeOf('outputs', name),
+      connected: ends.outputs.includes(name),
+    }),
+  );
+  const plain = ownInputs(node, type, sockets?.inputs ?? {});
+  const inputs = [...inputsOf(plain, ends), ...strayInputs(plain, type, ends), ...newSocketInput(node)].map(
+    (socket): SocketModel => ({ ...socket, type: typeOf('inputs', socket.name) }),
+  );
+  const { rows, more } = type ? paramRows(node, type, ends, (name) => typeOf('inputs', name)) : { rows: [], more: 0 };
+  const first = outputs[0];
+  const tells =
+    first !== undefined && !isConstant(node, type) && node.type !== GROUP_INPUT && hasTextPreview(first.type);
+  return {
+    id,
+    type: node.type,
+    category: type?.category ?? 'unknown',
+    ...titleOf(level, node, type),
+    muted: node.muted === true,
+    collapsed: node.collapsed === true,
+    rows: [...pairSockets(inputs, outputs), ...rows],
+    more,
+    tells,
+    ...resultModel(around, id, first, tells),
+    ...(around.pictures && first && previewedImage(around.resultOf(id), first.name) && pictureModeOf(node, first)),
+  };
+}
+
+/** Whether a node of an output can show a picture, once it made one. What is muted makes nothing of its own. */
+export function pictureModeOf(
+  node: GraphNode,
+  first: Pick<SocketModel, 'type'> | undefined,
+): Pick<CardModel, 'picture'> {
+  if (node.muted || node.type === REROUTE || !first || !hasPicturePreview(first.type)) return {};
+  return { picture: node.type === TONE_MAP ? 'metered' : 'plain' };
+}
+
+const isConstant = (node: GraphNode, type: NodeType | undefined): boolean =>
+  type?.category === 'utility' && ['number', 'vector', 'color', 'text', REROUTE].includes(node.type);
+
+function titleOf(
+  { document }: GraphLevel,
+  node: GraphNode,
+  type: NodeType | undefined,
+): Pick<CardModel, 'title' | 'kind'> {
+  const kind = node.type === GROUP ? own(document.groups, groupKeyOf(node))?.title : undefined;
+  const ofType = kind || type?.title || node.type;
+  return node.title ? { title: node.title, kind: ofType } : { title: ofType };
+}
+
+function resultModel(
+  around: CardContext,
+  id: string,
+  first: SocketModel | undefined,
+  tells: boolean,
+): Pick<CardModel, 'preview' | 'problem' | 'blocked'> {
+  const result = around.resultOf(id);
+  const problem = around.problemOf(id);
+  const preview = first && tells ? textPreview(result, first.name, first.type) : undefined;
+  return {
+    ...(preview && { preview }),
+    ...(problem && { problem: { message: problem.message, place: problem.place } }),
+    blocked: result?.status === 'blocked',
+  };
+}
+
+type TitledSocket = readonly [name: string, title: string];
+
+/** What a socket without a title goes by: its type, where it is called like that. */
+const titleOfSocket = (name: string, { title, type }: Socket): string =>
+  title ?? (name === type ? `type.${name}` : name);
+
+function outputsOf(
+  node: GraphNode,
+  outputs: Readonly<Record<string, Socket>>,
+  ends: ConnectedSockets,
+): readonly TitledSocket[] {
+  const known = Object.entries(outputs).map(([name, socket]): TitledSocket => [name, titleOfSocket(name, socket)]);
+  const stray = ends.outputs.filter((name) => !Object.hasOwn(outputs, name)).map((name): TitledSocket => [name, name]);
+  return [...known, ...stray, ...(node.type === GROUP_INPUT ? [[NEW_SOCKET, 'graph.newSocket'] as const] : [])];
+}
+
+/** Without those of parameters. */
+const ownInputs = (
+  node: GraphNode,
+  type: NodeType | undefined,
+  inputs: Readonly<Record<string, Socket>>,
+): Readonly<Record<string, Socket>> =>
+  node.type === GROUP || node.type === GROUP_OUTPUT ? inputs : (type?.inputs ?? {});
+
+type PlainSocket = Omit<SocketModel, 'type'>;
+
+function inputsOf(inputs: Readonly<Record<string, Socket>>, ends: ConnectedSockets): PlainSocket[] {
+  return Object.entries(inputs).flatMap(([name, socket]): PlainSocket[] => {
+    const title = titleOfSocket(name, socket);
+    if (!socket.many) return [{ name, title, connected: ends.inputs.includes(name) }];
+    const taken = connectedNumbers(name, ends);
+    // One is always free.
+    return [...taken, (taken.at(-1) ?? 0) + 1].map((number) => ({
+      name: `${name}.${number}`,
+      title,
+      number,
+      connected: taken.includes(number),
+    }));
+  });
+}
+
+const connectedNumbers = (name: string, { inputs }: ConnectedSockets): number[] =>
+  inputs
+    .map(inputName)
+    .flatMap(({ base, number }) => (base === name && number !== undefined ? [number] : []))
+    .sort((a, b) => a - b);
+
+/** Edges to what is no input: shown, so that they can be taken away. */
+const strayInputs = (
+  inputs: Readonly<Record<string, Socket>>,
+  type: NodeType | undefined,
+  ends: ConnectedSockets,
+): PlainSocket[] =>
+  ends.inputs
+    .filter((name) => {
+      const { base } = inputName(name);
+      return !Object.hasOwn(inputs, base) && !Object.hasOwn(type?.params ?? {}, base);
+    })
+    .map((name) => ({ name, title: name, connected: true }));
+
+const newSocketInput = (node: GraphNode): PlainSocket[] =>
+  node.type === GROUP_OUTPUT ? [{ name: NEW_SOCKET, title: 'graph.newSocket', connected: false }] : [];
+
+function pairSockets(inputs: readonly SocketModel[], outputs: readonly SocketModel[]): CardRow[] {
+  return Array.from({ length: Math.max(inputs.length, outputs.length) }, (_, i) => ({
+    ...(inputs[i] && { input: inputs[i] }),
+    ...(outputs[i] && { output: outputs[i] }),
+  }));
+}
+
+/** Parameters that edges drive or a person has set; of utilities all that matter, for to compute is what they are for. */
+function paramRows(node: GraphNode, type: NodeType, ends: ConnectedSockets, typeOf: (name: string) => string) {
+  if (node.type === GROUP) return { rows: [], more: 0 };
+  const values = resolveParams(type, node.params);
+  const isDriven = (name: string) => ends.inputs.includes(name) && !Object.hasOwn(type.inputs, name);
+  const shown = Object.entries(type.params).filter(
+    ([name, spec]) =>
+      isDriven(name) ||
+      (isParamActive(spec, values) && (type.category === 'utility' || Object.hasOwn(node.params, name))),
+  );
+  const kept = shown.filter(([name], i) => i < MAX_SET_PARAMS || isDriven(name));
+  const rows = kept.map(([name, described]): CardRow => {
+    const spec = resolveSpec(type, described, values);
+    const driven = isDriven(name);
+    const value: ParamValue = values[name] ?? spec.default;
+    const input = { name, title: spec.title, type: typeOf(name), connected: driven };
+    return {
+      title: spec.title,
+      ...(spec.kind !== 'list' && { input }),
+      ...(!driven && { value: displayParam(spec, value) }),
+    };
+  });
+  return { rows, more: shown.length - kept.length };
+}

@@ -1,0 +1,85 @@
+import type { NodeResult } from '../../../graph/evaluation/resultCache.ts';
+import type { GBufferSpec, ImageSpec, PictureSpec, RelativisticScene, TimeRange } from '../../../nodes/defineNode.ts';
+import type { LoadedScene } from '../../../nodes/services.ts';
+import type { MotionPath } from '../../../scene/compose/motionPaths.ts';
+import type { Light } from '../../../scene/types.ts';
+import type { LightSpectrum } from '../../../spectrum/sources/lightSpectrum.ts';
+import { formatCount, formatNumber } from '../../format.ts';
+import { type DisplayValue, displayColor, displayText, formatNumbers } from './displayValue.ts';
+
+/** From each socket type to what is told of a value of it, in a line. */
+const TEXT_PREVIEWS: Readonly<Record<string, (value: never) => DisplayValue>> = {
+  geometry: describeScene,
+  scene: describeScene,
+  relativity: ({ speedOfLight }: RelativisticScene) => displayText(`c = ${formatNumber(speedOfLight)}\u202fm/s`),
+  motion: describeMotion,
+  lights: (lights: readonly Light[]) => describeCount('graph.lights', lights.length),
+  observer: (beta: readonly number[]) => displayText(`β = ${formatNumber(Math.hypot(...beta))}`),
+  time: ({ start, end }: TimeRange) => displayText(`${formatNumber(start)} … ${formatNumber(end)}\u202fs`),
+  spectrum: describeSpectrum,
+  number: (value: number) => displayText(formatNumber(value, 6)),
+  vector: (value: readonly number[]) => displayText(formatNumbers(value)),
+  color: (value: readonly number[]) => displayColor(value),
+  text: (value: string) => displayText(value),
+};
+
+/** Whether a line is kept for what flows out of sockets of a type. */
+export const hasTextPreview = (type: string): boolean => Object.hasOwn(TEXT_PREVIEWS, type);
+
+/** What a node made, by its first output. */
+export function textPreview(result: NodeResult | undefined, output: string, type: string): DisplayValue | undefined {
+  if (result?.status !== 'done' || !hasTextPreview(type)) return undefined;
+  const value = result.outputs[output];
+  return value === undefined ? undefined : TEXT_PREVIEWS[type]!(value as never);
+}
+
+const PICTURE_TYPES: ReadonlySet<string> = new Set(['image', 'mask', 'gbuffer', 'picture']);
+
+/** Whether what flows out of sockets of a type can be shown as a picture. */
+export const hasPicturePreview = (type: string): boolean => PICTURE_TYPES.has(type);
+
+/** What of a node's output is to be drawn, where there is any. */
+export function previewedImage(result: NodeResult | undefined, output: string): ImageSpec | GBufferSpec | undefined {
+  const value = result?.status === 'done' ? result.outputs[output] : undefined;
+  if (typeof value !== 'object' || value === null) return undefined;
+  // A whole picture is of its last image.
+  return 'image' in value ? (value as PictureSpec).image : (value as ImageSpec | GBufferSpec);
+}
+
+/** How many things and vertices; of what has none, how many lights. */
+function describeScene({ scene: { objects, lights, cameras } }: LoadedScene): DisplayValue {
+  if (objects.length === 0 && lights.length > 0) return describeCount('graph.lights', lights.length);
+  if (objects.length === 0 && cameras.length > 0) return describeCount('graph.cameras', cameras.length);
+  const vertices = objects.reduce((sum, { mesh }) => sum + mesh.positions.length / 3, 0);
+  const fill = { objects: formatCount(objects.length), vertices: formatCount(vertices) };
+  return { kind: 'words', key: 'graph.things', fill };
+}
+
+function describeMotion(motion: MotionPath): DisplayValue {
+  if (motion.kind !== 'frame') return describeSpan(`graph.course.${motion.kind}`, motion.from, motion.to);
+  const { motion: frame } = motion;
+  if (frame.kind === 'uniform') return displayText(`${formatNumber(Math.hypot(...frame.velocity))}\u202fm/s`);
+  if (frame.kind === 'hyperbolic')
+    return displayText(`${formatNumber(Math.hypot(...frame.properAcceleration))}\u202fm/s²`);
+  if (frame.kind === 'sampled') return describeSpan('graph.course.keys', frame.times[0]!, frame.times.at(-1)!);
+  return { kind: 'words', key: 'graph.course.rest' };
+}
+
+const describeSpan = (key: string, from: number, to: number): DisplayValue => ({
+  kind: 'words',
+  key,
+  fill: { from: formatNumber(from), to: formatNumber(to) },
+});
+
+function describeSpectrum(light: LightSpectrum): DisplayValue {
+  if (light.kind === 'thermal') return displayText(`${formatCount(light.temperature)}\u202fK`);
+  return light.kind === 'lines'
+    ? describeCount('graph.spectralLines', light.lines.length)
+    : { kind: 'words', key: 'graph.sampled' };
+}
+
+const describeCount = (key: string, count: number): DisplayValue => ({
+  kind: 'words',
+  key,
+  fill: { count: formatCount(count) },
+});

@@ -1,0 +1,372 @@
+import type { GraphLevel } from '../../../graph/analysis/sockets.ts';
+import { GROUP } from '../../../graph/document/structuralTypes.ts';
+import { type Alignment, alignCommand, distributeCommand } from '../../../graph/edits/arrange.ts';
+import type { CanvasPoint, Command } from '../../../graph/edits/commands.ts';
+import { CommandError } from '../../../graph/edits/commands.ts';
+import { copyFragment, insideGroup, pasteFragment } from '../../../graph/edits/fragment.ts';
+import { groupCommand } from '../../../graph/edits/group.ts';
+import { ungroupCommand } from '../../../graph/edits/ungroup.ts';
+import { nodeLibrary } from '../../../nodes/library.ts';
+import type { TextKey } from '../../i18n/texts.ts';
+import type { Editor } from '../../state/editor.ts';
+import { loadPreferences, savePreferences } from '../../state/preferences.ts';
+import {
+  type CanvasSelection,
+  type CanvasState,
+  type CanvasViewport,
+  canvas,
+  EMPTY_SELECTION,
+  existingPath,
+  levelAt,
+  prunedSelection,
+  selectItems,
+} from '../canvas/canvasState.ts';
+import { findFreeCenter, revealNodes } from '../layout/freePosition.ts';
+import { layeredLayout } from '../layout/layeredLayout.ts';
+import { copySelection, cutSelection, pasteText } from './clipboard.ts';
+import { frameCommand, moveItemsCommand, noteCommand, removeCommand } from './edits.ts';
+import type { KeyBinding } from './keyBindings.ts';
+
+/** What actions work on: the level that is shown, and what of it is chosen. */
+export interface ActionContext {
+  readonly studio: Editor;
+  readonly level: GraphLevel;
+  readonly path: readonly string[];
+  readonly selection: CanvasSelection;
+  readonly viewport: CanvasViewport;
+}
+
+/** Undefined while no canvas is shown. */
+export function actionContext(
+  studio: Editor,
+  { path, selection, viewport: sight }: CanvasState = canvas.getState(),
+): ActionContext | undefined {
+  const { document } = studio.store.getState().history;
+  const level = levelAt(document, path);
+  return (
+    sight && {
+      studio,
+      level,
+      path: existingPath(document, path),
+      selection: prunedSelection(level, selection),
+      viewport: sight,
+    }
+  );
+}
+
+/** Something that is done on the canvas: keys, buttons, the list of commands and the help are made of this table. */
+export interface GraphAction {
+  readonly id: string;
+  readonly title: TextKey;
+  readonly keys: readonly KeyBinding[];
+  /** The browser's own keys, which come as events of the clipboard. */
+  readonly native?: boolean;
+  isEnabled?(context: ActionContext): boolean;
+  run(context: ActionContext): void;
+}
+
+const hasNodes = ({ selection }: ActionContext): boolean => selection.nodes.length > 0;
+const hasSeveralNodes = ({ selection }: ActionContext): boolean => selection.nodes.length > 1;
+const hasSelection = ({ selection }: ActionContext): boolean =>
+  Object.values(selection).some((list) => list.length > 0);
+const groupNode = ({ level, selection }: ActionContext): string | undefined =>
+  selection.nodes.find((id) => level.graph.nodes[id]?.type === GROUP);
+
+const editLevel = ({ studio, level }: ActionContext, command: Command, label: TextKey, gesture?: string): void =>
+  studio.edit(insideGroup(level.group, command), label, gesture);
+
+/** Tells of what cannot be done, and does nothing. */
+function notifyOnError({ studio }: ActionContext, act: () => void): void {
+  try {
+    act();
+  } catch (error) {
+    if (!(error instanceof CommandError)) throw error;
+    studio.notify({ kind: 'error', text: error.message });
+  }
+}
+
+/** Opens the list of nodes that can be added, in the middle or where the pointer was. */
+function openAddNode({ viewport: sight }: ActionContext, at: CanvasPoint = sight.center()): void {
+  canvas.setState({ adding: { at, from: sight.toPanel(at) } });
+}
+
+function duplicateSelected(context: ActionContext): void {
+  const { level, selection, studio } = context;
+  const { nodes, notes } = selection;
+  const fragment = copyFragment(level.document, { nodes, notes, group: level.group });
+  const { command, ...added } = pasteFragment(level.document, fragment, level.group, findFreeCenter(level, fragment));
+  studio.edit(command, 'edit.duplicate');
+  selectItems(added);
+  revealNodes(added.nodes);
+}
+
+function groupSelection(context: ActionContext): void {
+  notifyOnError(context, () => {
+    const { level, selection: chosen, studio } = context;
+    const selection = { nodes: chosen.nodes, group: level.group };
+    const { command, node } = groupCommand(level.document, selection, '', nodeLibrary);
+    context.viewport.focus();
+    studio.edit(command, 'edit.group');
+    selectItems({ nodes: [node] });
+  });
+}
+
+function ungroupSelection(context: ActionContext): void {
+  const node = groupNode(context);
+  if (node === undefined) return;
+  notifyOnError(context, () => {
+    const { command, nodes } = ungroupCommand(context.level.document, node, context.level.group);
+    context.viewport.focus();
+    context.studio.edit(command, 'edit.ungroup');
+    selectItems({ nodes });
+  });
+}
+
+/** Shows the inside of a group's node. */
+export function enterGroup({ path, viewport: sight }: ActionContext, node: string): void {
+  sight.focus();
+  canvas.setState({ path: [...path, node], selection: EMPTY_SELECTION });
+  requestAnimationFrame(() => sight.fit());
+}
+
+/** Back to one of the levels around; `depth`: how many groups are still entered. */
+export function leaveGroup({ path, viewport: sight }: ActionContext, depth: number): void {
+  const left = path[depth];
+  sight.focus();
+  canvas.setState({
+    path: path.slice(0, depth),
+    selection: { ...EMPTY_SELECTION, nodes: left === undefined ? [] : [left] },
+  });
+  requestAnimationFrame(() => sight.fit());
+}
+
+function toggleFlag(context: ActionContext, kind: 'mute' | 'collapse'): void {
+  const { level, selection } = context;
+  const flag = kind === 'mute' ? 'muted' : 'collapsed';
+  const on = selection.nodes.some((id) => level.graph.nodes[id]?.[flag] !== true);
+  const command: Command =
+    kind === 'mute' ? { kind, nodes: selection.nodes, muted: on } : { kind, nodes: selection.nodes, collapsed: on };
+  editLevel(context, command, kind === 'mute' ? 'edit.mute' : 'edit.collapse');
+}
+
+/** Lays out what is chosen where it is, or all. */
+function arrangeNodes(context: ActionContext): void {
+  const { level, selection, viewport: sight, studio } = context;
+  const nodes = selection.nodes.length > 1 ? selection.nodes : Object.keys(level.graph.nodes);
+  const found = layeredLayout(nodes, Object.values(level.graph.edges), sight.sizeWithPicture);
+  const corner = (places: readonly CanvasPoint[]): CanvasPoint => [
+    Math.min(...places.map(([x]) => x)),
+    Math.min(...places.map(([, y]) => y)),
+  ];
+  const [x, y] = corner(nodes.map(sight.positionOf));
+  const to = Object.entries(found).map(([id, at]): [string, CanvasPoint] => [id, [at[0] + x, at[1] + y]]);
+  studio.edit(moveItemsCommand(level, Object.fromEntries(to)), 'edit.arrange');
+  requestAnimationFrame(() => sight.fit(selection.nodes.length > 1 ? selection.nodes : undefined));
+}
+
+const alignAction = (to: Alignment, title: TextKey, ...keys: KeyBinding[]): GraphAction => ({
+  id: `align-${to}`,
+  title,
+  keys,
+  isEnabled: hasSeveralNodes,
+  run: ({ studio, level, selection, viewport: sight }) =>
+    studio.edit(
+      alignCommand(level.document, { nodes: selection.nodes, group: level.group }, to, sight.sizeOf),
+      'edit.arrange',
+    ),
+});
+
+const distributeAction = (axis: 0 | 1, title: TextKey): GraphAction => ({
+  id: `distribute-${axis}`,
+  title,
+  keys: [],
+  isEnabled: ({ selection }) => selection.nodes.length > 2,
+  run: ({ studio, level, selection, viewport: sight }) =>
+    studio.edit(
+      distributeCommand(level.document, { nodes: selection.nodes, group: level.group }, axis, sight.sizeOf),
+      'edit.arrange',
+    ),
+});
+
+/** A frame around what is chosen. */
+function frameSelection(context: ActionContext): void {
+  const { level, selection, studio } = context;
+  const { command, frame: key } = frameCommand(level, selection.nodes, '');
+  studio.edit(command, 'edit.frame');
+  canvas.setState({ selection: { ...EMPTY_SELECTION, frames: [key] }, editing: `frame:${key}` });
+}
+
+function addNote({ level, studio, viewport: sight }: ActionContext): void {
+  const { command, note: key } = noteCommand(level, sight.center());
+  studio.edit(command, 'edit.note');
+  canvas.setState({ selection: { ...EMPTY_SELECTION, notes: [key] }, editing: `note:${key}` });
+}
+
+const firstSelected = ({ nodes, notes, frames }: CanvasSelection): string | undefined =>
+  [
+    ...nodes.map((key) => `node:${key}`),
+    ...notes.map((key) => `note:${key}`),
+    ...frames.map((key) => `frame:${key}`),
+  ][0];
+
+/** With what is chosen removed. */
+function removeSelection(context: ActionContext): void {
+  const { level, selection, studio } = context;
+  context.viewport.focus();
+  studio.edit(removeCommand(level, selection), 'edit.remove');
+  selectItems({});
+}
+
+/** Gives the graph nearly all of the picture's room, or back what it took. */
+function toggleLargeGraph(studio: Editor): void {
+  studio.update({ graphEnlarged: !studio.store.getState().graphEnlarged });
+}
+
+/** The next visit has them as they are now. */
+function togglePictures(): void {
+  const pictures = !canvas.getState().pictures;
+  canvas.setState({ pictures });
+  savePreferences({ ...loadPreferences(), nodePictures: pictures });
+}
+
+const writeClipboard = (studio: Editor, words: string | undefined): void => {
+  if (words === undefined) return;
+  navigator.clipboard.writeText(words).catch((error) => reportError(studio, error));
+};
+const reportError = (studio: Editor, error: unknown): void => {
+  studio.notify({ kind: 'error', text: String(error) });
+};
+
+export const GRAPH_ACTIONS: readonly GraphAction[] = [
+  { id: 'add', title: 'graph.add', keys: ['Shift+A', 'Space'], run: (context) => openAddNode(context) },
+  { id: 'remove', title: 'graph.remove', keys: ['Delete', 'Backspace'], isEnabled: hasSelection, run: removeSelection },
+  { id: 'duplicate', title: 'graph.duplicate', keys: ['Mod+D'], isEnabled: hasSelection, run: duplicateSelected },
+  {
+    id: 'copy',
+    title: 'graph.copy',
+    keys: ['Mod+C'],
+    native: true,
+    isEnabled: hasSelection,
+    run: ({ studio }) => writeClipboard(studio, copySelection(studio)),
+  },
+  {
+    id: 'cut',
+    title: 'graph.cut',
+    keys: ['Mod+X'],
+    native: true,
+    isEnabled: hasSelection,
+    run: ({ studio }) => writeClipboard(studio, cutSelection(studio)),
+  },
+  {
+    id: 'paste',
+    title: 'graph.paste',
+    keys: ['Mod+V'],
+    native: true,
+    run: ({ studio }) => {
+      navigator.clipboard.readText().then(
+        (words) => pasteText(studio, words),
+        (error) => reportError(studio, error),
+      );
+    },
+  },
+  {
+    id: 'select-all',
+    title: 'graph.selectAll',
+    keys: ['Mod+A'],
+    run: ({ level: { graph } }) => selectItems({ nodes: Object.keys(graph.nodes), notes: Object.keys(graph.notes) }),
+  },
+  {
+    id: 'inspect',
+    title: 'graph.inspect',
+    keys: ['Enter'],
+    isEnabled: hasNodes,
+    run: ({ studio }) => studio.update({ inspecting: true }),
+  },
+  {
+    id: 'rename',
+    title: 'graph.rename',
+    keys: ['F2'],
+    isEnabled: ({ selection }) => firstSelected(selection) !== undefined,
+    run: ({ selection }) => canvas.setState({ editing: firstSelected(selection) }),
+  },
+  { id: 'mute', title: 'graph.mute', keys: ['M'], isEnabled: hasNodes, run: (context) => toggleFlag(context, 'mute') },
+  {
+    id: 'collapse',
+    title: 'graph.collapse',
+    keys: ['H'],
+    isEnabled: hasNodes,
+    run: (context) => toggleFlag(context, 'collapse'),
+  },
+  { id: 'group', title: 'graph.group', keys: ['Mod+G'], isEnabled: hasNodes, run: groupSelection },
+  {
+    id: 'ungroup',
+    title: 'graph.ungroup',
+    keys: ['Mod+Alt+G'],
+    isEnabled: (context) => groupNode(context) !== undefined,
+    run: ungroupSelection,
+  },
+  {
+    id: 'enter',
+    title: 'graph.enter',
+    keys: ['Mod+Enter'],
+    isEnabled: (context) => groupNode(context) !== undefined,
+    run: (context) => enterGroup(context, groupNode(context)!),
+  },
+  {
+    id: 'leave',
+    title: 'graph.leave',
+    keys: ['Mod+Shift+Enter'],
+    isEnabled: ({ path }) => path.length > 0,
+    run: (context) => leaveGroup(context, context.path.length - 1),
+  },
+  { id: 'frame', title: 'graph.frame', keys: ['F'], isEnabled: hasNodes, run: frameSelection },
+  { id: 'note', title: 'graph.note', keys: ['N'], run: addNote },
+  { id: 'arrange', title: 'graph.arrange', keys: ['L'], run: arrangeNodes },
+  alignAction('left', 'graph.align.left', 'Alt+ArrowLeft'),
+  alignAction('right', 'graph.align.right', 'Alt+ArrowRight'),
+  alignAction('top', 'graph.align.top', 'Alt+ArrowUp'),
+  alignAction('bottom', 'graph.align.bottom', 'Alt+ArrowDown'),
+  alignAction('center', 'graph.align.center'),
+  alignAction('middle', 'graph.align.middle'),
+  distributeAction(0, 'graph.distribute.across'),
+  distributeAction(1, 'graph.distribute.down'),
+  { id: 'large', title: 'graph.large', keys: ['Shift+Space'], run: ({ studio }) => toggleLargeGraph(studio) },
+  { id: 'pictures', title: 'graph.pictures', keys: ['P'], run: togglePictures },
+  { id: 'fit', title: 'graph.fit', keys: ['Home'], run: ({ viewport: sight }) => sight.fit() },
+  {
+    id: 'fit-chosen',
+    title: 'graph.fitChosen',
+    keys: ['.'],
+    isEnabled: hasNodes,
+    run: ({ viewport: sight, selection }) => sight.fit(selection.nodes),
+  },
+  { id: 'zoom-in', title: 'graph.zoomIn', keys: ['+', '='], run: ({ viewport: sight }) => sight.zoom(1.25) },
+  { id: 'zoom-out', title: 'graph.zoomOut', keys: ['-'], run: ({ viewport: sight }) => sight.zoom(0.8) },
+];
+
+/** How far the arrow keys move what is chosen [px]; with Shift by more. */
+const NUDGE_DIRECTIONS: Readonly<Record<string, CanvasPoint>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+const NUDGE = 10;
+const LARGE_NUDGE = 50;
+
+/** Moves what is chosen a little; while a key is held, in one step of the history. */
+export function nudgeSelection(
+  { level, selection, viewport: sight, studio }: ActionContext,
+  key: string,
+  far: boolean,
+): boolean {
+  const step = NUDGE_DIRECTIONS[key];
+  if (!step || selection.nodes.length + selection.notes.length === 0) return false;
+  const length = far ? LARGE_NUDGE : NUDGE;
+  const moved = ([x, y]: CanvasPoint): CanvasPoint => [x + step[0] * length, y + step[1] * length];
+  const nodes = selection.nodes.map((id): [string, CanvasPoint] => [id, moved(sight.positionOf(id))]);
+  const notes = selection.notes.map((id): [string, CanvasPoint] => [id, moved(level.graph.notes[id]!.at)]);
+  const gesture = `nudge ${[...selection.nodes, ...selection.notes].join(' ')}`;
+  studio.edit(moveItemsCommand(level, Object.fromEntries(nodes), Object.fromEntries(notes)), 'edit.move', gesture);
+  return true;
+}

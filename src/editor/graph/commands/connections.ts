@@ -1,0 +1,122 @@
+import { conversion } from '../../../graph/analysis/conversion.ts';
+import { inferTypes, type LevelTypes } from '../../../graph/analysis/inferTypes.ts';
+import { type GraphLevel, type NodeSockets, socketsOf, socketsOfType } from '../../../graph/analysis/sockets.ts';
+import { edgeError, reachableFrom } from '../../../graph/analysis/validate.ts';
+import { type Graph, type GraphEdge, own } from '../../../graph/document/document.ts';
+import { GROUP, GROUP_INPUT, GROUP_OUTPUT } from '../../../graph/document/structuralTypes.ts';
+import { ANY, type NodeType } from '../../../graph/nodeType.ts';
+import { nodeLibrary } from '../../../nodes/library.ts';
+import { NEW_SOCKET } from '../cards/cardModel.ts';
+
+/** One end of an edge whose other end is being looked for. */
+export interface PendingConnection {
+  readonly node: string;
+  readonly side: 'inputs' | 'outputs';
+  readonly socket: string;
+}
+
+export const oppositeSide = (side: PendingConnection['side']): PendingConnection['side'] =>
+  side === 'inputs' ? 'outputs' : 'inputs';
+
+/** The edge between a loose end and a socket of the other side. */
+export function edgeBetween({ node, side, socket }: PendingConnection, other: string, name: string): GraphEdge {
+  return side === 'outputs'
+    ? { from: { node, output: socket }, to: { node: other, input: name } }
+    : { from: { node: other, output: name }, to: { node, input: socket } };
+}
+
+/** Asks of sockets whether they fit a loose end; what is dear to find out is found out once. */
+export function connectionCheck(
+  level: GraphLevel,
+  loose: PendingConnection,
+): (node: string, socket: string) => boolean {
+  const types = inferTypes(level, nodeLibrary);
+  const held = typeAt(types, loose);
+  const circles = nodesClosingCycle(level.graph, loose);
+  const side = oppositeSide(loose.side);
+  return (node, socket) => {
+    if (circles.has(node)) return false;
+    if (socket === NEW_SOCKET || loose.socket === NEW_SOCKET) return socket !== loose.socket;
+    const type = types.typeOf(node, side, socket);
+    if (type === undefined) return false;
+    const [from, to] = loose.side === 'outputs' ? [held, type] : [type, held];
+    if (!conversion(from, to)) return false;
+    // Sockets of any type take theirs from all that is connected: only the whole level tells.
+    const isSure =
+      from !== ANY &&
+      to !== ANY &&
+      !isGeneric(level, node, side, socket) &&
+      !isGeneric(level, loose.node, loose.side, loose.socket);
+    return (
+      isSure || edgeError(level.document, edgeBetween(loose, node, socket), nodeLibrary, level.group) === undefined
+    );
+  };
+}
+
+const typeAt = (types: LevelTypes, { node, side, socket }: PendingConnection): string =>
+  types.typeOf(node, side, socket) ?? ANY;
+
+/** Nodes to which an edge would close a circle. */
+function nodesClosingCycle(graph: Graph, { node, side }: PendingConnection): ReadonlySet<string> {
+  if (side === 'inputs') return reachableFrom(graph, [node]);
+  const turned = Object.entries(graph.edges).map(([key, { from, to }]): [string, GraphEdge] => [
+    key,
+    { from: { node: to.node, output: '' }, to: { node: from.node, input: '' } },
+  ]);
+  return reachableFrom({ edges: Object.fromEntries(turned) }, [node]);
+}
+
+function isGeneric(level: GraphLevel, id: string, side: keyof NodeSockets, name: string): boolean {
+  const node = own(level.graph.nodes, id);
+  const sockets = node && socketsOf(level, node, nodeLibrary);
+  return sockets?.[side][name.split('.')[0]!]?.type === ANY;
+}
+
+/** A socket of a node, which takes what a loose end brings. */
+export interface SocketOption {
+  readonly socket: string;
+  /** Key of the catalogue, or plain words. */
+  readonly title: string;
+}
+
+/** The sockets of a node that fit a loose end, those of parameters last. */
+export function socketOptions(level: GraphLevel, loose: PendingConnection, id: string): SocketOption[] {
+  const node = own(level.graph.nodes, id);
+  const sockets = node && socketsOf(level, node, nodeLibrary);
+  if (!sockets) return [];
+  const fits = connectionCheck(level, loose);
+  const side = oppositeSide(loose.side);
+  return Object.entries(sockets[side]).flatMap(([name, { title, type, many }]): SocketOption[] => {
+    const socket = many && side === 'inputs' ? `${name}.${freeNumber(level.graph, id, name)}` : name;
+    return fits(id, socket) ? [{ socket, title: title ?? (name === type ? `type.${type}` : name) }] : [];
+  });
+}
+
+/** After the last that is taken. */
+export function freeNumber({ edges }: Graph, node: string, input: string): number {
+  const taken = Object.values(edges).flatMap(({ to }) =>
+    to.node === node && to.input.startsWith(`${input}.`) ? [Number(to.input.slice(input.length + 1))] : [],
+  );
+  return Math.max(0, ...taken) + 1;
+}
+
+/** The socket by which a new node of a type would be connected to a loose end; undefined where none fits. */
+export function socketFor(level: GraphLevel, type: NodeType, loose: PendingConnection): string | undefined {
+  if (type.id === GROUP_INPUT || type.id === GROUP_OUTPUT) return undefined;
+  return socketAmong(socketsOfType(type), typeAt(inferTypes(level, nodeLibrary), loose), loose.side);
+}
+
+/** As `socketFor`, of a node of a group that the document has. */
+export function socketForGroup(level: GraphLevel, group: string, loose: PendingConnection): string | undefined {
+  const sockets = socketsOf(level, { type: GROUP, params: { group } }, nodeLibrary);
+  return sockets && socketAmong(sockets, typeAt(inferTypes(level, nodeLibrary), loose), loose.side);
+}
+
+function socketAmong(sockets: NodeSockets, loose: string, side: PendingConnection['side']): string | undefined {
+  const entries = Object.entries(sockets[oppositeSide(side)]);
+  const convert = (type: string) => (side === 'outputs' ? conversion(loose, type) : conversion(type, loose));
+  // The same type is meant before one that it is turned to.
+  const found = entries.find(([, { type }]) => type === loose) ?? entries.find(([, { type }]) => convert(type));
+  if (!found) return undefined;
+  return found[1].many && side === 'outputs' ? `${found[0]}.1` : found[0];
+}

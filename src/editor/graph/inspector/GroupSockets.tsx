@@ -1,0 +1,54 @@
+import { ActionIcon, Group, Stack, Text, TextInput, Tooltip } from '@mantine/core';
+import { IconTrash } from '@tabler/icons-react';
+import type { ReactNode } from 'react';
+import type { GraphLevel } from '../../../graph/analysis/sockets.ts';
+import { own } from '../../../graph/document/document.ts';
+import { useTexts } from '../../i18n/i18n.ts';
+import { useEditor } from '../../state/context.tsx';
+import { changeSocketCommand } from '../commands/edits.ts';
+
+interface GroupSocketsProps {
+  readonly level: GraphLevel;
+  readonly side: 'inputs' | 'outputs';
+}
+
+/** The sockets of the group that is entered, to be named and taken away; new ones are drawn. */
+export function GroupSockets({ level, side }: GroupSocketsProps): ReactNode {
+  const { t } = useTexts();
+  const studio = useEditor();
+  const group = own(level.document.groups, level.group ?? '');
+  if (!group) return null;
+  return (
+    <Stack gap={6}>
+      {group[side].map(({ name, title = name }) => (
+        <Group key={name} gap={4} wrap="nowrap">
+          <TextInput
+            key={title}
+            size="xs"
+            flex={1}
+            aria-label={t('inspector.socketName', { name })}
+            defaultValue={title}
+            maxLength={200}
+            onBlur={(event) => {
+              const written = event.currentTarget.value;
+              if (written !== title) studio.edit(changeSocketCommand(level, side, name, written), 'edit.rename');
+            }}
+          />
+          <Tooltip label={t('inspector.removeSocket')} openDelay={400}>
+            <ActionIcon
+              variant="subtle"
+              color="gray"
+              aria-label={`${t('inspector.removeSocket')}: ${title}`}
+              onClick={() => studio.edit(changeSocketCommand(level, side, name), 'edit.remove')}
+            >
+              <IconTrash size={15} />
+            </ActionIcon>
+          </Tooltip>
+        </Group>
+      ))}
+      <Text size="xs" c="dimmed">
+        {t('inspector.newSocket')}
+      </Text>
+    </Stack>
+  );
+}

@@ -1,0 +1,159 @@
+import type { Graph, GraphEdge } from '../../../graph/document/document.ts';
+import type { CanvasPoint } from '../../../graph/edits/commands.ts';
+import { boundingRect, type CanvasRect } from '../cards/cardGeometry.ts';
+
+/** Between columns, and between the nodes of one [px]. */
+const COLUMN_GAP = 90;
+const ROW_GAP = 28;
+const SWEEPS = 6;
+
+type Edges = readonly GraphEdge[];
+
+/**
+ * Places for nodes so that data flows from left to right: each stands in the column after the last of those that feed it, as near as can
+ * be to those that it feeds; within a column in the order of the middle of its neighbours (Sugiyama, Tagawa and Toda 1981). Top left
+ * at the origin.
+ */
+export function layeredLayout(
+  nodes: readonly string[],
+  edges: Edges,
+  sizeOf: (node: string) => CanvasPoint,
+): Readonly<Record<string, CanvasPoint>> {
+  const inner = edgesAmong(nodes, edges);
+  const columns = columnsOf(nodes, inner);
+  const ordered = orderByBarycenter(columns, inner);
+  return assignPositions(ordered, inner, sizeOf);
+}
+
+function edgesAmong(nodes: readonly string[], edges: Edges): Edges {
+  const known = new Set(nodes);
+  return edges.filter(({ from, to }) => from.node !== to.node && known.has(from.node) && known.has(to.node));
+}
+
+type Adjacency = ReadonlyMap<string, readonly string[]>;
+
+function adjacency(edges: Edges, of: 'from' | 'to'): Adjacency {
+  const found = new Map<string, string[]>();
+  for (const edge of edges) {
+    const list = found.get(edge[of].node) ?? [];
+    list.push(edge[of === 'from' ? 'to' : 'from'].node);
+    found.set(edge[of].node, list);
+  }
+  return found;
+}
+
+/** Nodes by column. What is in a circle stands where it was first met. */
+function columnsOf(nodes: readonly string[], edges: Edges): string[][] {
+  const feeding = adjacency(edges, 'to');
+  const fed = adjacency(edges, 'from');
+  const ranks = new Map<string, number>();
+  for (const id of flowOrder(nodes, fed, feeding))
+    ranks.set(id, Math.max(-1, ...(feeding.get(id) ?? []).map((before) => ranks.get(before) ?? -1)) + 1);
+  // What nothing feeds stands right before what it feeds, not at the far left.
+  for (const id of nodes) {
+    if (feeding.has(id)) continue;
+    const after = (fed.get(id) ?? []).map((next) => ranks.get(next)!);
+    if (after.length > 0) ranks.set(id, Math.max(0, Math.min(...after) - 1));
+  }
+  const columns = Array.from({ length: Math.max(-1, ...ranks.values()) + 1 }, (): string[] => []);
+  for (const id of nodes) columns[ranks.get(id)!]!.push(id);
+  return columns.filter((column) => column.length > 0);
+}
+
+/** Each after all that feed it (Kahn 1962); then what is left of circles. */
+function flowOrder(nodes: readonly string[], fed: Adjacency, feeding: Adjacency): ReadonlySet<string> {
+  const waiting = new Map(nodes.map((id) => [id, feeding.get(id)?.length ?? 0]));
+  const order = new Set(nodes.filter((id) => waiting.get(id) === 0));
+  for (const id of order) {
+    for (const next of fed.get(id) ?? []) {
+      const left = waiting.get(next)! - 1;
+      waiting.set(next, left);
+      if (left === 0) order.add(next);
+    }
+  }
+  for (const id of nodes) order.add(id);
+  return order;
+}
+
+/** Orders each column by the mean place of its neighbours in the column before, then in that after, and so on. */
+function orderByBarycenter(columns: readonly string[][], edges: Edges): string[][] {
+  const [before, after] = [adjacency(edges, 'to'), adjacency(edges, 'from')];
+  const ordered = columns.map((column) => [...column]);
+  for (let sweep = 0; sweep < SWEEPS; sweep++) {
+    const forth = sweep % 2 === 0;
+    const places = new Map(ordered.flatMap((column) => column.map((id, i) => [id, i / column.length] as const)));
+    for (const column of forth ? ordered : [...ordered].reverse()) {
+      const wanted = new Map(column.map((id) => [id, barycenter(forth ? before : after, id, places)]));
+      column.sort((a, b) => wanted.get(a)! - wanted.get(b)!);
+      column.forEach((id, i) => {
+        places.set(id, i / column.length);
+      });
+    }
+  }
+  return ordered;
+}
+
+function barycenter(of: Adjacency, id: string, places: ReadonlyMap<string, number>): number {
+  const around = of.get(id) ?? [];
+  if (around.length === 0) return places.get(id)!;
+  return around.reduce((sum, other) => sum + places.get(other)!, 0) / around.length;
+}
+
+/** Columns from left to right; each node as near as can be to the middle of those that feed it, in its column's order. */
+function assignPositions(columns: readonly string[][], edges: Edges, sizeOf: (node: string) => CanvasPoint) {
+  const feeding = adjacency(edges, 'to');
+  const tops = new Map<string, number>();
+  const lefts = new Map<string, number>();
+  const middle = (id: string): number => tops.get(id)! + sizeOf(id)[1] / 2;
+  let left = 0;
+  for (const column of columns) {
+    const wanted = column.map((id) => {
+      const known = (feeding.get(id) ?? []).filter((before) => tops.has(before));
+      if (known.length === 0) return undefined;
+      return known.reduce((sum, before) => sum + middle(before), 0) / known.length - sizeOf(id)[1] / 2;
+    });
+    stackColumn(column, wanted, sizeOf).forEach((top, i) => {
+      tops.set(column[i]!, top);
+      lefts.set(column[i]!, left);
+    });
+    left += Math.max(...column.map((id) => sizeOf(id)[0])) + COLUMN_GAP;
+  }
+  const highest = Math.min(0, ...tops.values());
+  const entries = [...tops].map(([id, top]): [string, CanvasPoint] => [
+    id,
+    [Math.round(lefts.get(id)!), Math.round(top - highest)],
+  ]);
+  return Object.fromEntries(entries);
+}
+
+/** Tops of a column's nodes, below one another, shifted as one so that on the whole each is where it is wanted. */
+function stackColumn(
+  column: readonly string[],
+  wanted: readonly (number | undefined)[],
+  sizeOf: (node: string) => CanvasPoint,
+): number[] {
+  const tops: number[] = [];
+  let next = Number.NEGATIVE_INFINITY;
+  column.forEach((id, i) => {
+    const top = Math.max(wanted[i] ?? (i === 0 ? 0 : next), next === Number.NEGATIVE_INFINITY ? -1e9 : next);
+    tops.push(top);
+    next = top + sizeOf(id)[1] + ROW_GAP;
+  });
+  const shifts = tops.flatMap((top, i) => (wanted[i] === undefined ? [] : [wanted[i] - top]));
+  const shift = shifts.length === 0 ? 0 : shifts.reduce((sum, each) => sum + each, 0) / shifts.length;
+  return tops.map((top) => top + shift);
+}
+
+/** Where the nodes of a level stand: as the document says, and the rest laid out below that. */
+export function nodePositions(
+  graph: Graph,
+  sizeOf: (node: string) => CanvasPoint,
+): Readonly<Record<string, CanvasPoint>> {
+  const lost = Object.keys(graph.nodes).filter((id) => !Object.hasOwn(graph.layout, id));
+  if (lost.length === 0) return graph.layout;
+  const kept = boundingRect(Object.entries(graph.layout).map(([id, at]): CanvasRect => ({ at, size: sizeOf(id) })));
+  const [x, y] = kept ? [kept.at[0], kept.at[1] + kept.size[1] + 2 * COLUMN_GAP] : [0, 0];
+  const found = layeredLayout(lost, Object.values(graph.edges), sizeOf);
+  const moved = Object.entries(found).map(([id, at]): [string, CanvasPoint] => [id, [at[0] + x, at[1] + y]]);
+  return { ...graph.layout, ...Object.fromEntries(moved) };
+}

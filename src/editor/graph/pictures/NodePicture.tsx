@@ -1,0 +1,68 @@
+import { type ReactNode, useEffect, useRef } from 'react';
+import { formatNumber } from '../../format.ts';
+import { useTexts } from '../../i18n/i18n.ts';
+import { flatNodeId, useCanvas } from '../canvas/canvasState.ts';
+import type { CardModel } from '../cards/cardModel.ts';
+import { type LuminanceHistogram, STOP_RANGE } from './luminanceHistogram.ts';
+import { useNodePicture } from './nodePictures.ts';
+
+/** What a node made, small; an empty frame until it is drawn. */
+export function NodePicture({ face }: { readonly face: CardModel }): ReactNode {
+  const { t, any } = useTexts();
+  const path = useCanvas((state) => state.path);
+  const picture = useNodePicture(flatNodeId(path, face.id));
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const image = picture?.image;
+  useEffect(() => {
+    if (image) canvas.current?.getContext('2d')?.putImageData(image, 0, 0);
+  }, [image]);
+  const surfaces = picture !== undefined && !('step' in picture.of);
+  const label = t(surfaces ? 'graph.picture.surfaces' : 'graph.picture', { title: any(face.title) });
+  return (
+    <>
+      <div className="sl-node-picture">
+        {image && <canvas ref={canvas} role="img" aria-label={label} width={image.width} height={image.height} />}
+      </div>
+      {face.picture === 'metered' && <Histogram spread={picture?.spread} />}
+    </>
+  );
+}
+
+const [FROM, TO] = STOP_RANGE;
+const WIDTH = 188;
+const HEIGHT = 26;
+const at = (stop: number): number => (WIDTH * (stop - FROM)) / (TO - FROM);
+const TICKS = [-8, -4, 0] as const;
+
+/** How the light is spread that a tone curve gets, over stops; white is at 0. */
+function Histogram({ spread }: { readonly spread?: LuminanceHistogram }): ReactNode {
+  const { t } = useTexts();
+  const fill = spread && { middle: formatNumber(spread.middle, 2), over: formatNumber(100 * spread.over, 2) };
+  return (
+    <svg
+      className="sl-node-spread"
+      viewBox={`0 0 ${WIDTH} ${HEIGHT + 12}`}
+      role="img"
+      aria-label={fill ? t('graph.spread', fill) : t('graph.spread.none')}
+    >
+      {spread && <path d={outline(spread.bins)} />}
+      {TICKS.map((stop) => (
+        <g key={stop} data-white={stop === 0 || undefined}>
+          <line x1={at(stop)} x2={at(stop)} y1={0} y2={HEIGHT} />
+          <text x={at(stop)} y={HEIGHT + 10}>
+            {stop === 0 ? '0 EV' : `\u2212${-stop}`}
+          </text>
+        </g>
+      ))}
+    </svg>
+  );
+}
+
+/** Steps as high as the bins are full. */
+function outline(bins: readonly number[]): string {
+  const width = WIDTH / bins.length;
+  const tops = bins.map(
+    (bin, i) => `L${(i * width).toFixed(1)} ${(HEIGHT * (1 - bin)).toFixed(1)}h${width.toFixed(1)}`,
+  );
+  return `M0 ${HEIGHT}${tops.join('')}V${HEIGHT}z`;
+}

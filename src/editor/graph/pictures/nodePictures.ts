@@ -1,0 +1,100 @@
+import { createStore, useStore } from 'zustand';
+import type { GBufferSpec, ImageSpec } from '../../../nodes/defineNode.ts';
+import { type PreviewTarget, previewFrameGraph } from '../../../nodes/frameGraph/previewFrameGraph.ts';
+import { PreviewRenderer, type PreviewRequest } from '../../../render/previews.ts';
+import type { SceneRenderer } from '../../../render/renderer.ts';
+import type { FrameGraph } from '../../../scene/frameGraph/frameGraph.ts';
+import type { PreviewContext } from '../../viewport/viewportRenderer.ts';
+import { PICTURE_SIZE } from '../cards/cardGeometry.ts';
+import { type LuminanceHistogram, luminanceHistogram } from './luminanceHistogram.ts';
+
+/** What a node made, to be looked at. */
+export interface NodePictureData {
+  readonly image: ImageData;
+  readonly spread?: LuminanceHistogram;
+  /** What it is of. */
+  readonly of: ImageSpec | GBufferSpec;
+  /** The picture that was on show when it was made. */
+  readonly beside: PreviewContext['view'];
+}
+
+/** Images and G-buffers, by the names that evaluations give their nodes. */
+type NodeImages = ReadonlyMap<string, ImageSpec | GBufferSpec>;
+
+/** By the names that evaluations give nodes. */
+export const nodePictures = createStore<ReadonlyMap<string, NodePictureData>>(() => new Map());
+export const useNodePicture = (name: string): NodePictureData | undefined =>
+  useStore(nodePictures, (pictures) => pictures.get(name));
+
+/** Wider than this a node shows the middle of the picture. */
+const MAX_ASPECT = PICTURE_SIZE[0] / PICTURE_SIZE[1];
+/** Pixels for one of the page: what is drawn once has no smooth edges but by being made smaller; fewer where the processor draws. */
+const PIXEL_DENSITY = { hardware: 3, software: 1.5 } as const;
+
+/** Draws nodes' pictures with the renderer of the page, as long as that lives. */
+export class NodePictureRenderer {
+  private previews: PreviewRenderer | undefined;
+  private renderer: SceneRenderer | undefined;
+
+  /** `made`: of all nodes that show pictures; `wanted`: of which they are to be drawn now. */
+  async render(made: NodeImages, wanted: ReadonlySet<string>, besides: PreviewContext): Promise<void> {
+    const { renderer, view: shown, picture, withExposure } = besides;
+    const height = Math.round(PICTURE_SIZE[1] * PIXEL_DENSITY[besides.software ? 'software' : 'hardware']);
+    const width = Math.round(height * Math.min(MAX_ASPECT, renderer.width / renderer.height));
+    const beside = { settings: shown.settings, scenes: picture.scenes };
+    const { plan: planned, places } = previewFrameGraph(made, beside, height / renderer.height);
+    if (planned.passes.length === 0) return;
+    const plan = withExposure(planned);
+    const asked = [...wanted].flatMap((name) => {
+      const place = places.get(name);
+      return place ? [{ name, ...previewRequests(place, plan, besides.exposure) }] : [];
+    });
+    const list = [
+      ...new Map(asked.flatMap(({ orders }) => orders).map((order) => [requestKey(order), order])).values(),
+    ];
+    const drawn = await this.for(renderer).make(plan, list, { width, height });
+    if (!drawn) return;
+    const previews = new Map(list.map((order, i) => [requestKey(order), drawn[i]!]));
+    const next = new Map([...nodePictures.getState()].filter(([name]) => made.has(name)));
+    for (const { name, orders, toned } of asked) {
+      const [pixels, light] = orders.map((order) => previews.get(requestKey(order)));
+      next.set(name, {
+        image: new ImageData(Uint8ClampedArray.from(pixels ?? []), width, height),
+        of: made.get(name)!,
+        beside: shown,
+        ...(light && { spread: luminanceHistogram(light, toned) }),
+      });
+    }
+    nodePictures.setState(next, true);
+  }
+
+  private for(renderer: SceneRenderer): PreviewRenderer {
+    if (!this.previews || this.renderer !== renderer) {
+      this.stop();
+      this.renderer = renderer;
+      this.previews = new PreviewRenderer(renderer);
+    }
+    return this.previews;
+  }
+
+  stop(): void {
+    this.previews?.dispose();
+    this.previews = undefined;
+  }
+}
+
+const requestKey = (order: PreviewRequest): string => JSON.stringify(order);
+
+/** What is to be drawn of a node: its picture, and the light that its tone curve gets; `toned`: what that is exposed by [EV]. */
+function previewRequests(
+  place: PreviewTarget,
+  plan: FrameGraph,
+  exposure: number,
+): { readonly orders: readonly PreviewRequest[]; readonly toned: number } {
+  if (place.kind === 'gbuffer') return { orders: [{ kind: 'albedo', buffer: place.buffer }], toned: 0 };
+  const { step, light, metered } = place;
+  const image: PreviewRequest = { kind: 'image', step, ...(light && { exposure }) };
+  const curve = plan.passes[step];
+  const toned = curve?.kind === 'tone' ? curve.exposure : 0;
+  return { orders: metered === undefined ? [image] : [image, { kind: 'luminance', step: metered }], toned };
+}

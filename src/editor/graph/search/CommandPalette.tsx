@@ -1,0 +1,141 @@
+import '../cards/sockets.css';
+import '../graph.css';
+import { Modal } from '@mantine/core';
+import { type ReactNode, useMemo } from 'react';
+import { inEveryLanguage } from '../../i18n/everyLanguage.ts';
+import { useTexts } from '../../i18n/i18n.ts';
+import type { TextKey } from '../../i18n/texts.ts';
+import { useSaveProject } from '../../projects/useSaveProject.ts';
+import { nextFalseColor, nextView, toggleGrid } from '../../shell/actions.ts';
+import { useSavePicture } from '../../shell/useSavePicture.ts';
+import { useEditor, useEditorState } from '../../state/context.tsx';
+import type { Editor } from '../../state/editor.ts';
+import { canvas, levelAt, selectItems } from '../canvas/canvasState.ts';
+import { actionContext, GRAPH_ACTIONS } from '../commands/actions.ts';
+import { addNodeCommand } from '../commands/edits.ts';
+import { formatKeyBinding, type KeyBinding } from '../commands/keyBindings.ts';
+import { findFreePosition } from '../layout/freePosition.ts';
+import { addableNodes } from './addableNodes.ts';
+import { QuickPick } from './QuickPick.tsx';
+import type { QuickPickItem } from './ranking.ts';
+import { useNodeItems } from './useNodeItems.ts';
+
+interface PageCommand {
+  readonly title: TextKey;
+  readonly keys?: KeyBinding;
+  readonly run: () => void;
+}
+
+/** Everything that can be done, by its name: commands of the page and of the canvas, and every kind of node. */
+export default function CommandPalette(): ReactNode {
+  const { t } = useTexts();
+  const studio = useEditor();
+  const opened = useEditorState((state) => state.dialog === 'palette');
+  const close = () => studio.update({ dialog: undefined });
+  return (
+    <Modal.Root
+      opened={opened}
+      onClose={close}
+      size="min(560px, 94vw)"
+      yOffset="12vh"
+      transitionProps={{ duration: 0 }}
+    >
+      <Modal.Overlay backgroundOpacity={0.35} />
+      <Modal.Content aria-label={t('palette.title')}>
+        <Commands close={close} />
+      </Modal.Content>
+    </Modal.Root>
+  );
+}
+
+function Commands({ close }: { readonly close: () => void }): ReactNode {
+  const { t } = useTexts();
+  const studio = useEditor();
+  const commands = usePageCommands(studio);
+  const document = useEditorState((state) => state.history.document);
+  const level = useMemo(() => levelAt(document, canvas.getState().path), [document]);
+  const nodes = useNodeItems(level);
+  const context = actionContext(studio);
+  const named = (
+    id: string,
+    title: TextKey,
+    group: string,
+    keys: KeyBinding | undefined,
+    disabled: boolean,
+  ): QuickPickItem => ({
+    id,
+    label: t(title),
+    group,
+    words: inEveryLanguage(title),
+    disabled,
+    ...(keys && { keys: formatKeyBinding(keys) }),
+  });
+  const page = commands.map(({ title, keys }) => named(`page:${title}`, title, t('palette.page'), keys, false));
+  const graph = context
+    ? GRAPH_ACTIONS.map(({ id, title, keys, isEnabled }) =>
+        named(`graph:${id}`, title, t('panel.graph'), keys[0], isEnabled?.(context) === false),
+      )
+    : [];
+  graph.sort((a, b) => Number(a.disabled) - Number(b.disabled));
+  const added = nodes.map((item) => ({
+    ...item,
+    id: `node:${item.id}`,
+    label: t('palette.add', { what: item.label }),
+  }));
+  const choose = ({ id, disabled }: QuickPickItem) => {
+    if (disabled) return;
+    close();
+    // The dialogue gives the focus back first.
+    setTimeout(() => run(id));
+  };
+  const run = (id: string) => {
+    const [kind, name] = [id.slice(0, id.indexOf(':')), id.slice(id.indexOf(':') + 1)];
+    const now = actionContext(studio);
+    if (kind === 'page') commands.find(({ title }) => title === name)?.run();
+    else if (kind === 'node') addNode(studio, name);
+    else if (now) GRAPH_ACTIONS.find((action) => action.id === name)?.run(now);
+  };
+  return (
+    <QuickPick label={t('palette.title')} items={[...graph, ...page, ...added]} onChoose={choose} onClose={close} />
+  );
+}
+
+/** In the middle of what is seen of the graph, which is opened where it is not. */
+function addNode(studio: Editor, id: string): void {
+  const { viewport: sight, path } = canvas.getState();
+  const level = levelAt(studio.store.getState().history.document, path);
+  const addition = addableNodes(level).find((each) => each.id === id);
+  if (!addition) return;
+  const { node, command } = addNodeCommand(
+    level,
+    addition,
+    findFreePosition(level, addition, sight?.center() ?? [0, 240]),
+  );
+  studio.edit(command, 'edit.add');
+  studio.update({ graph: true });
+  selectItems({ nodes: [node] });
+  sight?.focus(node);
+}
+
+function usePageCommands(studio: Editor): readonly PageCommand[] {
+  const save = useSavePicture();
+  const project = useSaveProject();
+  const maximized = useEditorState((state) => state.maximized);
+  const graph = useEditorState((state) => state.graph);
+  return [
+    { title: graph ? 'graph.hide' : 'graph.show', keys: 'Mod+Shift+G', run: () => studio.update({ graph: !graph }) },
+    { title: 'header.scenes', run: () => studio.update({ dialog: 'gallery' }) },
+    { title: 'project.save', keys: 'Mod+S', run: project.save },
+    { title: 'project.saveAll', run: () => void project.saveWithFiles() },
+    { title: 'project.share', run: () => studio.update({ dialog: 'share' }) },
+    { title: 'project.rename', run: () => studio.update({ dialog: 'name' }) },
+    { title: 'header.save', keys: 'Mod+Shift+S', run: () => void save() },
+    { title: 'header.undo', keys: 'Mod+Z', run: studio.undo },
+    { title: 'header.redo', keys: 'Mod+Shift+Z', run: studio.redo },
+    { title: 'help.view', run: () => nextView(studio) },
+    { title: 'help.grid', run: () => toggleGrid(studio) },
+    { title: 'help.falseColor', run: () => nextFalseColor(studio) },
+    { title: 'help.maximize', run: () => studio.update({ maximized: !maximized }) },
+    { title: 'header.help', keys: '?', run: () => studio.update({ dialog: 'help' }) },
+  ];
+}

@@ -1,0 +1,45 @@
+import { type GraphLevel, levelOf } from '../../../graph/analysis/sockets.ts';
+import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupKeyOf } from '../../../graph/document/structuralTypes.ts';
+import { nodeLibrary } from '../../../nodes/library.ts';
+import { type PendingConnection, socketFor, socketForGroup } from '../commands/connections.ts';
+import type { AddableNode } from '../commands/edits.ts';
+
+/** A kind of node as lists have it: the key of a type, or `group:` and that of a group. */
+interface AddableItem extends AddableNode {
+  readonly id: string;
+  readonly title: string;
+  readonly help?: string;
+  readonly category: string;
+}
+
+/** All that can be added to a level; to a loose end only what it can be connected to. */
+export function addableNodes(level: GraphLevel, loose?: PendingConnection): AddableItem[] {
+  const types = Object.values(nodeLibrary).flatMap((type): AddableItem[] => {
+    const { id, title, help, category } = type;
+    if (id === GROUP || !isAllowedIn(level, id)) return [];
+    const socket = loose && socketFor(level, type, loose);
+    return loose && socket === undefined ? [] : [{ id, type: id, title, help, category, ...(socket && { socket }) }];
+  });
+  const groups = Object.entries(level.document.groups).flatMap(([group, { title }]): AddableItem[] => {
+    if (containsGroup(level, group, level.group)) return [];
+    const socket = loose && socketForGroup(level, group, loose);
+    if (loose && socket === undefined) return [];
+    const words = { title: title || 'node.group', category: 'group' };
+    return [{ id: `group:${group}`, type: GROUP, group, ...words, ...(socket && { socket }) }];
+  });
+  return [...types, ...groups];
+}
+
+/** What carries a group's sockets is in groups only, and each of them is there once. */
+function isAllowedIn({ graph, group }: GraphLevel, type: string): boolean {
+  if (type !== GROUP_INPUT && type !== GROUP_OUTPUT) return true;
+  return group !== undefined && !Object.values(graph.nodes).some((node) => node.type === type);
+}
+
+/** Whether a group is another, or has it in it: then it cannot be put into that. */
+function containsGroup(level: GraphLevel, group: string, other: string | undefined): boolean {
+  if (other === undefined) return false;
+  if (group === other) return true;
+  const inner = levelOf(level.document, group)?.graph.nodes ?? {};
+  return Object.values(inner).some((node) => node.type === GROUP && containsGroup(level, groupKeyOf(node), other));
+}

@@ -1,0 +1,60 @@
+import { expect, it } from 'vitest';
+import { matchesKeyBinding } from '../commands/keyBindings.ts';
+import { type QuickPickItem, rankItems } from './ranking.ts';
+import { optionTitles } from './useNodeItems.ts';
+
+const items: QuickPickItem[] = [
+  { id: 'transform', label: 'Transform', group: 'a', detail: 'Turns and carries', words: '变换 transform' },
+  { id: 'torus', label: 'Torus', group: 'a', detail: 'A ring' },
+  { id: 'motion', label: 'Circular motion', group: 'b', detail: 'Round a circle' },
+  { id: 'ring', label: 'Ring', group: 'b' },
+];
+const found = (query: string): string[] => rankItems(items, query).map(({ id }) => id);
+
+it('what begins with the query comes first, then what has it in its name, then in its words', () => {
+  expect(found('')).toEqual(['transform', 'torus', 'motion', 'ring']);
+  expect(found('to')[0]).toBe('torus');
+  expect(found('ring')).toEqual(['ring', 'torus']);
+  expect(found('mo')).toEqual(['motion']);
+  expect(found('circular mot')).toEqual(['motion']);
+  expect(found('变换')).toEqual(['transform']);
+  expect(found('zzz')).toEqual([]);
+});
+
+it('a node is found by what it offers to choose, in every language', () => {
+  const nodes = ['post-process', 'tone-map', 'group'].map((id) => ({
+    id,
+    label: id,
+    group: '',
+    words: optionTitles(id),
+  }));
+  for (const query of ['bloom', 'Bloom', '泛光'])
+    expect(rankItems(nodes, query).map(({ id }) => id)).toEqual(['post-process']);
+  expect(rankItems(nodes, 'agx').map(({ id }) => id)).toEqual(['tone-map']);
+});
+
+const press = (
+  key: string,
+  modifiers: Partial<Record<'ctrlKey' | 'shiftKey' | 'altKey' | 'metaKey', boolean>> = {},
+) => ({
+  key,
+  code: /^[a-z]$/i.test(key) ? `Key${key.toUpperCase()}` : '',
+  ctrlKey: false,
+  metaKey: false,
+  shiftKey: false,
+  altKey: false,
+  ...modifiers,
+});
+
+it('keys are told apart by what is held with them', () => {
+  expect(matchesKeyBinding(press('g', { ctrlKey: true }), 'Mod+G')).toBe(true);
+  expect(matchesKeyBinding(press('g', { metaKey: true }), 'Mod+G')).toBe(true);
+  expect(matchesKeyBinding(press('g', { ctrlKey: true, altKey: true }), 'Mod+G')).toBe(false);
+  expect(matchesKeyBinding(press('A', { shiftKey: true }), 'Shift+A')).toBe(true);
+  expect(matchesKeyBinding(press('a'), 'Shift+A')).toBe(false);
+  expect(matchesKeyBinding(press(' '), 'Space')).toBe(true);
+  // A sign is the same with Shift and without; a letter of another script goes by its place.
+  expect(matchesKeyBinding(press('+', { shiftKey: true }), '+')).toBe(true);
+  expect(matchesKeyBinding({ ...press('ь'), code: 'KeyM' }, 'M')).toBe(true);
+  expect(matchesKeyBinding(press('ArrowLeft', { altKey: true }), 'Alt+ArrowLeft')).toBe(true);
+});

@@ -1,0 +1,27 @@
+import { scenesIn } from '../../formats/entry.ts';
+import type { Diagnostic } from '../../scene/types.ts';
+
+const baseName = (path: string): string => path.slice(path.lastIndexOf('/') + 1).toLowerCase();
+
+/** Paths of files that a scene asked for and did not find. */
+export const missingPaths = (diagnostics: readonly Diagnostic[]): string[] =>
+  diagnostics.flatMap(({ missing }) => (missing ? [missing.name, ...missing.lookedFor] : []));
+
+export interface OpenSceneStatus {
+  /** By which it was opened. */
+  readonly name: string;
+  readonly missing: readonly string[];
+  /** It could not be read. */
+  readonly failed: boolean;
+}
+
+/**
+ * Whether files that were dropped belong to the scene that is open, rather than being one: where it asked for one of them, or
+ * could not be read, and where there is no other scene among them.
+ */
+export function suppliesMissingFiles(paths: readonly string[], { name, missing, failed }: OpenSceneStatus): boolean {
+  const wanted = new Set(missing.map(baseName));
+  const isOther = (scene: string): boolean => !wanted.has(baseName(scene)) && baseName(scene) !== baseName(name);
+  if (scenesIn(paths).some(isOther)) return false;
+  return failed || paths.some((path) => wanted.has(baseName(path)));
+}

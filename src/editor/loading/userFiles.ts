@@ -1,0 +1,57 @@
+import { inputError } from '../../formats/diagnostics/inputError.ts';
+import { extensionOf } from '../../formats/files/fileSource.ts';
+import { type RandomAccessFile, readZipDirectory, type ZipEntry } from '../../formats/zip/directory.ts';
+import { unpack } from '../../formats/zip/unpack.ts';
+
+/** A file that a person gave, or one in an archive that he gave: unpacked when it is read, in the worker. */
+export type UserFile = Blob | ArchivedFile;
+
+interface ArchivedFile {
+  readonly archive: Blob;
+  /** Of the archive, for messages. */
+  readonly name: string;
+  readonly entry: ZipEntry;
+}
+
+/** Files by their paths within what was given. */
+export type UserFiles = ReadonlyMap<string, UserFile>;
+
+/** A blob, of which only what is needed is read. */
+const partedBlob = (blob: Blob): RandomAccessFile => ({
+  size: blob.size,
+  read: async (from, to) => new Uint8Array(await blob.slice(from, to).arrayBuffer()),
+});
+
+/** Reads a file whole; `report` hears of the bytes that have come so far, of all. */
+export async function readUserFile(
+  file: UserFile,
+  report: (received: number, total: number) => void,
+): Promise<Uint8Array> {
+  if (!(file instanceof Blob)) return unpack(partedBlob(file.archive), file.entry, file.name);
+  const bytes = new Uint8Array(file.size);
+  let received = 0;
+  const reader = file.stream().getReader();
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    if (received + part.value.length > bytes.length)
+      throw inputError('file.changed', '', 'the file grew while it was read; open it again');
+    bytes.set(part.value, received);
+    received += part.value.length;
+    report(received, bytes.length);
+  }
+  return bytes.subarray(0, received);
+}
+
+/** Every zip among the files becomes a folder of its own name; an InputError where one cannot be read. */
+export async function expandArchives(files: ReadonlyMap<string, Blob>): Promise<UserFiles> {
+  const found = new Map<string, UserFile>();
+  for (const [path, file] of files) {
+    if (extensionOf(path) !== 'zip') found.set(path, file);
+    else for (const [inner, packed] of await filesInArchive(path, file)) found.set(inner, packed);
+  }
+  return found;
+}
+
+async function filesInArchive(path: string, archive: Blob): Promise<[string, ArchivedFile][]> {
+  const entries = await readZipDirectory(partedBlob(archive), path);
+  return entries.map((entry) => [`${path}/${entry.path}`, { archive, name: path, entry }]);
+}

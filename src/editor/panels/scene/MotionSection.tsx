@@ -1,0 +1,152 @@
+import { ActionIcon, Group, Paper, Select, Stack, Tooltip } from '@mantine/core';
+import { IconPlaneDeparture, IconTrash } from '@tabler/icons-react';
+import { type ReactNode, useMemo, useState } from 'react';
+import type { FlatNode } from '../../../graph/analysis/flatten.ts';
+import type { GraphDocument } from '../../../graph/document/document.ts';
+import { resolveParams } from '../../../graph/nodeType.ts';
+import type { PictureSpec } from '../../../nodes/defineNode.ts';
+import { nodeLibrary } from '../../../nodes/library.ts';
+import { nearestToOutput, nodesFeedingOutput } from '../../../nodes/project/outputChain.ts';
+import { flyCommand, flyNodesIn, removeFlightCommand } from '../../../nodes/project/projectCommands.ts';
+import type { Scene } from '../../../scene/types.ts';
+import { useTexts } from '../../i18n/i18n.ts';
+import { useServices } from '../../services.tsx';
+import { useEditor, useEditorState } from '../../state/context.tsx';
+import { ParamControl } from '../ParamControl.tsx';
+import { Section } from './Section.tsx';
+
+/** When and how fast the file's animation runs, and what is made to fly besides. */
+export function MotionSection({ picture }: { readonly picture: PictureSpec }): ReactNode {
+  const { t } = useTexts();
+  const studio = useEditor();
+  const { observerController } = useServices();
+  const document = useEditorState(({ history }) => history.document);
+  const things = useMovablePrims(picture.scene);
+  const flights = flyNodesIn(document);
+  const [search, setSearch] = useState('');
+  const add = (path: string | null) => {
+    if (!path) return;
+    setSearch('');
+    const at = Math.round(observerController.observer.t * 1000) / 1000;
+    studio.edit(flyCommand(document, path, at), 'edit.fly');
+  };
+  return (
+    <Section title={t('motion.title')}>
+      {moves(picture.scene) && <NearestParams type="retime" />}
+      {sampled(picture.scene) && <NearestParams type="read" only="interpolation" />}
+      {flights.map((node) => (
+        <FlyParams key={node} node={node} things={things} />
+      ))}
+      <Select
+        size="xs"
+        label={t('motion.fly')}
+        disabled={!nearestToOutput(document, 'scene-camera')}
+        leftSection={<IconPlaneDeparture size={15} />}
+        placeholder={t('motion.search')}
+        nothingFoundMessage={t('motion.nothing')}
+        searchable
+        limit={50}
+        searchValue={search}
+        onSearchChange={setSearch}
+        value={null}
+        data={things}
+        onChange={add}
+      />
+    </Section>
+  );
+}
+
+const nodeAt = (document: GraphDocument, id: string): FlatNode | undefined =>
+  nodesFeedingOutput(document).find((node) => node.id === id);
+
+const moves = ({ objects, cameras, lights }: Scene): boolean =>
+  [...objects, ...cameras].some(({ motion }) => motion.kind !== 'static') ||
+  lights.some((light) => 'motion' in light && light.motion.kind !== 'static') ||
+  objects.some(({ lifetime }) => Number.isFinite(lifetime.birth) || Number.isFinite(lifetime.death));
+
+const sampled = ({ objects, cameras }: Scene): boolean =>
+  [...objects, ...cameras].some(({ motion }) => 'times' in motion);
+
+interface MovablePrim {
+  readonly value: string;
+  readonly label: string;
+}
+
+/** Objects, and the groups that hold several, by their paths. */
+function useMovablePrims({ objects }: Scene): readonly MovablePrim[] {
+  const { t } = useTexts();
+  const paths = useMemo(() => objects.map(({ path }) => path).join('\n'), [objects]);
+  return useMemo(() => {
+    const counts = new Map<string, number>();
+    for (const path of paths.split('\n')) {
+      for (let at = path.length; at > 0; at = path.lastIndexOf('/', at - 1)) {
+        const above = path.slice(0, at);
+        counts.set(above, (counts.get(above) ?? 0) + 1);
+      }
+    }
+    return [...counts]
+      .sort(([a], [b]) => (a < b ? -1 : 1))
+      .map(([value, count]) => ({ value, label: count > 1 ? t('motion.group', { path: value, count }) : value }));
+  }, [paths, t]);
+}
+
+function FlyParams({ node, things }: { readonly node: string; readonly things: readonly MovablePrim[] }): ReactNode {
+  const { t } = useTexts();
+  const studio = useEditor();
+  const object = useEditorState(({ history }) => String(nodeAt(history.document, node)?.params.object ?? ''));
+  const land = () => studio.edit(removeFlightCommand(studio.store.getState().history.document, node), 'edit.land');
+  return (
+    <Paper withBorder p="xs" component="fieldset" aria-label={`${t('node.fly')}: ${object}`} className="sl-flight">
+      <Stack gap={10}>
+        <Group gap={6} wrap="nowrap" align="end">
+          <Select
+            size="xs"
+            flex={1}
+            label={t('param.flyObject')}
+            nothingFoundMessage={t('motion.nothing')}
+            searchable
+            allowDeselect={false}
+            limit={50}
+            value={object}
+            data={things.some(({ value }) => value === object) ? things : [{ value: object, label: object }, ...things]}
+            onChange={(path) => path && studio.set(node, 'object', path, 'edit.fly')}
+          />
+          <Tooltip label={t('motion.land')} openDelay={400}>
+            <ActionIcon variant="subtle" color="gray" size={30} aria-label={t('motion.land')} onClick={land}>
+              <IconTrash size={16} />
+            </ActionIcon>
+          </Tooltip>
+        </Group>
+        <MotionParams node={node} />
+      </Stack>
+    </Paper>
+  );
+}
+
+/** Of a type, the node that is nearest to the output, where there is one. */
+function NearestParams({ type, only }: { readonly type: string; readonly only?: string }): ReactNode {
+  const node = useEditorState(({ history }) => nearestToOutput(history.document, type)?.id);
+  return node === undefined ? null : <MotionParams node={node} only={only} />;
+}
+
+/** The controls of a node's parameters, but for texts, which have their own here; or of one of them. */
+function MotionParams({ node: id, only }: { readonly node: string; readonly only?: string }): ReactNode {
+  const studio = useEditor();
+  const node = useEditorState(({ history }) => nodeAt(history.document, id));
+  const type = node && nodeLibrary[node.type];
+  if (!type) return null;
+  const resolved = resolveParams(type, node.params);
+  const shown = Object.entries(type.params).filter(([name, { kind }]) =>
+    only === undefined ? kind !== 'text' : name === only,
+  );
+  return shown.map(([name, spec]) => (
+    <ParamControl
+      key={name}
+      spec={spec}
+      set={node.params[name]}
+      value={resolved[name] ?? spec.default}
+      onChange={(value, gesture) => studio.set(id, name, value, spec.title, gesture)}
+      onGestureEnd={studio.endGesture}
+    />
+  ));
+}

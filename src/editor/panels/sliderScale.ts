@@ -1,0 +1,36 @@
+import type { NumberParam } from '../../graph/nodeType.ts';
+
+/** A control's place 0 … 1 for a value, and back: how a slider goes through the range of a parameter. */
+export function sliderPosition(spec: NumberParam, value: number): number {
+  const [low, high] = [toScale(spec, spec.min), toScale(spec, spec.max)];
+  const bounded = Math.min(spec.max, Math.max(spec.min, value));
+  return (toScale(spec, bounded) - low) / (high - low);
+}
+
+export function sliderValue(spec: NumberParam, position: number): number {
+  const [low, high] = [toScale(spec, spec.min), toScale(spec, spec.max)];
+  const value = fromScale(spec, low + position * (high - low));
+  return Math.min(spec.max, Math.max(spec.min, roundToStep(spec, value)));
+}
+
+/** No equal ratios lead to 0: where a range begins there, they are those of what is a step more. */
+const logOffset = ({ min, step }: NumberParam): number => (min > 0 ? 0 : step);
+
+function toScale(spec: NumberParam, value: number): number {
+  const { scale } = spec;
+  if (scale === 'log') return Math.log(value + logOffset(spec));
+  return scale === 'approach' ? Math.atanh(value) : value;
+}
+
+function fromScale(spec: NumberParam, stretched: number): number {
+  const { scale } = spec;
+  if (scale === 'log') return Math.exp(stretched) - logOffset(spec);
+  return scale === 'approach' ? Math.tanh(stretched) : stretched;
+}
+
+/** To the step; on a stretched scale to three digits that tell, of the value or of what it lacks to 1. */
+function roundToStep({ scale, step }: NumberParam, value: number): number {
+  if (scale === 'log') return Number(value.toPrecision(3));
+  if (scale === 'approach') return value < 0.5 ? Number(value.toFixed(2)) : 1 - Number((1 - value).toPrecision(2));
+  return Number((Math.round(value / step) * step).toPrecision(12));
+}

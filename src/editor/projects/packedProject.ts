@@ -1,0 +1,116 @@
+import { formatBytes } from '../../formats/diagnostics/inputError.ts';
+import { scenesIn } from '../../formats/entry.ts';
+import { resolvePath } from '../../formats/files/fileSource.ts';
+import type { GraphDocument } from '../../graph/document/document.ts';
+import { referencedFiles, renameFiles } from '../../graph/document/fileReferences.ts';
+import { parseVariants } from '../../nodes/geometry/read.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
+import { readNodeParams } from '../../nodes/project/outputChain.ts';
+import { packProjectArchive } from '../../nodes/project/projectArchive.ts';
+import { type LocalFiles, parseLocalName } from '../loading/localFiles.ts';
+import { collectServerFiles, fileReader } from '../loading/sceneLoader.ts';
+import { readUserFile, type UserFiles } from '../loading/userFiles.ts';
+import { exportedName, isProject } from './projectNames.ts';
+
+/** What the page holds twice while it packs [bytes]. */
+const MAX_PACKED_BYTES = 2 ** 29;
+
+/** The files of a project are more than the page packs; `size` and `most` for people. */
+export class ProjectTooLargeToPack extends Error {
+  readonly size: string;
+  readonly limit = formatBytes(MAX_PACKED_BYTES);
+  constructor(bytes: number) {
+    super(`${formatBytes(bytes)} are more than a page packs`);
+    this.size = formatBytes(bytes);
+  }
+}
+
+/**
+ * A project with its files as one zip: of those that a person gave the whole set, of those on the server what reading them asks for. Throws
+ * a TooMuchToPack; an InputError where a file cannot be read.
+ */
+export async function packedProject(document: GraphDocument, origin: string, local: LocalFiles): Promise<Uint8Array> {
+  const packing = new ProjectPacker(document, origin, local);
+  const names = new Map<string, string>();
+  for (const source of referencedFiles(document, nodeLibrary)) names.set(source, await packing.add(source));
+  // What is known of files that are not packed would be of others.
+  const named = renameFiles({ ...document, files: {} }, nodeLibrary, (source) => names.get(source) ?? source);
+  return packProjectArchive(named, packing.files);
+}
+
+class ProjectPacker {
+  readonly files = new Map<string, Uint8Array>();
+  private readonly document: GraphDocument;
+  private readonly origin: string;
+  private readonly local: LocalFiles;
+  /** Where the files of a set are, by its key: in the archive itself, or where paths clash, in a folder. */
+  private readonly folders = new Map<string, string>();
+  private size = 0;
+
+  constructor(document: GraphDocument, origin: string, local: LocalFiles) {
+    this.document = document;
+    this.origin = origin;
+    this.local = local;
+  }
+
+  /** Adds what a node reads; returns what it is called in the archive. */
+  async add(source: string): Promise<string> {
+    const parts = parseLocalName(source);
+    const path = parts?.rest.slice(1) ?? source;
+    if (parts && !parts.rest.startsWith('@')) {
+      const folder = await this.addSet(source, (inner) => this.plain(`local:${parts.id}/${inner}`));
+      return folder + this.plain(source);
+    }
+    const scene = archivePathOf(path);
+    if (parts) await this.addSet(source, (inner) => resolvePath(scene, inner));
+    if (scenesIn([path]).length === 0) {
+      this.put(scene, await fileReader(this.local)(source));
+      return scene;
+    }
+    const params = Object.values(readNodeParams(this.document)).find((read) => read.source === source);
+    const variants = parseVariants(Array.isArray(params?.variants) ? params.variants.map(String) : []);
+    for (const [inner, bytes] of await collectServerFiles(this.local, source, { variants }))
+      this.put(archivePathOf(resolvePath(scene, inner)), bytes);
+    return scene;
+  }
+
+  /** Without the names of archives: what lay in them lies in folders now. */
+  private plain(source: string): string {
+    return exportedName(source, this.origin)
+      .replace(/\.zip\[(.*)\]$/i, '/$1')
+      .replaceAll(/\.zip\//gi, '/');
+  }
+
+  private async addSet(source: string, nameOf: (path: string) => string): Promise<string> {
+    const { id, files } = this.local.setOf(source) ?? { id: '', files: new Map() as UserFiles };
+    const known = this.folders.get(id);
+    if (known !== undefined) return known;
+    const wanted = [...files].filter(([path]) => !isProject(path));
+    const clash = wanted.some(([path]) => this.files.has(nameOf(path)));
+    const folder = clash ? `files${this.folders.size + 1}/` : '';
+    this.folders.set(id, folder);
+    for (const [path, file] of wanted) {
+      this.count(file instanceof Blob ? file.size : file.entry.size);
+      this.files.set(folder + nameOf(path), await readUserFile(file, () => {}));
+    }
+    return folder;
+  }
+
+  private put(path: string, bytes: Uint8Array): void {
+    if (this.files.has(path)) return;
+    this.count(bytes.length);
+    this.files.set(path, bytes);
+  }
+
+  private count(bytes: number): void {
+    this.size += bytes;
+    if (this.size > MAX_PACKED_BYTES) throw new ProjectTooLargeToPack(this.size);
+  }
+}
+
+/** A path in the archive for what is at an address. */
+const archivePathOf = (address: string): string =>
+  address
+    .replace(/^[a-z]+:\/\/[^/]*\//i, '')
+    .replace(/[?#].*$/, '')
+    .replace(/^(\.{0,2}\/)+/, '');

@@ -1,0 +1,88 @@
+import { inputError, messageOf } from '../../formats/diagnostics/inputError.ts';
+import { resolvePath } from '../../formats/files/fileSource.ts';
+import { nearestPath } from '../../formats/files/nearestPath.ts';
+import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
+import { renameFiles } from '../../graph/document/fileReferences.ts';
+import { parseDocument } from '../../graph/document/parse.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
+import { InputError } from '../../scene/types.ts';
+import type { LocalFiles } from '../loading/localFiles.ts';
+import { expandArchives, readUserFile, type UserFile, type UserFiles } from '../loading/userFiles.ts';
+import type { LoadedProject } from '../state/editor.ts';
+import { exportedName, findProject, importedPath } from './projectNames.ts';
+
+/** Beyond this a file is no project, whatever it is called [bytes]. */
+const MAX_PROJECT_BYTES = 2 ** 26;
+
+/** A project that could not be opened: where, and why. */
+export interface OpenError {
+  readonly place?: string;
+  readonly text: string;
+}
+
+/** What is told of a project that could not be opened; `name`: its file. */
+export function openErrorOf(name: string, thrown: unknown): OpenError {
+  if (thrown instanceof InputError) return { place: thrown.diagnostic.place, text: thrown.diagnostic.message };
+  const text = messageOf(thrown);
+  return {
+    place: name,
+    text:
+      thrown instanceof DocumentError ? `${text}. Save the project again, or undo what was changed in its text.` : text,
+  };
+}
+
+/** What is told of a link that could not be opened; its message names it. */
+export const linkErrorOf = (thrown: unknown): OpenError => ({ text: messageOf(thrown) });
+
+/**
+ * A project among files that a person gave. The files that it names are looked for beside it, then anywhere among these, then among those
+ * of this session; the others are left to be found beside the page. Throws an InputError or a DocumentError.
+ */
+export async function projectFromFiles(files: UserFiles, path: string, local: LocalFiles): Promise<LoadedProject> {
+  const document = parseDocument(await readText(path, files.get(path)!));
+  const origin = local.add(files, path);
+  const found = (name: string): string => {
+    const plain = exportedName(name, origin);
+    const beside = importedPath(path, plain);
+    const held = files.has(beside) ? beside : nearestPath(files.keys(), plain);
+    return held === undefined ? (local.find(plain) ?? plain) : local.sibling(origin, held);
+  };
+  return { document: renameFiles(document, nodeLibrary, found), origin, unsaved: false };
+}
+
+/** A project, or a zip that holds one, at an address; its files are beside it. Throws as `projectFromFiles`, and where the server has none. */
+export async function projectFromAddress(address: string, local: LocalFiles): Promise<LoadedProject> {
+  const response = await fetch(new URL(address, document.baseURI));
+  const name = address.slice(address.lastIndexOf('/') + 1);
+  if (!response.ok) throw inputError('file.missing', name, `the server answers ${response.status}; check the address`);
+  const file = await response.blob();
+  if (!/\.zip$/i.test(name))
+    return {
+      document: resolveFileNames(parseDocument(await readText(name, file)), address),
+      origin: address,
+      unsaved: false,
+    };
+  const files = await expandArchives(new Map([[name, file]]));
+  return projectFromFiles(files, findProjectFile(files, name), local);
+}
+
+/** Throws an InputError where there is none. */
+function findProjectFile(files: UserFiles, name: string): string {
+  const path = findProject([...files.keys()]);
+  if (path === undefined)
+    throw inputError('zip.no-project', name, 'it holds no .slowlight.json; save the project with its files again');
+  return path;
+}
+
+const resolveFileNames = (project: GraphDocument, address: string): GraphDocument =>
+  renameFiles(project, nodeLibrary, (name) => {
+    if (/^[a-z]+:/i.test(name)) return name;
+    return /^[a-z]+:/i.test(address) ? new URL(name, address).href : resolvePath(address, name);
+  });
+
+async function readText(name: string, file: UserFile): Promise<string> {
+  const size = file instanceof Blob ? file.size : file.entry.size;
+  if (size > MAX_PROJECT_BYTES)
+    throw inputError('file.too-large', name, `${size} bytes are more than a project has; it holds words, not data`);
+  return new TextDecoder().decode(await readUserFile(file, () => {}));
+}

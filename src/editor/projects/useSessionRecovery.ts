@@ -1,0 +1,78 @@
+import { useCallback, useEffect, useRef } from 'react';
+import { messageOf } from '../../formats/diagnostics/inputError.ts';
+import { isShareLink } from '../../graph/document/shareLink.ts';
+import { useTexts } from '../i18n/i18n.ts';
+import { useServices } from '../services.tsx';
+import { useEditor } from '../state/context.tsx';
+import { linkErrorOf, openErrorOf } from './projectSource.ts';
+import { restoreSession } from './restoreSession.ts';
+import type { SessionRecord } from './sessionStore.ts';
+import { projectFromLink } from './startup.ts';
+
+/** Says what the browser cannot keep, offers the work of a tab that was closed, and opens links that are followed within the page. */
+export function useSessionRecovery(): void {
+  const { t, language } = useTexts();
+  const studio = useEditor();
+  const { autosave, sessions } = useServices();
+  const resume = useRestoreSession();
+  const say = useRef(t);
+  say.current = t;
+  useEffect(() => {
+    autosave.onFailure = (unkept) => {
+      const text =
+        unkept.kind === 'work'
+          ? say.current('notice.notKept', { why: unkept.why })
+          : say.current('notice.filesNotKept', { size: unkept.size });
+      studio.notify({ kind: 'error', text });
+    };
+  }, [studio, autosave]);
+
+  const when = useRef((at: number) => new Date(at).toLocaleString());
+  when.current = (at) => formatTime(at, language);
+  useEffect(() => {
+    if (!sessions || autosave.isRestored) return;
+    const offer = async (): Promise<void> => {
+      const [latest] = (await sessions.closedSessions()).filter(({ unsaved, passed }) => unsaved && !passed);
+      if (!latest) return;
+      // It is offered once; after that it is in the menu.
+      await sessions.save({ ...latest, passed: true });
+      const text = say.current('notice.earlier', { when: when.current(latest.at), name: latest.name });
+      const action = { text: say.current('notice.continue'), act: () => resume(latest) };
+      studio.notify({ kind: 'info', text, action });
+    };
+    offer().catch((error: unknown) => autosave.onFailure({ kind: 'work', why: messageOf(error) }));
+  }, [studio, autosave, sessions, resume]);
+
+  useEffect(() => {
+    const onFollowed = (): void => {
+      if (!isShareLink(location.hash)) return;
+      try {
+        studio.openProject(projectFromLink(location.hash));
+      } catch (error) {
+        studio.notify({ kind: 'error', ...linkErrorOf(error) });
+      }
+    };
+    addEventListener('hashchange', onFollowed);
+    return () => removeEventListener('hashchange', onFollowed);
+  }, [studio]);
+}
+
+export const formatTime = (at: number, language: string): string =>
+  new Date(at).toLocaleString(language === 'zh' ? 'zh-CN' : 'en-GB', { dateStyle: 'medium', timeStyle: 'short' });
+
+/** Goes on with the work of a tab that was closed; it is this tab's from then on. */
+export function useRestoreSession(): (session: SessionRecord) => void {
+  const studio = useEditor();
+  const { autosave, sessions, localFiles } = useServices();
+  return useCallback(
+    (session) => {
+      const resumed = async (): Promise<void> => {
+        if (!sessions) return;
+        studio.openProject(restoreSession(session, await sessions.filesOf(session.id), localFiles));
+        if (await autosave.saveNow()) await sessions.delete(session.id);
+      };
+      resumed().catch((error: unknown) => studio.notify({ kind: 'error', ...openErrorOf(session.name, error) }));
+    },
+    [studio, autosave, sessions, localFiles],
+  );
+}

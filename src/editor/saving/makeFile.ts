@@ -1,0 +1,119 @@
+import { zipSync } from 'fflate';
+import { extensionOf } from '../../formats/files/fileSource.ts';
+import { CancelledError } from '../../graph/evaluation/evaluator.ts';
+import { NodeRefusal } from '../../graph/nodeType.ts';
+import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
+import { pictureSequence } from '../../nodes/pictures/fileSequence.ts';
+import { type PictureFrame, type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
+import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
+import type { ImageOutput, RequestedFile, SceneOutput, VideoOutput } from '../../nodes/project/outputFiles.ts';
+import type { Backend } from '../../render/settings.ts';
+import { OffscreenRenderer } from './offscreenRenderer.ts';
+import { MAX_PAGE_BYTES, UnsupportedInPage } from './unsupportedInPage.ts';
+
+/** A file as it is handed to the person. */
+export interface MadeFile {
+  readonly name: string;
+  readonly content: Blob;
+  /** What the file cannot hold. */
+  readonly losses?: readonly string[];
+}
+
+export interface MakeFileOptions {
+  readonly node: string;
+  readonly backend: Backend | 'auto';
+  readonly signal: AbortSignal;
+  /** Hears which part is done, 0 … 1. */
+  readonly progress: (part: number) => void;
+}
+
+/** What a node asks for; of several files a zip. Throws a NotHere, a NodeRefusal, or a CancelledError. */
+export async function makeFile(file: RequestedFile, making: MakeFileOptions): Promise<MadeFile> {
+  if (file.kind === 'scene') return sceneFile(file, making);
+  const picture = pictureSequence(file);
+  if (extensionOf(file.name) !== 'mp4') return pictureFile(file, picture, making);
+  const { Mp4Encoder } = await import('./mp4Encoder.ts');
+  const encoder = await Mp4Encoder.open(picture.size, file.kind === 'video' ? file.fps : 1, picture.frames.length);
+  if (!encoder) throw new UnsupportedInPage('notice.noFilm');
+  try {
+    await renderFrames(file, picture, making, async (frame) => {
+      await encoder.add(frame.rendered.pixels);
+      checkSize(encoder.size);
+    });
+    return { name: file.name, content: new Blob([await encoder.finish()], { type: 'video/mp4' }) };
+  } finally {
+    encoder.close();
+  }
+}
+
+async function sceneFile(file: SceneOutput, { node }: MakeFileOptions): Promise<MadeFile> {
+  if (extensionOf(file.name) === 'usdc') {
+    const message =
+      'binary USD is written by Pixar’s own library, which no browser has; the same scene as .usdz holds all of it';
+    const remedy = { node, param: 'name', value: file.name.replace(/\.usdc$/i, '.usdz') };
+    throw new NodeRefusal({ severity: 'error', code: 'file.binary', place: `${node}.name`, message, remedy });
+  }
+  const { files, diagnostics } = await exportSceneFile(file, file.name);
+  const losses = diagnostics.filter(({ severity }) => severity !== 'info');
+  const told = losses.map(({ place, message }) => `${place.replace(`${file.name}: `, '')}: ${message}`);
+  return { ...bundleFiles(file.name, files), losses: told };
+}
+
+async function pictureFile(
+  file: ImageOutput | VideoOutput,
+  sequence: PictureSequence,
+  making: MakeFileOptions,
+): Promise<MadeFile> {
+  const files = new Map<string, Uint8Array>();
+  let size = 0;
+  const isLight = sequence.aovs.length > 0;
+  await renderFrames(file, sequence, making, async (frame) => {
+    const { rendered, number = 0 } = frame;
+    const bytes = isLight
+      ? encodeExrPicture(sequence.size, rendered, frame, file.picture.scene)
+      : encodePngPicture(sequence.size, rendered, frame);
+    files.set(frameName(file.name, number), bytes);
+    size += bytes.length;
+    checkSize(size);
+  });
+  return bundleFiles(file.name, files);
+}
+
+/** Draws frame by frame, as long as nobody cancels. */
+async function renderFrames(
+  { picture }: ImageOutput | VideoOutput,
+  sequence: PictureSequence,
+  { backend, signal, progress }: MakeFileOptions,
+  take: (frame: PictureFrame) => Promise<void>,
+): Promise<void> {
+  const painter = await OffscreenRenderer.open(backend, picture.scenes, sequence.size);
+  const count = sequence.frames.length;
+  try {
+    throwIfCancelled(signal);
+    for await (const frame of renderPictureSequence(painter, sequence, (done) => progress(done / count))) {
+      throwIfCancelled(signal);
+      await take(frame);
+    }
+  } finally {
+    painter.close();
+  }
+}
+
+function checkSize(bytes: number): void {
+  if (bytes > MAX_PAGE_BYTES) throw new UnsupportedInPage('notice.tooLarge');
+}
+
+function throwIfCancelled(signal: AbortSignal): void {
+  if (signal.aborted) throw new CancelledError();
+}
+
+/** One file as it is; several, what is packed already among them, as a zip. */
+function bundleFiles(name: string, files: ReadonlyMap<string, Uint8Array>): MadeFile {
+  const [only] = files.values();
+  if (files.size === 1 && only) return { name: [...files.keys()][0]!, content: new Blob([only.slice()]) };
+  const zip = zipSync(Object.fromEntries(files), { level: 0 });
+  return {
+    name: `${name.replace(/[._-]?#*\.\w+$/, '')}.zip`,
+    content: new Blob([zip.slice()], { type: 'application/zip' }),
+  };
+}

@@ -1,0 +1,32 @@
+import { type Vec3, ZERO } from '../../math/vec3.ts';
+import type { PictureSpec } from '../../nodes/defineNode.ts';
+import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
+import { properVelocity } from '../../physics/lorentz/boost.ts';
+import type { ObserverState } from '../../physics/lorentz/observer.ts';
+import type { Scene, SceneCamera } from '../../scene/types.ts';
+import { observerFromCamera } from '../../scene/view/camera.ts';
+import type { ViewPoint } from '../../scene/view/view.ts';
+import type { Lock } from '../flight/flight.ts';
+
+export const sceneUpVector = (scene: Scene): Vec3 => (scene.upAxis === 'Y' ? [0, 1, 0] : [0, 0, 1]);
+
+/** Where the observer begins: in the camera, at rest unless the scene wants a velocity from the start. */
+export function initialObserver(picture: PictureSpec): ObserverState {
+  const { hints, startTime } = picture.scene;
+  const t = hints.openAt ?? startTime;
+  const { position, orientation } = observerFromCamera(pictureCamera(picture), t, picture.speedOfLight);
+  return { t, position, orientation, u: hints.beta ? properVelocity(hints.beta) : ZERO, properTime: 0 };
+}
+
+/** On the scene's camera at world time t [s], with the camera's own velocity. */
+export function observerOnCamera(camera: SceneCamera, state: ObserverState, c: number): ObserverState {
+  const { position, orientation, u } = observerFromCamera(camera, state.t, c);
+  return { ...state, position, orientation, u };
+}
+
+/** What the renderer is asked to show. The `fly` lock hides the velocity from it. */
+export function viewPointOf(state: ObserverState, picture: PictureSpec, lock: Lock): ViewPoint {
+  const fovY = picture.fovY ?? pictureCamera(picture).fovY;
+  const { t, position, orientation } = state;
+  return { t, position, orientation, u: lock === 'fly' ? ZERO : state.u, fovY };
+}

@@ -1,0 +1,135 @@
+import { describe, expect, it } from 'vitest';
+import type { PictureSpec } from '../../nodes/defineNode.ts';
+import { meteredExposure } from '../../nodes/pictures/metering.ts';
+import { type LightMeterReadings, METER_CELLS } from '../../scene/view/metering.ts';
+import { DEFAULT_SETTINGS } from '../../scene/view/view.ts';
+import { AutoExposure, type MeteredPicture } from './autoExposure.ts';
+
+const picture = { metering: 'automatic', falseColor: 'none' } as PictureSpec;
+const viewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 } as const;
+const light = (luminance: number): LightMeterReadings => ({
+  luminance: new Float32Array(METER_CELLS * METER_CELLS).fill(luminance),
+  doppler: new Float32Array(),
+  time: new Float32Array(),
+});
+const drawn = (luminance: number, more: Partial<MeteredPicture> = {}): MeteredPicture => ({
+  picture,
+  viewPoint: { ...viewPoint, t: luminance },
+  settings: DEFAULT_SETTINGS,
+  aspect: 1.5,
+  measureLight: async () => light(luminance),
+  ...more,
+});
+const wanted = (luminance: number): number => meteredExposure([luminance]);
+
+describe('the eye', () => {
+  it('takes the first light as it is, and goes to the next bit by bit', async () => {
+    const eye = new AutoExposure(false);
+    eye.observe(drawn(1));
+    await eye.advance(0, 0);
+    expect(eye.exposure(picture)).toBeCloseTo(wanted(1), 12);
+    eye.observe(drawn(16));
+    await eye.advance(0.02, 100);
+    const way: number[] = [];
+    for (let i = 0; i < 200; i++) {
+      void eye.advance(0.02, 101);
+      way.push(eye.exposure(picture));
+    }
+    expect(way[0]).toBeLessThan(wanted(1));
+    expect(way[5]).toBeGreaterThan(wanted(16));
+    expect(way.every((value, i) => i === 0 || value <= way[i - 1]!)).toBe(true);
+    expect(way.at(-1)).toBe(way.at(-2));
+    expect(way.at(-1)).toBeCloseTo(wanted(16), 12);
+  });
+
+  it('goes at once where less motion is wished for, and after a blink', async () => {
+    for (const eye of [new AutoExposure(true), new AutoExposure(false)]) {
+      eye.observe(drawn(1));
+      await eye.advance(0, 0);
+      eye.reset();
+      eye.observe(drawn(4));
+      await eye.advance(0.01, 100);
+      void eye.advance(0.01, 101);
+      expect(eye.exposure(picture)).toBeCloseTo(wanted(4), 12);
+    }
+  });
+
+  it('after a blink takes nothing from what was measured of before', async () => {
+    const eye = new AutoExposure(false);
+    let measured = (_: LightMeterReadings): void => {};
+    eye.observe(drawn(1, { measureLight: () => new Promise((done) => (measured = done)) }));
+    const late = eye.advance(0, 0);
+    eye.observe(drawn(2));
+    eye.reset();
+    measured(light(1));
+    await late;
+    expect(eye.advance(0, 100)).toBeUndefined();
+    expect(eye.exposure(picture)).toBe(0);
+    eye.observe(drawn(4));
+    await eye.advance(0, 200);
+    expect(eye.exposure(picture)).toBeCloseTo(wanted(4), 12);
+  });
+
+  it('rests when all that was drawn is measured, and it is where that leads', async () => {
+    const eye = new AutoExposure(false);
+    expect(eye.isSettled).toBe(true);
+    eye.observe(drawn(1));
+    expect(eye.isSettled).toBe(false);
+    const first = eye.advance(0, 0);
+    expect(eye.isSettled).toBe(false);
+    await first;
+    expect(eye.isSettled).toBe(true);
+    eye.observe(drawn(16));
+    await eye.advance(0.02, 100);
+    void eye.advance(0.02, 101);
+    expect(eye.isSettled).toBe(false);
+    for (let i = 0; i < 200; i++) void eye.advance(0.02, 102);
+    expect(eye.isSettled).toBe(true);
+    eye.observe(drawn(2, { measureLight: () => Promise.reject(new Error('lost')) }));
+    await eye.advance(0, 200)?.catch(() => {});
+    expect(eye.isSettled).toBe(true);
+  });
+
+  it('measures one picture at a time and none twice; another exposure is no other picture', async () => {
+    const eye = new AutoExposure(true);
+    let count = 0;
+    const gauge = async () => {
+      count++;
+      return light(1);
+    };
+    const still = drawn(1, { measureLight: gauge });
+    eye.observe(still);
+    const first = eye.advance(0, 0);
+    eye.observe(drawn(2, { measureLight: gauge }));
+    expect(eye.advance(0, 100)).toBeUndefined();
+    await first;
+    await eye.advance(0, 200);
+    expect(count).toBe(2);
+    eye.observe(drawn(2, { measureLight: gauge, settings: { ...DEFAULT_SETTINGS, exposure: 3, tone: 'agx' } }));
+    expect(eye.advance(0, 300)).toBeUndefined();
+  });
+
+  it('finds the scale of false colours, also where the exposure is set by hand', async () => {
+    const eye = new AutoExposure(true);
+    const shown = { metering: 'manual', falseColor: 'doppler' } as PictureSpec;
+    const gauge = async (): Promise<LightMeterReadings> => ({ ...light(1), doppler: Float32Array.of(0.6, 1.2) });
+    expect(eye.scale('doppler').to).toBeLessThan(1.1);
+    eye.observe(drawn(1, { picture: shown, measureLight: gauge }));
+    await eye.advance(0, 0);
+    expect(eye.scale('doppler')).toEqual({ from: 0.5, to: 2 });
+    expect(eye.exposure(shown)).toBe(0);
+  });
+
+  it('leaves a manual exposure alone, and survives a device that is lost', async () => {
+    const eye = new AutoExposure(true);
+    const manual = { ...picture, metering: 'manual' } as const;
+    eye.observe(drawn(8, { picture: manual }));
+    expect(eye.advance(0, 0)).toBeUndefined();
+    expect(eye.exposure(manual)).toBe(0);
+    eye.observe(drawn(8, { measureLight: () => Promise.reject(new Error('lost')) }));
+    await expect(eye.advance(0, 100)).rejects.toThrow('lost');
+    eye.observe(drawn(4));
+    await eye.advance(0, 200);
+    expect(eye.exposure(picture)).toBeCloseTo(wanted(4), 12);
+  });
+});

@@ -1,0 +1,35 @@
+import type { Backend } from '../../render/settings.ts';
+
+/**
+ * What to draw with: as wanted, where this browser has it; undefined where it has nothing that will do. Left to choose, a WebGPU
+ * that is only emulated on the processor gives way to WebGL2, which is several times as fast there.
+ */
+export async function chooseBackend(wanted: Backend | 'auto'): Promise<Backend | 'auto' | undefined> {
+  const webgl = hasWebGl2();
+  if (wanted === 'webgl') return webgl ? 'webgl' : undefined;
+  const adapter = await findAdapter();
+  if (wanted === 'webgpu') return adapter ? 'webgpu' : undefined;
+  if (!adapter && !webgl) return undefined;
+  return adapter?.info.isFallbackAdapter && webgl ? 'webgl' : 'auto';
+}
+
+/** Whether pictures are drawn on the processor, as far as the browser tells. */
+export function isSoftwareRenderer(): boolean {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const name = gl?.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL;
+  const told = String(gl?.getParameter(name ?? gl.RENDERER));
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(told);
+}
+
+const hasWebGl2 = (): boolean => document.createElement('canvas').getContext('webgl2') !== null;
+
+async function findAdapter(): Promise<GPUAdapter | undefined> {
+  try {
+    // Absent on pages that are not secure, whatever its type says.
+    const gpu: GPU | undefined = navigator.gpu;
+    return (await gpu?.requestAdapter()) ?? undefined;
+  } catch {
+    return undefined;
+  }
+}

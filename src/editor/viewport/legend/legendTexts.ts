@@ -1,0 +1,70 @@
+import {
+  colorRamp,
+  type FalseColorQuantity,
+  type FalseColorScale,
+  positionOnScale,
+} from '../../../spectrum/falseColor/falseColor.ts';
+import { tickDigits, ticksOf } from '../../../spectrum/falseColor/falseColorScale.ts';
+import { bandOf, SPECTRAL_BANDS } from '../../../spectrum/falseColor/spectralBands.ts';
+import { formatLength, formatNumber } from '../../format.ts';
+import type { Translate } from '../../i18n/i18n.ts';
+import type { PickedValue } from './legendState.ts';
+
+/** Colours of the bar: enough that nobody sees steps. */
+const GRADIENT_STOPS = 33;
+
+/** What a legend tells, on the page and in a saved picture, in the language of the page. Colours are CSS's, places parts 0 … 1 of the bar. */
+export interface LegendTexts {
+  readonly title: string;
+  /** From end to end, at equal steps. */
+  readonly stops: readonly string[];
+  readonly ticks: readonly { readonly part: number; readonly text: string }[];
+  /** What the bar shows, for those who do not see it. */
+  readonly range: string;
+  readonly bands: readonly { readonly name: string; readonly color: string }[];
+}
+
+export function legendTexts({ kind, ...scale }: FalseColorScale, t: Translate): LegendTexts {
+  const ticks = ticksOf(kind, scale);
+  const digits = tickDigits(ticks);
+  return {
+    title: t(`legend.${kind}`),
+    stops: colorRamp(kind, scale, GRADIENT_STOPS).map(css),
+    ticks: ticks.map((value) => ({ part: positionOnScale(kind, value, scale), text: shortText(kind, value, digits) })),
+    range: t('legend.range', { from: valueText(kind, scale.from), to: valueText(kind, scale.to) }),
+    bands:
+      kind === 'band' ? SPECTRAL_BANDS.map(({ name, color }) => ({ name: t(`band.${name}`), color: css(color) })) : [],
+  };
+}
+
+const css = (rgb: readonly number[]): string => `rgb(${rgb.join(' ')})`;
+
+/** Where on the bar a value is that was read. */
+export function pickedPosition({ kind, ...scale }: FalseColorScale, { value }: PickedValue): number | undefined {
+  return Number.isNaN(value) ? undefined : Math.min(1, Math.max(0, positionOnScale(kind, value, scale)));
+}
+
+/** A value that was read, and of what. */
+export const pickedTexts = (kind: FalseColorQuantity, reading: PickedValue, t: Translate) => ({
+  value: pickedText(kind, reading, t),
+  of: reading.path ?? t('legend.sky'),
+});
+
+function pickedText(kind: FalseColorQuantity, { value }: PickedValue, t: Translate): string {
+  if (Number.isNaN(value)) return t('legend.nothing');
+  return kind === 'band' ? `${valueText(kind, value)} · ${t(`band.${bandOf(value)}`)}` : valueText(kind, value);
+}
+
+/** With its unit. */
+function valueText(kind: FalseColorQuantity, value: number): string {
+  if (kind === 'doppler') return `D = ${formatNumber(value)}`;
+  if (kind === 'emission-time') return `${formatNumber(value)} s`;
+  return kind === 'band' ? formatLength(value) : formatNumber(value);
+}
+
+/** Beside the bar there is little room. */
+function shortText(kind: FalseColorQuantity, value: number, digits: number): string {
+  const text = formatNumber(kind === 'band' ? value * 1e9 : value, digits);
+  const short = text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+  return kind === 'emission-time' ? `${short} s` : short;
+}

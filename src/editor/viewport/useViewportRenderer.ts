@@ -1,0 +1,64 @@
+import { type RefObject, useEffect, useRef, useState } from 'react';
+import { useTexts } from '../i18n/i18n.ts';
+import { useServices } from '../services.tsx';
+import { useEditor } from '../state/context.tsx';
+import { ViewportRenderer } from './viewportRenderer.ts';
+
+/** So many losses within so long [ms], and the device is given up. */
+const MAX_LOSSES = 3;
+const LOSS_WINDOW = 60_000;
+
+/**
+ * Keeps a renderer on the canvas. When the device or the context is lost, a new life begins with a new canvas: the document,
+ * the observer and the time go on where they were. Returns the number of the life, the key of the canvas.
+ */
+export function useViewportRenderer(canvas: RefObject<HTMLCanvasElement | null>): number {
+  const { t } = useTexts();
+  const studio = useEditor();
+  const services = useServices();
+  const [life, setLife] = useState(0);
+  const losses = useRef<number[]>([]);
+  const say = useRef(t);
+  say.current = t;
+
+  useEffect(() => {
+    let stage: ViewportRenderer | undefined;
+    let over = false;
+    const begin = async (element: HTMLCanvasElement) => {
+      const started = await ViewportRenderer.start(
+        element,
+        studio,
+        services.observerController,
+        services.backend,
+        lost,
+      );
+      if (over) return started.stop();
+      stage = started;
+      services.viewport.capture = () => started.capture();
+      services.viewport.besides = () => started.previewContext();
+      if (life > 0 && losses.current.length > 0) studio.notify({ kind: 'info', text: say.current('notice.recovered') });
+    };
+    const lost = () => {
+      if (over) return;
+      const now = performance.now();
+      losses.current = [...losses.current.filter((time) => now - time < LOSS_WINDOW), now];
+      const failed = losses.current.length > MAX_LOSSES;
+      studio.update({ graphics: failed ? 'failed' : 'recovering' });
+      if (!failed) setLife((lives) => lives + 1);
+    };
+    if (canvas.current) {
+      begin(canvas.current).catch((error: unknown) => {
+        const text = error instanceof Error ? error.message : String(error);
+        studio.notify({ kind: 'error', text });
+        lost();
+      });
+    }
+    return () => {
+      over = true;
+      services.viewport.capture = undefined;
+      services.viewport.besides = undefined;
+      stage?.stop();
+    };
+  }, [canvas, studio, services, life]);
+  return life;
+}

@@ -1,7 +1,0 @@
-/** `/World/Car{paint}=red` → set and option of a `VariantSet`; undefined where it is no choice. */
-export function parseChoice(text: string): readonly [set: string, option: string] | undefined {
-  const at = text.indexOf('=');
-  return at > 0 && at < text.length - 1 ? [text.slice(0, at), text.slice(at + 1)] : undefined;
-}
-
-export const formatChoice = (set: string, option: string): string => `${set}=${option}`;

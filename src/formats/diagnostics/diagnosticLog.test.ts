@@ -1,0 +1,24 @@
+import { describe, expect, it } from 'vitest';
+import { DiagnosticLog } from './diagnosticLog.ts';
+
+describe('notes', () => {
+  it('say each thing once, with its place', () => {
+    const notes = new DiagnosticLog('a.obj');
+    for (let i = 0; i < 3; i++) notes.add('warning', 'obj.missing-material', 'line 2', 'no such file');
+    notes.add('info', 'file.units', '', 'metres');
+    expect(notes.list()).toEqual([
+      { severity: 'warning', code: 'obj.missing-material', place: 'a.obj: line 2', message: 'no such file' },
+      { severity: 'info', code: 'file.units', place: 'a.obj', message: 'metres' },
+    ]);
+  });
+
+  it('of one kind are a hundred at most, and one that says so', () => {
+    const notes = new DiagnosticLog('a.obj');
+    for (let i = 0; i < 1000; i++) notes.add('warning', 'obj.missing-material', `line ${i}`, 'no such file');
+    notes.add('info', 'file.units', '', 'metres');
+    const list = notes.list();
+    expect(list.length).toBe(102);
+    expect(list[99].place).toBe('a.obj: line 99');
+    expect(list[100]).toMatchObject({ place: 'a.obj', message: 'there are more of these; the first 100 are listed' });
+  });
+});

@@ -1,0 +1,21 @@
+import type { Diagnostic, MissingFile } from '../../scene/types.ts';
+import type { DiagnosticCode } from './diagnosticCodes.ts';
+
+/** What every reader says of a picture that is not there: what was asked for, and where it was looked for. */
+export function missingTexture(
+  name: string,
+  lookedFor: readonly string[],
+): Pick<Diagnostic, 'message'> & { code: DiagnosticCode; missing: MissingFile } {
+  const message = `the texture ${name} is not there (looked for ${lookedFor.join(', ')}); shown without it`;
+  return { code: 'file.missing-texture', message, missing: { name, lookedFor } };
+}
+
+/** The same of a table of a spectrum; `instead`: what is done without it. */
+export function missingSpectrum(
+  name: string,
+  lookedFor: readonly string[],
+  instead = 'its light is taken for daylight',
+): Pick<Diagnostic, 'message'> & { code: DiagnosticCode; missing: MissingFile } {
+  const message = `the spectrum ${name} is not there (looked for ${lookedFor.join(', ')}); ${instead}`;
+  return { code: 'file.missing-spectrum', message, missing: { name, lookedFor } };
+}

@@ -1,5 +1,0 @@
-/** At most so many of the times, evenly chosen, with the first and the last. */
-export function evenly<T extends ArrayLike<number>>(times: T, most: number): T | Float64Array {
-  if (times.length <= most) return times;
-  return Float64Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]);
-}

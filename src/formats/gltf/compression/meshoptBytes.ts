@@ -1,0 +1,41 @@
+/** Reads bytes one after another; throws an Error that names the byte where it would pass `end`. */
+export class ByteReader {
+  at: number;
+  private readonly bytes: Uint8Array;
+  private readonly end: number;
+  constructor(bytes: Uint8Array, at: number, end: number) {
+    this.bytes = bytes;
+    this.at = at;
+    this.end = end;
+  }
+
+  byte(): number {
+    if (this.at >= this.end) throw this.short(1);
+    return this.bytes[this.at++];
+  }
+
+  /** The next `count` bytes, not copied. */
+  take(count: number): Uint8Array {
+    if (this.at + count > this.end) throw this.short(count);
+    this.at += count;
+    return this.bytes.subarray(this.at - count, this.at);
+  }
+
+  /** Seven bits a byte, the lowest first; of what is longer than 32 bits the lowest 32. */
+  varint(): number {
+    let value = 0;
+    for (let shift = 0; shift < 35; shift += 7) {
+      const byte = this.byte();
+      value |= (byte & 0x7f) << shift;
+      if (byte < 0x80) return value >>> 0;
+    }
+    throw new Error(`a number of more than 5 bytes ends at byte ${this.at}`);
+  }
+
+  private short(wanted: number): Error {
+    return new Error(`wants ${wanted} more bytes at byte ${this.at}, but the data ends at ${this.end}`);
+  }
+}
+
+/** 0, 1, 2, 3 … → 0, −1, 1, −2 … */
+export const unzigzag = (v: number): number => (v >>> 1) ^ -(v & 1);

@@ -1,0 +1,210 @@
+import type { GLTF } from '@gltf-transform/core';
+import type { DiagnosticCode } from '../../diagnostics/diagnosticCodes.ts';
+import { formatBytes, messageOf } from '../../diagnostics/inputError.ts';
+import { gltfError, type Resources } from '../context.ts';
+import { checkRange, MAX_UNPACKED } from '../load/checkReferences.ts';
+import type { DracoMesh } from './draco.ts';
+
+/**
+ * Compressed geometry, unpacked: afterwards the JSON reads as if the file had been written without compression, with the
+ * unpacked bytes in buffers of their own, and all checks of plain files hold for it. A decoder is loaded only for a file
+ * that needs it.
+ */
+
+const DRACO = 'KHR_draco_mesh_compression';
+/** The second is the first's successor: a version more of one codec and a filter more. */
+const MESHOPT = ['EXT_meshopt_compression', 'KHR_meshopt_compression'] as const;
+export const COMPRESSIONS: readonly string[] = [DRACO, ...MESHOPT];
+
+type BufferView = GLTF.IBufferView;
+type Primitive = GLTF.IMeshPrimitive;
+
+export async function unpackGeometry(entry: string, json: GLTF.IGLTF, resources: Resources): Promise<void> {
+  const unpacker = new GeometryUnpacker(entry, json, resources);
+  const views = (json.bufferViews ?? []).filter((view) => meshoptOf(view));
+  if (views.length > 0) await unpacker.unpackViews();
+  const primitives = (json.meshes ?? []).flatMap((mesh) => mesh.primitives).filter((p) => dracoOf(p));
+  if (primitives.length > 0) await unpacker.unpackPrimitives();
+}
+
+/** Whether a buffer only holds the place of what is compressed, for readers without the extension. */
+export const isFallback = (buffer: GLTF.IBuffer): boolean =>
+  MESHOPT.some((name) => (buffer.extensions?.[name] as { fallback?: unknown } | undefined)?.fallback === true);
+
+interface MeshoptView {
+  readonly buffer: number;
+  readonly byteOffset?: number;
+  readonly byteLength: number;
+  readonly byteStride: number;
+  readonly count: number;
+  readonly mode: string;
+  readonly filter?: string;
+}
+const meshoptOf = (view: BufferView): MeshoptView | undefined =>
+  MESHOPT.map((name) => view.extensions?.[name] as MeshoptView | undefined).find((found) => found !== undefined);
+
+interface DracoPrimitive {
+  readonly bufferView: number;
+  readonly attributes: Readonly<Record<string, number>>;
+}
+const dracoOf = (p: Primitive): DracoPrimitive | undefined => p.extensions?.[DRACO] as DracoPrimitive | undefined;
+
+class GeometryUnpacker {
+  private readonly entry: string;
+  private readonly json: GLTF.IGLTF;
+  private readonly resources: Resources;
+  private left = MAX_UNPACKED;
+  constructor(entry: string, json: GLTF.IGLTF, resources: Resources) {
+    this.entry = entry;
+    this.json = json;
+    this.resources = resources;
+  }
+
+  async unpackViews(): Promise<void> {
+    const { decodeMeshopt, checkMeshopt } = await import('./meshopt.ts');
+    for (const [i, view] of (this.json.bufferViews ?? []).entries()) {
+      const packed = meshoptOf(view);
+      if (!packed) continue;
+      const what = `bufferView ${i}`;
+      const data = this.bytes(what, packed);
+      const bytes = this.attempt('gltf.meshopt', what, () => {
+        checkMeshopt(packed, data.length);
+        this.spend(what, packed.count * packed.byteStride);
+        return decodeMeshopt(data, packed);
+      });
+      if (bytes.length < view.byteLength) {
+        throw this.refusal('gltf.meshopt', what, `unpacks to ${bytes.length} bytes, not to ${view.byteLength}`);
+      }
+      const { extensions: _, ...plain } = view;
+      this.json.bufferViews![i] = { ...plain, buffer: this.addBuffer(bytes), byteOffset: 0 };
+    }
+    this.emptyUnusedBuffers();
+  }
+
+  async unpackPrimitives(): Promise<void> {
+    const { loadDraco } = await import('./draco.ts');
+    const decode = await loadDraco();
+    const meshes = new Map<number, DracoMesh>();
+    const filled = new Map<number, string>();
+    for (const [i, mesh] of (this.json.meshes ?? []).entries()) {
+      for (const p of mesh.primitives) {
+        const packed = dracoOf(p);
+        if (!packed) continue;
+        const what = `mesh ${mesh.name ?? i}`;
+        this.attempt('gltf.draco', what, () => {
+          const known = meshes.get(packed.bufferView);
+          const unpacked = known ?? decode(this.viewBytes(what, packed.bufferView));
+          meshes.set(packed.bufferView, unpacked);
+          this.fillPrimitive(p, packed, unpacked, filled);
+        });
+      }
+    }
+  }
+
+  /** Gives the accessors of a primitive their unpacked values. */
+  private fillPrimitive(p: Primitive, packed: DracoPrimitive, mesh: DracoMesh, filled: Map<number, string>): void {
+    if (p.mode !== undefined && p.mode !== 4)
+      throw new Error(`is compressed as triangles, but drawn in mode ${p.mode}`);
+    p.indices ??= this.json.accessors!.push({ type: 'SCALAR', componentType: 5125, count: mesh.indices.length }) - 1;
+    const fill = (place: number, key: string, count: number, values: () => ArrayBufferView<ArrayBuffer>): void => {
+      const own = `${packed.bufferView} ${key}`;
+      const known = filled.get(place);
+      if (known === own) return;
+      const accessor = this.json.accessors?.[place];
+      if (!accessor) throw new Error(`refers to accessor ${place}`);
+      if (known !== undefined) throw new Error(`fills accessor ${place} a second time`);
+      if (accessor.count !== count)
+        throw new Error(`holds ${count} values for accessor ${place}, which has ${accessor.count}`);
+      filled.set(place, own);
+      this.replaceValues(place, values());
+    };
+    fill(p.indices, 'indices', mesh.indices.length, () => this.asIndices(p.indices!, mesh.indices));
+    for (const [name, id] of Object.entries(packed.attributes)) {
+      const place = p.attributes[name];
+      fill(place, `${id}`, mesh.points, () => {
+        const { type, componentType } = this.json.accessors![place];
+        const { components, values } = mesh.attribute(id, componentType);
+        if (COMPONENTS.get(type) !== components)
+          throw new Error(`has ${components} numbers in each ${name}, not ${type}`);
+        return values;
+      });
+    }
+    delete p.extensions![DRACO];
+  }
+
+  private asIndices(place: number, indices: Uint32Array): ArrayBufferView<ArrayBuffer> {
+    const accessor = this.json.accessors![place];
+    accessor.componentType = 5125;
+    return Uint32Array.from(indices);
+  }
+
+  private replaceValues(place: number, values: ArrayBufferView<ArrayBuffer>): void {
+    const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
+    this.spend(`accessor ${place}`, bytes.length);
+    const buffer = this.addBuffer(bytes);
+    const view = this.json.bufferViews!.push({ buffer, byteLength: bytes.length }) - 1;
+    const { byteOffset: _, sparse: __, ...accessor } = this.json.accessors![place];
+    this.json.accessors![place] = { ...accessor, bufferView: view };
+  }
+
+  private viewBytes(what: string, place: number): Uint8Array {
+    const view = this.json.bufferViews?.[place];
+    if (!view) throw new Error(`refers to bufferView ${place}`);
+    return this.bytes(what, view);
+  }
+
+  private bytes(what: string, part: { buffer: number; byteOffset?: number; byteLength: number }): Uint8Array {
+    const buffer = this.json.buffers?.[part.buffer];
+    if (!buffer) throw this.refusal('gltf.bad-reference', what, `refers to buffer ${part.buffer}`);
+    const held = this.resources[buffer.uri ?? '@glb.bin'] ?? new Uint8Array(0);
+    const from = part.byteOffset ?? 0;
+    checkRange(this.entry, what, from, part.byteLength, held.length);
+    return held.subarray(from, from + part.byteLength);
+  }
+
+  private addBuffer(bytes: Uint8Array<ArrayBuffer>): number {
+    const uri = `unpacked:${this.json.buffers!.length}`;
+    this.resources[uri] = bytes;
+    return this.json.buffers!.push({ uri, byteLength: bytes.length }) - 1;
+  }
+
+  /** What only held the place of compressed data has none, and nothing asks for it any more. */
+  private emptyUnusedBuffers(): void {
+    const used = new Set(this.json.bufferViews?.map((view) => view.buffer));
+    this.json.buffers?.forEach((buffer, i) => {
+      if (used.has(i)) return;
+      buffer.uri = `unpacked:${i}`;
+      buffer.byteLength = 0;
+      this.resources[buffer.uri] = new Uint8Array(0);
+    });
+  }
+
+  private spend(what: string, bytes: number): void {
+    this.left -= bytes;
+    if (this.left >= 0) return;
+    const message = `with it the file unpacks to more than ${formatBytes(MAX_UNPACKED)}; export it in parts`;
+    throw gltfError(this.entry, 'gltf.too-large', what, message);
+  }
+
+  /** What a decoder gives; whatever it throws becomes a refusal of the file. */
+  private attempt<T>(code: DiagnosticCode, what: string, decode: () => T): T {
+    try {
+      return decode();
+    } catch (thrown) {
+      if (thrown instanceof Error && thrown.name === 'InputError') throw thrown;
+      throw this.refusal(code, what, messageOf(thrown), thrown);
+    }
+  }
+
+  private refusal(code: DiagnosticCode, what: string, reason: string, cause?: unknown): Error {
+    const message = `its compressed data ${reason}; export it again, or without compression`;
+    return gltfError(this.entry, code, what, message, cause);
+  }
+}
+
+const COMPONENTS: ReadonlyMap<string, number> = new Map([
+  ['SCALAR', 1],
+  ['VEC2', 2],
+  ['VEC3', 3],
+  ['VEC4', 4],
+]);

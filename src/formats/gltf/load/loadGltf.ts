@@ -1,0 +1,222 @@
+import { BufferUtils, type Document, type GLTF, type ILogger, WebIO } from '@gltf-transform/core';
+import {
+  EXTMeshGPUInstancing,
+  KHRLightsPunctual,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
+  KHRMaterialsUnlit,
+  KHRMaterialsVariants,
+  KHRMeshQuantization,
+  KHRTextureTransform,
+} from '@gltf-transform/extensions';
+import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
+import { formatBytes, messageOf } from '../../diagnostics/inputError.ts';
+import { missingTexture } from '../../diagnostics/missingFiles.ts';
+import { type FileSource, resolvePath } from '../../files/fileSource.ts';
+import { COMPRESSIONS, isFallback, unpackGeometry } from '../compression/unpack.ts';
+import { gltfError, type Resources } from '../context.ts';
+import { checkGltf } from './checkReferences.ts';
+import { checkSchema } from './checkSchema.ts';
+
+const GLB_MAGIC = 0x46546c67;
+const JSON_CHUNK = 0x4e4f534a;
+const BIN_CHUNK = 0x004e4942;
+/** Where glTF-Transform looks for the binary chunk of a GLB. */
+const GLB_BUFFER = '@glb.bin';
+
+const EXTENSIONS = [
+  EXTMeshGPUInstancing,
+  KHRLightsPunctual,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
+  KHRMaterialsUnlit,
+  KHRMaterialsVariants,
+  KHRMeshQuantization,
+  KHRTextureTransform,
+];
+const HANDLED: readonly string[] = [...EXTENSIONS.map((e) => e.EXTENSION_NAME), ...COMPRESSIONS, 'KHR_node_visibility'];
+/** Without these a thing looks a little different, but is where it should be. */
+const LOOKS_ONLY =
+  /^(KHR_materials_|KHR_xmp|EXT_structural_metadata|EXT_mesh_features|KHR_texture_basisu|EXT_texture_)/;
+const CHANGES_COLOR = /^(KHR_texture_basisu|EXT_texture_|KHR_materials_pbrSpecularGlossiness)/;
+
+/** Loads the file and all that it refers to, checks it and parses it. */
+export async function loadGltf(
+  source: FileSource,
+  entry: string,
+  notes: DiagnosticLog,
+): Promise<{ json: GLTF.IGLTF; document: Document }> {
+  const bytes = await source.read(entry);
+  if (!bytes) throw gltfError(entry, 'file.missing', '', 'no such file');
+  const { json, binary } = unpackContainer(entry, bytes);
+  const resources = await loadResources(source, entry, json, notes);
+  if (binary) resources[GLB_BUFFER] = binary;
+  checkExtensions(entry, json, notes);
+  dropUnreadTextures(json, notes);
+  await unpackGeometry(entry, json, resources);
+  checkGltf(entry, json, resources);
+  const quiet = (): void => {};
+  const logger: ILogger = { debug: quiet, info: quiet, warn: quiet, error: quiet };
+  const io = new WebIO().setLogger(logger).registerExtensions(EXTENSIONS);
+  return { json, document: await io.readJSON({ json, resources }) };
+}
+
+function unpackContainer(entry: string, bytes: Uint8Array): { json: GLTF.IGLTF; binary?: Uint8Array<ArrayBuffer> } {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const isBinary = bytes.length >= 4 && view.getUint32(0, true) === GLB_MAGIC;
+  if (!isBinary) return { json: parseJson(entry, bytes) };
+  const size = bytes.length >= 12 ? view.getUint32(8, true) : 12;
+  if (size > bytes.length) {
+    const message = `${formatBytes(bytes.length)} of ${formatBytes(size)}: the file is cut off; copy or export it again`;
+    throw gltfError(entry, 'gltf.truncated', '', message);
+  }
+  const version = view.getUint32(4, true);
+  if (version !== 2)
+    throw gltfError(entry, 'gltf.version', '', `GLB version ${version}; only 2 is read, export it as glTF 2.0`);
+  const chunks = readChunks(entry, view, bytes, size);
+  const json = chunks.get(JSON_CHUNK);
+  if (!json) throw gltfError(entry, 'gltf.damaged', '', 'the GLB has no JSON chunk; export it again');
+  const binary = chunks.get(BIN_CHUNK);
+  return { json: parseJson(entry, json), ...(binary ? { binary: unshared(binary) } : {}) };
+}
+
+function readChunks(entry: string, view: DataView, bytes: Uint8Array, size: number): Map<number, Uint8Array> {
+  const chunks = new Map<number, Uint8Array>();
+  for (let at = 12; at + 8 <= size; ) {
+    const length = view.getUint32(at, true);
+    const type = view.getUint32(at + 4, true);
+    if (at + 8 + length > size) {
+      const message = `a chunk of ${formatBytes(length)} at byte ${at} runs past the end; export it again`;
+      throw gltfError(entry, 'gltf.truncated', '', message);
+    }
+    if (!chunks.has(type)) chunks.set(type, bytes.subarray(at + 8, at + 8 + length));
+    at += 8 + length;
+  }
+  return chunks;
+}
+
+function parseJson(entry: string, bytes: Uint8Array): GLTF.IGLTF {
+  let json: unknown;
+  try {
+    json = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
+  } catch (thrown) {
+    const message = `the JSON is damaged or cut off (${messageOf(thrown)}); copy or export it again`;
+    throw gltfError(entry, 'gltf.damaged', '', message, thrown);
+  }
+  const isGltf = typeof json === 'object' && json !== null && Object.hasOwn(json, 'asset');
+  if (!isGltf) throw gltfError(entry, 'gltf.damaged', '', 'not a glTF: the JSON has no "asset"');
+  return checkSchema(entry, json);
+}
+
+/** Buffers and images by uri. Data URIs are unpacked under a short name of their own, which then stands in `json`. */
+async function loadResources(
+  source: FileSource,
+  entry: string,
+  json: GLTF.IGLTF,
+  notes: DiagnosticLog,
+): Promise<Resources> {
+  const resources: Resources = Object.create(null);
+  const load = async (item: { uri?: string }, what: string): Promise<boolean> => {
+    if (item.uri === undefined) return true;
+    const bytes = await loadUri(source, entry, what, item.uri);
+    if (item.uri.startsWith('data:')) item.uri = what;
+    resources[item.uri] = bytes ?? new Uint8Array(0);
+    return bytes !== undefined;
+  };
+  for (const [i, buffer] of (json.buffers ?? []).entries()) {
+    const { uri } = buffer;
+    if (isFallback(buffer) || (await load(buffer, `buffer ${i}`))) continue;
+    throw gltfError(entry, 'gltf.missing-file', `buffer ${i}`, `there is no file ${uri}; put it beside the scene`);
+  }
+  for (const [i, image] of (json.images ?? []).entries()) {
+    const { uri } = image;
+    if (await load(image, `image ${i}`)) continue;
+    const { code, message, missing } = missingTexture(uri ?? '', [resolvePath(entry, unescaped(uri ?? ''))]);
+    notes.add('warning', code, usersOf(json, i), message, { missing });
+  }
+  return resources;
+}
+
+/** `image 3, material Wood`: an image with the materials that show it. */
+function usersOf(json: GLTF.IGLTF, image: number): string {
+  const shows = (texture: GLTF.ITextureInfo | undefined) =>
+    texture !== undefined && json.textures?.[texture.index]?.source === image;
+  const users = (json.materials ?? []).flatMap((material, i) => {
+    const { baseColorTexture, metallicRoughnessTexture } = material.pbrMetallicRoughness ?? {};
+    const all = [baseColorTexture, metallicRoughnessTexture, material.emissiveTexture, material.normalTexture];
+    return all.some(shows) || shows(material.occlusionTexture) ? [`material ${material.name ?? i}`] : [];
+  });
+  return [`image ${image}`, ...users.slice(0, 3), ...(users.length > 3 ? ['…'] : [])].join(', ');
+}
+
+async function loadUri(
+  source: FileSource,
+  entry: string,
+  what: string,
+  uri: string,
+): Promise<Uint8Array<ArrayBuffer> | undefined> {
+  if (uri.startsWith('data:')) {
+    try {
+      return BufferUtils.createBufferFromDataURI(uri);
+    } catch (thrown) {
+      throw gltfError(entry, 'gltf.damaged', what, `its data URI cannot be decoded (${messageOf(thrown)})`, thrown);
+    }
+  }
+  const bytes = (await source.read(resolvePath(entry, unescaped(uri)))) ?? (await source.read(resolvePath(entry, uri)));
+  return bytes && unshared(bytes);
+}
+
+/** File sources give bytes in plain memory; the type alone does not say so. */
+const unshared = (bytes: Uint8Array): Uint8Array<ArrayBuffer> => bytes as Uint8Array<ArrayBuffer>;
+
+/** URIs are percent-encoded, but not by every exporter. */
+function unescaped(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
+/** Refuses what cannot be shown at all, names what is left out, and keeps both from the reader beneath. */
+function checkExtensions(entry: string, json: GLTF.IGLTF, notes: DiagnosticLog): void {
+  for (const name of json.extensionsRequired ?? []) {
+    if (HANDLED.includes(name) || LOOKS_ONLY.test(name)) continue;
+    const message = `it needs the extension ${name}, which is not read; export it without`;
+    throw gltfError(entry, 'gltf.unsupported-extension', '', message);
+  }
+  for (const name of json.extensionsUsed ?? []) {
+    if (HANDLED.includes(name)) continue;
+    const severity = LOOKS_ONLY.test(name) && !CHANGES_COLOR.test(name) ? 'info' : 'warning';
+    const effect = CHANGES_COLOR.test(name) ? '; what uses it is shown without its picture or colour' : '';
+    notes.add(severity, 'gltf.ignored-extension', '', `the extension ${name} is left out${effect}`);
+  }
+  json.extensionsRequired = json.extensionsRequired?.filter((name) =>
+    EXTENSIONS.some((e) => e.EXTENSION_NAME === name),
+  );
+}
+
+/** Textures whose pictures only an extension has that is not read (WebP, KTX2): materials go without them. */
+function dropUnreadTextures(json: GLTF.IGLTF, notes: DiagnosticLog): void {
+  const isUnread = (info: GLTF.ITextureInfo | undefined): boolean =>
+    info !== undefined && json.textures?.[info.index] !== undefined && json.textures[info.index].source === undefined;
+  for (const [i, material] of (json.materials ?? []).entries()) {
+    const slots: (readonly [Record<string, unknown>, string])[] = [
+      [material as Record<string, unknown>, 'emissiveTexture'],
+      [material as Record<string, unknown>, 'normalTexture'],
+      [material as Record<string, unknown>, 'occlusionTexture'],
+      [(material.pbrMetallicRoughness ?? {}) as Record<string, unknown>, 'baseColorTexture'],
+      [(material.pbrMetallicRoughness ?? {}) as Record<string, unknown>, 'metallicRoughnessTexture'],
+    ];
+    for (const [holder, name] of slots) {
+      if (!isUnread(holder[name] as GLTF.ITextureInfo | undefined)) continue;
+      delete holder[name];
+      notes.add(
+        'warning',
+        'file.unreadable-texture',
+        `material ${material.name ?? i}`,
+        `its ${name} has no picture that is read; shown without it`,
+      );
+    }
+  }
+}

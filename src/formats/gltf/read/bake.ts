@@ -1,0 +1,260 @@
+import { invert, type Mat3, multiply as times3, transpose } from '../../../math/mat3.ts';
+import { fromParts, isRigid, linearPart } from '../../../math/mat4.ts';
+import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../../math/quat.ts';
+import { add, scale, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { boundingBox } from '../../../scene/bounds/bounds.ts';
+import { transformMesh } from '../../../scene/mesh/meshOps.ts';
+import { AdaptivePath, SamplingBudget } from '../../../scene/motion/adaptiveSampling.ts';
+import type { Mesh, Motion, Pose, SampledMotion, StaticMotion } from '../../../scene/types.ts';
+import { formatBytes } from '../../diagnostics/inputError.ts';
+import { subsampleEvenly } from '../../read/subsample.ts';
+import type { GltfContext } from '../context.ts';
+import type { Deformer } from './deform.ts';
+import { type KeyTimes, keyTimesOf } from './keyTimes.ts';
+import type { AnimatedTransform, NodeTransform } from './nodes.ts';
+import type { Geometry } from './primitives.ts';
+
+/** Distance of straight pieces from the true path, as a fraction of half the object's diagonal. */
+const RIGID_TOLERANCE = 1e-4;
+const DEFORMING_TOLERANCE = 1e-3;
+/** The path and the axes, 1 m long, of what has no size [m]. */
+const FRAME_TOLERANCE = 1e-4;
+/** How far the matrix of a rigid motion may be from a rotation: files hold single precision. */
+const RIGIDITY = 1e-5;
+/** Points of a deforming mesh by whose paths its sample times are chosen. */
+const MAX_PROBED_POINTS = 256;
+/** Inside a piece a path is looked at here: in the middle and at two places that no periodic motion has in common. */
+const PATH_PROBES = [0.23, 0.5, 0.71];
+/** A piece between two keys is halved at most this many times. */
+const MAX_HALVINGS = 12;
+/** For the paths of all that moves together [curves, each at one time]: about half a second. */
+const MOTION_BUDGET = 2 ** 17;
+/** Following so many points takes as long as one curve. */
+const POINTS_PER_CURVE = 8;
+/** Most bytes of baked points in a scene. */
+export const MAX_BAKED = 2 ** 30;
+
+/** A mesh with its motion, ready for a scene. */
+export interface BakedMesh {
+  readonly mesh: Mesh;
+  readonly motion: Motion;
+}
+
+/** Bakes the objects of one scene, within one budget of memory. */
+export class Baker {
+  private readonly context: GltfContext;
+  private readonly budget: number;
+  private readonly stretches = new Map<Mesh, Map<string, Mesh>>();
+  private readonly motionBudget = new SamplingBudget(MOTION_BUDGET);
+  private left: number;
+  /** `budget`: most bytes of baked points. */
+  constructor(context: GltfContext, budget = MAX_BAKED) {
+    this.context = context;
+    this.budget = budget;
+    this.left = budget;
+  }
+
+  /** Greatest distance of a baked path from the file's own [m]; undefined where nothing was baked. */
+  get pathError(): number | undefined {
+    return this.motionBudget.error;
+  }
+
+  /** A mesh that only its node moves: rigid where that is a rotation and a translation, else deforming. */
+  bakeAffine(frame: AnimatedTransform, geometry: Geometry, deformer: Deformer): BakedMesh {
+    const { transformAt } = frame;
+    const knots = keyTimesOf(deformer.curves);
+    const first = transformAt(knots.times[0] ?? 0);
+    if (knots.times.length === 0) return this.placed(geometry.mesh, first);
+    this.noteJumps(frame, knots);
+    const corners = boxCorners(geometry.mesh.positions);
+    const shape = cornerPaths(corners, transformAt);
+    const tolerance = this.tolerance(RIGID_TOLERANCE) * radiusOf(shape(knots.times[0]));
+    const times = this.followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
+    const poses = rigidPoses(transformAt, first, times);
+    if (!poses) return this.bakePoints(frame, geometry, deformer);
+    return { mesh: this.placed(geometry.mesh, first).mesh, motion: rigidMotion(times, poses) };
+  }
+
+  /** A mesh that bends: every vertex at every sample time. */
+  bakePoints(frame: AnimatedTransform, geometry: Geometry, deformer: Deformer): BakedMesh {
+    const knots = keyTimesOf(deformer.curves);
+    this.noteJumps(frame, knots);
+    const start = knots.times[0] ?? 0;
+    const times = this.pointTimes(frame, geometry, deformer, knots);
+    const shapes = times.map((t) => deformer.pointsAt(t));
+    const origin = centerOf(shapes[0] ?? deformer.pointsAt(start));
+    const relative = (shape: Float64Array): Float32Array => Float32Array.from(shape, (x, i) => x - origin[i % 3]);
+    const points = shapes.length > 0 ? shapes.map(relative) : [relative(deformer.pointsAt(start))];
+    const normals = (times.length > 0 ? times : [start]).map((t) => deformer.normalsAt(t));
+    const bent = { ...geometry.mesh, positions: points[0], normals: normals[0] };
+    const mesh = deformer.isMirroredAt(start) ? turnedRound(bent) : bent;
+    if (times.length < 2) return { mesh, motion: resting(origin) };
+    return { mesh, motion: { kind: 'sampled-points', times: Float64Array.from(times), origin, points, normals } };
+  }
+
+  /** Where a camera is and looks, or a light; its scale does not count. */
+  bakeFrame(frame: AnimatedTransform): StaticMotion | SampledMotion {
+    const { transformAt } = frame;
+    const knots = keyTimesOf(frame.curves);
+    const poseAt = (t: number): Pose => poseOf(transformAt(t));
+    if (knots.times.length < 2) return { kind: 'static', pose: poseAt(knots.times[0] ?? 0) };
+    const axes = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+    const rigid = (t: number): NodeTransform => {
+      const { position, orientation } = poseAt(t);
+      return { matrix: fromParts(toMatrix(orientation), position), rotation: orientation };
+    };
+    const times = this.followed(frame, knots, cornerPaths(axes, rigid), FRAME_TOLERANCE);
+    return rigidMotion(times, times.map(poseAt));
+  }
+
+  /** The mesh in a frame that has the node's rotation; scale, shear and mirror are in the mesh. */
+  private placed(mesh: Mesh, placement: NodeTransform): BakedMesh {
+    const linear = linearPart(placement.matrix);
+    const stretch = times3(transpose(toMatrix(placement.rotation)), linear);
+    const isPlain = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
+    const own = isPlain ? mesh : this.stretched(mesh, stretch);
+    return { mesh: own, motion: { kind: 'static', pose: poseOf(placement) } };
+  }
+
+  /** Copies of one mesh in one size share it. */
+  private stretched(mesh: Mesh, stretch: Mat3): Mesh {
+    const known = this.stretches.get(mesh) ?? new Map<string, Mesh>();
+    this.stretches.set(mesh, known);
+    const key = stretch.map((x) => x.toPrecision(12)).join(' ');
+    const made = known.get(key) ?? transformMesh(mesh, fromParts(stretch, ZERO));
+    known.set(key, made);
+    return made;
+  }
+
+  private tolerance(byDefault: number): number {
+    return this.context.options.chordTolerance ?? byDefault;
+  }
+
+  /** Times at which `shape` is followed along its path, as closely as the scene's budget allows. */
+  private followed(
+    { path, curves }: Pick<AnimatedTransform, 'path' | 'curves'>,
+    knots: KeyTimes,
+    shape: (t: number) => ArrayLike<number>,
+    tolerance: number,
+  ): number[] {
+    const cost = 1 + curves.length + shape(knots.times[0]).length / 3 / POINTS_PER_CURVE;
+    const how = { tolerance, fractions: PATH_PROBES, maxHalvings: MAX_HALVINGS, ramps: knots.jumps };
+    const refined = new AdaptivePath(Float64Array.from(knots.times), shape, how);
+    const { times, error, needed } = this.motionBudget.sample(refined, cost);
+    if (error > tolerance) {
+      const message = `moves too wildly between its ${knots.times.length} keys to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
+      this.context.notes.add('warning', 'gltf.resampling', path, message);
+    }
+    return [...times];
+  }
+
+  private noteJumps({ path }: AnimatedTransform, { jumps }: KeyTimes): void {
+    if (jumps.size === 0) return;
+    const message = `jumps ${jumps.size} times (first at ${[...jumps].sort((a, b) => a - b)[0]} s); each jump is shown as a ramp of at most 1 ms, and may be faster than light`;
+    this.context.notes.add('warning', 'gltf.jump', path, message);
+  }
+
+  /** Sample times of a deforming mesh; with a wider tolerance, or every n-th, where memory would not hold them. */
+  private pointTimes(frame: AnimatedTransform, { mesh }: Geometry, deformer: Deformer, knots: KeyTimes): number[] {
+    if (knots.times.length === 0) return [];
+    const vertices = mesh.positions.length / 3;
+    const probes = Array.from({ length: Math.min(MAX_PROBED_POINTS, vertices) }, (_, i) =>
+      Math.floor((i * vertices) / Math.min(MAX_PROBED_POINTS, vertices)),
+    );
+    const shape = (t: number): Float64Array => deformer.pointsAt(t, probes);
+    const sampleBytes = vertices * 24;
+    const most = Math.max(2, Math.floor(this.left / Math.max(1, sampleBytes)));
+    const wanted = this.tolerance(DEFORMING_TOLERANCE) * radiusOf(shape(knots.times[0]));
+    let tolerance = wanted;
+    let times = this.followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
+    while (times.length > Math.max(most, knots.times.length)) {
+      tolerance = tolerance > 0 ? tolerance * 4 : radiusOf(shape(knots.times[0])) * 1e-3 || 1;
+      times = this.followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
+    }
+    if (times.length > most) times = [...subsampleEvenly(times, most)];
+    if (times.length < knots.times.length || tolerance > wanted) {
+      const message = `bends too much to hold in ${formatBytes(this.budget)}; it is sampled at ${times.length} times only`;
+      this.context.notes.add('warning', 'gltf.coarse', frame.path, message);
+    }
+    this.left -= times.length * sampleBytes;
+    return times;
+  }
+}
+
+const poseOf = ({ matrix, rotation }: NodeTransform): Pose => ({
+  position: [matrix[3], matrix[7], matrix[11]],
+  orientation: rotation,
+});
+
+/** Poses of a rigid motion; undefined where the frame is scaled or sheared on the way. */
+function rigidPoses(
+  placementAt: (t: number) => NodeTransform,
+  first: NodeTransform,
+  times: readonly number[],
+): Pose[] | undefined {
+  const undo = invert(linearPart(first.matrix));
+  if (!undo) return undefined;
+  const poses: Pose[] = [];
+  for (const t of times) {
+    const { matrix } = placementAt(t);
+    const turn = times3(linearPart(matrix), undo);
+    if (!isRigid(fromParts(turn, ZERO), RIGIDITY)) return undefined;
+    poses.push({ position: [matrix[3], matrix[7], matrix[11]], orientation: after(fromMatrix(turn), first.rotation) });
+  }
+  return poses;
+}
+
+function rigidMotion(times: readonly number[], poses: readonly Pose[]): StaticMotion | SampledMotion {
+  const same = (p: Pose): boolean => [...p.position, ...p.orientation].every((x, i) => Math.abs(x - at0[i]) < 1e-12);
+  const at0 = [...poses[0].position, ...poses[0].orientation];
+  if (times.length < 2 || poses.every(same)) return { kind: 'static', pose: poses[0] };
+  const out = new Float64Array(7 * poses.length);
+  let before = poses[0].orientation;
+  for (const [i, { position, orientation }] of poses.entries()) {
+    // q and −q turn alike; neighbours get the same sign, so that they can be blended.
+    const dot = orientation.reduce((sum, x, k) => sum + x * before[k], 0);
+    before = dot < 0 ? (orientation.map((x) => -x) as unknown as Quat) : orientation;
+    out.set([...position, ...before], 7 * i);
+  }
+  return { kind: 'sampled', times: Float64Array.from(times), poses: out };
+}
+
+/** For an affine motion the greatest error of any point inside a box is that of one of its corners. */
+function cornerPaths(
+  corners: readonly number[],
+  placementAt: (t: number) => NodeTransform,
+): (t: number) => Float64Array {
+  return (t) => {
+    const { matrix: m } = placementAt(t);
+    const out = new Float64Array(corners.length);
+    for (let i = 0; i < corners.length; i += 3)
+      for (let k = 0; k < 3; k++)
+        out[i + k] =
+          m[4 * k] * corners[i] + m[4 * k + 1] * corners[i + 1] + m[4 * k + 2] * corners[i + 2] + m[4 * k + 3];
+    return out;
+  };
+}
+
+function boxCorners(positions: Float32Array): number[] {
+  const box = boundingBox(positions) ?? { min: ZERO, max: ZERO };
+  const ends = [box.min, box.max];
+  return [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [ends[i & 1][0], ends[(i >> 1) & 1][1], ends[i >> 2][2]]);
+}
+
+function radiusOf(points: ArrayLike<number>): number {
+  const box = boundingBox(points);
+  return box ? Math.hypot(...box.max.map((x, k) => x - box.min[k])) / 2 : 0;
+}
+
+function centerOf(points: ArrayLike<number>): Vec3 {
+  const box = boundingBox(points);
+  return box ? scale(add(box.min, box.max), 0.5) : ZERO;
+}
+
+const resting = (position: Vec3): StaticMotion => ({ kind: 'static', pose: { position, orientation: [0, 0, 0, 1] } });
+
+function turnedRound(mesh: Mesh): Mesh {
+  const indices = mesh.indices.slice();
+  for (let i = 0; i + 2 < indices.length; i += 3) [indices[i + 1], indices[i + 2]] = [indices[i + 2], indices[i + 1]];
+  return { ...mesh, indices };
+}

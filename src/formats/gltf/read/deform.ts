@@ -1,0 +1,157 @@
+import type { Node as GltfNode } from '@gltf-transform/core';
+import { cofactors, determinant, transform } from '../../../math/mat3.ts';
+import { linearPart, type Mat4, multiply } from '../../../math/mat4.ts';
+import { normalize } from '../../../math/vec3.ts';
+import { blendMatrices } from '../../read/skinning.ts';
+import { type GltfContext, gltfError } from '../context.ts';
+import { floatsOf } from './accessors.ts';
+import type { AnimationCurve } from './curves.ts';
+import type { AnimatedTransform, NodeTree } from './nodes.ts';
+import type { Geometry } from './primitives.ts';
+
+/** The bending of one mesh at one node: where its vertices are in the world at any time [s]. */
+export interface Deformer {
+  /** Everything that moves or bends it. */
+  readonly curves: readonly AnimationCurve[];
+  /** World places [m], 3 per vertex; of all vertices, or of those named. */
+  pointsAt(t: number, vertices?: readonly number[]): Float64Array;
+  /** World normals, 3 per vertex. */
+  normalsAt(t: number): Float32Array;
+  /** Whether the mesh is inside out at a time: its node mirrors it. */
+  isMirroredAt(t: number): boolean;
+}
+
+interface Joint {
+  readonly node: GltfNode;
+  readonly inverseBind: Mat4;
+}
+
+/** `frame`: where the mesh is without joints. */
+export function makeDeformer(
+  context: GltfContext,
+  tree: NodeTree,
+  node: GltfNode,
+  frame: AnimatedTransform,
+  geometry: Geometry,
+): Deformer {
+  const joints = geometry.skin ? readJoints(context, tree, node, geometry.skin.joints) : undefined;
+  const weightsCurve = geometry.morphs.length > 0 ? tree.weightsCurve(node) : undefined;
+  const weightsAt = (t: number): readonly number[] => weightsCurve?.at(t) ?? givenWeights(node);
+  const movers = new Set(joints ? joints.flatMap((j) => tree.curvesAbove(j.node)) : frame.curves);
+  // A skinned mesh follows its joints alone; its own node does not move it (glTF 2.0, 3.7.3.3).
+  const matricesAt = (t: number): Mat4[] =>
+    joints?.map((j) => multiply(tree.transformAt(j.node, t).matrix, j.inverseBind)) ?? [frame.transformAt(t).matrix];
+  return {
+    curves: [...movers, ...(weightsCurve ? [weightsCurve] : [])],
+    pointsAt: (t, vertices) => points(geometry, matricesAt(t), weightsAt(t), vertices),
+    normalsAt: (t) => normals(geometry, matricesAt(t), weightsAt(t)),
+    isMirroredAt: (t) => determinant(linearPart(matricesAt(t)[0])) < 0,
+  };
+}
+
+const givenWeights = (node: GltfNode): readonly number[] =>
+  node.getWeights().length > 0 ? node.getWeights() : (node.getMesh()?.getWeights() ?? []);
+
+/** The mesh in the shape that unchanging morph weights give it. */
+export function settleMorphs(node: GltfNode, geometry: Geometry): Geometry {
+  const weights = givenWeights(node);
+  const { mesh, morphs } = geometry;
+  if (!morphs.some((_, i) => weights[i])) return { ...geometry, morphs: [] };
+  const settled = (values: Float32Array, of: 'positions' | 'normals'): Float32Array =>
+    values.map((x, i) => morphs.reduce((sum, morph, m) => sum + (weights[m] ?? 0) * morph[of][i], x));
+  const normals = settled(mesh.normals, 'normals');
+  for (let i = 0; i < normals.length; i += 3) {
+    normals.set(normalize([normals[i], normals[i + 1], normals[i + 2]], [0, 0, 1]), i);
+  }
+  return { ...geometry, mesh: { ...mesh, positions: settled(mesh.positions, 'positions'), normals }, morphs: [] };
+}
+
+function readJoints(context: GltfContext, tree: NodeTree, node: GltfNode, used: Uint16Array): Joint[] | undefined {
+  const what = tree.path(node);
+  const skin = node.getSkin();
+  if (!skin) return undefined;
+  const nodes = skin.listJoints();
+  const highest = used.reduce((a, b) => Math.max(a, b), 0);
+  if (highest >= nodes.length) {
+    const message = `a vertex follows joint ${highest} of ${nodes.length}; the file is damaged, export it again`;
+    throw gltfError(context.entry, 'gltf.bad-skin', what, message);
+  }
+  const accessor = skin.getInverseBindMatrices();
+  const binds = accessor ? floatsOf(accessor) : undefined;
+  if (binds && binds.length < nodes.length * 16) {
+    const message = `${binds.length / 16} inverse bind matrices for ${nodes.length} joints; export it again`;
+    throw gltfError(context.entry, 'gltf.bad-skin', what, message);
+  }
+  const bind = (j: number): Mat4 =>
+    Array.from({ length: 16 }, (_, i) => (binds ? binds[j * 16 + (i % 4) * 4 + (i >> 2)] : i % 5 === 0 ? 1 : 0));
+  return nodes.map((joint, j) => ({ node: joint, inverseBind: bind(j) }));
+}
+
+function points(
+  { mesh, morphs, skin }: Geometry,
+  matrices: readonly Mat4[],
+  weights: readonly number[],
+  vertices?: readonly number[],
+): Float64Array {
+  const count = vertices?.length ?? mesh.positions.length / 3;
+  const out = new Float64Array(count * 3);
+  const at = matrixOfVertex(matrices, skin);
+  for (let i = 0; i < count; i++) {
+    const v = vertices ? vertices[i] : i;
+    const m = at(v);
+    const p = [mesh.positions[v * 3], mesh.positions[v * 3 + 1], mesh.positions[v * 3 + 2]];
+    addMorphs(p, morphs, 'positions', weights, v);
+    for (let k = 0; k < 3; k++)
+      out[i * 3 + k] = m[4 * k] * p[0] + m[4 * k + 1] * p[1] + m[4 * k + 2] * p[2] + m[4 * k + 3];
+  }
+  return out;
+}
+
+/** Normals go with the cofactors of what moves the points; a mirror turns them round. */
+function normals(
+  { mesh, morphs, skin }: Geometry,
+  matrices: readonly Mat4[],
+  weights: readonly number[],
+): Float32Array {
+  const out = new Float32Array(mesh.normals.length);
+  const shared = skin ? undefined : normalMatrix(matrices[0]);
+  const at = matrixOfVertex(matrices, skin);
+  for (let v = 0; v < out.length / 3; v++) {
+    const m = shared ?? normalMatrix(at(v));
+    const n = [mesh.normals[v * 3], mesh.normals[v * 3 + 1], mesh.normals[v * 3 + 2]];
+    addMorphs(n, morphs, 'normals', weights, v);
+    out.set(normalize(transform(m, [n[0], n[1], n[2]]), [0, 0, 1]), v * 3);
+  }
+  return out;
+}
+
+/** What carries a vertex: the node, or the blend of its joints, which is good until the next is asked for. */
+function matrixOfVertex(matrices: readonly Mat4[], skin: Geometry['skin']): (vertex: number) => Mat4 {
+  if (!skin) return () => matrices[0];
+  const flat = Float64Array.from(matrices.flatMap((m) => m.slice(0, 12)));
+  const out = new Array<number>(16).fill(0);
+  return (vertex) => {
+    blendMatrices(out, flat, 12, skin, vertex);
+    return out;
+  };
+}
+
+function normalMatrix(m: Mat4): readonly number[] {
+  const linear = linearPart(m);
+  return determinant(linear) < 0 ? cofactors(linear).map((x) => -x) : cofactors(linear);
+}
+
+function addMorphs(
+  target: number[],
+  morphs: Geometry['morphs'],
+  of: 'positions' | 'normals',
+  weights: readonly number[],
+  v: number,
+): void {
+  for (let m = 0; m < morphs.length; m++) {
+    const weight = weights[m] ?? 0;
+    if (weight === 0) continue;
+    const values = morphs[m][of];
+    for (let k = 0; k < 3; k++) target[k] += weight * values[v * 3 + k];
+  }
+}

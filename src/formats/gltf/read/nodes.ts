@@ -1,0 +1,165 @@
+import type { Animation, Node as GltfNode } from '@gltf-transform/core';
+import { decomposeRigid, fromParts, IDENTITY, type Mat4, multiply } from '../../../math/mat4.ts';
+import { multiply as after, normalizeQuat, type Quat, toMatrix } from '../../../math/quat.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { UniquePrimPaths } from '../../read/primPaths.ts';
+import { type GltfContext, gltfError } from '../context.ts';
+import { type AnimationCurve, makeCurve } from './curves.ts';
+
+type AnimatedProperty = 'translation' | 'rotation' | 'scale' | 'weights';
+
+interface TreeNode {
+  /** In the file. */
+  readonly place: number;
+  readonly source: GltfNode;
+  readonly parent: TreeNode | undefined;
+  /** As written, where it is a matrix: it may shear, which translation, rotation and scale cannot tell. */
+  readonly matrix: Mat4 | undefined;
+  readonly curves: Readonly<Partial<Record<AnimatedProperty, AnimationCurve>>>;
+  readonly path: string;
+}
+
+/** Where a frame is at a time: its matrix to the world, and the product of the rotations alone along the way. */
+export interface NodeTransform {
+  readonly matrix: Mat4;
+  readonly rotation: Quat;
+}
+
+/** A frame of a node, or one fixed in it: a thing that may move. */
+export interface AnimatedTransform {
+  /** For messages. */
+  readonly path: string;
+  /** Everything that moves it. */
+  readonly curves: readonly AnimationCurve[];
+  transformAt(t: number): NodeTransform;
+}
+
+/** The node tree with one animation on it: where every node is at any time [s]. */
+export class NodeTree {
+  private readonly nodes = new Map<GltfNode, TreeNode>();
+  private readonly names = new UniquePrimPaths();
+  constructor(context: GltfContext, animation: Animation | undefined) {
+    const all = context.document.getRoot().listNodes();
+    const curves = animation
+      ? readChannels(context, animation)
+      : new Map<GltfNode, Partial<Record<AnimatedProperty, AnimationCurve>>>();
+    const places = new Map(all.map((node, i) => [node, i]));
+    const build = (source: GltfNode, parent: TreeNode | undefined): void => {
+      const place = places.get(source) ?? 0;
+      const written = context.json.nodes?.[place].matrix;
+      const path = this.names.of(parent?.path ?? '', source.getName() || `Node${place}`);
+      const own = curves.get(source) ?? {};
+      const node = { place, source, parent, matrix: written && rowMajor(written), curves: own, path };
+      this.nodes.set(source, node);
+      for (const child of source.listChildren()) build(child, node);
+    };
+    const children = new Set(all.flatMap((node) => node.listChildren()));
+    for (const node of all) if (!children.has(node)) build(node, undefined);
+  }
+
+  /** Place among the nodes of the file. */
+  placeOf(node: GltfNode): number {
+    return this.of(node).place;
+  }
+
+  /** A path under a node that no node has. */
+  pathBelow(node: GltfNode, name: string): string {
+    return this.names.of(this.path(node), name);
+  }
+
+  path(node: GltfNode): string {
+    return this.of(node).path;
+  }
+
+  /** Everything that moves a node: its curves and its ancestors'. */
+  curvesAbove(node: GltfNode): AnimationCurve[] {
+    const found: AnimationCurve[] = [];
+    for (let n: TreeNode | undefined = this.of(node); n; n = n.parent) {
+      const { translation, rotation, scale } = n.curves;
+      for (const curve of [translation, rotation, scale]) if (curve) found.push(curve);
+    }
+    return found;
+  }
+
+  weightsCurve(node: GltfNode): AnimationCurve | undefined {
+    return this.of(node).curves.weights;
+  }
+
+  /** The frame of a node; or, with `within`, one that is fixed in it. */
+  frame(node: GltfNode, within?: NodeTransform): AnimatedTransform {
+    return {
+      path: this.path(node),
+      curves: this.curvesAbove(node),
+      transformAt: (t) => {
+        const own = this.transformAt(node, t);
+        return within ? composeTransforms(own, within) : own;
+      },
+    };
+  }
+
+  transformAt(node: GltfNode, t: number): NodeTransform {
+    const chain: TreeNode[] = [];
+    for (let n: TreeNode | undefined = this.of(node); n; n = n.parent) chain.push(n);
+    return chain.reduceRight<NodeTransform>((above, n) => composeTransforms(above, localTransformAt(n, t)), WORLD);
+  }
+
+  private of(node: GltfNode): TreeNode {
+    return this.nodes.get(node)!;
+  }
+}
+
+const WORLD: NodeTransform = { matrix: IDENTITY, rotation: [0, 0, 0, 1] };
+
+const composeTransforms = (above: NodeTransform, own: NodeTransform): NodeTransform => ({
+  matrix: multiply(above.matrix, own.matrix),
+  rotation: after(above.rotation, own.rotation),
+});
+
+function localTransformAt({ source, matrix, curves }: TreeNode, t: number): NodeTransform {
+  const isMoved = curves.translation ?? curves.rotation ?? curves.scale;
+  if (matrix && !isMoved) return { matrix, rotation: decomposeRigid(matrix).pose.orientation };
+  const [x, y, z] = curves.translation?.at(t) ?? source.getTranslation();
+  const [qx, qy, qz, qw] = curves.rotation?.at(t) ?? source.getRotation();
+  const s = curves.scale?.at(t) ?? source.getScale();
+  const rotation = normalizeQuat([qx, qy, qz, qw]);
+  const linear = toMatrix(rotation).map((value, i) => value * s[i % 3]);
+  return { matrix: fromParts(linear, [x, y, z] as Vec3), rotation };
+}
+
+/** glTF writes matrices column by column. */
+const rowMajor = (m: readonly number[]): Mat4 => Array.from({ length: 16 }, (_, i) => m[(i % 4) * 4 + (i >> 2)]);
+
+const WIDTHS: Readonly<Record<string, number>> = { translation: 3, rotation: 4, scale: 3 };
+
+function readChannels(
+  context: GltfContext,
+  animation: Animation,
+): Map<GltfNode, Partial<Record<AnimatedProperty, AnimationCurve>>> {
+  const byNode = new Map<GltfNode, Partial<Record<AnimatedProperty, AnimationCurve>>>();
+  for (const channel of animation.listChannels()) {
+    const [node, sampler, path] = [channel.getTargetNode(), channel.getSampler(), channel.getTargetPath()];
+    const what = `animation ${animation.getName() || 'without a name'}, ${node?.getName() || 'a node'}.${path}`;
+    const width = path === 'weights' ? morphCount(node) : WIDTHS[path ?? ''];
+    if (!node || width === undefined) {
+      context.notes.add('warning', 'gltf.channel', what, 'this kind of animation is not read; it is left out');
+      continue;
+    }
+    if (!sampler?.getInput() || !sampler.getOutput()) {
+      throw gltfError(context.entry, 'gltf.bad-animation', what, 'has no keys; export it again');
+    }
+    if (width === 0) continue;
+    const curves = byNode.get(node) ?? {};
+    curves[path as AnimatedProperty] = makeCurve(context.entry, what, sampler, width, path === 'rotation');
+    byNode.set(node, curves);
+  }
+  return byNode;
+}
+
+const morphCount = (node: GltfNode | null): number =>
+  Math.max(
+    0,
+    ...(node
+      ?.getMesh()
+      ?.listPrimitives()
+      .map((p) => p.listTargets().length) ?? []),
+  );

@@ -1,0 +1,290 @@
+import type { Animation, Mesh as GltfMesh, Node as GltfNode, Scene as GltfScene } from '@gltf-transform/core';
+import type { Light as GltfLight } from '@gltf-transform/extensions';
+import { rotate } from '../../../math/quat.ts';
+import { scale, type Vec3 } from '../../../math/vec3.ts';
+import { FOREVER, makeObject, makeScene } from '../../../scene/defaults.ts';
+import {
+  type DistantLight,
+  InputError,
+  type Light,
+  type RigidMotion,
+  type Scene,
+  type SceneCamera,
+  type SceneHints,
+  type SceneObject,
+  type SphereLight,
+} from '../../../scene/types.ts';
+import { parseSceneHints } from '../../attributes/hints.ts';
+import { parseSpectrum, SPECTRUM_ATTRIBUTE, unknownSpectrumMessage } from '../../attributes/spectrumAttribute.ts';
+import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
+import { messageOf } from '../../diagnostics/inputError.ts';
+import { type FileSource, stemOf } from '../../files/fileSource.ts';
+import { MAX_OBJECTS } from '../../read/limits.ts';
+import type { ReadOptions } from '../../registry.ts';
+import { type GltfContext, gltfError } from '../context.ts';
+import { loadGltf } from '../load/loadGltf.ts';
+import { Baker } from './bake.ts';
+import { makeDeformer, settleMorphs } from './deform.ts';
+import { readInstances } from './instances.ts';
+import { lightSpectra } from './lightSpectra.ts';
+import { GltfMaterialLibrary } from './materials.ts';
+import { type AnimatedTransform, type NodeTransform, NodeTree } from './nodes.ts';
+import { type Geometry, readGeometry } from './primitives.ts';
+import { variantSet } from './variants.ts';
+
+/** Radius that stands for the point lights of glTF, which have none [m]. */
+export const POINT_LIGHT_RADIUS = 0.05;
+/** Most vertices of a scene: of a mesh that is shown many times in one size, once. */
+export const MAX_VERTICES = 2 ** 26;
+
+/**
+ * Reads glTF 2.0 (.gltf with its files, .glb). Node, morph and skin animations become sampled motions in the world frame.
+ * Throws an InputError, and nothing else, where it cannot; what it leaves out is in the scene's diagnostics.
+ */
+export async function readGltf(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
+  try {
+    const notes = new DiagnosticLog(entry);
+    const file = await loadGltf(source, entry, notes);
+    const variants = variantSet({ entry, json: file.json, options });
+    const spectra = await lightSpectra(source, entry, file.json, notes);
+    const context: GltfContext = { entry, options, notes, variants, spectra, ...file };
+    return buildScene(context);
+  } catch (thrown) {
+    if (thrown instanceof InputError) throw thrown;
+    throw gltfError(entry, 'gltf.invalid', '', `not a valid glTF (${messageOf(thrown)}); export it again`, thrown);
+  }
+}
+
+function buildScene(context: GltfContext): Scene {
+  const root = context.document.getRoot();
+  const animation = chooseAnimation(context);
+  const tree = new NodeTree(context, animation);
+  const builder = new SceneBuilder(context, tree);
+  const shown = root.getDefaultScene() ?? root.listScenes()[0];
+  for (const node of shown?.listChildren() ?? root.listNodes().filter((n) => !n.getParentNode())) builder.add(node);
+  const times = [...(animation?.listSamplers() ?? [])].flatMap((s) => [...(s.getInput()?.getArray() ?? [])]);
+  return makeScene({
+    name: shown?.getName() || stemOf(context.entry),
+    upAxis: 'Y',
+    hints: hintsOf(shown),
+    metersPerUnit: 1,
+    startTime: times.reduce((a, b) => Math.min(a, b), times[0] ?? 0),
+    endTime: times.reduce((a, b) => Math.max(a, b), 0),
+    objects: builder.objects,
+    materials: builder.library.materials,
+    lights: builder.lights,
+    cameras: builder.cameras,
+    ...offered(context, animation),
+    ...(builder.pathError !== undefined && { pathError: builder.pathError }),
+    diagnostics: context.notes.list(),
+  });
+}
+
+/** `extras.slowlight` of the scene that is shown. */
+function hintsOf(shown: GltfScene | undefined): SceneHints {
+  const own = shown?.getExtras().slowlight;
+  const values = new Map(typeof own === 'object' && own !== null ? Object.entries(own) : []);
+  return parseSceneHints((name) => values.get(name));
+}
+
+/** The set of a file's animations, which is chosen from as variants are. */
+const ANIMATION_SET = 'animation';
+
+const animationNames = ({ document }: GltfContext): string[] =>
+  document
+    .getRoot()
+    .listAnimations()
+    .map((a, i) => a.getName() || `animation ${i}`);
+
+/** What the file offers to choose: variants of its materials, and animations where there are several. */
+function offered(context: GltfContext, shown: Animation | undefined): Pick<Scene, 'variants'> {
+  const names = animationNames(context);
+  const place = shown ? context.document.getRoot().listAnimations().indexOf(shown) : 0;
+  const animations = { set: ANIMATION_SET, options: [...new Set(names)], chosen: names[place] ?? '' };
+  const sets = [...(context.variants ? [context.variants] : []), ...(names.length > 1 ? [animations] : [])];
+  return sets.length > 0 ? { variants: sets } : {};
+}
+
+function chooseAnimation(context: GltfContext): Animation | undefined {
+  const { document, entry, notes, options } = context;
+  const all = document.getRoot().listAnimations();
+  const names = animationNames(context);
+  const asked = options.animation ?? options.variants?.get(ANIMATION_SET);
+  const place = typeof asked === 'string' ? names.indexOf(asked) : (asked ?? 0);
+  if (asked !== undefined && !all[place]) {
+    const known = names.length > 0 ? `there are ${names.join(', ')}` : 'there is none';
+    throw gltfError(entry, 'gltf.no-animation', '', `no animation ${asked}; ${known}`);
+  }
+  if (all.length > 1) {
+    notes.add(
+      'info',
+      'gltf.animations',
+      '',
+      `${all.length} animations (${names.join(', ')}); ${names[place]} is shown`,
+    );
+  }
+  return all[place];
+}
+
+/** Walks the nodes of a scene and collects what is in it. */
+class SceneBuilder {
+  readonly objects: SceneObject[] = [];
+  readonly lights: Light[] = [];
+  readonly cameras: SceneCamera[] = [];
+  readonly library: GltfMaterialLibrary;
+  private readonly context: GltfContext;
+  private readonly tree: NodeTree;
+  private readonly baker: Baker;
+  private readonly geometries = new Map<GltfMesh, Geometry | undefined>();
+  private readonly counted = new Set<Float32Array>();
+  private vertices = 0;
+  constructor(context: GltfContext, tree: NodeTree) {
+    this.context = context;
+    this.tree = tree;
+    this.baker = new Baker(context);
+    this.library = new GltfMaterialLibrary(context);
+  }
+
+  get pathError(): number | undefined {
+    return this.baker.pathError;
+  }
+
+  add(node: GltfNode): void {
+    const visibility = this.raw(node, 'KHR_node_visibility');
+    if (visibility?.visible === false) return;
+    this.addMesh(node);
+    this.addCamera(node);
+    this.addLight(node);
+    for (const child of node.listChildren()) this.add(child);
+  }
+
+  /** An extension as it stands in the file. */
+  private raw(node: GltfNode, extension: string): Record<string, unknown> | undefined {
+    const extensions = this.context.json.nodes?.[this.tree.placeOf(node)].extensions;
+    return extensions?.[extension] as Record<string, unknown> | undefined;
+  }
+
+  /** A node's own path where it is nothing else, and no other nodes are below it; else a name under it. */
+  private pathOf(node: GltfNode, name: string): string {
+    const parts = [node.getMesh(), node.getCamera(), node.getExtension('KHR_lights_punctual')];
+    const isAlone = parts.filter((part) => part !== null).length === 1 && node.listChildren().length === 0;
+    return isAlone ? this.tree.path(node) : this.tree.pathBelow(node, name);
+  }
+
+  private addMesh(node: GltfNode): void {
+    const mesh = node.getMesh();
+    if (!mesh) return;
+    if (!this.geometries.has(mesh)) this.geometries.set(mesh, readGeometry(this.context, mesh, this.library));
+    const shared = this.geometries.get(mesh);
+    if (!shared) return;
+    const geometry = this.tree.weightsCurve(node) ? shared : settleMorphs(node, shared);
+    const instances = this.instances(node, geometry);
+    if (!instances) this.addObject(node, geometry, this.tree.frame(node), this.pathOf(node, 'Mesh'));
+    for (const [i, within] of (instances ?? []).entries()) {
+      const path = this.tree.pathBelow(node, `Instance${i}`);
+      this.addObject(node, geometry, this.tree.frame(node, within), path);
+    }
+  }
+
+  private instances(node: GltfNode, { skin }: Geometry): NodeTransform[] | undefined {
+    const what = this.tree.path(node);
+    const instances = readInstances(this.context, node, what);
+    if (!instances || !skin || !node.getSkin()) return instances;
+    const message = 'its instances all follow the same joints, so that they are in one place; one is shown';
+    this.context.notes.add('warning', 'gltf.instances', what, message);
+    return undefined;
+  }
+
+  private addObject(node: GltfNode, geometry: Geometry, frame: AnimatedTransform, path: string): void {
+    this.bound(frame, this.objects.length < MAX_OBJECTS, `${MAX_OBJECTS} objects with all copies of its meshes`);
+    const deformer = makeDeformer(this.context, this.tree, node, frame, geometry);
+    const bends = geometry.morphs.length > 0 || (geometry.skin && node.getSkin());
+    const baked = bends
+      ? this.baker.bakePoints(frame, geometry, deformer)
+      : this.baker.bakeAffine(frame, geometry, deformer);
+    const { positions } = baked.mesh;
+    if (!this.counted.has(positions)) this.vertices += positions.length / 3;
+    this.counted.add(positions);
+    this.bound(frame, this.vertices <= MAX_VERTICES, `${MAX_VERTICES} vertices with all sizes of its meshes`);
+    this.objects.push(makeObject({ path, ...baked }));
+  }
+
+  private bound({ path }: AnimatedTransform, isKept: boolean, most: string): void {
+    if (!isKept) throw gltfError(this.context.entry, 'gltf.too-large', path, `more than ${most}; export fewer`);
+  }
+
+  private addCamera(node: GltfNode): void {
+    const camera = node.getCamera();
+    if (!camera) return;
+    const path = this.pathOf(node, 'Camera');
+    if (camera.getType() !== 'perspective') {
+      this.context.notes.add('warning', 'gltf.camera', path, 'an orthographic camera is not read; it is left out');
+      return;
+    }
+    const fovY = camera.getYFov();
+    if (!(fovY > 0 && fovY < Math.PI)) {
+      this.context.notes.add('warning', 'gltf.camera', path, `its field of view is ${fovY} rad; it is left out`);
+      return;
+    }
+    this.cameras.push({ path, motion: this.baker.bakeFrame(this.tree.frame(node)), fovY });
+  }
+
+  private addLight(node: GltfNode): void {
+    const light = node.getExtension<GltfLight>('KHR_lights_punctual');
+    if (!light) return;
+    const path = this.pathOf(node, 'Light');
+    const color = scale(light.getColor(), light.getIntensity());
+    const range = light.getRange();
+    if (range)
+      this.context.notes.add('info', 'gltf.light', path, `its range of ${range} m is left out: light goes on for ever`);
+    if (light.getType() === 'directional') {
+      this.lights.push({
+        kind: 'distant',
+        path,
+        direction: this.shining(node, path),
+        color,
+        ...this.spectrum(light, path),
+      });
+      return;
+    }
+    const motion = this.baker.bakeFrame(this.tree.frame(node));
+    const lamp = { ...pointLight(path, motion, color), ...this.spectrum(light, path) };
+    const shaping = { inner: light.getInnerConeAngle(), outer: light.getOuterConeAngle(), focus: 0 };
+    this.lights.push(light.getType() === 'spot' ? { ...lamp, shaping } : lamp);
+  }
+
+  /** What the light is made of, where our own extra tells. */
+  private spectrum(light: GltfLight, path: string): Pick<DistantLight, 'spectrum'> {
+    const written = new Map(Object.entries(light.getExtras())).get(SPECTRUM_ATTRIBUTE);
+    if (written === undefined) return {};
+    const { notes, spectra } = this.context;
+    const name = String(written);
+    const spectrum = spectra.get(name) ?? (typeof written === 'string' ? parseSpectrum(written) : undefined);
+    if (spectrum) return { spectrum };
+    // What a file lacks was told when it was looked for.
+    if (!spectra.has(name)) notes.add('warning', 'gltf.slowlight', path, unknownSpectrumMessage(name));
+    return {};
+  }
+
+  /** The way a distant light shines, at its start. */
+  private shining(node: GltfNode, path: string): Vec3 {
+    const curves = this.tree.curvesAbove(node);
+    if (curves.length > 0)
+      this.context.notes.add('warning', 'gltf.light', path, 'a turning sun is held where it starts');
+    const start = curves.length > 0 ? Math.min(...curves.map((curve) => curve.times[0])) : 0;
+    return rotate(this.tree.transformAt(node, start).rotation, [0, 0, -1]);
+  }
+}
+
+/** A small sphere of radiance L has the luminous intensity I = π r² L of the point [cd]. */
+function pointLight(path: string, motion: RigidMotion, intensity: Vec3): SphereLight {
+  const radius = POINT_LIGHT_RADIUS;
+  return {
+    kind: 'sphere',
+    path,
+    motion,
+    lifetime: FOREVER,
+    radius,
+    color: scale(intensity, 1 / (Math.PI * radius * radius)),
+  };
+}

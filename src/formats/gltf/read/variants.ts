@@ -1,0 +1,33 @@
+import type { Material as GltfMaterial, Primitive } from '@gltf-transform/core';
+import type { MappingList } from '@gltf-transform/extensions';
+import type { VariantSet } from '../../../scene/types.ts';
+import { type GltfContext, gltfError } from '../context.ts';
+
+const EXTENSION = 'KHR_materials_variants';
+/** glTF has one set of variants, and no name for it. */
+const SET = 'material';
+
+/** The variants of the file's materials with the one that is asked for; undefined where it has none. */
+export function variantSet({
+  entry,
+  json,
+  options,
+}: Pick<GltfContext, 'entry' | 'json' | 'options'>): VariantSet | undefined {
+  const listed = json.extensions?.[EXTENSION] as { variants?: { name?: string }[] } | undefined;
+  const names = (listed?.variants ?? []).map(({ name }, i) => name || `variant ${i}`);
+  const chosen = options.variants?.get(SET) ?? '';
+  if (chosen !== '' && !names.includes(chosen)) {
+    const known = names.length > 0 ? `there are ${names.join(', ')}` : 'the file has none';
+    throw gltfError(entry, 'gltf.no-variant', '', `no variant ${chosen} of its materials; ${known}`);
+  }
+  return names.length > 0 ? { set: SET, options: [...new Set(names)], chosen } : undefined;
+}
+
+/** A primitive's material in the chosen variant; its own where that says nothing of it. */
+export function materialOf({ variants }: GltfContext, primitive: Primitive): GltfMaterial | null {
+  const place = variants ? variants.options.indexOf(variants.chosen) : -1;
+  const mappings = primitive.getExtension<MappingList>(EXTENSION)?.listMappings() ?? [];
+  const isChosen = (name: string): boolean => (name || `variant ${place}`) === variants?.chosen;
+  const found = place < 0 ? undefined : mappings.find((m) => m.listVariants().some((v) => isChosen(v.getName())));
+  return found ? found.getMaterial() : primitive.getMaterial();
+}

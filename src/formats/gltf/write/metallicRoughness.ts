@@ -1,0 +1,36 @@
+import type { Material, Texture, TextureChannel } from '../../../scene/types.ts';
+import { redTexture, writeChannel } from '../../image/channelTexture.ts';
+
+/** Roughness in the green and metalness in the blue of one picture, as glTF wants them, and what they are multiplied with. */
+export interface MetallicRoughnessTexture {
+  readonly texture: Texture;
+  readonly roughness: number;
+  readonly metallic: number;
+}
+
+/** The textures of a material's finish as one; undefined where it has none. */
+export function metallicRoughnessTexture(material: Material): MetallicRoughnessTexture | undefined {
+  const { roughnessTexture: rough, metallicTexture: metal } = material;
+  const texture = rough?.texture ?? metal?.texture;
+  if (!texture) return undefined;
+  if (rough && metal && rough.texture === metal.texture && isPlain(rough, 1) && isPlain(metal, 2))
+    return { texture, roughness: rough.scale, metallic: metal.scale };
+  const data = new Uint8Array(texture.data.length).fill(255);
+  if (rough) writeChannel(data, texture, 1, rough);
+  if (metal) writeChannel(data, texture, 2, metal);
+  return {
+    texture: { ...texture, data, colorSpace: 'linear' },
+    roughness: rough ? 1 : material.roughness,
+    metallic: metal ? 1 : material.metallic,
+  };
+}
+
+/** The red of a picture as occlusion, and how strong it is, as glTF wants them. */
+export function occlusionTextureOf(from: TextureChannel): { readonly texture: Texture; readonly strength: number } {
+  const { texture, scale, bias } = from;
+  if (isPlain({ ...from, bias: 0 }, 0) && Math.abs(scale + bias - 1) < 1e-6) return { texture, strength: scale };
+  return { texture: redTexture(from), strength: 1 };
+}
+
+const isPlain = ({ texture, channel, scale, bias }: TextureChannel, wanted: number): boolean =>
+  texture.colorSpace === 'linear' && channel === wanted && bias === 0 && scale >= 0 && scale <= 1;

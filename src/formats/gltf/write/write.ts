@@ -1,0 +1,160 @@
+import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
+import { KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
+import { shortestRotation } from '../../../math/quat.ts';
+import { scale } from '../../../math/vec3.ts';
+import { projectedArea } from '../../../scene/lights/localLights.ts';
+import type { Light, LocalLight, SampledMotion, Scene, StaticMotion } from '../../../scene/types.ts';
+import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../attributes/spectrumAttribute.ts';
+import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
+import {
+  type ExportedScene,
+  type ExportMotion,
+  exportObjects,
+  exportPoses,
+  exportRigidMotion,
+  orientationYUp,
+  vectorYUp,
+} from '../../write/exportMotion.ts';
+import { AnimationWriter } from './writeAnimation.ts';
+import { MeshWriter } from './writeMeshes.ts';
+
+/**
+ * A scene as glTF 2.0, in metres with Y up. Rigid samples become animated translations and rotations, deforming points
+ * morph targets; all numbers are f32. `name`: of the file, with the extension `glb` (one file) or `gltf`.
+ */
+export async function writeGltf(scene: Scene, name: string): Promise<ExportedScene> {
+  const losses = new DiagnosticLog(name);
+  const document = new GltfWriter(scene, losses).write();
+  const io = new WebIO().registerExtensions([KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR]);
+  if (/\.glb$/i.test(name))
+    return { files: new Map([[name, await io.writeBinary(document)]]), diagnostics: losses.list() };
+  const basename = name.replace(/\.[^.]*$/, '');
+  const { json, resources } = await io.writeJSON(document, { basename });
+  const text = new TextEncoder().encode(`${JSON.stringify(json, null, 1)}\n`);
+  return { files: new Map([[name, text], ...Object.entries(resources)]), diagnostics: losses.list() };
+}
+
+class GltfWriter {
+  private readonly document = new Document();
+  private readonly nodes = new Map<string, GltfNode>();
+  /** Paths at which a node of the same name cannot be what is placed: others are below it, or it is placed already. */
+  private readonly taken: Set<string>;
+  private readonly root = this.document.createScene();
+  private readonly scene: Scene;
+  private readonly losses: DiagnosticLog;
+  private readonly meshes: MeshWriter;
+  private readonly animations: AnimationWriter;
+
+  constructor(scene: Scene, losses: DiagnosticLog) {
+    this.scene = scene;
+    this.losses = losses;
+    const { objects, cameras, lights } = scene;
+    this.taken = new Set([...objects, ...cameras, ...lights].flatMap(({ path }) => ancestors(path)));
+    const buffer = this.document.createBuffer();
+    this.root.setName(scene.name);
+    this.document.getRoot().setDefaultScene(this.root);
+    this.meshes = new MeshWriter(this.document, buffer, scene, losses);
+    this.animations = new AnimationWriter(this.document, buffer, scene, losses);
+  }
+
+  write(): Document {
+    const { scene, losses } = this;
+    this.addHints();
+    for (const object of exportObjects(scene, losses)) {
+      const node = this.placed(object.path, 'Mesh', object.motion);
+      const weights = this.meshes.addTo(node, object);
+      if (weights) this.animations.addWeights(node, weights);
+    }
+    for (const { path, motion, fovY } of scene.cameras) {
+      const camera = this.document.createCamera().setType('perspective').setYFov(fovY).setZNear(0.01);
+      this.placed(path, 'Camera', motion).setCamera(camera);
+    }
+    for (const light of scene.lights) this.addLight(light);
+    const root = this.document.getRoot();
+    // A buffer without bytes is not valid.
+    if (root.listAccessors().length === 0) for (const buffer of root.listBuffers()) buffer.dispose();
+    return this.document;
+  }
+
+  /** As `readGltf` reads them; other programs keep what they do not know. */
+  private addHints(): void {
+    const { beta, openAt, ...others } = this.scene.hints;
+    const hints = {
+      ...others,
+      ...(beta && { beta: vectorYUp(this.scene, beta) }),
+      ...(openAt !== undefined && { openAt: openAt + this.animations.shift }),
+    };
+    if (Object.keys(hints).length > 0) this.document.getRoot().getDefaultScene()?.setExtras({ slowlight: hints });
+  }
+
+  private addLight(light: Light): void {
+    if (light.kind === 'dome' || light.kind === 'stars') {
+      this.losses.add('warning', 'convert.light', light.path, 'glTF has no light from a sky; it is left out');
+      return;
+    }
+    const isSun = light.kind === 'distant';
+    const motion: StaticMotion | SampledMotion = isSun
+      ? { kind: 'static', pose: { position: [0, 0, 0], orientation: shortestRotation([0, 0, -1], light.direction) } }
+      : exportRigidMotion(light.motion, this.scene, light.path, this.losses);
+    const intensity = isSun ? light.color : scale(light.color, projectedArea(light));
+    const most = Math.max(...intensity);
+    const color = most > 0 ? scale(intensity, 1 / most) : intensity;
+    const made = this.document.createExtension(KHRLightsPunctual).createLight();
+    const spread = isSun ? undefined : spotCone(light);
+    made
+      .setType(isSun ? 'directional' : spread ? 'spot' : 'point')
+      .setColor([...color])
+      .setIntensity(most);
+    if (spread) made.setInnerConeAngle(spread.inner).setOuterConeAngle(spread.outer);
+    const spectrum = light.spectrum && formatSpectrum(light.spectrum);
+    if (spectrum) made.setExtras({ [SPECTRUM_ATTRIBUTE]: spectrum });
+    else if (light.spectrum) this.losses.add('warning', 'convert.light', light.path, NO_TABLES);
+    this.placed(light.path, 'Light', motion).setExtension('KHR_lights_punctual', made);
+    if (isSun || (light.kind === 'sphere' && light.radius === 0)) return;
+    const what = light.kind !== 'sphere' ? `shape, a ${light.kind},` : `radius of ${light.radius} m`;
+    const message = `its ${what} is lost: lights of glTF are points${spread ? ' with a cone' : ''}`;
+    this.losses.add('info', 'convert.light', light.path, message);
+  }
+
+  /** A node of its own, at its place in the world at each time: the nodes above it only name it. */
+  private placed(path: string, kind: string, motion: ExportMotion): GltfNode {
+    const group = this.group(path);
+    const node = this.taken.has(path) ? this.document.createNode(kind) : group;
+    this.taken.add(path);
+    if (node !== group) group.addChild(node);
+    const [first] = exportPoses(motion);
+    node
+      .setTranslation([...vectorYUp(this.scene, first.position)])
+      .setRotation([...orientationYUp(this.scene, first.orientation)]);
+    if (motion.kind === 'sampled') this.animations.addPoses(node, motion);
+    return node;
+  }
+
+  private group(path: string): GltfNode {
+    const known = this.nodes.get(path);
+    if (known) return known;
+    const end = path.lastIndexOf('/');
+    const node = this.document.createNode(path.slice(end + 1));
+    this.nodes.set(path, node);
+    if (end > 0) this.group(path.slice(0, end)).addChild(node);
+    else this.root.addChild(node);
+    return node;
+  }
+}
+
+/** `/A/B/C` → `/A/B`, `/A` */
+function ancestors(path: string): string[] {
+  const end = path.lastIndexOf('/');
+  return end > 0 ? [path.slice(0, end), ...ancestors(path.slice(0, end))] : [];
+}
+
+/** The cone of a spot light [rad]: of what is shaped, and of faces, which are dark behind. glTF wants 0 ≤ inner < outer ≤ π/2. */
+function spotCone(lamp: LocalLight): { inner: number; outer: number } | undefined {
+  const face = lamp.kind === 'rect' || lamp.kind === 'disk';
+  if (!lamp.shaping) return face ? { inner: 0, outer: Math.PI / 2 } : undefined;
+  const outer = Math.min(Math.max(lamp.shaping.outer, 1e-3), Math.PI / 2);
+  return { inner: Math.min(Math.max(face && outer > 1.5 ? 0 : lamp.shaping.inner, 0), outer - 1e-4), outer };
+}
+
+/** Said of a spectrum that has no name. */
+const NO_TABLES = 'its spectrum is lost: a table of it is written beside USD alone';

@@ -1,0 +1,30 @@
+import type { Texture, TextureChannel } from '../../scene/types.ts';
+import { decodeSrgb } from '../../spectrum/display/srgb.ts';
+
+/** Writes what a channel says into channel `to` of the RGBA of a picture of the size of `like`, from the nearest texels. */
+export function writeChannel(
+  data: Uint8Array,
+  like: Texture,
+  to: number,
+  { texture, channel, scale, bias }: TextureChannel,
+): void {
+  const isSrgb = texture.colorSpace === 'srgb' && channel < 3;
+  const table = Uint8Array.from({ length: 256 }, (_, byte) => {
+    const value = (isSrgb ? decodeSrgb(byte / 255) : byte / 255) * scale + bias;
+    return Math.round(255 * Math.min(1, Math.max(0, value)));
+  });
+  for (let y = 0; y < like.height; y++) {
+    const row = Math.floor((y * texture.height) / like.height) * texture.width;
+    for (let x = 0; x < like.width; x++) {
+      const from = row + Math.floor((x * texture.width) / like.width);
+      data[4 * (y * like.width + x) + to] = table[texture.data[4 * from + channel]];
+    }
+  }
+}
+
+/** What a channel says as the red of a picture of its own. */
+export function redTexture(from: TextureChannel): Texture {
+  const data = new Uint8Array(from.texture.data.length).fill(255);
+  writeChannel(data, from.texture, 0, from);
+  return { ...from.texture, data, colorSpace: 'linear' };
+}

@@ -1,0 +1,126 @@
+import { decode as decodeJpegFile } from 'jpeg-js';
+import { InputError } from '../../scene/types.ts';
+import { inputError, messageOf } from '../diagnostics/inputError.ts';
+import { decodePngPixels } from './decodePng.ts';
+
+/** A picture as textures use it: RGBA, 8 bits each, rows from the top, alpha not premultiplied. */
+export interface DecodedImage {
+  readonly width: number;
+  readonly height: number;
+  readonly data: Uint8Array;
+}
+
+/** Largest side and area [pixels] that are decoded: 64 megapixels are 256 MiB of RGBA. */
+export const MAX_SIDE = 16384;
+export const MAX_PIXELS = 2 ** 26;
+
+/** Decodes a PNG or JPEG by its content (not its name). Throws an InputError that names `name` where it cannot. */
+export function decodeImage(bytes: Uint8Array, name: string): DecodedImage {
+  const kind = imageKind(bytes);
+  if (kind !== 'PNG' && kind !== 'JPEG') throw unreadableImage(name, kind);
+  try {
+    return kind === 'PNG' ? decodePng(bytes, name) : decodeJpeg(bytes, name);
+  } catch (thrown) {
+    if (thrown instanceof InputError) throw thrown;
+    const message = `the ${kind} is damaged or cut off (${messageOf(thrown)}); export it again`;
+    throw inputError('image.damaged', name, message, thrown);
+  }
+}
+
+/** What kind of picture the bytes begin as. */
+export function imageKind(bytes: Uint8Array): string {
+  const starts = (magic: string, at = 0): boolean => [...magic].every((c, i) => bytes[at + i] === c.charCodeAt(0));
+  if (bytes.length === 0) return 'empty';
+  if (starts('\x89PNG\r\n\x1a\n')) return 'PNG';
+  if (starts('\xff\xd8\xff')) return 'JPEG';
+  if (starts('RIFF') && starts('WEBP', 8)) return 'WebP';
+  if (starts('ftypavif', 4)) return 'AVIF';
+  if (starts('\xabKTX')) return 'KTX2';
+  if (starts('\x76\x2f\x31\x01')) return 'OpenEXR';
+  if (starts('#?RADIANCE') || starts('#?RGBE')) return 'Radiance HDR';
+  return 'unknown';
+}
+
+function unreadableImage(name: string, kind: string): InputError {
+  if (kind === 'empty') return inputError('image.empty', name, 'the picture is empty (0 bytes); copy it again');
+  const what = kind === 'unknown' ? 'neither PNG nor JPEG' : `${kind}, which is not read`;
+  return inputError('image.unknown-format', name, `the picture is ${what}; convert it to PNG or JPEG`);
+}
+
+function checkSize(width: number, height: number, name: string): void {
+  if (width > 0 && height > 0 && width <= MAX_SIDE && height <= MAX_SIDE && width * height <= MAX_PIXELS) return;
+  const limit = `1 to ${MAX_SIDE} a side and at most ${MAX_PIXELS / 2 ** 20} Mi pixels are read`;
+  throw inputError('image.size', name, `the picture is ${width} × ${height} pixels, ${limit}; scale it`);
+}
+
+function decodeJpeg(bytes: Uint8Array, name: string): DecodedImage {
+  const end = bytes.lastIndexOf(0xd9);
+  if (end < 1 || bytes[end - 1] !== 0xff) throw new Error('no end marker');
+  const { width, height } = jpegSize(bytes);
+  checkSize(width, height, name);
+  const image = decodeJpegFile(bytes, { useTArray: true, maxResolutionInMP: 100, maxMemoryUsageInMB: 2048 });
+  return { width: image.width, height: image.height, data: image.data };
+}
+
+/** Size from the frame header (SOF marker, ITU T.81 B.2.2), before anything is allocated for it. */
+function jpegSize(bytes: Uint8Array): { width: number; height: number } {
+  const at = jpegFrame(bytes);
+  if (at < 0) throw new Error('no frame header');
+  return { height: (bytes[at + 5] << 8) | bytes[at + 6], width: (bytes[at + 7] << 8) | bytes[at + 8] };
+}
+
+/** Where the frame header's marker is; −1: nowhere. */
+function jpegFrame(bytes: Uint8Array): number {
+  const u16 = (at: number): number => (bytes[at] << 8) | bytes[at + 1];
+  let at = 2;
+  while (at + 9 < bytes.length) {
+    if (bytes[at] !== 0xff || bytes[at + 1] === 0xff) {
+      at++;
+      continue;
+    }
+    const marker = bytes[at + 1];
+    const isFrame = marker >= 0xc0 && marker <= 0xcf && marker !== 0xc4 && marker !== 0xc8 && marker !== 0xcc;
+    if (isFrame) return at;
+    at += 2 + Math.max(2, u16(at + 2));
+  }
+  return -1;
+}
+
+function decodePng(bytes: Uint8Array, name: string): DecodedImage {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const [width, height] = [view.getUint32(16), view.getUint32(20)];
+  checkSize(width, height, name);
+  return { width, height, data: decodePngPixels(bytes) };
+}
+
+/**
+ * Whether a picture without a word about it holds colours as screens show them: UsdPreviewSurface takes 8 bits and three or four channels
+ * for that, and all else for plain numbers.
+ */
+export function looksLikeColor(bytes: Uint8Array): boolean {
+  if (imageKind(bytes) === 'PNG') return bytes[25] === 3 || (bytes[24] === 8 && (bytes[25] & 2) !== 0);
+  if (imageKind(bytes) !== 'JPEG') return false;
+  const at = jpegFrame(bytes);
+  return at < 0 || bytes[at + 9] >= 3;
+}
+
+/** The picture (white where there is none) with its alpha from one channel of another, read at the nearest pixel. */
+export function withAlphaFrom(image: DecodedImage | undefined, alpha: DecodedImage, channel: number): DecodedImage {
+  const { width, height } = image ?? alpha;
+  const data = image ? image.data.slice() : new Uint8Array(width * height * 4).fill(255);
+  for (let y = 0; y < height; y++) {
+    const row = Math.floor((y * alpha.height) / height) * alpha.width;
+    for (let x = 0; x < width; x++) {
+      const from = row + Math.floor((x * alpha.width) / width);
+      data[4 * (y * width + x) + 3] = alpha.data[4 * from + channel];
+    }
+  }
+  return { width, height, data };
+}
+
+/** Mean of a channel of plain numbers, 0 … 1. */
+export function channelMean({ data }: DecodedImage, channel: number): number {
+  let sum = 0;
+  for (let i = channel; i < data.length; i += 4) sum += data[i];
+  return (4 * sum) / (255 * data.length);
+}

@@ -1,0 +1,122 @@
+import { formatBytes, inputError } from '../diagnostics/inputError.ts';
+import { parseFiniteNumber, textLines } from '../files/textLines.ts';
+import type { Element, PlyHeader, ScalarType } from './header.ts';
+import { SIZES } from './header.ts';
+
+/** Gives the values of a PLY one after another; each has the place at which it stands. */
+export interface PlyValueReader {
+  /** The next value; throws an InputError where there is none. */
+  next(type: ScalarType): number;
+  /** Where the last value stands, for messages: `line 12`, `byte 3400`. */
+  place(): string;
+  /** Throws an InputError that names `what` where the rest of the file cannot hold so many values of these types. */
+  expect(what: () => string, rows: number, types: readonly ScalarType[]): void;
+}
+
+export const plyValueReader = (bytes: Uint8Array, header: PlyHeader, entry: string): PlyValueReader =>
+  header.format === 'ascii' ? new PlyTextReader(bytes, header, entry) : new PlyBinaryReader(bytes, header, entry);
+
+/** The types of what each row has at the least: of a list its length. */
+export const minRowTypes = ({ properties }: Element): ScalarType[] =>
+  properties.map(({ type, count }) => count ?? type);
+
+function tooShort(entry: string, what: string, wanted: number, left: number): Error {
+  const message = `${what} take ${formatBytes(wanted)} at the least, but ${formatBytes(left)} are left: the file is cut off or damaged; copy it again`;
+  return inputError('ply.truncated', entry, message);
+}
+
+class PlyBinaryReader implements PlyValueReader {
+  private readonly view: DataView;
+  private readonly entry: string;
+  private readonly little: boolean;
+  private at: number;
+  private last: number;
+  constructor(bytes: Uint8Array, { end, format }: PlyHeader, entry: string) {
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    this.entry = entry;
+    this.little = format === 'binary_little_endian';
+    this.at = end;
+    this.last = end;
+  }
+
+  place(): string {
+    return `byte ${this.last}`;
+  }
+
+  expect(what: () => string, rows: number, types: readonly ScalarType[]): void {
+    const wanted = rows * types.reduce((sum, type) => sum + SIZES[type], 0);
+    const left = this.view.byteLength - this.at;
+    if (wanted > left) throw tooShort(`${this.entry}: byte ${this.at}`, what(), wanted, left);
+  }
+
+  next(type: ScalarType): number {
+    const at = this.at;
+    if (at + SIZES[type] > this.view.byteLength) {
+      throw tooShort(`${this.entry}: byte ${at}`, 'the next value', SIZES[type], this.view.byteLength - at);
+    }
+    this.last = at;
+    this.at = at + SIZES[type];
+    switch (type) {
+      case 'int8':
+        return this.view.getInt8(at);
+      case 'uint8':
+        return this.view.getUint8(at);
+      case 'int16':
+        return this.view.getInt16(at, this.little);
+      case 'uint16':
+        return this.view.getUint16(at, this.little);
+      case 'int32':
+        return this.view.getInt32(at, this.little);
+      case 'uint32':
+        return this.view.getUint32(at, this.little);
+      case 'float32':
+        return this.view.getFloat32(at, this.little);
+      default:
+        return this.view.getFloat64(at, this.little);
+    }
+  }
+}
+
+/** Values between spaces and line ends; how they stand on lines does not matter. */
+class PlyTextReader implements PlyValueReader {
+  private readonly entry: string;
+  private readonly lines: Iterator<{ number: number; text: string }>;
+  private readonly bytes: number;
+  private readonly firstLine: number;
+  private words: string[] = [];
+  private word = 0;
+  private line: number;
+  constructor(bytes: Uint8Array, { end, endLine }: PlyHeader, entry: string) {
+    this.entry = entry;
+    this.lines = textLines(bytes.subarray(end), entry);
+    this.bytes = bytes.length - end;
+    this.firstLine = endLine;
+    this.line = endLine;
+  }
+
+  place(): string {
+    return `line ${this.line}`;
+  }
+
+  /** A value takes a character and a space; that more is asked for than the whole file has is all that can be told. */
+  expect(what: () => string, rows: number, types: readonly ScalarType[]): void {
+    const wanted = 2 * rows * types.length - 1;
+    if (wanted > this.bytes) throw tooShort(`${this.entry}: ${this.place()}`, what(), wanted, this.bytes);
+  }
+
+  next(): number {
+    while (this.word >= this.words.length) {
+      const { value, done } = this.lines.next();
+      if (done) throw this.error('a number is missing at the end; the file is cut off, copy it again');
+      this.line = this.firstLine + value.number;
+      const text = value.text.trim();
+      this.words = text === '' ? [] : text.split(/\s+/);
+      this.word = 0;
+    }
+    return parseFiniteNumber(this.words[this.word++], (message) => this.error(message));
+  }
+
+  private error(message: string): Error {
+    return inputError('ply.number', `${this.entry}: ${this.place()}`, message);
+  }
+}

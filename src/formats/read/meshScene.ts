@@ -1,0 +1,36 @@
+import { makeObject, makeScene } from '../../scene/defaults.ts';
+import type { Material, Mesh, Scene } from '../../scene/types.ts';
+import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
+import { stemOf } from '../files/fileSource.ts';
+import { UniquePrimPaths } from './primPaths.ts';
+
+/** A mesh with the name it has in its file; empty where it has none. */
+export interface NamedMesh {
+  readonly name: string;
+  readonly mesh: Mesh;
+}
+
+/** Most corners of one polygon: more are no polygon of a model, and to cut them could take for ever. */
+export const MAX_CORNERS = 4096;
+
+/**
+ * The scene of a format that knows only resting meshes, and neither unit nor axes: lengths are taken as metres, Y as up,
+ * which is said.
+ */
+export function meshScene(
+  entry: string,
+  meshes: readonly NamedMesh[],
+  materials: readonly Material[],
+  notes: DiagnosticLog,
+): Scene {
+  const paths = new UniquePrimPaths();
+  notes.add('info', 'file.units', '', 'neither unit nor up axis is written in it; one unit is taken as 1 m, Y as up');
+  if (meshes.length === 0)
+    notes.add('warning', 'file.no-triangles', '', 'no triangle is in it, so that there is nothing to see');
+  return makeScene({
+    name: stemOf(entry),
+    objects: meshes.map(({ name, mesh }) => makeObject({ path: paths.of('', name || stemOf(entry)), mesh })),
+    materials,
+    diagnostics: notes.list(),
+  });
+}

@@ -1,0 +1,14 @@
+/** Object paths of names that USD takes too, each once under its parent. */
+export class UniquePrimPaths {
+  private readonly used = new Map<string, number>();
+  /** `parent` is empty at the top. */
+  of(parent: string, name: string): string {
+    const clean = name.replace(/[^\p{L}\p{N}_]/gu, '_').replace(/^(?=\p{N})/u, '_') || '_';
+    const wanted = `${parent}/${clean}`;
+    let path = wanted;
+    for (let i = this.used.get(wanted) ?? 0; this.used.has(path); ) path = `${wanted}_${++i}`;
+    this.used.set(wanted, (this.used.get(wanted) ?? -1) + 1);
+    if (path !== wanted) this.used.set(path, 0);
+    return path;
+  }
+}

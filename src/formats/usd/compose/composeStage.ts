@@ -1,0 +1,216 @@
+import type { DiagnosticCode } from '../../diagnostics/diagnosticCodes.ts';
+import type { DiagnosticList } from '../../diagnostics/diagnosticLog.ts';
+import type { Layer, PrimSpec } from '../layer/layer.ts';
+import { report } from '../schema/context.ts';
+import { applyClips } from './clips/applyClips.ts';
+import { type ClipSet, clipSetOf } from './clips/clipSet.ts';
+import { type ClipSetDefinition, clipSetDefinitions } from './clips/definitions.ts';
+import { LayerStackCache } from './layers/layerStack.ts';
+import { type LayerStore, type LoadedLayer, loadedLayer } from './layers/layerStore.ts';
+import { childNames } from './prim/childNames.ts';
+import { composedPrim } from './prim/composedPrim.ts';
+import { type ComposedVariantSet, variantSetsOf } from './prim/variantSets.ts';
+import { CompositionBudget, STEP_COSTS } from './primIndex/compositionBudget.ts';
+import { isInstance } from './primIndex/instances.ts';
+import { type CompositionContext, PrimIndexBuilder } from './primIndex/primIndexer.ts';
+import type { PrimIndexNode } from './primIndex/primIndexNode.ts';
+import { sessionLayer, type VariantSelection } from './sessionLayer.ts';
+
+/** Prims of one stage: a small file can ask for any number. */
+export const MAX_PRIMS = 250_000;
+/** Samples that all value clips of a stage make. */
+export const MAX_CLIP_SAMPLES = 2 ** 22;
+/** Prims in prims. */
+export const MAX_DEPTH = 512;
+
+export interface ComposeOptions {
+  /** Stronger than what the file selects. */
+  readonly variants?: readonly VariantSelection[] | undefined;
+  /** Where nothing is selected: the variants of a set, the best first. */
+  readonly fallbacks?: ReadonlyMap<string, readonly string[]> | undefined;
+}
+
+export interface ComposedStage {
+  /** The stage as if one layer said it all: prims without arcs, values as they are resolved, paths of the stage. */
+  readonly layer: Layer;
+  readonly variantSets: readonly ComposedVariantSet[];
+}
+
+/** A thing to say about a prim once it is certain that its index stands. */
+interface PendingIssue {
+  readonly code: DiagnosticCode;
+  readonly path: string;
+  readonly message: string;
+}
+
+/** A prim whose children are composed, and what it hands down to them. */
+interface ParentPrim {
+  readonly index: PrimIndexNode;
+  readonly path: string;
+  readonly depth: number;
+  /** It is in an instance. */
+  readonly isShared: boolean;
+  /** Those of the prim and of what is around it, the strongest first. */
+  readonly clips: readonly ClipSet[];
+}
+
+/** Composes the stage of a root layer. Layers are read as they are needed, so that variants not chosen cost nothing. */
+export async function composeStage(
+  store: LayerStore,
+  root: LoadedLayer,
+  diagnostics: DiagnosticList,
+  options: ComposeOptions = {},
+): Promise<ComposedStage> {
+  return new StageComposer(store, root, diagnostics, options).compose();
+}
+
+class StageComposer {
+  private readonly store: LayerStore;
+  private readonly root: LoadedLayer;
+  /** Also without choices the stage's own layers are a stack apart from that of a reference to its root layer. */
+  private readonly session: LoadedLayer;
+  private readonly diagnostics: DiagnosticList;
+  private readonly composer: CompositionContext;
+  private readonly choices: readonly VariantSelection[];
+  private readonly variantSets: ComposedVariantSet[] = [];
+  private noted: PendingIssue[] = [];
+  private prims = 0;
+  private isFull = false;
+  private readonly clipBudget = { samples: MAX_CLIP_SAMPLES };
+
+  constructor(store: LayerStore, root: LoadedLayer, diagnostics: DiagnosticList, options: ComposeOptions) {
+    this.store = store;
+    this.root = root;
+    this.diagnostics = diagnostics;
+    this.choices = options.variants ?? [];
+    this.session = loadedLayer(sessionLayer(this.choices), '', true);
+    const note = (code: DiagnosticCode, path: string, message: string): void => {
+      this.noted.push({ code, path, message });
+    };
+    const stacks = new LayerStackCache(store, note);
+    this.composer = {
+      store,
+      stacks,
+      fallbacks: options.fallbacks ?? new Map(),
+      work: new CompositionBudget(store),
+      note,
+    };
+  }
+
+  async compose(): Promise<ComposedStage> {
+    const stack = await this.whenLayersLoaded(() => this.composer.stacks.getOrBuild(this.root, this.session));
+    const index = await this.whenLayersLoaded(() => PrimIndexBuilder.stagePrim(this.composer, stack, '', undefined));
+    const { name, metadata } = this.root.layer;
+    const root = { index, path: '', depth: 0, isShared: false, clips: [] };
+    const rootPrims = await this.children(root, childNames(index));
+    this.reportUnknownVariants();
+    return { layer: { name, metadata, rootPrims }, variantSets: this.variantSets };
+  }
+
+  /** Runs `build` until it needs no layer that is still to be read; what the last run noted is said. */
+  private async whenLayersLoaded<T>(build: () => T): Promise<T> {
+    for (;;) {
+      this.noted = [];
+      const built = build();
+      if (this.store.isComplete) {
+        for (const { code, path, message } of this.noted) this.report(code, path, message);
+        return built;
+      }
+      await this.store.load();
+    }
+  }
+
+  private report(code: DiagnosticCode, path: string, message: string): void {
+    report({ layer: this.root.layer, diagnostics: this.diagnostics }, 'warning', code, path, message);
+  }
+
+  private async children(parent: ParentPrim, names: readonly string[]): Promise<ReadonlyMap<string, PrimSpec>> {
+    const { path, depth, isShared } = parent;
+    const children = new Map<string, PrimSpec>();
+    if (depth >= MAX_DEPTH) {
+      this.report('usd.too-deep', path, `prims nested more than ${MAX_DEPTH} deep are left out`);
+      return children;
+    }
+    for (const name of names) {
+      if (!this.countPrim(path)) break;
+      const childPath = `${path}/${name}`;
+      const build = (): PrimIndexNode =>
+        PrimIndexBuilder.stagePrim(this.composer, parent.index.stack, childPath, parent.index);
+      let index = build();
+      if (!this.store.isComplete || this.noted.length > 0) index = await this.whenLayersLoaded(build);
+      const prim = composedPrim(index, childPath, this.composer.work);
+      if (this.isCutOff(prim)) break;
+      children.set(name, prim);
+      const definitions = clipSetDefinitions(index);
+      const clips = definitions.length === 0 ? parent.clips : await this.clipSets(definitions, childPath, parent.clips);
+      if (clips.length > 0) this.applyClips(prim, index, clips);
+      if (!isShared) this.variantSets.push(...variantSetsOf(index, childPath));
+      if (!isActive(prim)) continue;
+      const below = childNames(index);
+      if (below.length === 0) continue;
+      const inside = isShared || isInstance(index);
+      prim.children = await this.children({ index, path: childPath, depth: depth + 1, isShared: inside, clips }, below);
+    }
+    return children;
+  }
+
+  /** Counts one more prim in a prim; false, and said, where it is one too many. */
+  private countPrim(path: string): boolean {
+    const { work } = this.composer;
+    work.spend(STEP_COSTS.prim);
+    if (++this.prims <= MAX_PRIMS && !work.isExhausted) return true;
+    this.reportFull(path);
+    return false;
+  }
+
+  /** Says where the work ended while a prim was composed; true where nothing that defines it was reached. */
+  private isCutOff({ path, specifier }: PrimSpec): boolean {
+    if (!this.composer.work.isExhausted) return false;
+    this.reportFull(path);
+    return specifier === 'over';
+  }
+
+  /** The clip sets of a prim and of those around it, the strongest first. */
+  private async clipSets(
+    definitions: readonly ClipSetDefinition[],
+    path: string,
+    around: readonly ClipSet[],
+  ): Promise<readonly ClipSet[]> {
+    const say = (code: DiagnosticCode, message: string): void => this.composer.note(code, path, message);
+    const own = await this.whenLayersLoaded(() => definitions.flatMap((d) => clipSetOf(d, this.store, say) ?? []));
+    return [...own, ...around];
+  }
+
+  private applyClips(prim: PrimSpec, index: PrimIndexNode, clips: readonly ClipSet[]): void {
+    if (this.clipBudget.samples < 0 || applyClips(prim, index, clips, this.clipBudget)) return;
+    const message = `the clips of the stage make more than ${MAX_CLIP_SAMPLES} samples; from here on they are left out`;
+    this.report('usd.clips', prim.path, message);
+  }
+
+  /** Said once: where the first prim is left out. */
+  private reportFull(path: string): void {
+    if (this.isFull) return;
+    this.isFull = true;
+    const why =
+      this.prims > MAX_PRIMS
+        ? `the stage has more than ${MAX_PRIMS} prims`
+        : `its layers write ${this.store.specs} prims and properties, and their arcs make more of them than can be followed; ${this.prims - 1} prims are made`;
+    this.report('usd.too-many-prims', path, `${why}; the rest is left out, from here on`);
+  }
+
+  private reportUnknownVariants(): void {
+    for (const { path, set, variant } of this.choices) {
+      const offered = this.variantSets.find((s) => s.path === path && s.set === set);
+      if (offered?.variants.includes(variant) || (offered && variant === '')) continue;
+      const message = offered
+        ? `the variant '${variant}' of '${set}' is chosen, but ${set} has ${offered.variants.join(', ')}`
+        : `the variant '${variant}' of '${set}' is chosen, but ${set} is not a variant set of this prim`;
+      this.report('usd.variant', path, message);
+    }
+  }
+}
+
+export function isActive(prim: PrimSpec): boolean {
+  const active = prim.metadata.get('active');
+  return active?.type !== 'bool' || active.data;
+}

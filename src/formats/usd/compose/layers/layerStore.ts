@@ -1,0 +1,140 @@
+import { InputError, type MissingFile } from '../../../../scene/types.ts';
+import { messageOf } from '../../../diagnostics/inputError.ts';
+import type { FileContent } from '../../../files/rangedFile.ts';
+import type { AssetFiles } from '../../assets/assetFiles.ts';
+import type { Layer, PrimSpec } from '../../layer/layer.ts';
+import { pseudoRoot } from '../../layer/primPaths.ts';
+import { metadataNumber } from '../../schema/context.ts';
+
+/** A layer in memory. */
+export interface LoadedLayer {
+  /** Its identifier among the stage's files. */
+  readonly id: string;
+  readonly layer: Layer;
+  readonly root: PrimSpec;
+  readonly codesPerSecond: number;
+  /** Made from what the user chose; it adds no prims. */
+  readonly isSession: boolean;
+}
+
+/** Why a layer is not there. */
+export interface LayerError {
+  readonly code: 'usd.missing-layer' | 'usd.unreadable-layer' | 'usd.too-many-layers';
+  readonly message: string;
+}
+
+/** One scene's layers together. */
+export const MAX_LAYERS = 4096;
+
+export type ParseLayer = (content: FileContent, id: string) => Layer;
+
+/**
+ * The layers of a stage, each read once. `find` does not wait: a layer that was never asked for is `undefined` at
+ * first and there after the next `load`.
+ */
+export class LayerStore {
+  readonly files: AssetFiles;
+  /** Layers that are not there, by what is said of them. */
+  readonly missing = new Map<string, MissingFile>();
+  private readonly parse: ParseLayer;
+  private readonly byId = new Map<string, LoadedLayer | LayerError>();
+  private readonly byReference = new Map<string, LoadedLayer | LayerError>();
+  private readonly wanted = new Map<string, readonly [anchor: string, asset: string]>();
+  /** How many prims and properties the layers write. */
+  specs = 0;
+
+  constructor(files: AssetFiles, parse: ParseLayer) {
+    this.files = files;
+    this.parse = parse;
+  }
+
+  get isComplete(): boolean {
+    return this.wanted.size === 0;
+  }
+
+  /** The layer that `anchor` calls `asset`. */
+  find(anchor: string, asset: string): LoadedLayer | LayerError | undefined {
+    const key = `${anchor}\n${asset}`;
+    const found = this.byReference.get(key);
+    if (!found) this.wanted.set(key, [anchor, asset]);
+    return found;
+  }
+
+  /** Reads every layer that was asked for and not there. */
+  async load(): Promise<void> {
+    for (const [key, [anchor, asset]] of [...this.wanted]) {
+      this.byReference.set(key, await this.open(anchor, asset));
+      this.wanted.delete(key);
+    }
+  }
+
+  private async open(anchor: string, asset: string): Promise<LoadedLayer | LayerError> {
+    if (this.byId.size >= MAX_LAYERS)
+      return {
+        code: 'usd.too-many-layers',
+        message: `@${asset}@ is layer ${MAX_LAYERS + 1} of the scene; so many are read`,
+      };
+    try {
+      const found = await this.files.find(anchor, asset);
+      if (found) return await this.layer(found.id, found.content);
+    } catch (thrown) {
+      return unreadable(asset, thrown);
+    }
+    const lookedFor = this.files.candidates(anchor, asset);
+    const message = `@${asset}@ is not there (looked for ${lookedFor.join(', ')}); open the folder that holds it`;
+    this.missing.set(message, { name: asset, lookedFor });
+    return { code: 'usd.missing-layer', message };
+  }
+
+  private async layer(file: string, content: FileContent): Promise<LoadedLayer | LayerError> {
+    const id = await this.files.layerIn(file, content);
+    const known = this.byId.get(id);
+    if (known) return known;
+    const inside = id === file ? content : (await this.files.content(id))!;
+    const layer = this.parsed(inside, id);
+    this.byId.set(id, layer);
+    return layer;
+  }
+
+  private parsed(content: FileContent, id: string): LoadedLayer | LayerError {
+    try {
+      return this.counted(loadedLayer(this.parse(content, id), id));
+    } catch (thrown) {
+      return unreadable(id, thrown);
+    }
+  }
+
+  private counted(layer: LoadedLayer): LoadedLayer {
+    this.specs += specsIn(layer.root);
+    return layer;
+  }
+
+  /** The stage's own layer; throws what is wrong with it. */
+  async root(entry: string, content: FileContent): Promise<LoadedLayer> {
+    const id = await this.files.layerIn(entry, content);
+    const inside = id === entry ? content : (await this.files.content(id))!;
+    const root = this.counted(loadedLayer(this.parse(inside, id), id));
+    this.byId.set(id, root);
+    return root;
+  }
+}
+
+function specsIn({ children, properties, variantSets }: PrimSpec): number {
+  let count = 1 + properties.size;
+  for (const child of children.values()) count += specsIn(child);
+  for (const variants of variantSets.values()) for (const variant of variants.values()) count += specsIn(variant);
+  return count;
+}
+
+export const isLayerError = (found: LoadedLayer | LayerError): found is LayerError => 'code' in found;
+
+const unreadable = (asset: string, thrown: unknown): LayerError => ({
+  code: 'usd.unreadable-layer',
+  message: `@${asset}@ cannot be read: ${thrown instanceof InputError ? thrown.message : messageOf(thrown)}`,
+});
+
+export function loadedLayer(layer: Layer, id: string, isSession = false): LoadedLayer {
+  const number = (key: string): number | undefined => metadataNumber(layer.metadata, key);
+  const codesPerSecond = number('timeCodesPerSecond') ?? number('framesPerSecond') ?? 24;
+  return { id, layer, root: pseudoRoot(layer), codesPerSecond, isSession };
+}

@@ -1,0 +1,123 @@
+import { messageOf } from '../../../diagnostics/inputError.ts';
+import { depthOf, isPrimPath, stripVariants } from '../../layer/primPaths.ts';
+import { metadataText } from '../../schema/context.ts';
+import { expandExpression } from '../layers/expressions.ts';
+import type { LayerStack } from '../layers/layerStack.ts';
+import { isLayerError, type LoadedLayer } from '../layers/layerStore.ts';
+import { referencesAt, type SourcedReference } from '../layers/siteOpinions.ts';
+import { composeOffsets, isInvertible, NO_OFFSET, type TimeOffset } from '../layers/timeOffset.ts';
+import { arcMap, composeMaps, type NamespaceMap, withPairs, withRoot } from './namespaceMap.ts';
+import type { PrimIndexBuilder } from './primIndexer.ts';
+import type { PrimIndexNode } from './primIndexNode.ts';
+
+/** Follows the references or the payloads that a site has. */
+export function addReferenceArcs(builder: PrimIndexBuilder, node: PrimIndexNode, kind: 'reference' | 'payload'): void {
+  const arcs = referencesAt(node.opinions, kind === 'reference' ? 'references' : 'payload');
+  arcs.forEach((arc, number) => {
+    const target = targetOf(builder, node, kind, arc);
+    if (!target) return;
+    const { stack, path, time } = target;
+    const map = mapForArc(node, path, time);
+    // What refers to its own layers sees all of them.
+    const whole = arc.asset === '' ? withRoot(map) : map;
+    const written = { kind, map: whole, number, depth: node.depth };
+    const added = builder.addArc(node, stack, path, written, { ancestral: depthOf(path) > 1 });
+    if (added)
+      builder.expectOpinions(
+        added,
+        `its ${kind} ${describe(arc)} leads to ${path}, which ${stack.root.id} does not have`,
+      );
+  });
+}
+
+interface ReferenceTarget {
+  readonly stack: LayerStack;
+  readonly path: string;
+  readonly time: TimeOffset;
+}
+
+function targetOf(
+  builder: PrimIndexBuilder,
+  node: PrimIndexNode,
+  kind: string,
+  arc: SourcedReference,
+): ReferenceTarget | undefined {
+  const root = arc.asset === '' ? node.stack.root : layerOf(builder, kind, arc);
+  if (!root) return undefined;
+  const path = arc.path === '' ? defaultPrim(root) : arc.path;
+  if (path === undefined || !isPrimPath(path)) {
+    const why = path === undefined ? `${root.id} has no defaultPrim` : `${path} is not the path of a prim`;
+    builder.report('usd.default-prim', `its ${kind} ${describe(arc)} is left out: ${why}`);
+    return undefined;
+  }
+  const stack =
+    arc.asset === '' ? node.stack : builder.composer.stacks.getOrBuild(root, undefined, node.stack.variables);
+  return { stack, path, time: referenceTimeOffset(builder, kind, arc, arc.asset === '' ? undefined : root) };
+}
+
+function layerOf(builder: PrimIndexBuilder, kind: string, arc: SourcedReference): LoadedLayer | undefined {
+  const asset = assetOf(builder, kind, arc);
+  if (asset === '') return undefined;
+  const found = builder.composer.store.find(arc.from.source.id, asset);
+  if (!found || !isLayerError(found)) return found;
+  builder.report(found.code, kind === 'reference' ? `its reference ${found.message}` : `its payload ${found.message}`);
+  return undefined;
+}
+
+/** The path as written, or what its expression makes; empty where that is none. */
+function assetOf(builder: PrimIndexBuilder, kind: string, { asset, from }: SourcedReference): string {
+  try {
+    return expandExpression(asset, from.variables);
+  } catch (thrown) {
+    builder.report('usd.expression', `its ${kind} @${asset}@ is left out: ${messageOf(thrown)}`);
+    return '';
+  }
+}
+
+/**
+ * Times of the target in those of the stack that refers to it; where the two count seconds differently, scaled. Within
+ * one stack the offset of the layer that writes the arc does not count: the target's layers have theirs.
+ */
+function referenceTimeOffset(
+  builder: PrimIndexBuilder,
+  kind: string,
+  arc: SourcedReference,
+  target: LoadedLayer | undefined,
+): TimeOffset {
+  const { from } = arc;
+  const usable = isInvertible(arc);
+  if (!usable)
+    builder.report(
+      'usd.layer-offset',
+      `its ${kind} ${describe(arc)} has the offset ${arc.offset} and the scale ${arc.scale}, which are no times; they are left out`,
+    );
+  const written = usable ? { offset: arc.offset, scale: arc.scale } : NO_OFFSET;
+  if (!target) return written;
+  const own = composeOffsets(from.time, written);
+  return { offset: own.offset, scale: (own.scale * from.source.codesPerSecond) / target.codesPerSecond };
+}
+
+/** The name, or since OpenUSD 25 the path, of the prim that stands for a layer. */
+function defaultPrim({ layer }: LoadedLayer): string | undefined {
+  const name = metadataText(layer.metadata, 'defaultPrim');
+  if (!name) return undefined;
+  return name.startsWith('/') ? name : `/${name}`;
+}
+
+const describe = ({ asset, path }: SourcedReference): string =>
+  `${asset ? `@${asset}@` : ''}${path ? `<${path}>` : ''}`;
+
+/** From the namespace of an arc's target to that of the node which has it, with that node's relocates applied. */
+export function mapForArc(node: PrimIndexNode, source: string, time: TimeOffset = NO_OFFSET): NamespaceMap {
+  const target = stripVariants(node.path);
+  const map = arcMap(source, target, time);
+  const { relocates } = node.stack;
+  if (!relocates) return map;
+  const key = [source, target, time.offset, time.scale].join('\n');
+  const known = relocates.mapsOfArcs.get(key);
+  if (known) return known;
+  const moves = [...relocates.resolved].filter(([from, to]) => to !== '' && from.startsWith(`${target}/`));
+  const moved = composeMaps(withPairs(withRoot(arcMap('', '', NO_OFFSET)), moves), map);
+  relocates.mapsOfArcs.set(key, moved);
+  return moved;
+}

@@ -1,0 +1,56 @@
+import { inputError } from '../../../diagnostics/inputError.ts';
+import { type CrateSource, Cursor } from './crateSource.ts';
+
+const IDENT = 'PXR-USDC';
+/** So many bytes tell whether a file is a crate. */
+export const IDENT_BYTES = IDENT.length;
+const HEADER_BYTES = 88;
+/** Of one entry in the table of contents: a name of 16 bytes, where the section begins, how long it is. */
+const ENTRY_BYTES = 32;
+const MAX_SECTIONS = 64;
+
+/** Versions 0.4 (structure compressed) to 0.14 (array edits, which are refused where one is met). */
+const [OLDEST, NEWEST] = [4, 14];
+
+export const SECTIONS = ['TOKENS', 'STRINGS', 'FIELDS', 'FIELDSETS', 'PATHS', 'SPECS'] as const;
+export type SectionName = (typeof SECTIONS)[number];
+
+export const isCrate = (bytes: Uint8Array): boolean =>
+  String.fromCharCode(...bytes.subarray(0, IDENT.length)) === IDENT;
+
+/** Reads the header and the table of contents: where each section begins. Refuses versions that are not read. */
+export function readSections(source: CrateSource): Map<SectionName, number> {
+  source.section = 'header';
+  source.require(0, HEADER_BYTES, 'the header');
+  source.version = checkVersion(source);
+  const start = new Cursor(source, 16).i64('the place of the table of contents');
+  source.section = 'table of contents';
+  const cursor = new Cursor(source, start);
+  const count = cursor.count('sections', ENTRY_BYTES);
+  if (count > MAX_SECTIONS) source.fail(`it says ${count} sections; a crate file has ${SECTIONS.length}`, start);
+  const found = new Map<string, number>();
+  for (let i = 0; i < count; i++) {
+    const name = nameAt(source, cursor.pass(16, 'the name of a section'));
+    const begin = cursor.i64(`the place of section ${name}`);
+    source.check(begin, Math.max(0, cursor.i64(`the size of section ${name}`)), `section ${name}`);
+    found.set(name, begin);
+  }
+  return new Map(SECTIONS.map((name) => [name, found.get(name) ?? source.fail(`there is no section ${name}`, start)]));
+}
+
+function checkVersion({ bytes, base, file }: CrateSource): number {
+  const [major, minor, patch] = bytes.subarray(8 - base, 11 - base);
+  if (major === 0 && minor >= OLDEST && minor <= NEWEST) return minor;
+  const old = major === 0 && minor < OLDEST;
+  const what = old
+    ? 'write it anew with a present OpenUSD: usdcat in.usdc -o out.usdc'
+    : 'write it as text: usdcat in.usdc -o out.usda';
+  const read = `0.${OLDEST} to 0.${NEWEST} are read`;
+  throw inputError('usd.version', file, `is a crate file of version ${major}.${minor}.${patch}; ${read}; ${what}`);
+}
+
+function nameAt({ bytes, base }: CrateSource, at: number): string {
+  const name = bytes.subarray(at - base, at - base + 16);
+  const end = name.indexOf(0);
+  return String.fromCharCode(...(end < 0 ? name : name.subarray(0, end)));
+}

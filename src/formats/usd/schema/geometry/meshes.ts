@@ -1,0 +1,312 @@
+import { gatherPoints, makeMesh } from '../../../../scene/mesh/makeMesh.ts';
+import type { Polygons, PolygonValues } from '../../../../scene/mesh/polygons.ts';
+import type { Mesh } from '../../../../scene/types.ts';
+import { attributeOf, numbersAt, sampleTimes, textAt } from '../../layer/attributes.ts';
+import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
+import { countOf, storedSamples } from '../../layer/storedArray.ts';
+import { isTrue, report, type StageContext } from '../context.ts';
+import type { PrimMaterials } from '../materials/materialBinding.ts';
+import { deformedMesh } from '../placement/deforming.ts';
+import { type MeshElementCounts, type Primvar, primvarOf, valuesOnMesh } from '../primvars.ts';
+import type { Skeletons } from '../skel/binding.ts';
+import { type Skin, skinOf } from '../skel/skin.ts';
+import { pointBytes, vectorsPerVertex } from './pointSampling.ts';
+import type { DeformedPoints, PrimGeometry, StoredDeformation } from './primGeometry.ts';
+import { levelsOf, subdivideMesh } from './subdivision.ts';
+
+interface Faces {
+  readonly points: NumberArray;
+  readonly counts: NumberArray;
+  readonly indices: NumberArray;
+}
+
+/** The faces that can be drawn, and the places of them and their corners among all: values are found by these. */
+interface KeptFaces {
+  readonly counts: number[];
+  readonly points: number[];
+  readonly faces: number[];
+  readonly corners: number[];
+  /** Of these faces: they are not drawn. */
+  readonly holes: Set<number>;
+}
+
+/** Faces that meet at less than this angle are shaded smooth where a subdivision surface is drawn as its polygons. */
+const SMOOTH_ANGLE = Math.PI / 3;
+
+/** Of the points of a bent mesh so many are followed between samples. */
+const PROBE_POINTS = 64;
+/** Following so many points takes as long as one transform. */
+const POINTS_PER_TRANSFORM = 8;
+
+/** A Mesh prim as triangles, bent by its skeleton; undefined, with a diagnostic, where it has none. */
+export function meshGeometry(
+  context: StageContext,
+  skeletons: Skeletons,
+  prim: PrimSpec,
+  surface: PrimMaterials,
+): PrimGeometry | undefined {
+  const faces = facesOf(context, prim);
+  if (!faces) return undefined;
+  const topology = { points: faces.points.length / 3, corners: faces.indices.length, faces: faces.counts.length };
+  const wanted = levelsOf(context, prim);
+  const levels = wanted > 0 && staysInFile(context, prim, topology.points) ? 0 : wanted;
+  const kept = keptFaces(context, prim, faces, levels > 0);
+  const uvs = surface.uvs(prim, topology);
+  const colors = surface.colors(prim, topology);
+  const materials = surface.faceMaterials(topology.faces);
+  const polygons: Polygons = {
+    points: faces.points,
+    faceCounts: kept?.counts ?? faces.counts,
+    faceIndices: kept?.points ?? faces.indices,
+    ...(uvs ? { uvs: valuesOnKept(uvs, kept) } : {}),
+    ...(colors ? { colors: valuesOnKept(colors, kept) } : {}),
+    faceMaterials: kept ? kept.faces.map((f) => materials[f]) : materials,
+    leftHanded: textAt(prim, 'orientation', context.startCode) === 'leftHanded',
+    doubleSided: isTrue(context, prim, 'doubleSided'),
+  };
+  const moved = pointTimes(context, prim);
+  const skin = skinOf(context, skeletons, prim, { count: topology.points, times: moved });
+  if (levels > 0)
+    return withDeformation(context, prim, moved, subdividedMesh(context, prim, polygons, levels, kept), skin);
+  return withDeformation(context, prim, moved, plainMesh(context, prim, polygons, topology, kept, skin), skin);
+}
+
+/** Whether the samples of the points are too many for memory, and can stay where they are: said, for what is subdivided has to be computed. */
+function staysInFile(context: StageContext, prim: PrimSpec, points: number): boolean {
+  const attribute = attributeOf(prim, 'points');
+  const bytes = pointBytes(sampleTimes(attribute).length, points, vectorsPerVertex(context));
+  if (bytes <= context.sampleMemory.bytes || !storedSamples(attribute)) return false;
+  const message = 'its samples are too many to be subdivided and stay in their file; it is drawn as its polygons';
+  report(context, 'info', 'usd.subdivision', prim.path, message);
+  return true;
+}
+
+/** A mesh, and its vertices for points of the prim at another time. */
+interface PolygonMesh {
+  readonly mesh: Mesh;
+  pointsFor(points: ArrayLike<number>, time: number): DeformedPoints;
+  /** What is known of its vertices, and of their normals where they are sampled, if that can stay in its file. */
+  readonly stored?: Omit<StoredDeformation, 'points'>;
+}
+
+function plainMesh(
+  context: StageContext,
+  prim: PrimSpec,
+  polygons: Polygons,
+  topology: MeshElementCounts,
+  kept: KeptFaces | undefined,
+  skin: Skin | undefined,
+): PolygonMesh {
+  const given = normalsOf(context, prim, topology);
+  const smoothAngle = textAt(prim, 'subdivisionScheme', undefined) === 'none' ? 0 : SMOOTH_ANGLE;
+  const { mesh, pointOfVertex } = makeMesh({
+    ...polygons,
+    ...(given ? { normals: valuesOnKept(given.values, kept) } : { smoothAngle }),
+  });
+  const sampled = given && areSampledNormals(given.primvar, topology.points) ? given.primvar.attribute.name : undefined;
+  const normals = sampled === undefined ? undefined : storedSamples(attributeOf(prim, sampled));
+  const normalsAt = (time: number): Float32Array | undefined => {
+    if (skin) return given && skin.normalsAt(time, mesh.normals, pointOfVertex);
+    return sampled === undefined ? undefined : gatherPoints(numbersAt(prim, sampled, time)!, pointOfVertex);
+  };
+  return {
+    mesh,
+    ...(sampled === undefined || normals ? { stored: { pointOfVertex, normals } } : {}),
+    pointsFor: (points, time) => {
+      const normals = normalsAt(time);
+      return { positions: gatherPoints(points, pointOfVertex), ...(normals ? { normals } : {}) };
+    },
+  };
+}
+
+/** Normals of the points themselves, as many at every time. */
+function areSampledNormals({ interpolation, indices, attribute }: Primvar, points: number): boolean {
+  if (interpolation !== 'point' || indices || sampleTimes(attribute).length === 0) return false;
+  return attribute.timeSamples!.values.every((value) => countOf(value) === 3 * points);
+}
+
+function subdividedMesh(
+  context: StageContext,
+  prim: PrimSpec,
+  cage: Polygons,
+  levels: number,
+  kept: KeptFaces | undefined,
+): PolygonMesh {
+  const { polygons, surface } = subdivideMesh(context, prim, cage, levels, (face) => kept?.holes.has(face) ?? false);
+  const { mesh, pointOfVertex } = makeMesh(polygons);
+  return {
+    mesh,
+    pointsFor: (points) => {
+      const { positions, normals } = surface.at(points);
+      if (cage.leftHanded) for (let i = 0; i < normals.length; i++) normals[i] = -normals[i];
+      return { positions: gatherPoints(positions, pointOfVertex), normals: gatherPoints(normals, pointOfVertex) };
+    },
+  };
+}
+
+/** The mesh with what bends it: its skin, else samples of its points. */
+function withDeformation(
+  context: StageContext,
+  prim: PrimSpec,
+  times: Float64Array,
+  drawn: PolygonMesh,
+  skin: Skin | undefined,
+): PrimGeometry {
+  const { mesh } = drawn;
+  if (!skin) {
+    if (times.length === 0) return { mesh };
+    const at = (time: number): DeformedPoints => drawn.pointsFor(numbersAt(prim, 'points', time)!, time);
+    const points = drawn.stored && storedSamples(attributeOf(prim, 'points'));
+    const stored = drawn.stored && points ? { stored: { ...drawn.stored, points } } : {};
+    const count = numbersAt(prim, 'points', context.startCode)!.length;
+    if (!context.cubic || !velocitiesOf(context, prim, times, count))
+      return { mesh, deformation: { times, at, ...stored } };
+    // What places are made of, velocities are made of too.
+    const velocitiesAt = (time: number) => drawn.pointsFor(numbersAt(prim, 'velocities', time)!, time).positions;
+    return { mesh, deformation: { times, at, velocitiesAt, ...stored } };
+  }
+  const transform = skin.transform ? { transform: skin.transform } : {};
+  if (skin.isRigid) return { mesh, ...transform };
+  const at = (time: number): DeformedPoints => drawn.pointsFor(skin.pointsAt(time), time);
+  if (skin.times.length === 0) return { mesh: deformedMesh(mesh, at(context.startCode)), ...transform };
+  const points = numbersAt(prim, 'points', context.startCode)!.length / 3;
+  const some = Uint32Array.from({ length: Math.min(PROBE_POINTS, points) }, (_, i) =>
+    Math.floor((i * points) / Math.min(PROBE_POINTS, points)),
+  );
+  const cost = skin.cost + some.length / POINTS_PER_TRANSFORM;
+  const follow = { cost, pointsAt: (time: number) => skin.pointsAt(time, some) };
+  return {
+    mesh: deformedMesh(mesh, at(context.startCode)),
+    deformation: { times: skin.times, at, probe: follow },
+    ...transform,
+  };
+}
+
+function facesOf(context: StageContext, prim: PrimSpec): Faces | undefined {
+  const at = (name: string) => numbersAt(prim, name, context.startCode);
+  const [points, counts, indices] = [at('points'), at('faceVertexCounts'), at('faceVertexIndices')];
+  if (!points || !counts || !indices) {
+    const missing = [!points && 'points', !counts && 'faceVertexCounts', !indices && 'faceVertexIndices'];
+    const message = `the mesh has no ${missing.filter(Boolean).join(' or ')}; it is left out`;
+    report(context, 'warning', 'usd.empty-mesh', prim.path, message);
+    return undefined;
+  }
+  for (const name of ['faceVertexCounts', 'faceVertexIndices'])
+    if (sampleTimes(attributeOf(prim, name)).length > 0)
+      report(context, 'warning', 'usd.topology', prim.path, `${name} changes with time; it is held at the start`);
+  return { points, counts, indices };
+}
+
+/**
+ * Undefined where every face can be drawn. Faces that cannot be are left out with a warning, and so are holes, unless they
+ * are to shape a surface around them.
+ */
+function keptFaces(
+  context: StageContext,
+  prim: PrimSpec,
+  { points, counts, indices }: Faces,
+  keepsHoles: boolean,
+): KeptFaces | undefined {
+  const holes = new Set(numbersAt(prim, 'holeIndices', undefined));
+  const starts = new Int32Array(counts.length);
+  let [first, bad, left] = [0, 0, 0];
+  for (let face = 0; face < counts.length; face++) {
+    const count = Math.max(0, counts[face]);
+    const fits = count >= 3 && first + count <= indices.length && pointsExist(indices, first, count, points.length / 3);
+    if (!fits) bad++;
+    const isKept = fits && (keepsHoles || !holes.has(face));
+    if (!isKept || (keepsHoles && (holes.has(face) || repeatsPoint(indices, first, count)))) left++;
+    starts[face] = isKept ? first : -1;
+    first += count;
+  }
+  if (bad > 0) {
+    const message = `${bad} of ${counts.length} faces have fewer than 3 corners or name points that are not there; they are left out`;
+    report(context, 'warning', 'usd.faces', prim.path, message);
+  }
+  if (left === 0) return undefined;
+  const kept: KeptFaces = { counts: [], points: [], faces: [], corners: [], holes: new Set() };
+  starts.forEach((start, face) => {
+    if (start < 0) return;
+    const isAdded = keepFace(kept, indices, face, start, counts[face], keepsHoles);
+    if (isAdded && holes.has(face)) kept.holes.add(kept.faces.length - 1);
+  });
+  return kept;
+}
+
+/** Whether a corner has the point of the one before it: an edge of no length, which no surface can be made of. */
+function repeatsPoint(indices: NumberArray, first: number, count: number): boolean {
+  for (let c = 0; c < count; c++) if (indices[first + c] === indices[first + ((c + 1) % count)]) return true;
+  return false;
+}
+
+function pointsExist(indices: NumberArray, first: number, count: number, points: number): boolean {
+  for (let c = first; c < first + count; c++) if (!(indices[c] >= 0 && indices[c] < points)) return false;
+  return true;
+}
+
+/** `once`: corners that repeat the point before them are left out, and so is a face of which fewer than three are left. */
+function keepFace(
+  kept: KeptFaces,
+  indices: NumberArray,
+  face: number,
+  first: number,
+  count: number,
+  once: boolean,
+): boolean {
+  const corners: number[] = [];
+  for (let c = first; c < first + count; c++) {
+    const next = c + 1 < first + count ? c + 1 : first;
+    if (!once || indices[c] !== indices[next]) corners.push(c);
+  }
+  if (corners.length < 3) return false;
+  kept.faces.push(face);
+  kept.counts.push(corners.length);
+  for (const c of corners) {
+    kept.corners.push(c);
+    kept.points.push(indices[c]);
+  }
+  return true;
+}
+
+function valuesOnKept(values: PolygonValues, kept: KeptFaces | undefined): PolygonValues {
+  if (!kept || values.per === 'point' || values.per === 'constant') return values;
+  const places = values.per === 'corner' ? kept.corners : kept.faces;
+  return { ...values, indices: values.indices ? places.map((p) => values.indices![p]) : places };
+}
+
+interface MeshNormals {
+  readonly primvar: Primvar;
+  readonly values: PolygonValues;
+}
+
+/** `primvars:normals` before `normals`. */
+function normalsOf(context: StageContext, prim: PrimSpec, topology: MeshElementCounts): MeshNormals | undefined {
+  for (const name of ['primvars:normals', 'normals']) {
+    const primvar = primvarOf(prim, name, context.startCode, 'vertex');
+    const values = primvar && valuesOnMesh(context, prim, name, primvar, 3, topology);
+    if (values) return { primvar, values };
+  }
+  return undefined;
+}
+
+/** Codes at which the points have samples; none, with a diagnostic, where their number changes. */
+function pointTimes(context: StageContext, prim: PrimSpec): Float64Array {
+  const points = attributeOf(prim, 'points');
+  const times = sampleTimes(points);
+  const count = numbersAt(prim, 'points', context.startCode)!.length;
+  if (times.length === 0 || points!.timeSamples!.values.every((value) => countOf(value) === count)) return times;
+  const message = 'the number of points changes with time; the shape is held at the start';
+  report(context, 'warning', 'usd.topology', prim.path, message);
+  return new Float64Array(0);
+}
+
+/** Whether the file gives a velocity for each point at each of the points' samples. */
+function velocitiesOf(context: StageContext, prim: PrimSpec, times: Float64Array, count: number): boolean {
+  const samples = attributeOf(prim, 'velocities')?.timeSamples;
+  if (!samples) return false;
+  const given = samples.times.length === times.length && samples.times.every((t, k) => t === times[k]);
+  if (given && samples.values.every((value) => countOf(value) === count)) return true;
+  const message = `its velocities are not given for each of ${count / 3} points at each of ${times.length} samples; they are taken from the points`;
+  report(context, 'info', 'usd.velocities', prim.path, message);
+  return false;
+}

@@ -1,0 +1,223 @@
+import type { Polygons } from '../../../../scene/mesh/polygons.ts';
+import type { FaceVaryingRule } from '../../../../scene/subdivide/faceVarying.ts';
+import { facesAfter } from '../../../../scene/subdivide/limitSurface.ts';
+import {
+  boundaryFaces,
+  type SubdividedPolygons,
+  type SubdivisionOptions,
+  subdividePolygons,
+} from '../../../../scene/subdivide/subdividePolygons.ts';
+import { makeTopology } from '../../../../scene/subdivide/topology.ts';
+import { isActive } from '../../compose/composeStage.ts';
+import { numbersAt, textAt } from '../../layer/attributes.ts';
+import type { Layer, PrimSpec } from '../../layer/layer.ts';
+import { report, type StageContext } from '../context.ts';
+
+/** Where no levels are asked for: so many, and up to so many more until a mesh has so many faces that it looks round. */
+const [LEAST_LEVELS, MOST_LEVELS] = [2, 4];
+const SMOOTH_FACES = 300;
+/** Faces of all subdivided meshes of a scene together, unless their cages have more. */
+export const FACE_BUDGET = 500_000;
+
+type Scheme = SubdivisionOptions['scheme'];
+const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies Scheme[];
+
+/** How often each mesh of a stage is subdivided, and would be alone. */
+export type SubdivisionLevels = ReadonlyMap<string, { readonly levels: number; readonly wanted: number }>;
+
+/** Undefined where the mesh is its polygons. What is not known is Catmull–Clark, as nothing is. */
+function schemeOf(prim: PrimSpec): Scheme | undefined {
+  const written = textAt(prim, 'subdivisionScheme', undefined) ?? 'catmullClark';
+  if (written === 'none') return undefined;
+  return SCHEMES.includes(written) ? (written as Scheme) : 'catmullClark';
+}
+
+/**
+ * All `wanted` levels for each mesh, or as many as make it round; where they are more faces than a scene may have, the
+ * largest meshes have fewer. By path; those that each would have without the others, too.
+ */
+export function subdivisionLevels(layer: Layer, wanted?: number): SubdivisionLevels {
+  const all = [...layer.rootPrims.values()].flatMap((prim) => subdividedMeshes(prim));
+  // Instances share their mesh: it counts once.
+  const meshes = [...new Map(all.map((mesh) => [mesh.key, mesh])).values()];
+  const levels = new Map(meshes.map((mesh) => [mesh.key, wanted ?? automaticLevels(mesh)]));
+  const faces = (mesh: SubdivisionCandidate): number => facesOf(mesh, levels.get(mesh.key)!);
+  let total = meshes.reduce((sum, mesh) => sum + faces(mesh), 0);
+  while (total > FACE_BUDGET && meshes.some(({ key }) => levels.get(key)! > 0)) {
+    // A level less is a quarter of the faces: the largest come down first, together with what is left as large as they then are.
+    const order = meshes.filter(({ key }) => levels.get(key)! > 0).sort((a, b) => faces(b) - faces(a));
+    for (const mesh of order) {
+      if (total <= FACE_BUDGET) break;
+      total -= faces(mesh);
+      levels.set(mesh.key, levels.get(mesh.key)! - 1);
+      total += faces(mesh);
+    }
+  }
+  return new Map(
+    all.map((mesh) => [mesh.path, { levels: levels.get(mesh.key)!, wanted: wanted ?? automaticLevels(mesh) }]),
+  );
+}
+
+const facesOf = ({ corners, scheme }: SubdivisionCandidate, levels: number): number =>
+  levels === 0 ? 0 : facesAfter(corners, scheme, levels);
+
+function automaticLevels(mesh: SubdivisionCandidate): number {
+  let levels = LEAST_LEVELS;
+  while (levels < MOST_LEVELS && facesOf(mesh, levels) < SMOOTH_FACES) levels++;
+  return levels;
+}
+
+interface SubdivisionCandidate {
+  readonly path: string;
+  /** The same of prims with the same opinions. */
+  readonly key: string;
+  readonly corners: number;
+  readonly scheme: Scheme;
+}
+
+function subdividedMeshes(prim: PrimSpec): SubdivisionCandidate[] {
+  if (prim.specifier !== 'def' || !isActive(prim)) return [];
+  const scheme = prim.typeName === 'Mesh' ? schemeOf(prim) : undefined;
+  const corners = scheme ? (numbersAt(prim, 'faceVertexIndices', undefined)?.length ?? 0) : 0;
+  const below = [...prim.children.values()].flatMap((child) => subdividedMeshes(child));
+  return scheme ? [{ path: prim.path, key: prim.content ?? prim.path, corners, scheme }, ...below] : below;
+}
+
+/** How often a mesh is subdivided; 0: it is drawn as its polygons. */
+export function levelsOf(context: StageContext, prim: PrimSpec): number {
+  const scheme = schemeOf(prim);
+  if (!scheme) return 0;
+  context.subdivision.levels ??= subdivisionLevels(context.layer, context.subdivision.wanted);
+  const { levels, wanted } = context.subdivision.levels.get(prim.path) ?? { levels: 0, wanted: 0 };
+  if (levels < wanted)
+    reportSubdivision(
+      context,
+      prim,
+      'info',
+      `it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces`,
+    );
+  if (wanted === 0) context.subdivided.push(prim.path);
+  if (levels === 0 || scheme !== 'loop') return levels;
+  const counts = numbersAt(prim, 'faceVertexCounts', context.startCode) ?? [];
+  if (counts.every((count) => count === 3)) return levels;
+  reportSubdivision(
+    context,
+    prim,
+    'warning',
+    'subdivisionScheme loop takes triangles only; it is drawn as its polygons',
+  );
+  return 0;
+}
+
+const reportSubdivision = (
+  context: StageContext,
+  prim: PrimSpec,
+  severity: 'info' | 'warning',
+  message: string,
+): void => report(context, severity, 'usd.subdivision', prim.path, message);
+
+/** @param cage polygons without those that cannot be; `isHole` by their place in it */
+export function subdivideMesh(
+  context: StageContext,
+  prim: PrimSpec,
+  cage: Polygons,
+  levels: number,
+  isHole: (face: number) => boolean,
+): SubdividedPolygons {
+  const points = cage.points.length / 3;
+  const creases = creasesOf(context, prim, points);
+  const boundary = tokenChoice(context, prim, 'interpolateBoundary', BOUNDARIES, 'edgeAndCorner');
+  const topology = makeTopology({
+    points,
+    faceCounts: cage.faceCounts,
+    faceIndices: cage.faceIndices,
+    sharpCorners: boundary === 'edgeAndCorner',
+    pointSharpness: cornerSharpness(context, prim, points),
+    ...(creases ? { creaseSharpness: creases } : {}),
+  });
+  const open = boundary === 'none' ? boundaryFaces(topology, creases ?? (() => 0)) : undefined;
+  return subdividePolygons(cage, topology, {
+    scheme: schemeOf(prim)!,
+    levels,
+    faceVarying: tokenChoice(context, prim, 'faceVaryingLinearInterpolation', FACE_VARYING, 'cornersPlus1'),
+    smoothTriangles: textAt(prim, 'triangleSubdivisionRule', context.startCode) === 'smooth',
+    hidden: (face) => isHole(face) || open?.[face] === 1,
+  });
+}
+
+const BOUNDARIES = ['none', 'edgeOnly', 'edgeAndCorner'] as const;
+const FACE_VARYING = [
+  'none',
+  'cornersOnly',
+  'cornersPlus1',
+  'cornersPlus2',
+  'boundaries',
+  'all',
+] as const satisfies FaceVaryingRule[];
+
+function tokenChoice<T extends string>(
+  context: StageContext,
+  prim: PrimSpec,
+  name: string,
+  options: readonly T[],
+  fallback: T,
+): T {
+  const written = textAt(prim, name, context.startCode);
+  const found = options.find((option) => option === written);
+  if (written !== undefined && !found)
+    reportSubdivision(
+      context,
+      prim,
+      'warning',
+      `${name} '${written}' is not ${options.join(', ')}; ${fallback} is taken`,
+    );
+  return found ?? fallback;
+}
+
+/** Sharpness by the ends of an edge. Each crease is a run of points, with one sharpness or one for each of its edges. */
+function creasesOf(
+  context: StageContext,
+  prim: PrimSpec,
+  points: number,
+): ((a: number, b: number) => number) | undefined {
+  const at = (name: string) => numbersAt(prim, name, context.startCode) ?? [];
+  const [indices, lengths, sharpness] = [at('creaseIndices'), at('creaseLengths'), at('creaseSharpnesses')];
+  if (indices.length === 0) return undefined;
+  const total = Array.from(lengths).reduce((sum, n) => sum + n, 0);
+  const edges = total - lengths.length;
+  const perEdge = sharpness.length === edges && sharpness.length !== lengths.length;
+  const areRuns = total === indices.length && Array.from(lengths).every((n) => n >= 2);
+  const fits = areRuns && (perEdge || sharpness.length === lengths.length);
+  if (!fits || !Array.from(indices).every((p) => p >= 0 && p < points)) {
+    const what = fits
+      ? 'creaseIndices names points that are not there'
+      : 'creaseLengths, creaseIndices and creaseSharpnesses do not fit each other';
+    reportSubdivision(context, prim, 'warning', `${what}; the creases are left out`);
+    return undefined;
+  }
+  const byEdge = new Map<number, number>();
+  const key = (a: number, b: number): number => Math.min(a, b) * points + Math.max(a, b);
+  let [first, edge] = [0, 0];
+  for (let run = 0; run < lengths.length; run++) {
+    for (let i = first; i + 1 < first + lengths[run]; i++, edge++)
+      byEdge.set(key(indices[i], indices[i + 1]), sharpness[perEdge ? edge : run]);
+    first += lengths[run];
+  }
+  return (a, b) => byEdge.get(key(a, b)) ?? 0;
+}
+
+function cornerSharpness(context: StageContext, prim: PrimSpec, points: number): Float64Array {
+  const at = (name: string) => numbersAt(prim, name, context.startCode) ?? [];
+  const [indices, sharpness] = [at('cornerIndices'), at('cornerSharpnesses')];
+  const out = new Float64Array(points);
+  const fits = indices.length === sharpness.length && Array.from(indices).every((p) => p >= 0 && p < points);
+  if (!fits)
+    reportSubdivision(
+      context,
+      prim,
+      'warning',
+      'cornerIndices and cornerSharpnesses do not fit each other or the points; the corners are left out',
+    );
+  else for (let i = 0; i < indices.length; i++) out[indices[i]] = sharpness[i];
+  return out;
+}

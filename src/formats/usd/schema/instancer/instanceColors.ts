@@ -1,0 +1,35 @@
+import type { Vec3 } from '../../../../math/vec3.ts';
+import type { PrimSpec } from '../../layer/layer.ts';
+import { report, type StageContext } from '../context.ts';
+import { primvarOf } from '../primvars.ts';
+import type { PointInstance, PointInstances } from './pointInstances.ts';
+
+/** The displayColor that an instancer gives an instance; undefined where it gives none. */
+export type InstanceColor = (instance: PointInstance) => Vec3 | undefined;
+
+const DISPLAY_COLOR = 'primvars:displayColor';
+
+/** At the stage's start, or where an instance comes later, its first: `constant` is one for all, all else one for each. */
+export function instanceColors(context: StageContext, prim: PrimSpec, { instances }: PointInstances): InstanceColor {
+  const primvar = primvarOf(prim, DISPLAY_COLOR, context.startCode);
+  if (!primvar) return () => undefined;
+  const { interpolation, values, indices } = primvar;
+  const count = interpolation === 'constant' ? 1 : (instances[0]?.indexRuns[0].count ?? 0);
+  const place = (i: number): number => 3 * (indices ? indices[i] : i);
+  const fits = Array.from({ length: count }, (_, i) => place(i)).every((at) => at >= 0 && at + 3 <= values.length);
+  if (!fits) {
+    const has = indices?.length ?? values.length / 3;
+    report(
+      context,
+      'warning',
+      'usd.primvar',
+      prim.path,
+      `${DISPLAY_COLOR} has ${has} values for ${count} instances; it is left out`,
+    );
+    return () => undefined;
+  }
+  return ({ indexRuns: [{ index }] }) => {
+    const at = place(interpolation === 'constant' ? 0 : index);
+    return at + 3 <= values.length ? [values[at], values[at + 1], values[at + 2]] : undefined;
+  };
+}

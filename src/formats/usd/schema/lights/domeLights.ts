@@ -1,0 +1,122 @@
+import { toHalf } from '../../../../math/half.ts';
+import * as mat3 from '../../../../math/mat3.ts';
+import * as mat4 from '../../../../math/mat4.ts';
+import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../../../math/quat.ts';
+import type { Vec3 } from '../../../../math/vec3.ts';
+import { directionFromLatLong, latLongFromDirection } from '../../../../scene/lights/latLong.ts';
+import { sampleTexture } from '../../../../scene/materials/sampleTexture.ts';
+import type { DomeLight, RadianceTexture } from '../../../../scene/types.ts';
+import { SKY_ATTRIBUTES } from '../../../attributes/hints.ts';
+import { attributeOf, textAt, textOf, valueAt, vec3At } from '../../layer/attributes.ts';
+import type { PrimSpec } from '../../layer/layer.ts';
+import { report, type StageContext, upAxisOf } from '../context.ts';
+import type { TextureLoader } from '../materials/textureLoader.ts';
+import type { StageTransform } from '../transforms/stageTransform.ts';
+import { emissionOfColor } from './lightInputs.ts';
+
+type DomeImage = NonNullable<DomeLight['texture']>;
+
+/** The picture of a dome, by latitude and longitude, and how it stands in the world. */
+export async function domeTexture(
+  context: StageContext,
+  textures: TextureLoader,
+  prim: PrimSpec,
+  frame: StageTransform,
+): Promise<Pick<DomeLight, 'texture' | 'orientation'>> {
+  const file = valueAt(attributeOf(prim, 'inputs:texture:file'), context.startCode);
+  if (!textOf(file)) return {};
+  const place = MAPPINGS.get(formatOf(context, prim));
+  if (!place) return {};
+  const picture = await textures.domeTexture(file, prim);
+  if (!picture) return {};
+  const toWorld = mat4.linearPart(frame.matrixAt(context.startCode));
+  const isMirror = mat3.determinant(toWorld) < 0;
+  const turn = mat4.decomposeRigid(mat4.fromParts(isMirror ? mat3.multiply(toWorld, MIRROR_X) : toWorld, [0, 0, 0]));
+  reportFormatGuess(context, prim, picture);
+  return {
+    texture: place === latLongFromDirection && !isMirror ? picture : resampledPanorama(picture, place, isMirror),
+    orientation: multiply(turn.pose.orientation, poleOf(context, prim)),
+  };
+}
+
+/** Our own attributes: the colours of the horizon and of the ground, as bright as the light's own; without the one as the zenith, without the other as the horizon. */
+export function skyGradient(context: StageContext, prim: PrimSpec, zenith: Vec3): Pick<DomeLight, 'gradient'> {
+  const [horizon, ground] = SKY_ATTRIBUTES.map((name) => {
+    const color = vec3At(prim, name, context.startCode);
+    return color && emissionOfColor(context, prim, color);
+  });
+  if (!horizon && !ground) return {};
+  return { gradient: { horizon: horizon ?? zenith, ground: ground ?? horizon ?? zenith } };
+}
+
+/** x → −x */
+const MIRROR_X: mat3.Mat3 = [-1, 0, 0, 0, 1, 0, 0, 0, 1];
+
+/** Where on a picture, u to the right and v up, a direction of the dome's own axes is. */
+type TextureMapping = (direction: Vec3) => readonly [u: number, v: number];
+
+/** On a picture of a ball: its middle is towards +Z, `radius` (0 … 1) tells how far from there what is at an angle of π · `turn` from +Z is. */
+const ballMapping =
+  (radius: (turn: number) => number): TextureMapping =>
+  ([x, y, z]) => {
+    const level = Math.hypot(x, y);
+    if (level === 0) return [z < 0 ? 1 : 0.5, 0.5];
+    const r = radius(Math.atan2(level, z) / Math.PI) / level;
+    return [(1 + r * x) / 2, (1 + r * y) / 2];
+  };
+
+/**
+ * `mirroredBall`: a mirror ball as a camera sees it from far away that looks along −Z: at a distance r from its middle, in radii, the normal is sin⁻¹ r
+ * from +Z and what is mirrored twice as far. `angular` is the same but for r, which rises with the angle itself; so Debevec's light probes
+ * are (https://www.pauldebevec.com/Probes, (u, v) = (x, y) cos⁻¹(z)/(π √(x² + y²))).
+ */
+const MAPPINGS: ReadonlyMap<string, TextureMapping> = new Map([
+  ['latlong', latLongFromDirection],
+  ['mirroredBall', ballMapping((turn) => Math.sin((Math.PI * turn) / 2))],
+  ['angular', ballMapping((turn) => turn)],
+]);
+
+/** `automatic` is `latlong`: no picture that is read tells another. */
+function formatOf(context: StageContext, prim: PrimSpec): string {
+  const written = textAt(prim, 'inputs:texture:format', context.startCode) ?? 'automatic';
+  const format = written === 'automatic' ? 'latlong' : written;
+  if (!MAPPINGS.has(format)) {
+    const message = `the format ${written.slice(0, 40)} of its picture is not read, so it shines in its colour alone; convert the picture to latlong`;
+    report(context, 'warning', 'usd.light-input', prim.path, message);
+  }
+  return format;
+}
+
+function reportFormatGuess(context: StageContext, prim: PrimSpec, { width, height }: DomeImage): void {
+  const written = textAt(prim, 'inputs:texture:format', context.startCode) ?? 'automatic';
+  if (written !== 'automatic' || width !== height || width === 1) return;
+  const message = `its picture of ${width} × ${height} pixels is taken for one by latitude and longitude; of a mirror ball inputs:texture:format should say "mirroredBall" or "angular"`;
+  report(context, 'info', 'usd.light-input', prim.path, message);
+}
+
+/** A DomeLight has its pole along its own +Y, a DomeLight_1 where its poleAxis says, by itself along the stage's. */
+function poleOf(context: StageContext, prim: PrimSpec): Quat {
+  if (prim.typeName === 'DomeLight') return IDENTITY;
+  const written = textAt(prim, 'poleAxis', undefined) ?? 'scene';
+  const axis = written === 'scene' ? upAxisOf(context) : written;
+  return axis === 'Z' ? fromAxisAngle([1, 0, 0], Math.PI / 2) : IDENTITY;
+}
+
+const MAX_PANORAMA_ROWS = 4096;
+
+/** A picture as one by latitude and longitude. Of a ball's with so many pixels that its middle, where they are finest, stays as sharp. */
+function resampledPanorama(picture: DomeImage, place: TextureMapping, isMirror: boolean): RadianceTexture {
+  const isBall = place !== latLongFromDirection;
+  const height = isBall ? Math.min(Math.max(picture.width, picture.height), MAX_PANORAMA_ROWS) : picture.height;
+  const width = isBall ? 2 * height : picture.width;
+  const source = isBall ? ({ ...picture, wrapS: 'clamp' } as DomeImage) : picture;
+  const data = new Uint16Array(4 * width * height);
+  for (let row = 0, i = 0; row < height; row++)
+    for (let column = 0; column < width; column++, i += 4) {
+      const [x, y, z] = directionFromLatLong((column + 0.5) / width, 1 - (row + 0.5) / height);
+      const [u, v] = place([isMirror ? -x : x, y, z]);
+      const [r, g, b] = sampleTexture(source, u, v);
+      data.set([r, g, b, 1].map(toHalf), i);
+    }
+  return { ...picture, width, height, data, colorSpace: 'linear' };
+}

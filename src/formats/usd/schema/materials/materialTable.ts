@@ -1,0 +1,308 @@
+import type { Vec3 } from '../../../../math/vec3.ts';
+import type { Material } from '../../../../scene/types.ts';
+import { INVISIBLE_BANDS, parseSpectralHints, REFLECTANCE_ATTRIBUTE } from '../../../attributes/hints.ts';
+import { attributeOf, numberOf, textOf, valueAt } from '../../layer/attributes.ts';
+import type { PrimSpec } from '../../layer/layer.ts';
+import { primAt, report, type StageContext, targetsOf } from '../context.ts';
+import type { MaterialSyncMode } from '../lights/meshLights.ts';
+import { reflectanceOfFile } from '../spectrumFiles.ts';
+import { foreignMaterial, shaderName, surfaceShaders } from './foreignShaders.ts';
+import { isAnimated, type ResolvedInput, resolveInput, shaderId } from './shaderInputs.ts';
+import { metallicFromSpecular } from './specularWorkflow.ts';
+import { meanColor, type TextureLoader, textureOf } from './textureLoader.ts';
+import { type ColorInputValue, type ColorPrimvar, type ScalarInputValue, TextureReader } from './textureReader.ts';
+import { isSameUv, type UvSource, withTiles } from './uvs.ts';
+
+/** A material, and what it wants of the meshes that wear it. */
+export interface BoundMaterial {
+  /** Place in `Scene.materials`. */
+  readonly index: number;
+  readonly uv?: UvSource;
+  /** Where its diffuse colour comes from, if it is the mesh's. */
+  readonly colors?: ColorPrimvar;
+}
+
+/** `primvars:displayColor` of a mesh. */
+export interface DisplayColor {
+  /** White where it varies. */
+  readonly color: Vec3;
+  readonly opacity: number;
+  readonly varies: boolean;
+}
+
+/** The material with the mesh's own colours, where they vary. */
+export const withDisplayColor = (material: BoundMaterial, { varies }: DisplayColor): BoundMaterial =>
+  varies ? { ...material, colors: { name: 'displayColor', fallback: WHITE } } : material;
+
+/** Inputs of UsdPreviewSurface that change the look and are not drawn. */
+const UNSUPPORTED_INPUTS = ['displacement', 'clearcoat'];
+
+/** UsdPreviewSurface itself, and as a node of MaterialX; both have the same inputs. */
+const PREVIEW_SURFACE_IDS = new Set(['UsdPreviewSurface', 'ND_UsdPreviewSurface_surfaceshader']);
+
+/** Names all that a material is made of, so that those of instances are one; undefined where it is not known. */
+function networkKey({ content, children, properties }: PrimSpec, root: string): string | undefined {
+  const parts = [content];
+  for (const property of properties.values())
+    if (property.kind === 'attribute')
+      for (const path of property.connections?.explicit ?? [])
+        parts.push(path.startsWith(`${root}/`) ? path.slice(root.length) : path);
+  for (const child of children.values()) parts.push(child.name, networkKey(child, root));
+  return parts.includes(undefined) ? undefined : `(${parts.join(' ')})`;
+}
+
+/** The material of meshes without one that have these colours. */
+interface DisplayColorMaterial {
+  readonly color: Vec3;
+  readonly opacity: number;
+  readonly bound: Promise<BoundMaterial>;
+}
+
+/** The scene's materials, each read once. */
+export class MaterialTable {
+  readonly materials: Material[] = [];
+  private readonly context: StageContext;
+  private readonly textures: TextureLoader;
+  private readonly inputs: TextureReader;
+  private readonly emissiveIndices = new Map<string, number>();
+  private readonly byKey = new Map<string, Promise<BoundMaterial>>();
+  private readonly baseColorIndices = new Map<string, number>();
+  private lastDisplayColor: DisplayColorMaterial | undefined;
+
+  constructor(context: StageContext, textures: TextureLoader) {
+    this.context = context;
+    this.textures = textures;
+    this.inputs = new TextureReader(context, textures);
+  }
+
+  /** The material of a mesh without one: its displayColor, grey where there is none. */
+  displayColorMaterial(color: Vec3, opacity: number): Promise<BoundMaterial> {
+    const last = this.lastDisplayColor;
+    if (last?.opacity === opacity && color.every((x, i) => x === last.color[i])) return last.bound;
+    const key = `displayColor ${color.join(' ')} ${opacity}`;
+    const material = { ...DEFAULTS, name: key, baseColor: color, opacity };
+    const bound = this.memoized(key, async () => this.added(material, {}));
+    this.lastDisplayColor = { color, opacity, bound };
+    return bound;
+  }
+
+  /** The Material prim at a path; a plain one of the colour `fallback` where it cannot be read. */
+  bound(path: string, user: string, fallback: DisplayColor): Promise<BoundMaterial> {
+    const prim = primAt(this.context.layer, path);
+    return this.memoized((prim && networkKey(prim, path)) ?? path, async () => {
+      const shaders = prim ? surfaceShaders(this.context, prim) : [];
+      const shader = shaders.find((candidate) => PREVIEW_SURFACE_IDS.has(shaderId(candidate)));
+      if (prim && shader) return this.preview(prim, shader);
+      if (shaders.length > 0) return this.foreign(path, shaders[0], fallback);
+      const why = prim ? 'has no surface that can be read' : 'is not in this file';
+      report(this.context, 'warning', 'usd.material', user, `its material ${path} ${why}; its displayColor is drawn`);
+      return withDisplayColor(this.added({ ...DEFAULTS, name: path, baseColor: fallback.color }, {}), fallback);
+    });
+  }
+
+  /** The place of the material at `index` as it is on a light of a radiance. Its own glow tints the light, where that is asked for and it has any. */
+  emissive(index: number, radiance: Vec3, mode: MaterialSyncMode): number {
+    const key = `${index} ${mode} ${radiance.join(' ')}`;
+    const known = this.emissiveIndices.get(key);
+    if (known !== undefined) return known;
+    const { emissiveTexture, emissionTemperature, reflectance, ...material } = this.materials[index];
+    const name = `${material.name}_light`;
+    const [r, g, b] = material.emissive;
+    const tinted = mode === 'materialGlowTintsLight' && r + g + b > 0;
+    const dark =
+      mode === 'noMaterialResponse' ? { baseColor: BLACK, metallic: 0 } : { ...(reflectance && { reflectance }) };
+    const emissive: Vec3 = tinted ? [r * radiance[0], g * radiance[1], b * radiance[2]] : radiance;
+    const own = {
+      ...(emissiveTexture && { emissiveTexture }),
+      ...(emissionTemperature !== undefined && { emissionTemperature }),
+    };
+    const place = this.materials.push({ ...material, ...dark, ...(tinted && own), name, emissive }) - 1;
+    this.emissiveIndices.set(key, place);
+    return place;
+  }
+
+  /** A material of the scene with another base colour. */
+  withBaseColor(index: number, color: Vec3): number {
+    const key = `${index} ${color.join(' ')}`;
+    const known = this.baseColorIndices.get(key);
+    if (known !== undefined) return known;
+    const { reflectance: _, ...material } = this.materials[index];
+    const name = `${material.name} ${color.join(' ')}`;
+    const made = this.materials.push({ ...material, name, baseColor: color }) - 1;
+    this.baseColorIndices.set(key, made);
+    return made;
+  }
+
+  private memoized(key: string, make: () => Promise<BoundMaterial>): Promise<BoundMaterial> {
+    let bound = this.byKey.get(key);
+    if (!bound) {
+      bound = make();
+      this.byKey.set(key, bound);
+    }
+    return bound;
+  }
+
+  private async preview(prim: PrimSpec, shader: PrimSpec): Promise<BoundMaterial> {
+    const { path } = prim;
+    const input = (name: string): ResolvedInput =>
+      resolveInput(this.context.layer, shader, `inputs:${name}`, this.context.startCode);
+    const opacity = await this.inputs.opacity(input('opacity'));
+    const diffuse = await this.inputs.color(input('diffuseColor'), DEFAULTS.baseColor, opacity.alphaOf);
+    const emissive = await this.inputs.color(input('emissiveColor'), BLACK);
+    const normals = await this.inputs.normals(input('normal'));
+    const roughness = await this.inputs.scalar(input('roughness'), DEFAULTS.roughness);
+    const metallic = await this.inputs.scalar(input('metallic'), DEFAULTS.metallic);
+    const occlusion = await this.inputs.scalar(input('occlusion'), 1);
+    const { uvs: unseenUvs, ...unseen } = await this.invisibleLight(prim);
+    const finish = await this.finish(input, diffuse, metallic);
+    const material: Material = {
+      name: path,
+      ...finish,
+      ...(diffuse.texture && { baseColorTexture: diffuse.texture }),
+      emissive: emissive.color,
+      ...(emissive.texture && { emissiveTexture: emissive.texture }),
+      roughness: roughness.value,
+      ...(roughness.texture && { roughnessTexture: roughness.texture }),
+      ...(normals && { normalTexture: normals.texture }),
+      ...(occlusion.texture && { occlusionTexture: occlusion.texture }),
+      opacity: opacity.value,
+      opacityThreshold: numberOf(input('opacityThreshold').value) ?? 0,
+      ...this.spectral(prim),
+      ...(await this.measured(prim, diffuse)),
+      ...unseen,
+    };
+    this.reportUnsupportedInputs(path, shader, input);
+    const ofNumbers = [roughness.uv, metallic.uv, occlusion.uv, ...unseenUvs];
+    const uv = this.commonUv(path, [diffuse.uv, emissive.uv, opacity.uv, normals?.uv, ...ofNumbers]);
+    return this.added(material, { ...(uv && { uv }), ...(diffuse.primvar && { colors: diffuse.primvar }) });
+  }
+
+  /** What our own attributes of the Material say of light that eyes do not see. */
+  private spectral(prim: PrimSpec): Partial<Material> {
+    const value = (name: string): unknown => {
+      const attribute = attributeOf(prim, name);
+      if (targetsOf(prim, name).length > 0) return undefined;
+      const found = valueAt(attribute, this.context.startCode);
+      return attribute && (numberOf(found) ?? textOf(found) ?? attribute.typeName);
+    };
+    return parseSpectralHints(value, (message) => report(this.context, 'warning', 'usd.slowlight', prim.path, message));
+  }
+
+  /** A measured reflectance, where no picture or colours of vertices paint the surface. */
+  private async measured(prim: PrimSpec, { texture, primvar }: ColorInputValue): Promise<Partial<Material>> {
+    const value = valueAt(attributeOf(prim, REFLECTANCE_ATTRIBUTE), this.context.startCode);
+    if (value === undefined) return {};
+    const refusal =
+      value.type !== 'asset'
+        ? `${REFLECTANCE_ATTRIBUTE} is no asset, as @leaf.csv@; it is left out`
+        : texture || primvar
+          ? `${REFLECTANCE_ATTRIBUTE} is left out, for the surface is painted by its diffuseColor`
+          : undefined;
+    if (refusal === undefined) return reflectanceOfFile(this.context, prim, value);
+    report(this.context, 'warning', 'usd.slowlight', prim.path, refusal);
+    return {};
+  }
+
+  /** Reflectances of invisible light that textures tell, with their means, and the uvs of those. */
+  private async invisibleLight(
+    prim: PrimSpec,
+  ): Promise<Partial<Material> & { readonly uvs: readonly ScalarInputValue['uv'][] }> {
+    const { layer, startCode } = this.context;
+    const found = await Promise.all(
+      INVISIBLE_BANDS.map(async ({ of, texture, name }) => {
+        const input = resolveInput(layer, prim, name, startCode);
+        const scalar = input.shader ? await this.inputs.scalar(input, 0) : undefined;
+        return { scalar, told: scalar?.texture ? { [of]: scalar.value, [texture]: scalar.texture } : {} };
+      }),
+    );
+    return { ...Object.assign({}, ...found.map(({ told }) => told)), uvs: found.map(({ scalar }) => scalar?.uv) };
+  }
+
+  private added(material: Material, wants: Omit<BoundMaterial, 'index'>): BoundMaterial {
+    return { index: this.materials.push(material) - 1, ...wants };
+  }
+
+  /** Base colour, metallic and ior; those of a specular workflow from its two colours. */
+  private async finish(
+    input: (name: string) => ResolvedInput,
+    { color, texture }: ColorInputValue,
+    metallic: ScalarInputValue,
+  ): Promise<Pick<Material, 'baseColor' | 'metallic' | 'metallicTexture' | 'ior'>> {
+    const ior = numberOf(input('ior').value);
+    if (numberOf(input('useSpecularWorkflow').value) !== 1)
+      return {
+        baseColor: color,
+        metallic: metallic.value,
+        ...(metallic.texture && { metallicTexture: metallic.texture }),
+        ...(ior !== undefined && { ior }),
+      };
+    const specular = await this.inputs.color(input('specularColor'), BLACK);
+    return metallicFromSpecular(
+      color,
+      specular.texture ? meanColor(specular.texture) : specular.color,
+      texture !== undefined,
+    );
+  }
+
+  /** One mesh has one set of uvs: those of the first texture. */
+  private commonUv(path: string, uvs: readonly (UvSource | undefined)[]): UvSource | undefined {
+    const [first, ...more] = uvs.filter((uv) => uv !== undefined);
+    const other = more.find((uv) => !isSameUv(uv, first));
+    if (other) {
+      const message =
+        other.name === first.name
+          ? `its textures use ${first.name} in two ways; the first is used for both`
+          : `its textures use ${first.name} and ${other.name}; the first is used for both`;
+      report(this.context, 'warning', 'usd.uv', path, message);
+    }
+    return first;
+  }
+
+  private reportUnsupportedInputs(path: string, shader: PrimSpec, input: (name: string) => ResolvedInput): void {
+    const isWritten = (name: string): boolean =>
+      input(name).shader !== undefined || (numberOf(input(name).value) ?? 0) > 0;
+    const left = UNSUPPORTED_INPUTS.filter(isWritten);
+    const notes = [
+      ...(left.length > 0 ? [`${left.join(', ')} of this material is not drawn`] : []),
+      ...(isWritten('useSpecularWorkflow') ? ['its specular workflow is drawn as metal and glass'] : []),
+    ];
+    if (notes.length > 0) report(this.context, 'info', 'usd.material-input', path, notes.join('; '));
+    if (isAnimated(shader))
+      report(this.context, 'warning', 'usd.animated-material', path, 'it changes with time; it is held at the start');
+  }
+
+  /** A material of another renderer, as far as its colours, its finish and one picture go. */
+  private async foreign(path: string, shader: PrimSpec, fallback: DisplayColor): Promise<BoundMaterial> {
+    const surface = foreignMaterial(this.context, shader);
+    const { texture: picture, color, ...finish } = surface ?? {};
+    const image = picture && (await this.textures.file(picture, shader.path));
+    const drawn = image
+      ? 'its picture and finish are'
+      : color
+        ? 'its base colour and finish are'
+        : 'the displayColor is';
+    const message = `it is made of '${shaderName(shader)}', which is not read, and has no UsdPreviewSurface; ${drawn} drawn`;
+    report(this.context, 'warning', 'usd.material', path, message);
+    const baseColor = image ? WHITE : (color ?? fallback.color);
+    const material = { ...DEFAULTS, ...finish, name: path, baseColor };
+    if (!image) return color ? this.added(material, {}) : withDisplayColor(this.added(material, {}), fallback);
+    const texture = { ...textureOf(this.context, shader, image, false), name: textOf(picture) ?? path };
+    return this.added(
+      { ...material, baseColorTexture: texture },
+      image.tiles ? { uv: withTiles({ name: 'st' }, image.tiles) } : {},
+    );
+  }
+}
+
+/** What UsdPreviewSurface is where nothing is written; the grey is that of a mesh without a material. */
+const DEFAULTS: Omit<Material, 'name'> = {
+  baseColor: [0.18, 0.18, 0.18],
+  emissive: [0, 0, 0],
+  roughness: 0.5,
+  metallic: 0,
+  opacity: 1,
+  opacityThreshold: 0,
+};
+
+const BLACK: Vec3 = [0, 0, 0];
+const WHITE: Vec3 = [1, 1, 1];

@@ -1,0 +1,39 @@
+import { attributeOf, sampleTimes, type TimeCode, textOf, valueAt } from '../../layer/attributes.ts';
+import type { Layer, PrimSpec, Value } from '../../layer/layer.ts';
+import { propertyAt, targetsOf } from '../context.ts';
+
+/** What an input of a shader is: a value, or an output of another shader. */
+export interface ResolvedInput {
+  readonly value?: Value;
+  readonly shader?: PrimSpec;
+  /** `rgb`, `r`, `a` …, without `outputs:`. */
+  readonly output?: string;
+}
+
+/** Connections through node graphs and material interfaces are followed this far. */
+const MAX_HOPS = 32;
+
+/** Follows connections from a property of a shader, a node graph or a material to what drives it. */
+export function resolveInput(layer: Layer, prim: PrimSpec, property: string, time: TimeCode): ResolvedInput {
+  let [at, name] = [prim, property];
+  for (let hop = 0; hop < MAX_HOPS; hop++) {
+    const source = targetsOf(at, name)[0];
+    if (source === undefined) return valueInput(at, name, time);
+    const next = propertyAt(layer, source);
+    if (!next) return valueInput(at, name, time);
+    [at, name] = next;
+    if (at.typeName === 'Shader' && name.startsWith('outputs:')) return { shader: at, output: name.slice(8) };
+  }
+  return {};
+}
+
+function valueInput(prim: PrimSpec, name: string, time: TimeCode): ResolvedInput {
+  const value = valueAt(attributeOf(prim, name), time);
+  return value ? { value } : {};
+}
+
+/** Whether a shader's inputs change with time. */
+export const isAnimated = (shader: PrimSpec): boolean =>
+  [...shader.properties.values()].some((p) => p.kind === 'attribute' && sampleTimes(p).length > 0);
+
+export const shaderId = (shader: PrimSpec): string => textOf(valueAt(attributeOf(shader, 'info:id'), undefined)) ?? '';

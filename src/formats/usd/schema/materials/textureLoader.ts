@@ -1,0 +1,156 @@
+import { scale, type Vec3 } from '../../../../math/vec3.ts';
+import type { DomeLight, Texture, TextureWrap } from '../../../../scene/types.ts';
+import { InputError } from '../../../../scene/types.ts';
+import { decodeSrgb } from '../../../../spectrum/display/srgb.ts';
+import { messageOf } from '../../../diagnostics/inputError.ts';
+import { missingTexture } from '../../../diagnostics/missingFiles.ts';
+import { type DecodedImage, decodeImage, looksLikeColor } from '../../../image/decodeImage.ts';
+import { decodeRadiance } from '../../../image/radiance.ts';
+import { textAt, textOf } from '../../layer/attributes.ts';
+import type { PrimSpec, Value } from '../../layer/layer.ts';
+import { report, type StageContext } from '../context.ts';
+import { resolveInput } from './shaderInputs.ts';
+import { atlasOf, readTiles } from './udim.ts';
+
+/** A picture, or the tiles of a set as one. */
+export interface LoadedImage extends DecodedImage {
+  /** It looks like colours, not like plain numbers. */
+  readonly looksLikeColor: boolean;
+  readonly tiles?: readonly [columns: number, rows: number];
+}
+
+/** Reads pictures, each once. */
+export class TextureLoader {
+  private readonly context: StageContext;
+  private readonly images = new Map<string, Promise<LoadedImage | undefined>>();
+
+  constructor(context: StageContext) {
+    this.context = context;
+  }
+
+  /** The picture of a UsdUVTexture; undefined, with a diagnostic, where there is none. */
+  async image(shader: PrimSpec): Promise<LoadedImage | undefined> {
+    const input = resolveInput(this.context.layer, shader, 'inputs:file', this.context.startCode);
+    if (!textOf(input.value)) {
+      report(this.context, 'warning', 'usd.texture', shader.path, 'the texture names no file');
+      return undefined;
+    }
+    return this.file(input.value, shader.path);
+  }
+
+  /** The picture that an asset value leads to. */
+  file(value: Value | undefined, user: string): Promise<LoadedImage | undefined> {
+    const asked = this.requestFor(value, user);
+    const key = asked.paths.join('\n');
+    let image = this.images.get(key);
+    if (!image) {
+      image = this.load(asked);
+      this.images.set(key, image);
+    }
+    return image;
+  }
+
+  /** The picture of a dome: of radiance, or as other pictures are. */
+  async domeTexture(value: Value | undefined, prim: PrimSpec): Promise<DomeLight['texture']> {
+    const asked = this.requestFor(value, prim.path);
+    const radiance = await this.nullIfUnreadable(asked, async () => {
+      const found = await this.context.files.findBytes(asked.anchor, asked.asset);
+      return found && decodeRadiance(found.bytes, found.id);
+    });
+    if (radiance) return { name: asked.asset, ...radiance, colorSpace: 'linear', filter: 'linear', ...PANORAMA_WRAP };
+    if (radiance === null) return undefined;
+    const image = await this.file(value, prim.path);
+    return image && { ...textureOf(this.context, prim, image, false), name: asked.asset, ...PANORAMA_WRAP };
+  }
+
+  private requestFor(value: Value | undefined, user: string): TextureRequest {
+    const asset = textOf(value) ?? '';
+    const anchor = (value?.type === 'asset' && value.anchor) || this.context.layer.name;
+    return { asset, anchor, user, paths: this.context.files.candidates(anchor, asset) };
+  }
+
+  private async load(asked: TextureRequest): Promise<LoadedImage | undefined> {
+    const { asset, anchor, user, paths } = asked;
+    const { files } = this.context;
+    const picture = await this.nullIfUnreadable(asked, async () => {
+      if (asset.includes('<UDIM>')) {
+        const tiles = await readTiles((tile) => files.findBytes(anchor, asset.replaceAll('<UDIM>', tile)));
+        return tiles.length > 0 ? { ...atlasOf(tiles), looksLikeColor: looksLikeColor(tiles[0].bytes) } : undefined;
+      }
+      const found = await files.findBytes(anchor, asset);
+      return found && { ...decodeImage(found.bytes, found.id), looksLikeColor: looksLikeColor(found.bytes) };
+    });
+    if (picture !== undefined) return picture ?? undefined;
+    const { code, message, missing } = missingTexture(asset, paths);
+    report(this.context, 'warning', code, user, message, { missing });
+    return undefined;
+  }
+
+  /** What `read` gives; null, with a diagnostic, where it throws. */
+  private async nullIfUnreadable<T>({ user }: TextureRequest, read: () => Promise<T>): Promise<T | null> {
+    try {
+      return await read();
+    } catch (thrown) {
+      const message = thrown instanceof InputError ? thrown.message : messageOf(thrown);
+      report(this.context, 'warning', 'file.unreadable-texture', user, message);
+      return null;
+    }
+  }
+}
+
+/** An asset, what names it, and where it may be. */
+interface TextureRequest {
+  readonly asset: string;
+  readonly anchor: string;
+  readonly user: string;
+  readonly paths: readonly string[];
+}
+
+/** A picture of all directions has no rim but at its poles. */
+const PANORAMA_WRAP = { wrapS: 'repeat', wrapT: 'clamp' } as const;
+
+/** How a UsdUVTexture reads its picture. `alpha: false`: opacity does not come from it, so that it is opaque. */
+export function textureOf(context: StageContext, shader: PrimSpec, image: LoadedImage, alpha: boolean): Texture {
+  const text = (name: string): string | undefined =>
+    textOf(resolveInput(context.layer, shader, `inputs:${name}`, context.startCode).value);
+  return {
+    name: text('file') ?? shader.path,
+    width: image.width,
+    height: image.height,
+    data: alpha ? image.data : opaque(image.data),
+    colorSpace: colorSpaceOf(context, shader, image),
+    filter: textAt(shader, 'slowlight:filter', undefined) === 'nearest' ? 'nearest' : 'linear',
+    wrapS: image.tiles ? 'clamp' : wrapOf(text('wrapS')),
+    wrapT: image.tiles ? 'clamp' : wrapOf(text('wrapT')),
+  };
+}
+
+/** `auto` looks at the picture. */
+export function colorSpaceOf(context: StageContext, shader: PrimSpec, picture: LoadedImage): Texture['colorSpace'] {
+  const written = textOf(resolveInput(context.layer, shader, 'inputs:sourceColorSpace', context.startCode).value);
+  if (written === 'raw' || written === 'sRGB') return written === 'raw' ? 'linear' : 'srgb';
+  return picture.looksLikeColor ? 'srgb' : 'linear';
+}
+
+/** `useMetadata` repeats, as pictures without metadata do in most viewers. */
+function wrapOf(mode: string | undefined): TextureWrap {
+  return mode === 'clamp' || mode === 'black' || mode === 'mirror' ? mode : 'repeat';
+}
+
+/** The picture without transparency; itself where it has none, so that materials share it. */
+function opaque(rgba: Uint8Array): Uint8Array {
+  let i = 3;
+  while (i < rgba.length && rgba[i] === 255) i += 4;
+  if (i >= rgba.length) return rgba;
+  const out = rgba.slice();
+  for (; i < out.length; i += 4) out[i] = 255;
+  return out;
+}
+
+/** Mean colour in linear light. */
+export function meanColor({ width, height, data, colorSpace }: Texture): Vec3 {
+  const sum: [number, number, number] = [0, 0, 0];
+  for (let i = 0; i < data.length; i += 4)
+    for (let k = 0; k < 3; k++) sum[k] += colorSpace === 'srgb' ? decodeSrgb(data[i + k] / 255) : data[i + k] / 255;
+  return scale(sum, 1 / (width * height));
+}

@@ -1,0 +1,273 @@
+import { hermite } from '../../../../math/hermite.ts';
+import { determinant } from '../../../../math/mat3.ts';
+import * as mat4 from '../../../../math/mat4.ts';
+import { distance, type Vec3 } from '../../../../math/vec3.ts';
+import { gatherPoints } from '../../../../scene/mesh/makeMesh.ts';
+import { deformedNormals, smoothingGroups } from '../../../../scene/mesh/normals.ts';
+import { transformNormalsInPlace, transformPointsInPlace } from '../../../../scene/mesh/transformPoints.ts';
+import { AdaptivePath } from '../../../../scene/motion/adaptiveSampling.ts';
+import { estimateChordError, parabolaVelocities, parabolaVelocityAt } from '../../../../scene/motion/cubicPoints.ts';
+import { pieceAt } from '../../../../scene/motion/motion.ts';
+import { computePointStatistics } from '../../../../scene/streaming/pointStatistics.ts';
+import { readSample } from '../../../../scene/streaming/storedNumbers.ts';
+import { makeNormals, makePoints, type PointRecipe } from '../../../../scene/streaming/streamedPoints.ts';
+import type { Mesh, SampledPointsMotion } from '../../../../scene/types.ts';
+import { report, type StageContext } from '../context.ts';
+import {
+  affordableTimes,
+  boxCorners,
+  pointBytes,
+  transformedPoints,
+  vectorsPerVertex,
+} from '../geometry/pointSampling.ts';
+import type { DeformedPoints, PlacedMesh, PrimGeometry, StoredDeformation } from '../geometry/primGeometry.ts';
+import { Memo } from '../transforms/memo.ts';
+import type { StageTransform } from '../transforms/stageTransform.ts';
+import { unionOfTimes } from '../transforms/xformOps.ts';
+import {
+  boundingBoxCorners,
+  budgetedSamples,
+  maxOverSamples,
+  resampledPath,
+  resampledTimes,
+  toleranceOf,
+} from './resampling.ts';
+
+export function placeDeforming(
+  context: StageContext,
+  path: string,
+  shape: PrimGeometry,
+  world: StageTransform,
+): PlacedMesh {
+  const { times, probe } = shape.deformation!;
+  if (probe) return sampledPoints(context, path, shape, world, resampledSkinTimes(context, path, shape, world));
+  if (world.times.length === 0) return sampledPoints(context, path, shape, world, times);
+  const corners = boundingBoxCorners(shape.mesh);
+  const both = { ...world, times: unionOfTimes([times, world.times]) };
+  const moving = context.cubic ? withCubicPoints(shape) : shape;
+  return sampledPoints(context, path, moving, world, resampledTimes(context, path, both, corners));
+}
+
+/** The same with points that go along cubics between their samples. */
+function withCubicPoints(shape: PrimGeometry): PrimGeometry {
+  const { deformation } = shape;
+  if (!deformation) return shape;
+  const { times } = deformation;
+  const at = (time: number): DeformedPoints => {
+    const { before, after, s } = pieceAt(times, time);
+    if (before === after || s === 0) return deformation.at(times[before]);
+    const sample = (k: number): Float32Array => deformation.at(times[k]).positions;
+    const [from, to] = [before, after].map((k) => parabolaVelocityAt(times, sample, k));
+    const [a, b] = [sample(before), sample(after)];
+    const positions = a.map((x, i) => hermite(x, from[i], b[i], to[i], times[after] - times[before], s));
+    return { ...deformation.at(time), positions };
+  };
+  return { ...shape, deformation: { ...deformation, at } };
+}
+
+/** Times at which what bends on curved ways is followed; with a wider tolerance where its points would not be held. */
+function resampledSkinTimes(
+  context: StageContext,
+  path: string,
+  { deformation, mesh }: PrimGeometry,
+  world: StageTransform,
+): Float64Array {
+  const { times, probe } = deformation!;
+  const samples = budgetedSamples(context, path, unionOfTimes([times, world.times]), world.cost);
+  const shape = (time: number): Float64Array => transformedPoints(probe!.pointsAt(time), world.matrixAt(time));
+  const size = maxOverSamples(samples, (time) => diagonal(shape(time)));
+  const most = Math.floor(
+    context.pointBudget.bytes / pointBytes(1, mesh.positions.length / 3, vectorsPerVertex(context)),
+  );
+  for (let tolerance = context.bendTolerance * size; ; tolerance *= 4) {
+    const refined = new AdaptivePath(samples, shape, toleranceOf(context, samples, tolerance));
+    const found = resampledPath(context, path, refined, world.cost + probe!.cost, tolerance);
+    const isEnough = found.length <= Math.max(most, samples.length) || !(tolerance < size) || tolerance === 0;
+    if (isEnough) return found;
+  }
+}
+
+function diagonal(points: ArrayLike<number>): number {
+  const corners = boxCorners(points);
+  return distance(corners[0], corners[corners.length - 1]);
+}
+
+/** The times that the scene still has memory for. */
+function budgetedTimes(context: StageContext, path: string, wanted: Float64Array, vertices: number): Float64Array {
+  const { pointBudget } = context;
+  const perTime = pointBytes(1, vertices, vectorsPerVertex(context));
+  const times = affordableTimes(wanted, perTime, pointBudget.bytes);
+  pointBudget.bytes = Math.max(0, pointBudget.bytes - times.length * perTime);
+  if (times.length < wanted.length) {
+    const message = `its ${vertices} vertices at ${wanted.length} times take more memory than there is for a scene's points; ${times.length} of the times are used`;
+    report(context, 'warning', 'usd.sample-budget', path, message);
+  }
+  return times;
+}
+
+/** Whether samples are too many for memory. Those that are not take of it. */
+function staysInFile(context: StageContext, times: number, vertices: number): boolean {
+  const { sampleMemory } = context;
+  const left = sampleMemory.bytes - pointBytes(times, vertices, vectorsPerVertex(context));
+  if (left >= 0) sampleMemory.bytes = left;
+  return left < 0;
+}
+
+/** Every vertex at every time, to be read when it is needed; as `sampledPoints` makes it. */
+function streamedPoints(
+  context: StageContext,
+  path: string,
+  mesh: Mesh,
+  { pointOfVertex, points, normals }: StoredDeformation,
+  world: StageTransform,
+  codes: Float64Array,
+): PlacedMesh {
+  const origin = originOf((k) => gatherPoints(readSample(points(codes[k])), pointOfVertex), codes, world);
+  const recipe: PointRecipe = {
+    samples: Array.from(codes, (time) => ({
+      points: points(time),
+      matrix: relativeTo(origin, world.matrixAt(time)),
+    })),
+    pointOfVertex,
+    shading: normals
+      ? { kind: 'stored', normals: Array.from(codes, normals) }
+      : { kind: 'faces', indices: mesh.indices, groups: smoothingGroups(mesh) },
+  };
+  const times = codes.map((t) => t / context.codesPerSecond);
+  if (context.cubic) {
+    const message = 'its samples are too many for memory and stay in their file; between them its points go straight';
+    report(context, 'info', 'usd.between-samples', path, message);
+  }
+  const facts = computePointStatistics(recipe, context.progress);
+  const first = { positions: makePoints(recipe, 0), normals: makeNormals(recipe, 0) };
+  return {
+    mesh: { ...mesh, ...first, indices: facingIndices(mesh.indices, world.matrixAt(codes[0])) },
+    motion: { kind: 'sampled-points', times, origin, points: { ...recipe, statistics: facts } },
+  };
+}
+
+/** The same shape in one frame at the same times is the same. */
+const SAMPLED_POINTS = new Memo<SampledPlacement>();
+
+/** Every vertex at every time. */
+export function sampledPoints(
+  context: StageContext,
+  path: string,
+  shape: PrimGeometry,
+  world: StageTransform,
+  wanted: Float64Array,
+): PlacedMesh {
+  const { mesh, deformation } = shape;
+  const stored = deformation?.stored;
+  if (stored && staysInFile(context, wanted.length, mesh.positions.length / 3))
+    return streamedPoints(context, path, mesh, stored, world, wanted);
+  const times = budgetedTimes(context, path, wanted, mesh.positions.length / 3);
+  const sampled = SAMPLED_POINTS.getOrCreate(shape, [world, times], () => sampledAt(context, shape, world, times));
+  if (sampled.gap) reportGap(context, path, times.length, sampled.gap);
+  return sampled.placed;
+}
+
+interface SampledPlacement {
+  readonly placed: PlacedMesh;
+  /** Of what deforms along chords between its samples. */
+  readonly gap?: ChordGap;
+}
+
+interface ChordGap {
+  /** How far cubics through its samples are from chords [m]. */
+  readonly max: number;
+  /** How far they may be unsaid [m]. */
+  readonly tolerance: number;
+}
+
+function sampledAt(
+  context: StageContext,
+  { mesh, deformation }: PrimGeometry,
+  world: StageTransform,
+  times: Float64Array,
+): SampledPlacement {
+  const shapes = Array.from(times, (time): DeformedPoints => deformation?.at(time) ?? copiedPoints(mesh));
+  const groups = shapes.some(({ normals }) => !normals) ? smoothingGroups(mesh) : undefined;
+  const origin = originOf((k) => shapes[k].positions, times, world);
+  const placed = shapes.map(({ positions, normals }, i) => {
+    const own = normals ?? deformedNormals(positions, mesh.indices, groups!);
+    const matrix = relativeTo(origin, world.matrixAt(times[i]));
+    return { positions: transformPointsInPlace(positions, matrix), normals: transformNormalsInPlace(own, matrix) };
+  });
+  const seconds = times.map((t) => t / context.codesPerSecond);
+  const points = placed.map((p) => p.positions);
+  const given = context.cubic && world.times.length === 0 ? deformation?.velocitiesAt : undefined;
+  const turn = mat4.fromParts(mat4.linearPart(world.matrixAt(times[0])), [0, 0, 0]);
+  const motion: SampledPointsMotion = {
+    kind: 'sampled-points',
+    times: seconds,
+    origin,
+    points,
+    ...(context.cubic && {
+      velocities: given
+        ? Array.from(times, (time) => transformPointsInPlace(given(time), turn))
+        : parabolaVelocities(seconds, points),
+    }),
+    normals: placed.map((p) => p.normals),
+  };
+  const drawn = { ...mesh, ...placed[0], indices: facingIndices(mesh.indices, world.matrixAt(times[0])) };
+  const hasGap = deformation && !deformation.probe;
+  return { placed: { mesh: drawn, motion }, ...(hasGap && { gap: chordGapOf(context, seconds, points) }) };
+}
+
+function chordGapOf(context: StageContext, times: Float64Array, points: readonly Float32Array[]): ChordGap {
+  const corners = boxCorners(points[0]);
+  const tolerance = context.chordTolerance * distance(corners[0], corners[corners.length - 1]);
+  return { max: estimateChordError(times, points), tolerance };
+}
+
+const copiedPoints = ({ positions, normals }: Mesh): DeformedPoints => ({
+  positions: positions.slice(),
+  normals: normals.slice(),
+});
+
+/** Says how much its samples leave open of how a mesh deforms: by how far cubics through them are from chords. */
+function reportGap(context: StageContext, path: string, times: number, { max: most, tolerance }: ChordGap): void {
+  if (most <= tolerance) return;
+  const gap = most.toPrecision(2);
+  const message = context.cubic
+    ? `between its ${times} samples its points go along cubics; straight they would be up to ${gap} m elsewhere`
+    : `between its ${times} samples its points go straight; along cubics they would be up to ${gap} m elsewhere`;
+  report(context, 'info', 'usd.between-samples', path, message);
+}
+
+/** Triangles that show the same side where M mirrors. */
+const facingIndices = (indices: Uint32Array, m: mat4.Mat4): Uint32Array =>
+  determinant(mat4.linearPart(m)) < 0 ? flippedWinding(indices) : indices;
+
+const relativeTo = (origin: Vec3, m: mat4.Mat4): mat4.Mat4 =>
+  m.map((x, i) => (i % 4 === 3 && i < 12 ? x - origin[(i - 3) / 4] : x));
+
+function flippedWinding(indices: Uint32Array): Uint32Array {
+  const out = indices.slice();
+  for (let i = 0; i < out.length; i += 3) [out[i + 1], out[i + 2]] = [indices[i + 2], indices[i + 1]];
+  return out;
+}
+
+/** The mesh as it is bent at some time. */
+export function deformedMesh(mesh: Mesh, { positions, normals }: DeformedPoints): Mesh {
+  return { ...mesh, positions, normals: normals ?? deformedNormals(positions, mesh.indices, smoothingGroups(mesh)) };
+}
+
+/** An origin is chosen by so many samples at most. */
+const ORIGIN_SAMPLES = 32;
+
+/** The prim's own origin where it is near (so that its points stay as written), else the middle of the points. */
+function originOf(positionsOf: (k: number) => Float32Array, times: Float64Array, world: StageTransform): Vec3 {
+  const step = Math.ceil(times.length / ORIGIN_SAMPLES);
+  const corners = Array.from(times.keys()).flatMap((k) => {
+    if (k % step !== 0) return [];
+    const m = world.matrixAt(times[k]);
+    return [...transformedPoints(boxCorners(positionsOf(k)).flat(), m)];
+  });
+  const box = boxCorners(corners);
+  const [low, high] = [box[0], box[box.length - 1]];
+  const middle: Vec3 = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
+  const own = mat4.transformPoint(world.matrixAt(times[0]), [0, 0, 0]);
+  return distance(own, middle) <= distance(low, high) ? own : middle;
+}

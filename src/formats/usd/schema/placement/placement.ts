@@ -1,0 +1,156 @@
+import { invert } from '../../../../math/mat3.ts';
+import * as mat4 from '../../../../math/mat4.ts';
+import { scale, type Vec3 } from '../../../../math/vec3.ts';
+import { transformMesh } from '../../../../scene/mesh/meshOps.ts';
+import type { Mesh, StaticMotion, UniformMotion } from '../../../../scene/types.ts';
+import type { StageContext } from '../context.ts';
+import type { PlacedMesh, PrimGeometry } from '../geometry/primGeometry.ts';
+import { Memo } from '../transforms/memo.ts';
+import { type StageTransform, transformInMeters } from '../transforms/stageTransform.ts';
+import { unionOfTimes } from '../transforms/xformOps.ts';
+import { deformedMesh, placeDeforming, sampledPoints } from './deforming.ts';
+import { boundingBoxCorners, budgetedSamples, resampledTimes, sampledPoses } from './resampling.ts';
+
+interface MovingPlacement {
+  readonly mesh: Mesh;
+  readonly motion: PlacedMesh['motion'] | UniformMotion;
+}
+
+interface StaticPlacement extends PlacedMesh {
+  readonly motion: StaticMotion;
+}
+
+/** Stretches that differ by less than this part are one: what an exporter's f32 rounding leaves. */
+const STRETCH_TOLERANCE = 1e-5;
+
+/** A stretch that stays, and how what is stretched by it moves. */
+interface RigidPath {
+  readonly stretch: readonly number[];
+  readonly motion: PlacedMesh['motion'];
+}
+
+/** What is in one frame at the same times moves alike. */
+const RIGID_PATHS = new Memo<RigidPath | undefined>();
+const STRAIGHT_PATHS = new Memo<RigidPath>();
+
+/**
+ * The motion of a mesh. What does not change with time is static, its scale and shear in the mesh. What moves without
+ * changing shape gets sampled poses; all else sampled points.
+ */
+export function placeGeometry(
+  context: StageContext,
+  path: string,
+  shape: PrimGeometry,
+  frame: StageTransform,
+): PlacedMesh {
+  const world = transformInMeters(frame, context.unit);
+  if (shape.deformation) return placeDeforming(context, path, shape, world);
+  if (world.times.length === 0) return staticPlacement(shape.mesh, world.matrixAt(context.startCode));
+  if (world.isStraight) return alongPath(shape.mesh, straightPath(context, path, world));
+  const times = resampledTimes(context, path, world, boundingBoxCorners(shape.mesh));
+  const course = RIGID_PATHS.getOrCreate(world, [times], () => rigidPath(context, times, world));
+  return course ? alongPath(shape.mesh, course) : sampledPoints(context, path, shape, world, times);
+}
+
+const alongPath = (mesh: Mesh, { stretch, motion }: RigidPath): PlacedMesh => ({
+  mesh: stretched(mesh, stretch),
+  motion,
+});
+
+/** Undefined where the stretch is not the same at all of the times. */
+function rigidPath(context: StageContext, times: Float64Array, { matrixAt }: StageTransform): RigidPath | undefined {
+  const { stretch } = mat4.decomposeRigid(matrixAt(times[0]));
+  const unstretch = invert(stretch);
+  const most = STRETCH_TOLERANCE * Math.max(...stretch.map(Math.abs));
+  const motion = sampledPoses(context, times, (time) => {
+    const m = matrixAt(time);
+    const known = unstretch && mat4.poseFromStretched(m, unstretch);
+    const own = known ? { pose: known, stretch } : mat4.decomposeRigid(m);
+    return own.stretch.every((x, i) => Math.abs(x - stretch[i]) <= most) ? own.pose : undefined;
+  });
+  return motion && { stretch, motion };
+}
+
+function straightPath(context: StageContext, path: string, frame: StageTransform): RigidPath {
+  const times = frame.isBudgeted ? frame.times : budgetedSamples(context, path, frame.times, frame.cost);
+  context.motionBudget.markExact();
+  return STRAIGHT_PATHS.getOrCreate(frame, [times], () => {
+    const { pose, stretch } = mat4.decomposeRigid(frame.matrixAt(times[0]));
+    const poseAt = (time: number): mat4.RigidPose => {
+      const m = frame.matrixAt(time);
+      return { ...pose, position: [m[3], m[7], m[11]] };
+    };
+    return { stretch, motion: sampledPoses(context, times, poseAt) };
+  });
+}
+
+/** The same without motion, at one time. */
+export function placeAtTime(
+  context: StageContext,
+  shape: PrimGeometry,
+  frame: StageTransform,
+  time: number,
+): StaticPlacement {
+  const bent = shape.deformation?.at(time);
+  const mesh = bent ? deformedMesh(shape.mesh, bent) : shape.mesh;
+  return staticPlacement(mesh, transformInMeters(frame, context.unit).matrixAt(time));
+}
+
+/** A shape in a frame that besides is carried along for ever by a velocity of the stage [units/s]; `frame`: where it is at time 0. */
+export function placeWithVelocity(
+  context: StageContext,
+  path: string,
+  shape: PrimGeometry,
+  frame: StageTransform,
+  velocity: Vec3,
+): MovingPlacement {
+  if (frame.times.length === 0 && !shape.deformation) {
+    const { mesh, motion } = placeAtTime(context, shape, frame, 0);
+    return { mesh, motion: { kind: 'uniform', pose: motion.pose, velocity: scale(velocity, context.unit) } };
+  }
+  const carried = (time: number): mat4.Mat4 => {
+    const [x, y, z] = scale(velocity, time / context.codesPerSecond);
+    return mat4.multiply(mat4.fromParts([1, 0, 0, 0, 1, 0, 0, 0, 1], [x, y, z]), frame.matrixAt(time));
+  };
+  const times = unionOfTimes([frame.times, shape.deformation?.times ?? new Float64Array(0)]);
+  return placeGeometry(context, path, shape, { times, cost: frame.cost + 1, matrixAt: (time) => carried(time ?? 0) });
+}
+
+function staticPlacement(mesh: Mesh, matrix: mat4.Mat4): StaticPlacement {
+  const { pose, stretch } = mat4.decomposeRigid(matrix);
+  return { mesh: stretched(mesh, stretch), motion: { kind: 'static', pose } };
+}
+
+/** The stretched forms of a mesh, and the last of them: most meshes have one, and need no keys. */
+interface StretchedMeshes {
+  last: { readonly stretch: readonly number[]; readonly mesh: Mesh };
+  readonly byKey: Map<string, Mesh>;
+}
+
+/** Instances of one size share theirs. */
+const STRETCHED = new WeakMap<Mesh, StretchedMeshes>();
+
+/** Parts of the greatest in which stretches are told apart: products of f64 matrices differ by less. */
+const STRETCH_RESOLUTION = 1e-9;
+
+function stretched(mesh: Mesh, stretch: readonly number[]): Mesh {
+  const identity = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
+  if (identity) return mesh;
+  const forms = STRETCHED.get(mesh);
+  if (!forms) {
+    const last = { stretch, mesh: transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0])) };
+    STRETCHED.set(mesh, { last, byKey: new Map() });
+    return last.mesh;
+  }
+  const { last, byKey } = forms;
+  if (stretch.every((x, i) => x === last.stretch[i])) return last.mesh;
+  byKey.set(stretchKey(last.stretch), last.mesh);
+  const key = stretchKey(stretch);
+  forms.last = { stretch, mesh: byKey.get(key) ?? transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0])) };
+  return forms.last.mesh;
+}
+
+function stretchKey(stretch: readonly number[]): string {
+  const size = Math.max(...stretch.map(Math.abs));
+  return [size.toPrecision(9), ...stretch.map((x) => Math.round(x / (STRETCH_RESOLUTION * size)))].join(' ');
+}

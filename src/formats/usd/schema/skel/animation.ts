@@ -1,0 +1,101 @@
+import { toMatrix } from '../../../../math/quat.ts';
+import { attributeOf, numbersAt, sampleTimes, tokensAt } from '../../layer/attributes.ts';
+import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
+import { primAt, report, type StageContext } from '../context.ts';
+import { unionOfTimes } from '../transforms/xformOps.ts';
+import { nearestTarget } from './inheritedProperties.ts';
+
+/** A SkelAnimation as one skeleton sees it. */
+export interface JointAnimation {
+  /** Codes at which a joint has a sample. */
+  readonly times: Float64Array;
+  /** Every joint of the skeleton is moved. */
+  readonly isWhole: boolean;
+  /** Joint to parent joint, the first three rows, 12 numbers each; of joints that are not moved as at rest. */
+  localsAt(time: number, rest: Float64Array | undefined): Float64Array;
+}
+
+/** Numbers for each joint. */
+const JOINT_ATTRIBUTES = { translations: 3, rotations: 4, scales: 3 } as const;
+type JointAttribute = keyof typeof JOINT_ATTRIBUTES;
+const JOINT_ATTRIBUTE_NAMES = Object.keys(JOINT_ATTRIBUTES) as JointAttribute[];
+
+/** The SkelAnimation that a skeleton is bound to. */
+export function animationPrim(context: StageContext, skeleton: PrimSpec): PrimSpec | undefined {
+  const path = nearestTarget(context.layer, skeleton.path, 'skel:animationSource');
+  const prim = path === undefined ? undefined : primAt(context.layer, path);
+  if (path !== undefined && prim?.typeName !== 'SkelAnimation') {
+    report(
+      context,
+      'warning',
+      'usd.skeleton',
+      path,
+      'skel:animationSource leads here, which is no SkelAnimation; it rests',
+    );
+    return undefined;
+  }
+  return prim;
+}
+
+export function jointAnimationOf(
+  context: StageContext,
+  prim: PrimSpec,
+  joints: readonly string[],
+): JointAnimation | undefined {
+  const moved = tokensAt(prim, 'joints', undefined) ?? [];
+  if (moved.length === 0) return undefined;
+  const problem = problemOf(context, prim, moved.length);
+  if (problem) {
+    report(context, 'warning', 'usd.skeleton', prim.path, `${problem}; its joints rest`);
+    return undefined;
+  }
+  const places = new Map(moved.map((joint, i) => [joint, i]));
+  const sources = Int32Array.from(joints, (joint) => places.get(joint) ?? -1);
+  return {
+    times: unionOfTimes(JOINT_ATTRIBUTE_NAMES.map((name) => sampleTimes(attributeOf(prim, name)))),
+    isWhole: sources.every((s) => s >= 0),
+    localsAt: (time, rest) => locals(prim, time, sources, rest),
+  };
+}
+
+/** What keeps the joints from being moved: every sample has to have a value for each. */
+function problemOf(context: StageContext, prim: PrimSpec, joints: number): string | undefined {
+  for (const name of JOINT_ATTRIBUTE_NAMES) {
+    const attribute = attributeOf(prim, name);
+    const times = attribute?.timeSamples?.times ?? [];
+    for (const time of times.length > 0 ? times : [context.startCode]) {
+      const values = numbersAt(prim, name, time);
+      const what = times.length > 0 ? `${name} at time ${time}` : name;
+      if (values?.length !== joints * JOINT_ATTRIBUTES[name])
+        return `${what} has ${(values?.length ?? 0) / JOINT_ATTRIBUTES[name]} values for ${joints} joints`;
+      if (!values.every(Number.isFinite)) return `${what} holds what is no finite number`;
+    }
+  }
+  return undefined;
+}
+
+function locals(prim: PrimSpec, time: number, sources: Int32Array, rest: Float64Array | undefined): Float64Array {
+  const out = rest ? rest.slice() : new Float64Array(12 * sources.length);
+  const [t, q, s] = JOINT_ATTRIBUTE_NAMES.map((name) => numbersAt(prim, name, time)!);
+  for (let joint = 0; joint < sources.length; joint++) {
+    const from = sources[joint];
+    if (from >= 0) jointMatrixInto(out, 12 * joint, t, q, s, from);
+  }
+  return out;
+}
+
+/** First scaled, then turned, then moved. */
+function jointMatrixInto(
+  out: Float64Array,
+  at: number,
+  t: NumberArray,
+  q: NumberArray,
+  s: NumberArray,
+  i: number,
+): void {
+  const turn = toMatrix([q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]]);
+  for (let r = 0; r < 3; r++) {
+    for (let c = 0; c < 3; c++) out[at + 4 * r + c] = turn[3 * r + c] * s[3 * i + c];
+    out[at + 4 * r + 3] = t[3 * i + r];
+  }
+}

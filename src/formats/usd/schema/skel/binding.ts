@@ -1,0 +1,134 @@
+import type { SkinInfluences } from '../../../read/skinning.ts';
+import { attributeOf, numberOf, numbersOf, textAt, tokensAt, valueAt } from '../../layer/attributes.ts';
+import type { AttributeSpec, PrimSpec } from '../../layer/layer.ts';
+import { metadataText, primAt, report, type StageContext, targetsOf } from '../context.ts';
+import { nearestAncestor, nearestTarget } from './inheritedProperties.ts';
+import { columnMatrices, readSkeleton, type Skeleton } from './skeleton.ts';
+
+/** Joints that one point can follow; more are no skin but a fault. */
+export const MAX_INFLUENCES = 4096;
+
+/** How a mesh hangs on its skeleton. */
+export interface SkelBinding {
+  readonly skeleton: Skeleton;
+  /** Absent where no joint moves the mesh, but its blend shapes may. */
+  readonly joints?: JointBinding;
+}
+
+interface JointBinding {
+  /** Places in the skeleton's joints. */
+  readonly influences: SkinInfluences;
+  /** One set of joints for all points. */
+  readonly isRigid: boolean;
+  /** Three rows of four: from the mesh's axes to where it was bound. */
+  readonly geomBind: Float64Array;
+  readonly method: 'classicLinear' | 'dualQuaternion';
+}
+
+/** Whether a skeleton may bend the meshes at a prim and below it, given whether one may those around it. */
+export const maybeSkinned = (prim: PrimSpec, around: boolean): boolean =>
+  prim.properties.has(SKELETON) ? targetsOf(prim, SKELETON).length > 0 : around;
+
+/** The skeletons of one stage, each read once. */
+export class Skeletons {
+  private readonly context: StageContext;
+  private readonly known = new Map<string, Skeleton | undefined>();
+
+  constructor(context: StageContext) {
+    this.context = context;
+  }
+
+  /** Undefined where the mesh has none, or, with a diagnostic, where it cannot follow it. */
+  bindingOf(mesh: PrimSpec, points: number): SkelBinding | undefined {
+    const { layer } = this.context;
+    if (!nearestAncestor(layer, mesh.path, (prim) => prim.typeName === 'SkelRoot')) return undefined;
+    const path = nearestTarget(layer, mesh.path, SKELETON);
+    if (path === undefined) return undefined;
+    const skeleton = this.skeletonAt(path, mesh);
+    if (!skeleton) return undefined;
+    if (!nearestAttribute(this.context, mesh, INDICES)) return { skeleton };
+    const joints = jointsOf(this.context, mesh, skeleton, points);
+    if (typeof joints !== 'string') return { skeleton, joints };
+    report(this.context, 'warning', 'usd.skin', mesh.path, `${joints}; the mesh stays as it is written`);
+    return undefined;
+  }
+
+  private skeletonAt(path: string, mesh: PrimSpec): Skeleton | undefined {
+    const prim = primAt(this.context.layer, path);
+    if (prim?.typeName !== 'Skeleton') {
+      const message = `skel:skeleton leads to ${path}, where no Skeleton is; the mesh stays as it is written`;
+      report(this.context, 'warning', 'usd.skin', mesh.path, message);
+      return undefined;
+    }
+    if (!this.known.has(path)) this.known.set(path, readSkeleton(this.context, prim));
+    return this.known.get(path);
+  }
+}
+
+const SKELETON = 'skel:skeleton';
+const INDICES = 'primvars:skel:jointIndices';
+const WEIGHTS = 'primvars:skel:jointWeights';
+
+function nearestAttribute({ layer }: StageContext, mesh: PrimSpec, name: string): AttributeSpec | undefined {
+  const prim = nearestAncestor(layer, mesh.path, (p) => attributeOf(p, name) !== undefined);
+  return prim && attributeOf(prim, name);
+}
+
+/** Or what is wrong, with the attribute's name. */
+function jointsOf(context: StageContext, mesh: PrimSpec, skeleton: Skeleton, points: number): JointBinding | string {
+  const geomBind = geomBindOf(context, mesh);
+  const places = jointPlaces(context, mesh, skeleton);
+  if (typeof geomBind === 'string') return geomBind;
+  if (typeof places === 'string') return places;
+  const [indices, weights] = [nearestAttribute(context, mesh, INDICES), nearestAttribute(context, mesh, WEIGHTS)];
+  const at = (attribute: AttributeSpec | undefined) => numbersOf(valueAt(attribute, context.startCode));
+  const [joints, shares] = [at(indices), at(weights)];
+  if (!joints || !shares) return `${joints ? WEIGHTS : INDICES} has no value`;
+  if (joints.length !== shares.length)
+    return `${INDICES} has ${joints.length} values, and ${WEIGHTS} has ${shares.length}`;
+  const perPoint = numberOf(indices!.metadata.get('elementSize') as never) ?? 1;
+  const isRigid = (metadataText(indices!.metadata, 'interpolation') ?? 'constant') === 'constant';
+  if (!(Number.isInteger(perPoint) && perPoint > 0 && perPoint <= MAX_INFLUENCES))
+    return `${INDICES} has elementSize ${perPoint}, not 1 to ${MAX_INFLUENCES}`;
+  const needed = (isRigid ? 1 : points) * perPoint;
+  if (joints.length !== needed)
+    return `${INDICES} has ${joints.length} values; with elementSize ${perPoint} and interpolation ${isRigid ? 'constant' : 'vertex'} it needs ${needed}`;
+  const bad = joints.findIndex((j) => !(j >= 0 && j < places.length));
+  if (bad >= 0) return `${INDICES}[${bad}] is ${joints[bad]} of ${places.length} joints`;
+  const odd = shares.findIndex((w) => !Number.isFinite(w));
+  if (odd >= 0) return `${WEIGHTS}[${odd}] is ${shares[odd]}`;
+  const influences = {
+    perPoint,
+    joints: Int32Array.from(joints, (j) => places[j]),
+    weights: Float64Array.from(shares),
+  };
+  return { influences, isRigid, geomBind, method: skinningMethodOf(context, mesh) };
+}
+
+/** The skeleton's place of each joint that the mesh counts: by `skel:joints`, else as the skeleton does. */
+function jointPlaces(context: StageContext, mesh: PrimSpec, skeleton: Skeleton): number[] | string {
+  const owner = nearestAncestor(context.layer, mesh.path, (prim) => attributeOf(prim, 'skel:joints') !== undefined);
+  const own = owner && tokensAt(owner, 'skel:joints', undefined);
+  if (!own) return [...skeleton.joints.keys()];
+  const byName = new Map(skeleton.joints.map((joint, i) => [joint, i]));
+  const missing = own.find((joint) => !byName.has(joint));
+  if (missing !== undefined) return `skel:joints names '${missing}', which is no joint of ${skeleton.path}`;
+  return own.map((joint) => byName.get(joint)!);
+}
+
+function geomBindOf(context: StageContext, mesh: PrimSpec): Float64Array | string {
+  const name = 'primvars:skel:geomBindTransform';
+  const value = numbersOf(valueAt(nearestAttribute(context, mesh, name), context.startCode));
+  if (!value) return Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
+  if (value.length !== 16 || !value.every(Number.isFinite)) return `${name} is no matrix of finite numbers`;
+  return columnMatrices(value);
+}
+
+function skinningMethodOf(context: StageContext, mesh: PrimSpec): JointBinding['method'] {
+  const name = 'primvars:skel:skinningMethod';
+  const owner = nearestAncestor(context.layer, mesh.path, (prim) => attributeOf(prim, name) !== undefined);
+  const method = (owner && textAt(owner, name, undefined)) ?? 'classicLinear';
+  if (method === 'dualQuaternion' || method === 'classicLinear') return method;
+  report(context, 'warning', 'usd.skin', mesh.path, `${name} '${method}' is not known; classicLinear is taken`);
+  return 'classicLinear';
+}

@@ -1,0 +1,162 @@
+import { attributeOf, numberOf, numbersAt, sampleTimes, tokensAt } from '../../layer/attributes.ts';
+import type { AttributeSpec, NumberArray, PrimSpec } from '../../layer/layer.ts';
+import { primAt, report, type StageContext, targetsOf } from '../context.ts';
+
+/** The blend shapes of a mesh with their weights in time. */
+export interface BlendShapes {
+  readonly times: Float64Array;
+  readonly cost: number;
+  /** Every shape says how it bends normals. */
+  readonly haveNormals: boolean;
+  /** Adds the offsets of points, or of normals, at a time: `values` has 3 numbers for each of `points`, or for every point. */
+  addTo(values: Float64Array, of: 'points' | 'normals', time: number, points?: ArrayLike<number>): void;
+}
+
+/** Offsets at one weight: the shape itself at 1, others between. */
+interface SubShape {
+  readonly weight: number;
+  readonly points: NumberArray;
+  readonly normals: NumberArray | undefined;
+}
+interface BlendShape {
+  /** Place of its weight in the animation. */
+  readonly source: number;
+  /** The row of each point's offset; −1 where it has none. Absent: point i has offset i. */
+  readonly rows?: Int32Array;
+  /** By rising weight, with nothing at 0. */
+  readonly subShapes: readonly (SubShape | null)[];
+  readonly weights: readonly number[];
+}
+
+/** Undefined where no weights move the mesh. */
+export function blendShapesOf(
+  context: StageContext,
+  mesh: PrimSpec,
+  points: number,
+  animation: PrimSpec | undefined,
+): BlendShapes | undefined {
+  const names = tokensAt(mesh, 'skel:blendShapes', undefined) ?? [];
+  if (names.length === 0 || !animation) return undefined;
+  const animated = tokensAt(animation, 'blendShapes', undefined) ?? [];
+  const places = new Map(animated.map((name, i) => [name, i]));
+  const targets = targetsOf(mesh, 'skel:blendShapeTargets');
+  if (targets.length !== names.length) {
+    const message = `skel:blendShapes has ${names.length} names for ${targets.length} skel:blendShapeTargets; its blend shapes are left out`;
+    report(context, 'warning', 'usd.blend-shape', mesh.path, message);
+    return undefined;
+  }
+  const shapes = names.flatMap((name, i) => {
+    const source = places.get(name);
+    return source === undefined ? [] : (shapeOf(context, mesh, targets[i], source, points) ?? []);
+  });
+  const weightsAt = (time: number): NumberArray | undefined => numbersAt(animation, 'blendShapeWeights', time);
+  const steady = allFinite(context, animation, animated.length);
+  if (shapes.length === 0 || !steady) return undefined;
+  return {
+    times: sampleTimes(attributeOf(animation, 'blendShapeWeights')),
+    cost: 1 + shapes.length,
+    haveNormals: shapes.every((shape) => shape.subShapes.every((sub) => !sub || sub.normals)),
+    addTo: (values, of, time, which) => {
+      const weights = weightsAt(time);
+      for (const shape of shapes) addShape(values, of, shape, weights?.[shape.source] ?? 0, which);
+    },
+  };
+}
+
+function allFinite(context: StageContext, animation: PrimSpec, count: number): boolean {
+  const attribute = attributeOf(animation, 'blendShapeWeights');
+  const times = attribute?.timeSamples?.times ?? [];
+  for (const time of times.length > 0 ? times : [context.startCode]) {
+    const weights = numbersAt(animation, 'blendShapeWeights', time);
+    if (weights?.length === count && weights.every(Number.isFinite)) continue;
+    const message = `blendShapeWeights needs ${count} finite numbers, one for each of blendShapes; the shapes are left out`;
+    report(context, 'warning', 'usd.blend-shape', animation.path, message);
+    return false;
+  }
+  return true;
+}
+
+function shapeOf(
+  context: StageContext,
+  mesh: PrimSpec,
+  path: string,
+  source: number,
+  points: number,
+): BlendShape | undefined {
+  const prim = primAt(context.layer, path);
+  const fail = (message: string): undefined => {
+    report(context, 'warning', 'usd.blend-shape', path, `${message}; it does not bend ${mesh.path}`);
+    return undefined;
+  };
+  if (prim?.typeName !== 'BlendShape') return fail('there is no BlendShape');
+  const indices = numbersAt(prim, 'pointIndices', undefined);
+  const count = indices?.length ?? points;
+  const bad = indices?.findIndex((i) => !(i >= 0 && i < points)) ?? -1;
+  if (bad >= 0) return fail(`pointIndices[${bad}] is ${indices![bad]} of ${points} points`);
+  const full = subShape(prim, 'offsets', 'normalOffsets', 1, count);
+  if (typeof full === 'string') return fail(full);
+  const inner: SubShape[] = [];
+  for (const attribute of inbetweens(prim)) {
+    const weight = numberOf(attribute.metadata.get('weight') as never);
+    if (weight === undefined || weight === 0 || weight === 1 || !Number.isFinite(weight))
+      return fail(`${attribute.name} needs a weight other than 0 and 1`);
+    const sub = subShape(prim, attribute.name, `${attribute.name}:normalOffsets`, weight, count);
+    if (typeof sub === 'string') return fail(sub);
+    inner.push(sub);
+  }
+  // `null`: sort puts undefined last.
+  const all = [null, full, ...inner].sort((a, b) => (a?.weight ?? 0) - (b?.weight ?? 0));
+  const weights = all.map((sub) => sub?.weight ?? 0);
+  if (new Set(weights).size < weights.length) return fail('two inbetweens have the same weight');
+  return { source, subShapes: all, weights, ...(indices ? { rows: rowsOf(indices, points) } : {}) };
+}
+
+const inbetweens = (prim: PrimSpec): AttributeSpec[] =>
+  [...prim.properties.values()].filter(
+    (p): p is AttributeSpec => p.kind === 'attribute' && /^inbetweens:[^:]+$/.test(p.name),
+  );
+
+function subShape(prim: PrimSpec, name: string, normalsName: string, weight: number, count: number): SubShape | string {
+  const points = numbersAt(prim, name, undefined);
+  if (points?.length !== 3 * count) return `${name} has ${(points?.length ?? 0) / 3} offsets where ${count} are needed`;
+  if (!points.every(Number.isFinite)) return `${name} holds what is no finite number`;
+  const normals = numbersAt(prim, normalsName, undefined);
+  return {
+    weight,
+    points,
+    normals: normals?.length === points.length && normals.every(Number.isFinite) ? normals : undefined,
+  };
+}
+
+function rowsOf(indices: NumberArray, points: number): Int32Array {
+  const rows = new Int32Array(points).fill(-1);
+  for (let i = 0; i < indices.length; i++) rows[indices[i]] = i;
+  return rows;
+}
+
+/** Between the two shapes whose weights are around `weight`; beyond the outermost along the last two. */
+function addShape(
+  values: Float64Array,
+  of: 'points' | 'normals',
+  { subShapes, weights, rows }: BlendShape,
+  weight: number,
+  which: ArrayLike<number> | undefined,
+): void {
+  if (weight === 0) return;
+  let upper = weights.findIndex((w) => w > weight);
+  if (upper < 0) upper = weights.length - 1;
+  if (upper === 0) upper = 1;
+  const part = (weight - weights[upper - 1]) / (weights[upper] - weights[upper - 1]);
+  for (const [sub, share] of [
+    [subShapes[upper - 1], 1 - part],
+    [subShapes[upper], part],
+  ] as const) {
+    const offsets = sub?.[of];
+    if (!offsets || share === 0) continue;
+    for (let i = 0; i < values.length / 3; i++) {
+      const point = which ? which[i] : i;
+      const row = rows ? rows[point] : point;
+      if (row >= 0) for (let k = 0; k < 3; k++) values[3 * i + k] += share * offsets[3 * row + k];
+    }
+  }
+}

@@ -1,0 +1,155 @@
+import * as mat4 from '../../../../math/mat4.ts';
+import { numbersAt, tokensAt } from '../../layer/attributes.ts';
+import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
+import { report, type StageContext } from '../context.ts';
+import { localToStageTransform, type StageTransform } from '../transforms/stageTransform.ts';
+import { animationPrim, type JointAnimation, jointAnimationOf } from './animation.ts';
+
+/** Joints in joints. */
+const MAX_DEPTH = 512;
+/** Numbers of poses that are kept, since all meshes of a skeleton ask for the same times. */
+const MAX_CACHED = 2 ** 20;
+
+/** A Skeleton prim with its animation: how each joint has carried what is bound to it. */
+export class Skeleton {
+  readonly path: string;
+  readonly joints: readonly string[];
+  /** Where the skeleton's own axes are, in which skinned points come to lie. */
+  readonly transform: StageTransform;
+  /** What moves its joints. */
+  readonly animation: JointAnimation | undefined;
+  /** The SkelAnimation itself, which may have weights of blend shapes only. */
+  readonly source: PrimSpec | undefined;
+  private readonly parents: Int32Array;
+  /** Parents before children. */
+  private readonly order: readonly number[];
+  private readonly rest: Float64Array | undefined;
+  private readonly inverseBind: Float64Array;
+  private readonly poseCache = new Map<number, Float64Array>();
+
+  constructor(
+    parts: Pick<Skeleton, 'path' | 'joints' | 'transform' | 'animation' | 'source'>,
+    tree: JointTree,
+    binds: BindPose,
+  ) {
+    this.path = parts.path;
+    this.joints = parts.joints;
+    this.transform = parts.transform;
+    this.animation = parts.animation;
+    this.source = parts.source;
+    this.parents = tree.parents;
+    this.order = tree.order;
+    this.rest = binds.rest;
+    this.inverseBind = binds.inverseBind;
+  }
+
+  /** Joint × inverse bind, the first three rows, 12 numbers for each joint: from where points are bound to skeleton space. */
+  matricesAt(time: number): Float64Array {
+    const known = this.poseCache.get(time);
+    if (known) return known;
+    const made = this.computed(time);
+    if ((this.poseCache.size + 1) * made.length > MAX_CACHED) this.poseCache.clear();
+    this.poseCache.set(time, made);
+    return made;
+  }
+
+  private computed(time: number): Float64Array {
+    const local = this.animation?.localsAt(time, this.rest) ?? this.rest!;
+    const out = new Float64Array(local.length);
+    const space = new Float64Array(local.length);
+    for (const joint of this.order) {
+      const parent = this.parents[joint];
+      if (parent < 0) space.set(local.subarray(12 * joint, 12 * joint + 12), 12 * joint);
+      else multiplyInto(space, joint, space, parent, local, joint);
+      multiplyInto(out, joint, space, joint, this.inverseBind, joint);
+    }
+    return out;
+  }
+}
+
+interface JointTree {
+  readonly parents: Int32Array;
+  readonly order: readonly number[];
+}
+interface BindPose {
+  readonly rest: Float64Array | undefined;
+  readonly inverseBind: Float64Array;
+}
+
+/** The skeleton of a prim; undefined, with a diagnostic, where it cannot be followed. */
+export function readSkeleton(context: StageContext, prim: PrimSpec): Skeleton | undefined {
+  const fail = (message: string): undefined => {
+    report(context, 'warning', 'usd.skeleton', prim.path, `${message}; its meshes stay as they are written`);
+    return undefined;
+  };
+  const joints = tokensAt(prim, 'joints', undefined) ?? [];
+  if (joints.length === 0) return fail('joints is empty');
+  const tree = treeOf(joints);
+  if (typeof tree === 'string') return fail(tree);
+  const binds = numbersAt(prim, 'bindTransforms', undefined);
+  if (binds?.length !== 16 * joints.length)
+    return fail(`bindTransforms has ${(binds?.length ?? 0) / 16} matrices for ${joints.length} joints`);
+  const unbind = inverses(binds);
+  if (typeof unbind === 'number') return fail(`bindTransforms[${unbind}] has no inverse`);
+  const rests = numbersAt(prim, 'restTransforms', undefined);
+  const rest = rests?.length === 16 * joints.length && rests.every(Number.isFinite) ? columnMatrices(rests) : undefined;
+  const source = animationPrim(context, prim);
+  const animation = source && jointAnimationOf(context, source, joints);
+  if (!rest && !animation?.isWhole)
+    return fail(
+      `restTransforms has ${(rests?.length ?? 0) / 16} usable matrices for ${joints.length} joints, and no animation moves all of them`,
+    );
+  const frame = localToStageTransform(context.layer, prim.path);
+  return new Skeleton({ path: prim.path, joints, transform: frame, animation, source }, tree, {
+    rest,
+    inverseBind: unbind,
+  });
+}
+
+/** A joint's parent is the nearest path above it that is a joint. */
+function treeOf(joints: readonly string[]): JointTree | string {
+  const places = new Map<string, number>();
+  const depths = joints.map((joint) => joint.split('/', MAX_DEPTH + 1).length);
+  for (const [j, joint] of joints.entries()) {
+    if (depths[j] > MAX_DEPTH) return `joints[${j}] is more than ${MAX_DEPTH} joints deep`;
+    if (places.has(joint)) return `joints names '${joint}' twice`;
+    places.set(joint, j);
+  }
+  const parents = Int32Array.from(joints, (joint) => {
+    for (let end = joint.lastIndexOf('/'); end > 0; end = joint.lastIndexOf('/', end - 1)) {
+      const parent = places.get(joint.slice(0, end));
+      if (parent !== undefined) return parent;
+    }
+    return -1;
+  });
+  const order = [...joints.keys()].sort((a, b) => depths[a] - depths[b]);
+  return { parents, order };
+}
+
+/** From matrices that act on rows to the first three rows of those that act on columns. */
+export function columnMatrices(written: NumberArray): Float64Array {
+  const out = new Float64Array((written.length / 16) * 12);
+  for (let m = 0; m < written.length / 16; m++)
+    for (let r = 0; r < 3; r++) for (let c = 0; c < 4; c++) out[12 * m + 4 * r + c] = written[16 * m + 4 * c + r];
+  return out;
+}
+
+/** Or the place of the first that has none. */
+function inverses(written: NumberArray): Float64Array | number {
+  const out = new Float64Array((written.length / 16) * 12);
+  for (let m = 0; m < written.length / 16; m++) {
+    const inverse = mat4.invert(mat4.transpose(Array.from(written.subarray(16 * m, 16 * m + 16))));
+    if (!inverse?.every(Number.isFinite)) return m;
+    out.set(inverse.slice(0, 12), 12 * m);
+  }
+  return out;
+}
+
+/** out[i] = a[j] b[k], of matrices of three rows. */
+function multiplyInto(out: Float64Array, i: number, a: Float64Array, j: number, b: Float64Array, k: number): void {
+  for (let r = 12 * j, o = 12 * i; r < 12 * j + 12; r += 4, o += 4) {
+    const [x, y, z, w] = [a[r], a[r + 1], a[r + 2], a[r + 3]];
+    for (let c = 0; c < 4; c++)
+      out[o + c] = x * b[12 * k + c] + y * b[12 * k + 4 + c] + z * b[12 * k + 8 + c] + (c === 3 ? w : 0);
+  }
+}

@@ -1,0 +1,216 @@
+import * as mat4 from '../../../../math/mat4.ts';
+import { blendMatrices, type SkinInfluences } from '../../../read/skinning.ts';
+import { numbersAt } from '../../layer/attributes.ts';
+import type { PrimSpec } from '../../layer/layer.ts';
+import type { StageContext } from '../context.ts';
+import type { StageTransform } from '../transforms/stageTransform.ts';
+import { unionOfTimes } from '../transforms/xformOps.ts';
+import type { SkelBinding, Skeletons } from './binding.ts';
+import { type BlendShapes, blendShapesOf } from './blendShapes.ts';
+import { DualQuaternionBlend, inverseTranspose, jointDualQuaternions } from './dualQuaternions.ts';
+
+/** How a skeleton and blend shapes bend a mesh. */
+export interface Skin {
+  /** Codes at which a joint, a weight or the points have a sample. */
+  readonly times: Float64Array;
+  /** Where its points come to lie; absent: in the mesh's own axes. */
+  readonly transform?: StageTransform;
+  /** All points are carried alike, by `frame` alone. */
+  readonly isRigid: boolean;
+  /** Evaluations of a transform that a pose takes. */
+  readonly cost: number;
+  /** 3 numbers for each of the points named, or for all. */
+  pointsAt(time: number, which?: ArrayLike<number>): Float64Array;
+  /** Of the points of the mesh's vertices, as bent from `rest` (3 per vertex); undefined where they have to be computed. */
+  normalsAt(time: number, rest: Float32Array, pointOfVertex: ArrayLike<number>): Float32Array | undefined;
+}
+
+/** Undefined where nothing bends the mesh. */
+export function skinOf(
+  context: StageContext,
+  skeletons: Skeletons,
+  mesh: PrimSpec,
+  points: { readonly count: number; readonly times: Float64Array },
+): Skin | undefined {
+  const binding = skeletons.bindingOf(mesh, points.count);
+  if (!binding) return undefined;
+  const { skeleton } = binding;
+  const shapes = blendShapesOf(context, mesh, points.count, skeleton.source);
+  if (!binding.joints && !shapes) return undefined;
+  const jointTimes = binding.joints ? (skeleton.animation?.times ?? []) : [];
+  const bend = new SkinDeformer(context, mesh, points.times.length > 0, binding, shapes);
+  const isLinear = binding.joints?.method === 'classicLinear' || binding.joints?.influences.perPoint === 1;
+  if (binding.joints?.isRigid && isLinear && !shapes && points.times.length === 0) return rigidSkin(bend, binding);
+  return {
+    times: unionOfTimes([points.times, Float64Array.from(jointTimes), shapes?.times ?? new Float64Array(0)]),
+    ...(binding.joints ? { transform: skeleton.transform } : {}),
+    isRigid: false,
+    cost: (binding.joints ? skeleton.joints.length : 0) + (shapes?.cost ?? 0),
+    pointsAt: (time, which) => bend.pointsAt(time, which),
+    normalsAt: (time, rest, pointOfVertex) => bend.normalsAt(time, rest, pointOfVertex),
+  };
+}
+
+function rigidSkin(bend: SkinDeformer, { skeleton, joints }: SkelBinding): Skin {
+  const { transform, animation } = skeleton;
+  const matrix: number[] = [...mat4.IDENTITY];
+  const matrixAt = (time: number): mat4.Mat4 => {
+    blendMatrices(matrix, bend.boundAt(time), 12, joints!.influences, 0);
+    return mat4.multiply(transform.matrixAt(time), matrix);
+  };
+  const times = unionOfTimes([transform.times, animation?.times ?? new Float64Array(0)]);
+  const start = bend.context.startCode;
+  const fixed = times.length === 0 ? matrixAt(start) : undefined;
+  return {
+    times: new Float64Array(0),
+    transform: {
+      times,
+      cost: transform.cost + skeleton.joints.length,
+      matrixAt: (time) => fixed ?? matrixAt(time ?? start),
+    },
+    isRigid: true,
+    cost: 0,
+    pointsAt: () => Float64Array.from(numbersAt(bend.mesh, 'points', start)!),
+    normalsAt: (_, rest) => rest,
+  };
+}
+
+class SkinDeformer {
+  readonly context: StageContext;
+  readonly mesh: PrimSpec;
+  /** The points have samples themselves. */
+  private readonly moves: boolean;
+  private readonly binding: SkelBinding;
+  private readonly shapes: BlendShapes | undefined;
+
+  constructor(
+    context: StageContext,
+    mesh: PrimSpec,
+    moves: boolean,
+    binding: SkelBinding,
+    shapes: BlendShapes | undefined,
+  ) {
+    this.moves = moves;
+    this.context = context;
+    this.mesh = mesh;
+    this.binding = binding;
+    this.shapes = shapes;
+  }
+
+  /** For each joint: skeleton space ← mesh, three rows of four. */
+  boundAt(time: number): Float64Array {
+    const { skeleton, joints } = this.binding;
+    const matrices = skeleton.matricesAt(time);
+    const out = new Float64Array(matrices.length);
+    const g = joints!.geomBind;
+    for (let r = 0; r < matrices.length; r += 4)
+      for (let c = 0; c < 4; c++)
+        out[r + c] =
+          matrices[r] * g[c] +
+          matrices[r + 1] * g[4 + c] +
+          matrices[r + 2] * g[8 + c] +
+          (c === 3 ? matrices[r + 3] : 0);
+    return out;
+  }
+
+  pointsAt(time: number, which?: ArrayLike<number>): Float64Array {
+    const all = numbersAt(this.mesh, 'points', this.moves ? time : this.context.startCode)!;
+    const out = which ? new Float64Array(3 * which.length) : Float64Array.from(all);
+    if (which)
+      for (let i = 0; i < which.length; i++) for (let k = 0; k < 3; k++) out[3 * i + k] = all[3 * which[i] + k];
+    this.shapes?.addTo(out, 'points', time, which);
+    const { joints } = this.binding;
+    if (!joints) return out;
+    const { influences } = joints;
+    const pointOf = joints.isRigid ? () => 0 : (i: number) => (which ? which[i] : i);
+    if (joints.method === 'classicLinear') skinPoints(out, this.boundAt(time), influences, pointOf);
+    else this.carryDual(out, time, influences, pointOf);
+    return out;
+  }
+
+  private carryDual(out: Float64Array, time: number, influences: SkinInfluences, pointOf: (i: number) => number): void {
+    const { skeleton, joints } = this.binding;
+    skinPoints(out, joints!.geomBind, { perPoint: 1, joints: [0], weights: [1] }, () => 0);
+    const blend = new DualQuaternionBlend(jointDualQuaternions(skeleton.matricesAt(time)), influences, 'points');
+    for (let i = 0; i < out.length / 3; i++) {
+      blend.at(pointOf(i));
+      out.set(blend.point([out[3 * i], out[3 * i + 1], out[3 * i + 2]]), 3 * i);
+    }
+  }
+
+  normalsAt(time: number, rest: Float32Array, pointOfVertex: ArrayLike<number>): Float32Array | undefined {
+    const { joints } = this.binding;
+    if (this.shapes && !this.shapes.haveNormals) return undefined;
+    const out = Float64Array.from(rest);
+    this.shapes?.addTo(out, 'normals', time, pointOfVertex);
+    if (!joints) return normalized(out);
+    const pointOf = joints.isRigid ? () => 0 : (i: number) => pointOfVertex[i];
+    if (joints.method === 'classicLinear') {
+      skinNormals(out, inverseTransposes(this.boundAt(time)), joints.influences, pointOf);
+    } else {
+      skinNormals(out, inverseTransposes(joints.geomBind), { perPoint: 1, joints: [0], weights: [1] }, () => 0);
+      const blend = new DualQuaternionBlend(
+        jointDualQuaternions(this.binding.skeleton.matricesAt(time)),
+        joints.influences,
+        'normals',
+      );
+      for (let i = 0; i < out.length / 3; i++) {
+        blend.at(pointOf(i));
+        out.set(blend.normal([out[3 * i], out[3 * i + 1], out[3 * i + 2]]), 3 * i);
+      }
+    }
+    return normalized(out);
+  }
+}
+
+function skinPoints(
+  points: Float64Array,
+  matrices: Float64Array,
+  influences: SkinInfluences,
+  pointOf: (i: number) => number,
+): void {
+  const m = new Float64Array(12);
+  for (let i = 0; i < points.length; i += 3) {
+    blendMatrices(m, matrices, 12, influences, pointOf(i / 3));
+    const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
+    points[i] = m[0] * x + m[1] * y + m[2] * z + m[3];
+    points[i + 1] = m[4] * x + m[5] * y + m[6] * z + m[7];
+    points[i + 2] = m[8] * x + m[9] * y + m[10] * z + m[11];
+  }
+}
+
+/** As UsdSkel does: the joints' inverse transposes are blended, not the blend inverted. */
+function skinNormals(
+  normals: Float64Array,
+  matrices: Float64Array,
+  influences: SkinInfluences,
+  pointOf: (i: number) => number,
+): void {
+  const m = new Float64Array(9);
+  for (let i = 0; i < normals.length; i += 3) {
+    blendMatrices(m, matrices, 9, influences, pointOf(i / 3));
+    const [x, y, z] = [normals[i], normals[i + 1], normals[i + 2]];
+    for (let r = 0; r < 3; r++) normals[i + r] = m[3 * r] * x + m[3 * r + 1] * y + m[3 * r + 2] * z;
+  }
+}
+
+/** 9 numbers for each matrix of three rows of four. */
+function inverseTransposes(matrices: Float64Array): Float64Array {
+  const out = new Float64Array((matrices.length / 12) * 9);
+  for (let j = 0; j < matrices.length / 12; j++) {
+    const m = matrices.subarray(12 * j, 12 * j + 12);
+    const linear = [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
+    out.set(inverseTranspose(linear), 9 * j);
+  }
+  return out;
+}
+
+function normalized(normals: Float64Array): Float32Array {
+  const out = new Float32Array(normals.length);
+  for (let i = 0; i < normals.length; i += 3) {
+    const l = Math.sqrt(normals[i] ** 2 + normals[i + 1] ** 2 + normals[i + 2] ** 2);
+    if (!(l > 0)) out[i + 2] = 1;
+    else for (let k = i; k < i + 3; k++) out[k] = normals[k] / l;
+  }
+  return out;
+}

@@ -1,0 +1,119 @@
+import { scale } from '../../../math/vec3.ts';
+import type { HyperbolicMotion, Lifetime, Pose, SceneHints, UniformMotion } from '../../../scene/types.ts';
+import { parseSceneHints } from '../../attributes/hints.ts';
+import { numberAt, textAt, vec3At } from '../layer/attributes.ts';
+import type { Layer, PrimSpec } from '../layer/layer.ts';
+import { report, type StageContext } from './context.ts';
+
+/** What our own attributes (docs/guide/usd.md) say about a prim; descendants have it too, unless they say otherwise. */
+export interface SlowlightAttributes {
+  readonly motion?: string;
+  readonly velocity?: readonly [number, number, number];
+  readonly properAcceleration?: readonly [number, number, number];
+  readonly t0?: number;
+  readonly birth?: number;
+  readonly death?: number;
+  readonly authoredIn?: string;
+}
+
+export function slowlightAttributesOf(prim: PrimSpec, inherited: SlowlightAttributes): SlowlightAttributes {
+  if (!someKey(prim.properties, (name) => name.startsWith('slowlight:'))) return inherited;
+  const number = (name: string) => numberAt(prim, `slowlight:${name}`, undefined);
+  const vector = (name: string) => vec3At(prim, `slowlight:${name}`, undefined);
+  const text = (name: string) => textAt(prim, `slowlight:${name}`, undefined);
+  const own = {
+    motion: text('motion'),
+    velocity: vector('velocity'),
+    properAcceleration: vector('properAcceleration'),
+    t0: number('t0'),
+    birth: number('birth'),
+    death: number('death'),
+    authoredIn: text('authoredIn'),
+  };
+  const said = Object.entries(own).filter(([, value]) => value !== undefined);
+  return said.length === 0 ? inherited : { ...inherited, ...Object.fromEntries(said) };
+}
+
+function someKey(map: ReadonlyMap<string, unknown>, ask: (key: string) => boolean): boolean {
+  for (const key of map.keys()) if (ask(key)) return true;
+  return false;
+}
+
+export const lifetimeOf = ({ birth, death }: SlowlightAttributes): Lifetime => ({
+  birth: birth ?? -Infinity,
+  death: death ?? Infinity,
+});
+
+export const authoredInOf = ({ authoredIn }: SlowlightAttributes): 'world' | 'rest' =>
+  authoredIn === 'rest' ? 'rest' : 'world';
+
+/** The world time [s] at which a closed-form motion has its pose; undefined where samples say how the object moves. */
+export function poseTimeOf(directions: SlowlightAttributes): number | undefined {
+  if (directions.motion === 'uniform') return 0;
+  return directions.motion === 'hyperbolic' ? (directions.t0 ?? 0) : undefined;
+}
+
+/** The motion that the attributes ask for, from the pose at their pose time. */
+export function closedFormMotion(
+  context: StageContext,
+  path: string,
+  pose: Pose,
+  directions: SlowlightAttributes,
+): UniformMotion | HyperbolicMotion {
+  if (directions.motion === 'uniform')
+    return {
+      kind: 'uniform',
+      pose,
+      velocity: scale(requiredVector(context, path, directions, 'velocity'), context.unit),
+    };
+  const properAcceleration = scale(requiredVector(context, path, directions, 'properAcceleration'), context.unit);
+  return { kind: 'hyperbolic', pose, properAcceleration, t0: directions.t0 ?? 0 };
+}
+
+function requiredVector(
+  context: StageContext,
+  path: string,
+  from: SlowlightAttributes,
+  name: 'velocity' | 'properAcceleration',
+) {
+  const value = from[name];
+  if (value) return value;
+  const message = `slowlight:motion is "${from.motion}" without slowlight:${name}, a vector3d; it rests`;
+  report(context, 'warning', 'usd.slowlight', path, message);
+  return [0, 0, 0] as const;
+}
+
+const MOTION_KINDS = new Set([undefined, 'uniform', 'hyperbolic']);
+
+/** Refuses values that mean nothing here, once per prim. */
+export function checkSlowlightAttributes(context: StageContext, path: string, directions: SlowlightAttributes): void {
+  const { motion, authoredIn } = directions;
+  if (!MOTION_KINDS.has(motion))
+    report(
+      context,
+      'warning',
+      'usd.slowlight',
+      path,
+      `slowlight:motion "${motion}" is not uniform or hyperbolic; it is left out`,
+    );
+  if (authoredIn !== undefined && authoredIn !== 'rest' && authoredIn !== 'world')
+    report(
+      context,
+      'warning',
+      'usd.slowlight',
+      path,
+      `slowlight:authoredIn "${authoredIn}" is not world or rest; world is taken`,
+    );
+}
+
+/** `customLayerData = { dictionary slowlight = { … } }` */
+export function hintsOf(layer: Layer): SceneHints {
+  const custom = layer.metadata.get('customLayerData');
+  const own = custom?.type === 'dictionary' ? custom.data.get('slowlight') : undefined;
+  if (own?.type !== 'dictionary') return {};
+  const { data } = own;
+  return parseSceneHints((name) => {
+    const value = data.get(name);
+    return value && 'data' in value ? value.data : undefined;
+  });
+}

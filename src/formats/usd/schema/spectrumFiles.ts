@@ -1,0 +1,75 @@
+import { measuredMaterial } from '../../../scene/materials/measuredMaterial.ts';
+import { InputError, type Material, type SpectrumLight } from '../../../scene/types.ts';
+import type { MeasuredReflectance } from '../../../spectrum/reflectance/measuredReflectance.ts';
+import type { SampledSpectrum } from '../../../spectrum/sources/lightSpectrum.ts';
+import { readReflectanceCsv, readSpectrumCsv } from '../../attributes/spectrumCsv.ts';
+import { missingSpectrum } from '../../diagnostics/missingFiles.ts';
+import { textOf } from '../layer/attributes.ts';
+import type { PrimSpec, Value } from '../layer/layer.ts';
+import { report, type StageContext } from './context.ts';
+
+/** Of one reading of a stage each file once, so that what is found out about a table is found out once. */
+class TableCache<Table> {
+  private readonly known = new WeakMap<StageContext['files'], Map<string, Table>>();
+  private readonly read: (bytes: Uint8Array, name: string) => Table;
+  private readonly fallbackMessage: string;
+
+  /** `instead`: what is said of a table that is not there, or is none. */
+  constructor(read: (bytes: Uint8Array, name: string) => Table, instead: string) {
+    this.read = read;
+    this.fallbackMessage = instead;
+  }
+
+  /** The table (spectrumCsv.ts) that an asset value names; undefined, with a diagnostic, where it is not there or none. */
+  async load(context: StageContext, prim: PrimSpec, value: Value): Promise<Table | undefined> {
+    const asset = textOf(value) ?? '';
+    const anchor = (value.type === 'asset' && value.anchor) || context.layer.name;
+    const found = await context.files.findBytes(anchor, asset);
+    if (!found) {
+      const { code, message, missing } = missingSpectrum(
+        asset,
+        context.files.candidates(anchor, asset),
+        this.fallbackMessage,
+      );
+      report(context, 'warning', code, prim.path, message, { missing });
+      return undefined;
+    }
+    const known = this.known.get(context.files) ?? new Map<string, Table>();
+    this.known.set(context.files, known);
+    try {
+      const table = known.get(found.id) ?? this.read(found.bytes, found.id);
+      known.set(found.id, table);
+      return table;
+    } catch (thrown) {
+      if (!(thrown instanceof InputError)) throw thrown;
+      report(context, 'warning', 'spectrum.csv', prim.path, `${thrown.message}; ${this.fallbackMessage}`);
+      return undefined;
+    }
+  }
+}
+
+const spectra = new TableCache<SampledSpectrum>(readSpectrumCsv, 'its light is taken for daylight');
+const reflectances = new TableCache<MeasuredReflectance>(
+  readReflectanceCsv,
+  'its surface has the colour of its inputs',
+);
+
+/** Of a light. */
+export async function spectrumOfFile(
+  context: StageContext,
+  prim: PrimSpec,
+  value: Value,
+): Promise<Pick<SpectrumLight, 'spectrum'>> {
+  const spectrum = await spectra.load(context, prim, value);
+  return spectrum ? { spectrum } : {};
+}
+
+/** Of a material, with its bands. */
+export async function reflectanceOfFile(
+  context: StageContext,
+  prim: PrimSpec,
+  value: Value,
+): Promise<Partial<Material>> {
+  const reflectance = await reflectances.load(context, prim, value);
+  return reflectance ? measuredMaterial(reflectance) : {};
+}

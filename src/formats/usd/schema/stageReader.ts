@@ -1,0 +1,329 @@
+import { IDENTITY, invert } from '../../../math/mat4.ts';
+import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../../scene/types.ts';
+import { MAX_OBJECTS } from '../../read/limits.ts';
+import { isActive } from '../compose/composeStage.ts';
+import { attributeOf, sampleTimes, type TimeCode, textAt } from '../layer/attributes.ts';
+import type { PrimSpec } from '../layer/layer.ts';
+import { parentOf } from '../layer/primPaths.ts';
+import { cameraOf } from './cameras.ts';
+import { ancestorsOf, report, type StageContext } from './context.ts';
+import { gprimGeometry, isGprim } from './geometry/gprims.ts';
+import { meshGeometry } from './geometry/meshes.ts';
+import type { PrimGeometry } from './geometry/primGeometry.ts';
+import { PrimGeometryCache, withMaterialReplaced } from './geometry/primGeometryCache.ts';
+import { collectPrototypePaths, type InstanceContext, Instancers } from './instancer/instancers.ts';
+import type { PlacedInstancer, Prototype, UnplacedGprim } from './instancer/prototype.ts';
+import { isLight, isUnreadLight, lightOf } from './lights/lights.ts';
+import { geometryLights, type MeshLight, meshLightOf, withEmission } from './lights/meshLights.ts';
+import {
+  type MaterialBinding,
+  materialBindingOf,
+  type PrimMaterials,
+  primMaterialsOf,
+} from './materials/materialBinding.ts';
+import { MaterialTable } from './materials/materialTable.ts';
+import { TextureLoader } from './materials/textureLoader.ts';
+import { placeAtTime, placeGeometry, placeWithVelocity } from './placement/placement.ts';
+import { maybeSkinned, Skeletons } from './skel/binding.ts';
+import {
+  authoredInOf,
+  checkSlowlightAttributes,
+  closedFormMotion,
+  lifetimeOf,
+  poseTimeOf,
+  type SlowlightAttributes,
+  slowlightAttributesOf,
+} from './slowlightAttributes.ts';
+import {
+  childTransform,
+  localToStageTransform,
+  nestedTransform,
+  ROOT_TRANSFORM,
+  type StageTransform,
+} from './transforms/stageTransform.ts';
+import { MAX_OPS, transformOf } from './transforms/xformOps.ts';
+import { reportUnreadValues, unreadType } from './unreadSchemas.ts';
+
+/** What a prim hands down to its children. */
+interface Inherited {
+  readonly transform: StageTransform;
+  readonly material: MaterialBinding | undefined;
+  readonly slowlight: SlowlightAttributes;
+  /** A skeleton may bend it. */
+  readonly maybeSkinned: boolean;
+  /** Of the nearest prim above that says what it is for. */
+  readonly purpose: string;
+  /** Where what is found goes: into the scene, or into a prototype of instances. */
+  readonly sink: GprimSink;
+}
+
+interface GprimSink {
+  /** Of the scene itself, whose lights and cameras count. */
+  readonly isScene: boolean;
+  gprim(part: UnplacedGprim): void;
+  instancer(site: PlacedInstancer): Promise<void>;
+}
+
+const AT_ROOT = {
+  transform: ROOT_TRANSFORM,
+  material: undefined,
+  slowlight: {},
+  maybeSkinned: false,
+  purpose: 'default',
+};
+
+export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'cameras'>;
+
+/** Turns the defined, active, visible prims of a stage into what is observed. */
+export async function readStage(context: StageContext): Promise<StageContents> {
+  const reader = new StageReader(context);
+  for (const prim of context.layer.rootPrims.values()) await reader.visit(prim, { ...AT_ROOT, sink: reader.scene });
+  return { objects: reader.objects, materials: reader.table.materials, lights: reader.lights, cameras: reader.cameras };
+}
+
+class StageReader {
+  readonly objects: SceneObject[] = [];
+  readonly lights: Light[] = [];
+  readonly cameras: SceneCamera[] = [];
+  readonly table: MaterialTable;
+  private readonly context: StageContext;
+  readonly scene: GprimSink;
+  private readonly textures: TextureLoader;
+  private readonly geometryLights: ReadonlyMap<string, PrimSpec>;
+  private readonly geometryCache = new PrimGeometryCache();
+  /** Paths of what instancers show: what only holds it need not be defined. */
+  private readonly prototypes: ReadonlySet<string>;
+  private readonly skeletons: Skeletons;
+
+  constructor(context: StageContext) {
+    this.context = context;
+    this.textures = new TextureLoader(context);
+    this.skeletons = new Skeletons(context);
+    this.table = new MaterialTable(context, this.textures);
+    this.geometryLights = geometryLights(context.layer.rootPrims.values());
+    this.prototypes = collectPrototypePaths(context.layer.rootPrims, new Set());
+    const instancers = new Instancers(context, {
+      prototype: (prim) => this.subtree(prim),
+      addInstance: (part, path, setting) => this.drawInstance(part, path, setting),
+      remainingObjects: () => MAX_OBJECTS - this.objects.length,
+    });
+    this.scene = {
+      isScene: true,
+      gprim: (part) => this.draw(part),
+      instancer: (site) => instancers.expand(site),
+    };
+  }
+
+  async visit(prim: PrimSpec, inherited: Inherited): Promise<void> {
+    if (!this.isDefined(prim)) return;
+    await this.read(prim, this.inherit(prim, inherited));
+  }
+
+  /** A prim that is there, and all below it. */
+  private async read(prim: PrimSpec, own: Inherited): Promise<void> {
+    const drawn = isRendered(own.purpose);
+    if (drawn) await this.readHere(prim, own);
+    // What is under an instancer is its prototypes, which are nowhere themselves.
+    if (prim.typeName === 'PointInstancer') {
+      if (drawn) await own.sink.instancer({ prim, transform: own.transform, slowlight: own.slowlight });
+      return;
+    }
+    for (const child of prim.children.values()) await this.visit(child, own);
+  }
+
+  /** A prototype, whether it is defined or not; materials are bound to it where it stands. */
+  private async subtree(prim: PrimSpec): Promise<Prototype> {
+    const parts: UnplacedGprim[] = [];
+    const instancers: PlacedInstancer[] = [];
+    const found: GprimSink = {
+      isScene: false,
+      gprim: (part) => parts.push(part),
+      instancer: async (site) => {
+        instancers.push(site);
+      },
+    };
+    const parentPath = parentOf(prim.path);
+    const above = ancestorsOf(this.context.layer, prim.path);
+    const binding = above.reduce<MaterialBinding | undefined>(
+      (around, ancestor) => materialBindingOf(ancestor, around),
+      undefined,
+    );
+    const bound = above.reduce((around, ancestor) => maybeSkinned(ancestor, around), false);
+    if (isActive(prim) && this.isVisible(prim))
+      await this.read(prim, this.inherit(prim, { ...AT_ROOT, material: binding, maybeSkinned: bound, sink: found }));
+    return { parentPath, gprims: parts, instancers };
+  }
+
+  private async readHere(prim: PrimSpec, own: Inherited): Promise<void> {
+    reportUnreadValues(this.context, prim);
+    const { typeName } = prim;
+    const unread = isUnreadLight(typeName) ? `${typeName} is a light that is not read` : unreadType(typeName);
+    if (unread) report(this.context, 'warning', 'usd.unsupported-prim', prim.path, unread);
+    await this.readSchema(prim, own);
+  }
+
+  private isDefined(prim: PrimSpec): boolean {
+    if (prim.specifier === 'class' || !isActive(prim)) return false;
+    if (prim.specifier === 'over') {
+      const message = "an 'over' changes this prim, and nothing defines it; it is left out";
+      if (!this.prototypes.has(prim.path)) report(this.context, 'warning', 'usd.undefined-prim', prim.path, message);
+      return false;
+    }
+    return this.isVisible(prim);
+  }
+
+  private isVisible(prim: PrimSpec): boolean {
+    if (sampleTimes(attributeOf(prim, 'visibility')).length > 0)
+      report(
+        this.context,
+        'warning',
+        'usd.animated-visibility',
+        prim.path,
+        'its visibility changes with time; it is held at the start (slowlight:birth and slowlight:death can say when it exists)',
+      );
+    return textAt(prim, 'visibility', this.context.startCode) !== 'invisible';
+  }
+
+  private inherit(prim: PrimSpec, inherited: Inherited): Inherited {
+    const transform = transformOf(prim, this.context.cubic);
+    for (const name of transform.unknown)
+      report(
+        this.context,
+        'warning',
+        'usd.xform-op',
+        prim.path,
+        `xformOpOrder names '${name}', which is no transform of this prim; it is left out`,
+      );
+    if (transform.tooMany) {
+      const message = `xformOpOrder names ${transform.tooMany} transforms; the first ${MAX_OPS} are used (write their product as one matrix)`;
+      report(this.context, 'warning', 'usd.xform-op', prim.path, message);
+    }
+    const directions = slowlightAttributesOf(prim, inherited.slowlight);
+    if (directions !== inherited.slowlight) checkSlowlightAttributes(this.context, prim.path, directions);
+    return {
+      transform: childTransform(
+        transform.resetsStack ? ROOT_TRANSFORM : inherited.transform,
+        transform.ops,
+        hasSeveralTransforms(prim),
+      ),
+      material: materialBindingOf(prim, inherited.material),
+      slowlight: directions,
+      maybeSkinned: maybeSkinned(prim, inherited.maybeSkinned),
+      purpose: textAt(prim, 'purpose', undefined) ?? inherited.purpose,
+      sink: inherited.sink,
+    };
+  }
+
+  private async readSchema(prim: PrimSpec, own: Inherited): Promise<void> {
+    const lights = isLight(prim.typeName);
+    if ((lights || prim.typeName === 'Camera') && !own.sink.isScene) {
+      const message = `a ${prim.typeName} in a prototype of instances is not read; it is left out`;
+      report(this.context, 'warning', 'usd.instancer', prim.path, message);
+    } else if (prim.typeName === 'Camera') this.cameras.push(cameraOf(this.context, prim, own.transform));
+    else if (lights) this.lights.push(await lightOf(this.context, this.textures, prim, own.transform, own.slowlight));
+    else if (prim.typeName === 'Mesh' || isGprim(prim.typeName)) await this.readGprim(prim, own);
+  }
+
+  private async readGprim(prim: PrimSpec, own: Inherited): Promise<void> {
+    const { material, transform, slowlight, sink } = own;
+    const surface = await primMaterialsOf(this.context, this.table, prim, material);
+    const make = (): PrimGeometry | undefined => this.geometryOf(prim, surface);
+    // What is bent has its form from more than its own opinions.
+    const shape = own.maybeSkinned ? make() : this.geometryCache.getOrCreate(prim, surface, make);
+    if (!shape) return;
+    const place =
+      shape.transform && !sink.isScene
+        ? this.transformInPrototype(prim, transform, shape.transform)
+        : (shape.transform ?? transform);
+    const light = meshLightOf(prim, this.geometryLights);
+    const part = {
+      path: prim.path,
+      geometry: shape,
+      transform: place,
+      slowlight,
+      displayColorMaterial: surface.displayColorMaterial,
+    };
+    sink.gprim({ ...part, ...(light && { light }) });
+  }
+
+  /** A frame of the stage, from that of a prim in it, where the prim stands in a prototype. */
+  private transformInPrototype(prim: PrimSpec, frame: StageTransform, target: StageTransform): StageTransform {
+    const own = localToStageTransform(this.context.layer, prim.path);
+    const back = { ...own, matrixAt: (time: TimeCode) => invert(own.matrixAt(time)) ?? IDENTITY };
+    return nestedTransform(frame, nestedTransform(back, target));
+  }
+
+  private draw({ path, geometry, transform, slowlight, light }: UnplacedGprim): void {
+    const placed = this.placed(path, geometry, transform, slowlight);
+    this.add(path, slowlight, this.withMeshLight(placed, light), lifetimeOf(slowlight));
+  }
+
+  private drawInstance(part: UnplacedGprim, path: string, setting: InstanceContext): void {
+    if (this.objects.length >= MAX_OBJECTS) return;
+    const frame = nestedTransform(setting.transform, part.transform);
+    const placed = setting.velocity
+      ? placeWithVelocity(this.context, path, part.geometry, frame, setting.velocity)
+      : this.placed(path, part.geometry, frame, setting.slowlight);
+    const { color } = setting;
+    const mesh =
+      color && part.displayColorMaterial !== undefined
+        ? withMaterialReplaced(
+            placed.mesh,
+            part.displayColorMaterial,
+            this.table.withBaseColor(part.displayColorMaterial, color),
+          )
+        : placed.mesh;
+    const own = lifetimeOf(setting.slowlight);
+    const lifetime = {
+      birth: Math.max(own.birth, setting.lifetime.birth),
+      death: Math.min(own.death, setting.lifetime.death),
+    };
+    this.add(path, setting.slowlight, this.withMeshLight({ ...placed, mesh }, part.light), lifetime);
+  }
+
+  private withMeshLight(made: ObjectGeometry, light: MeshLight | undefined): ObjectGeometry {
+    return light ? { ...made, mesh: withEmission(this.context, this.table, light, made.mesh) } : made;
+  }
+
+  private add(
+    path: string,
+    directions: SlowlightAttributes,
+    { mesh, motion }: ObjectGeometry,
+    lifetime: Lifetime,
+  ): void {
+    this.objects.push({ path, mesh, motion, lifetime, authoredIn: authoredInOf(directions) });
+  }
+
+  private geometryOf(prim: PrimSpec, surface: PrimMaterials): PrimGeometry | undefined {
+    if (prim.typeName !== 'Mesh') return gprimGeometry(this.context, prim, surface);
+    const shape = meshGeometry(this.context, this.skeletons, prim, surface);
+    if (shape && shape.mesh.indices.length > 0) return shape;
+    if (shape) report(this.context, 'warning', 'usd.empty-mesh', prim.path, 'the mesh has no faces; it is left out');
+    return undefined;
+  }
+
+  private placed(
+    path: string,
+    shape: PrimGeometry,
+    frame: StageTransform,
+    directions: SlowlightAttributes,
+  ): ObjectGeometry {
+    const poseTime = poseTimeOf(directions);
+    if (poseTime === undefined) return placeGeometry(this.context, path, shape, frame);
+    if (frame.times.length > 0 || shape.deformation) {
+      const message = `slowlight:motion and time samples both move it; it keeps its pose of t = ${poseTime} s and moves as slowlight:motion says`;
+      report(this.context, 'warning', 'usd.slowlight', path, message);
+    }
+    const still = placeAtTime(this.context, shape, frame, poseTime * this.context.codesPerSecond);
+    return { mesh: still.mesh, motion: closedFormMotion(this.context, path, still.motion.pose, directions) };
+  }
+}
+
+type ObjectGeometry = Pick<SceneObject, 'mesh' | 'motion'>;
+
+/** Whether several of its children have transforms of their own, or children that may have. */
+const hasSeveralTransforms = ({ children }: PrimSpec): boolean =>
+  [...children.values()].filter((child) => child.children.size > 0 || child.properties.has('xformOpOrder')).length > 1;
+
+/** What stands for something else, or helps those who edit, is not looked at. */
+const isRendered = (purpose: string): boolean => purpose !== 'proxy' && purpose !== 'guide';

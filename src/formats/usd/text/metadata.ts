@@ -1,0 +1,296 @@
+import { InputError } from '../../../scene/types.ts';
+import {
+  type Dictionary,
+  EMPTY_MAP,
+  type ListOp,
+  type MetadataValue,
+  type ReferenceSpec,
+  type Value,
+  withEntry,
+} from '../layer/layer.ts';
+import { absolutePath, isPath } from '../layer/paths.ts';
+import { Scanner } from './scanner.ts';
+import { parseDictionary, parseItems, parseTypeName, parseValue, rawValue } from './values.ts';
+
+type Metadata = ReadonlyMap<string, MetadataValue>;
+
+/** Key → type of its value, for those that OpenUSD registers (sdf/schema.cpp and the plugInfo of usd, usdGeom, usdShade, usdSkel …). */
+const KEY_TYPES: ReadonlyMap<string, string> = new Map(
+  Object.entries({
+    bool: 'active autoPlay hasOwnedSubLayers hidden instanceable',
+    int: 'elementSize framePrecision unauthoredValuesIndex',
+    int64: 'arraySizeConstraint',
+    float: 'weight',
+    double: 'startTimeCode endTimeCode timeCodesPerSecond framesPerSecond metersPerUnit kilogramsPerUnit',
+    token:
+      'bindMaterialAs colorManagementSystem colorSpace connectability defaultPrim interpolation kind outputName playbackMode renderType upAxis',
+    string: 'comment displayGroup displayName documentation owner prefix sessionOwner startFrame suffix symmetricPeer',
+    'token[]': 'allowedTokens',
+    asset: 'colorConfiguration',
+    dictionary:
+      'assetInfo clips customData customLayerData expressionVariables fallbackPrimTypes limits sdrMetadata symmetryArguments',
+  }).flatMap(([type, keys]) => keys.split(' ').map((key): [string, string] => [key, type])),
+);
+
+/** Words that cannot name a type or a key of one's own. */
+export const KEYWORDS: ReadonlySet<string> = new Set(
+  'add append class config connect custom customData def default delete displayUnit doc inherits kind nameChildren None offset over payload permission prefixSubstitutions prepend properties references rel relocates reorder rootPrims scale specializes subLayers suffixSubstitutions symmetryArguments symmetryFunction timeSamples uniform variantSet variantSets variants varying'.split(
+    ' ',
+  ),
+);
+
+const QUALIFIERS: ReadonlyMap<string, keyof ListOp<unknown>> = new Map([
+  ['prepend', 'prepended'],
+  ['append', 'appended'],
+  ['delete', 'deleted'],
+  ['add', 'added'],
+  ['reorder', 'ordered'],
+]);
+
+/** `prepend`, `append`, `delete`, `add` or `reorder` where a name follows it. */
+export function takeQualifier(s: Scanner): keyof ListOp<unknown> {
+  const { pos } = s;
+  const word = s.peekName();
+  const qualifier = word === undefined ? undefined : QUALIFIERS.get(word);
+  if (!qualifier) return 'explicit';
+  s.takeName();
+  if (s.peekName() !== undefined) return qualifier;
+  s.pos = pos;
+  return 'explicit';
+}
+
+/** `[a, b]`, `a` or `None`, put into the list op under its qualifier; items of one identity are refused. */
+export function parseListOp<T>(
+  s: Scanner,
+  op: ListOp<T>,
+  qualifier: keyof ListOp<T>,
+  item: () => T,
+  identity?: (item: T) => string,
+): void {
+  const items = s.takeKeyword('None') ? [] : s.peek() === '[' ? parseItems(s, item) : [item()];
+  if (identity && new Set(items.map(identity)).size < items.length) s.fail('an item of this list is there twice');
+  // Nothing prepended, or deleted, is no opinion; an empty list of its own is one.
+  if (items.length > 0 || qualifier === 'explicit') op[qualifier] = items;
+}
+
+/**
+ * The `( … )` after a layer's header, a prim's name or a property, where there is one, with what was said `before`.
+ * `owner`: path of the prim.
+ */
+export function parseMetadata(s: Scanner, owner: string, before: Metadata = EMPTY_MAP): Metadata {
+  let said = before;
+  if (!s.take('(')) return said;
+  while (!s.take(')')) {
+    if (s.atEnd()) s.expected("')' after metadata");
+    const c = s.peek();
+    if (c === '"' || c === "'")
+      said = withEntry<MetadataValue>(said, 'comment', { type: 'string', data: s.string('a comment') });
+    else said = withEntry(said, ...parseEntry(s, owner, said));
+    s.endStatement('metadata');
+  }
+  return said;
+}
+
+function parseEntry(s: Scanner, owner: string, said: Metadata): [key: string, value: MetadataValue] {
+  const qualifier = takeQualifier(s);
+  const written = s.joinedName(':', "a metadata key or ')'");
+  const key = written === 'doc' ? 'documentation' : written;
+  s.expect('=', `after the metadata key '${written}'`);
+  const special = SPECIAL_PARSERS.get(key);
+  const isList = special ? LIST_PARSERS.has(special) : !KEY_TYPES.has(key);
+  if (qualifier !== 'explicit' && !isList) s.fail(`'${written}' is no list, which could be edited`);
+  if (!special && !KEY_TYPES.has(key) && KEYWORDS.has(key))
+    s.fail(`'${key}' is a word of the language, no metadata key`);
+  if (special) return [key, special(s, said.get(key), qualifier, owner)];
+  if (qualifier !== 'explicit') return [key, unregisteredList(s, said.get(key), qualifier)];
+  return [key, plainEntry(s, key)];
+}
+
+function plainEntry(s: Scanner, key: string): Value {
+  const type = KEY_TYPES.get(key);
+  if (type !== undefined && s.peekName() === 'None') s.expected(`a value of type ${type}`);
+  if (type === undefined && s.peek() !== '{') return rawValue(s);
+  return parseValue(s, type ?? 'dictionary');
+}
+
+/** What a crate file keeps as text, because no schema knows its key, as it would be read where it was written. */
+export function parseUnregistered(key: string, text: string): Value {
+  const s = new Scanner(new TextEncoder().encode(text), key);
+  try {
+    const value = KEY_TYPES.has(key) ? plainEntry(s, key) : rawValue(s);
+    if (s.atEnd()) return value;
+  } catch (thrown) {
+    if (!(thrown instanceof InputError)) throw thrown;
+  }
+  return { type: 'unregistered', data: text };
+}
+
+/** The same of the items of a list, without its brackets. */
+export function parseUnregisteredItems(text: string): Value[] {
+  const s = new Scanner(new TextEncoder().encode(`[${text}]`), '');
+  try {
+    const items = parseItems(s, () => rawValue(s));
+    if (s.atEnd()) return items;
+  } catch (thrown) {
+    if (!(thrown instanceof InputError)) throw thrown;
+  }
+  return [{ type: 'unregistered', data: text }];
+}
+
+function unregisteredList(s: Scanner, old: MetadataValue | undefined, qualifier: keyof ListOp<Value>): MetadataValue {
+  const op = old?.type === 'unregistereds' ? old.op : {};
+  parseListOp(s, op, qualifier, () => rawValue(s));
+  return { type: 'unregistereds', op };
+}
+
+type SpecialParser = (
+  s: Scanner,
+  old: MetadataValue | undefined,
+  qualifier: keyof ListOp<unknown>,
+  owner: string,
+) => MetadataValue;
+
+const arcs: SpecialParser = (s, old, qualifier) => {
+  const op = old?.type === 'arcs' ? old.op : {};
+  parseListOp(s, op, qualifier, () => parseArc(s), identityOfArc);
+  return { type: 'arcs', op };
+};
+const paths: SpecialParser = (s, old, qualifier, owner) => {
+  const op = old?.type === 'paths' ? old.op : {};
+  parseListOp(s, op, qualifier, () => parsePath(s, owner, false), String);
+  return { type: 'paths', op };
+};
+const texts: SpecialParser = (s, old, qualifier) => textsOf(s, old, qualifier);
+const names: SpecialParser = (s, old, qualifier) => textsOf(s, old, qualifier, String);
+const integers: SpecialParser = (s, old, qualifier) => {
+  const op = old?.type === 'integers' ? old.op : {};
+  parseListOp(s, op, qualifier, () => BigInt(s.integerText().slice(0, 40)));
+  return { type: 'integers', op };
+};
+const tokenValue: SpecialParser = (s) => ({ type: 'token', data: s.takeName() ?? s.string('a name') });
+const permission: SpecialParser = (s) => {
+  const data = s.takeName() ?? s.string('public or private');
+  return data === 'public' || data === 'private'
+    ? { type: 'token', data }
+    : s.fail(`'${data}' is not public or private`);
+};
+const substitutions: SpecialParser = (s) => ({
+  type: 'texts-by-name',
+  data: new Map(parsePairs(s, () => s.string('a text in quotes'))),
+});
+
+const SPECIAL_PARSERS: ReadonlyMap<string, SpecialParser> = new Map<string, SpecialParser>([
+  ['references', arcs],
+  ['payload', arcs],
+  ['inherits', paths],
+  ['specializes', paths],
+  ['apiSchemas', texts],
+  ['variantSets', names],
+  ['clipSets', texts],
+  ['inactiveIds', integers],
+  ['permission', permission],
+  ['symmetryFunction', tokenValue],
+  ['displayUnit', tokenValue],
+  ['prefixSubstitutions', substitutions],
+  ['suffixSubstitutions', substitutions],
+  ['variants', (s) => ({ type: 'texts-by-name', data: parseSelections(s) })],
+  ['subLayers', (s) => ({ type: 'subLayers', data: parseItems(s, () => parseArc(s)) })],
+  [
+    'relocates',
+    (s, _old, _qualifier, owner) => ({
+      type: 'relocates',
+      data: parsePairs(s, () => parsePath(s, owner, false, true)),
+    }),
+  ],
+]);
+
+function textsOf(
+  s: Scanner,
+  old: MetadataValue | undefined,
+  qualifier: keyof ListOp<unknown>,
+  identity?: (text: string) => string,
+): MetadataValue {
+  const op = old?.type === 'texts' ? old.op : {};
+  parseListOp(s, op, qualifier, () => s.string('a name in quotes'), identity);
+  return { type: 'texts', op };
+}
+
+/** Those whose lists can be edited. */
+const LIST_PARSERS: ReadonlySet<SpecialParser> = new Set([arcs, paths, texts, names, integers]);
+
+/** `{ a: b, c: d }` */
+function parsePairs(s: Scanner, item: () => string): [string, string][] {
+  const pairs: [string, string][] = [];
+  s.expect('{', 'before pairs');
+  while (!s.take('}')) {
+    const from = item();
+    s.expect(':', 'between the parts of a pair');
+    pairs.push([from, item()]);
+    if (!s.take(',') && s.peek() !== '}') s.expected("',' or '}' after a pair");
+  }
+  return pairs;
+}
+
+/** `{ string set = "variant" }` */
+function parseSelections(s: Scanner): Map<string, string> {
+  const selections = new Map<string, string>();
+  s.expect('{', 'before variant selections');
+  while (!s.take('}')) {
+    const type = parseTypeName(s);
+    if (type !== 'string') s.fail(`a variant selection is a string, not a ${type}`);
+    const set = s.takeName() ?? s.string('the name of a variant set');
+    s.expect('=', `after '${set}'`);
+    selections.set(set, s.string('the name of a variant'));
+    s.endStatement(`the selection of '${set}'`);
+  }
+  return selections;
+}
+
+/** A path as written in the prim `owner`, made absolute. */
+export function parsePath(s: Scanner, owner: string, canBeProperty: boolean, canBeNone = false): string {
+  s.skip();
+  const at = s.pos;
+  const path = s.path();
+  if (canBeNone && path === '') return '';
+  if (!isPath(path, canBeProperty))
+    s.fail(
+      canBeProperty ? `<${path}> is not the path of a prim or a property` : `<${path}> is not the path of a prim`,
+      at,
+    );
+  return absolutePath(path, owner);
+}
+
+function parseArcPath(s: Scanner): string {
+  const at = s.pos;
+  const path = s.path();
+  if (path !== '' && !(path.startsWith('/') && isPath(path, false)))
+    s.fail(`<${path}> is not the path of a prim from the root`, at);
+  return path;
+}
+
+/** Arcs are the same where all of them is. */
+const identityOfArc = ({ asset, path, offset, scale, customData }: ReferenceSpec): string =>
+  [asset, path, offset, scale, customData ? [...customData.keys()].join() : ''].join('\n');
+
+/** `@file@</Prim> (offset = 1; scale = 2; customData = { … })`, with either part left out. */
+function parseArc(s: Scanner): ReferenceSpec {
+  s.skip();
+  const start = s.pos;
+  const asset = s.peek() === '@' ? s.asset() : '';
+  if (s.pos > start && asset === '') s.fail('this asset path is empty', start);
+  const path = s.peek() === '<' ? parseArcPath(s) : asset === '' ? s.expected('@file@ or </Prim>') : '';
+  let [offset, scale] = [0, 1];
+  let customData: Dictionary | undefined;
+  if (s.take('(')) {
+    while (!s.take(')')) {
+      const key = s.name("offset, scale, customData or ')'");
+      s.expect('=', `after '${key}'`);
+      if (key === 'offset') offset = s.number();
+      else if (key === 'scale') scale = s.number();
+      else if (key === 'customData') customData = parseDictionary(s);
+      else s.fail(`'${key}' is not offset, scale or customData`);
+      s.endStatement(`'${key}'`);
+    }
+  }
+  return { asset, path, offset, scale, ...(customData?.size ? { customData } : {}) };
+}

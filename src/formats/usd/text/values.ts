@@ -1,0 +1,237 @@
+import { fromHalf, toHalf } from '../../../math/half.ts';
+import type { Dictionary, NumberArray, Value } from '../layer/layer.ts';
+import type { Scanner } from './scanner.ts';
+import { type ScalarKind, type ValueType, valueTypes } from './valueTypes.ts';
+
+/** Dictionaries in dictionaries, and brackets in values of unknown types, to this depth. */
+const MAX_DEPTH = 64;
+
+/** A value of the written type (`float3[]`), or what stands for none: `None`, `AnimationBlock`. */
+export function parseValue(s: Scanner, typeName: string, depth = 0): Value {
+  const word = s.peekName();
+  if (word === 'None' || word === 'AnimationBlock') {
+    s.takeName();
+    return { type: word === 'None' ? 'blocked' : 'animationBlock' };
+  }
+  if (typeName === 'dictionary') return { type: 'dictionary', data: parseDictionary(s, depth + 1) };
+  const array = typeName.endsWith('[]');
+  const type = valueTypes.get(array ? typeName.slice(0, -2) : typeName);
+  if (!type) return rawValue(s);
+  return array ? parseArray(s, type) : parseSingle(s, type);
+}
+
+function parseSingle(s: Scanner, type: ValueType): Value {
+  switch (type.kind) {
+    case 'bool':
+      return { type: 'bool', data: parseBool(s) };
+    case 'long':
+      return { type: type.storage, data: parseLong(s, type.storage) };
+    case 'text':
+      return { type: type.storage, data: parseText(s, type.storage) };
+    case 'number':
+      return { type: type.storage, data: readScalar(s, type.scalar) };
+    case 'tuple': {
+      const data = newArray(type.scalar, sizeOf(type.shape));
+      parseTuple(s, type.scalar, type.shape, data, 0);
+      reorderQuaternions(type.storage, data);
+      return { type: type.storage, data };
+    }
+  }
+}
+
+function parseArray(s: Scanner, type: ValueType): Value {
+  switch (type.kind) {
+    case 'text':
+      return { type: `${type.storage}[]`, data: parseItems(s, () => parseText(s, type.storage)) };
+    case 'long': {
+      const items = parseItems(s, () => parseLong(s, type.storage));
+      return type.storage === 'int64'
+        ? { type: 'int64[]', data: BigInt64Array.from(items) }
+        : { type: 'uint64[]', data: BigUint64Array.from(items) };
+    }
+    case 'bool':
+      return { type: 'bool[]', data: Uint8Array.from(parseItems(s, () => (parseBool(s) ? 1 : 0))) };
+    case 'number':
+      return { type: `${type.storage}[]`, data: parseNumbers(s, type.scalar, []) };
+    case 'tuple': {
+      const data = parseNumbers(s, type.scalar, type.shape);
+      reorderQuaternions(type.storage, data);
+      return { type: `${type.storage}[]`, data };
+    }
+  }
+}
+
+/** `[a, b, …]`, with or without a comma at its end. */
+export function parseItems<T>(s: Scanner, item: () => T): T[] {
+  s.expect('[', 'before a list');
+  const items: T[] = [];
+  while (!s.take(']')) {
+    items.push(item());
+    if (!s.take(',') && s.peek() !== ']') s.expected("',' or ']' in a list");
+  }
+  return items;
+}
+
+/** A list of numbers or tuples straight into one flat array, without an object for any of them. */
+function parseNumbers(s: Scanner, scalar: ScalarKind, shape: readonly number[]): NumberArray {
+  const size = sizeOf(shape);
+  s.expect('[', 'before a list');
+  let out = newArray(scalar, Math.ceil(countNumbers(s) / size) * size);
+  let n = 0;
+  while (!s.take(']')) {
+    if (n + size > out.length) out = grown(out, scalar, n + size);
+    if (size === 1) out[n] = readScalar(s, scalar);
+    else parseTuple(s, scalar, shape, out, n);
+    n += size;
+    if (!s.take(',') && s.peek() !== ']') s.expected("',' or ']' in a list");
+  }
+  return n === out.length ? out : out.slice(0, n);
+}
+
+/** How many numbers the list at hand holds: its commas and one more. Only a comment in the list can make it wrong. */
+function countNumbers(s: Scanner): number {
+  const { bytes } = s;
+  let count = s.peek() === ']' ? 0 : 1;
+  for (let p = s.pos; p < bytes.length; p++) {
+    const c = bytes[p];
+    if (c === 44) count++;
+    else if (c === 93) break;
+  }
+  return count;
+}
+
+function grown(from: NumberArray, scalar: ScalarKind, least: number): NumberArray {
+  const to = newArray(scalar, Math.max(least, 2 * from.length));
+  to.set(from);
+  return to;
+}
+
+/** `(a, b)` or, for matrices, `((a, b), (c, d))`. */
+function parseTuple(s: Scanner, scalar: ScalarKind, shape: readonly number[], out: NumberArray, at: number): void {
+  const [count, inner] = shape;
+  const size = inner ?? 1;
+  s.expect('(', `before a value with ${shape.join(' × ')} numbers`);
+  for (let i = 0; i < count; i++) {
+    if (i > 0) s.expect(',', `between the ${count} parts of a value`);
+    if (inner === undefined) out[at + i] = readScalar(s, scalar);
+    else parseTuple(s, scalar, [inner], out, at + i * size);
+  }
+  s.take(',');
+  s.expect(')', `after the ${count} parts of a value`);
+}
+
+const sizeOf = (shape: readonly number[]): number => shape.reduce((n, k) => n * k, 1);
+
+function newArray(scalar: ScalarKind, length: number): NumberArray {
+  switch (scalar) {
+    case 'uchar':
+      return new Uint8Array(length);
+    case 'int':
+      return new Int32Array(length);
+    case 'uint':
+      return new Uint32Array(length);
+    case 'double':
+      return new Float64Array(length);
+    default:
+      return new Float32Array(length);
+  }
+}
+
+/** Least and greatest of each whole-number type. */
+const LIMITS = { uchar: [0, 255], int: [-(2 ** 31), 2 ** 31 - 1], uint: [0, 2 ** 32 - 1] } as const;
+
+function readScalar(s: Scanner, scalar: ScalarKind): number {
+  const value = s.number();
+  if (scalar === 'double') return value;
+  if (scalar === 'float') return Math.fround(value);
+  if (scalar === 'half') return fromHalf(toHalf(value));
+  const [least, most] = LIMITS[scalar];
+  const whole = Math.trunc(value);
+  if (!(whole >= least && whole <= most)) s.fail(`${value} is not a whole number from ${least} to ${most}`);
+  // −0 is not a whole number of its own.
+  return whole + 0;
+}
+
+/** The text has w x y z; values are x y z w. */
+function reorderQuaternions(storage: string, data: NumberArray): void {
+  if (!storage.startsWith('quat')) return;
+  for (let i = 0; i < data.length; i += 4) {
+    const w = data[i];
+    data.copyWithin(i, i + 1, i + 4);
+    data[i + 3] = w;
+  }
+}
+
+function parseBool(s: Scanner): boolean {
+  const word = s.takeName()?.toLowerCase();
+  if (word === undefined) return s.number() !== 0;
+  if (word === 'true' || word === 'yes') return true;
+  if (word === 'false' || word === 'no') return false;
+  return s.fail(`'${word}' is not true, false, 0 or 1`);
+}
+
+function parseLong(s: Scanner, storage: 'int64' | 'uint64'): bigint {
+  s.skip();
+  const at = s.pos;
+  const text = s.integerText();
+  // 2⁶⁴ has 20 digits; anything much longer would only cost time.
+  const value = text.length <= 40 ? BigInt(text) : 2n ** 64n;
+  const fits = storage === 'int64' ? BigInt.asIntN(64, value) === value : BigInt.asUintN(64, value) === value;
+  return fits ? value : s.fail(`${text.slice(0, 40)} does not fit ${storage}`, at);
+}
+
+function parseText(s: Scanner, storage: 'string' | 'token' | 'asset' | 'pathExpression'): string {
+  return storage === 'asset' ? s.asset() : s.string(`a ${storage} in quotes`);
+}
+
+/** `{ type name = value … }` */
+export function parseDictionary(s: Scanner, depth = 0): Dictionary {
+  if (depth > MAX_DEPTH) s.fail(`dictionaries are nested more than ${MAX_DEPTH} deep`);
+  s.expect('{', 'before a dictionary');
+  const entries = new Map<string, Value>();
+  while (!s.take('}')) {
+    const typeName = parseTypeName(s);
+    const key = s.takeName() ?? s.string('the name of a dictionary entry');
+    s.expect('=', `after '${key}'`);
+    entries.set(key, parseValue(s, typeName, depth));
+    s.endStatement(`the dictionary entry '${key}'`);
+  }
+  return entries;
+}
+
+/** `float`, `color3f[]`, `dictionary`. */
+export function parseTypeName(s: Scanner): string {
+  const name = s.joinedName(':', 'a type');
+  if (!s.take('[')) return name;
+  s.expect(']', `after '${name}['`);
+  return `${name}[]`;
+}
+
+/** The text of a value whose type is not known, with its brackets balanced. */
+export function rawValue(s: Scanner): Value {
+  s.skip();
+  const start = s.pos;
+  skipValue(s, 0);
+  return { type: 'unregistered', data: s.text(start, s.pos) };
+}
+
+const CLOSING: Readonly<Record<string, string>> = { '(': ')', '[': ']', '{': '}' };
+
+function skipValue(s: Scanner, depth: number): void {
+  if (depth > MAX_DEPTH) s.fail(`brackets are nested more than ${MAX_DEPTH} deep`);
+  const char = s.peek();
+  const close = CLOSING[char];
+  if (close) {
+    s.pos++;
+    while (!s.take(close)) skipInside(s, depth + 1);
+  } else if (char === '"' || char === "'") s.string('a string');
+  else if (char === '@') s.asset();
+  else if (char === '<') s.path();
+  else if (s.takeName() === undefined) s.number();
+}
+
+function skipInside(s: Scanner, depth: number): void {
+  if (s.atEnd()) s.expected('a closing bracket');
+  if (!',:;='.includes(s.peek())) skipValue(s, depth);
+  else s.pos++;
+}

@@ -1,0 +1,125 @@
+import { fromAxisAngle, multiply, type Quat } from '../../math/quat.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { boundingSphere } from '../../scene/bounds/bounds.ts';
+import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
+import { poseAt, samplePose, vertexPositions } from '../../scene/motion/motion.ts';
+import { restToWorld, sampleMotion } from '../../scene/motion/resample.ts';
+import type {
+  Diagnostic,
+  Motion,
+  RigidMotion,
+  SampledMotion,
+  SampledPointsMotion,
+  Scene,
+  SceneObject,
+  StaticMotion,
+} from '../../scene/types.ts';
+import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
+
+/** Motions that files of other programs can hold. */
+export type ExportMotion = StaticMotion | SampledMotion | SampledPointsMotion;
+
+/** Greatest distance of a sampled closed-form path from the true one, as a fraction of the object's size. */
+const CHORD_TOLERANCE = 1e-4;
+/** [m/s], where the scene's author suggests none. */
+const SPEED_OF_LIGHT = 299_792_458;
+
+/** A scene that was written. */
+export interface ExportedScene {
+  /** By their paths beside the main file, which is first. */
+  readonly files: ReadonlyMap<string, Uint8Array>;
+  /** What the file cannot hold. */
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/**
+ * Objects as a file without relativity holds them: shapes of the world frame, motions sampled over the scene's time range.
+ * What that loses is said.
+ */
+export function exportObjects(
+  scene: Scene,
+  losses: DiagnosticLog,
+): (SceneObject & { readonly motion: ExportMotion })[] {
+  const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
+  return scene.objects.map((object) => {
+    const { birth, death } = object.lifetime;
+    if (Number.isFinite(birth) || Number.isFinite(death))
+      losses.add(
+        'warning',
+        'convert.lifetime',
+        object.path,
+        `it lives from ${birth} to ${death} s; there it always is`,
+      );
+    return { ...object, ...exportObject(object, scene, c, losses) };
+  });
+}
+
+function exportObject(object: SceneObject, scene: Scene, c: number, losses: DiagnosticLog) {
+  const own = restToWorld(object, c);
+  const { motion } = own;
+  if (motion.kind === 'static' || motion.kind === 'sampled' || motion.kind === 'sampled-points')
+    return { mesh: own.mesh, motion };
+  const { radius, center } = boundingSphere(own.mesh.positions);
+  const reach = radius + Math.hypot(...center);
+  const range = [scene.startTime, Math.max(scene.endTime, scene.startTime + 1)];
+  losses.add('warning', 'convert.motion', own.path, sampledFrom(motion, range));
+  const { times, poses } = sampleMotion((t) => poseAt(motion, t, c), range, reach, CHORD_TOLERANCE * reach);
+  if (own.authoredIn === 'world') return { mesh: own.mesh, motion: { kind: 'sampled', times, poses } as const };
+  return contracted(own, times, samplePose(poses, 0).position, c);
+}
+
+function sampledFrom({ kind }: { readonly kind: 'uniform' | 'hyperbolic' }, range: readonly number[]): string {
+  const motion = kind === 'uniform' ? 'its uniform motion' : 'its hyperbolic motion';
+  return `${motion} is sampled from ${range[0]} to ${range[1]} s; before and after it rests`;
+}
+
+/** A body in its own rest frame, as the points that it has in the world at some times. */
+function contracted(object: SceneObject, times: Float64Array, origin: Vec3, c: number) {
+  const points = Array.from(times, (t) =>
+    Float32Array.from(vertexPositions(object, t, c), (x, i) => x - origin[i % 3]),
+  );
+  const groups = smoothingGroups(object.mesh);
+  const normals = points.map((p) => deformedNormals(p, object.mesh.indices, groups));
+  const mesh = { ...object.mesh, positions: points[0], normals: normals[0] };
+  return { mesh, motion: { kind: 'sampled-points', times, origin, points, normals } as const };
+}
+
+/** The motion of a light or a camera. */
+export function exportRigidMotion(
+  motion: RigidMotion,
+  scene: Scene,
+  path: string,
+  losses: DiagnosticLog,
+): StaticMotion | SampledMotion {
+  if (motion.kind === 'static' || motion.kind === 'sampled') return motion;
+  const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
+  const range = [scene.startTime, Math.max(scene.endTime, scene.startTime + 1)];
+  losses.add('warning', 'convert.motion', path, sampledFrom(motion, range));
+  return { kind: 'sampled', ...sampleMotion((t) => poseAt(motion, t, c), range, 1, CHORD_TOLERANCE) };
+}
+
+const TO_Y_UP: Quat = fromAxisAngle([1, 0, 0], -Math.PI / 2);
+
+/** A direction or place of a scene, in axes with Y up: exact, only places and signs change. */
+export const vectorYUp = (scene: Scene, [x, y, z]: Vec3): Vec3 => (scene.upAxis === 'Y' ? [x, y, z] : [x, z, -y]);
+/** An orientation of a scene in axes with Y up; the object's own axes stay. */
+export const orientationYUp = (scene: Scene, q: Quat): Quat => (scene.upAxis === 'Y' ? q : multiply(TO_Y_UP, q));
+
+/** Poses at times; one, without a time, where nothing moves. */
+export function exportPoses(motion: Exclude<Motion, { kind: 'uniform' | 'hyperbolic' }>) {
+  if (motion.kind === 'static') return [motion.pose];
+  if (motion.kind === 'sampled-points') return [{ position: motion.origin, orientation: [0, 0, 0, 1] as Quat }];
+  return Array.from(motion.times, (_, i) => samplePose(motion.poses, i));
+}
+
+/** The scene as files without relativity hold it, in its own kinds of motion; `notes`: what that loses. */
+export function exportSampledScene(scene: Scene, notes: DiagnosticLog): Scene {
+  return {
+    ...scene,
+    endTime: Math.max(scene.endTime, scene.startTime + 1),
+    objects: exportObjects(scene, notes).map((object) => ({ ...object, authoredIn: 'world' })),
+    lights: scene.lights.map((light) =>
+      'motion' in light ? { ...light, motion: exportRigidMotion(light.motion, scene, light.path, notes) } : light,
+    ),
+  };
+}

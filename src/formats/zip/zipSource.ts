@@ -1,0 +1,41 @@
+import { type FileSource, normalizePath } from '../files/fileSource.ts';
+import { nearestPath } from '../files/nearestPath.ts';
+import { type RandomAccessFile, readZipDirectory } from './directory.ts';
+import { unpack } from './unpack.ts';
+
+/** Bytes in memory as a file of parts. */
+export const memoryFile = (bytes: Uint8Array): RandomAccessFile => ({
+  size: bytes.length,
+  read: async (from, to) => bytes.subarray(from, to),
+});
+
+/**
+ * An archive as a folder of its own name: `set.zip/scene.usda`. What is not in it is looked for beside it, in `around`; what a
+ * path inside does not lead to, by its name.
+ */
+export async function zipSource(
+  archive: RandomAccessFile,
+  name: string,
+  around: FileSource,
+): Promise<Required<Pick<FileSource, 'read' | 'list'>>> {
+  const folder = `${normalizePath(name)}/`;
+  const entries = new Map((await readZipDirectory(archive, name)).map((entry) => [folder + entry.path, entry]));
+  return {
+    read: async (path) => {
+      const wanted = normalizePath(path);
+      const exact = entries.get(wanted);
+      if (exact) return unpack(archive, exact, name);
+      const beside = wanted.startsWith(folder) ? undefined : await around.read(path);
+      const near = beside ? undefined : nearestPath(entries.keys(), wanted);
+      return near === undefined ? beside : unpack(archive, entries.get(near)!, name);
+    },
+    list: async () => [...entries.keys()],
+  };
+}
+
+/** `set.zip[a/scene.usda]` → `set.zip` and `a/scene.usda`; undefined of what is no zip. */
+export function splitArchive(path: string): { readonly archive: string; readonly inner?: string } | undefined {
+  const [, archive, inner] = /^(.*\.zip)(?:\[(.+)\])?$/is.exec(path) ?? [];
+  if (archive === undefined) return undefined;
+  return inner === undefined ? { archive } : { archive, inner };
+}

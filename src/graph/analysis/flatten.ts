@@ -1,0 +1,223 @@
+import {
+  DocumentError,
+  type Graph,
+  type GraphDocument,
+  type GraphEdge,
+  type GraphNode,
+  MAX_GROUP_DEPTH,
+  MAX_NODES,
+  own,
+} from '../document/document.ts';
+import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupKeyOf, REROUTE } from '../document/structuralTypes.ts';
+import type { Registry } from '../nodeType.ts';
+import { nodesInCycles } from './cycles.ts';
+import { inferTypes } from './inferTypes.ts';
+import { type GraphLevel, inputName, levelOf, socketsOf } from './sockets.ts';
+
+/** What feeds an input: an output, or nothing although something is connected. */
+export type FlatSource =
+  | { readonly kind: 'output'; readonly node: string; readonly output: string }
+  | { readonly kind: 'nothing'; readonly why: string };
+
+export interface FlatNode {
+  /** `outer/inner` of a node in a group. */
+  readonly id: string;
+  readonly type: string;
+  readonly params: GraphNode['params'];
+  /** By input; of one that takes many, in order. What is not connected is not here. */
+  readonly inputs: ReadonlyMap<string, readonly FlatSource[]>;
+}
+
+export interface FlatAlias {
+  readonly output: string;
+  readonly source: FlatSource;
+}
+
+/** A document without groups, bends and muted nodes: what is evaluated. */
+export interface FlatGraph {
+  readonly nodes: ReadonlyMap<string, FlatNode>;
+  /** For nodes that flattening took out: what their first output was. */
+  readonly aliases: ReadonlyMap<string, FlatAlias>;
+  /** Nodes that feed themselves, or lie between such. */
+  readonly cycles: ReadonlySet<string>;
+}
+
+/** A level in place: a group that three nodes use is there three times. */
+interface Scope extends GraphLevel {
+  /** `outer/` */
+  readonly prefix: string;
+  /** The level around it, and its node there. */
+  readonly parent?: { readonly scope: Scope; readonly node: string };
+  readonly inside: Map<string, Scope>;
+  readonly incoming: ReadonlyMap<string, readonly GraphEdge[]>;
+  /** The node that carries the group's outputs. */
+  readonly exit?: string;
+}
+
+/** Opens out the groups of a document and takes out what computes nothing. Throws a DocumentError where that gives too much. */
+export function flatten(document: GraphDocument, registry: Registry): FlatGraph {
+  const nodes = new Map<string, FlatNode>();
+  const aliases = new Map<string, FlatAlias>();
+  const walk: TraceContext = { registry, known: new Map() };
+  const visit = (scope: Scope): void => {
+    for (const [id, node] of Object.entries(scope.graph.nodes)) {
+      const flatId = scope.prefix + id;
+      if (isPassThrough(node)) aliases.set(flatId, resolveAlias(scope, id, node, walk));
+      else
+        nodes.set(flatId, { id: flatId, type: node.type, params: node.params, inputs: resolveInputs(scope, id, walk) });
+      const inner = scope.inside.get(id);
+      if (inner) visit(inner);
+    }
+  };
+  visit(expandScope({ document, graph: document }, '', undefined, { count: 0 }));
+  const before = new Map([...nodes].map(([id, { inputs }]) => [id, sourceNodes([...inputs.values()].flat())]));
+  return { nodes, aliases, cycles: nodesInCycles(before) };
+}
+
+const sourceNodes = (sources: readonly FlatSource[]): string[] =>
+  sources.flatMap((source) => (source.kind === 'output' ? [source.node] : []));
+
+/** What is needed on the way back along edges, and what has been found on it. */
+interface TraceContext {
+  readonly registry: Registry;
+  /** By `node.output` of what passes on. */
+  readonly known: Map<string, FlatSource | undefined>;
+}
+
+function resolveAlias(scope: Scope, id: string, node: GraphNode, walk: TraceContext): FlatAlias {
+  const output = Object.keys(socketsOf(scope, node, walk.registry)?.outputs ?? {})[0] ?? '';
+  const source = resolveSource(scope, { node: id, output }, walk);
+  return { output, source: source ?? noSource(`nothing is connected to ${scope.prefix}${id}`) };
+}
+
+const isPassThrough = (node: GraphNode): boolean =>
+  node.muted === true || [GROUP, GROUP_INPUT, GROUP_OUTPUT, REROUTE].includes(node.type);
+
+/** A level with all groups in it; `total` counts what that makes. */
+function expandScope(level: GraphLevel, prefix: string, parent: Scope['parent'], total: { count: number }): Scope {
+  const depth = prefix.split('/').length - 1;
+  if (depth > MAX_GROUP_DEPTH)
+    throw new DocumentError(`groups.${level.group}: groups lie more than ${MAX_GROUP_DEPTH} deep`);
+  const entries = Object.entries(level.graph.nodes);
+  total.count += entries.length;
+  if (total.count > MAX_NODES)
+    throw new DocumentError(`groups: opened out they make more than ${MAX_NODES} nodes; use them less often`);
+  const exit = entries.find(([, { type }]) => type === GROUP_OUTPUT)?.[0];
+  const incoming = incomingEdges(level.graph);
+  const scope: Scope = { ...level, prefix, parent, inside: new Map(), incoming, exit };
+  for (const [id, node] of entries) {
+    const inner = node.type === GROUP && !node.muted ? levelOf(level.document, groupKeyOf(node)) : undefined;
+    if (inner) scope.inside.set(id, expandScope(inner, `${prefix}${id}/`, { scope, node: id }, total));
+  }
+  return scope;
+}
+
+const incomingEdgesCache = new WeakMap<Graph['edges'], ReadonlyMap<string, readonly GraphEdge[]>>();
+
+/** The edges that feed each node, those into one socket in their order. */
+export function incomingEdges({ edges }: Graph): ReadonlyMap<string, readonly GraphEdge[]> {
+  const known = incomingEdgesCache.get(edges);
+  if (known) return known;
+  const found = new Map<string, GraphEdge[]>();
+  for (const edge of Object.values(edges)) {
+    const list = found.get(edge.to.node);
+    if (list) list.push(edge);
+    else found.set(edge.to.node, [edge]);
+  }
+  const order = ({ to }: GraphEdge): number => inputName(to.input).number ?? 0;
+  for (const list of found.values()) if (list.length > 1) list.sort((a, b) => order(a) - order(b));
+  incomingEdgesCache.set(edges, found);
+  return found;
+}
+
+function resolveInputs(scope: Scope, id: string, walk: TraceContext): FlatNode['inputs'] {
+  const inputs = new Map<string, FlatSource[]>();
+  for (const { from, to } of scope.incoming.get(id) ?? []) {
+    const source = resolveSource(scope, from, walk);
+    if (!source) continue;
+    const { base } = inputName(to.input);
+    const list = inputs.get(base);
+    if (list) list.push(source);
+    else inputs.set(base, [source]);
+  }
+  return inputs;
+}
+
+/** Follows an edge back through all that passes on, to the node that computes; undefined where nothing is connected there. */
+function resolveSource(start: Scope, edge: GraphEdge['from'], walk: TraceContext): FlatSource | undefined {
+  const { known } = walk;
+  const passed = new Set<string>();
+  let at: OutputLocation = { scope: start, ...edge };
+  let found: FlatSource | undefined;
+  for (;;) {
+    const id = at.scope.prefix + at.node;
+    const node = own(at.scope.graph.nodes, at.node);
+    if (!node || !isPassThrough(node)) {
+      found = node ? { kind: 'output', node: id, output: at.output } : noSource(`there is no node ${id}`);
+      break;
+    }
+    const place = `${id}.${at.output}`;
+    if (known.has(place) || passed.has(place)) {
+      found = passed.has(place) ? noSource(`${id} feeds itself; remove one of the edges`) : known.get(place);
+      break;
+    }
+    passed.add(place);
+    const before = throughPassThrough(at, node, walk);
+    if (!before || 'kind' in before) {
+      found = before;
+      break;
+    }
+    at = before;
+  }
+  for (const place of passed) known.set(place, found);
+  return found;
+}
+
+const noSource = (why: string): FlatSource => ({ kind: 'nothing', why });
+
+interface OutputLocation {
+  readonly scope: Scope;
+  readonly node: string;
+  readonly output: string;
+}
+
+/** What a node that computes nothing passes on at an output. */
+function throughPassThrough(
+  at: OutputLocation,
+  node: GraphNode,
+  { registry }: TraceContext,
+): OutputLocation | FlatSource | undefined {
+  const { scope, output } = at;
+  if (node.type === GROUP_INPUT) {
+    const { parent } = scope;
+    return parent ? edgeSource(parent.scope, parent.node, output) : noSource(`${at.node} stands in no group`);
+  }
+  if (node.muted) return throughMuted(at, node, registry);
+  if (node.type === REROUTE) return edgeSource(scope, at.node, 'in');
+  const inner = scope.inside.get(at.node);
+  const group = scope.prefix + at.node;
+  if (!inner) return noSource(`there is no group "${groupKeyOf(node)}"`);
+  if (inner.exit === undefined) return noSource(`the group ${group} has no group output`);
+  return edgeSource(inner, inner.exit, output) ?? noSource(`in the group ${group} nothing is connected to ${output}`);
+}
+
+function edgeSource(scope: Scope, node: string, input: string): OutputLocation | undefined {
+  const edge = own(scope.graph.edges, `${node}.${input}`);
+  return edge && { scope, ...edge.from };
+}
+
+/** A muted node passes to each output the first connected input of its type. */
+function throughMuted(
+  { scope, node: id, output }: OutputLocation,
+  node: GraphNode,
+  registry: Registry,
+): OutputLocation | FlatSource {
+  const types = inferTypes(scope, registry);
+  const wanted = types.typeOf(id, 'outputs', output);
+  const order = Object.keys(socketsOf(scope, node, registry)?.inputs ?? {});
+  const [first] = [...(scope.incoming.get(id) ?? [])]
+    .filter(({ to }) => types.typeOf(id, 'inputs', to.input) === wanted)
+    .sort((a, b) => order.indexOf(inputName(a.to.input).base) - order.indexOf(inputName(b.to.input).base));
+  if (first) return { scope, ...first.from };
+  return noSource(`${scope.prefix}${id} is muted and has no ${wanted ?? output} to pass on; unmute it`);
+}

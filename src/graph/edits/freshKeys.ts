@@ -1,0 +1,25 @@
+/** Keys that no one has yet, made of what is asked for: `blur`, `blur2`, `blur3`. */
+export class FreshKeys {
+  private readonly taken: Set<string>;
+  /** Where to go on looking for each word. */
+  private readonly nextNumber = new Map<string, number>();
+
+  constructor(...tables: readonly object[]) {
+    this.taken = new Set(tables.flatMap((table) => Object.keys(table)));
+  }
+
+  next(wanted: string): string {
+    const key = this.taken.has(wanted) ? this.numbered(wanted) : wanted;
+    this.taken.add(key);
+    return key;
+  }
+
+  private numbered(wanted: string): string {
+    // Keys have at most 64 characters.
+    const word = wanted.replace(/\d+$/, '').slice(0, 56) || 'node';
+    let number = this.nextNumber.get(word) ?? 2;
+    while (this.taken.has(`${word}${number}`)) number++;
+    this.nextNumber.set(word, number + 1);
+    return `${word}${number}`;
+  }
+}

@@ -1,0 +1,282 @@
+import { type FlatGraph, flatten } from '../analysis/flatten.ts';
+import { DocumentError, type GraphDocument } from '../document/document.ts';
+import {
+  type AbortSignalLike,
+  type NodeProblem,
+  NodeRefusal,
+  type Outputs,
+  type ProgressCallback,
+  type Registry,
+} from '../nodeType.ts';
+import { InterimCache, throttleInterims } from './interim.ts';
+import { failure, type NodeResult, ResultCache, resultAtNode } from './resultCache.ts';
+import { type NodeCall, Scheduler } from './scheduler.ts';
+import { type EvaluationJob, SharedWork } from './sharedWork.ts';
+
+export interface Evaluation {
+  /** Of the first node that was asked for. */
+  readonly target: NodeResult;
+  /** Of every node that the targets need; in groups by `outer/inner`. */
+  readonly results: ReadonlyMap<string, NodeResult>;
+}
+
+/** Thrown out of an evaluation that was cancelled. */
+export class CancelledError extends Error {
+  constructor() {
+    super('cancelled');
+    this.name = 'CancelledError';
+  }
+}
+
+export interface EvaluateOptions {
+  readonly signal?: AbortSignalLike;
+  readonly progress?: (node: string, ...report: Parameters<ProgressCallback>) => void;
+  /** Told whenever work that is waited for has given an interim. */
+  readonly onInterim?: (node: string) => void;
+  /**
+   * Which interims are taken as if they were results. `stopped`: of work that was cancelled, which is then not begun again. `all`: also
+   * of work that is under way, which this evaluation does not keep going. Without: none.
+   */
+  readonly interims?: 'stopped' | 'all';
+}
+
+/** A heavy node's work, in words that can be sent to another thread. */
+export interface HeavyRequest {
+  readonly type: string;
+  readonly node: string;
+  readonly inputs: Readonly<Record<string, unknown>>;
+  readonly params: NodeCall<never>['params'];
+  /** It computes on a GPU. */
+  readonly onGpu?: boolean;
+  /** Whether interims are wanted. */
+  readonly interims?: boolean;
+  readonly resume?: Outputs;
+}
+
+/** Has heavy nodes evaluated elsewhere. */
+export type RunHeavy = (
+  order: HeavyRequest,
+  work: {
+    readonly signal?: AbortSignalLike;
+    readonly progress: ProgressCallback;
+    readonly interim?: (outputs: Outputs) => void;
+  },
+) => Promise<Outputs>;
+
+export interface EvaluatorOptions {
+  /** How many results are kept beside those of the latest evaluation, for an undo to find. */
+  readonly capacity?: number;
+  /** Without: heavy nodes are evaluated where all others are. */
+  readonly heavy?: RunHeavy;
+}
+
+/**
+ * Evaluates what nodes need and nothing else. A result is kept under the content that made it, so that an edit re-evaluates only what
+ * depends on it, and an undo finds the old result again.
+ */
+export class Evaluator<Services> {
+  private readonly registry: Registry<Services>;
+  private readonly heavy: RunHeavy | undefined;
+  private readonly results: ResultCache;
+  /** Work under way, by content. */
+  private readonly pending = new Map<string, PendingWork<Services>>();
+  private readonly stopped = new InterimCache();
+  /** What the latest evaluation made of interims. */
+  private passing: ReadonlyMap<string, NodeResult> = new Map();
+  private flat: { readonly of: GraphDocument; readonly graph: FlatGraph } | undefined;
+  private latest: LastEvaluation<Services> | undefined;
+
+  constructor(registry: Registry<Services>, { capacity = 16, heavy }: EvaluatorOptions = {}) {
+    this.registry = registry;
+    this.heavy = heavy;
+    this.results = new ResultCache(capacity);
+  }
+
+  /** `targets`: a node, or several whose results stay in reach together; in groups by `outer/inner`. */
+  async evaluate(
+    document: GraphDocument,
+    targets: string | readonly string[],
+    services: Services,
+    { progress = () => {}, ...how }: EvaluateOptions = {},
+  ): Promise<Evaluation> {
+    const wanted = typeof targets === 'string' ? [targets] : targets;
+    const [first = ''] = wanted;
+    const flat = this.flattened(document);
+    if ('status' in flat) return { target: flat, results: new Map(wanted.map((id) => [id, flat])) };
+    const asked = wanted.join(' ');
+    const latest = this.latest;
+    if (latest?.flat === flat && latest.services === services && latest.asked === asked) return latest.evaluation;
+    const { signal } = how;
+    const errand: EvaluationJob<Services> = { ...how, services, progress, interimResults: new Map() };
+    const run = new Scheduler(flat, this.registry, (call: NodeCall<Services>) => this.perform(call, errand));
+    const reached = run.run(wanted);
+    const results = await (signal ? Promise.race([reached, rejectOnAbort(signal)]) : reached);
+    this.results.trim(results.size);
+    this.passing = errand.interimResults;
+    const target = results.get(first) ?? failure('graph.unknown-node', first, 'nothing was asked for');
+    const evaluation = { target, results };
+    this.latest = [...results.values()].every(isCacheable) ? { flat, services, asked, evaluation } : undefined;
+    return evaluation;
+  }
+
+  /** Where nodes stand, and notes, change nothing: then it is the same one as before. */
+  private flattened(document: GraphDocument): FlatGraph | NodeResult {
+    const { of, graph } = this.flat ?? {};
+    if (graph && of?.nodes === document.nodes && of.edges === document.edges && of.groups === document.groups)
+      return graph;
+    try {
+      const flat = flatten(document, this.registry);
+      this.flat = { of: document, graph: flat };
+      return flat;
+    } catch (error) {
+      if (error instanceof DocumentError) return failure('graph.document', 'the project', error.message);
+      throw error;
+    }
+  }
+
+  private perform(call: NodeCall<Services>, errand: EvaluationJob<Services>): NodeResult | Promise<NodeResult> {
+    const content = this.results.keyOf(call.type.id, call.paramsKey, inputValues(call));
+    const known = this.results.get(content, call.id) ?? this.passed(content, errand);
+    if (known) return known;
+    const pending = this.pending.get(content);
+    if (pending && errand.interims === 'all') return firstInterimOf(pending, call.id);
+    const stopped = this.stopped.get(content);
+    if (stopped && errand.interims) return interimResult(stopped);
+    if (pending) return this.join(pending, call, errand);
+    if (errand.signal?.aborted) throw new CancelledError();
+    const shared = new SharedWork(errand, call.id, stopped);
+    const work = this.start(call, errand, shared, stopped);
+    if (!(work instanceof Promise)) return this.finish(content, call, work, errand);
+    const result = work
+      .then(
+        (outcome) => this.finish(content, call, outcome, errand),
+        (error) => {
+          if (shared.interim) this.stopped.set(content, shared.interim);
+          throw error;
+        },
+      )
+      .finally(() => this.pending.delete(content));
+    this.pending.set(content, { node: call.id, shared, result });
+    return result;
+  }
+
+  /** What the evaluation before made of the same interims. */
+  private passed(content: string, { interimResults: passing }: EvaluationJob<Services>): NodeResult | undefined {
+    const passed = this.passing.get(content);
+    if (passed) passing.set(content, passed);
+    return passed;
+  }
+
+  /** Waits for the same work of another evaluation; where that was cancelled already, does it. */
+  private async join(
+    { node, shared, result }: PendingWork<Services>,
+    call: NodeCall<Services>,
+    errand: EvaluationJob<Services>,
+  ): Promise<NodeResult> {
+    shared.join(errand, call.id);
+    try {
+      return resultAtNode(await result, node, call.id);
+    } catch (error) {
+      if (!(error instanceof CancelledError) || errand.signal?.aborted) throw error;
+      return this.perform(call, errand);
+    }
+  }
+
+  private start(
+    { id: node, type, inputs, params }: NodeCall<Services>,
+    { services, onInterim }: EvaluationJob<Services>,
+    shared: SharedWork<Services>,
+    stopped: Outputs | undefined,
+  ): NodeResult | Promise<NodeResult> {
+    const { progress, reportInterim } = shared;
+    const resume = stopped && { resume: stopped };
+    const failed = (error: unknown): NodeResult => {
+      if (shared.aborted || error instanceof CancelledError) throw new CancelledError();
+      return { status: 'failed', problem: toProblem(error, node) };
+    };
+    const done = (outputs: Outputs): NodeResult => ({ status: 'done', outputs });
+    try {
+      const gpu = type.onGpu?.(params) && { onGpu: true };
+      const order = { type: type.id, node, inputs, params, ...gpu, interims: onInterim !== undefined, ...resume };
+      const interim = onInterim && { interim: throttleInterims(reportInterim) };
+      const outputs =
+        type.heavy && this.heavy
+          ? this.heavy(order, { signal: shared, progress, interim: reportInterim })
+          : type.evaluate(inputs, params, { services, signal: shared, progress, node, ...interim, ...resume });
+      return outputs instanceof Promise ? outputs.then(done, failed) : done(outputs);
+    } catch (error) {
+      return failed(error);
+    }
+  }
+
+  private finish(
+    content: string,
+    { id, interim }: NodeCall<Services>,
+    result: NodeResult,
+    { interimResults: passing }: EvaluationJob<Services>,
+  ): NodeResult {
+    this.stopped.delete(content);
+    if (!interim) {
+      if (isCacheable(result)) this.results.set(content, id, result);
+      return result;
+    }
+    const passed: NodeResult = result.status === 'done' ? { ...result, interim } : result;
+    if (result.status === 'done') passing.set(content, passed);
+    return passed;
+  }
+}
+
+const interimResult = (outputs: Outputs): NodeResult => ({ status: 'done', outputs, interim: true });
+
+/** What there is of work under way, as soon as there is something; of such as gives no interims, its result. */
+async function firstInterimOf<Services>(
+  { node, shared, result }: PendingWork<Services>,
+  id: string,
+): Promise<NodeResult> {
+  await Promise.race([shared.firstInterim, result]);
+  return shared.interim ? interimResult(shared.interim) : resultAtNode(await result, node, id);
+}
+
+/** Work may go on for others after that. */
+const rejectOnAbort = (signal: AbortSignalLike): Promise<never> =>
+  new Promise((_, reject) => signal.addEventListener('abort', () => reject(new CancelledError())));
+
+/** Work under way, and the node that began it. */
+interface PendingWork<Services> {
+  readonly node: string;
+  readonly shared: SharedWork<Services>;
+  readonly result: Promise<NodeResult>;
+}
+
+/** The last evaluation, of which all would come out the same. */
+interface LastEvaluation<Services> {
+  readonly flat: FlatGraph;
+  readonly services: Services;
+  readonly asked: string;
+  readonly evaluation: Evaluation;
+}
+
+/** What is neither done nor refused: a network that is down may be up the next time. And an interim is followed by another. */
+const UNEXPECTED_ERROR = 'graph.evaluation';
+const isCacheable = (result: NodeResult): boolean =>
+  result.status === 'failed'
+    ? result.problem.code !== UNEXPECTED_ERROR
+    : result.status === 'blocked' || !result.interim;
+
+/** Every value that flows in by itself: each of an input that takes many. */
+const inputValues = ({ type, inputs }: NodeCall<never>): (readonly [string, unknown])[] =>
+  Object.entries(inputs).flatMap(([name, value]) =>
+    type.inputs[name]?.many && Array.isArray(value)
+      ? value.map((item) => [name, item] as const)
+      : [[name, value] as const],
+  );
+
+const toProblem = (error: unknown, node: string): NodeProblem =>
+  error instanceof NodeRefusal
+    ? error.problem
+    : {
+        severity: 'error',
+        code: UNEXPECTED_ERROR,
+        place: node,
+        message: error instanceof Error ? error.message : String(error),
+      };

@@ -1,0 +1,48 @@
+import { NodeRefusal, type NumberParam, type TextParam, type VectorParam } from '../../graph/nodeType.ts';
+import { radians } from '../../math/angle.ts';
+import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../math/quat.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { matchesPath } from '../../scene/compose/mergeScenes.ts';
+import type { Scene } from '../../scene/types.ts';
+
+/** Which of the things that come in a node is about. */
+export const whichParam: TextParam = { kind: 'text', title: 'param.which', help: 'param.which.help', default: '' };
+
+export const vectorParam = (title: string, value: Vec3, unit?: string): VectorParam => ({
+  kind: 'vector',
+  title,
+  default: value,
+  ...(unit && { unit }),
+});
+
+/** A world time [s]. */
+export const timeParam = (title: string, value: number): NumberParam => ({
+  kind: 'number',
+  title,
+  unit: 's',
+  default: value,
+  min: -1e9,
+  max: 1e9,
+  step: 0.001,
+  slider: false,
+});
+
+export const nodeRefusal = (code: string, place: string, message: string, remedy?: NodeRefusal['problem']['remedy']) =>
+  new NodeRefusal({ severity: 'error', code, place, message, ...(remedy && { remedy }) });
+
+/** Refuses a path at which the scene has nothing, before a node changes nothing without a word. */
+export function assertPathExists(scene: Scene, path: string, node: string): void {
+  const paths = [...scene.objects, ...scene.lights].map((thing) => thing.path);
+  if (path === '' || paths.some((each) => matchesPath(each, path))) return;
+  const few = paths.slice(0, 8).join(', ') + (paths.length > 8 ? ', …' : '');
+  const message = `there is nothing at "${path}"; there is ${few || 'nothing at all'}`;
+  throw nodeRefusal('geometry.path', `${node}.which`, message, { node, param: 'which', value: '' });
+}
+
+/** Turns about x, then y, then z, by angles in degrees: as USD's rotateXYZ. */
+export const rotationXYZ = ([x, y, z]: Vec3): Quat =>
+  [
+    fromAxisAngle([0, 0, 1], radians(z)),
+    fromAxisAngle([0, 1, 0], radians(y)),
+    fromAxisAngle([1, 0, 0], radians(x)),
+  ].reduce(multiply, IDENTITY);

@@ -1,0 +1,34 @@
+import { radians } from '../../math/angle.ts';
+import { sub } from '../../math/vec3.ts';
+import { makeScene } from '../../scene/defaults.ts';
+import { lookAtOrientation } from '../../scene/view/camera.ts';
+import { vectorParam } from '../common/params.ts';
+import { defineNode } from '../defineNode.ts';
+import { rootPrimPath } from '../geometry/primitives/definePrimitive.ts';
+import { nameParam } from './lightParams.ts';
+
+/** A place to look from, at rest. */
+export const cameraNode = defineNode({
+  id: 'camera',
+  title: 'node.cameraAt',
+  help: 'node.cameraAt.help',
+  category: 'composition',
+  params: {
+    name: nameParam('Camera'),
+    position: vectorParam('param.position', [3, 2, 6], 'm'),
+    target: vectorParam('param.target', [0, 0, 0], 'm'),
+    fieldOfView: { kind: 'number', title: 'param.fieldOfView', unit: '°', default: 60, min: 5, max: 150, step: 1 },
+  },
+  inputs: {},
+  outputs: { geometry: { type: 'geometry' } },
+  evaluate(_inputs, { name, position, target, fieldOfView }, { node }) {
+    const path = rootPrimPath(name, node);
+    const orientation = lookAtOrientation(sub(target, position), [0, 1, 0]);
+    const camera = {
+      path,
+      motion: { kind: 'static', pose: { position, orientation } },
+      fovY: radians(fieldOfView),
+    } as const;
+    return { geometry: { scene: makeScene({ name, cameras: [camera] }) } };
+  },
+});

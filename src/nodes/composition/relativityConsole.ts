@@ -1,0 +1,148 @@
+import { NodeRefusal } from '../../graph/nodeType.ts';
+import { fastestInScene } from '../../scene/motion/fastestInScene.ts';
+import { validate } from '../../scene/validation/validate.ts';
+import { defineNode } from '../defineNode.ts';
+import type { LoadedScene } from '../services.ts';
+
+const MIN_SPEED_OF_LIGHT = 0.1;
+const MAX_SPEED_OF_LIGHT = 299_792_458;
+/** Where neither the person nor the file says: a street becomes a relativistic place. */
+const DEFAULT_SPEED_OF_LIGHT = 30;
+
+/** How light travels: the one place where a scene's physics is set. */
+export const relativityConsoleNode = defineNode({
+  id: 'relativity-console',
+  title: 'node.console',
+  help: 'node.console.help',
+  category: 'composition',
+  params: {
+    speedOfLight: {
+      kind: 'number',
+      title: 'param.speedOfLight',
+      help: 'param.speedOfLight.help',
+      unit: 'm/s',
+      default: DEFAULT_SPEED_OF_LIGHT,
+      min: MIN_SPEED_OF_LIGHT,
+      max: MAX_SPEED_OF_LIGHT,
+      step: 0.1,
+      scale: 'log',
+      suggestion: 'speedOfLight',
+    },
+    maxSpeed: {
+      kind: 'number',
+      title: 'param.maxSpeed',
+      help: 'param.maxSpeed.help',
+      unit: 'c',
+      default: 0.95,
+      min: 0.01,
+      max: 0.999999,
+      step: 0.000001,
+      scale: 'approach',
+    },
+    view: {
+      kind: 'choice',
+      title: 'param.view',
+      help: 'param.view.help',
+      default: 'light-cone',
+      options: [
+        { value: 'light-cone', title: 'view.lightCone' },
+        { value: 'simultaneity', title: 'view.simultaneity' },
+        { value: 'galilean', title: 'view.galilean' },
+      ],
+    },
+    lightDelay: {
+      kind: 'boolean',
+      title: 'param.lightDelay',
+      help: 'param.lightDelay.help',
+      default: true,
+      physical: true,
+      onlyWhen: { param: 'view', is: 'light-cone' },
+    },
+    aberration: {
+      kind: 'boolean',
+      title: 'param.aberration',
+      help: 'param.aberration.help',
+      default: true,
+      physical: true,
+      onlyWhen: { param: 'view', is: 'light-cone' },
+    },
+    solver: {
+      kind: 'choice',
+      title: 'param.solver',
+      help: 'param.solver.help',
+      default: 'exact',
+      options: [
+        { value: 'exact', title: 'solver.exact' },
+        { value: 'newton', title: 'solver.newton' },
+      ],
+    },
+    iterations: {
+      kind: 'number',
+      title: 'param.iterations',
+      help: 'param.iterations.help',
+      default: 8,
+      min: 1,
+      max: 32,
+      step: 1,
+      integer: true,
+      onlyWhen: { param: 'solver', is: 'newton' },
+    },
+    damping: {
+      kind: 'number',
+      title: 'param.damping',
+      help: 'param.damping.help',
+      default: 1,
+      min: 0.05,
+      max: 1,
+      step: 0.05,
+      onlyWhen: { param: 'solver', is: 'newton' },
+    },
+  },
+  inputs: { scene: { type: 'scene' } },
+  outputs: { relativity: { type: 'relativity' } },
+  evaluate({ scene: loaded }, params, { node }) {
+    const speedOfLight = params.speedOfLight ?? loaded.scene.hints.speedOfLight ?? fittingSpeedOfLight(loaded);
+    assertSubluminal(withFastestAt(loaded, speedOfLight), speedOfLight, node);
+    assertWithinHorizon(loaded, speedOfLight);
+    return { relativity: { ...params, ...loaded, speedOfLight } };
+  },
+});
+
+/** The usual one, or as much more as leaves the fastest point at 0.8 c. */
+const fittingSpeedOfLight = ({ fastest }: LoadedScene): number =>
+  Math.max(DEFAULT_SPEED_OF_LIGHT, roundUp((fastest?.speed ?? 0) / 0.8));
+
+/** How far behind its origin a Born-rigid body may reach also depends on c. */
+function assertWithinHorizon({ scene }: LoadedScene, c: number): void {
+  const objects = scene.objects.filter(
+    ({ motion, authoredIn }) => motion.kind === 'hyperbolic' && authoredIn === 'rest',
+  );
+  if (objects.length === 0) return;
+  const found = validate({ ...scene, objects, cameras: [] }, c).find(({ code }) => code === 'motion.horizon');
+  if (found) throw new NodeRefusal({ severity: 'error', code: found.code, place: found.place, message: found.message });
+}
+
+/** What is accelerated evenly was judged by another speed of light, where the scene suggests none: it never reaches any. */
+function withFastestAt(loaded: LoadedScene, speedOfLight: number): LoadedScene {
+  const { scene, fastest } = loaded;
+  const evenly = scene.objects.some(({ path, motion }) => path === fastest?.path && motion.kind === 'hyperbolic');
+  if (!fastest || fastest.speed < speedOfLight || !evenly) return loaded;
+  return { scene, fastest: fastestInScene({ ...scene, hints: { ...scene.hints, speedOfLight } }) };
+}
+
+function assertSubluminal({ fastest }: LoadedScene, c: number, node: string): void {
+  if (!fastest || fastest.speed < c) return;
+  const least = roundUp(fastest.speed);
+  const message =
+    `${(fastest.speed / c).toPrecision(3)} c at t = ${fastest.time.toFixed(2)} s; ` +
+    `raise the speed of light to ${least} m/s or more, or slow it down`;
+  const remedy = { node, param: 'speedOfLight', value: least };
+  throw new NodeRefusal({ severity: 'error', code: 'motion.superluminal', place: fastest.path, message, remedy });
+}
+
+/** To three digits, always upwards, so that it is more than the value itself. */
+function roundUp(value: number): number {
+  if (value <= 0) return 0;
+  const unit = 10 ** (Math.floor(Math.log10(value)) - 2);
+  return Number(((Math.floor(value / unit) + 1) * unit).toPrecision(3));
+}

@@ -1,0 +1,151 @@
+import { barrier } from '../../dynamics/forces/barrier.ts';
+import { PenaltyPotential } from '../../dynamics/forces/contact.ts';
+import { coulomb } from '../../dynamics/forces/coulomb.ts';
+import type { Force } from '../../dynamics/forces/force.ts';
+import { NeighborPairs } from '../../dynamics/forces/neighborPairs.ts';
+import type { Obstacle } from '../../dynamics/forces/obstacle.ts';
+import { PairForce } from '../../dynamics/forces/pairs.ts';
+import { type Springs, springForce } from '../../dynamics/forces/springs.ts';
+import { uniformField } from '../../dynamics/forces/uniformField.ts';
+import type { System } from '../../dynamics/system.ts';
+import { add, length, type Vec3, ZERO } from '../../math/vec3.ts';
+import { nodeRefusal } from '../common/params.ts';
+import type { ColliderMatter, FieldMatter } from './matter.ts';
+
+/** The points of all parts, and what holds them together and stands in their way. World frame, SI units. */
+export interface PointCollection {
+  /** x, y, z of one point after the other. */
+  readonly x: readonly number[];
+  readonly masses: readonly number[];
+  /** 1: it is held. */
+  readonly pinned: readonly number[];
+  readonly charges: readonly number[];
+  /** The thing that each point is of, where it is of a net; else −1. */
+  readonly bodies: readonly number[];
+  readonly nets: readonly Springs[];
+  readonly balls: readonly SimulatedSphere[];
+  readonly obstacles: readonly PlacedObstacle[];
+}
+
+/** A ball, which its point is the middle of. */
+export interface SimulatedSphere {
+  readonly point: number;
+  readonly radius: number;
+  readonly of: ColliderMatter;
+}
+
+/** An obstacle; where it moves, the points that carry it. */
+export interface PlacedObstacle {
+  readonly obstacle: Obstacle;
+  readonly of: ColliderMatter;
+  readonly carriers?: readonly number[];
+}
+
+/** What acts between points that come near: of different things, and of one that is folded. */
+export interface ProximityContact {
+  /** 0: nothing does [m]. */
+  readonly reach: number;
+  /** [N/m] */
+  readonly stiffness: number;
+}
+
+/** Most pairs of a ball and a point, and of charges. */
+const MAX_PAIRS = 4_000_000;
+
+/** All that acts between and upon the points. Throws a NodeRefusal. */
+export function forcesOn(
+  all: PointCollection,
+  fields: readonly FieldMatter[],
+  touch: ProximityContact,
+): Partial<System> & Pick<System, 'forces'> {
+  const charges = Float64Array.from(all.charges);
+  const isCharged = charges.some((charge) => charge !== 0);
+  const sum = (of: (field: FieldMatter) => Vec3): Vec3 => fields.map(of).reduce(add, ZERO);
+  const gravity = sum((field) => field.gravity);
+  const electric = sum((field) => field.electric);
+  const magnetic = sum((field) => field.magnetic);
+  const forces = [
+    ...(all.nets.length > 0 ? [springForce(concatSprings(all.nets))] : []),
+    ...sphereContactForces(all),
+    ...barrierForces(all),
+    ...proximityForces(all, touch),
+    ...(length(gravity) > 0 ? [uniformField(Float64Array.from(all.masses), gravity)] : []),
+    ...(isCharged && length(electric) > 0 ? [uniformField(charges, electric)] : []),
+    ...(isCharged && fields.some((field) => field.coulomb) ? [coulombForce(charges)] : []),
+  ];
+  return {
+    ...{ forces, drag: fields.reduce((total, field) => total + field.drag, 0) },
+    ...(isCharged && { charges }),
+    ...(isCharged && length(magnetic) > 0 && { magneticField: magnetic }),
+  };
+}
+
+function concatSprings(nets: readonly Springs[]): Springs {
+  const count = nets.reduce((all, { lengths }) => all + lengths.length, 0);
+  const all = {
+    ends: new Uint32Array(2 * count),
+    stiffness: new Float64Array(count),
+    lengths: new Float64Array(count),
+  };
+  let at = 0;
+  for (const { ends, stiffness, lengths } of nets) {
+    all.ends.set(ends, 2 * at);
+    all.stiffness.set(stiffness, at);
+    all.lengths.set(lengths, at);
+    at += lengths.length;
+  }
+  return all;
+}
+
+/** Balls against each other and against points of nets; of those that are as hard, one force. */
+function sphereContactForces({ bodies, balls, pinned }: PointCollection): Force[] {
+  const points = bodies.flatMap((body, i) => (body < 0 ? [] : [i]));
+  if (balls.length * (points.length + balls.length) > MAX_PAIRS) {
+    const message = `${balls.length} balls and ${points.length} points are too many to meet; take fewer balls, or coarser meshes`;
+    throw nodeRefusal('collider.many', balls[0].of.node, message);
+  }
+  const hard = new Map<number, { readonly ends: number[]; readonly reach: number[] }>();
+  const meet = (K: number, a: number, b: number, reach: number): void => {
+    if (pinned[a] && pinned[b]) return;
+    const known = hard.get(K) ?? { ends: [], reach: [] };
+    hard.set(K, known);
+    known.ends.push(a, b);
+    known.reach.push(reach);
+  };
+  balls.forEach(({ point, radius, of }, i) => {
+    for (const other of balls.slice(i + 1)) {
+      const reach = of.scale * radius + other.of.scale * other.radius;
+      meet(Math.max(of.stiffness, other.of.stiffness), point, other.point, reach);
+    }
+    for (const other of points) meet(of.stiffness, point, other, of.scale * radius);
+  });
+  return [...hard].map(
+    ([K, { ends, reach }]) => new PairForce(Uint32Array.from(ends), new PenaltyPotential(K, (pair) => reach[pair])),
+  );
+}
+
+function barrierForces({ bodies, balls, pinned, obstacles }: PointCollection): Force[] {
+  const moving = (i: number): boolean => !pinned[i];
+  const points = bodies.flatMap((body, i) => (body >= 0 && moving(i) ? [i] : []));
+  return obstacles.flatMap(({ obstacle, of: { stiffness, margin }, carriers }) => [
+    barrier(obstacle, points, stiffness, margin, carriers),
+    ...balls
+      .filter(({ point }) => moving(point))
+      .map(({ point, radius }) => barrier(obstacle, [point], stiffness, margin + radius, carriers)),
+  ]);
+}
+
+function proximityForces({ bodies, x }: PointCollection, { reach, stiffness }: ProximityContact): Force[] {
+  if (reach === 0) return [];
+  const law = new PenaltyPotential(stiffness, () => reach);
+  return [new NeighborPairs(Int32Array.from(bodies), Float64Array.from(x), reach, law)];
+}
+
+function coulombForce(charges: Float64Array): Force {
+  const charged = charges.filter((charge) => charge !== 0).length;
+  if (charged ** 2 / 2 > MAX_PAIRS) {
+    const message = `${charged} charged points are too many to act on each other; charge fewer things, or coarser ones`;
+    throw nodeRefusal('field.charges', 'charge', message);
+  }
+  return coulomb(charges);
+}

@@ -1,0 +1,290 @@
+import type { EarlyStop, RunOptions, SimulationFrame } from '../../dynamics/run.ts';
+import { type RunRecord, RunRecorder } from '../../dynamics/runRecord.ts';
+import { type State, velocities } from '../../dynamics/system.ts';
+import { fromAxisAngle, rotate, shortestRotation } from '../../math/quat.ts';
+import { add, length, normalize, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { type CubicPiece, cubicAt, subluminalBend, withBend } from '../../physics/worldLines/cubicPiece.ts';
+import { perpendicularTo } from '../../scene/compose/arrange.ts';
+import { mergeScenes } from '../../scene/compose/mergeScenes.ts';
+import { FOREVER } from '../../scene/defaults.ts';
+import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
+import { pointAt } from '../../scene/mesh/polygons.ts';
+import { MAX_CONTROL_SPEED } from '../../scene/motion/cubicPoints.ts';
+import type { Diagnostic, Mesh, Motion, Scene, SceneObject } from '../../scene/types.ts';
+import { initialPose } from './objects.ts';
+import type { BodyGroup, SimulatedBody } from './setup.ts';
+
+/** What was taken of a run so far: plain data, from which a film goes on. */
+export interface RecordedMotion {
+  /** Of each frame, without the state. */
+  readonly rows: readonly RecordedRow[];
+  /** At the last frame, to the bit. */
+  readonly last: State;
+  /** Of each actor, frame after frame. */
+  readonly tracks: readonly MotionTrack[];
+}
+type RecordedRow = Omit<SimulationFrame, 'state'>;
+
+/** Of a deforming thing its vertices, from its origin; of a ball its middle alone, from where it began. */
+interface MotionTrack {
+  readonly points: Float32Array[];
+  /** [m/s] */
+  readonly velocities: Float32Array[];
+  /** None of balls. */
+  readonly normals: Float32Array[];
+}
+
+/** Straight pieces that are drawn for the cubic between two frames of a ball. */
+const SEGMENTS_PER_FRAME = 4;
+/** Sides of a rod. */
+const ROD_SIDES = 8;
+
+/** Takes the frames of a run, and shows what they make of things. */
+export class MotionRecorder {
+  private readonly order: RunOptions;
+  private readonly rows: RecordedRow[];
+  private readonly tracks: readonly MotionTrack[];
+  private last: State;
+  private readonly casts: readonly BodyGroup[];
+  private readonly performers: readonly BodyRecorder[];
+  private readonly books: RunRecorder;
+  private readonly v: Float64Array;
+
+  /** `before`: goes on from there. */
+  constructor(order: RunOptions, casts: readonly BodyGroup[], before?: RecordedMotion) {
+    this.order = order;
+    this.casts = casts;
+    this.v = new Float64Array(order.start.x.length);
+    this.books = new RunRecorder(order);
+    this.performers = casts.flatMap(({ bodies }) => bodies.map((actor) => bodyRecorder(actor, order.start.x)));
+    this.rows = before?.rows.slice() ?? [];
+    this.last = before?.last ?? order.start;
+    this.tracks =
+      before?.tracks.map(copyTrack) ?? this.performers.map(() => ({ points: [], velocities: [], normals: [] }));
+    this.rows.forEach((row, k) => void this.books.addFrame({ ...row, state: { ...this.last, t: this.timeOf(k) } }));
+  }
+
+  /** Frames that were taken. */
+  get length(): number {
+    return this.rows.length;
+  }
+
+  /** The last frame that was taken, or the start; and steps until then. */
+  get latest(): { readonly state: State; readonly steps: number } {
+    return { state: this.last, steps: this.rows.at(-1)?.steps ?? 0 };
+  }
+
+  /** What was taken so far. */
+  recordedMotion = (): RecordedMotion => ({
+    rows: this.rows.slice(),
+    last: this.last,
+    tracks: this.tracks.map(copyTrack),
+  });
+
+  /** World time of frame k [s]: by their rate, whose digits are fewer, so that in a file they have whole numbers. */
+  timeOf = (k: number): number => this.order.start.t + k / this.rate;
+
+  /** Frames a second. */
+  private get rate(): number {
+    return Number((1 / this.order.every).toPrecision(12));
+  }
+
+  addFrame({ state: { x, p }, ...row }: SimulationFrame): void {
+    // A run that goes on adds up its time from another start: in the last digit it would be another.
+    const state = { t: this.timeOf(this.length), x, p };
+    this.books.addFrame({ ...row, state });
+    velocities(this.order.system, state.p, this.v);
+    this.rows.push(row);
+    this.last = state;
+    this.performers.forEach((performer, i) => void performer.addSample(this.tracks[i], state.x, this.v));
+  }
+
+  record = (stop?: EarlyStop): RunRecord => this.books.record(stop);
+
+  /** All things as they moved so far; `notes`: what is to be said of it. */
+  scene(notes: readonly Diagnostic[]): Scene {
+    let i = 0;
+    const parts = this.casts.map(({ scene, bodies }): Scene => {
+      const objects = bodies.map((): SceneObject => {
+        const at = i++;
+        return this.performers[at].toObject(this.tracks[at], this.times(), this.order.system.c);
+      });
+      return { ...scene, objects };
+    });
+    const whole = mergeScenes(parts);
+    return {
+      ...whole,
+      startTime: this.timeOf(0),
+      endTime: this.timeOf(Math.max(1, this.length - 1)),
+      timeCodesPerSecond: this.rate,
+      diagnostics: [...whole.diagnostics, ...notes],
+    };
+  }
+
+  private times = (): Float64Array => Float64Array.from(this.rows, (_, k) => this.timeOf(k));
+}
+
+const copyTrack = ({ points, velocities, normals }: MotionTrack): MotionTrack => ({
+  points: points.slice(),
+  velocities: velocities.slice(),
+  normals: normals.slice(),
+});
+
+/** How an actor is filmed. */
+interface BodyRecorder {
+  addSample(track: MotionTrack, x: Float64Array, v: Float64Array): void;
+  toObject(track: MotionTrack, times: Float64Array, c: number): SceneObject;
+}
+
+function bodyRecorder(actor: SimulatedBody, start: Float64Array): BodyRecorder {
+  switch (actor.kind) {
+    case 'fixed':
+      return { addSample: () => {}, toObject: () => actor.object };
+    case 'ball':
+      return sphereRecorder(actor, start);
+    case 'net':
+      return meshRecorder(actor, start);
+    case 'rod':
+      return rodRecorder(actor, start);
+  }
+}
+
+/** Rests after its only sample, where there is but one. */
+const atLeastTwo = <T>(all: readonly T[]): readonly T[] => (all.length === 1 ? [all[0], all[0]] : all.slice());
+const withRestSample = (times: Float64Array): Float64Array =>
+  times.length === 1 ? Float64Array.of(times[0], times[0] + 1) : times;
+
+function meshRecorder(
+  { object, pointOfVertex }: Extract<SimulatedBody, { kind: 'net' }>,
+  start: Float64Array,
+): BodyRecorder {
+  const origin = pointAt(start, pointOfVertex[0] ?? 0);
+  const { mesh } = object;
+  const groups = smoothingGroups(mesh);
+  const gather = (values: Float64Array, from: Vec3): Float32Array => {
+    const out = new Float32Array(3 * pointOfVertex.length);
+    for (let i = 0; i < pointOfVertex.length; i++)
+      for (let k = 0; k < 3; k++) out[3 * i + k] = values[3 * pointOfVertex[i] + k] - from[k];
+    return out;
+  };
+  return {
+    addSample({ points, velocities, normals }, x, v) {
+      const at = gather(x, origin);
+      points.push(at);
+      velocities.push(gather(v, ZERO));
+      normals.push(deformedNormals(at, mesh.indices, groups));
+    },
+    toObject: (track, times) => ({ ...object, ...deformingMotion(mesh, origin, track, times) }),
+  };
+}
+
+function deformingMotion(mesh: Mesh, origin: Vec3, { points, velocities, normals }: MotionTrack, times: Float64Array) {
+  const motion: Motion = {
+    kind: 'sampled-points',
+    times: withRestSample(times),
+    origin,
+    points: atLeastTwo(points),
+    velocities: times.length === 1 ? [0, 1].map(() => new Float32Array(points[0].length)) : velocities.slice(),
+    normals: atLeastTwo(normals),
+  };
+  return { mesh: { ...mesh, positions: points[0], normals: normals[0] }, motion };
+}
+
+/** A rigid ball keeps its pose but for its place. */
+function sphereRecorder(
+  { object, point }: Extract<SimulatedBody, { kind: 'ball' }>,
+  start: Float64Array,
+): BodyRecorder {
+  const pose = initialPose(object, Number.POSITIVE_INFINITY);
+  const first = pointAt(start, point);
+  return {
+    addSample({ points, velocities }, x, v) {
+      points.push(Float32Array.from(sub(pointAt(x, point), first)));
+      velocities.push(Float32Array.from(pointAt(v, point)));
+    },
+    toObject(track, times, c) {
+      const way = sampleTrajectory(track, withRestSample(times), c);
+      const poses = new Float64Array(7 * way.length);
+      way.forEach(({ x }, k) => void poses.set([...add(pose.position, x), ...pose.orientation], 7 * k));
+      return { ...object, motion: { kind: 'sampled', times: Float64Array.from(way, ({ t }) => t), poses } };
+    },
+  };
+}
+
+/** Where a ball is, at its frames and between them. */
+function sampleTrajectory(
+  { points, velocities }: MotionTrack,
+  times: Float64Array,
+  c: number,
+): { readonly t: number; readonly x: Vec3 }[] {
+  const way = [{ t: times[0], x: pointAt(points[0], 0) }];
+  for (let k = 0; k + 1 < times.length; k++) {
+    const [a, b] = [points[k], points[k + 1] ?? points[k]].map((each) => pointAt(each, 0));
+    const [va, vb] = [velocities[k], velocities[k + 1] ?? velocities[k]].map((each) => pointAt(each, 0));
+    const span = times[k + 1] - times[k];
+    const piece: CubicPiece = points[k + 1] ? { a, b, va, vb, span } : { a, b, va: ZERO, vb: ZERO, span };
+    const slow = withBend(piece, Number.isFinite(c) ? subluminalBend(piece, MAX_CONTROL_SPEED * c) : 1);
+    for (let j = 1; j <= SEGMENTS_PER_FRAME; j++) {
+      const s = (span * j) / SEGMENTS_PER_FRAME;
+      way.push(j === SEGMENTS_PER_FRAME ? { t: times[k + 1], x: b } : { t: times[k] + s, x: cubicAt(slow, s).x });
+    }
+  }
+  return way;
+}
+
+/** A thin tube from point to point. Its vertices go as the ends do. */
+function rodRecorder({ of, ends, width }: Extract<SimulatedBody, { kind: 'rod' }>, start: Float64Array): BodyRecorder {
+  const [from, to] = ends.map((end) => pointAt(start, end));
+  const rest = normalize(sub(to, from), [0, 1, 0]);
+  const round = Array.from({ length: ROD_SIDES }, (_, k) =>
+    scale(rotate(fromAxisAngle(rest, (2 * Math.PI * k) / ROD_SIDES), perpendicularTo(rest)), width / 2),
+  );
+  const mesh = tubeMesh(of.mesh.groups[0]?.material ?? 0);
+  const path = `${of.path}/Rod`;
+  return {
+    addSample({ points, velocities, normals }, x, v) {
+      const way = sub(pointAt(x, ends[1]), pointAt(x, ends[0]));
+      const turn = shortestRotation(rest, length(way) > 0 ? normalize(way) : rest);
+      const out = round.map((each) => rotate(turn, each));
+      const at = (values: Float64Array, offsets: readonly Vec3[]): Float32Array =>
+        Float32Array.from(ends.flatMap((end) => offsets.flatMap((offset) => [...add(pointAt(values, end), offset)])));
+      points.push(
+        at(
+          x,
+          out.map((offset) => sub(offset, from)),
+        ),
+      );
+      velocities.push(
+        at(
+          v,
+          out.map(() => ZERO),
+        ),
+      );
+      const n = out.map((offset) => normalize(offset));
+      normals.push(Float32Array.from([...n, ...n].flat()));
+    },
+    toObject: (track, times) => ({
+      ...{ path, lifetime: FOREVER, authoredIn: 'world' },
+      ...deformingMotion(mesh, from, track, times),
+    }),
+  };
+}
+
+/** Two rings of vertices, without places. */
+function tubeMesh(material: number): Mesh {
+  const indices = Uint32Array.from(
+    Array.from({ length: ROD_SIDES }, (_, k) => {
+      const next = (k + 1) % ROD_SIDES;
+      return [k, next, ROD_SIDES + next, k, ROD_SIDES + next, ROD_SIDES + k];
+    }).flat(),
+  );
+  const nowhere = new Float32Array(6 * ROD_SIDES);
+  return {
+    positions: nowhere,
+    normals: nowhere,
+    uvs: new Float32Array(4 * ROD_SIDES),
+    indices,
+    groups: [{ start: 0, count: indices.length, material }],
+    doubleSided: false,
+  };
+}

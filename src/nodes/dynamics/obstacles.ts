@@ -1,0 +1,52 @@
+import { box, type Obstacle, plane } from '../../dynamics/forces/obstacle.ts';
+import { conjugate, multiply, rotate, rotationAngle } from '../../math/quat.ts';
+import { addScaled, length, normalize, sub, type Vec3 } from '../../math/vec3.ts';
+import { pointAt } from '../../scene/mesh/polygons.ts';
+import { applyPose, samplePose } from '../../scene/motion/motion.ts';
+import type { SceneObject } from '../../scene/types.ts';
+import { nodeRefusal } from '../common/params.ts';
+import type { ColliderMatter } from './matter.ts';
+import { FLATNESS_TOLERANCE, initialPose, meshBounds, meshCenter } from './objects.ts';
+
+/** What a thing is for what would get into it, as it lies when the simulation begins; c [m/s]. */
+export function obstacleOf(object: SceneObject, part: ColliderMatter, c: number): Obstacle {
+  const { min, max } = meshBounds(object);
+  const pose = initialPose(object, c);
+  const middle = meshCenter(object);
+  if (part.shape === 'box') return box(applyPose(pose, middle), sub(max, min), pose.orientation);
+  const { normals, positions } = object.mesh;
+  const sum = [0, 1, 2].map((k) => normals.reduce((all, x, i) => (i % 3 === k ? all + x : all), 0));
+  const front = normalize(sum as unknown as Vec3);
+  const depths = Array.from({ length: positions.length / 3 }, (_, i) => {
+    const d = sub(pointAt(positions, i), middle);
+    return Math.abs(d[0] * front[0] + d[1] * front[1] + d[2] * front[2]);
+  });
+  const thick = depths.reduce((most, depth) => Math.max(most, depth), 0);
+  if (length(front) > 0 && thick <= FLATNESS_TOLERANCE * length(sub(max, min))) {
+    return plane(applyPose(pose, middle), rotate(pose.orientation, front));
+  }
+  const message = 'it is not flat, so that it is no plane; choose the shape box or ball';
+  throw nodeRefusal('collider.plane', object.path, message, { node: part.node, param: 'shape', value: 'box' });
+}
+
+/** Places of a moving obstacle that tell how it lies, in its thing's own frame: its middle, and where it turns the ends of arms along its x and y. */
+export function carrierPositions(object: SceneObject, { orientation }: Obstacle, c: number): Vec3[] {
+  const middle = meshCenter(object);
+  if (!isRotating(object)) return [middle];
+  const { min, max } = meshBounds(object);
+  // As far out as it is large: what would go faster than light there is told.
+  const reach = Math.max(...sub(max, min)) / 2;
+  const own = multiply(conjugate(initialPose(object, c).orientation), orientation);
+  return [middle, addScaled(middle, rotate(own, [1, 0, 0]), reach), addScaled(middle, rotate(own, [0, 1, 0]), reach)];
+}
+
+function isRotating({ motion }: SceneObject): boolean {
+  if (motion.kind !== 'sampled') return false;
+  const first = conjugate(samplePose(motion.poses, 0).orientation);
+  return motion.times.some(
+    (_, k) => rotationAngle(multiply(first, samplePose(motion.poses, k).orientation)) >= MIN_ROTATION,
+  );
+}
+
+/** [rad] */
+const MIN_ROTATION = 1e-6;

@@ -1,0 +1,69 @@
+import type { NumberParam } from '../../graph/nodeType.ts';
+import { matchesPath } from '../../scene/compose/mergeScenes.ts';
+import type { Scene } from '../../scene/types.ts';
+import { toLoadedScene } from '../common/loadedScene.ts';
+import { assertPathExists, nodeRefusal } from '../common/params.ts';
+import type { LoadedScene } from '../services.ts';
+
+type NumberParamOptions = Pick<NumberParam, 'title' | 'default' | 'unit'> & Partial<NumberParam>;
+
+/** A number without a range that a slider could go through. */
+export const quantityParam = (about: NumberParamOptions): NumberParam => ({
+  kind: 'number',
+  min: 0,
+  max: 1e12,
+  step: 0.001,
+  slider: false,
+  ...about,
+});
+
+/** The same, and less than nothing too. */
+export const signedQuantityParam = (about: NumberParamOptions): NumberParam => quantityParam({ min: -1e12, ...about });
+
+export const massParam = quantityParam({
+  title: 'param.mass',
+  help: 'param.mass.help',
+  unit: 'kg',
+  default: 1,
+  min: 1e-9,
+});
+export const penaltyParam = quantityParam({
+  title: 'param.penalty',
+  help: 'param.penalty.help',
+  unit: 'N/m',
+  default: 10_000,
+  min: 1e-6,
+  step: 1,
+});
+export const chargeParam = signedQuantityParam({
+  title: 'param.charge',
+  help: 'param.charge.help',
+  unit: 'C',
+  default: 0,
+  step: 1e-9,
+});
+
+/** The things at a path, and all else. They are at rest, or, where these may be, `rigid`. */
+export function splitByPath(
+  { scene }: LoadedScene,
+  which: string,
+  node: string,
+  may: 'rest' | 'rigid',
+): { readonly chosen: Scene; readonly rest: LoadedScene } {
+  assertPathExists(scene, which, node);
+  const own = (wanted: boolean): Scene['objects'] =>
+    scene.objects.filter(({ path }) => matchesPath(path, which) === wanted);
+  const objects = own(true);
+  if (objects.length === 0)
+    throw nodeRefusal('matter.none', node, 'there is no thing with a surface; connect one that has');
+  for (const { path, motion } of objects) {
+    if (motion.kind === 'static' || (may === 'rigid' && motion.kind !== 'sampled-points')) continue;
+    const how = may === 'rigid' ? 'changes its shape' : 'moves';
+    const message = `${path} ${how} already; put this before what moves it, or choose things ${may === 'rigid' ? 'that keep theirs' : 'at rest'}`;
+    throw nodeRefusal('matter.moving', path, message);
+  }
+  return {
+    chosen: { ...scene, objects, lights: [], cameras: [] },
+    rest: toLoadedScene({ ...scene, objects: own(false), diagnostics: [] }),
+  };
+}

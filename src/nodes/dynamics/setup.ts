@@ -1,0 +1,261 @@
+import type { Springs } from '../../dynamics/forces/springs.ts';
+import { meshSprings } from '../../dynamics/meshSprings.ts';
+import { type KinematicPoint, makeSystem, momenta, momentum, type State, type System } from '../../dynamics/system.ts';
+import { add, cross, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { positionAt, velocityAt, type WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { boundingBox } from '../../scene/bounds/bounds.ts';
+import { recoverQuads } from '../../scene/compose/recoverQuads.ts';
+import { weld } from '../../scene/compose/weld.ts';
+import { pointAt } from '../../scene/mesh/polygons.ts';
+import { originWorldLine, vertexWorldLine } from '../../scene/motion/motion.ts';
+import type { RigidMotion, Scene, SceneObject } from '../../scene/types.ts';
+import { nodeRefusal } from '../common/params.ts';
+import {
+  forcesOn,
+  type PlacedObstacle,
+  type PointCollection,
+  type ProximityContact,
+  type SimulatedSphere,
+} from './forces.ts';
+import type { ColliderMatter, FieldMatter, InitialConditions, MassSpringMatter, Matter, Rods } from './matter.ts';
+import { isMoving, meshBounds, meshCenter, START_TIME, trajectoryOf } from './objects.ts';
+import { carrierPositions, obstacleOf } from './obstacles.ts';
+import { pinnedPoints } from './pins.ts';
+
+/** A thing, and which points of the system it follows. */
+export type SimulatedBody =
+  | { readonly kind: 'net'; readonly object: SceneObject; readonly pointOfVertex: Uint32Array }
+  | { readonly kind: 'ball'; readonly object: SceneObject; readonly point: number }
+  | { readonly kind: 'rod'; readonly of: SceneObject; readonly ends: readonly [number, number]; readonly width: number }
+  /** It goes as it goes; `points`: that go with it. */
+  | { readonly kind: 'fixed'; readonly object: SceneObject; readonly points: readonly number[] };
+
+/** The things of one part, in the scene that their materials are of. */
+export interface BodyGroup {
+  readonly scene: Scene;
+  readonly bodies: readonly SimulatedBody[];
+}
+
+/** What is simulated, and what is shown of it. */
+export interface SimulationSetup {
+  readonly system: System;
+  readonly start: State;
+  readonly bodyGroups: readonly BodyGroup[];
+}
+
+/** Vertices are one point where they are as near as this share of their thing's size. */
+const WELD_TOLERANCE = 1e-6;
+
+/** The system that parts make together. Throws a NodeRefusal that names the part, or a SystemError. */
+export function setUpSimulation(parts: readonly Matter[], c: number, touch: ProximityContact): SimulationSetup {
+  const builder = new SystemBuilder(c);
+  const casts = parts.flatMap((part): BodyGroup[] => {
+    if (part.kind === 'field') return [];
+    const actors = part.kind === 'net' ? builder.net(part) : builder.solid(part);
+    return [{ scene: part.scene, bodies: actors }];
+  });
+  const fields = parts.filter((part) => part.kind === 'field');
+  return { ...builder.finish(fields, touch), bodyGroups: casts };
+}
+
+/** Collects points and what holds them together. */
+class SystemBuilder implements PointCollection {
+  private readonly c: number;
+  readonly x: number[] = [];
+  private readonly v: number[] = [];
+  readonly masses: number[] = [];
+  readonly pinned: number[] = [];
+  readonly charges: number[] = [];
+  readonly bodies: number[] = [];
+  readonly nets: Springs[] = [];
+  readonly balls: SimulatedSphere[] = [];
+  readonly obstacles: PlacedObstacle[] = [];
+  /** With how fast each begins [m/s]. */
+  private readonly led: (KinematicPoint & { readonly v: Vec3 })[] = [];
+  private bodyCount = 0;
+
+  constructor(c: number) {
+    this.c = c;
+  }
+
+  net(part: MassSpringMatter): SimulatedBody[] {
+    const up = part.scene.upAxis === 'Y' ? 1 : 2;
+    let held = 0;
+    const actors = part.scene.objects.map((object): SimulatedBody => {
+      const { points, velocities, pointOfVertex, net, lineOf } = massSpringMesh(object, part, this.c);
+      const count = points.length / 3;
+      const filled = part.stiffness.filling > 0;
+      const middle = boundsCenter(points);
+      const pins = pinnedPoints(points, pointOfVertex, part, up, object.path);
+      held += pins.size;
+      const first = this.masses.length;
+      const share = 1 / (count + Number(filled));
+      const body = this.bodyCount++;
+      for (let i = 0; i < count; i++) {
+        const at = pointAt(points, i);
+        const v = add(add(pointAt(velocities, i), part.velocity), cross(part.spin, sub(at, middle)));
+        const point = this.point(at, v, part, share, pins.has(i), body);
+        if (pins.has(i) && isMoving(object)) this.leadAlong(point, lineOf(i));
+      }
+      this.springsFrom(first, net);
+      if (filled) this.fill(first, points, middle, part, share);
+      return { kind: 'net', object, pointOfVertex: pointOfVertex.map((point) => first + point) };
+    });
+    if (part.pins.kind === 'box' && held === 0)
+      throw nodeRefusal(
+        'pins.none',
+        `${part.node}.pinCenter`,
+        'no point is in the box that holds points; put it on some',
+      );
+    return actors;
+  }
+
+  /** A point in the middle, tied to all others. */
+  private fill(first: number, points: Float64Array, middle: Vec3, part: MassSpringMatter, share: number): void {
+    const count = points.length / 3;
+    const center = this.point(middle, part.velocity, part, share, false, -1);
+    const ends = Uint32Array.from({ length: 2 * count }, (_, k) => (k % 2 === 0 ? center : first + (k >> 1)));
+    const lengths = Float64Array.from(
+      { length: count },
+      (_, i) => part.tension * length(sub(pointAt(points, i), middle)),
+    );
+    this.nets.push({ ends, stiffness: new Float64Array(count).fill(part.stiffness.filling), lengths });
+  }
+
+  private springsFrom(first: number, net: Springs): void {
+    if (net.lengths.length > 0) this.nets.push({ ...net, ends: net.ends.map((point) => first + point) });
+  }
+
+  solid(part: ColliderMatter): SimulatedBody[] {
+    if (part.shape !== 'ball') {
+      return part.scene.objects.map((object) => prescribedBody(object, this.obstacle(object, part)));
+    }
+    const balls = part.scene.objects.map((object) => ({ object, ...this.ball(object, part) }));
+    const shown = balls.map(
+      ({ object, point }): SimulatedBody =>
+        part.free ? { kind: 'ball', object, point } : prescribedBody(object, [point]),
+    );
+    return [...shown, ...(part.free?.rods ? this.rods(balls, part.free.rods) : [])];
+  }
+
+  private ball(object: SceneObject, part: ColliderMatter): { readonly point: number; readonly center: Vec3 } {
+    const { min, max } = meshBounds(object);
+    const center = trajectoryOf(object, meshCenter(object), this.c)(START_TIME);
+    const radius = Math.max(...sub(max, min)) / 2;
+    const { node, charge, free = { mass: 1, velocity: ZERO } } = part;
+    const point = this.point(center, free.velocity, { ...free, node, charge }, 1, !part.free, -1);
+    if (isMoving(object)) this.leadWith(point, object, meshCenter(object));
+    this.balls.push({ point, radius, of: part });
+    return { point, center };
+  }
+
+  /** One that moves is carried by points that are led, which are told. */
+  private obstacle(object: SceneObject, part: ColliderMatter): readonly number[] {
+    const obstacle = obstacleOf(object, part, this.c);
+    if (!isMoving(object)) {
+      this.obstacles.push({ obstacle, of: part });
+      return [];
+    }
+    const carriers = carrierPositions(object, obstacle, this.c).map((place) => {
+      const carrier = this.point(trajectoryOf(object, place, this.c)(START_TIME), ZERO, PINNED_POINT, 1, true, -1);
+      this.leadWith(carrier, object, place);
+      return carrier;
+    });
+    this.obstacles.push({ obstacle, of: part, carriers });
+    return carriers;
+  }
+
+  private leadAlong(point: number, line: WorldLine): void {
+    const { c } = this;
+    this.led.push({ point, positionAt: (t) => positionAt(line, t, c), v: velocityAt(line, START_TIME, c) });
+  }
+
+  /** With a place of a thing, in its own frame. */
+  private leadWith(point: number, object: SceneObject, place: Vec3): void {
+    const { c } = this;
+    const v = velocityAt(originWorldLine(object.motion as RigidMotion), START_TIME, c);
+    this.led.push({ point, positionAt: trajectoryOf(object, place, c), v });
+  }
+
+  private rods(
+    balls: readonly { readonly object: SceneObject; readonly point: number; readonly center: Vec3 }[],
+    rods: Rods,
+  ): SimulatedBody[] {
+    return balls.flatMap(({ object, point, center }, i): SimulatedBody[] => {
+      const before = rods.to === 'chain' ? balls[i - 1] : undefined;
+      const place = before?.center ?? add(center, rods.pivot);
+      const held = before?.point ?? this.point(place, ZERO, PINNED_POINT, 1, true, -1);
+      const lengths = Float64Array.of(length(sub(place, center)));
+      this.nets.push({ ends: Uint32Array.of(point, held), stiffness: Float64Array.of(rods.stiffness), lengths });
+      return rods.thickness > 0 ? [{ kind: 'rod', of: object, ends: [point, held], width: rods.thickness }] : [];
+    });
+  }
+
+  private point(
+    at: Vec3,
+    v: Vec3,
+    start: InitialConditions & { readonly node: string },
+    share: number,
+    pin: boolean,
+    body: number,
+  ): number {
+    const speed = length(v);
+    if (!pin && !(speed < this.c)) {
+      const message = `it begins at ${speed.toPrecision(3)} m/s, not below the speed of light, ${this.c} m/s; let it begin slower, or raise the speed of light of the simulation`;
+      throw nodeRefusal('simulate.light', start.node, message);
+    }
+    this.x.push(...at);
+    this.v.push(...v);
+    this.charges.push(start.charge * share);
+    this.pinned.push(Number(pin));
+    this.bodies.push(body);
+    return this.masses.push(start.mass * share) - 1;
+  }
+
+  finish(fields: readonly FieldMatter[], touch: ProximityContact): Pick<SimulationSetup, 'system' | 'start'> {
+    const { c, led, v, x } = this;
+    const system = makeSystem({
+      ...{ c, masses: Float64Array.from(this.masses), pinned: Uint8Array.from(this.pinned) },
+      ...forcesOn(this, fields, touch),
+      ...(led.length > 0 && { led }),
+    });
+    const p = momenta(system, v);
+    for (const each of led) p.set(momentum(system.masses[each.point], each.v, c), 3 * each.point);
+    return { system, start: { t: START_TIME, x: Float64Array.from(x), p } };
+  }
+}
+
+/** A thing that goes as it goes is as large in the world as it is. */
+const prescribedBody = (object: SceneObject, points: readonly number[]): SimulatedBody => ({
+  kind: 'fixed',
+  object: isMoving(object) ? { ...object, authoredIn: 'world' } : object,
+  points,
+});
+
+/** What is held and has no thing of its own. */
+const PINNED_POINT = { node: '', mass: 1, velocity: ZERO, charge: 0 };
+
+/** The points of a thing in the world as it begins, and the springs between them. */
+function massSpringMesh(object: SceneObject, { stiffness, tension }: MassSpringMatter, c: number) {
+  const { positions, indices } = object.mesh;
+  const { min, max } = meshBounds(object);
+  const { pointOfVertex, vertexOfPoint } = weld(positions, WELD_TOLERANCE * length(sub(max, min)));
+  const lineOf = (point: number): WorldLine => vertexWorldLine(object, vertexOfPoint[point], c);
+  const points = new Float64Array(3 * vertexOfPoint.length);
+  const velocities = new Float64Array(points.length);
+  vertexOfPoint.forEach((_, i) => {
+    const line = lineOf(i);
+    points.set(positionAt(line, START_TIME, c), 3 * i);
+    velocities.set(velocityAt(line, START_TIME, c), 3 * i);
+  });
+  const faces = recoverQuads(
+    points,
+    indices.map((vertex) => pointOfVertex[vertex]),
+  );
+  return { points, velocities, pointOfVertex, lineOf, net: meshSprings(points, faces, stiffness, tension) };
+}
+
+const boundsCenter = (points: Float64Array): Vec3 => {
+  const { min, max } = boundingBox(points)!;
+  return scale(add(min, max), 0.5);
+};

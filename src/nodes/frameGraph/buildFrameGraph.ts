@@ -1,0 +1,150 @@
+import {
+  BUFFER_SETTINGS,
+  type BufferSettings,
+  contentKey,
+  type FrameGraph,
+  type FrameGraphBuffer,
+  type FrameGraphPass,
+  type FrameGraphPassOf,
+  inputImages,
+  MAX_BUFFERS,
+  MAX_PASSES,
+  MAX_STILL_IMAGES,
+} from '../../scene/frameGraph/frameGraph.ts';
+import type { Scene } from '../../scene/types.ts';
+import type { GBufferSpec, ImageSpec, PictureSpec } from '../defineNode.ts';
+
+/** A picture that is put together of too much. */
+export class FrameGraphError extends Error {}
+
+/** Of two, that of which the picture is first of all: the one that relativity has to do with. */
+export const primaryGBuffer = (below: GBufferSpec, above: GBufferSpec): GBufferSpec =>
+  below.view === 'galilean' && above.view !== 'galilean' ? above : below;
+
+/**
+ * The picture whose last step an image is: with its exposure and tone curve apart, which the metering and the antialiasing work on, and with its G-buffers and
+ * steps in a list, each once, however often the graph refers to it. Throws a PlanError where there are too many.
+ */
+export function buildPicture(image: ImageSpec): PictureSpec {
+  const { gbuffer } = image;
+  const { step: last } = image;
+  const isFalse = last.kind === 'false-colour' && last.buffer === gbuffer;
+  const shown = isFalse ? last.image : image;
+  const toned = shown.step.kind === 'tone' ? shown.step : undefined;
+  const light = toned ? toned.image : shown;
+  const how = {
+    ...gbuffer,
+    image,
+    tone: toned?.tone ?? 'linear',
+    metering: toned?.metering ?? 'manual',
+    exposure: toned?.exposure ?? 0,
+    falseColor: isFalse ? last.of : 'none',
+  } as const;
+  const { plan, scenes } = buildFrameGraph(light, gbuffer);
+  const [step] = plan.passes;
+  if (plan.passes.length === 1 && step?.kind === 'light' && step.buffer === 0)
+    return { ...how, shadows: step.shadows, occlusion: step.occlusion, scenes };
+  const metered = plan.passes.find((each) => each.kind === 'tone' && each.metering !== 'manual');
+  const metering = metered?.kind === 'tone' ? metered.metering : how.metering;
+  return { ...how, metering, shadows: true, occlusion: true, frameGraph: plan, scenes };
+}
+
+/** By content: what refers to the same is the same. */
+export class UniqueList<T> {
+  readonly items: T[] = [];
+  private readonly places = new Map<unknown, number>();
+  private readonly most: number;
+  private readonly what: string;
+
+  constructor(most: number, what: string) {
+    this.most = most;
+    this.what = what;
+  }
+
+  indexOf(item: T, key: unknown): number {
+    const known = this.places.get(key);
+    if (known !== undefined) return known;
+    if (this.items.length === this.most)
+      throw new FrameGraphError(`a picture is put together of ${this.most} ${this.what} at most; leave some out`);
+    this.places.set(key, this.items.length);
+    return this.items.push(item) - 1;
+  }
+}
+
+function buildFrameGraph(
+  image: ImageSpec,
+  first: GBufferSpec,
+): { readonly plan: FrameGraph; readonly scenes: readonly Scene[] } {
+  const scenes = new UniqueList<Scene>(MAX_BUFFERS, 'scenes');
+  const buffers = new UniqueList<FrameGraphBuffer>(MAX_BUFFERS, 'G-buffers');
+  const steps = new UniqueList<FrameGraphPass>(MAX_PASSES, 'steps');
+  const bufferPlace = (gbuffer: GBufferSpec): number => {
+    const buffer = frameGraphBuffer(gbuffer, scenes.indexOf(gbuffer.scene, gbuffer.scene));
+    return buffers.indexOf(buffer, contentKey(buffer));
+  };
+  bufferPlace(first);
+  addPasses(image, steps, bufferPlace);
+  if (steps.items.filter(({ kind }) => kind === 'still').length > MAX_STILL_IMAGES)
+    throw new FrameGraphError(`a picture is put together of ${MAX_STILL_IMAGES} stills at most; leave some out`);
+  return { plan: { extraBuffers: buffers.items.slice(1), passes: steps.items }, scenes: scenes.items };
+}
+
+export const frameGraphBuffer = (settings: BufferSettings, scene: number): FrameGraphBuffer =>
+  ({ scene, ...Object.fromEntries(BUFFER_SETTINGS.map((name) => [name, settings[name]])) }) as FrameGraphBuffer;
+
+/** Adds the steps that make an image, as far as they are not there; gives where each of its images is. */
+export function addPasses(
+  image: ImageSpec,
+  steps: UniqueList<FrameGraphPass>,
+  bufferPlace: (gbuffer: GBufferSpec) => number,
+): ReadonlyMap<ImageSpec, number> {
+  const places = new Map<ImageSpec, number>();
+  for (const each of topologicalOrder(image)) {
+    const step = indexedPass(each.step, (of) => places.get(of) ?? 0, bufferPlace);
+    places.set(each, steps.indexOf(step, contentKey(step)));
+  }
+  return places;
+}
+
+/** All that an image is made of, and it: each once, after all that it is made of. A graph may be deep, and what two inputs share is not to be gone through twice. */
+function topologicalOrder(image: ImageSpec): Set<ImageSpec> {
+  const done = new Set<ImageSpec>();
+  const open = [image];
+  for (let at = open.at(-1); at; at = open.at(-1)) {
+    const missing = inputImages(at.step).filter((of) => !done.has(of));
+    if (missing.length > 0) open.push(...missing);
+    else {
+      done.add(at);
+      open.pop();
+    }
+  }
+  return done;
+}
+
+function indexedPass(
+  step: FrameGraphPassOf<ImageSpec, GBufferSpec>,
+  image: (of: ImageSpec) => number,
+  buffer: (of: GBufferSpec) => number,
+): FrameGraphPass {
+  switch (step.kind) {
+    case 'still':
+      return step;
+    case 'light':
+    case 'occlusion':
+      return { ...step, buffer: buffer(step.buffer) };
+    case 'effect': {
+      const { mask, ...rest } = step;
+      const made = { ...rest, image: image(step.image), buffer: buffer(step.buffer) };
+      return mask ? { ...made, mask: image(mask) } : made;
+    }
+    case 'mix': {
+      const { mask, ...rest } = step;
+      const made = { ...rest, below: image(step.below), above: image(step.above) };
+      return mask ? { ...made, mask: image(mask) } : made;
+    }
+    case 'tone':
+      return { ...step, image: image(step.image) };
+    case 'false-colour':
+      return { ...step, image: image(step.image), buffer: buffer(step.buffer) };
+  }
+}

@@ -1,0 +1,46 @@
+import { readFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import { readFont } from '../../cli/files/fonts.ts';
+import { parseDocument } from '../../graph/document/parse.ts';
+import { Evaluator } from '../../graph/evaluation/evaluator.ts';
+import { nodeLibrary } from '../library.ts';
+import { evaluatedPicture } from '../pictures/renderSettings.ts';
+import { workerServices } from '../services.ts';
+
+const file = new URL('../../../examples/gods-eye.slowlight.json', import.meta.url);
+
+it('the preset shows one instant from above, in which the passing train is as much shorter as its speed asks for', async () => {
+  const document = parseDocument(readFileSync(file, 'utf8'));
+  const evaluation = await new Evaluator(nodeLibrary).evaluate(document, 'output', {
+    ...workerServices,
+    readFont,
+    readScene: () => Promise.reject(new Error('it reads no scene')),
+  });
+  const picture = evaluatedPicture(evaluation)!;
+  expect(picture).toMatchObject({ view: 'simultaneity', speedOfLight: 10 });
+  const { objects, cameras, hints } = picture.scene;
+  expect(hints.beta).toBeUndefined();
+  expect(cameras.map(({ path }) => path)).toEqual(['/Above', '/Observer']);
+
+  const places = (name: string) =>
+    objects.flatMap(({ path, motion }) =>
+      path.startsWith(`/${name}`) && 'pose' in motion ? [motion.pose.position[0]] : [],
+    );
+  const spacing = (name: string): number => {
+    const xs = places(name).sort((a, b) => a - b);
+    expect(xs).toHaveLength(5);
+    return xs[1]! - xs[0]!;
+  };
+  const speeds = objects.flatMap(({ motion, authoredIn }) =>
+    motion.kind === 'uniform' ? [{ v: Math.hypot(...motion.velocity), authoredIn }] : [],
+  );
+  expect(speeds).toHaveLength(5);
+  for (const { v, authoredIn } of speeds) {
+    // Wagons are as they were built, and contract of themselves.
+    expect(authoredIn).toBe('rest');
+    expect(spacing('Passing')).toBeCloseTo(spacing('Resting') * Math.sqrt(1 - (v / picture.speedOfLight) ** 2), 9);
+  }
+  const rings = objects.filter(({ path }) => path.startsWith('/LightSecond'));
+  const radii = rings.map(({ mesh }) => Math.max(...mesh.positions.map(Math.abs)));
+  expect(radii.map((radius) => Math.round((10 * radius) / picture.speedOfLight) / 10)).toEqual([1, 2, 3]);
+});

@@ -1,0 +1,85 @@
+import { EFFECTS, type EffectInfo } from '../../scene/frameGraph/effects.ts';
+import { bufferSettings, type FrameGraph, type FrameGraphPass, MAX_PASSES } from '../../scene/frameGraph/frameGraph.ts';
+import type { Scene } from '../../scene/types.ts';
+import type { RenderSettings } from '../../scene/view/view.ts';
+import type { GBufferSpec, ImageSpec } from '../defineNode.ts';
+import { addPasses, FrameGraphError, frameGraphBuffer, UniqueList } from './buildFrameGraph.ts';
+
+/** The picture beside which previews are made. */
+export interface PreviewBase {
+  readonly settings: RenderSettings;
+  readonly scenes: readonly Scene[];
+}
+
+/** Where an image or a G-buffer is in a plan. */
+export type PreviewTarget =
+  | {
+      readonly kind: 'image';
+      readonly step: number;
+      /** It is light that no tone curve was over. */
+      readonly light: boolean;
+      /** Of a tone curve's image: the light that it is of. */
+      readonly metered?: number;
+    }
+  | { readonly kind: 'gbuffer'; readonly buffer: number };
+
+/**
+ * One plan with all the images that nodes made, each step once, over the G-buffers of the picture that is shown. `places`: where what is known by a name is in it;
+ * without those that take other G-buffers, or more steps than a plan may have. `scale`: how large it is to be drawn, to the picture: lengths in pixels shrink along.
+ */
+export function previewFrameGraph(
+  made: ReadonlyMap<string, ImageSpec | GBufferSpec>,
+  { settings, scenes }: PreviewBase,
+  scale: number,
+) {
+  const steps = new UniqueList<FrameGraphPass>(MAX_PASSES, 'steps');
+  const others = settings.frameGraph?.extraBuffers ?? [];
+  const known = [0, ...others].map((_, i) =>
+    JSON.stringify(frameGraphBuffer(bufferSettings(settings, i), others[i - 1]?.scene ?? 0)),
+  );
+  const bufferPlace = (gbuffer: GBufferSpec): number => {
+    const place = known.indexOf(JSON.stringify(frameGraphBuffer(gbuffer, scenes.indexOf(gbuffer.scene))));
+    if (place < 0) throw new FrameGraphError('the picture has no such G-buffer');
+    return place;
+  };
+  const places = new Map<string, PreviewTarget>();
+  for (const [name, value] of made) {
+    try {
+      places.set(name, 'step' in value ? imagePlace(value) : { kind: 'gbuffer', buffer: bufferPlace(value) });
+    } catch (error) {
+      if (!(error instanceof FrameGraphError)) throw error;
+    }
+  }
+  const plan: FrameGraph = { extraBuffers: others, passes: steps.items.map((step) => scaleArguments(step, scale)) };
+  return { plan, places };
+
+  function imagePlace(image: ImageSpec): PreviewTarget {
+    const found = addPasses(image, steps, bufferPlace);
+    const metered = image.step.kind === 'tone' ? found.get(image.step.image) : undefined;
+    const step = found.get(image) ?? 0;
+    return { kind: 'image', step, light: isSceneLinear(image), ...(metered !== undefined && { metered }) };
+  }
+}
+
+/** Whether an image goes on beyond 1: no tone curve was over it. */
+function isSceneLinear({ step }: ImageSpec): boolean {
+  switch (step.kind) {
+    case 'tone':
+    case 'false-colour':
+    case 'occlusion':
+      return false;
+    case 'effect':
+      return isSceneLinear(step.image);
+    case 'mix':
+      return isSceneLinear(step.below);
+    default:
+      return true;
+  }
+}
+
+/** Lengths in pixels are of a smaller picture; what a written effect makes of its numbers nobody knows. */
+function scaleArguments(step: FrameGraphPass, scale: number): FrameGraphPass {
+  if (step.kind !== 'effect' || typeof step.effect !== 'string') return step;
+  const known: EffectInfo['args'] = EFFECTS[step.effect].args;
+  return { ...step, args: step.args.map((arg, i) => (known[i]?.unit === 'px' ? arg * scale : arg)) };
+}

@@ -1,0 +1,84 @@
+import { NodeRefusal, type NumberParam, type ParamSpec, type ParamValueOf } from '../../../graph/nodeType.ts';
+import { makeObject, makeScene } from '../../../scene/defaults.ts';
+import type { Mesh } from '../../../scene/types.ts';
+import { defineNode } from '../../defineNode.ts';
+import type { Services } from '../../services.ts';
+
+/** A length of a primitive [m]. */
+export const lengthParam = (title: string, value: number): NumberParam => ({
+  kind: 'number',
+  title,
+  unit: 'm',
+  default: value,
+  min: 1e-6,
+  max: 1e9,
+  step: 0.001,
+  slider: false,
+});
+
+/** A number of pieces. */
+export const countParam = (title: string, value: number, least: number, most: number): NumberParam => ({
+  kind: 'number',
+  title,
+  default: value,
+  min: least,
+  max: most,
+  step: 1,
+  integer: true,
+});
+
+/** The axis of a round primitive. */
+export const axisParam = {
+  kind: 'choice',
+  title: 'param.axis',
+  default: 'Y',
+  options: [
+    { value: 'X', title: 'axis.x' },
+    { value: 'Y', title: 'axis.y' },
+    { value: 'Z', title: 'axis.z' },
+  ],
+} as const satisfies ParamSpec;
+
+type Params = Readonly<Record<string, ParamSpec>>;
+type Values<P extends Params> = { readonly [K in keyof P]: ParamValueOf<P[K]> };
+
+/** Where a mesh is made, and what helps with it. */
+interface MeshContext {
+  readonly node: string;
+  readonly services: Services;
+}
+
+/** A node that makes one mesh, at rest at the origin: `/name` of the scene. */
+export function definePrimitive<const P extends Params>(description: {
+  readonly id: string;
+  readonly title: string;
+  readonly help: string;
+  /** What it is called where nothing else is said. */
+  readonly name: string;
+  readonly params: P;
+  mesh(params: Values<P>, work: MeshContext): Mesh | Promise<Mesh>;
+}) {
+  const { id, title, help, name, params, mesh } = description;
+  return defineNode({
+    id,
+    title,
+    help,
+    category: 'geometry',
+    params: { name: { kind: 'text', title: 'param.name', help: 'param.name.help', default: name }, ...params },
+    inputs: {},
+    outputs: { geometry: { type: 'geometry' } },
+    async evaluate(_inputs, values, work) {
+      const path = rootPrimPath(values.name as string, work.node);
+      const object = makeObject({ path, mesh: await mesh(values as unknown as Values<P>, work) });
+      return { geometry: { scene: makeScene({ name: path.slice(1), objects: [object] }) } };
+    },
+  });
+}
+
+/** A name as USD has them: letters, digits and _, no digit first. */
+export function rootPrimPath(name: string, node: string): string {
+  if (/^[\p{L}_][\p{L}\p{N}_]{0,63}$/u.test(name)) return `/${name}`;
+  const message = `"${name}" cannot be a name: letters, digits and _ can, at most 64, and no digit first`;
+  const remedy = { node, param: 'name', value: name.replace(/[^\p{L}\p{N}_]/gu, '_').replace(/^(?=\p{N}|$)/u, '_') };
+  throw new NodeRefusal({ severity: 'error', code: 'primitive.name', place: `${node}.name`, message, remedy });
+}

@@ -1,0 +1,56 @@
+import { encodePng } from '../../formats/image/encodePng.ts';
+import { type ExrChannel, writeExr } from '../../formats/image/exr.ts';
+import { withPngText } from '../../formats/image/pngText.ts';
+import type { Scene } from '../../scene/types.ts';
+import { observerMetadata, pictureMetadata } from '../../scene/view/pictureMetadata.ts';
+import { AOVS, type AovName, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
+import type { AovValues, PictureSize, RenderedPicture } from './pictureRenderer.ts';
+
+/** What a picture is of. */
+export interface PictureInfo {
+  readonly view: ViewPoint;
+  /** With the exposure and the false colours that it was shown with. */
+  readonly settings: RenderSettings;
+}
+
+/** `a.####.png` and 7 → `a.0007.png` */
+export const frameName = (pattern: string, frame: number): string =>
+  pattern.replace(/#+/, (run) => (frame < 0 ? '-' : '') + String(Math.abs(frame)).padStart(run.length, '0'));
+
+/** A picture for a screen, which also tells what it is of. */
+export const encodePngPicture = (
+  size: PictureSize,
+  { pixels }: RenderedPicture,
+  { view, settings }: PictureInfo,
+): Uint8Array<ArrayBuffer> => withPngText(encodePng(size.width, size.height, pixels), pictureMetadata(view, settings));
+
+/** Data channels, and what they are of. */
+export const encodeExrPicture = (
+  size: PictureSize,
+  { aovs }: RenderedPicture,
+  { view, settings }: PictureInfo,
+  scene: Scene,
+): Uint8Array => encodeExr(size, aovs, scene, { scene: scene.name, ...observerMetadata(view, settings.speedOfLight) });
+
+/** The header names each object, so that the numbers of the `object` channel mean something elsewhere. */
+function encodeExr(
+  size: PictureSize,
+  aovs: AovValues,
+  scene: Scene,
+  about: Readonly<Record<string, string>>,
+): Uint8Array {
+  const channels = [...aovs].flatMap(([name, data]) => splitChannels(name, data));
+  const objects = Object.fromEntries(scene.objects.map((object, i) => [String(i + 1), object.path]));
+  return writeExr({ ...size, channels, attributes: { ...about, objects: JSON.stringify(objects) } });
+}
+
+function splitChannels(name: AovName, data: Float32Array): ExrChannel[] {
+  const { channels } = AOVS[name];
+  const pixels = data.length / channels.length;
+  return channels.map((channel, k) => {
+    const values = Float32Array.from({ length: pixels }, (_, i) => data[i * channels.length + k]!);
+    return name === 'object'
+      ? { name: channel, type: 'uint', data: Uint32Array.from(values, Math.round) }
+      : { name: channel, type: 'float', data: values };
+  });
+}

@@ -1,0 +1,28 @@
+import { adaptExposure, exposureForMetering, type MeteringMode } from './metering.ts';
+import type { PictureMeter } from './pictureMeter.ts';
+import type { PictureRequest, PictureSize } from './pictureRenderer.ts';
+
+/** Sets the exposure of one picture after another, as an eye would that follows them: each by its own light, eased over the scene's time. */
+export class ExposureMeter {
+  private readonly gauges: PictureMeter;
+  private readonly metering: MeteringMode;
+  private readonly size: PictureSize;
+  private last: { readonly t: number; readonly exposure: number } | undefined;
+
+  constructor(gauges: PictureMeter, metering: MeteringMode, size: PictureSize) {
+    this.gauges = gauges;
+    this.metering = metering;
+    this.size = size;
+  }
+
+  /** The exposure that the metering sets for a picture [EV]. */
+  async read({ view, settings }: PictureRequest): Promise<number> {
+    const { metering, size, last } = this;
+    if (metering === 'manual') return 0;
+    const gauge = await this.gauges.read(view, settings, 'radiance');
+    const target = exposureForMetering(metering, gauge, view, settings, size.width / size.height);
+    const exposure = last ? adaptExposure(last.exposure, target, Math.abs(view.t - last.t)) : target;
+    this.last = { t: view.t, exposure };
+    return exposure;
+  }
+}

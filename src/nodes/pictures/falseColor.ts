@@ -1,0 +1,67 @@
+import { falseColorLegendHeight, withFalseColorLegend } from '../../reference/figures/falseColorLegend.ts';
+import { AOVS_OF_FALSE_COLOR, falseColorPicture, falseColorValues } from '../../reference/post/falseColor.ts';
+import type { FalseColorQuantity, FalseColorScale, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
+import { measuredFalseColorScale } from './metering.ts';
+import type { PictureMeter } from './pictureMeter.ts';
+import type { PictureRenderer, PictureRequest, PictureSize, RenderedPicture } from './pictureRenderer.ts';
+
+/** Pictures whose colours are to stand for numbers. */
+export interface FalseColorOptions {
+  readonly size: PictureSize;
+  readonly falseColour?: FalseColorQuantity;
+  /** The values at both ends of the colours; without it, round numbers that hold what the first picture has. */
+  readonly falseRange?: ValueRange;
+  readonly legend?: boolean;
+}
+
+/** Of the files that are written, with the legend where there is one. */
+export const outputSize = ({ size, falseColour, legend }: FalseColorOptions): PictureSize =>
+  falseColour && legend ? { ...size, height: size.height + falseColorLegendHeight(size.width, falseColour) } : size;
+
+/** Makes pictures whose colours stand for numbers, where a painter does not from its data. All of a film have the scale of its first. */
+export class FalseColorRenderer {
+  private readonly painter: PictureRenderer;
+  private readonly gauges: PictureMeter;
+  private readonly kind: FalseColorQuantity;
+  private readonly wanted: FalseColorOptions;
+  private scale: ValueRange | undefined;
+
+  constructor(painter: PictureRenderer, gauges: PictureMeter, kind: FalseColorQuantity, wanted: FalseColorOptions) {
+    this.painter = painter;
+    this.gauges = gauges;
+    this.kind = kind;
+    this.wanted = wanted;
+    this.scale = wanted.falseRange;
+  }
+
+  /** What the colours of the pictures mean; undefined before the first. */
+  get colors(): FalseColorScale | undefined {
+    return this.scale && { kind: this.kind, ...this.scale };
+  }
+
+  async render(request: PictureRequest, onPart: (part: number) => void): Promise<RenderedPicture> {
+    const { kind, wanted } = this;
+    const { view, settings } = request;
+    this.scale ??= measuredFalseColorScale(kind, await this.gauges.read(view, settings, kind));
+    const colors = { kind, ...this.scale };
+    const pixels = await this.renderColors(colors, request, onPart);
+    const picture = { ...wanted.size, pixels };
+    return { pixels: (wanted.legend ? withFalseColorLegend(picture, colors) : picture).pixels, aovs: new Map() };
+  }
+
+  private async renderColors(
+    colors: FalseColorScale,
+    request: PictureRequest,
+    onPart: (part: number) => void,
+  ): Promise<Uint8Array> {
+    const { kind, painter, wanted } = this;
+    const { view, settings } = request;
+    if (painter.measureLight) {
+      const painted = await painter.render({ ...request, settings: { ...settings, falseColors: colors } }, onPart);
+      return painted.pixels;
+    }
+    const { aovs } = await painter.render({ ...request, pixels: false, aovs: AOVS_OF_FALSE_COLOR[kind] }, onPart);
+    const taken = { aovs, view, settings, ...wanted.size };
+    return falseColorPicture(colors, falseColorValues(kind, taken), taken).pixels;
+  }
+}

@@ -1,0 +1,39 @@
+import { type FrameGraph, includesToneMapping } from '../../scene/frameGraph/frameGraph.ts';
+import type { RenderSettings } from '../../scene/view/view.ts';
+import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
+import { measuredFalseColorScale } from './metering.ts';
+import type { PictureMeter } from './pictureMeter.ts';
+import type { PictureRequest } from './pictureRenderer.ts';
+import { exposedFrameGraph } from './renderSettings.ts';
+
+/** Gives a plan its exposures, and the scales of its false colours: all pictures of a film have those of its first. */
+export class FrameGraphSettings {
+  private readonly gauges: PictureMeter;
+  private readonly plan: FrameGraph;
+  private scales: Map<FalseColorQuantity, ValueRange> | undefined;
+
+  constructor(gauges: PictureMeter, plan: FrameGraph) {
+    this.gauges = gauges;
+    this.plan = plan;
+  }
+
+  /** `metered`: the exposure that the metering sets [EV]. */
+  async read(request: PictureRequest, metered: number): Promise<RenderSettings> {
+    this.scales ??= await this.measured(request);
+    const plan = exposedFrameGraph(this.plan, metered, (kind) => this.scales?.get(kind));
+    const { exposure } = request.settings;
+    return {
+      ...request.settings,
+      frameGraph: plan,
+      exposure: includesToneMapping(plan) ? exposure : exposure + metered,
+    };
+  }
+
+  private async measured({ view, settings }: PictureRequest): Promise<Map<FalseColorQuantity, ValueRange>> {
+    const scales = new Map<FalseColorQuantity, ValueRange>();
+    const kinds = this.plan.passes.flatMap((step) => (step.kind === 'false-colour' ? [step.of] : []));
+    for (const kind of new Set(kinds))
+      scales.set(kind, measuredFalseColorScale(kind, await this.gauges.read(view, settings, kind)));
+    return scales;
+  }
+}

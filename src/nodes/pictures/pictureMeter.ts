@@ -1,0 +1,39 @@
+import { AOVS_OF_FALSE_COLOR, falseColorValues } from '../../reference/post/falseColor.ts';
+import { includesToneMapping } from '../../scene/frameGraph/frameGraph.ts';
+import { type LightMeterReadings, METER_CELLS, meterPixel } from '../../scene/view/metering.ts';
+import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import type { FalseColorQuantity } from '../../spectrum/falseColor/falseColor.ts';
+import type { PictureRenderer, PictureSize } from './pictureRenderer.ts';
+
+/** Measures pictures where the page measures them, so that exposures and scales are the same. */
+export class PictureMeter {
+  private readonly painter: PictureRenderer;
+  private readonly size: PictureSize;
+
+  constructor(painter: PictureRenderer, size: PictureSize) {
+    this.painter = painter;
+    this.size = size;
+  }
+
+  /** What false colours of a kind stand for; `radiance`: the light that the metering works on. */
+  async read(view: ViewPoint, settings: RenderSettings, kind: FalseColorQuantity): Promise<LightMeterReadings> {
+    const { painter, size } = this;
+    if (painter.measureLight) return painter.measureLight(view, settings);
+    const { frameGraph, ...plain } = settings;
+    const lit = kind !== 'radiance' || includesToneMapping(frameGraph) ? plain : settings;
+    const request = { view, settings: lit, samples: 1, pixels: false, aovs: AOVS_OF_FALSE_COLOR[kind] };
+    const { aovs } = await painter.render(request);
+    const at = (of: FalseColorQuantity) =>
+      AOVS_OF_FALSE_COLOR[of].every((name) => aovs.has(name))
+        ? sampleMeterCells(falseColorValues(of, { aovs, view, settings: lit, ...size }), size)
+        : new Float32Array();
+    return { luminance: at('radiance'), doppler: at('doppler'), time: at('emission-time') };
+  }
+}
+
+/** Of values of all pixels. */
+const sampleMeterCells = (values: Float32Array, { width, height }: PictureSize): Float32Array =>
+  Float32Array.from(
+    { length: METER_CELLS * METER_CELLS },
+    (_, i) => values[meterPixel(Math.floor(i / METER_CELLS), height) * width + meterPixel(i % METER_CELLS, width)]!,
+  );

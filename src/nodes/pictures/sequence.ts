@@ -1,0 +1,62 @@
+import type { ObserverPath } from '../../scene/view/observerPath.ts';
+import type { AovName, RenderSettings } from '../../scene/view/view.ts';
+import type { FrameTime } from '../project/outputFiles.ts';
+import type { PictureInfo } from './encode.ts';
+import { ExposureMeter } from './exposureMeter.ts';
+import { type FalseColorOptions, FalseColorRenderer } from './falseColor.ts';
+import { FrameGraphSettings } from './frameGraphSettings.ts';
+import type { MeteringMode } from './metering.ts';
+import { PictureMeter } from './pictureMeter.ts';
+import type { PictureRenderer, PictureRequest, RenderedPicture } from './pictureRenderer.ts';
+
+/** Pictures of one scene, one after another. */
+export interface PictureSequence extends FalseColorOptions {
+  /** Before metering. */
+  readonly settings: RenderSettings;
+  readonly metering: MeteringMode;
+  /** n × n samples per pixel. */
+  readonly samples: number;
+  /** Data channels in place of the picture for a screen; none: that. */
+  readonly aovs: readonly AovName[];
+  readonly observer: ObserverPath;
+  readonly frames: readonly FrameTime[];
+}
+
+/** One of them. */
+export interface PictureFrame extends PictureInfo {
+  readonly number?: number;
+  readonly rendered: RenderedPicture;
+  /** With what the metering set [EV]. */
+  readonly exposure: number;
+}
+
+/**
+ * Draws a sequence frame by frame: each is exposed by its own light, eased from that of the one before; scales of false colours are those of the first.
+ * `onPart` hears how many frames are done, parts of a frame too. Who stops asking for frames ends the work.
+ */
+export async function* renderPictureSequence(
+  painter: PictureRenderer,
+  sequence: PictureSequence,
+  onPart: (done: number) => void,
+): AsyncGenerator<PictureFrame, void> {
+  const { settings: plain, size, samples, aovs, observer, falseColour } = sequence;
+  const gauges = new PictureMeter(painter, size);
+  const meter = new ExposureMeter(gauges, sequence.metering, size);
+  const composer = plain.frameGraph && new FrameGraphSettings(gauges, plain.frameGraph);
+  const falsely = falseColour && new FalseColorRenderer(painter, gauges, falseColour, sequence);
+  for (const [i, { number, t }] of sequence.frames.entries()) {
+    onPart(i);
+    const view = observer(t);
+    const request: PictureRequest = { view, settings: plain, samples, pixels: aovs.length === 0, aovs };
+    // Data and light itself have no exposure.
+    const metered = request.pixels && showsLight(sequence) ? await meter.read(request) : 0;
+    const exposure = plain.exposure + metered;
+    const settings = composer ? await composer.read(request, metered) : { ...plain, exposure };
+    const painted = await (falsely ?? painter).render({ ...request, settings }, (part) => onPart(i + part));
+    const shown = falsely?.colors ? { ...settings, falseColors: falsely.colors } : settings;
+    yield { ...(number !== undefined && { number }), view, settings: shown, exposure, rendered: painted };
+  }
+}
+
+/** The others show numbers, whatever their light. */
+const showsLight = ({ falseColour }: FalseColorOptions): boolean => falseColour === undefined || falseColour === 'band';

@@ -1,0 +1,11 @@
+import { DiagnosticLog } from '../../formats/diagnostics/diagnosticLog.ts';
+import { saveScene } from '../../formats/save.ts';
+import { type ExportedScene, exportSampledScene } from '../../formats/write/exportMotion.ts';
+import type { SceneOutput } from './outputFiles.ts';
+
+/** The files of a scene that is to be written as `name`, the one that is named first, and what they cannot hold. */
+export async function exportSceneFile({ scene, sampled }: SceneOutput, name: string): Promise<ExportedScene> {
+  const notes = new DiagnosticLog(name);
+  const written = await saveScene(sampled ? exportSampledScene(scene, notes) : scene, name);
+  return { files: written.files, diagnostics: [...notes.list(), ...written.diagnostics] };
+}

@@ -1,0 +1,99 @@
+import { describe, expect, it } from 'vitest';
+import { add, connect, edited, set } from '../../../tests/support/graphKit.ts';
+import { groupCommand } from '../../graph/edits/group.ts';
+import { nodeLibrary } from '../library.ts';
+import { nearestToOutput, nodesFeedingOutput, outputNodeId, readNodeParams } from './outputChain.ts';
+import {
+  flyCommand,
+  flyNodesIn,
+  newProject,
+  openFileCommand,
+  removeFlightCommand,
+  setParamCommand,
+} from './projectCommands.ts';
+
+const standard = newProject('a.usda');
+const types = (document: typeof standard) => nodesFeedingOutput(document).map(({ type }) => type);
+
+describe('what feeds the output', () => {
+  it('comes with the nearest first, without what feeds nothing', () => {
+    const more = edited(standard, add('lonely', 'read', [0, 0]));
+    expect(types(more)).toEqual([
+      'output',
+      'false-colour',
+      'tone-map',
+      'deferred-lighting',
+      'relativity-rasterize',
+      'scene-camera',
+      'relativity-console',
+      'scene',
+      'retime',
+      'read',
+    ]);
+    expect(readNodeParams(more)).toEqual({ read: { source: 'a.usda' } });
+  });
+
+  it('is found whatever it is called, in groups, and not where it is muted', () => {
+    const { command } = groupCommand(standard, { nodes: ['read', 'retime'] }, 'File', nodeLibrary);
+    const grouped = edited(standard, command);
+    expect(nearestToOutput(grouped, 'read')?.id).toBe('group/read');
+    expect(outputNodeId(grouped)).toBe('output');
+    const quiet = edited(grouped, {
+      kind: 'inside',
+      group: 'group',
+      command: { kind: 'mute', nodes: ['retime'], muted: true },
+    });
+    expect(types(quiet)).not.toContain('retime');
+    expect(types(quiet)).toContain('read');
+  });
+
+  it('is nothing where there is no output', () => {
+    const without = edited(standard, { kind: 'remove-nodes', nodes: ['output'] });
+    expect([outputNodeId(without), nodesFeedingOutput(without)]).toEqual([undefined, []]);
+  });
+
+  it('of two that read, the nearer is the one that another scene is opened in', () => {
+    const two = edited(
+      standard,
+      add('far', 'read', [0, 0]),
+      add('turn', 'transform', [0, 0]),
+      connect('far.geometry', 'turn.geometry'),
+      add('near', 'read', [0, 0]),
+      connect('turn.geometry', 'scene.geometry.2'),
+      connect('near.geometry', 'scene.geometry.3'),
+      set('near', 'source', 'near.usda'),
+    );
+    const opened = edited(two, openFileCommand(two, 'b.usda')!);
+    expect(opened.nodes.near?.params).toEqual({ source: 'b.usda' });
+    expect(opened.nodes.read?.params).toEqual({ source: 'a.usda' });
+  });
+});
+
+describe('edits of a project by what its nodes are', () => {
+  const { command } = groupCommand(standard, { nodes: ['console', 'camera'] }, 'Look', nodeLibrary);
+  const grouped = edited(standard, command);
+
+  it('another scene takes away what was set for the last one, in groups too, and its words', () => {
+    const before = edited(grouped, setParamCommand(grouped, 'group/console', 'speedOfLight', 5), {
+      kind: 'describe',
+      what: 'lookFor',
+      value: 'the street',
+    });
+    expect(before.groups.group?.nodes.console?.params).toEqual({ speedOfLight: 5 });
+    const after = edited(before, openFileCommand(before, 'b.usda')!);
+    expect(after.groups.group?.nodes.console?.params).toEqual({});
+    expect(after.lookFor).toBeUndefined();
+    expect(openFileCommand(edited(standard, { kind: 'remove-nodes', nodes: ['read'] }), 'b.usda')).toBeUndefined();
+  });
+
+  it('things fly where the camera is, and land again', () => {
+    const one = edited(grouped, flyCommand(grouped, '/a', 0));
+    const two = edited(one, flyCommand(one, '/b', 2));
+    expect(flyNodesIn(two)).toEqual(['group/fly1', 'group/fly2']);
+    const left = edited(two, removeFlightCommand(two, 'group/fly1'));
+    expect(edited(left, removeFlightCommand(left, 'group/fly2'))).toEqual(grouped);
+    expect(flyNodesIn(edited(two, openFileCommand(two, 'b.usda')!))).toEqual([]);
+    const blind = edited(standard, { kind: 'remove-nodes', nodes: ['camera'] });
+    expect(edited(blind, flyCommand(blind, '/a', 0))).toEqual(blind);
+  });
+});

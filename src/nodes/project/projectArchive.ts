@@ -1,0 +1,55 @@
+import { inputError } from '../../formats/diagnostics/inputError.ts';
+import { memorySource, normalizePath } from '../../formats/files/fileSource.ts';
+import { packZip } from '../../formats/zip/pack.ts';
+import { memoryFile, zipSource } from '../../formats/zip/zipSource.ts';
+import type { FileReference, GraphDocument } from '../../graph/document/document.ts';
+import { referencedFiles } from '../../graph/document/fileReferences.ts';
+import { parseDocument } from '../../graph/document/parse.ts';
+import { serializeDocument } from '../../graph/document/serialize.ts';
+import { nodeLibrary } from '../library.ts';
+
+/** What a project is called in its archive. */
+export const PROJECT_FILE_NAME = 'project.slowlight.json';
+
+/**
+ * A project with its files, as one zip. `files`: by the names under which the document refers to them, with what they refer to
+ * themselves (textures, layers) beside them.
+ */
+export async function packProjectArchive(
+  document: GraphDocument,
+  files: ReadonlyMap<string, Uint8Array>,
+): Promise<Uint8Array> {
+  const missing = referencedFiles(document, nodeLibrary).find((file) => !files.has(file));
+  if (missing !== undefined)
+    throw inputError('file.missing', missing, 'the project reads it; open it again before the project is packed');
+  const references = await Promise.all(
+    [...files].map(async ([path, bytes]) => [path, await fileReference(bytes)] as const),
+  );
+  const text = serializeDocument({ ...document, files: Object.fromEntries(references) });
+  return packZip(new Map([[PROJECT_FILE_NAME, new TextEncoder().encode(text)], ...files]));
+}
+
+async function fileReference(bytes: Uint8Array): Promise<FileReference> {
+  // A page that is served without encryption has none.
+  if (!crypto.subtle) return { size: bytes.length };
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes.slice()));
+  return { size: bytes.length, hash: [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('') };
+}
+
+export interface ProjectArchive {
+  readonly document: GraphDocument;
+  /** The project's files, by the names under which the document refers to them. */
+  readonly files: ReadonlyMap<string, Uint8Array>;
+}
+
+/** Reads what `packProjectArchive` made. Throws an InputError of a damaged archive, a DocumentError of a damaged project. */
+export async function openProjectArchive(archive: Uint8Array, name: string): Promise<ProjectArchive> {
+  const source = await zipSource(memoryFile(archive), name, memorySource({}));
+  const folder = `${normalizePath(name)}/`;
+  const files = new Map<string, Uint8Array>();
+  for (const path of await source.list()) files.set(path.slice(folder.length), (await source.read(path))!);
+  const project = files.get(PROJECT_FILE_NAME);
+  if (!project) throw inputError('zip.no-project', name, `it holds no ${PROJECT_FILE_NAME}; export the project again`);
+  files.delete(PROJECT_FILE_NAME);
+  return { document: parseDocument(new TextDecoder().decode(project)), files };
+}

@@ -1,0 +1,152 @@
+import {
+  emptyDocument,
+  type Graph,
+  type GraphDocument,
+  graphIn,
+  own,
+  type ParamValue,
+} from '../../graph/document/document.ts';
+import { applyCommand, type Command } from '../../graph/edits/commands.ts';
+import { insideGroup } from '../../graph/edits/fragment.ts';
+import { FreshKeys } from '../../graph/edits/freshKeys.ts';
+import { locateNode } from '../../graph/edits/locateNode.ts';
+import { nearestToOutput, nodesFeedingOutput } from './outputChain.ts';
+
+/** The chain that a new project starts with: node id and type, in the order of the flow. */
+const DEFAULT_NODES = [
+  ['read', 'read'],
+  ['retime', 'retime'],
+  ['scene', 'scene'],
+  ['console', 'relativity-console'],
+  ['camera', 'scene-camera'],
+  ['rasterize', 'relativity-rasterize'],
+  ['lighting', 'deferred-lighting'],
+  ['toneMap', 'tone-map'],
+  ['falseColour', 'false-colour'],
+  ['output', 'output'],
+] as const;
+/** The output and the input that join each node of the chain to the next. */
+const DEFAULT_EDGES = [
+  ['geometry', 'geometry'],
+  ['geometry', 'geometry.1'],
+  ['scene', 'scene'],
+  ['relativity', 'relativity'],
+  ['view', 'view'],
+  ['gbuffer', 'gbuffer'],
+  ['image', 'image'],
+  ['image', 'image'],
+  ['image', 'image'],
+] as const;
+
+/** Read → Retime → Scene → Relativity Console → Scene Camera → Relativity Rasterize → Deferred Lighting → Tone Map → False Colour → Output. */
+export function newProject(source = ''): GraphDocument {
+  const nodes = DEFAULT_NODES.map(([node, type], i): Command => ({ kind: 'add-node', node, type, at: [i * 240, 0] }));
+  const edges = DEFAULT_EDGES.map(([output, input], i): Command => {
+    const edge = { from: { node: DEFAULT_NODES[i]![0], output }, to: { node: DEFAULT_NODES[i + 1]![0], input } };
+    return { kind: 'connect', edge };
+  });
+  const file: Command[] = source ? [{ kind: 'set-param', node: 'read', param: 'source', value: source }] : [];
+  return applyCommand(emptyDocument(), { kind: 'batch', commands: [...nodes, ...edges, ...file] }).document;
+}
+
+/** Sets a parameter of a node that an evaluation names, where its definition is; without a value it goes back to its default. */
+export function setParamCommand(document: GraphDocument, id: string, param: string, value?: ParamValue): Command {
+  const { group, node } = locateNode(document, id) ?? { node: id };
+  return insideGroup(group, { kind: 'set-param', node, param, ...(value === undefined ? {} : { value }) });
+}
+
+/** What a person set for one scene, and the next one suggests anew: node type and parameter. */
+const SCENE_PARAMS = [
+  ['read', 'variants'],
+  ['retime', 'speed'],
+  ['retime', 'offset'],
+  ['relativity-console', 'speedOfLight'],
+  ['scene-camera', 'camera'],
+  ['scene-camera', 'ride'],
+  ['scene-camera', 'fieldOfView'],
+] as const;
+
+/**
+ * Opens another file in a project: what the person had set for the last scene gives way to what the new one suggests. Undefined where no
+ * node reads a file.
+ */
+export function openFileCommand(document: GraphDocument, source: string): Command | undefined {
+  const reader = nearestToOutput(document, 'read');
+  if (!reader) return undefined;
+  const cleared = SCENE_PARAMS.flatMap(([type, param]) => {
+    const node = nearestToOutput(document, type);
+    return node ? [setParamCommand(document, node.id, param)] : [];
+  });
+  return {
+    kind: 'batch',
+    commands: [
+      setParamCommand(document, reader.id, 'source', source),
+      ...cleared,
+      { kind: 'describe', what: 'lookFor' },
+      ...removeFlightCommands(document),
+    ],
+  };
+}
+
+/** The fly nodes between console and camera, in the order of the flow. */
+export function flyNodesIn(document: GraphDocument): string[] {
+  const nodes = new Map(nodesFeedingOutput(document).map((node) => [node.id, node]));
+  const flights: string[] = [];
+  let at = nearestToOutput(document, 'scene-camera');
+  for (;;) {
+    const [source] = at?.inputs.get('relativity') ?? [];
+    at = source?.kind === 'output' ? nodes.get(source.node) : undefined;
+    if (at?.type !== 'fly' || flights.includes(at.id)) return flights;
+    flights.unshift(at.id);
+  }
+}
+
+/**
+ * Lets a thing fly, as the node's defaults have it; `at`: the world time at which it passes its place [s]. Does nothing
+ * where no camera is given what could fly.
+ */
+export function flyCommand(document: GraphDocument, object: string, at: number): Command {
+  const camera = nearestToOutput(document, 'scene-camera');
+  const place = camera && locateNode(document, camera.id);
+  const level = place && graphIn(document, place.group);
+  const edge = level && own(level.edges, `${place.node}.relativity`);
+  if (!edge) return { kind: 'batch', commands: [] };
+  const node = new FreshKeys(level.nodes).next('fly1');
+  const [x, y] = level.layout[place.node] ?? [0, 0];
+  const commands: Command[] = [
+    { kind: 'add-node', node, type: 'fly', at: [x - 120, y + 240], params: at === 0 ? { object } : { object, at } },
+    { kind: 'connect', edge: { from: edge.from, to: { node, input: 'relativity' } } },
+    { kind: 'connect', edge: { from: { node, output: 'relativity' }, to: edge.to } },
+  ];
+  return insideGroup(place.group, { kind: 'batch', commands });
+}
+
+/** Takes a flight out: the thing moves as its file says again. */
+export function removeFlightCommand(document: GraphDocument, id: string): Command {
+  const { group, node } = locateNode(document, id) ?? { node: id };
+  const commands = [
+    ...bypassCommands(graphIn(document, group), node),
+    { kind: 'remove-nodes', nodes: [node] } as const,
+  ];
+  return insideGroup(group, { kind: 'batch', commands });
+}
+
+/** What a node is fed goes to all that it feeds. */
+function bypassCommands(level: Graph | undefined, node: string): Command[] {
+  const before = level && own(level.edges, `${node}.relativity`);
+  if (!before) return [];
+  const after = Object.values(level.edges).filter(({ from }) => from.node === node);
+  return after.map(({ to }) => ({ kind: 'connect', edge: { from: before.from, to } }));
+}
+
+/** Takes all flights out, one after the other. */
+function removeFlightCommands(document: GraphDocument): Command[] {
+  const commands: Command[] = [];
+  let left = document;
+  for (let [flight] = flyNodesIn(left); flight !== undefined; [flight] = flyNodesIn(left)) {
+    const command = removeFlightCommand(left, flight);
+    left = applyCommand(left, command).document;
+    commands.push(command);
+  }
+  return commands;
+}

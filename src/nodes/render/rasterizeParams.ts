@@ -1,0 +1,12 @@
+import type { ParamSpec } from '../../graph/nodeType.ts';
+
+/** What every rasterizer asks for. */
+export const rasterizeParams = {
+  antialiasing: {
+    kind: 'boolean',
+    title: 'param.antialiasing',
+    help: 'param.antialiasing.help',
+    default: true,
+  },
+  grid: { kind: 'boolean', title: 'param.grid', help: 'param.grid.help', default: false },
+} as const satisfies Readonly<Record<string, ParamSpec>>;

@@ -1,0 +1,116 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { edited, set } from '../../../tests/support/graphKit.ts';
+import { savingProject } from '../../../tests/support/savingGraph.ts';
+import type { Command } from '../../graph/edits/commands.ts';
+import { Evaluator } from '../../graph/evaluation/evaluator.ts';
+import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
+import { nodeLibrary } from '../library.ts';
+import { evaluatedPicture } from '../pictures/renderSettings.ts';
+import { fileNodesIn, requestedFiles } from '../project/fileNodes.ts';
+import {
+  type FrameTime,
+  frameCount,
+  frameTimes,
+  type RequestedFile,
+  type VideoOutput,
+} from '../project/outputFiles.ts';
+import { workerServices } from '../services.ts';
+
+async function evaluated(...commands: readonly Command[]) {
+  const document = edited(savingProject(), ...commands);
+  const writers = fileNodesIn(document);
+  const evaluation = await new Evaluator(nodeLibrary).evaluate(document, ['output', ...writers.keys()], workerServices);
+  return { evaluation, files: requestedFiles(evaluation, writers) };
+}
+const asked = async (node: string, ...commands: readonly Command[]): Promise<RequestedFile> =>
+  (await evaluated(...commands)).files.get(node)!;
+const refusalOf = async (node: string, ...commands: readonly Command[]): Promise<NodeResult> =>
+  (await evaluated(...commands)).evaluation.results.get(node)!;
+
+describe('the nodes that save pictures', () => {
+  it('ask for what the screen shows, and pass it on', async () => {
+    const { evaluation, files } = await evaluated();
+    const picture = evaluatedPicture(evaluation)!;
+    expect(picture.speedOfLight).toBe(10);
+    const size = { width: 64, height: 48 };
+    expect(files.get('still')).toEqual({ kind: 'image', name: 'picture.png', picture, ...size, samples: 2, time: 0.5 });
+    const span = { from: 0.25, to: 0.75, fps: 8, hold: false };
+    expect(files.get('film')).toEqual({ kind: 'video', name: 'film.mp4', picture, ...size, samples: 1, ...span });
+  });
+
+  it('take time from the scene, unless they have their own', async () => {
+    const unset = ['from', 'to', 'fps'].map((param) => set('film', param));
+    const clock = [
+      { kind: 'add-node', node: 'clock', type: 'time', at: [0, 0] },
+      { kind: 'connect', edge: { from: { node: 'clock', output: 'time' }, to: { node: 'scene', input: 'time' } } },
+      ...[set('clock', 'from', 1), set('clock', 'to', 4), set('clock', 'openAt', 2)],
+    ] as const;
+    expect(await asked('film', ...unset, ...clock)).toMatchObject({ from: 1, to: 4, fps: 24 });
+    expect(await asked('still', set('still', 'time'), ...clock)).toMatchObject({ time: 2 });
+  });
+
+  it.each([
+    ['still', 'name', 'a.mp4', 'file.name', { param: 'name', value: 'a.png' }],
+    ['still', 'name', '../a.png', 'file.name', { param: 'name', value: 'a.png' }],
+    ['still', 'name', 'a.####.png', 'file.frame', { param: 'name', value: 'a.png' }],
+    ['still', 'name', '##.png', 'file.frame', { param: 'name', value: 'picture.png' }],
+    ['film', 'name', 'a.png', 'file.frame', { param: 'name', value: 'a.####.png' }],
+    ['film', 'name', 'a.avi', 'file.name', { param: 'name', value: 'a.mp4' }],
+    ['film', 'width', 65, 'file.even', { param: 'width', value: 66 }],
+    ['film', 'to', 0, 'file.span', { param: 'to', value: 0.25 }],
+    ['film', 'to', 1e9, 'file.frames', { param: 'to', value: 0.25 + 65_535 / 8 }],
+  ])('%s.%s = %s is refused, with a remedy that works', async (node, param, value, code, remedy) => {
+    const bad = set(node, param, value);
+    expect(await refusalOf(node, bad)).toMatchObject({
+      status: 'failed',
+      problem: { code, remedy: { node, ...remedy } },
+    });
+    expect(await refusalOf(node, bad, set(node, remedy.param, remedy.value))).toMatchObject({ status: 'done' });
+  });
+
+  it('false colours are no light', async () => {
+    const light = set('still', 'name', 'a.exr');
+    expect(await refusalOf('still', light)).toMatchObject({ status: 'done' });
+    const falsely = [
+      { kind: 'add-node', node: 'false', type: 'false-colour', at: [0, 0] },
+      set('false', 'of', 'doppler'),
+      { kind: 'connect', edge: { from: { node: 'tone', output: 'image' }, to: { node: 'false', input: 'image' } } },
+      { kind: 'connect', edge: { from: { node: 'false', output: 'image' }, to: { node: 'still', input: 'image' } } },
+    ] as const;
+    expect(await refusalOf('still', light, ...falsely)).toMatchObject({
+      problem: { code: 'file.falseColour', remedy: { value: 'a.png' } },
+    });
+  });
+});
+
+describe('the frames of a film', () => {
+  const frames = (from: number, to: number, fps: number): readonly FrameTime[] =>
+    frameTimes({ kind: 'video', from, to, fps } as VideoOutput);
+
+  it('are numbered as those of the command line: frame n at n/fps', () => {
+    expect(frames(0, 0.1, 24)).toEqual([0, 1, 2].map((number) => ({ number, t: number / 24 })));
+    expect(frames(2, 2, 24)).toEqual([{ number: 48, t: 2 }]);
+    expect(frames(0.1, 0.3, 10)).toEqual([1, 2, 3].map((number) => ({ number, t: number / 10 })));
+    expect(frames(-0.1, 0, 10).map(({ number }) => number)).toEqual([-1, 0]);
+  });
+
+  it('begin at the beginning, do not go beyond the end, and miss none before it', () => {
+    const numbers = {
+      from: fc.double({ min: -100, max: 100, noNaN: true }),
+      length: fc.double({ min: 0, max: 20, noNaN: true }),
+    };
+    fc.assert(
+      fc.property(
+        fc.record({ ...numbers, fps: fc.double({ min: 0.5, max: 120, noNaN: true }) }),
+        ({ from, length, fps }) => {
+          const all = frames(from, from + length, fps);
+          expect(all).toHaveLength(frameCount({ from, to: from + length, fps }));
+          expect(all[0]!.t).toBeCloseTo(from, 5);
+          expect(all.at(-1)!.t).toBeLessThanOrEqual(from + length + 1e-5 / fps + 1e-5);
+          expect(all.at(-1)!.t + 1 / fps).toBeGreaterThan(from + length - 1e-5);
+        },
+      ),
+    );
+  });
+});

@@ -1,0 +1,46 @@
+import { extensionOf } from '../../formats/files/fileSource.ts';
+import type { NumberParam, ParamSpec } from '../../graph/nodeType.ts';
+import { nodeRefusal } from '../common/params.ts';
+import type { ImageSpec, PictureSpec } from '../defineNode.ts';
+import { buildPictureAt } from './pictureFor.ts';
+
+const MAX_SIDE = 16384;
+
+const pixelParam = (title: string, value: number): NumberParam => ({
+  kind: 'number',
+  title,
+  unit: 'px',
+  default: value,
+  min: 1,
+  max: MAX_SIDE,
+  step: 1,
+  integer: true,
+  slider: false,
+});
+
+/** What every node that saves pictures asks for. */
+export const pictureSizeParams = {
+  width: pixelParam('param.width', 1280),
+  height: pixelParam('param.height', 720),
+} as const satisfies Readonly<Record<string, ParamSpec>>;
+
+/** Along each side of a pixel. */
+export const samplesParam = (value: number): NumberParam => ({
+  kind: 'number',
+  title: 'param.samples',
+  help: 'param.samples.help',
+  default: value,
+  min: 1,
+  max: 16,
+  step: 1,
+  integer: true,
+});
+
+/** The picture that is to be written under `name`; colours that stand for numbers are for a screen. */
+export function pictureToSave(image: ImageSpec, name: string, node: string): PictureSpec {
+  const picture = buildPictureAt(image, node);
+  if (extensionOf(name) !== 'exr' || picture.falseColor === 'none') return picture;
+  const message = 'false colours are for a screen, and an .exr holds light; save them as .png';
+  const remedy = { node, param: 'name', value: name.replace(/\.exr$/i, '.png') };
+  throw nodeRefusal('file.falseColour', `${node}.name`, message, remedy);
+}

@@ -1,0 +1,18 @@
+import { negate, type Vec3 } from '../../math/vec3.ts';
+import { mapVectors } from '../../math/vec3Arrays.ts';
+import { inverseBoostSpatial } from '../lorentz/boost.ts';
+
+/**
+ * Where a point appears: Δx′ = Δx + [γ²/(γ + 1) β·Δx + γ|Δx|] β, the spatial part of the past light-cone event (−|Δx|, Δx)
+ * in the observer's frame. |Δx′| = D|Δx|, so order in depth is kept along each ray.
+ * Δx [m]: world frame, observer → emission event. u: the observer's γβ. The result in the observer's frame [m].
+ * Any γ, also in the backward direction; Δx = 0 gives 0. Source: physics.md "Seeing"; boost of a null vector.
+ */
+export const apparentPosition = (dx: Vec3, u: Vec3): Vec3 => inverseBoostSpatial(dx, 0, u);
+
+/** The inverse: observer's frame → world frame, Δx from the apparent position [m]. */
+export const inverseApparentPosition = (dxPrime: Vec3, u: Vec3): Vec3 => inverseBoostSpatial(dxPrime, 0, negate(u));
+
+/** `apparentPosition` of many points, 3 numbers each [m]. `out` may be `dx` itself. */
+export const apparentPositions = (dx: Float64Array, u: Vec3, out = new Float64Array(dx.length)): Float64Array =>
+  mapVectors(dx, out, (v) => apparentPosition(v, u));

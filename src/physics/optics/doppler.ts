@@ -1,0 +1,75 @@
+import { cross, dot, length, negate, normalize, type Vec3 } from '../../math/vec3.ts';
+import { mapScalars } from '../../math/vec3Arrays.ts';
+import { gamma, oneMinusBetaSquared } from '../lorentz/boost.ts';
+
+// D = ν_observed / ν_emitted throughout: D > 1 is blue.
+
+/**
+ * The observer's own factor D_o = γ(1 + β·n), n = Δx/|Δx|: what a static world's light is multiplied with.
+ * Δx [any unit of length]: world frame, observer → emission event. u: the observer's γβ. Where u·n < 0 by its conjugate
+ * (1 + |u × n|²)/(γ − u·n), exact to the last digits at any γ. Δx = 0, which has no direction, gives γ.
+ * Source: physics.md "Seeing"; Einstein 1905 §7.
+ */
+export function observerDoppler(dx: Vec3, u: Vec3): number {
+  const n = normalize(dx);
+  const un = dot(u, n);
+  if (un >= 0) return gamma(u) + un;
+  const side = cross(u, n);
+  return (1 + dot(side, side)) / (gamma(u) - un);
+}
+
+/**
+ * A moving emitter's factor D_e = √(1 − β²)/(1 + β·n), seen by an observer at rest in the world.
+ * n: unit, world frame, observer → source at the emission event. β: the emitter's velocity in units of c, world frame.
+ * `oneMinusBeta2` where 1 − β² is known better than β tells. Source: physics.md "Seeing".
+ */
+export function emitterDoppler(n: Vec3, beta: Vec3, oneMinusBeta2 = oneMinusBetaSquared(beta)): number {
+  const bn = dot(beta, n);
+  if (bn >= 0) return Math.sqrt(oneMinusBeta2) / (1 + bn);
+  const side = cross(beta, n);
+  return (Math.sqrt(oneMinusBeta2) * (1 - bn)) / (oneMinusBeta2 + dot(side, side));
+}
+
+/**
+ * D = γ_o(1 + β_o·n)/[γ_e(1 + β_e·n)] for any observer and emitter.
+ * n: world frame, observer → source at the emission event (any length). Both velocities as γβ, world frame.
+ */
+export const dopplerFactor = (n: Vec3, uObserver: Vec3, uEmitter: Vec3): number =>
+  observerDoppler(n, uObserver) / observerDoppler(n, uEmitter);
+
+/**
+ * D = 1/[γ(1 − β·n′)] of a static world, from the direction in which it is seen.
+ * n′: observer's frame, observer → where it appears (any length). u: the observer's γβ.
+ */
+export const dopplerAtPixel = (nPrime: Vec3, u: Vec3): number => 1 / observerDoppler(nPrime, negate(u));
+
+/** `observerDoppler` of many points, 3 numbers in and 1 out each. */
+export const observerDopplers = (dx: Float64Array, u: Vec3, out = new Float64Array(dx.length / 3)): Float64Array =>
+  mapScalars(dx, out, (v) => observerDoppler(v, u));
+
+/** `dopplerFactor` of many points that share an observer: offsets Δx and emitters' proper velocities, 3 numbers each. */
+export function dopplerFactors(
+  dx: Float64Array,
+  uObserver: Vec3,
+  uEmitters: Float64Array,
+  out = new Float64Array(dx.length / 3),
+): Float64Array {
+  for (let i = 0, k = 0; k + 2 < dx.length; i++, k += 3)
+    out[i] = dopplerFactor([dx[k], dx[k + 1], dx[k + 2]], uObserver, [
+      uEmitters[k],
+      uEmitters[k + 1],
+      uEmitters[k + 2],
+    ]);
+  return out;
+}
+
+/**
+ * The speed across the sky of something at velocity β (units of c), as its picture moves: |β⊥|/(1 + β·n), in units of c.
+ * It passes 1 where the thing comes nearly head-on: β sin θ/(1 − β cos θ) with θ from the line of sight toward the observer.
+ * n: unit, world frame, observer → source. Source: Rees 1966, Nature 211, 468.
+ */
+export function apparentSpeedAcross(n: Vec3, beta: Vec3): number {
+  const bn = dot(beta, n);
+  const across = length(cross(beta, n));
+  return bn >= 0 ? across / (1 + bn) : (across * (1 - bn)) / (oneMinusBetaSquared(beta) + across * across);
+}

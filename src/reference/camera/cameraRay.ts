@@ -1,0 +1,47 @@
+import { rotate } from '../../math/quat.ts';
+import { length, normalize, type Vec3 } from '../../math/vec3.ts';
+import { inverseBoost } from '../../physics/lorentz/boost.ts';
+import { inverseApparentPosition } from '../../physics/optics/apparentPosition.ts';
+import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import type { SpacetimeRay } from '../acceleration/ray.ts';
+
+/**
+ * The ray of the point (x, y) of a picture: pixels from its top left corner, the first pixel's centre at (½, ½). Its `s` is the distance
+ * in the observer's frame [m], so that depths along it are those of the picture. Newton's steps are for comparing, so the solver is not asked.
+ */
+export function cameraRay(
+  view: ViewPoint,
+  settings: RenderSettings,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): SpacetimeRay {
+  return rayToward(view, settings, directionAt(view, x, y, width, height));
+}
+
+/** n′ of a point of the picture: unit, observer's frame, on the world's axes carried by the pure boost. */
+export function directionAt(
+  { orientation, fovY }: ViewPoint,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): Vec3 {
+  const tan = Math.tan(fovY / 2);
+  const right = ((2 * x) / width - 1) * tan * (width / height);
+  const up = (1 - (2 * y) / height) * tan;
+  return normalize(rotate(orientation, [right, up, -1]));
+}
+
+/** The ray of a direction n′. */
+export function rayToward({ t, position, u }: ViewPoint, settings: RenderSettings, n: Vec3): SpacetimeRay {
+  if (settings.view === 'simultaneity') {
+    // The events (0, s n′) of the observer's frame.
+    const [dt, ...dx] = inverseBoost([0, ...n], u);
+    return { t, x: position, dt, dx };
+  }
+  const seen = settings.view === 'light-cone';
+  const dx = seen && settings.aberration ? inverseApparentPosition(n, u) : n;
+  return { t, x: position, dt: seen && settings.lightDelay ? -length(dx) : 0, dx };
+}

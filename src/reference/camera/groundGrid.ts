@@ -1,0 +1,93 @@
+import { add, dot, lerp, type Vec3 } from '../../math/vec3.ts';
+import { type BoundingSphere, boundingSphere, halfDiagonal, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
+import { upVector } from '../../scene/lights/sceneLights.ts';
+import { applyPose, samplePose } from '../../scene/motion/motion.ts';
+import type { SceneObject } from '../../scene/types.ts';
+import type { ViewPoint } from '../../scene/view/view.ts';
+import type { TracedScene } from '../intersection/tracedScene.ts';
+import { directionAt } from './cameraRay.ts';
+
+/** A colour over the picture, and how much of it is covered, 0 … 1. Display values, linear sRGB. */
+export interface Overlay {
+  readonly color: Vec3;
+  readonly cover: number;
+}
+
+const MINOR: Vec3 = [0.02, 0.42, 0.62];
+const MAJOR: Vec3 = [0.05, 0.75, 0.95];
+const NONE: Overlay = { color: MINOR, cover: 0 };
+
+/**
+ * The ground's reference grid at a point of the picture, as the rasterizer draws it (render/post/display/grid.ts): straight lines in the observer's frame, as a
+ * plane at the observer's height below would look without any relativity. `depth`: apparent distance of what is seen there [m].
+ */
+export function groundGrid(
+  traced: TracedScene,
+  view: ViewPoint,
+  width: number,
+  height: number,
+): (x: number, y: number, depth: number) => Overlay {
+  const { upAxis } = traced.scene;
+  const up = upVector(upAxis);
+  const east: Vec3 = [1, 0, 0];
+  const north: Vec3 = upAxis === 'Y' ? [0, 0, 1] : [0, 1, 0];
+  const step = gridStep(traced);
+  const altitude = dot(view.position, up);
+  const distanceAlong = (n: Vec3): number => altitude / -dot(n, up);
+  /** Where a direction meets the ground, in steps of the grid. */
+  const place = (n: Vec3): readonly number[] =>
+    [east, north].map((axis) => (dot(view.position, axis) + distanceAlong(n) * dot(n, axis)) / step);
+  const placeAt = (x: number, y: number) => place(directionAt(view, x, y, width, height));
+  return (x, y, depth) => {
+    const n = directionAt(view, x, y, width, height);
+    const distance = distanceAlong(n);
+    if (!(distance > 0 && distance < 1.02 * depth)) return NONE;
+    const [here, across, down] = [place(n), placeAt(x + 1, y), placeAt(x, y + 1)];
+    const footprint = here.map((p, k) => Math.max(Math.abs(across[k] - p) + Math.abs(down[k] - p), 1e-6));
+    const minor = lines(here, footprint, 1.1);
+    const major = lines(
+      here.map((p) => p / 10),
+      footprint.map((f) => f / 10),
+      1.6,
+    );
+    const faded = Math.exp(-((distance / (120 * step)) ** 2));
+    return { color: lerp(MINOR, MAJOR, major), cover: Math.max(0.55 * minor, 0.9 * major) * faded };
+  };
+}
+
+/** Cover of lines at whole numbers, `width` pixels wide; where they come closer than pixels they fade into their mean. */
+function lines(place: readonly number[], footprint: readonly number[], width: number): number {
+  const each = place.map((p, k) => {
+    const away = Math.abs(p - Math.round(p)) / footprint[k];
+    const dense = 1 - clamped(2 * footprint[k] - 0.4);
+    return (1 - smoothstep(width / 2 - 0.5, width / 2 + 0.5, away)) * dense;
+  });
+  return Math.max(...each);
+}
+
+const clamped = (x: number): number => Math.min(Math.max(x, 0), 1);
+function smoothstep(from: number, to: number, x: number): number {
+  const s = clamped((x - from) / (to - from));
+  return s * s * (3 - 2 * s);
+}
+
+const steps = new WeakMap<TracedScene, number>();
+
+/** Of the finer lines [m]: a power of ten, as fine as the scene's size asks. */
+function gridStep(traced: TracedScene): number {
+  const known = steps.get(traced);
+  if (known) return known;
+  const step = 10 ** Math.floor(Math.log10(Math.max(halfDiagonal(traced.objects.map(startOf)), 1e-6) / 15));
+  steps.set(traced, step);
+  return step;
+}
+
+/** Where an object is at time 0, or at its first sample; that round which it deforms is as large as it ever is. */
+function startOf({ mesh, motion }: SceneObject): BoundingSphere {
+  if (motion.kind === 'sampled-points') {
+    const spheres = Array.from(motion.times, (_, k) => sampleBoundingSphere(motion, k));
+    return { center: add(motion.origin, spheres[0].center), radius: Math.max(...spheres.map(({ radius }) => radius)) };
+  }
+  const { center, radius } = boundingSphere(mesh.positions);
+  return { center: applyPose(motion.kind === 'sampled' ? samplePose(motion.poses, 0) : motion.pose, center), radius };
+}

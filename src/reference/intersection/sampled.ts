@@ -1,0 +1,242 @@
+import { addScaled, cross, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { contraction } from '../../physics/worldLines/simultaneity.ts';
+import { samplesUntil } from '../../physics/worldLines/worldLine.ts';
+import type { SampledMotion, SampledPointsMotion, SceneObject } from '../../scene/types.ts';
+import { MovingBvhTraversal } from '../acceleration/movingBvhTraversal.ts';
+import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
+import {
+  type Crossing,
+  clipToTimes,
+  createHit,
+  type MovingBox,
+  type ObjectIntersector,
+  type RayQuery,
+} from '../acceleration/rayQuery.ts';
+import { TimeBvh } from '../acceleration/timeBvh.ts';
+import type { CubicChords } from './cubicChords.ts';
+import { SampledShapes, type ShapeCache } from './sampledShapes.ts';
+import { SpacetimeTriangle } from './spacetimeTriangle.ts';
+
+const walk = new MovingBvhTraversal();
+const triangle = new SpacetimeTriangle();
+/** The corners of a triangle at the ends of a chord, from the motion's origin. */
+const chordBegin = new Float64Array(9);
+const chordFinish = new Float64Array(9);
+/** The ray that is under way, from the origin of the object that it is tried on: o x y z, d x y z. */
+const line = new Float64Array(6);
+
+/** Roundings on the way from places and times to corners seen from the ray, in units of the last place. */
+const ROUNDINGS = 32;
+
+export type SampledObject = SceneObject & { readonly motion: SampledMotion | SampledPointsMotion };
+
+/**
+ * An object whose vertices run straight between samples, or along chords of a cubic (`CubicChords`). Piece k lies between samples k and k + 1; it rests in piece −1, before its first sample,
+ * and in the last one, after its last sample.
+ */
+export class SampledIntersector implements ObjectIntersector {
+  readonly index: number;
+  readonly doubleSided: boolean;
+  private readonly object: SampledObject;
+  private readonly c: number;
+  private readonly samples: SampledShapes;
+  private readonly stretches: TimeBvh;
+  /** The greatest coordinate of all [m]. */
+  private readonly reach: number;
+
+  constructor(index: number, object: SampledObject, c: number, store: ShapeCache) {
+    this.index = index;
+    this.doubleSided = object.mesh.doubleSided;
+    this.object = object;
+    this.c = c;
+    this.samples = new SampledShapes(object, store, c);
+    this.stretches = new TimeBvh(this.samples.outlines());
+    this.reach = Math.max(...this.stretches.whole.map(Math.abs));
+  }
+
+  get bounds(): MovingBox | undefined {
+    const { origin, topology: shape } = this.samples;
+    if (shape.first.length === 0) return undefined;
+    return { box: Array.from(this.stretches.whole, (x, i) => x + origin[i % 3]), velocity: ZERO };
+  }
+
+  intersect(ray: SpacetimeRay, search: RayQuery): void {
+    const { birth, death } = this.object.lifetime;
+    const [begin, end] = clipToTimes(ray, birth, death, this.c, search.begin, search.end);
+    if (begin > end) return;
+    const { times } = this.samples;
+    const { pieces } = this.stretches;
+    if (ray.dt === 0) {
+      this.tracePiece(ray, samplesUntil(times, ray.t) - 1, begin, end, search);
+      return;
+    }
+    for (let i = 0; i < 3; i++) {
+      line[i] = ray.x[i] - this.samples.origin[i];
+      line[3 + i] = ray.dx[i];
+    }
+    const [early, late] = ray.dt > 0 ? [-1, pieces] : [pieces, -1];
+    this.tracePiece(ray, early, begin, end, search);
+    this.descend(ray, 1, 0, pieces - 1, begin, end, search);
+    this.tracePiece(ray, late, begin, end, search);
+  }
+
+  /** Into the pieces from first to last, those that the ray passes first in time first. */
+  private descend(
+    ray: SpacetimeRay,
+    node: number,
+    first: number,
+    last: number,
+    begin: number,
+    end: number,
+    search: RayQuery,
+  ): void {
+    const { times } = this.samples;
+    const perSecond = this.c / ray.dt;
+    const one = (times[first] - ray.t) * perSecond;
+    const other = (times[last + 1] - ray.t) * perSecond;
+    const near = Math.max(begin, Math.min(one, other));
+    const far = Math.min(end, search.end, Math.max(one, other));
+    if (near > far || !this.stretches.intersects(node, line, near, far)) return;
+    if (first === last) {
+      this.tracePiece(ray, first, near, far, search);
+      return;
+    }
+    const middle = (first + last) >> 1;
+    const rising = ray.dt > 0;
+    if (rising) this.descend(ray, 2 * node, first, middle, begin, end, search);
+    this.descend(ray, 2 * node + 1, middle + 1, last, begin, end, search);
+    if (!rising) this.descend(ray, 2 * node, first, middle, begin, end, search);
+  }
+
+  private tracePiece(ray: SpacetimeRay, k: number, begin: number, end: number, search: RayQuery): void {
+    const { times, origin, topology: shape } = this.samples;
+    const last = times.length - 1;
+    const from = k < 0 ? Number.NEGATIVE_INFINITY : times[k];
+    const to = k < last ? times[k + 1] : Number.POSITIVE_INFINITY;
+    const [near, far] = clipToTimes(ray, from, to, this.c, begin, Math.min(end, search.end));
+    if (near > far) return;
+    const [before, after] = [this.samples.at(Math.max(0, k)), this.samples.at(Math.min(last, k + 1))];
+    const span = before === after ? Number.POSITIVE_INFINITY : to - from;
+    const rate = ray.dt / (this.c * span);
+    const share = before === after ? 0 : (ray.t - from) / span + near * rate;
+    const o = sub(addScaled(ray.x, ray.dx, near), origin);
+    walk.line(o[0], o[1], o[2], ray.dx[0], ray.dx[1], ray.dx[2], share, rate);
+    const cubic = before === after ? undefined : this.samples.cubic;
+    walk.start(shape.bvh, before.boxes, after.boxes, far - near, this.noise(o) + (cubic?.chordErrorIn(k) ?? 0));
+    if (cubic) this.intersectCubicLeaves(cubic, o, ray.dx, share, rate, near, k, search);
+    else this.intersectLeaves(before.points, after.points, o, ray.dx, share, rate, near, k, search);
+  }
+
+  private intersectLeaves(
+    before: ArrayLike<number>,
+    after: ArrayLike<number>,
+    o: Vec3,
+    d: Vec3,
+    share: number,
+    rate: number,
+    begin: number,
+    piece: number,
+    search: RayQuery,
+  ): void {
+    const { bvh, first } = this.samples.topology;
+    const { indices } = this.object.mesh;
+    const { a, b } = triangle;
+    const noise = this.noise(o);
+    for (let leaf = walk.next(search.end - begin); leaf >= 0; leaf = walk.next(search.end - begin)) {
+      const { near, far } = walk;
+      const from = bvh.link[leaf];
+      for (let i = from; i < from + bvh.count[leaf]; i++) {
+        for (let corner = 0; corner < 3; corner++)
+          for (let axis = 0; axis < 3; axis++) {
+            const at = 3 * indices[first[i] + corner] + axis;
+            const moved = after[at] - before[at];
+            a[3 * corner + axis] = before[at] - o[axis] + (moved * (share + rate * near) - d[axis] * near);
+            b[3 * corner + axis] = moved * rate - d[axis];
+          }
+        this.offerCrossings(search, begin + near, far - near, noise, first[i], piece);
+      }
+    }
+  }
+
+  /** As `visit`, chord by chord of those that the ray passes while it is in the leaf. */
+  private intersectCubicLeaves(
+    cubic: CubicChords,
+    o: Vec3,
+    d: Vec3,
+    share: number,
+    rate: number,
+    begin: number,
+    piece: number,
+    search: RayQuery,
+  ): void {
+    const { bvh, first } = this.samples.topology;
+    const { indices } = this.object.mesh;
+    const chords = cubic.chordsIn(piece);
+    const chordAt = (s: number) => Math.min(chords - 1, Math.max(0, Math.floor((share + rate * s) * chords)));
+    const noise = this.noise(o);
+    for (let leaf = walk.next(search.end - begin); leaf >= 0; leaf = walk.next(search.end - begin)) {
+      const { near, far } = walk;
+      const [early, late] = rate < 0 ? [chordAt(far), chordAt(near)] : [chordAt(near), chordAt(far)];
+      const from = bvh.link[leaf];
+      for (let i = from; i < from + bvh.count[leaf]; i++)
+        for (let chord = early; chord <= late; chord++) {
+          for (let corner = 0; corner < 3; corner++) {
+            cubic.chordEnd(indices[first[i] + corner], piece, chord, chordBegin, 3 * corner);
+            cubic.chordEnd(indices[first[i] + corner], piece, chord + 1, chordFinish, 3 * corner);
+          }
+          // Where the ray is in the chord, from where on and how long.
+          const along = share * chords - chord;
+          const per = rate * chords;
+          const ends = per === 0 ? [near, far] : [-along / per, (1 - along) / per].sort((a, b) => a - b);
+          const [enters, leaves] = [Math.max(near, ends[0]), Math.min(far, ends[1])];
+          if (enters > leaves) continue;
+          this.setTriangleFromChord(o, d, along, per, enters);
+          this.offerCrossings(search, begin + enters, leaves - enters, noise, first[i], piece);
+        }
+    }
+  }
+
+  /** Where the ray meets the triangle within `length` after s = `from`: the first that the search takes. */
+  private offerCrossings(
+    search: RayQuery,
+    from: number,
+    length: number,
+    noise: number,
+    corner: number,
+    piece: number,
+  ): void {
+    const n = triangle.intersect(length, noise);
+    for (let j = 0; j < n; j++) {
+      const s = from + triangle.sigma[j];
+      if (search.offer(this, s, corner, triangle.v[j], triangle.w[j], triangle.front[j], piece)) break;
+    }
+  }
+
+  /** The triangle's corners as the ray has them, from s = `enters` on. */
+  private setTriangleFromChord(o: Vec3, d: Vec3, share: number, rate: number, enters: number): void {
+    const { a, b } = triangle;
+    for (let k = 0; k < 9; k++) {
+      const axis = k % 3;
+      const moved = chordFinish[k] - chordBegin[k];
+      a[k] = chordBegin[k] - o[axis] + (moved * (share + rate * enters) - d[axis] * enters);
+      b[k] = moved * rate - d[axis];
+    }
+  }
+
+  hitAt(ray: SpacetimeRay, crossing: Crossing): Hit {
+    const { s, corner, v, w, piece } = crossing;
+    const { indices } = this.object.mesh;
+    const time = ray.t + (s * ray.dt) / this.c;
+    const [p, q, r] = [0, 1, 2].map((k) => this.samples.vertex(indices[corner + k], piece, time));
+    const firstTwo = addScaled(scale(p.velocity, 1 - v - w), q.velocity, v);
+    const velocity = scale(addScaled(firstTwo, r.velocity, w), 1 / this.c);
+    const plane = cross(sub(q.place, p.place), sub(r.place, p.place));
+    return createHit(ray, this.index, crossing, this.c, velocity, contraction(plane, properVelocity(velocity)));
+  }
+
+  /** How well places round o are known [m]. */
+  private noise(o: Vec3): number {
+    return ROUNDINGS * Number.EPSILON * (Math.abs(o[0]) + Math.abs(o[1]) + Math.abs(o[2]) + this.reach);
+  }
+}

@@ -1,0 +1,128 @@
+import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import { mixFilters, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
+import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
+import { cosineDirection, fromLocalBasis, orthonormalBasis, type Random, reflect } from '../sampling/directions.ts';
+import type { SurfacePoint } from './surface.ts';
+
+// Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.
+
+/** How a surface reflects towards V. */
+export interface Brdf {
+  /** Albedo of the Lambert part. */
+  readonly diffuse: SpectralFilter;
+  /** Mirrored share at normal and at grazing incidence. */
+  readonly F0: SpectralFilter;
+  readonly F90: number;
+  /** As direct light meets it: a point of light on a perfect mirror would have no size. */
+  readonly roughness: number;
+  readonly N: Vec3;
+  readonly V: Vec3;
+  readonly NV: number;
+}
+
+export function brdfOf({ filter, metallic, roughness, ior, normal: N }: SurfacePoint, V: Vec3): Brdf {
+  const bare = ((ior - 1) / (ior + 1)) ** 2;
+  const F0 = mixFilters(neutralFilter(bare), 1 - metallic, filter, metallic);
+  return {
+    diffuse: scaleFilter(filter, 1 - metallic),
+    F0,
+    // What refracts like its surroundings has no surface to mirror, not even at grazing incidence.
+    F90: ior === 1 ? metallic : 1,
+    roughness: Math.min(Math.max(roughness, 0.05), 1),
+    N,
+    V,
+    NV: Math.max(dot(N, V), 1e-3),
+  };
+}
+
+/** BRDF · cos of light from L; undefined where L is below the horizon. */
+export function evaluateBrdf(look: Brdf, L: Vec3): SpectralFilter | undefined {
+  const NL = Math.min(dot(look.N, L), 1);
+  if (NL <= 0) return undefined;
+  const { share, F } = ggx(look, L, NL);
+  return mixFilters(look.diffuse, NL / Math.PI, F, NL * share);
+}
+
+/** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
+function ggx(look: Brdf, L: Vec3, NL: number): { readonly share: number; readonly F: SpectralFilter } {
+  const { N, V, NV, roughness } = look;
+  const H = normalize(add(L, V));
+  const a2 = roughness ** 4;
+  const distribution = ggxDistribution(Math.min(dot(N, H), 1), a2);
+  const visibility = 0.5 / Math.max(NL * smithTerm(NV, a2) + NV * smithTerm(NL, a2), 1e-4);
+  return { share: Math.min(distribution * visibility, 1e4), F: fresnel(look, dot(V, H)) };
+}
+
+/** √(a² + (1 − a²) x²) */
+const smithTerm = (x: number, a2: number): number => Math.sqrt(x * x * (1 - a2) + a2);
+
+/** Schlick 1994. */
+function fresnel({ F0, F90 }: Brdf, VH: number): SpectralFilter {
+  const grazing = (1 - Math.min(Math.max(VH, 0), 1)) ** 5;
+  return mixFilters(F0, 1 - grazing, neutralFilter(F90), grazing);
+}
+
+/** Below this a surface mirrors as if it were perfectly smooth. */
+const MIN_ROUGHNESS = 0.05;
+
+/** A part of the reflectance, and how its light is looked for. */
+export interface Lobe {
+  /** A direction towards light; the more light of there goes towards V, the more likely. */
+  sample(random: Random): Vec3;
+  /** How densely such directions lie about L [1/sr]; absent where there is only one. */
+  readonly pdf?: (L: Vec3) => number;
+  /** Of light from L, BRDF · cos over the density. */
+  weight(L: Vec3): SpectralFilter;
+}
+
+export const diffuseLobe = ({ N, diffuse }: Brdf): Lobe => ({
+  sample: (random) => cosineDirection(N, random),
+  pdf: (L) => Math.max(dot(N, L), 0) / Math.PI,
+  weight: () => diffuse,
+});
+
+/** GGX. Directions are chosen by the facets that are seen from V, so that the share is F · G₂/G₁ and never great. */
+export function specularLobe(look: Brdf, roughness: number): Lobe {
+  const { N, V, NV } = look;
+  const toward = (H: Vec3): Vec3 => reflect(scale(V, -1), H);
+  if (roughness < MIN_ROUGHNESS) return { sample: () => toward(N), weight: () => fresnel(look, NV) };
+  const a2 = roughness ** 4;
+  const hidden = NV + smithTerm(NV, a2);
+  const share = (L: Vec3): SpectralFilter => {
+    const NL = dot(N, L);
+    if (NL <= 0) return neutralFilter(0);
+    const [v, l] = [NL * smithTerm(NV, a2), NV * smithTerm(NL, a2)];
+    return scaleFilter(fresnel(look, dot(V, normalize(add(L, V)))), (NL * hidden) / (v + l));
+  };
+  const direction = (random: Random): Vec3 => toward(sampleVisibleNormal(N, V, roughness * roughness, random));
+  // Who looks from below the normal's horizon sees other facets than the formula has.
+  if (dot(N, V) < NV) return { sample: direction, weight: share };
+  return {
+    sample: direction,
+    weight: share,
+    pdf: (L) => ggxDistribution(dot(N, normalize(add(L, V))), a2) / (2 * hidden),
+  };
+}
+
+/** Trowbridge and Reitz's distribution of facets, by the cosine to the normal. */
+function ggxDistribution(cosine: number, a2: number): number {
+  const spread = cosine * cosine * (a2 - 1) + 1;
+  return cosine > 0 ? a2 / (spread * spread * Math.PI) : 0;
+}
+
+/** Source: Heitz 2018, "Sampling the GGX distribution of visible normals", JCGT 7(4). */
+export function sampleVisibleNormal(N: Vec3, V: Vec3, a: number, random: Random): Vec3 {
+  const [s, t] = orthonormalBasis(N);
+  const Vh = normalize([a * dot(V, s), a * dot(V, t), Math.max(dot(V, N), 1e-3)]);
+  const flat = Vh[0] ** 2 + Vh[1] ** 2;
+  const T1: Vec3 = flat > 0 ? scale([-Vh[1], Vh[0], 0], 1 / Math.sqrt(flat)) : [1, 0, 0];
+  const T2: Vec3 = [Vh[1] * T1[2] - Vh[2] * T1[1], Vh[2] * T1[0] - Vh[0] * T1[2], Vh[0] * T1[1] - Vh[1] * T1[0]];
+  const r = Math.sqrt(random());
+  const phi = 2 * Math.PI * random();
+  const x = r * Math.cos(phi);
+  const half = (1 + Vh[2]) / 2;
+  const y = (1 - half) * Math.sqrt(1 - x * x) + half * r * Math.sin(phi);
+  const z = Math.sqrt(Math.max(0, 1 - x * x - y * y));
+  const Nh = addScaled(addScaled(scale(T1, x), T2, y), Vh, z);
+  return normalize(fromLocalBasis(N, a * Nh[0], a * Nh[1], Math.max(1e-6, Nh[2])));
+}

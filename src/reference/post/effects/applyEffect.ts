@@ -1,0 +1,67 @@
+import { clampEffectArguments, type EffectChannel, type EffectId } from '../../../scene/frameGraph/effects.ts';
+import type { ShaderChannel, ShaderProgram } from '../../../scene/shaderText/program.ts';
+import type { AovName } from '../../../scene/view/view.ts';
+import { antialiasing } from './antialiasing.ts';
+import { bilateralFilter } from './bilateralFilter.ts';
+import { bloom } from './bloom.ts';
+import { depthOfField } from './depthOfField.ts';
+import { edge } from './edge.ts';
+import { type EffectInput, type FloatImage, GBufferReader } from './effectInput.ts';
+import { fog } from './fog.ts';
+import { gaussianBlur } from './gaussianBlur.ts';
+import { mixImages } from './mix.ts';
+import { applyShaderText } from './shaderText.ts';
+import { sharpen } from './sharpen.ts';
+import { skyBackground } from './skyBackground.ts';
+import { vignette } from './vignette.ts';
+
+type EffectFunction = (frame: GBufferReader, args: readonly number[]) => FloatImage;
+
+const EFFECT_FUNCTIONS: Readonly<Record<EffectId, EffectFunction>> = {
+  'gaussian-blur': gaussianBlur,
+  'bilateral-filter': bilateralFilter,
+  'sky-background': skyBackground,
+  sharpen,
+  bloom,
+  edge,
+  vignette,
+  fog,
+  'depth-of-field': depthOfField,
+  antialiasing,
+};
+
+/** The data that a picture is to be taken with, by what an effect reads. */
+export const AOVS_OF_EFFECT_CHANNEL: Readonly<Record<EffectChannel, readonly AovName[]>> = {
+  depth: ['object', 'depth'],
+  normal: ['object', 'normal'],
+  event: ['object', 'position'],
+  direction: [],
+};
+
+/** The same, by what a text looks at. */
+export const AOVS_OF_SHADER_CHANNEL: Readonly<Record<ShaderChannel, readonly AovName[]>> = {
+  image: [],
+  there: ['object'],
+  depth: AOVS_OF_EFFECT_CHANNEL.depth,
+  normal: AOVS_OF_EFFECT_CHANNEL.normal,
+  event: AOVS_OF_EFFECT_CHANNEL.event,
+  emissionTime: ['object', 'emission_time'],
+  velocity: ['object', 'velocity'],
+  doppler: ['object', 'doppler'],
+  object: ['object'],
+};
+
+/** A picture after an effect, in f64; where the mask (its first channel) is 0 it stays as it was. */
+export function applyEffect(
+  of: EffectId | ShaderProgram,
+  args: readonly number[],
+  taken: EffectInput,
+  mask?: FloatImage,
+): FloatImage {
+  const frame = new GBufferReader(taken);
+  const after =
+    typeof of === 'string'
+      ? EFFECT_FUNCTIONS[of](frame, clampEffectArguments(of, args))
+      : applyShaderText(of, frame, args, taken.view.t);
+  return mask ? mixImages('normal', 1, taken.image, after, mask) : after;
+}

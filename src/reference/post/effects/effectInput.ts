@@ -1,0 +1,122 @@
+import { normalize, sub, type Vec3 } from '../../../math/vec3.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../../../scene/view/view.ts';
+import { cameraRay } from '../../camera/cameraRay.ts';
+
+/** Three numbers per pixel, or as many as are told, rows from the top. */
+export class FloatImage {
+  readonly width: number;
+  readonly height: number;
+  readonly channels: number;
+  readonly values: Float64Array;
+
+  constructor(width: number, height: number, channels = 3, values?: ArrayLike<number>) {
+    this.width = width;
+    this.height = height;
+    this.channels = channels;
+    this.values = values ? Float64Array.from(values) : new Float64Array(width * height * channels);
+  }
+
+  /** A pixel's numbers; beyond the edges, of the picture's mirror image. */
+  at(x: number, y: number): readonly number[] {
+    const i = this.channels * (mirrorIndex(y, this.height) * this.width + mirrorIndex(x, this.width));
+    return Array.from(this.values.subarray(i, i + this.channels));
+  }
+
+  /** A plane of this size, pixel by pixel. */
+  map(pixel: (x: number, y: number) => readonly number[], channels = 3): FloatImage {
+    return FloatImage.of(this.width, this.height, channels, pixel);
+  }
+
+  static of(
+    width: number,
+    height: number,
+    channels: number,
+    pixel: (x: number, y: number) => readonly number[],
+  ): FloatImage {
+    const out = new FloatImage(width, height, channels);
+    for (let y = 0; y < height; y++)
+      for (let x = 0; x < width; x++) out.values.set(pixel(x, y), channels * (y * width + x));
+    return out;
+  }
+}
+
+/** Where the mirror image of a side of `n` pixels has its pixel `i`: … 1 0 | 0 1 … n−1 | n−1 n−2 …; farther away than one side, its end. */
+export function mirrorIndex(i: number, n: number): number {
+  const once = i < 0 ? -1 - i : i;
+  const twice = once >= n ? 2 * n - 1 - once : once;
+  return Math.min(Math.max(twice, 0), n - 1);
+}
+
+/** A picture with what is known of it. */
+export interface EffectInput {
+  readonly image: FloatImage;
+  /** What `EFFECTS[id].reads` asks for (`AOVS_OF_EFFECT_CHANNEL`). */
+  readonly aovs: ReadonlyMap<AovName, ArrayLike<number>>;
+  readonly view: ViewPoint;
+  readonly settings: RenderSettings;
+  /** The scene's upward direction: unit, world frame. */
+  readonly zenith: Vec3;
+}
+
+/** A picture's G-buffer, by pixels inside of it or beyond its edges. */
+export class GBufferReader {
+  readonly image: FloatImage;
+  /** tan of half the field of view, across and up. */
+  readonly halfTangents: readonly [number, number];
+  readonly zenith: Vec3;
+  private readonly input: EffectInput;
+
+  constructor(taken: EffectInput) {
+    this.input = taken;
+    this.image = taken.image;
+    this.zenith = taken.zenith;
+    const up = Math.tan(taken.view.fovY / 2);
+    this.halfTangents = [(up * this.image.width) / this.image.height, up];
+  }
+
+  isCovered(x: number, y: number): boolean {
+    return this.read('object', x, y)[0]! > 0.5;
+  }
+
+  /** Apparent distance |Δx′| [m]; of nothing, 0. */
+  depth(x: number, y: number): number {
+    return this.read('depth', x, y)[0]!;
+  }
+
+  normal(x: number, y: number): Vec3 {
+    return this.read('normal', x, y) as unknown as Vec3;
+  }
+
+  /** Observer → event, world frame [m]. */
+  eventOffset(x: number, y: number): Vec3 {
+    return sub(this.read('position', x, y) as unknown as Vec3, this.input.view.position);
+  }
+
+  /** Where the pixel looks in the world: unit, world frame. */
+  direction(x: number, y: number): Vec3 {
+    const { view, settings } = this.input;
+    return normalize(cameraRay(view, settings, x + 0.5, y + 0.5, this.image.width, this.image.height).dx);
+  }
+
+  /** tan of the angles off the axis, to the right and up. */
+  tangents(x: number, y: number): readonly [number, number] {
+    const { image, halfTangents } = this;
+    const right = ((x + 0.5) / image.width) * 2 - 1;
+    const up = 1 - ((y + 0.5) / image.height) * 2;
+    return [right * halfTangents[0], up * halfTangents[1]];
+  }
+
+  /** World time of the event after the observer's [s]. */
+  emissionTime(x: number, y: number): number {
+    return this.read('emission_time', x, y)[0]! - this.input.view.t;
+  }
+
+  read(name: AovName, x: number, y: number): number[] {
+    const { width, height } = this.image;
+    const values = this.input.aovs.get(name);
+    if (!values) throw new Error(`the picture was taken without its ${name}`);
+    const channels = values.length / (width * height);
+    const i = channels * (mirrorIndex(y, height) * width + mirrorIndex(x, width));
+    return Array.from({ length: channels }, (_, k) => values[i + k]!);
+  }
+}

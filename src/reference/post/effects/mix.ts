@@ -1,0 +1,43 @@
+import { type MixMode, WIPE_WIDTH } from '../../../scene/frameGraph/effects.ts';
+import type { FloatImage } from './effectInput.ts';
+
+type Blend = (a: number, b: number) => number;
+
+const within = (value: number): number => Math.min(Math.max(value, 0), 1);
+const above = (value: number): number => Math.max(value - 1, 0);
+
+/** 1 − (1 − a)(1 − b) of what lies within 0 … 1, plus what is above. */
+const screen: Blend = (a, b) => 1 - (1 - within(a)) * (1 - within(b)) + above(a) + above(b);
+
+/** `multiply` where a is dark and `screen` where it is light, of what lies within 0 … 1, plus what of a is above. */
+const overlay: Blend = (a, b) => {
+  const [p, q] = [within(a), within(b)];
+  return (p < 0.5 ? 2 * p * q : 1 - 2 * (1 - p) * (1 - q)) + above(a);
+};
+
+const BLENDS: Readonly<Record<MixMode, Blend>> = {
+  normal: (_, b) => b,
+  multiply: (a, b) => a * b,
+  add: (a, b) => a + b,
+  screen,
+  overlay,
+  difference: (a, b) => Math.abs(a - b),
+  split: (_, b) => b,
+  wipe: (_, b) => b,
+};
+
+/** (1 − m s) a + m s B(a, b), with s the share of the mode at a place `across` the picture, 0 … 1; m: the mask. Sizes are `a`'s. */
+export function mixImages(mode: MixMode, alpha: number, a: FloatImage, b: FloatImage, mask?: FloatImage): FloatImage {
+  return a.map((x, y) => {
+    const share = shareAt(mode, alpha, (x + 0.5) / a.width) * within(mask?.at(x, y)[0] ?? 1);
+    const over = b.at(x, y);
+    return a.at(x, y).map((value, c) => (1 - share) * value + share * BLENDS[mode](value, over[c]!));
+  });
+}
+
+/** `split`: a to the left of alpha, b to the right. `wipe`: b comes in from the left, behind a soft border. Otherwise alpha. */
+function shareAt(mode: MixMode, alpha: number, across: number): number {
+  if (mode === 'split') return across < alpha ? 0 : 1;
+  if (mode === 'wipe') return within((alpha * (1 + WIPE_WIDTH) - across) / WIPE_WIDTH);
+  return alpha;
+}

@@ -1,0 +1,35 @@
+import { dot, length, lerp, scale, type Vec3 } from '../../../math/vec3.ts';
+import { DAY_SKY } from '../../../scene/lights/sceneLights.ts';
+import { SKY_SHAPE } from '../../../scene/lights/skyGradient.ts';
+import type { FloatImage, GBufferReader } from './effectInput.ts';
+
+/**
+ * A clear day's sky where nothing is, at rest in the world: aberration bends it as it bends a sky, but it is a backdrop, and has no Doppler shift. Things fade
+ * into it with 1 − exp(−r/L), r = |Δx| what their light has travelled in the world's frame. arg1: brightness; arg2: power of n·zenith by which the colour
+ * goes from the horizon's to the zenith's; arg3: L [m], 0 does not fade; arg4: opacity. After `relativity_background.fs` of the sources.
+ */
+export function skyBackground(
+  frame: GBufferReader,
+  [brightness = 1, power = 0.5, fade = 0, opacity = 1]: readonly number[],
+): FloatImage {
+  return frame.image.map((x, y) => {
+    const sky = scale(backdrop(dot(frame.direction(x, y), frame.zenith), power), brightness);
+    const behind = fade > 0 ? 1 - Math.exp(-length(frame.eventOffset(x, y)) / fade) : 0;
+    const amount = opacity * (frame.isCovered(x, y) ? behind : 1);
+    return lerp(frame.image.at(x, y) as unknown as Vec3, sky, amount);
+  });
+}
+
+/** The clear day's sky (`SKY_SHAPE`), with a curve of its own. */
+function backdrop(height: number, curve: number): Vec3 {
+  const { dim, haze, seam } = SKY_SHAPE;
+  const { horizon, ground } = DAY_SKY.gradient;
+  const above = lerp(horizon, DAY_SKY.color, Math.min(Math.max(height, 0), 1) ** curve);
+  const below = lerp(scale(horizon, dim), ground, smoothstep(0, haze, -height));
+  return lerp(below, above, smoothstep(-seam, seam, height));
+}
+
+function smoothstep(from: number, to: number, x: number): number {
+  const t = Math.min(Math.max((x - from) / (to - from), 0), 1);
+  return t * t * (3 - 2 * t);
+}

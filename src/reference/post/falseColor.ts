@@ -1,0 +1,91 @@
+import { ZERO } from '../../math/vec3.ts';
+import { dopplerFactor } from '../../physics/optics/doppler.ts';
+import { relativeLuminance } from '../../scene/view/metering.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { encodeSrgb } from '../../spectrum/display/srgb.ts';
+import { toneMap } from '../../spectrum/display/toneMap.ts';
+import {
+  type FalseColorQuantity,
+  type FalseColorScale,
+  falseColor,
+  shadeFactor,
+} from '../../spectrum/falseColor/falseColor.ts';
+import { emittedWavelength } from '../../spectrum/falseColor/spectralBands.ts';
+import { cameraRay } from '../camera/cameraRay.ts';
+import type { PixelCanvas } from '../figures/pixelCanvas.ts';
+
+/** The AOVs that a false-colour picture is made of. */
+export const AOVS_OF_FALSE_COLOR: Readonly<Record<FalseColorQuantity, readonly AovName[]>> = {
+  doppler: ['object', 'doppler'],
+  'emission-time': ['object', 'emission_time'],
+  radiance: ['beauty'],
+  band: ['object', 'doppler', 'beauty'],
+};
+
+/** A picture's AOVs, and what it is a picture of. */
+export interface FalseColorInput {
+  readonly aovs: ReadonlyMap<AovName, Float32Array>;
+  readonly view: ViewPoint;
+  readonly settings: RenderSettings;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** What each pixel's colour is to stand for; not a number where there is nothing. The sky has a D and a band: it rests in the world. */
+export function falseColorValues(kind: FalseColorQuantity, taken: FalseColorInput): Float32Array {
+  const { view, width, height } = taken;
+  const aov = (name: AovName) => taken.aovs.get(name)!;
+  const pixels = width * height;
+  switch (kind) {
+    case 'doppler':
+      return Float32Array.from({ length: pixels }, (_, i) => (aov('object')[i] ? aov('doppler')[i]! : skyAt(taken, i)));
+    case 'band':
+      return falseColorValues('doppler', taken).map(emittedWavelength);
+    case 'emission-time':
+      return Float32Array.from({ length: pixels }, (_, i) =>
+        aov('object')[i] ? aov('emission_time')[i]! - view.t : Number.NaN,
+      );
+    case 'radiance':
+      return Float32Array.from({ length: pixels }, (_, i) => relativeLuminance(...rgbOf(aov('beauty'), i)));
+  }
+}
+
+const skyAt = ({ view, settings, width, height }: FalseColorInput, i: number): number =>
+  skyDoppler(view, settings, (i % width) + 0.5, Math.floor(i / width) + 0.5, width, height);
+
+/** D of what rests in the world, at the point (x, y) of a picture as `cameraRay` has it; 1 in the views that show no light. */
+export function skyDoppler(
+  view: ViewPoint,
+  settings: RenderSettings,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): number {
+  if (settings.view !== 'light-cone') return 1;
+  return dopplerFactor(cameraRay(view, settings, x, y, width, height).dx, view.u, ZERO);
+}
+
+/** The picture: RGBA, sRGB, opaque. */
+export function falseColorPicture(colors: FalseColorScale, values: Float32Array, taken: FalseColorInput): PixelCanvas {
+  const { width, height } = taken;
+  const pixels = new Uint8Array(4 * width * height);
+  for (let i = 0; i < width * height; i++) {
+    const shade = colors.kind === 'band' ? shadeOf(taken, i) : 1;
+    const [r, g, b] = falseColor(colors, values[i]!);
+    pixels.set([Math.round(r * shade), Math.round(g * shade), Math.round(b * shade), 255], 4 * i);
+  }
+  return { width, height, pixels };
+}
+
+/** Of the picture as a screen would show it, in grey. */
+function shadeOf({ aovs, settings }: FalseColorInput, i: number): number {
+  const shown = toneMap(rgbOf(aovs.get('beauty')!, i), settings.exposure, settings.tone);
+  return shadeFactor(encodeSrgb(relativeLuminance(...shown)));
+}
+
+const rgbOf = (image: Float32Array, i: number): [number, number, number] => [
+  image[3 * i]!,
+  image[3 * i + 1]!,
+  image[3 * i + 2]!,
+];

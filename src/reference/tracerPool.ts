@@ -1,0 +1,141 @@
+import { channelsOf, type ImageTile, type OutputLayer, type TileData, type TileRequest } from './tile.ts';
+import type { TracerMessage, TracerReply } from './tracerServer.ts';
+
+/** A thread that serves (serve.ts), seen from outside; what carries the messages is given. */
+export interface TracerThread {
+  send(order: TracerMessage): void;
+  /** What it answers, and what ends it; called once. */
+  listen(hear: (reply: TracerReply) => void, fail: (error: Error) => void): void;
+  terminate(): Promise<unknown> | undefined;
+}
+
+/** A picture that is being drawn: what is left to do, and whom to tell. */
+interface PictureJob {
+  readonly tiles: ImageTile[];
+  left: number;
+  readonly onTile: (tile: ImageTile, data: TileData) => void;
+  readonly done: () => void;
+  readonly fail: (error: Error) => void;
+}
+
+/**
+ * Threads that draw the tiles of one scene's pictures. Each takes the next tile when it has finished one, and a tile's bits do not depend on
+ * who draws it. Whatever goes wrong in a thread ends the picture, and with it all threads.
+ */
+export class TracerPool {
+  private readonly threads: readonly TracerThread[];
+  private readonly explain: (error: Error) => Error;
+  private job: PictureJob | undefined;
+  private failure: Error | undefined;
+
+  /** `explain`: what went wrong in a thread, in words for people. */
+  constructor(
+    threads: readonly TracerThread[],
+    scene: Extract<TracerMessage, { readonly kind: 'scene' }>,
+    explain: (error: Error) => Error = (error) => error,
+  ) {
+    this.threads = threads;
+    this.explain = explain;
+    for (const thread of threads) {
+      thread.listen(
+        (reply) => this.onReply(thread, reply),
+        (error) => this.stop(explain(error)),
+      );
+      thread.send(scene);
+    }
+  }
+
+  /** Draws a picture; `take` gets its tiles in the order in which they are finished. */
+  render(
+    request: TileRequest,
+    tiles: readonly ImageTile[],
+    take: (tile: ImageTile, data: TileData) => void,
+  ): Promise<void> {
+    if (this.failure) return Promise.reject(this.failure);
+    return new Promise((done, fail) => {
+      this.job = { tiles: [...tiles].reverse(), left: tiles.length, onTile: take, done, fail };
+      for (const thread of this.threads) {
+        thread.send({ kind: 'picture', request });
+        this.sendNextTile(thread);
+      }
+    });
+  }
+
+  /** Ends all threads at once, and the picture with an error. */
+  stop(error: Error): void {
+    if (this.failure) return;
+    this.failure = error;
+    for (const thread of this.threads) void thread.terminate();
+    this.job?.fail(error);
+    this.job = undefined;
+  }
+
+  async close(): Promise<void> {
+    this.failure ??= new Error('the pool is closed');
+    await Promise.all(this.threads.map((thread) => thread.terminate()));
+  }
+
+  private onReply(thread: TracerThread, reply: TracerReply): void {
+    if (reply.kind === 'failed') this.stop(this.explain(new Error(`in a worker thread: ${reply.message}`)));
+    const { job } = this;
+    if (!job || reply.kind === 'failed') return;
+    job.onTile(reply.tile, reply.data);
+    job.left--;
+    this.sendNextTile(thread);
+    if (job.left > 0) return;
+    this.job = undefined;
+    job.done();
+  }
+
+  private sendNextTile(thread: TracerThread): void {
+    const tile = this.job?.tiles.pop();
+    if (tile) thread.send({ kind: 'tile', tile });
+  }
+}
+
+/** Small enough that the threads end together, large enough that telling of them costs nothing [px]. */
+const TILE_SIZE = 16;
+
+/** A picture in tiles, row by row. */
+export function tilesOf({ width, height }: Pick<TileRequest, 'width' | 'height'>): ImageTile[] {
+  const tiles: ImageTile[] = [];
+  for (let y0 = 0; y0 < height; y0 += TILE_SIZE) {
+    for (let x0 = 0; x0 < width; x0 += TILE_SIZE) {
+      tiles.push({ x0, y0, x1: Math.min(x0 + TILE_SIZE, width), y1: Math.min(y0 + TILE_SIZE, height) });
+    }
+  }
+  return tiles;
+}
+
+/** A whole picture, in the layers that are asked for. `onPart` hears which part is done, 0 … 1. */
+export async function renderWithPool(
+  pool: TracerPool,
+  request: TileRequest,
+  onPart: (part: number) => void = () => {},
+): Promise<Map<OutputLayer, Float32Array<ArrayBuffer>>> {
+  const { width, height, layers } = request;
+  const images = new Map(layers.map((layer) => [layer, new Float32Array(width * height * channelsOf(layer))]));
+  const tiles = tilesOf(request);
+  let done = 0;
+  await pool.render(request, tiles, (tile, data) => {
+    for (const [layer, image] of images) copyTile(image, width, tile, data[layer]);
+    done++;
+    onPart(done / tiles.length);
+  });
+  return images;
+}
+
+/** Puts the rows of a tile where they belong. */
+function copyTile(
+  image: Float32Array,
+  width: number,
+  { x0, y0, x1, y1 }: ImageTile,
+  part: Float32Array | undefined,
+): void {
+  if (!part) return;
+  const values = part.length / ((x1 - x0) * (y1 - y0));
+  const row = values * (x1 - x0);
+  for (let y = y0; y < y1; y++) {
+    image.set(part.subarray((y - y0) * row, (y - y0 + 1) * row), values * (y * width + x0));
+  }
+}

@@ -1,0 +1,30 @@
+import type { Hit } from '../acceleration/ray.ts';
+import { type LightingContext, rayBack, restFrameOf } from '../lights/lightingContext.ts';
+import { surfaceAt } from '../materials/surface.ts';
+import { cosineDirection, toHemisphere } from '../sampling/directions.ts';
+import { pixelSequence } from '../sampling/pixelSequence.ts';
+import { reflectionOrigin } from './rayOrigin.ts';
+import { transmittance } from './transmittance.ts';
+
+/** Directions that are asked for. */
+const OPENNESS_RAYS = 64;
+
+/**
+ * ∫ V cos θ dω/π over the hemisphere of the rest frame: the share of the sky that a surface sees, weighted by the cosine, V = 1 where light from afar comes
+ * through. By as many rays as leave an error of a few percent.
+ */
+export function openness(lighting: LightingContext, hit: Hit): number {
+  const { scene } = lighting;
+  const at = reflectionOrigin(scene, hit);
+  const frame = restFrameOf(lighting, hit.velocity);
+  const { normal } = surfaceAt(scene, hit);
+  const bits = new Int32Array(Float32Array.from(hit.position).buffer);
+  const numbers = pixelSequence(bits[0] ^ bits[2], bits[1], bits[2]);
+  let open = 0;
+  for (let i = 0; i < OPENNESS_RAYS; i++) {
+    const L = cosineDirection(normal, numbers(i));
+    const ray = rayBack(lighting, at, frame.toWorld(toHemisphere(at.geometricNormal, L)));
+    open += transmittance(scene, { ray, begin: at.clearance, from: hit }, Number.POSITIVE_INFINITY);
+  }
+  return open / OPENNESS_RAYS;
+}

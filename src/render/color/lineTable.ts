@@ -1,0 +1,71 @@
+import { int, Loop } from 'three/tsl';
+import type * as gpu from '../../shaders/types.ts';
+import type { SampledSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
+import {
+  type LightSpectrum,
+  linesOf,
+  type SpectralLine,
+  spectralRadiance,
+} from '../../spectrum/sources/lightSpectrum.ts';
+import type { FloatTable } from '../gpu/floatTable.ts';
+import type { LineSource } from './radiance.ts';
+
+/** More lines of one light than this are gathered to so many. */
+const MAX_LINES = 32;
+
+/** Lines of all lights that shine in lines, one texel each: (wavelength [nm], radiance, 0, 0). Other spectra are taken for close lines. */
+export class LineTable {
+  private readonly table: FloatTable;
+  private readonly places = new Map<LightSpectrum, readonly [first: number, count: number]>();
+
+  /** `table`: where they lie. */
+  constructor(table: FloatTable) {
+    this.table = table;
+  }
+
+  /** Where a spectrum's lines are. */
+  add(spectrum: LightSpectrum): readonly [first: number, count: number] {
+    const known = this.places.get(spectrum);
+    if (known) return known;
+    const lines = mergeLines(spectrum);
+    const part = this.table.part(lines.length);
+    lines.forEach(({ wavelength, weight }, i) => {
+      part.set([1e9 * wavelength, weight, 0, 0], i);
+    });
+    const place = [part.first, lines.length] as const;
+    this.places.set(spectrum, place);
+    return place;
+  }
+
+  source(first: gpu.Float, count: gpu.Float): LineSource {
+    return {
+      each: (visit) =>
+        Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => {
+          const line = this.table.texel(int(first).add(int(i))).toVar();
+          visit(line.x.mul(1e-9), line.y);
+        }),
+    };
+  }
+}
+
+/** At most MOST_LINES, each in the middle of the light that it stands for. */
+function mergeLines(spectrum: LightSpectrum): readonly SpectralLine[] {
+  if (spectrum.kind === 'thermal') return [];
+  const lines = spectrum.kind === 'lines' ? linesOf(spectrum) : samplesOf(spectrum);
+  if (lines.length <= MAX_LINES) return lines;
+  const rising = [...lines].sort((a, b) => a.wavelength - b.wavelength);
+  const [least, most] = [rising[0].wavelength, rising[rising.length - 1].wavelength];
+  const sums = Array.from({ length: MAX_LINES }, () => ({ weight: 0, moment: 0 }));
+  for (const { wavelength, weight } of rising) {
+    const sum = sums[Math.min(MAX_LINES - 1, Math.floor((MAX_LINES * (wavelength - least)) / (most - least)))];
+    sum.weight += weight;
+    sum.moment += weight * wavelength;
+  }
+  return sums.flatMap(({ weight, moment }) => (weight > 0 ? [{ wavelength: moment / weight, weight }] : []));
+}
+
+const samplesOf = (spectrum: SampledSpectrum): readonly SpectralLine[] =>
+  spectrum.values.map((_, i) => {
+    const wavelength = spectrum.first + i * spectrum.step;
+    return { wavelength, weight: spectralRadiance(spectrum, wavelength) * spectrum.step };
+  });

@@ -1,0 +1,62 @@
+import { dot, float, max, vec3, vec4 } from 'three/tsl';
+import { type SkyParts, skyParts } from '../../shaders/color/skyParts.ts';
+import { filteredColor } from '../../shaders/tables/spectrumTable.ts';
+import type { Float, Vec3 } from '../../shaders/types.ts';
+import { SCATTERED_COLOR, SCATTERED_PROJECTION } from '../../spectrum/color/scatteredLight.ts';
+import { type DaylightTable, SKY_LIGHTS, skyBandsAtRest } from './daylightTable.ts';
+import type { SpectralFilter } from './radiance.ts';
+
+/** What came of the lights of skies: as surfaces send it, and as the sky itself is seen. */
+export interface SkySums {
+  addReflected(share: SpectralFilter, luminances: readonly Float[]): void;
+  addEmitted(luminances: readonly Float[]): void;
+  atRest(): Vec3;
+  shifted(D: Float): Vec3;
+}
+
+/** What the light of a sky is made of; `dusky`: it may be red, and not only blue. */
+export function decomposeSky(light: Vec3, dusky: boolean): SkyParts {
+  if (dusky) return skyParts(light);
+  const share = max(dot(light, vec3(...SCATTERED_PROJECTION)), 0).toVar();
+  return { luminances: [share], rest: light.sub(vec3(...SCATTERED_COLOR).mul(share)).toVar() };
+}
+
+/** `ofDay`: where anything is shifted. */
+export function skySums(dusky: boolean, ofDay?: DaylightTable): SkySums {
+  const sums = Array.from({ length: dusky ? SKY_LIGHTS.length : 1 }, () => ({
+    sent: vec4(0).toVar(),
+    own: float(0).toVar(),
+  }));
+  // Most pixels have one of the two.
+  let [sends, emits] = [false, false];
+  const all = (parts: readonly Vec3[]): Vec3 => parts.reduce((sum, part) => sum.add(part));
+  return {
+    addReflected: (share, luminances) => {
+      sends = true;
+      sums.forEach(({ sent }, i) => {
+        sent.addAssign(share.mul(luminances[i]));
+      });
+    },
+    addEmitted: (luminances) => {
+      emits = true;
+      sums.forEach(({ own }, i) => {
+        own.addAssign(luminances[i]);
+      });
+    },
+    atRest: () =>
+      all(
+        sums.map(({ sent, own }, i) => {
+          const [red, green, blue] = skyBandsAtRest(i).map((band) => vec3(...band));
+          return filteredColor({ red, green, blue }, sent).add(vec3(...SKY_LIGHTS[i].color).mul(own));
+        }),
+      ),
+    shifted: (D) =>
+      all([
+        vec3(0),
+        ...sums.flatMap(({ sent, own }, i) => [
+          ...(ofDay && sends ? [filteredColor(ofDay.skyBands(i, D), sent)] : []),
+          ...(ofDay && emits ? [ofDay.skyColors(i, D).mul(own)] : []),
+        ]),
+      ]),
+  };
+}

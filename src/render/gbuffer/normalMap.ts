@@ -1,0 +1,59 @@
+import { cross, dFdx, dFdy, dot, inverseSqrt, normalize, select, sign, vec3 } from 'three/tsl';
+import type { DataTexture, Node } from 'three/webgpu';
+import type { Vec3, Vec4 } from '../../shaders/types.ts';
+import { sampled } from '../gpu/textures.ts';
+
+type Vec2 = Node<'vec2'>;
+
+/** What a picture of normals is laid on. */
+export interface NormalMapSurface {
+  /** Unit, in the rest frame, on the mesh's front side. */
+  readonly normal: Vec3;
+  /** Observer → event [m] and c(t − t_o). */
+  readonly event: Vec4;
+  /** (v, 1 − v²) */
+  readonly velocity: Vec4;
+  /** v down. */
+  readonly uv: Vec2;
+}
+
+/** Below this length² a vector has no direction. */
+const MIN_LENGTH2 = 1e-30;
+
+/**
+ * The normal that a picture makes of a surface's, in the rest frame (scene/types.ts, NormalTexture). The frame of the uvs is found from how
+ * events and uvs change from this fragment to the next: what is between two events of a surface, boosted to its rest frame, lies in it
+ * whatever their times are.
+ */
+export function mappedNormal(
+  map: DataTexture,
+  strength: Vec2,
+  { normal: N, event, velocity, uv }: NormalMapSurface,
+): Vec3 {
+  const [right, down] = [dFdx, dFdy].map((d) => restOffset(d(event).toVar(), velocity).toVar());
+  const [uvRight, uvDown] = [dFdx, dFdy].map((d) => d(uv).toVar());
+  const side = sign(uvRight.x.mul(uvDown.y).sub(uvRight.y.mul(uvDown.x))).toVar();
+  const alongU = right.mul(uvDown.y).sub(down.mul(uvRight.y)).mul(side).toVar();
+  const alongV = right.mul(uvDown.x).sub(down.mul(uvRight.x)).mul(side);
+  const across = alongU.sub(N.mul(dot(N, alongU))).toVar();
+  const T = across.mul(inverseSqrt(dot(across, across).max(MIN_LENGTH2))).toVar();
+  const B = cross(N, T).toVar();
+  const texel = sampled(map, uv).xyz.mul(2).sub(1).toVar();
+  const slope = texel.xy.mul(strength).toVar();
+  const bent = T.mul(slope.x)
+    .add(B.mul(slope.y.mul(sign(dot(B, alongV)))))
+    .add(N.mul(texel.z))
+    .toVar();
+  return select(
+    dot(across, across).greaterThan(MIN_LENGTH2).and(dot(bent, bent).greaterThan(MIN_LENGTH2)),
+    normalize(bent),
+    N,
+  );
+}
+
+/** The spatial part, in the frame that moves with `velocity`, of what is between two events of the world. */
+function restOffset(step: Vec4, velocity: Vec4): Vec3 {
+  const gamma = inverseSqrt(velocity.w.clamp(1e-20, 1)).toVar();
+  const u = vec3(velocity.xyz).mul(gamma).toVar();
+  return step.xyz.add(u.mul(dot(u, step.xyz).div(gamma.add(1)).sub(step.w)));
+}

@@ -1,0 +1,126 @@
+import { DataUtils, type RenderTarget } from 'three/webgpu';
+import type { AovName } from '../../scene/view/view.ts';
+import type { Observation } from '../geometry/observation.ts';
+import type { Gpu } from '../gpu/device.ts';
+import { unpackGBufferNormal } from '../gpu/packNormal.ts';
+import type { PickedSurface } from '../settings.ts';
+import type { GBuffer } from './gbuffer.ts';
+import type { TargetName } from './surface.ts';
+
+export interface Region {
+  readonly x: number;
+  /** From the top. */
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Four floats (or one) per pixel of a float target, rows from the top. */
+export async function readFloats(gpu: Gpu, target: RenderTarget, index: number, region: Region): Promise<Float32Array> {
+  const raw = await readRaw(gpu, target, index, region);
+  if (raw instanceof Float32Array) return raw;
+  const out = new Float32Array(raw.length);
+  for (let i = 0; i < raw.length; i++) out[i] = DataUtils.fromHalfFloat(raw[i]);
+  return out;
+}
+
+export async function readBytes(gpu: Gpu, target: RenderTarget, region: Region): Promise<Uint8Array> {
+  const raw = await readRaw(gpu, target, 0, region);
+  return new Uint8Array(raw.buffer, raw.byteOffset, raw.byteLength);
+}
+
+type Raw = Float32Array | Uint16Array | Uint8Array;
+
+async function readRaw(gpu: Gpu, target: RenderTarget, index: number, region: Region): Promise<Raw> {
+  const { x, width, height } = region;
+  const fromBottom = gpu.backend === 'webgl';
+  const y = fromBottom ? target.height - region.y - height : region.y;
+  const raw = (await gpu.renderer.readRenderTargetPixelsAsync(target, x, y, width, height, index)) as Raw;
+  if (fromBottom) flipRows(raw, height);
+  return raw;
+}
+
+function flipRows(pixels: Raw, rows: number): void {
+  const row = pixels.length / rows;
+  for (let top = 0, bottom = rows - 1; top < bottom; top++, bottom--) {
+    const kept = pixels.slice(top * row, (top + 1) * row);
+    pixels.copyWithin(top * row, bottom * row, (bottom + 1) * row);
+    pixels.set(kept, bottom * row);
+  }
+}
+
+type DataAov = Exclude<AovName, 'beauty'>;
+
+/** Where data are: in the G-buffer, and the share of the sky that each point sees beside it. */
+export interface DataTargets {
+  readonly buffer: GBuffer;
+  openness(): RenderTarget;
+}
+
+/** Which target an AOV is in, and its values from the four floats of a pixel; times and places become the world's in f64, then f32. */
+const AOV_SOURCES: Record<
+  DataAov,
+  { target: TargetName | 'openness'; values: (texel: Float32Array, sight: Observation) => readonly number[] }
+> = {
+  albedo: { target: 'base', values: ([r, g, b]) => [r, g, b] },
+  depth: { target: 'object', values: ([, distance]) => [distance] },
+  emission_time: { target: 'event', values: ([, , , w], sight) => [sight.t + w / sight.c] },
+  position: { target: 'event', values: ([x, y, z], { position: p }) => [p[0] + x, p[1] + y, p[2] + z] },
+  doppler: { target: 'motion', values: ([, , , w]) => [w] },
+  occlusion: { target: 'openness', values: ([share]) => [share] },
+  velocity: { target: 'motion', values: ([x, y, z]) => [x, y, z] },
+  normal: { target: 'normal', values: unpackGBufferNormal },
+  object: { target: 'object', values: ([x]) => [x] },
+};
+
+/** A data AOV of a region; 0 where nothing is. */
+export async function readData(
+  gpu: Gpu,
+  targets: DataTargets,
+  name: DataAov,
+  sight: Observation,
+  region: Region,
+): Promise<Float32Array> {
+  const { target, values } = AOV_SOURCES[name];
+  const read = (which: TargetName | 'openness') => {
+    if (which === 'openness') return readFloats(gpu, targets.openness(), 0, region);
+    const { target: at, index } = targets.buffer.find(which);
+    return readFloats(gpu, at, index, region);
+  };
+  const [ids, texels] = await Promise.all([read('object'), read(target)]);
+  const pixels = region.width * region.height;
+  const [idSize, size] = [ids.length / pixels, texels.length / pixels];
+  const channels = values(new Float32Array(4), sight).length;
+  const out = new Float32Array(pixels * channels);
+  for (let i = 0; i < pixels; i++) {
+    if (ids[i * idSize] < 0.5) continue;
+    out.set(values(texels.subarray(i * size, (i + 1) * size), sight), i * channels);
+  }
+  return out;
+}
+
+/** What surface is seen in one pixel; undefined: none. */
+export async function readSurfaceAt(
+  gpu: Gpu,
+  targets: DataTargets,
+  sight: Observation,
+  pathOf: (objectId: number) => string,
+  x: number,
+  y: number,
+): Promise<PickedSurface | undefined> {
+  const region = { x, y, width: 1, height: 1 };
+  const read = (name: DataAov) => readData(gpu, targets, name, sight, region);
+  const names = ['object', 'emission_time', 'position', 'velocity', 'doppler', 'depth'] as const;
+  const [object, time, position, velocity, doppler, depth] = await Promise.all(names.map(read));
+  const objectId = object[0];
+  if (objectId === 0) return undefined;
+  return {
+    objectId,
+    path: pathOf(objectId),
+    emissionTime: time[0],
+    position: [position[0], position[1], position[2]],
+    velocity: [velocity[0], velocity[1], velocity[2]],
+    doppler: doppler[0],
+    depth: depth[0],
+  };
+}

@@ -1,0 +1,141 @@
+import { abs, clamp, exp2, floor, log2, max, min, round, select, sqrt, vec3, vec4 } from 'three/tsl';
+import type { Node } from 'three/webgpu';
+import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
+import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
+import { relativeLuminance } from '../color/luminance.ts';
+import { decodeOctahedral, encodeOctahedral } from '../gpu/octahedral.ts';
+import { CODE_OFFSET, GBUFFER_NORMAL_STEPS, NORMAL_LOW_STEPS, REFLECTANCE_STEPS } from '../gpu/packNormal.ts';
+
+/*
+ * What the G-buffer holds of a surface, in halves: of 64 bytes that a sample may have none is left.
+ *   base      base colour, roughness and occlusion
+ *   emissive  what it emits, and its finish: how metallic it is and what it mirrors
+ *   normal    the normal (to 1.3e-4 rad), reflectance below 360 nm and beyond 830 nm
+ */
+
+type Vec2 = Node<'vec2'>;
+
+/** What a surface emits: linear sRGB of daylight's spectrum, or the light of a blackbody. */
+export interface Emission {
+  /** 0 where it is thermal. */
+  readonly rgb: Vec3;
+  /** 0 where it is not. */
+  readonly luminance: Float;
+  /** log₂ of the temperature over that of daylight. */
+  readonly log2Temperature: Float;
+}
+
+/** Emission of this colour, or of a blackbody of its luminance where `temperature` [K] is not 0. */
+export function emissionOf(rgb: Vec3, temperature: Float): Emission {
+  const thermal = temperature.greaterThan(0);
+  return {
+    rgb: select(thermal, vec3(0), rgb),
+    luminance: select(thermal, relativeLuminance(rgb), 0),
+    log2Temperature: log2(max(temperature, 1).div(DAYLIGHT.temperature)),
+  };
+}
+
+/** Nearly the largest half. */
+const MAX_EMISSION = 65_000;
+
+/** Blue below 0 tells that it is thermal. */
+export const packEmission = ({ rgb, luminance, log2Temperature }: Emission): Vec3 =>
+  select(
+    luminance.greaterThan(0),
+    vec3(min(luminance, MAX_EMISSION), log2Temperature, -1),
+    clamp(rgb, 0, MAX_EMISSION),
+  );
+
+export function unpackEmission(code: Vec3): Emission {
+  const thermal = code.z.lessThan(0);
+  return {
+    rgb: select(thermal, vec3(0), code),
+    luminance: select(thermal, code.x, 0),
+    log2Temperature: select(thermal, code.y, 0),
+  };
+}
+
+/** How metallic a surface is, 0 … 1, and what it mirrors of light that meets it straight where it is no metal. */
+export interface SpecularParameters {
+  readonly metallic: Float;
+  readonly F0: Float;
+}
+
+/** Steps of √F₀, the fraction (n − 1)/(n + 1) of a refractive index n: 1.5 is the 16th. The last one, 0.54, is of n = 6.6. */
+const F0_STEPS = 80;
+
+/** Metallic to 1/1020, √F₀ to 1/160. */
+export const packSpecular = ({ metallic, F0 }: SpecularParameters): Float =>
+  packTwo(metallic, round(sqrt(max(F0, 0)).mul(F0_STEPS)));
+
+export function unpackSpecular(code: Float): SpecularParameters {
+  const { fine, step } = unpackTwo(code);
+  const fraction = step.div(F0_STEPS);
+  return { metallic: fine, F0: fraction.mul(fraction) };
+}
+
+/** The first to 1/1020, the second to 1/118; both 0 … 1. */
+export const packRoughnessAndOcclusion = (fine: Float, coarse: Float): Float =>
+  packTwo(fine, round(clamp(coarse, 0, 1).mul(MAX_STEPS)));
+
+export function unpackRoughnessAndOcclusion(code: Float): { readonly roughness: Float; readonly occlusion: Float } {
+  const { fine, step } = unpackTwo(code);
+  return { roughness: fine, occlusion: step.div(MAX_STEPS) };
+}
+
+/** Two numbers in the bits of one half, ±2^e (1 + m): 60 steps, half of them exponents −14 … 15 and half with its sign, too; the mantissa, but for its ends, is the other one, 0 … 1. */
+const MAX_STEPS = 59;
+const EXPONENTS = 30;
+const MIN_EXPONENT = -14;
+const MANTISSA = 1024;
+const MARGIN = 2;
+
+function packTwo(fine: Float, wanted: Float): Float {
+  const step = min(wanted, MAX_STEPS).toVar();
+  const negative = step.greaterThanEqual(EXPONENTS);
+  const exponent = select(negative, step.sub(EXPONENTS), step).add(MIN_EXPONENT);
+  const mantissa = clamp(fine, 0, 1)
+    .mul(MANTISSA - 2 * MARGIN)
+    .add(MARGIN)
+    .div(MANTISSA);
+  const code = exp2(exponent).mul(mantissa.add(1));
+  return select(negative, code.negate(), code);
+}
+
+function unpackTwo(code: Float): { readonly fine: Float; readonly step: Float } {
+  const size = abs(code).toVar();
+  const exponent = floor(log2(size)).toVar();
+  const mantissa = size.mul(exp2(exponent.negate())).sub(1);
+  const within = mantissa
+    .mul(MANTISSA)
+    .sub(MARGIN)
+    .div(MANTISSA - 2 * MARGIN);
+  const step = exponent.sub(MIN_EXPONENT).add(select(code.lessThan(0), EXPONENTS, 0));
+  return { fine: clamp(within, 0, 1), step };
+}
+
+/**
+ * The normal, and `invisible`: reflectance below 360 nm and beyond 830 nm. Four whole numbers of 12 bits, which halves hold exactly: the upper
+ * bits of the normal's two, and 9 bits of a reflectance with the lower 3 of one of them (`unpackGBufferNormal` in packNormal.ts reads them, too).
+ */
+export function packNormals(normal: Vec3, invisible: Vec2): Vec4 {
+  const fine = round(encodeOctahedral(normal).mul(0.5).add(0.5).clamp(0, 1).mul(GBUFFER_NORMAL_STEPS)).toVar();
+  const coarse = floor(fine.div(NORMAL_LOW_STEPS)).toVar();
+  const levels = round(clamp(invisible, 0, 1).mul(REFLECTANCE_STEPS));
+  return vec4(coarse, levels.sub(coarse).mul(NORMAL_LOW_STEPS).add(fine)).sub(CODE_OFFSET);
+}
+
+export function unpackNormals(code: Vec4): { readonly normal: Vec3; readonly invisible: Vec2 } {
+  const whole = code.add(CODE_OFFSET).toVar();
+  const levels = floor(whole.zw.div(NORMAL_LOW_STEPS)).toVar();
+  const fine = whole.xy.sub(levels).mul(NORMAL_LOW_STEPS).add(whole.zw);
+  return {
+    normal: decodeOctahedral(
+      fine
+        .mul(2 / GBUFFER_NORMAL_STEPS)
+        .sub(1)
+        .toVar(),
+    ),
+    invisible: levels.div(REFLECTANCE_STEPS),
+  };
+}

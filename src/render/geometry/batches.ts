@@ -1,0 +1,243 @@
+import { rotate } from '../../math/quat.ts';
+import { sub, type Vec3 } from '../../math/vec3.ts';
+import { isTransparent } from '../../scene/materials/transparency.ts';
+import type { Material, Motion, Scene, Texture, TextureChannel } from '../../scene/types.ts';
+import { textureKey } from '../gpu/textures.ts';
+import type { Body } from './bodies.ts';
+
+/** Objects with more triangles than this are drawn alone, so that culling them saves their work. */
+const MAX_MERGED_TRIANGLES = 20_000;
+
+/** A mesh that so many objects wear is not copied for each of them, if it has so many triangles: GPUs are slow with instances of less. */
+const MIN_INSTANCES = 8;
+const MIN_INSTANCED_TRIANGLES = 100;
+
+/** Bodies that wear one mesh. */
+export interface BatchInstancing {
+  /** Place of the first of them in the table of instances. */
+  readonly first: number;
+  /** The material of each. */
+  readonly materials: readonly number[];
+}
+
+/** What is drawn in one call: parts of objects that move in the same way and look through the same textures. */
+export interface Batch {
+  readonly kind: Motion['kind'];
+  readonly transparent: boolean;
+  readonly doubleSided: boolean;
+  readonly textures: BatchTextures;
+  readonly bodies: readonly Body[];
+  /** Set where the arrays are a mesh in its own axes, and each body wears it; else they hold a copy for each. */
+  readonly instancing?: BatchInstancing;
+  readonly arrays: BatchArrays;
+}
+
+const CHANNEL_SLOTS = ['roughnessTexture', 'metallicTexture', 'occlusionTexture', 'uvTexture', 'irTexture'] as const;
+const TEXTURE_SLOTS = ['baseColorTexture', 'emissiveTexture', 'normalTexture', ...CHANNEL_SLOTS] as const;
+
+/** Through which pictures it is looked at. */
+export type BatchTextures = Pick<Material, (typeof TEXTURE_SLOTS)[number]>;
+
+const texturesOf = (m: Material): BatchTextures =>
+  Object.fromEntries(TEXTURE_SLOTS.flatMap((name) => (m[name] ? [[name, m[name]]] : [])));
+
+export interface BatchArrays {
+  /** Relative to the body's centre, turned to the world's axes where the motion has one orientation and the mesh is not worn by many [m]. */
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  /** v down, as images have their rows. */
+  readonly uvs: Float32Array;
+  readonly colors?: Float32Array;
+  /** Object id − 1 and material, per vertex; without meaning where many wear the mesh. */
+  readonly ids: Float32Array;
+  readonly indices: Uint32Array;
+}
+
+interface BatchPart {
+  readonly body: Body;
+  readonly material: number;
+  readonly start: number;
+  readonly count: number;
+}
+
+export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
+  const transparent = scene.materials.map(isTransparent);
+  const nameOf = (texture: Texture | undefined): string => (texture ? `(${textureKey(texture)})` : '');
+  const channel = (from: TextureChannel | undefined): string => `${nameOf(from?.texture)}/${from?.channel}`;
+  const pictures = scene.materials.map((m) =>
+    [
+      nameOf(m.baseColorTexture),
+      nameOf(m.emissiveTexture),
+      nameOf(m.normalTexture?.texture),
+      ...CHANNEL_SLOTS.map((name) => channel(m[name])),
+    ].join(' '),
+  );
+  const runs = new Map<string, BatchPart[]>();
+  const wardrobe = new SharedMeshes(bodies);
+  for (const body of bodies) {
+    const { mesh, motion } = body.object;
+    const deforming = motion.kind === 'sampled-points';
+    const alone = deforming || mesh.indices.length > 3 * MAX_MERGED_TRIANGLES;
+    const worn = wardrobe.sharedKey(body);
+    for (const { material, start, count } of mesh.groups) {
+      const shape = `${motion.kind} ${mesh.doubleSided} ${mesh.colors !== undefined} ${alone || transparent[material] ? body.id : 0}`;
+      const look = `${transparent[material]} ${pictures[material]} ${deforming ? material : 0}`;
+      const isWorn = worn !== undefined && !transparent[material];
+      const key = isWorn ? `worn ${worn} ${start} ${count} ${motion.kind} ${look}` : `${shape} ${look}`;
+      const run = runs.get(key) ?? [];
+      runs.set(key, run);
+      if (count > 0) run.push({ body, material, start, count });
+    }
+  }
+  let instances = 0;
+  return [...runs].flatMap(([key, run]) => {
+    if (run.length === 0) return [];
+    const batch = makeBatch(scene, run, transparent[run[0].material], key.startsWith('worn') ? instances : undefined);
+    instances += batch.instancing?.materials.length ?? 0;
+    return [batch];
+  });
+}
+
+/** Tells which objects wear a mesh that many wear: the same arrays, for materials may be each one's own. */
+class SharedMeshes {
+  private readonly arrayIds = new Map<object, number>();
+  private readonly users = new Map<string, number>();
+
+  constructor(bodies: readonly Body[]) {
+    for (const body of bodies) {
+      const key = this.keyOf(body);
+      this.users.set(key, (this.users.get(key) ?? 0) + 1);
+    }
+  }
+
+  sharedKey(body: Body): string | undefined {
+    const { mesh, motion } = body.object;
+    if (motion.kind === 'sampled-points' || motion.kind === 'hyperbolic') return undefined;
+    if (mesh.indices.length < 3 * MIN_INSTANCED_TRIANGLES) return undefined;
+    const key = this.keyOf(body);
+    return (this.users.get(key) ?? 0) >= MIN_INSTANCES ? key : undefined;
+  }
+
+  private keyOf({ object: { mesh, motion } }: Body): string {
+    const arrays = [mesh.positions, mesh.normals, mesh.uvs, mesh.indices, mesh.colors ?? mesh.positions];
+    return `${motion.kind} ${mesh.doubleSided} ${arrays.map((array) => this.number(array)).join(' ')}`;
+  }
+
+  private number(array: object): number {
+    const known = this.arrayIds.get(array) ?? this.arrayIds.size;
+    this.arrayIds.set(array, known);
+    return known;
+  }
+}
+
+/** `firstInstance`: where all parts are one mesh that is worn. */
+function makeBatch(scene: Scene, parts: readonly BatchPart[], transparent: boolean, firstInstance?: number): Batch {
+  const { object } = parts[0].body;
+  return {
+    kind: object.motion.kind,
+    transparent,
+    doubleSided: object.mesh.doubleSided,
+    textures: texturesOf(scene.materials[parts[0].material]),
+    bodies: [...new Set(parts.map((p) => p.body))],
+    ...(firstInstance !== undefined && {
+      instancing: { first: firstInstance, materials: parts.map((p) => p.material) },
+    }),
+    arrays:
+      object.motion.kind === 'sampled-points'
+        ? wholeMesh(parts)
+        : mergeParts(firstInstance === undefined ? parts : parts.slice(0, 1), firstInstance === undefined),
+  };
+}
+
+/** A deforming mesh keeps its vertices in their order, for that is how its samples are found; it has a batch per material. */
+function wholeMesh(parts: readonly BatchPart[]): BatchArrays {
+  const { body } = parts[0];
+  const { mesh } = body.object;
+  const vertices = mesh.positions.length / 3;
+  const ids = new Float32Array(2 * vertices);
+  for (let v = 0; v < vertices; v++) ids.set([body.id - 1, parts[0].material], 2 * v);
+  const indices = new Uint32Array(parts.reduce((n, p) => n + p.count, 0));
+  let at = 0;
+  for (const { start, count } of parts) {
+    indices.set(mesh.indices.subarray(start, start + count), at);
+    at += count;
+  }
+  const uvs = flipV(mesh.uvs);
+  return {
+    positions: mesh.positions,
+    normals: mesh.normals,
+    uvs,
+    ids,
+    indices,
+    ...(mesh.colors && { colors: mesh.colors }),
+  };
+}
+
+/** `turned`: to the world's axes, where a part has one orientation. */
+function mergeParts(parts: readonly BatchPart[], turned: boolean): BatchArrays {
+  const used = parts.map(usedVertices);
+  const vertices = used.reduce((n, u) => n + u.vertices.length, 0);
+  const colored = parts[0].body.object.mesh.colors !== undefined;
+  const out = {
+    positions: new Float32Array(3 * vertices),
+    normals: new Float32Array(3 * vertices),
+    uvs: new Float32Array(2 * vertices),
+    ...(colored && { colors: new Float32Array(3 * vertices) }),
+    ids: new Float32Array(2 * vertices),
+    indices: new Uint32Array(parts.reduce((n, p) => n + p.count, 0)),
+  };
+  let vertex = 0;
+  let index = 0;
+  parts.forEach((part, k) => {
+    copyVertices(part, used[k].vertices, out, vertex, turned);
+    for (const i of used[k].indices) out.indices[index++] = vertex + i;
+    vertex += used[k].vertices.length;
+  });
+  return out;
+}
+
+function usedVertices({ body, start, count }: BatchPart): { vertices: Uint32Array; indices: Uint32Array } {
+  const { mesh } = body.object;
+  const place = new Int32Array(mesh.positions.length / 3).fill(-1);
+  const vertices = new Uint32Array(place.length);
+  const indices = new Uint32Array(count);
+  let n = 0;
+  for (let i = 0; i < count; i++) {
+    const v = mesh.indices[start + i];
+    if (place[v] < 0) {
+      vertices[n] = v;
+      place[v] = n++;
+    }
+    indices[i] = place[v];
+  }
+  return { vertices: vertices.subarray(0, n), indices };
+}
+
+function copyVertices(
+  { body, material }: BatchPart,
+  from: Uint32Array,
+  out: BatchArrays,
+  first: number,
+  turned: boolean,
+): void {
+  const { mesh, motion } = body.object;
+  const pose = turned && 'pose' in motion ? motion.pose : undefined;
+  const turn = (v: Vec3): Vec3 => (pose ? rotate(pose.orientation, v) : v);
+  const read = (a: Float32Array, v: number): Vec3 => [a[3 * v], a[3 * v + 1], a[3 * v + 2]];
+  from.forEach((v, k) => {
+    const to = first + k;
+    out.positions.set(turn(sub(read(mesh.positions, v), body.center)), 3 * to);
+    out.normals.set(turn(read(mesh.normals, v)), 3 * to);
+    out.uvs[2 * to] = mesh.uvs[2 * v];
+    out.uvs[2 * to + 1] = 1 - mesh.uvs[2 * v + 1];
+    if (mesh.colors) out.colors?.set(read(mesh.colors, v), 3 * to);
+    out.ids[2 * to] = body.id - 1;
+    out.ids[2 * to + 1] = material;
+  });
+}
+
+function flipV(uvs: Float32Array): Float32Array {
+  const out = Float32Array.from(uvs);
+  for (let i = 1; i < out.length; i += 2) out[i] = 1 - out[i];
+  return out;
+}

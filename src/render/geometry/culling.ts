@@ -1,0 +1,58 @@
+import { rotate } from '../../math/quat.ts';
+import { addScaled, dot, length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import { gamma } from '../../physics/lorentz/boost.ts';
+
+/** The ball that holds every event of an object that can be seen: relative to the observer event, world frame [m]. */
+export interface BoundingSphere {
+  readonly center: Vec3;
+  readonly radius: number;
+}
+
+/** Directions n with n·axis ≥ cosine, |axis| = 1. Covers more than half the sky where cosine < 0. */
+export interface Cone {
+  readonly axis: Vec3;
+  readonly cosine: number;
+}
+
+/** Directions in which a ball is seen; undefined where the observer is inside it. */
+export function coneAround({ center, radius }: BoundingSphere): Cone | undefined {
+  const distance = length(center);
+  if (!(distance > radius)) return undefined;
+  const sine = radius / distance;
+  return { axis: scale(center, 1 / distance), cosine: Math.sqrt(1 - sine * sine) };
+}
+
+/**
+ * A cone of directions for an observer with proper velocity u; aberration takes circles on the sky to circles.
+ * With p = ω(1, n) the light from n (as a place, not a propagation), n·m ≥ k is N·p ≥ 0 for N = (k, m), and
+ * p′ = (γω(1 + β·n), …) makes N′ = (γk + u·m, m + [u·m/(γ + 1) + k]u), which is space-like: |m′|² − k′² = 1 − k².
+ */
+export function aberrateCone({ axis, cosine }: Cone, u: Vec3): Cone {
+  const g = gamma(u);
+  const along = dot(u, axis);
+  const moved = addScaled(axis, u, along / (g + 1) + cosine);
+  const size = length(moved);
+  return { axis: scale(moved, 1 / size), cosine: (g * cosine + along) / size };
+}
+
+/** Inward unit normals of the four side planes of the picture, in the frame the camera's axes are carried in. */
+export function frustumSides(
+  orientation: readonly [number, number, number, number],
+  tanX: number,
+  tanY: number,
+): Vec3[] {
+  const sides: Vec3[] = [
+    [1, 0, -tanX],
+    [-1, 0, -tanX],
+    [0, 1, -tanY],
+    [0, -1, -tanY],
+  ];
+  return sides.map((s) => rotate(orientation, normalize(s)));
+}
+
+/** False only where no direction of the cone is inside the picture. */
+export function coneMayIntersectFrustum(cone: Cone, sides: readonly Vec3[]): boolean {
+  if (cone.cosine <= 0) return true;
+  const sine = Math.sqrt(Math.max(0, 1 - cone.cosine * cone.cosine));
+  return sides.every((side) => dot(side, cone.axis) >= -sine - 1e-9);
+}

@@ -1,0 +1,75 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { add, distance, scale, type Vec3 } from '../../math/vec3.ts';
+import type { PolylineLine, WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { type Hypersurface, intersect, type Observation, sampleWindow, worldTubeSection } from './observation.ts';
+
+const C = 2;
+const number = (most: number) => fc.double({ min: -most, max: most, noNaN: true });
+const vector = (most: number) => fc.tuple(number(most), number(most), number(most));
+/** Shorter than 1. */
+const short = vector(0.57);
+
+const polyline = fc.array(short, { minLength: 2, maxLength: 12 }).map((velocities): PolylineLine => {
+  const times = Float64Array.from(velocities, (_, k) => k - 9);
+  const positions = new Float64Array(3 * velocities.length);
+  let at: Vec3 = [0.3, 2, -4];
+  velocities.forEach((v, k) => {
+    positions.set(at, 3 * k);
+    at = add(at, scale(v, C));
+  });
+  return { kind: 'polyline', times, positions };
+});
+const line: fc.Arbitrary<WorldLine> = fc.oneof(
+  vector(9).map((position): WorldLine => ({ kind: 'static', position })),
+  fc.tuple(vector(9), short).map(([position, v]): WorldLine => ({ kind: 'uniform', position, velocity: scale(v, C) })),
+  fc
+    .tuple(vector(9), vector(2), number(3))
+    .map(([position, properAcceleration, t0]): WorldLine => ({ kind: 'hyperbolic', position, properAcceleration, t0 })),
+  polyline,
+);
+const surface = fc.constantFrom<Hypersurface>('past-light-cone', 'slice', 'now');
+const sight = fc
+  .tuple(number(9), vector(9), vector(3), surface)
+  .map(([t, position, u, on]): Observation => ({ t, position, u, c: C, hypersurface: on }));
+
+/** The same line a little beside. */
+function shifted(of: WorldLine, by: Vec3): WorldLine {
+  if (of.kind === 'circular') return of;
+  if (of.kind !== 'polyline' && of.kind !== 'cubic') return { ...of, position: add(of.position, by) };
+  return { ...of, positions: of.positions.map((x, i) => x + by[i % 3]) };
+}
+
+describe('the span of a body', () => {
+  it('holds the event of every line that stays within its radius', () => {
+    fc.assert(
+      fc.property(line, short, sight, number(3), (center, way, where, size) => {
+        const radius = Math.abs(size);
+        const event = intersect(shifted(center, scale(way, radius)), where);
+        const span = worldTubeSection(center, radius, where);
+        if (!event) return;
+        expect(span).toBeDefined();
+        const slack = 1e-6 * (1 + Math.abs(event.ahead));
+        expect(event.ahead).toBeGreaterThanOrEqual(span!.from - slack);
+        expect(event.ahead).toBeLessThanOrEqual(span!.to + slack);
+        expect(distance(event.offset, span!.sphere.center)).toBeLessThanOrEqual(span!.sphere.radius + slack);
+      }),
+      { numRuns: 1000 },
+    );
+  });
+
+  it('names the samples on both sides of it', () => {
+    fc.assert(
+      fc.property(polyline, sight, (center, where) => {
+        const span = worldTubeSection(center, 0.5, where)!;
+        const [first, count] = sampleWindow(center, span, where, 4096);
+        const ahead = (k: number) => C * (center.times[k] - where.t);
+        const last = first + count - 1;
+        expect(count).toBeGreaterThanOrEqual(2);
+        expect(last).toBeLessThan(center.times.length);
+        if (first > 0) expect(ahead(first)).toBeLessThanOrEqual(span.from);
+        if (last < center.times.length - 1) expect(ahead(last)).toBeGreaterThanOrEqual(span.to);
+      }),
+    );
+  });
+});

@@ -1,0 +1,77 @@
+import type { CubicPointsMotion } from '../../../scene/motion/cubicPoints.ts';
+import { isStreamed, pointsAt } from '../../../scene/streaming/samplePoints.ts';
+import { makeNormals } from '../../../scene/streaming/streamedPoints.ts';
+import type { SampledPointsMotion } from '../../../scene/types.ts';
+import { packNormal } from '../../gpu/packNormal.ts';
+
+/** Texels in a row of a table of samples. */
+export const ROW_TEXELS = 4096;
+
+/** Where the samples of a deforming mesh come from, as texels: four floats per vertex, place and packed normal, in whole rows. */
+export interface PackedSamples {
+  /** Sample k, to be taken once; undefined while it is on its way. */
+  take(k: number): Float32Array<ArrayBuffer> | undefined;
+  /** Samples outside [first, end) are not wanted any more. */
+  setWindow(first: number, end: number): void;
+  /** Whether samples come by themselves once they were asked for, so that it helps to ask early. */
+  readonly isAsync: boolean;
+}
+
+export const rowsOf = (vertices: number): number => Math.max(1, Math.ceil(vertices / ROW_TEXELS));
+
+/** Samples that this thread makes itself. */
+export class LocalSamples implements PackedSamples {
+  readonly isAsync = false;
+  private readonly motion: SampledPointsMotion;
+  private readonly meshNormals: Float32Array;
+  private readonly rows: Float32Array<ArrayBuffer>;
+
+  constructor(motion: SampledPointsMotion, meshNormals: Float32Array) {
+    this.motion = motion;
+    this.meshNormals = meshNormals;
+    this.rows = new Float32Array(4 * ROW_TEXELS * rowsOf(meshNormals.length / 3));
+  }
+
+  take(k: number): Float32Array<ArrayBuffer> {
+    packSample(this.motion, k, this.meshNormals, this.rows);
+    return this.rows;
+  }
+
+  setWindow(): void {}
+}
+
+/** Sample k of a motion as texels, from `at` [floats] on. */
+export function packSample(
+  motion: Pick<SampledPointsMotion, 'points' | 'normals'>,
+  k: number,
+  meshNormals: Float32Array,
+  out: Float32Array,
+  at = 0,
+): void {
+  const points = pointsAt(motion, k);
+  // Nobody else wants these, so they are not kept.
+  const normals = isStreamed(motion.points) ? makeNormals(motion.points, k) : (motion.normals?.[k] ?? meshNormals);
+  for (let i = 0, to = at; i < points.length; i += 3, to += 4) {
+    out[to] = points[i];
+    out[to + 1] = points[i + 1];
+    out[to + 2] = points[i + 2];
+    out[to + 3] = packNormal(normals[i], normals[i + 1], normals[i + 2]);
+  }
+}
+
+/** The velocities at sample k as texels (velocity [m/s], 0), from `at` [floats] on; `out` is given back. */
+export function packVelocities<T extends Float32Array>(
+  { velocities }: CubicPointsMotion,
+  k: number,
+  out: T,
+  at = 0,
+): T {
+  const from = velocities[k];
+  for (let i = 0, to = at; i < from.length; i += 3, to += 4) {
+    out[to] = from[i];
+    out[to + 1] = from[i + 1];
+    out[to + 2] = from[i + 2];
+    out[to + 3] = 0;
+  }
+  return out;
+}

@@ -1,0 +1,49 @@
+import { attribute, int, vertexIndex } from 'three/tsl';
+import type { Node } from 'three/webgpu';
+import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { FloatTable } from '../gpu/floatTable.ts';
+import { unpackNormal } from './pointSamples/pointStore.ts';
+
+/** A vertex before it is moved: of a mesh (`indexedVertex`), or a point inside one of its triangles (refine/gpuCorners.ts). */
+export interface VertexInput {
+  /** From the body's centre [m]; without meaning where the mesh deforms. */
+  readonly offset: Vec3;
+  readonly normal: Vec3;
+  readonly uv: Node<'vec2'>;
+  /** Linear RGB. */
+  readonly color: Vec3 | undefined;
+  /** Object id − 1. */
+  readonly object: Float;
+  readonly material: Float;
+  /** Where the mesh deforms: the vertex in the sample that begins at a texel of its table. */
+  readonly sampled: PointReader;
+}
+
+export interface PointReader {
+  /** From the motion's origin [m]. */
+  place(points: FloatTable, first: Int): Vec3;
+  normal(points: FloatTable, first: Int): Vec3;
+}
+
+/** Per instance of a mesh that many wear, in a table: (object id − 1, material, 0, 0). */
+export const instanceRecord = (instances: FloatTable, instance: Float): Vec4 => instances.texel(int(instance)).toVar();
+
+/** The vertex that the index buffer names; `instances`: where many wear the mesh. */
+export function indexedVertex(colored: boolean, instances?: FloatTable): VertexInput {
+  const ids = instances
+    ? instanceRecord(instances, attribute<'float'>('instance', 'float')).xy
+    : attribute<'vec2'>('ids', 'vec2');
+  const texel = (points: FloatTable, first: Int): Vec4 => points.texel(first.add(int(vertexIndex))).toVar();
+  return {
+    offset: attribute<'vec3'>('position', 'vec3'),
+    normal: attribute<'vec3'>('normal', 'vec3'),
+    uv: attribute<'vec2'>('uv', 'vec2'),
+    color: colored ? attribute<'vec3'>('color', 'vec3') : undefined,
+    object: ids.x,
+    material: ids.y,
+    sampled: {
+      place: (points, first) => texel(points, first).xyz,
+      normal: (points, first) => unpackNormal(texel(points, first).w),
+    },
+  };
+}

@@ -1,0 +1,87 @@
+import { clamp, cross, int, max, mix, vec4 } from 'three/tsl';
+import type { Float, Int, SampleTable, Vec3, Vec4 } from '../../shaders/types.ts';
+import { bisect } from '../../shaders/worldLines/bisect.ts';
+import type { EndVelocities } from '../../shaders/worldLines/cubicPiece.ts';
+import { pieceVelocity } from '../../shaders/worldLines/pieceVelocity.ts';
+import type { FloatTable } from '../gpu/floatTable.ts';
+import type { PointStore } from './pointSamples/pointStore.ts';
+import type { PointReader } from './vertexInput.ts';
+
+/** One vertex's samples, as frame.ts and pointStore.ts wrote them. */
+export interface VertexSamples {
+  readonly at: SampleTable;
+  readonly count: Int;
+  /** World-frame normal at a sample. */
+  readonly normal: (index: Int) => Vec3;
+  /** Where the vertex moves along cubics. */
+  readonly velocities?: EndVelocities;
+  /** Time of a sample after the anchor [m of light]. */
+  readonly time: (index: Int) => Float;
+}
+
+/** A rigid body: two texels per sample, (place of the centre, time) and the orientation. */
+export function poseSamples(table: FloatTable, first: Int, count: Int, offset: Vec3, normal: Vec3): VertexSamples {
+  const texel = (index: Int): Int => first.add(index.mul(int(2)));
+  const turned = (index: Int, x: Vec3): Vec3 => rotateVector(table.texel(texel(index).add(int(1))).toVar(), x);
+  return {
+    count,
+    at: (index) => {
+      const pose = table.texel(texel(index)).toVar();
+      return vec4(pose.xyz.add(turned(index, offset)), pose.w);
+    },
+    normal: (index) => turned(index, normal),
+    time: (index) => table.texel(texel(index)).w,
+  };
+}
+
+/** A deforming mesh: per sample a texel (sample, bend, 0, time), and its points; `motion` = (origin relative to the anchor, texels per sample). */
+export function pointSamples(
+  table: FloatTable,
+  { table: points, velocities }: Pick<PointStore, 'table' | 'velocities'>,
+  vertex: PointReader,
+  { first, count, perC }: { readonly first: Int; readonly count: Int; readonly perC: Float },
+  motion: Vec4,
+): VertexSamples {
+  const stamp = (index: Int): Vec4 => table.texel(first.add(index)).toVar();
+  const row = (sample: Float): Int => int(sample).mul(int(motion.w)).toVar();
+  const at: SampleTable = (index) => {
+    const { x: sample, w: time } = stamp(index);
+    return vec4(vertex.place(points, row(sample)).add(motion.xyz), time);
+  };
+  return {
+    count,
+    at,
+    ...(velocities && { velocities: endVelocities(at, velocities, stamp, row, vertex, perC) }),
+    normal: (index) => vertex.normal(points, row(stamp(index).x)),
+    time: (index) => stamp(index).w,
+  };
+}
+
+/** Those of the file, or nearer to the chord's by what the piece loses of its bend. */
+const endVelocities =
+  (
+    at: SampleTable,
+    table: FloatTable,
+    stamp: (index: Int) => Vec4,
+    row: (sample: Float) => Int,
+    vertex: PointReader,
+    perC: Float,
+  ): EndVelocities =>
+  (index) => {
+    const next = index.add(int(1)).toVar();
+    const chord = pieceVelocity(at(index).toVar(), at(next).toVar()).xyz.toVar();
+    const bend = stamp(index).y.toVar();
+    const towards = (i: Int): Vec3 => mix(chord, vertex.place(table, row(stamp(i).x)).mul(perC), bend).toVar();
+    return { begin: towards(index), end: towards(next) };
+  };
+
+/** The piece that the time `s` is in, and how far along it. */
+export function pieceAt(samples: Pick<VertexSamples, 'count' | 'time'>, s: Float): { index: Int; fraction: Float } {
+  const index = bisect(samples.count, (i) => samples.time(i).lessThanEqual(s));
+  const begin = samples.time(index).toVar();
+  const length = max(samples.time(index.add(int(1))).sub(begin), 1e-30);
+  return { index, fraction: clamp(s.sub(begin).div(length), 0, 1) };
+}
+
+/** q x q⁻¹ */
+export const rotateVector = (q: Vec4, x: Vec3): Vec3 => x.add(cross(q.xyz, cross(q.xyz, x).add(x.mul(q.w))).mul(2));

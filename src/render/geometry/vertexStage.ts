@@ -1,0 +1,289 @@
+import {
+  bool,
+  cameraProjectionMatrix,
+  cameraViewMatrix,
+  clamp,
+  cross,
+  Fn,
+  float,
+  If,
+  int,
+  inverseSqrt,
+  max,
+  mix,
+  select,
+  varyingProperty,
+  vec3,
+  vec4,
+} from 'three/tsl';
+import type { Motion } from '../../scene/types.ts';
+import { cubicEmission } from '../../shaders/emission/cubicEmission.ts';
+import { hyperbolicEmission } from '../../shaders/emission/hyperbolicEmission.ts';
+import { newtonEmission } from '../../shaders/emission/newtonEmission.ts';
+import { polylineEmission } from '../../shaders/emission/polylineEmission.ts';
+import { staticEmission } from '../../shaders/emission/staticEmission.ts';
+import { uniformEmission } from '../../shaders/emission/uniformEmission.ts';
+import { apparentPosition } from '../../shaders/kinematics/apparentPosition.ts';
+import { simultaneousPosition } from '../../shaders/kinematics/simultaneousPosition.ts';
+import { cubicSlice } from '../../shaders/simultaneity/cubicSlice.ts';
+import { hyperbolicSlice } from '../../shaders/simultaneity/hyperbolicSlice.ts';
+import { polylineSlice } from '../../shaders/simultaneity/polylineSlice.ts';
+import { uniformSlice } from '../../shaders/simultaneity/uniformSlice.ts';
+import type { Bool, Float, Vec3, Vec4, VertexEvent, WorldLineAt } from '../../shaders/types.ts';
+import { cubicPlace } from '../../shaders/worldLines/cubicPlace.ts';
+import { hyperbolicPlace } from '../../shaders/worldLines/hyperbolicPlace.ts';
+import { polylinePlace } from '../../shaders/worldLines/polylinePlace.ts';
+import { uniformPlace } from '../../shaders/worldLines/uniformPlace.ts';
+import type { FloatTable } from '../gpu/floatTable.ts';
+import type { FrameUniforms } from '../gpu/frameUniforms.ts';
+import { OBJECT_TEXELS } from './objectTables.ts';
+import type { PointStore } from './pointSamples/pointStore.ts';
+import type { VertexInput } from './vertexInput.ts';
+import { pieceAt, pointSamples, poseSamples, type VertexSamples } from './vertexSamples.ts';
+
+/** How a vertex finds its event, and where the picture puts it; a pipeline is compiled for each pair that is used. */
+export interface SpacetimeProjection {
+  readonly event: 'emission' | 'newton' | 'slice' | 'now';
+  readonly place: 'apparent' | 'contracted' | 'plain';
+}
+
+/** What tells how the bodies of a batch move. */
+export interface MotionSources {
+  readonly kind: Motion['kind'];
+  readonly objects: FloatTable;
+  readonly samples: FloatTable;
+  readonly points?: PointStore;
+  /** Set where many wear one mesh, which then is in its own axes. */
+  readonly instances?: FloatTable;
+  readonly uniforms: FrameUniforms;
+}
+
+/** As much of them as tells when a vertex is met. */
+export interface EventSources extends Omit<MotionSources, 'uniforms'> {
+  readonly uniforms: Pick<FrameUniforms, 'u' | 'gamma' | 'iterations' | 'damping'>;
+}
+
+export interface VertexSources extends MotionSources {
+  /** Reads the vertex, inside the vertex stage's Fn. */
+  readonly vertex: () => VertexInput;
+}
+
+/** Observer → event [m] and c(t − t_o) [m of light]. */
+export const vEvent = varyingProperty('vec4', 'v_event');
+/** Where it is drawn: from the observer, on the world axes that the boost carries [m]. */
+export const vObserverPosition = varyingProperty('vec3', 'v_shown');
+/** (v, 1 − v²) of the surface in the world, in units of c. */
+export const vMotion = varyingProperty('vec4', 'v_motion');
+/** Normal in the surface's rest frame, and 1 where the vertex exists. */
+export const vNormal = varyingProperty('vec4', 'v_normal');
+/** Light-metres since birth and until death, object id, material. */
+export const vLife = varyingProperty('vec4', 'v_life');
+export const vUv = varyingProperty('vec2', 'v_uv');
+/** Linear RGB of the vertex, where the mesh has any. */
+export const vColor = varyingProperty('vec3', 'v_color');
+
+interface SolvedVertex extends VertexEvent {
+  /** In the rest frame, world axes; any length. */
+  readonly normal: Vec3;
+  readonly exists: Bool;
+}
+
+/** The texels of an object (frame.ts) and one of its vertices. */
+interface SolverInputs {
+  readonly sources: EventSources;
+  readonly anchor: Vec4;
+  readonly motion: Vec4;
+  readonly extra: Vec4;
+  readonly vertex: VertexInput;
+}
+
+const objectTexel =
+  ({ objects }: EventSources, object: Float) =>
+  (k: number): Vec4 =>
+    objects.texel(int(object).mul(int(OBJECT_TEXELS)).add(int(k))).toVar();
+
+/** Clip-space position of a vertex; fills the varyings above. */
+export function vertexStage(sources: VertexSources, projection: SpacetimeProjection): Vec4 {
+  return Fn(() => {
+    const input = sources.vertex();
+    const texel = objectTexel(sources, input.object);
+    const anchor = texel(0);
+    // All vertices of what cannot be seen fall on one point outside the picture.
+    const clip = vec4(2, 2, 2, 1).toVar();
+    If(anchor.w.greaterThanEqual(0), () => {
+      const vertex = solveVertex(
+        { sources, anchor, motion: texel(1), extra: texel(3), vertex: turnedVertex(sources, input, texel) },
+        projection,
+      );
+      const when = texel(2);
+      const dx = vertex.dx.toVar();
+      const s = vertex.s.toVar();
+      vEvent.assign(vec4(dx, s.sub(when.z)));
+      vMotion.assign(vertex.velocity);
+      vNormal.assign(vec4(vertex.normal, select(vertex.exists, float(1), float(0))));
+      vLife.assign(vec4(s.sub(when.x), when.y.sub(s), when.w, input.material));
+      vUv.assign(input.uv);
+      if (input.color) vColor.assign(input.color);
+      const shown = select(vertex.exists, observerPosition(dx, projection.place, sources.uniforms), anchor.xyz).toVar();
+      vObserverPosition.assign(shown);
+      clip.assign(cameraProjectionMatrix.mul(cameraViewMatrix.mul(vec4(shown, 1))));
+    });
+    return clip;
+  })();
+}
+
+/** Where a vertex is shown, from the observer [m], and whether there is such a place. */
+export function vertexObserverPosition(
+  sources: MotionSources,
+  projection: SpacetimeProjection,
+  vertex: VertexInput,
+): { shown: Vec3; exists: Bool } {
+  const { dx, exists } = vertexEvent(sources, projection, vertex);
+  return { shown: observerPosition(dx, projection.place, sources.uniforms), exists };
+}
+
+/** The event of a vertex: from the observer [m], and its time after that of its object's anchor [m of light]. */
+export function vertexEvent(
+  sources: EventSources,
+  { event }: Pick<SpacetimeProjection, 'event'>,
+  vertex: VertexInput,
+): Pick<SolvedVertex, 'dx' | 's' | 'exists'> {
+  const texel = objectTexel(sources, vertex.object);
+  const anchor = texel(0);
+  const own = turnedVertex(sources, vertex, texel);
+  return solveVertex({ sources, anchor, motion: texel(1), extra: texel(3), vertex: own }, { event });
+}
+
+/** A vertex of a mesh that many wear, turned as its body is; samples are turned one by one. */
+function turnedVertex({ kind, instances }: EventSources, vertex: VertexInput, texel: (k: number) => Vec4): VertexInput {
+  if (!instances || (kind !== 'static' && kind !== 'uniform')) return vertex;
+  const orientation = texel(4);
+  return {
+    ...vertex,
+    offset: rotated(orientation, vertex.offset),
+    get normal() {
+      return rotated(orientation, vertex.normal);
+    },
+  };
+}
+
+/** By a unit quaternion. */
+function rotated(q: Vec4, v: Vec3): Vec3 {
+  const t = cross(q.xyz, v).mul(2).toVar();
+  return v.add(t.mul(q.w)).add(cross(q.xyz, t)).toVar();
+}
+
+/** Where an event at Δx is drawn, from the observer, on the world axes that the boost carries [m]. */
+export function observerPosition(
+  dx: Vec3,
+  how: SpacetimeProjection['place'],
+  { u, gamma }: Pick<FrameUniforms, 'u' | 'gamma'>,
+): Vec3 {
+  if (how === 'apparent') return apparentPosition(dx, u, gamma);
+  if (how === 'contracted') return simultaneousPosition(dx, u, gamma);
+  return dx;
+}
+
+function solveVertex(inputs: SolverInputs, { event }: Pick<SpacetimeProjection, 'event'>): SolvedVertex {
+  switch (inputs.sources.kind) {
+    case 'static':
+      return {
+        ...linear(inputs, vec4(0, 0, 0, 1), inputs.vertex.offset, event),
+        normal: inputs.vertex.normal,
+        exists: bool(true),
+      };
+    case 'uniform':
+      return uniformVertex(inputs, event);
+    case 'hyperbolic':
+      return hyperbolicVertex(inputs, event);
+    default:
+      return sampledVertex(inputs, event);
+  }
+}
+
+function linear(inputs: SolverInputs, velocity: Vec4, offset: Vec3, event: SpacetimeProjection['event']): VertexEvent {
+  const { anchor, sources } = inputs;
+  if (event === 'newton') return newton(anchor, uniformPlace(velocity, offset), sources.uniforms);
+  if (event === 'emission')
+    return sources.kind === 'static' ? staticEmission(anchor, offset) : uniformEmission(anchor, velocity, offset);
+  return uniformSlice(anchor, velocity, offset, ...sliceOf(event, sources.uniforms));
+}
+
+function uniformVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
+  const { motion, extra } = inputs;
+  const { offset, normal } = inputs.vertex;
+  const rigid = extra.x.greaterThan(0.5);
+  const contracted = select(rigid, contractAlongMotion(offset, motion), offset).toVar();
+  const restNormal = select(rigid, normal, contractAlongMotion(normal, motion));
+  return { ...linear(inputs, motion, contracted, event), normal: restNormal, exists: bool(true) };
+}
+
+function hyperbolicVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
+  const { anchor, motion, extra, sources } = inputs;
+  const { normal } = inputs.vertex;
+  const offset = inputs.vertex.offset.sub(motion.xyz.mul(extra.z)).toVar();
+  const born = [motion, extra.x, extra.y, offset] as const;
+  const found =
+    event === 'newton'
+      ? { ...newton(anchor, hyperbolicPlace(...born), sources.uniforms), exists: bool(true) }
+      : event === 'emission'
+        ? hyperbolicEmission(anchor, ...born)
+        : hyperbolicSlice(anchor, ...born, ...sliceOf(event, sources.uniforms));
+  const velocity = found.velocity.toVar();
+  return {
+    ...found,
+    velocity,
+    normal: select(extra.y.greaterThan(0.5), normal, contractAlongMotion(normal, velocity)),
+  };
+}
+
+function sampledVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
+  const { anchor, sources } = inputs;
+  const samples = samplesOf(inputs);
+  const found = sampled(anchor, samples, event, sources.uniforms);
+  const [s, velocity] = [found.s.toVar(), found.velocity.toVar()];
+  const { index, fraction } = pieceAt(samples, s);
+  const normal = mix(samples.normal(index), samples.normal(index.add(int(1))), fraction).toVar();
+  return { dx: found.dx, s, velocity, normal: contractAlongMotion(normal, velocity), exists: bool(true) };
+}
+
+function samplesOf({ sources, motion, extra, vertex }: SolverInputs): VertexSamples {
+  const first = int(extra.x).toVar();
+  const count = int(extra.y).toVar();
+  const window = { first, count, perC: extra.z };
+  if (sources.points) return pointSamples(sources.samples, sources.points, vertex.sampled, window, motion);
+  return poseSamples(sources.samples, first, count, vertex.offset, vertex.normal);
+}
+
+function sampled(
+  anchor: Vec4,
+  samples: VertexSamples,
+  event: SpacetimeProjection['event'],
+  uniforms: EventSources['uniforms'],
+): VertexEvent {
+  const { at, velocities, count } = samples;
+  if (velocities) {
+    if (event === 'newton') return newton(anchor, cubicPlace(at, velocities, count), uniforms);
+    if (event === 'emission') return cubicEmission(anchor, at, velocities, count);
+    return cubicSlice(anchor, at, velocities, count, ...sliceOf(event, uniforms));
+  }
+  if (event === 'newton') return newton(anchor, polylinePlace(at, count), uniforms);
+  if (event === 'emission') return polylineEmission(anchor, at, count);
+  return polylineSlice(anchor, at, count, ...sliceOf(event, uniforms));
+}
+
+const newton = (anchor: Vec4, line: WorldLineAt, { iterations, damping }: EventSources['uniforms']): VertexEvent =>
+  newtonEmission(anchor, line, iterations, damping);
+
+/** The slice of the observer's own frame, or that of the world. */
+const sliceOf = (event: SpacetimeProjection['event'], { u, gamma }: EventSources['uniforms']): [Vec3, Float] =>
+  event === 'slice' ? [u, gamma] : [vec3(0), float(1)];
+
+/**
+ * x∥ → x∥/γ for the velocity (v, 1 − v²): an offset of the rest frame to the world's slice, and a normal of the world's slice to the rest frame
+ * (the surface is a plane of events, whose normal has no time part in the rest frame).
+ */
+function contractAlongMotion(x: Vec3, velocity: Vec4): Vec3 {
+  const gamma = inverseSqrt(clamp(velocity.w, 1e-20, 1)).toVar();
+  return simultaneousPosition(x, velocity.xyz.mul(gamma), max(gamma, 1));
+}

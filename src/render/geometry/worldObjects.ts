@@ -1,0 +1,22 @@
+import { type Vec3, ZERO } from '../../math/vec3.ts';
+import { halfDiagonal } from '../../scene/bounds/bounds.ts';
+import { restToWorld } from '../../scene/motion/resample.ts';
+import type { Scene, SceneObject } from '../../scene/types.ts';
+import type { Body } from './bodies.ts';
+
+/** The scene's objects as they are drawn, in its order: what is sampled in its rest frame is brought into the world. c [m/s]. */
+export const worldObjects = (scene: Scene, c: number): readonly SceneObject[] =>
+  scene.objects.map((object) => (isSampledAtRest(object) ? restToWorld(object, c) : object));
+
+/** Its samples in the world depend on the speed of light. */
+export const isSampledAtRest = ({ motion, authoredIn }: SceneObject): boolean =>
+  authoredIn === 'rest' && (motion.kind === 'sampled' || motion.kind === 'sampled-points');
+
+/** Half the diagonal of the box of all objects where they are at time 0, or at their first sample [m]. */
+export const sceneRadius = (bodies: readonly Body[]): number =>
+  halfDiagonal(bodies.map(({ line, radius }) => ({ center: startOf(line), radius })));
+
+function startOf(line: Body['line']): Vec3 {
+  if (line.kind === 'polyline') return [line.positions[0], line.positions[1], line.positions[2]];
+  return 'position' in line ? line.position : ZERO;
+}

@@ -1,0 +1,38 @@
+import type { Node, RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { FullScreenPass, type PassRegion } from './fullScreenPass.ts';
+
+interface Placement {
+  /** Serial number of the upload whose scene the pass reads. */
+  readonly owner?: number;
+  readonly region?: PassRegion;
+}
+
+/** Picture-filling passes by name: each is made when it is first asked for, and kept. */
+export class PassCache {
+  private readonly renderer: WebGPURenderer;
+  private readonly passes = new Map<string, FullScreenPass>();
+
+  constructor(renderer: WebGPURenderer) {
+    this.renderer = renderer;
+  }
+
+  run(name: string, output: () => Node, target: RenderTarget | null, { owner, region }: Placement = {}): void {
+    const key = owner === undefined ? name : `${owner}/${name}`;
+    const pass = this.passes.get(key) ?? new FullScreenPass(output(), name, region);
+    this.passes.set(key, pass);
+    pass.render(this.renderer, target, region === 'surfaces');
+  }
+
+  /** Lets go of the passes that read a scene. */
+  releaseOwner(owner: number): void {
+    for (const [key, pass] of this.passes) {
+      if (!key.startsWith(`${owner}/`)) continue;
+      pass.dispose();
+      this.passes.delete(key);
+    }
+  }
+
+  dispose(): void {
+    for (const pass of this.passes.values()) pass.dispose();
+  }
+}

@@ -1,0 +1,114 @@
+import {
+  acos,
+  atan,
+  clamp,
+  dot,
+  float,
+  floor,
+  log2,
+  max,
+  min,
+  mix,
+  smoothstep,
+  texture,
+  uniform,
+  vec2,
+} from 'three/tsl';
+import { type DataTexture, type Node, Vector3 } from 'three/webgpu';
+import { toHalf } from '../../math/half.ts';
+import { domeAxes } from '../../scene/lights/latLong.ts';
+import type { DomeLight } from '../../scene/types.ts';
+import type { HalfAtlas, HalfTable, HalfTexels } from '../../shaders/tables/halfAtlas.ts';
+import type { Float, Vec3 } from '../../shaders/types.ts';
+import { uploadTexture } from '../gpu/textures.ts';
+import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
+
+type Vec2 = Node<'vec2'>;
+
+/** A dome's picture on the GPU, as it is and as matt and rough surfaces have it. */
+export class DomeTexture {
+  private readonly image: DataTexture;
+  private readonly maps: HalfTable;
+  private readonly layers: number;
+  private readonly tint: Node<'vec3'>;
+  private readonly axes: readonly Node<'vec3'>[];
+
+  /** `tint`: what its colours are multiplied with. */
+  constructor(picture: NonNullable<DomeLight['texture']>, dome: DomeLight, tint: Vec3, atlas: HalfAtlas) {
+    this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' });
+    const maps = prefilterDome(picture);
+    this.layers = maps.length;
+    this.maps = atlas.table('dome', () => stacked(maps));
+    this.tint = tint;
+    this.axes = domeAxes(dome).map((axis) => uniform(new Vector3(...axis)));
+  }
+
+  /** Radiance from the direction n of the world. */
+  radiance(n: Vec3): Vec3 {
+    return this.sampleImage(this.place(n), float(0));
+  }
+
+  /** Irradiance/π on a surface whose normal is n. */
+  irradiance(n: Vec3): Vec3 {
+    return this.sampleMap(this.place(n), float(this.layers - 1)).mul(this.tint);
+  }
+
+  /** What a surface of a roughness mirrors from about n. */
+  specular(n: Vec3, roughness: Float): Vec3 {
+    const place = this.place(n).toVar();
+    const first = SPECULAR_LOBES[0].roughness;
+    // A texel of the picture is as wide as the lobe: 2a, a = roughness².
+    const texels = roughness.mul(roughness).mul(this.image.image.width / Math.PI);
+    const nearly = this.sampleImage(place, log2(max(texels, 1)));
+    const step = clamp(roughness.div(first).sub(1), 0, SPECULAR_LOBES.length - 1).toVar();
+    const lower = floor(step).toVar();
+    const upper = min(lower.add(1), SPECULAR_LOBES.length - 1);
+    const rough = mix(this.sampleMap(place, lower), this.sampleMap(place, upper), step.sub(lower)).mul(this.tint);
+    return mix(nearly, rough, smoothstep(first / 2, first, roughness));
+  }
+
+  dispose(): void {
+    this.image.dispose();
+  }
+
+  /** Where a direction of the world is (latLong.ts), u to the right and v down. */
+  private place(n: Vec3): Vec2 {
+    const [x, y, z] = this.axes;
+    const right = float(0.5).sub(atan(dot(n, x), dot(n, z)).div(2 * Math.PI));
+    const down = acos(clamp(dot(n, y), -1, 1)).div(Math.PI);
+    return vec2(right, down);
+  }
+
+  /** At a level that is told: the seam at ±180° has no derivative. */
+  private sampleImage(place: Vec2, level: Float): Vec3 {
+    return texture(this.image, place).level(level).rgb.mul(this.tint);
+  }
+
+  /** From a layer of the maps, each with a rim that is that of its other side. */
+  private sampleMap(place: Vec2, layer: Float): Vec3 {
+    const x = place.x.mul(PREFILTER_SIZE.width).add(BORDER);
+    const y = place.y.mul(PREFILTER_SIZE.height).add(BORDER);
+    return this.maps.sampleLinear(x, y.add(layer.mul(PREFILTER_SIZE.height + 2 * BORDER))).xyz;
+  }
+}
+
+/** Of a map, so that it goes on beyond its edges [px]. */
+const BORDER = 1;
+
+/** Panoramas one under the other, with their rims. */
+function stacked(maps: readonly Panorama[]): HalfTexels {
+  const [width, height] = [PREFILTER_SIZE.width + 2 * BORDER, PREFILTER_SIZE.height + 2 * BORDER];
+  const data = new Uint16Array(4 * width * height * maps.length).fill(toHalf(1));
+  maps.forEach((map, layer) => {
+    for (let y = 0; y < height; y++)
+      for (let x = 0; x < width; x++) {
+        const from = pixelOffset(map, y - BORDER, x - BORDER);
+        const to = 4 * ((layer * height + y) * width + x);
+        for (let k = 0; k < 3; k++) data[to + k] = toHalf(Math.min(map.rgb[from + k], MAX_HALF));
+      }
+  });
+  return { data, width };
+}
+
+/** The largest half. */
+const MAX_HALF = 65504;

@@ -1,0 +1,31 @@
+import { acos, clamp, cross, dot, max, normalize, pow, smoothstep } from 'three/tsl';
+import type { LocalLight } from '../../scene/types.ts';
+import type { Float, Vec3 } from '../../shaders/types.ts';
+
+/** How a lamp's light is shaped, on the GPU; `front`: unit −Z of its frame. */
+export interface ShapingTexels {
+  readonly front: Vec3;
+  readonly inner: Float;
+  readonly outer: Float;
+  readonly focus: Float;
+}
+
+/** Unit −Z of the axes X and Y. */
+export const frontOf = ({ X, Y }: { readonly X: Vec3; readonly Y: Vec3 }): Vec3 => normalize(cross(Y, X)).toVar();
+
+/** Twin of `shaped` of scene/lights/localLights.ts. */
+export function shapingFactor({ front, inner, outer, focus }: ShapingTexels, out: Vec3): Float {
+  const cosine = clamp(dot(front, out), -1, 1).toVar();
+  return smoothstep(inner, outer, acos(cosine))
+    .oneMinus()
+    .mul(pow(max(cosine, 1e-6), focus));
+}
+
+/** A smoothstep needs room, and what is not shaped shines to all sides. */
+const MIN_CONE_BLEND = 1e-4;
+
+/** The inner and the outer angle [rad] and the focus, as they are uploaded. */
+export function shapingValues({ shaping }: LocalLight): readonly [inner: number, outer: number, focus: number] {
+  if (!shaping) return [4, 5, 0];
+  return [Math.min(shaping.inner, shaping.outer - MIN_CONE_BLEND), shaping.outer, shaping.focus];
+}

@@ -1,0 +1,167 @@
+import {
+  abs,
+  clamp,
+  cos,
+  cross,
+  dot,
+  Fn,
+  float,
+  floor,
+  If,
+  ivec2,
+  length,
+  max,
+  min,
+  mod,
+  normalize,
+  screenCoordinate,
+  select,
+  sin,
+  textureLoad,
+  vec2,
+  vec3,
+  vec4,
+} from 'three/tsl';
+import type { Bool, Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { GBuffer } from '../gbuffer/gbuffer.ts';
+import type { SpacetimeProjection } from '../geometry/vertexStage.ts';
+import type { FrameUniforms } from '../gpu/frameUniforms.ts';
+import { OcclusionSlice } from './occlusionSlice.ts';
+import { type GBufferPoint, type RestFrameView, restFrameViewOf } from './restFrameView.ts';
+
+/** Pixels of the picture per texel of what is worked out here, along each side. */
+export const DOWNSAMPLING = 2;
+/** Neighbours on each side. */
+const STEPS_PER_SIDE = 6;
+/** The farthest of them, in heights of the picture. */
+const MAX_REACH = 0.75;
+/** What is seen is taken to be so thick, along the line of sight, over its distance: then a pole hides no half of the wall behind it. */
+const RELATIVE_THICKNESS = 0.8;
+/** Over the last part of the radius things get thinner, to nothing. */
+const FADE_SHARE = 1 / 3;
+
+/** What the passes of this folder know of the picture. */
+export interface OcclusionView {
+  readonly uniforms: FrameUniforms;
+  /** Of the G-buffer [px]. */
+  readonly size: Vec2;
+  /** What is farther away than this hides nothing [m]. */
+  readonly radius: Float;
+  readonly place: SpacetimeProjection['place'];
+  /** Not all things rest. */
+  readonly moving: boolean;
+}
+
+/** (share of the sky, weighted by the cosine, that nothing in the picture hides; apparent distance [m], 0 where nothing is) */
+export const openness = (buffer: GBuffer, view: OcclusionView): Vec4 =>
+  Fn(() => {
+    const { uniforms, size, place } = view;
+    const cell = floor(screenCoordinate).toVar();
+    const pixel = min(cell.mul(DOWNSAMPLING), size.sub(1)).toVar();
+    const read = reader(buffer, view);
+    const point = read(pixel);
+    const open = float(1).toVar();
+    const apparent = float(0).toVar();
+    If(hasSurface(point), () => {
+      const stand = restFrameViewOf(point, place, uniforms);
+      const V = normalize(stand.position).negate().toVar();
+      const normal = facetNormal(stand, pixel, V, (at) => read(at, false));
+      const up = uniforms.orientation.mul(vec3(0, 1, 0));
+      const right = normalize(cross(V, up)).toVar();
+      const { turn, shift } = samplePattern(cell);
+      const T = right
+        .mul(cos(turn))
+        .add(cross(right, V).mul(sin(turn)))
+        .toVar();
+      const slice = new OcclusionSlice(V, T, cross(T, V).toVar(), normal);
+      const seen = stand.projectAlong(T);
+      apparent.assign(length(seen(float(0))));
+      marchSlice(view, { point, restView: stand, slice, projectAlong: seen, apparent, shift }, read);
+      open.assign(slice.occludedShare.oneMinus());
+    });
+    return vec4(open, apparent, 0, 1);
+  })();
+
+type GBufferReader = (pixel: Vec2, moving?: boolean) => GBufferPoint;
+
+const hasSurface = ({ event }: GBufferPoint): Bool => dot(event.xyz, event.xyz).greaterThan(0);
+
+function reader(buffer: GBuffer, view: OcclusionView): GBufferReader {
+  const last = view.size.sub(1);
+  return (pixel, moving = view.moving) => {
+    const at = ivec2(clamp(pixel, vec2(0), last)).toVar();
+    const event = textureLoad(buffer.texture('event'), at).toVar();
+    if (!moving) return { event };
+    const motion = textureLoad(buffer.texture('motion'), at).toVar();
+    const speed = length(motion.xyz).toVar();
+    return { event, velocity: vec4(motion.xyz, speed.oneMinus().mul(speed.add(1))).toVar() };
+  };
+}
+
+/** Of 4 × 4 texels each has its own direction and offset; together they have all. Source: Jimenez et al. 2016. */
+function samplePattern(cell: Vec2): { turn: Float; shift: Float } {
+  const [x, y] = [mod(cell.x, 4).toVar(), mod(cell.y, 4).toVar()];
+  return {
+    turn: mod(x.add(y), 4)
+      .mul(4)
+      .add(x)
+      .mul(Math.PI / 16)
+      .toVar(),
+    shift: mod(y.sub(x).add(4), 4).div(4).toVar(),
+  };
+}
+
+/** The normal of the flat piece that a pixel shows: smoothed or painted ones would have it hide itself. */
+function facetNormal(stand: RestFrameView, pixel: Vec2, V: Vec3, read: GBufferReader): Vec3 {
+  const beside = (x: number, y: number) => {
+    const other = read(pixel.add(vec2(x, y)));
+    const apart = stand.comovingOffset(other.event).toVar();
+    const far = dot(apart, apart).toVar();
+    return { apart, far: select(hasSurface(other).and(far.greaterThan(0)), far, 1e30).toVar() };
+  };
+  const nearer = (x: number, y: number): Vec3 => {
+    const [before, after] = [beside(-x, -y), beside(x, y)];
+    return select(before.far.lessThan(after.far), before.apart.negate(), after.apart);
+  };
+  const normal = normalize(cross(nearer(0, 1), nearer(1, 0))).toVar();
+  return select(dot(normal, V).lessThan(0), normal.negate(), normal).toVar();
+}
+
+interface HorizonMarch {
+  readonly point: GBufferPoint;
+  readonly restView: RestFrameView;
+  readonly slice: OcclusionSlice;
+  readonly projectAlong: (rho: Float) => Vec3;
+  readonly apparent: Float;
+  readonly shift: Float;
+}
+
+/** What the picture shows on both sides, at distances that grow as squares. */
+function marchSlice(
+  view: OcclusionView,
+  { restView, slice, projectAlong, apparent, shift }: HorizonMarch,
+  read: GBufferReader,
+): void {
+  const { uniforms, size, radius } = view;
+  const { orientation, halfTangents, jitter } = uniforms;
+  const height = apparent.mul(halfTangents.y).mul(2).toVar();
+  const reach = min(radius, height.mul(MAX_REACH)).toVar();
+  const least = height
+    .mul(DOWNSAMPLING * 0.75)
+    .div(size.y)
+    .toVar();
+  for (const side of [-1, 1] as const)
+    for (let k = 0; k < STEPS_PER_SIDE; k++) {
+      const t = shift.add(k).div(STEPS_PER_SIDE).toVar();
+      const rho = max(reach.mul(t.mul(t)), least.mul(k + 1)).mul(side);
+      const camera = projectAlong(rho).mul(orientation).toVar();
+      const ndc = camera.xy.div(halfTangents.mul(camera.z.negate())).sub(jitter).toVar();
+      const inside = camera.z.lessThan(0).and(max(abs(ndc.x), abs(ndc.y)).lessThan(1));
+      const other = read(floor(vec2(ndc.x.add(1), ndc.y.oneMinus()).mul(0.5).mul(size)));
+      const front = restView.retardedOffset(other).toVar();
+      const far = length(front).toVar();
+      const thin = clamp(far.div(radius).oneMinus().div(FADE_SHARE), 0, 1);
+      const back = front.sub(slice.V.mul(far.mul(thin).mul(RELATIVE_THICKNESS))).toVar();
+      slice.occlude(front, back, side, select(inside.and(hasSurface(other)), 1, 0));
+    }
+}

@@ -1,0 +1,109 @@
+import { clamp, Fn, float, floor, int, log2, max, min, mix, select, uniform, vec3, vec4 } from 'three/tsl';
+import type { Texture } from 'three/webgpu';
+import type { RenderSettings } from '../../../scene/view/view.ts';
+import { toneMaps } from '../../../shaders/color/toneMap.ts';
+import { observerDoppler } from '../../../shaders/kinematics/observerDoppler.ts';
+import { unaberrate } from '../../../shaders/kinematics/unaberrate.ts';
+import type { Float, Vec3, Vec4 } from '../../../shaders/types.ts';
+import {
+  colorRamp,
+  type FalseColorQuantity,
+  type FalseColorScale,
+  isLogarithmic,
+  MIN_SHADE,
+  NO_VALUE_COLOR,
+  toScaleUnits,
+} from '../../../spectrum/falseColor/falseColor.ts';
+import { REFERENCE_WAVELENGTH } from '../../../spectrum/falseColor/spectralBands.ts';
+import { relativeLuminance } from '../../color/luminance.ts';
+import type { GBuffer } from '../../gbuffer/gbuffer.ts';
+import { FloatTable } from '../../gpu/floatTable.ts';
+import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
+import { pixelDirection, texelHere } from '../../gpu/fullScreenPass.ts';
+import { depthHere } from '../../shading/passes.ts';
+import { encodeSrgb } from './display.ts';
+import { gridOver } from './grid.ts';
+
+const STEPS = 256;
+
+/** The colours of one scale on the GPU: what a pixel's number is looked up in. */
+export class FalseColorTable {
+  private readonly table = new FloatTable(STEPS);
+  private readonly start = uniform(0);
+  private readonly perStep = uniform(1);
+  private made = '';
+
+  use({ kind, ...scale }: FalseColorScale): void {
+    const wanted = JSON.stringify([kind, scale]);
+    if (wanted === this.made) return;
+    this.made = wanted;
+    const [start, end] = [toScaleUnits(kind, scale.from), toScaleUnits(kind, scale.to)];
+    this.start.value = start;
+    this.perStep.value = (STEPS - 1) / (end - start);
+    for (const [i, [r, g, b]] of colorRamp(kind, scale, STEPS).entries())
+      this.table.values.set([r / 255, g / 255, b / 255, 1], 4 * i);
+    this.table.upload();
+  }
+
+  /** Of a number in the scale's steps. */
+  color(value: Float): Vec3 {
+    const at = clamp(value.sub(this.start).mul(this.perStep), 0, STEPS - 1).toVar();
+    const low = min(floor(at), STEPS - 2).toVar();
+    return mix(this.table.texel(int(low)).xyz, this.table.texel(int(low.add(1))).xyz, at.sub(low));
+  }
+
+  dispose(): void {
+    this.table.dispose();
+  }
+}
+
+/** The picture's numbers as colours, sRGB: each of what is at the pixel's centre, with nothing smoothed between. */
+export const falseColored = (
+  kind: FalseColorQuantity,
+  light: Texture,
+  buffer: GBuffer,
+  uniforms: FrameUniforms,
+  table: FalseColorTable,
+  { tone, grid }: Pick<RenderSettings, 'tone' | 'grid'>,
+): Vec4 =>
+  Fn(() => {
+    const there = texelHere(buffer.texture('object')).x.greaterThan(0.5).toVar();
+    const value = VALUES[kind]({ light, buffer, uniforms, there });
+    const color = table.color(isLogarithmic(kind) ? log2(max(value, 1e-38)) : value).toVar();
+    if (kind === 'emission-time') color.assign(select(there, color, vec3(...NO_VALUE_COLOR).div(255)));
+    if (kind === 'band') {
+      const shown = toneMaps[tone](texelHere(light).rgb, uniforms.exposure);
+      const gray = encodeSrgb(vec3(relativeLuminance(shown))).x;
+      color.mulAssign(mix(float(MIN_SHADE), float(1), gray));
+    }
+    if (!grid) return vec4(color, 1);
+    const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
+    return vec4(mix(color, encodeSrgb(lines.xyz), lines.w), 1);
+  })();
+
+interface FalseColorInputs {
+  readonly light: Texture;
+  readonly buffer: GBuffer;
+  readonly uniforms: FrameUniforms;
+  /** Whether a surface is at the pixel. */
+  readonly there: ReturnType<Float['greaterThan']>;
+}
+
+const VALUES: Readonly<Record<FalseColorQuantity, (sources: FalseColorInputs) => Float>> = {
+  doppler: dopplerHere,
+  'emission-time': ({ buffer, uniforms }) => texelHere(buffer.texture('event')).w.mul(uniforms.secondsPerMetre),
+  radiance: ({ light }) => relativeLuminance(texelHere(light).rgb),
+  band: (sources) => dopplerHere(sources).mul(REFERENCE_WAVELENGTH),
+};
+
+/** D of the surface; of the sky, which rests in the world, where there is none. */
+function dopplerHere({ buffer, uniforms, there }: FalseColorInputs): Float {
+  return select(there, texelHere(buffer.texture('motion')).w, skyDoppler(uniforms));
+}
+
+export function skyDoppler(uniforms: FrameUniforms): Float {
+  const { u, gamma, boosted, boostLight } = uniforms;
+  const nPrime = pixelDirection(uniforms).toVar();
+  const n = mix(nPrime, unaberrate(nPrime, u, gamma), boosted).normalize();
+  return mix(float(1), observerDoppler(n, u, gamma), boostLight);
+}

@@ -1,0 +1,83 @@
+import { Fn, floor, ivec2, screenCoordinate, select, textureLoad, uniform, vec2, vec4 } from 'three/tsl';
+import { FloatType, type Texture, Vector2 } from 'three/webgpu';
+import { type LightMeterReadings, METER_CELLS } from '../../../scene/view/metering.ts';
+import type { Vec4 } from '../../../shaders/types.ts';
+import { relativeLuminance } from '../../color/luminance.ts';
+import { dataTarget, type GBuffer } from '../../gbuffer/gbuffer.ts';
+import { readFloats } from '../../gbuffer/readback.ts';
+import type { Gpu } from '../../gpu/device.ts';
+import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
+import { FullScreenPass } from '../../gpu/fullScreenPass.ts';
+import { skyDoppler } from './falseColor.ts';
+
+/** Channels of what is measured; the fourth tells whether a surface is there. */
+const [LIGHT, DOPPLER, TIME] = [0, 1, 2];
+
+/** Measures pictures at a few thousand places on the GPU, so that little is to be read back: 64 kB, however large they are. */
+export class LightMeter {
+  private readonly gpu: Gpu;
+  private readonly buffer: GBuffer;
+  private readonly uniforms: FrameUniforms;
+  private readonly target = dataTarget(1, FloatType);
+  private readonly size = uniform(new Vector2());
+  private readonly passes = new Map<Texture, FullScreenPass>();
+
+  constructor(gpu: Gpu, buffer: GBuffer, uniforms: FrameUniforms) {
+    this.gpu = gpu;
+    this.uniforms = uniforms;
+    this.buffer = buffer;
+    this.target.setSize(METER_CELLS, METER_CELLS);
+  }
+
+  /** `light`: of the picture, `width` × `height` pixels; `c` [m/s]. */
+  async measure(light: Texture, width: number, height: number, c: number): Promise<LightMeterReadings> {
+    const pass = this.passes.get(light) ?? new FullScreenPass(this.output(light), 'gauge');
+    this.passes.set(light, pass);
+    this.size.value.set(width, height);
+    pass.render(this.gpu.renderer, this.target);
+    await gpuFinished(this.gpu);
+    const texels = await readFloats(this.gpu, this.target, 0, { x: 0, y: 0, width: METER_CELLS, height: METER_CELLS });
+    const channel = (k: number, scale: number) =>
+      Float32Array.from({ length: METER_CELLS * METER_CELLS }, (_, i) => {
+        const known = k !== TIME || texels[4 * i + 3]! > 0.5;
+        return known ? scale * texels[4 * i + k]! : Number.NaN;
+      });
+    return { luminance: channel(LIGHT, 1), doppler: channel(DOPPLER, 1), time: channel(TIME, 1 / c) };
+  }
+
+  /** (luminance, D, c(t − t_o) [m], whether something is there) */
+  private output(light: Texture): Vec4 {
+    const { buffer, size } = this;
+    return Fn(() => {
+      const pixel = ivec2(floor(screenCoordinate.div(METER_CELLS).mul(vec2(size)))).toVar();
+      const at = (of: Texture): Vec4 => textureLoad(of, pixel);
+      const there = at(buffer.texture('object')).x.greaterThan(0.5).toVar();
+      return vec4(
+        relativeLuminance(at(light).rgb),
+        select(there, at(buffer.texture('motion')).w, skyDoppler(this.uniforms)),
+        at(buffer.texture('event')).w,
+        select(there, 1, 0),
+      );
+    })();
+  }
+
+  dispose(): void {
+    for (const pass of this.passes.values()) pass.dispose();
+    this.target.dispose();
+  }
+}
+
+/** Between two looks whether a GPU has drawn [ms]. */
+const POLL_INTERVAL = 4;
+
+/** WebGL holds the page where it reads what is still being drawn; so it is only read when it is there. */
+async function gpuFinished({ renderer, backend }: Gpu): Promise<void> {
+  if (backend !== 'webgl') return;
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  if (!sync) return;
+  gl.flush();
+  do await new Promise((resolve) => setTimeout(resolve, POLL_INTERVAL));
+  while (!gl.isContextLost() && gl.getSyncParameter(sync, gl.SYNC_STATUS) !== gl.SIGNALED);
+  gl.deleteSync(sync);
+}

@@ -1,0 +1,49 @@
+import { abs, clamp, float, max, mix, select, step, vec3, vec4 } from 'three/tsl';
+import { type MixMode, WIPE_WIDTH } from '../../scene/frameGraph/effects.ts';
+import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
+import { type EffectContext, type EffectImage, mixExact } from './effectContext.ts';
+
+type Blend = (a: Vec3, b: Vec3) => Vec3;
+
+const clampedToUnit = (value: Vec3): Vec3 => clamp(value, 0, 1).toVar();
+const excessOverOne = (value: Vec3): Vec3 => max(value.sub(1), vec3(0));
+const over: Blend = (_, b) => b;
+
+const BLENDS: Readonly<Record<MixMode, Blend>> = {
+  normal: over,
+  multiply: (a, b) => a.mul(b),
+  add: (a, b) => a.add(b),
+  screen: (a, b) =>
+    clampedToUnit(a).oneMinus().mul(clampedToUnit(b).oneMinus()).oneMinus().add(excessOverOne(a)).add(excessOverOne(b)),
+  overlay: (a, b) => {
+    const [p, q] = [clampedToUnit(a), clampedToUnit(b)];
+    const light = p.oneMinus().mul(q.oneMinus()).mul(2).oneMinus();
+    return mix(p.mul(q).mul(2), light, step(vec3(0.5), p)).add(excessOverOne(a));
+  },
+  difference: (a, b) => abs(a.sub(b)),
+  split: over,
+  wipe: over,
+};
+
+/** `mixed` of reference/effects/: the frame's image below, `b` over it. */
+export function mixImages(frame: EffectContext, mode: MixMode, alpha: Float, b: EffectImage, mask?: EffectImage): Vec4 {
+  const below = frame.image.at(frame.pixel).toVar();
+  const blend = BLENDS[mode](below.rgb, b.at(frame.pixel).rgb.toVar());
+  const through = mask ? clamp(mask.at(frame.pixel).x, 0, 1) : float(1);
+  return mixExact(below, vec4(blend, below.w), mixWeight(frame, mode, alpha).mul(through).toVar());
+}
+
+function mixWeight(frame: EffectContext, mode: MixMode, alpha: Float): Float {
+  const across = float(frame.pixel.x).add(0.5).div(float(frame.image.size.x));
+  if (mode === 'split') return select(across.lessThan(alpha), 0, 1);
+  if (mode === 'wipe')
+    return clamp(
+      alpha
+        .mul(1 + WIPE_WIDTH)
+        .sub(across)
+        .div(WIPE_WIDTH),
+      0,
+      1,
+    );
+  return alpha;
+}

@@ -1,0 +1,133 @@
+import {
+  acos,
+  atan,
+  clamp,
+  cos,
+  cross,
+  dot,
+  float,
+  If,
+  int,
+  Loop,
+  length,
+  min,
+  mix,
+  normalize,
+  select,
+  sign,
+  sin,
+  vec2,
+  vec3,
+} from 'three/tsl';
+import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
+
+/** What a lamp covers of the sky above a place: `count` corners, one after the other, relative to that place. */
+export interface LightOutline {
+  readonly count: number;
+  corner(k: Int): Vec3;
+}
+
+/** A face with the half axes X and Y: 4 corners for a rectangle, 16 with the area of the circle for a disk. */
+export function faceOutline(kind: 'rect' | 'disk', center: Vec3, X: Vec3, Y: Vec3): LightOutline {
+  const [count, first] = kind === 'rect' ? [4, Math.PI / 4] : [16, 0];
+  const step = (2 * Math.PI) / count;
+  const reach = kind === 'rect' ? Math.SQRT2 : Math.sqrt(step / Math.sin(step));
+  return {
+    count,
+    corner: (k) => {
+      const angle = float(k).mul(step).add(first).toVar();
+      return center.add(X.mul(cos(angle).mul(reach))).add(Y.mul(sin(angle).mul(reach)));
+    },
+  };
+}
+
+/** Each end of a tube has so many corners. */
+const END_CORNERS = 7;
+
+/**
+ * The side of a tube with the half axis X, as it is seen: between the two lines where it turns away, with half a circle at each end.
+ * From its inside nothing.
+ */
+export function tubeOutline(center: Vec3, X: Vec3, radius: Float): LightOutline {
+  const axis = normalize(X).toVar();
+  const across = center.sub(axis.mul(dot(center, axis))).toVar();
+  const away = length(across).max(1e-9).toVar();
+  const e = across.div(away).negate().toVar();
+  const s = cross(axis, e).toVar();
+  const open = acos(min(radius.div(away), 1)).toVar();
+  return {
+    count: 2 * END_CORNERS,
+    corner: (k) => {
+      const far = k.greaterThanEqual(int(END_CORNERS));
+      const step = float(select(far, int(2 * END_CORNERS - 1).sub(k), k)).div((END_CORNERS - 1) / 2);
+      const phi = open.mul(step.sub(1)).toVar();
+      const rim = e
+        .mul(cos(phi))
+        .add(s.mul(sin(phi)))
+        .mul(radius);
+      return center.add(X.mul(select(far, float(-1), float(1)))).add(rim);
+    },
+  };
+}
+
+/** How much light of radiance 1 comes through an outline to a surface, and from where on average. */
+export interface OutlineFlux {
+  /** ∫ N·(n, 1) dΩ: of a surface at rest its irradiance. */
+  readonly amount: Float;
+  /** ∫ n N·(n, 1) dΩ; without `weighted` ∫ n dΩ. */
+  readonly toward: Vec3;
+}
+
+/**
+ * Of all directions n within an outline of unit directions, cut off where N·(n, 1) < 0. `apex`: unit, about in its middle.
+ * With Γ = a × b of an edge of length θ: ∫ n dΩ = ½ Σ θ Γ/sin θ; ∫ n nᵀ dΩ = ⅓ [Ω + Σ (a + b) Γᵀ/(1 + a·b)]; and Ω by triangles with the apex.
+ * Source: Lambert 1760, Photometria; Arvo 1995, "Applications of irradiance tensors to the simulation of non-Lambertian phenomena", SIGGRAPH, eq. 7;
+ * Van Oosterom and Strackee 1983, "The solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30.
+ */
+export function outlineFlux({ count, corner }: LightOutline, N: Vec4, apex: Vec3, weighted: boolean): OutlineFlux {
+  const [vector, second, angle] = [vec3(0).toVar(), vec3(0).toVar(), vec2(1, 0).toVar()];
+  const along = (a: Vec3, b: Vec3): void => {
+    // Not a × b: of small outlines rounding would leave nothing.
+    const turn = cross(a, b.sub(a)).toVar();
+    const cosine = dot(a, b).toVar();
+    const sine = length(turn).toVar();
+    const rate = select(sine.greaterThan(1e-4), atan(sine, cosine).div(sine.max(1e-6)), float(1));
+    vector.addAssign(turn.mul(rate.mul(0.5)));
+    if (!weighted) return;
+    second.addAssign(turn.mul(dot(N.xyz, a.add(b)).div(cosine.add(1))));
+    const half = vec2(cosine.add(1).add(dot(apex, a.add(b))), dot(apex, turn)).toVar();
+    angle.assign(vec2(angle.x.mul(half.x).sub(angle.y.mul(half.y)), angle.x.mul(half.y).add(angle.y.mul(half.x))));
+  };
+  forEachVisibleEdge({ count, corner }, N, along);
+  const solidAngle = weighted ? atan(angle.y, angle.x).mul(2).toVar() : float(0);
+  const amount = dot(N.xyz, vector).add(N.w.mul(solidAngle)).toVar();
+  const toward = weighted ? vector.mul(N.w).add(N.xyz.mul(solidAngle).add(second).div(3)) : vector;
+  // Corners may go round either way.
+  const way = sign(amount).toVar();
+  return { amount: amount.mul(way).toVar(), toward: toward.mul(way).toVar() };
+}
+
+/** The edges of what of an outline is above the horizon, N·(n, 1) ≥ 0, with that which the horizon makes. */
+function forEachVisibleEdge({ count, corner }: LightOutline, N: Vec4, visit: (a: Vec3, b: Vec3) => void): void {
+  const [rises, sets] = [vec3(0).toVar(), vec3(0).toVar()];
+  const height = (n: Vec3): Float => dot(N.xyz, n).add(N.w);
+  const a = corner(int(count - 1)).toVar();
+  const ha = height(a).toVar();
+  Loop({ start: int(0), end: int(count), type: 'int', condition: '<' }, ({ i }) => {
+    const b = corner(int(i)).toVar();
+    const hb = height(b).toVar();
+    const [up, down] = [ha.greaterThanEqual(0).toVar(), hb.lessThan(0).toVar()];
+    If(up.or(down.not()), () => {
+      const crossing = normalize(mix(a, b, clamp(ha.div(ha.sub(hb)), 0, 1))).toVar();
+      If(up.and(down), () => {
+        sets.assign(crossing);
+      }).ElseIf(up.not(), () => {
+        rises.assign(crossing);
+      });
+      visit(select(up, a, crossing).toVar(), select(down, crossing, b).toVar());
+    });
+    a.assign(b);
+    ha.assign(hb);
+  });
+  visit(sets, rises);
+}

@@ -1,0 +1,137 @@
+import {
+  acos,
+  atan,
+  clamp,
+  dot,
+  float,
+  If,
+  inverseSqrt,
+  length,
+  max,
+  normalize,
+  reflect,
+  select,
+  sqrt,
+  vec4,
+} from 'three/tsl';
+import type { Float, Vec3 } from '../../shaders/types.ts';
+import type { LightAtEmission } from '../lights/lightAtEmission.ts';
+import { frontOf, shapingFactor } from '../lights/lightShaping.ts';
+import type { RestFrame } from '../lights/restFrame.ts';
+import { areaSpecular } from './brdf.ts';
+import type { LitSurface } from './localLight.ts';
+import {
+  type AddReflected,
+  dopplerFrom,
+  type MeanLight,
+  meanLight,
+  type SurfaceInLightFrame,
+  surfaceInLightFrame,
+} from './surfaceInLightFrame.ts';
+
+/** Directions about a unit `axis`, up to an angle α from it: sin² α and cos α. */
+interface SphericalCap {
+  readonly axis: Vec3;
+  readonly sine2: Float;
+  readonly cosine: Float;
+}
+
+/**
+ * What a surface sends on of the light of a ball, unhidden. In every frame it looks round (Penrose 1959, "The apparent shape of a relativistically moving
+ * sphere", Proc. Camb. Phil. Soc. 55). The matt part is exact; where the horizon cuts the ball, its D⁴ is that of all of it, on a surface that is turned
+ * towards it until nothing is cut. The glossy part has all light come from the direction within the ball's outline that is nearest to the mirrored ray, with the D
+ * of that direction, on a surface that is rougher by the ball's size (Karis 2013, see areaLight.ts).
+ */
+export function sphereLight(
+  { brdf: look, rest }: LitSurface,
+  radius: Float,
+  lamp: LightAtEmission,
+  addReflected: AddReflected,
+): void {
+  const { frame, center, shape, aliveFactor: shining } = lamp;
+  const { N, V } = look;
+  const own = capOfSphere(center, radius);
+  const seen = frame.doppler || rest.doppler ? boostedCap(own, frame, rest) : own;
+  const height = dot(N, seen.axis).toVar();
+  // Who is inside has it all round.
+  const matt = select(own.sine2.lessThan(MAX_SINE2), capIrradiance(seen, height), Math.PI).toVar();
+  If(matt.greaterThan(0), () => {
+    const open = shape && shapingFactor({ ...shape, front: frontOf(shape) }, own.axis.negate());
+    const share = (open && shining ? open.mul(shining(center)) : (open ?? shining?.(center) ?? float(1))).toVar();
+    const raised = N.add(seen.axis.mul(max(sqrt(seen.sine2).sub(height), 0))).toVar();
+    const { D, irradiance } = capLight(own, surfaceInLightFrame(raised, rest, frame));
+    const whole = seen.sine2.mul(dot(raised, seen.axis)).mul(Math.PI);
+    const toward = nearestInCap(seen, normalize(reflect(V.negate(), N)).toVar()).toVar();
+    const widening = sqrt(seen.sine2).div(2).toVar();
+    const glossy = areaSpecular(look, toward, widening, widening).mul(seen.sine2.mul(share).mul(Math.PI));
+    const shift = dopplerFrom(surfaceInLightFrame(N, rest, frame), frame.into(rest.out(toward)));
+    addReflected(
+      { share: look.diffuse.mul(matt.mul(irradiance).mul(share).div(whole.mul(Math.PI))), ...(D && { D }) },
+      // The solid angle is the surface's, and D² that of the lamp's own.
+      shift ? { share: glossy.mul(shift.mul(shift)), D: shift } : { share: glossy },
+    );
+  });
+}
+
+/** Of what is touched. */
+const MAX_SINE2 = 0.9999;
+
+function capOfSphere(center: Vec3, radius: Float): SphericalCap {
+  const d2 = dot(center, center).max(1e-12).toVar();
+  const sine2 = radius.mul(radius).div(d2).min(MAX_SINE2).toVar();
+  return { axis: center.mul(inverseSqrt(d2)).toVar(), sine2, cosine: sqrt(sine2.oneMinus()).toVar() };
+}
+
+/** The edge of a cap is where C·(n, 1) = 0 for C = (axis, −cos α), of length² sin² α in every frame. */
+function boostedCap({ axis, sine2, cosine }: SphericalCap, source: RestFrame, receiver: RestFrame): SphericalCap {
+  const C = receiver.boostInto(source.boostOut(vec4(axis, cosine.negate()))).toVar();
+  const across = length(C.xyz).toVar();
+  return {
+    axis: C.xyz.div(across).toVar(),
+    sine2: sine2.div(across.mul(across)).toVar(),
+    cosine: C.w.negate().div(across).toVar(),
+  };
+}
+
+/**
+ * Irradiance of light of radiance 1 from a cap whose axis has the cosine `height` to the normal, cut off at the horizon.
+ * Source: Lagarde and de Rousiers 2014, "Moving Frostbite to physically based rendering", SIGGRAPH course notes, listing 7.
+ */
+function capIrradiance({ sine2, cosine }: SphericalCap, height: Float): Float {
+  const x = cosine.div(sqrt(sine2)).toVar();
+  const across = sqrt(max(height.mul(height).oneMinus(), 1e-8)).toVar();
+  const y = clamp(x.mul(height).div(across).negate(), -1, 1).toVar();
+  const rim = across.mul(sqrt(y.mul(y).oneMinus())).toVar();
+  const cut = height
+    .mul(acos(y))
+    .sub(x.mul(rim))
+    .mul(sine2)
+    .add(atan(rim.div(x)));
+  const whole = max(height, 0).mul(sine2).mul(Math.PI);
+  return select(height.mul(height).greaterThan(sine2), whole, max(cut, 0));
+}
+
+/** All of a cap's light, whatever is below the horizon: ∫ dΩ = 2π(1 − cos α), ∫ n dΩ = π sin² α · axis, ∫ (n·axis)² dΩ = ⅔π(1 − cos³ α). */
+function capLight({ axis, sine2, cosine }: SphericalCap, met: SurfaceInLightFrame): MeanLight {
+  const { N } = met;
+  const solidAngle = sine2
+    .div(cosine.add(1))
+    .mul(2 * Math.PI)
+    .toVar();
+  const along = solidAngle.mul(cosine.mul(cosine).add(cosine).add(1)).div(3).toVar();
+  const across = solidAngle.sub(along).div(2).toVar();
+  const first = axis.mul(sine2.mul(Math.PI)).toVar();
+  const toward = first
+    .mul(N.w)
+    .add(N.xyz.mul(across))
+    .add(axis.mul(along.sub(across).mul(dot(axis, N.xyz))));
+  return meanLight(met, solidAngle.mul(N.w).add(dot(first, N.xyz)).toVar(), toward);
+}
+
+/** The direction within a cap that is nearest to a unit `ray`. */
+function nearestInCap({ axis, sine2, cosine }: SphericalCap, ray: Vec3): Vec3 {
+  const along = dot(ray, axis).toVar();
+  const aside = ray.sub(axis.mul(along)).toVar();
+  const edge = axis.mul(cosine).add(aside.mul(sqrt(sine2).div(length(aside).max(1e-6))));
+  return select(along.greaterThan(cosine), ray, edge);
+}

@@ -1,0 +1,63 @@
+import { dot, length, uniform } from 'three/tsl';
+import { Vector4 } from 'three/webgpu';
+import { velocity } from '../../../physics/lorentz/boost.ts';
+import type { Float, Int } from '../../../shaders/types.ts';
+import type { Observation } from '../../geometry/observation.ts';
+import type { Gpu } from '../../gpu/device.ts';
+import type { LightTable } from '../../lights/lightTable.ts';
+import type { ReceiverEvent, ShadowedLight } from '../distant/parallelReceiver.ts';
+import type { Occluders } from '../shadowMaps.ts';
+import { DynamicLocalShadows } from './dynamicLocalShadows.ts';
+import { StaticLocalShadows } from './staticLocalShadows.ts';
+
+/** Which light of lamps things hold back from each other: a lamp's, from where it was when it sent it out, past where they were when it passed. */
+export class LocalShadows {
+  private readonly lights: LightTable;
+  private readonly sampleCount: number;
+  private readonly staticShadows: StaticLocalShadows;
+  private readonly dynamicShadows: DynamicLocalShadows;
+  /** How much later than where it ends light was sent out, per metre: along x, y, z of the world, and in any direction. */
+  private readonly emissionDelay = uniform(new Vector4());
+
+  constructor(occluders: Occluders, lamps: LightTable, gpu: Gpu) {
+    this.lights = lamps;
+    this.sampleCount = occluders.detail.taps;
+    this.staticShadows = new StaticLocalShadows(occluders, lamps.shadowCasters, gpu);
+    this.dynamicShadows = new DynamicLocalShadows(occluders, lamps.shadowCasters, gpu);
+  }
+
+  visibility(slot: Int | number, event: ReceiverEvent, lamp: ShadowedLight): Float | undefined {
+    const { emissionDelay, sampleCount } = this;
+    const moves = lamp.motion.kind !== 'static';
+    const beam = {
+      ...lamp,
+      emissionDelay: dot(emissionDelay.xyz, lamp.offset)
+        .add(emissionDelay.w.mul(length(lamp.offset)))
+        .toVar(),
+    };
+    const still = moves ? undefined : this.staticShadows.visibility(slot, event, beam, sampleCount);
+    const gone = this.dynamicShadows.visibility(slot, moves, event, beam, sampleCount);
+    return still && gone ? still.mul(gone) : (still ?? gone);
+  }
+
+  /** Makes the maps that a picture needs; false where samples of a deforming mesh have still to come. */
+  update(sight: Observation): boolean {
+    this.lights.selectShadowCasters(sight);
+    const { shadowCasters } = this.lights;
+    this.emissionDelay.value.set(...emissionDelayPerMeter(sight));
+    this.staticShadows.update(shadowCasters, sight);
+    return this.dynamicShadows.update(shadowCasters, sight);
+  }
+
+  get isComplete(): boolean {
+    return this.dynamicShadows.isComplete;
+  }
+
+  dispose(): void {
+    this.staticShadows.dispose();
+    this.dynamicShadows.dispose();
+  }
+}
+
+const emissionDelayPerMeter = ({ hypersurface, u }: Observation): readonly [number, number, number, number] =>
+  hypersurface === 'past-light-cone' ? [0, 0, 0, -1] : hypersurface === 'slice' ? [...velocity(u), 0] : [0, 0, 0, 0];

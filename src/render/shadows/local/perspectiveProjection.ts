@@ -1,0 +1,69 @@
+import { abs, dot, float, int, max, select, vec2, vec3, vec4 } from 'three/tsl';
+import type { Float, Int, Vec2, Vec3, Vec4 } from '../../../shaders/types.ts';
+import type { EdgeLayout } from '../atlas/edgeMap.ts';
+import type { LayerTable } from '../atlas/layerTable.ts';
+import type { ShadowAtlas } from '../atlas/shadowAtlas.ts';
+import type { LayerProjection } from '../casters/casterMesh.ts';
+
+/** Tiles of a lamp's map, in rows from its first corner on. */
+export interface TileGrid {
+  /** [texels] */
+  readonly side: number;
+  readonly columns: number;
+}
+
+/** First corner of a tile [texels]. */
+export const tileCorner = ({ side, columns }: TileGrid, tile: Int): Vec2 =>
+  vec2(tile.mod(int(columns)), tile.div(int(columns))).mul(side);
+
+/** A texel's width is the depth over the focal length, so that a rise by it changes the height by the height over that; of the widest tiles. */
+export const perspectiveEdgeThreshold =
+  (side: number): EdgeLayout['threshold'] =>
+  (highest) =>
+    highest.mul(2 / side);
+
+/** The numbers of a projection (`perspectiveLayerTexels`). */
+export type PerspectiveRows = readonly [across: Vec4, up: Vec4, towards: Vec4, source: Vec4];
+export const readPerspectiveRows = (table: LayerTable, layer: Int | number): PerspectiveRows => {
+  const [across, up, towards, source] = [0, 1, 2, 3].map((k) => table.texel(layer, k).toVar());
+  return [across, up, towards, source];
+};
+
+/** A vector along a projection's axes. */
+export const onLayerAxes = ([across, up, towards]: PerspectiveRows, v: Vec3): Vec3 =>
+  vec3(dot(across.xyz, v), dot(up.xyz, v), dot(towards.xyz, v));
+
+/** Which of six faces a direction, on a lamp's axes, belongs to (`cubeFaceAxes`), and vectors on the axes of that face. */
+export function cubeFaceOf(direction: Vec3): { readonly face: Int; readonly onFace: (v: Vec3) => Vec3 } {
+  const size = abs(direction).toVar();
+  const ahead = size.z.greaterThanEqual(max(size.x, size.y)).toVar();
+  const aside = ahead.not().and(size.x.greaterThanEqual(size.y)).toVar();
+  const depth = (v: Vec3): Float => select(ahead, v.z, select(aside, v.x, v.y));
+  const behind = depth(direction).lessThan(0).toVar();
+  const pair = select(ahead, int(0), select(aside, int(1), int(3)));
+  return {
+    face: pair.add(select(behind, select(ahead, int(5), int(1)), int(0))).toVar(),
+    onFace: (v) =>
+      vec3(
+        select(aside, v.z, v.x),
+        select(ahead.or(aside), v.y, v.z),
+        depth(v).mul(select(behind, float(-1), float(1))),
+      ),
+  };
+}
+
+/** Occluders on layers whose light comes from a point; `table` has the middle of each tile [texels]. */
+export const perspectiveProjection = (map: ShadowAtlas, table: LayerTable, side: number): LayerProjection => ({
+  project(layer, x) {
+    const rows = readPerspectiveRows(table, layer);
+    const [across, up, towards, source] = rows;
+    const at = onLayerAxes(rows, x.sub(source.xyz)).toVar();
+    const onTile = at.xy.mul(towards.w).toVar();
+    const texels = vec2(across.w, up.w).mul(at.z).add(onTile);
+    return { clip: vec4(map.clipOf(texels, at.z), map.depthOf(source.w, at.z), at.z), spot: vec3(at.z, onTile) };
+  },
+  heightOf({ x: depth, y, z }) {
+    const outside = max(abs(y), abs(z)).greaterThan(depth.mul(side / 2));
+    return { height: depth.reciprocal(), outside };
+  },
+});

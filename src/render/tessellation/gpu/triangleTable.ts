@@ -1,0 +1,150 @@
+import { int, select, vec3 } from 'three/tsl';
+import type { Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
+import type { Batch, BatchArrays } from '../../geometry/batches.ts';
+import { unpackNormal } from '../../geometry/pointSamples/pointStore.ts';
+import { instanceRecord, type PointReader, type VertexInput } from '../../geometry/vertexInput.ts';
+import { FloatTable } from '../../gpu/floatTable.ts';
+
+/** f32 counts no further. */
+const MAX_TEXELS = 2 ** 24;
+/** Per triangle: (where its corners' texels begin, in the order of their places), (object id − 1, material, that order, 0). */
+const TRIANGLE_TEXELS = 2;
+
+/** How the triangles of a batch are read; `instances`: where many wear them. */
+export interface TriangleSources {
+  readonly kind: Batch['kind'];
+  readonly colored: boolean;
+  readonly instances?: FloatTable | undefined;
+}
+
+/**
+ * The corners of triangles that are drawn in pieces, for shaders that know a triangle and weights. Per corner two texels, or three:
+ * (offset, u), (normal, v), (colour, 0); of a deforming mesh the first is (vertex, 0, 0, u).
+ */
+export class TriangleTable {
+  private readonly triangles = new FloatTable(4096);
+  private readonly vertices = new FloatTable(4096);
+  private readonly firstTriangles = new Map<Batch, number>();
+  private triangleCount = 0;
+  private vertexTexels = 0;
+
+  /** Place of a batch's first triangle in the table; undefined where it has no more room. */
+  firstTriangle(batch: Batch): number | undefined {
+    const known = this.firstTriangles.get(batch);
+    if (known !== undefined) return known;
+    const triangles = this.triangleCount + batch.arrays.indices.length / 3;
+    const texels = this.vertexTexels + texelsPerVertex(batch.arrays) * (batch.arrays.positions.length / 3);
+    if (TRIANGLE_TEXELS * triangles > MAX_TEXELS || texels > MAX_TEXELS) return undefined;
+    const first = this.triangleCount;
+    this.firstTriangles.set(batch, first);
+    this.addTriangles(batch.arrays);
+    this.addVertices(batch);
+    return first;
+  }
+
+  /**
+   * The point of a triangle with these weights of its corners, of an instance where there are any. It is summed in the order of the corners' places, with one product each and
+   * zeros for corners that have no part in it: so triangles that share an edge, with whatever vertices, get the same bits.
+   */
+  interpolate(
+    triangle: Int,
+    weights: Vec3,
+    { kind, colored, instances }: TriangleSources,
+    instance: Float,
+  ): VertexInput {
+    const at = triangle.mul(int(TRIANGLE_TEXELS)).toVar();
+    const head = this.triangles.texel(at).toVar();
+    const tail = this.triangles.texel(at.add(int(1))).toVar();
+    const begins = [head.x, head.y, head.z].map((x) => int(x).toVar());
+    const inOrder = inPositionOrder(weights, int(tail.z).toVar()).toVar();
+    const blend = (corner: (k: number) => Vec3): Vec3 =>
+      corner(0).mul(inOrder.x).add(corner(1).mul(inOrder.y)).add(corner(2).mul(inOrder.z));
+    const texel = (k: number, part: number): Vec4 => this.vertices.texel(begins[k].add(int(part)));
+    const firsts = begins.map((_, k) => texel(k, 0).toVar());
+    const deforming = kind === 'sampled-points';
+    const ids = instances ? instanceRecord(instances, instance) : tail;
+    return {
+      offset: deforming ? vec3(0) : blend((k) => firsts[k].xyz).toVar(),
+      get normal() {
+        return blend((k) => texel(k, 1).xyz);
+      },
+      get uv() {
+        return blend((k) => vec3(firsts[k].w, texel(k, 1).w, 0)).xy;
+      },
+      get color() {
+        return colored ? blend((k) => texel(k, 2).xyz) : undefined;
+      },
+      object: ids.x,
+      material: ids.y,
+      sampled: interpolatedPoints(blend, (k) => int(firsts[k].x)),
+    };
+  }
+
+  dispose(): void {
+    this.triangles.dispose();
+    this.vertices.dispose();
+  }
+
+  private addTriangles(arrays: BatchArrays): void {
+    const { indices, ids } = arrays;
+    const size = texelsPerVertex(arrays);
+    this.triangles.reserve(TRIANGLE_TEXELS * (this.triangleCount + indices.length / 3));
+    const out = this.triangles.values;
+    for (let i = 0; i < indices.length; i += 3) {
+      const order = positionOrder(arrays, i);
+      const at = 4 * TRIANGLE_TEXELS * this.triangleCount++;
+      for (let k = 0; k < 3; k++) out[at + k] = this.vertexTexels + size * indices[i + order[k]];
+      out[at + 4] = ids[2 * indices[i]];
+      out[at + 5] = ids[2 * indices[i] + 1];
+      out[at + 6] = order[0] + 4 * order[1] + 16 * order[2];
+    }
+    this.triangles.upload();
+  }
+
+  private addVertices({ kind, arrays }: Batch): void {
+    const { positions, normals, uvs, colors } = arrays;
+    const size = texelsPerVertex(arrays);
+    const count = positions.length / 3;
+    this.vertices.reserve(this.vertexTexels + size * count);
+    const out = this.vertices.values;
+    for (let v = 0; v < count; v++) {
+      const at = 4 * (this.vertexTexels + size * v);
+      for (let k = 0; k < 3; k++) {
+        out[at + k] = positions[3 * v + k];
+        out[at + 4 + k] = normals[3 * v + k];
+        if (colors) out[at + 8 + k] = colors[3 * v + k];
+      }
+      if (kind === 'sampled-points') out.set([v, 0, 0], at);
+      out[at + 3] = uvs[2 * v];
+      out[at + 7] = uvs[2 * v + 1];
+    }
+    this.vertexTexels += size * count;
+    this.vertices.upload();
+  }
+}
+
+const texelsPerVertex = ({ colors }: BatchArrays): number => (colors ? 3 : 2);
+
+const interpolatedPoints = (blend: (corner: (k: number) => Vec3) => Vec3, vertex: (k: number) => Int): PointReader => ({
+  place: (points, first) => blend((k) => points.texel(first.add(vertex(k))).xyz),
+  normal: (points, first) => blend((k) => unpackNormal(points.texel(first.add(vertex(k))).w)),
+});
+
+/** Which of a triangle's corners comes first, second and third by its place. */
+function positionOrder({ indices, positions }: BatchArrays, i: number): number[] {
+  const compare = (a: number, b: number): number => {
+    const [p, q] = [3 * indices[i + a], 3 * indices[i + b]];
+    for (let k = 0; k < 3; k++) if (positions[p + k] !== positions[q + k]) return positions[p + k] - positions[q + k];
+    return p - q;
+  };
+  return [0, 1, 2].sort(compare);
+}
+
+/** Weights in the order that `positionOrder` gave, two bits each. */
+function inPositionOrder(weights: Vec3, order: Int): Vec3 {
+  const pick = (k: number): Float => {
+    const corner = order.shiftRight(int(2 * k)).bitAnd(int(3));
+    return select(corner.equal(int(0)), weights.x, select(corner.equal(int(1)), weights.y, weights.z));
+  };
+  return vec3(pick(0), pick(1), pick(2));
+}

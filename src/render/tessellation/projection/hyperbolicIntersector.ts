@@ -1,0 +1,84 @@
+import { add, dot, length, type Vec3 } from '../../../math/vec3.ts';
+import type { WorldLine } from '../../../physics/worldLines/worldLine.ts';
+import type { HyperbolicMotion } from '../../../scene/types.ts';
+import { type MovingBody, worldLineOfCenter } from '../../geometry/bodies.ts';
+import {
+  intersect,
+  type Observation,
+  trailingPoint,
+  type WorldTubeSection,
+  worldTubeSection,
+} from '../../geometry/observation.ts';
+import type { ClusterBounds } from '../criterion/projectedBody.ts';
+import type { EventBounds, HypersurfaceIntersector } from './projectedAcceleratedBody.ts';
+
+/** A body in hyperbolic motion: each point has its own world line; behind its horizon it is not seen. */
+export class HyperbolicIntersector implements HypersurfaceIntersector {
+  private readonly body: MovingBody;
+  private readonly motion: HyperbolicMotion;
+  private readonly positions: Float32Array;
+  private readonly observation: Observation;
+  private corners: readonly [number, number, number] = [0, 0, 0];
+
+  constructor(body: MovingBody, motion: HyperbolicMotion, positions: Float32Array, sight: Observation) {
+    this.body = body;
+    this.motion = motion;
+    this.positions = positions;
+    this.observation = sight;
+  }
+
+  setTriangle(a: number, b: number, c: number): void {
+    this.corners = [3 * a, 3 * b, 3 * c];
+  }
+
+  intersect(w1: number, w2: number, out: Float64Array, at: number): void {
+    const [p, [a, b, c]] = [this.positions, this.corners];
+    const w0 = 1 - w1 - w2;
+    const blend = (k: number) => w0 * p[a + k] + w1 * p[b + k] + w2 * p[c + k];
+    const seen = intersect(this.lineAt([blend(0), blend(1), blend(2)]), this.observation);
+    for (let k = 0; k < 3; k++) out[at + k] = seen ? seen.offset[k] : Number.NaN;
+  }
+
+  boundsOf({ x, y, z, radius }: ClusterBounds): EventBounds {
+    const center: Vec3 = [x, y, z];
+    const span = worldTubeSection(this.lineAt(center), radius, this.observation);
+    if (!span)
+      return {
+        center: [0, 0, 0],
+        radius: Number.POSITIVE_INFINITY,
+        maxSpeed: 1,
+        maxShear: 2,
+        maxAcceleration: 0,
+        maxVelocityJump: unbounded,
+      };
+    // What trails is driven hardest, where the body is Born rigid.
+    const trailing = this.lineAt(add(center, trailingPoint(this.motion.properAcceleration, radius)));
+    return {
+      ...span.sphere,
+      maxSpeed: this.maxSpeed(trailing, span),
+      maxShear: 2,
+      maxAcceleration: 0,
+      maxVelocityJump: unbounded,
+    };
+  }
+
+  private lineAt(offset: Vec3): WorldLine {
+    return worldLineOfCenter(this.body, this.observation.c, offset);
+  }
+
+  /** v = κτ/√(1 + κ²τ²), κ = a/c², τ: time since the turning point [m of light]. */
+  private maxSpeed(line: WorldLine, { from, to }: WorldTubeSection): number {
+    const { motion, observation } = this;
+    if (line.kind !== 'hyperbolic') return 0;
+    const a = line.properAcceleration;
+    // Beyond the body's own horizon nothing can be rigid.
+    if (dot(a, motion.properAcceleration) < 0 || !Number.isFinite(length(a))) return 1;
+    const since = observation.c * (observation.t - line.t0);
+    const turned =
+      (length(a) / (observation.c * observation.c)) * Math.max(Math.abs(from + since), Math.abs(to + since));
+    return turned / Math.hypot(1, turned);
+  }
+}
+
+/** Its velocity changes too smoothly to be bounded by jolts: edges that are not short are looked at. */
+const unbounded = (): number => Number.POSITIVE_INFINITY;

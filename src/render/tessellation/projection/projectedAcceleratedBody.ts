@@ -1,0 +1,153 @@
+import type { Mat4 } from '../../../math/mat4.ts';
+import { IDENTITY } from '../../../math/mat4.ts';
+import { negate, type Vec3 } from '../../../math/vec3.ts';
+import { boostMatrix, gamma } from '../../../physics/lorentz/boost.ts';
+import { MAX_GRADE, MAX_GRADE_NEAR_CAMERA_PLANE } from '../criterion/edgeCriterion.ts';
+import {
+  type ClusterBounds,
+  type ClusterState,
+  CULLED,
+  DRAWN,
+  MIN_EDGE_PIXELS,
+  MIN_KINKED_EDGE_PIXELS,
+  type ProjectedBody,
+  TESSELLATED,
+} from '../criterion/projectedBody.ts';
+import type { ScreenMetric } from '../criterion/tessellationView.ts';
+import { ProjectedSphere } from './projectedSphere.ts';
+
+/** Where the points of a body that changes its velocity are, on the surface that a picture is made of. */
+export interface HypersurfaceIntersector {
+  /** Chooses a triangle, by its vertices' places in the batch. */
+  setTriangle(a: number, b: number, c: number): void;
+  /** Observer → event [m] of the point with these weights of the triangle's second and third corner, to `out[at …]`; NaN where there is none. */
+  intersect(w1: number, w2: number, out: Float64Array, at: number): void;
+  /** What holds all events of a lump. */
+  boundsOf(lump: ClusterBounds): EventBounds;
+}
+
+/** A ball relative to the observer's event, world frame [m], and how what is in it moves, in units of c. */
+export interface EventBounds {
+  readonly center: Vec3;
+  readonly radius: number;
+  /** The fastest. */
+  readonly maxSpeed: number;
+  /** The most by which the velocities of an edge's ends can differ at one time. */
+  readonly maxShear: number;
+  /** How fast velocities change between sudden changes, at most [1/m of light]. */
+  readonly maxAcceleration: number;
+  /** The most by which a velocity can change suddenly within so much time [m of light], all changes added. */
+  readonly maxVelocityJump: (time: number) => number;
+}
+
+/** Bodies whose points have no common frame: their edges are looked at by their events alone. */
+export class ProjectedAcceleratedBody implements ProjectedBody {
+  readonly kinked: boolean;
+  private readonly intersector: HypersurfaceIntersector;
+  private readonly metric: ScreenMetric;
+  /** From (|Δx|, Δx) to (|Δx′|, Δx′). */
+  private readonly L: Mat4;
+  private readonly sphere: ProjectedSphere;
+  /** Shown contracted: Δx′ = Δx − u (u·Δx)/(γ(γ + 1)). */
+  private readonly contraction: number;
+
+  constructor(mover: HypersurfaceIntersector, kinked: boolean, gauge: ScreenMetric) {
+    const { observation, projection } = gauge.view;
+    const g = gamma(observation.u);
+    this.intersector = mover;
+    this.kinked = kinked;
+    this.metric = gauge;
+    this.L = projection.place === 'apparent' ? boostMatrix(negate(observation.u)) : IDENTITY;
+    this.sphere = new ProjectedSphere(this.L, gauge);
+    this.contraction = projection.place === 'contracted' ? 1 / (g * (g + 1)) : 0;
+  }
+
+  classify(lump: ClusterBounds): ClusterState {
+    const reach = this.intersector.boundsOf(lump);
+    const { center, radius, maxSpeed } = reach;
+    if (!(radius < Number.POSITIVE_INFINITY)) return TESSELLATED;
+    const { L, metric } = this;
+    const u = metric.view.observation.u;
+    const squeezed = this.contraction * (u[0] * center[0] + u[1] * center[1] + u[2] * center[2]);
+    const [x, y, z] = [center[0] - squeezed * u[0], center[1] - squeezed * u[1], center[2] - squeezed * u[2]];
+    const { sphere } = this;
+    sphere.set(x, y, z, radius);
+    if (sphere.isOutside()) return CULLED;
+    if (!(sphere.minDistance > 0) || !(maxSpeed < 1)) return TESSELLATED;
+    sphere.computeAngles();
+    const longest = lump.longestEdge / (1 - maxSpeed);
+    const image = longest * Math.sqrt(2 * L[0] * sphere.maxStretch);
+    const scale = (metric.view.focal * sphere.maxMagnification) / (sphere.minStretch * sphere.minDistance);
+    if (image * scale < (this.kinked ? MIN_KINKED_EDGE_PIXELS : MIN_EDGE_PIXELS)) return DRAWN;
+    const grade = sphere.nearCameraPlane ? MAX_GRADE_NEAR_CAMERA_PLANE : MAX_GRADE;
+    const graded = image < grade * sphere.minStretch * sphere.minDistance && longest < MAX_GRADE * sphere.minDistance;
+    return graded && 2 * scale * this.secondDifferenceBound(reach, longest, sphere.minDistance) < metric.tolerance
+      ? DRAWN
+      : TESSELLATED;
+  }
+
+  /**
+   * Bound of the second difference of Δx′(f) over ¼ of an edge. Events of neighbours are apart by the time in which they move too: |Δx′(f)| and |t′(f)|
+   * are at most ℓ/(1 − v) for an edge ℓ long at one time. Where velocities v(f) are constant, Δx″ = 2v′t′ + v t″ (and a t′² where they change by a), and |t″| ≤ |Δx′|²/|Δx| + |Δx″| on the
+   * light cone; where one changes by J, Δx′ jumps by at most J|t′|/(1 − v). The boost takes Δx to MΔx + |Δx|m with |M| = γ, |m| = γβ.
+   */
+  private secondDifferenceBound(
+    { maxSpeed, maxShear, maxAcceleration, maxVelocityJump }: EventBounds,
+    longest: number,
+    near: number,
+  ): number {
+    const jump = (maxVelocityJump(longest) * longest) / (1 - maxSpeed);
+    const curve = (2 * maxShear * longest + (maxAcceleration + maxSpeed / near) * longest * longest) / (1 - maxSpeed);
+    const delay = (longest * longest) / near + curve;
+    const w = Math.hypot(this.L[1], this.L[2], this.L[3]);
+    return this.L[0] * (curve / 16 + jump / 4) + w * (delay / 16 + jump / 4);
+  }
+
+  setTriangle(a: number, b: number, c: number): void {
+    this.intersector.setTriangle(a, b, c);
+  }
+
+  isBackFacing(): boolean {
+    return false;
+  }
+
+  projectPoint(out: Float64Array, at: number): void {
+    const { L } = this;
+    const { u } = this.metric.view.observation;
+    this.intersector.intersect(out[at + 6], out[at + 7], out, at + 3);
+    const x = out[at + 3];
+    const y = out[at + 4];
+    const z = out[at + 5];
+    const r = Math.sqrt(x * x + y * y + z * z);
+    const squeezed = this.contraction * (u[0] * x + u[1] * y + u[2] * z);
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - squeezed * u[0];
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - squeezed * u[1];
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - squeezed * u[2];
+  }
+
+  /** Between graded edges the surface stays well within twice its corners' distance from their middle. */
+  isOutside(points: Float64Array, a: number, b: number, c: number): boolean {
+    const x = (points[a] + points[b] + points[c]) / 3;
+    const y = (points[a + 1] + points[b + 1] + points[c + 1]) / 3;
+    const z = (points[a + 2] + points[b + 2] + points[c + 2]) / 3;
+    const radius =
+      2 * Math.max(distanceTo(points, a, x, y, z), distanceTo(points, b, x, y, z), distanceTo(points, c, x, y, z));
+    for (const s of this.metric.sides) if (s[0] * x + s[1] * y + s[2] * z < -radius) return true;
+    return false;
+  }
+
+  isOutsideUncut(): boolean {
+    return false;
+  }
+
+  needsNoCut(): boolean {
+    return false;
+  }
+}
+
+function distanceTo(points: Float64Array, i: number, x: number, y: number, z: number): number {
+  const dx = points[i] - x;
+  const dy = points[i + 1] - y;
+  const dz = points[i + 2] - z;
+  return Math.sqrt(dx * dx + dy * dy + dz * dz);
+}

@@ -1,0 +1,257 @@
+import { multiply as times } from '../../../math/mat3.ts';
+import { IDENTITY, type Mat4, multiply } from '../../../math/mat4.ts';
+import { type Quat, toMatrix } from '../../../math/quat.ts';
+import { add, addScaled, dot, length, negate, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { boostMatrix, gamma, properVelocity } from '../../../physics/lorentz/boost.ts';
+import { contraction, simultaneitySlice, simultaneousPosition } from '../../../physics/worldLines/simultaneity.ts';
+import { positionAt, type StaticLine, type UniformLine } from '../../../physics/worldLines/worldLine.ts';
+import { DEPTH_WEIGHT, MAX_GRADE_NEAR_CAMERA_PLANE } from '../criterion/edgeCriterion.ts';
+import {
+  type ClusterBounds,
+  type ClusterState,
+  CULLED,
+  DRAWN,
+  MIN_EDGE_PIXELS,
+  type ProjectedBody,
+  TESSELLATED,
+} from '../criterion/projectedBody.ts';
+import type { ScreenMetric } from '../criterion/tessellationView.ts';
+import { ProjectedSphere } from './projectedSphere.ts';
+
+/**
+ * Within this many times its length of an edge's middle lies every triangle that has no longer edge (√3/2, rounded up): its farthest
+ * corner is that of an equilateral one.
+ */
+const EDGE_REACH = 0.87;
+
+/**
+ * How a body at constant velocity is shown: a point at p in its batch is at X = Ap + x₀ in coordinates in which (|X|, X) goes to (|Δx′|, Δx′) by
+ * the matrix L. For light, X is the place in the body's rest frame and L the boosts from there to the world and on to the observer.
+ * Δx′ = MX + |X|m, |m| = γβ: straight edges stay straight but for |X|, whose second derivative along an edge of length ℓ is at most ℓ²/|X|, so that a
+ * chord is off by at most |m|ℓ²/(8|X|). Its image has D|X| of distance and is at most √(2γD) times as long: √(2γD − 1) along the line of sight, 1 across.
+ */
+export interface InertialMap {
+  /** 3 × 3, by rows. */
+  readonly A: readonly number[];
+  readonly x0: Vec3;
+  readonly L: Mat4;
+  /** How much A can lengthen. */
+  readonly maxStretch: number;
+}
+
+type InertialLine = StaticLine | UniformLine;
+
+/** `line`: of the body's centre; `rigid`: its offsets are those of its rest frame. */
+export function inertialMap(
+  line: InertialLine,
+  bornRigid: boolean,
+  size: number,
+  { view: look }: ScreenMetric,
+): InertialMap {
+  const { observation, projection } = look;
+  const v = line.kind === 'uniform' ? properVelocity(scale(line.velocity, 1 / observation.c)) : ZERO;
+  const toObserver = projection.place === 'apparent' ? boostMatrix(negate(observation.u)) : IDENTITY;
+  const now = sub(positionAt(line, observation.t, observation.c), observation.position);
+  if (observation.hypersurface === 'past-light-cone') {
+    const A = bornRigid ? matrixOf((p) => p) : matrixOf((p) => uncontracted(p, v));
+    return { A, x0: uncontracted(now, v), L: multiply(toObserver, boostMatrix(v)), maxStretch: normBound(A) };
+  }
+  const offset = (p: Vec3): Vec3 => (bornRigid ? contraction(p, v) : p);
+  if (observation.hypersurface === 'now') {
+    const A = matrixOf(offset);
+    return { A, x0: now, L: toObserver, maxStretch: normBound(A) };
+  }
+  const place = (p: Vec3): Vec3 => {
+    const moved = { ...line, position: add(line.position, offset(p)) };
+    return simultaneousPosition(
+      simultaneitySlice(moved, observation, observation.u, observation.c).offset,
+      observation.u,
+    );
+  };
+  const x0 = place(ZERO);
+  const A = matrixOf((p) => scale(sub(place(scale(p, size)), x0), 1 / size));
+  return { A, x0, L: IDENTITY, maxStretch: normBound(A) };
+}
+
+/** The same of points in axes that are turned. */
+export const rotatedMap = (map: InertialMap, orientation: Quat): InertialMap => ({
+  ...map,
+  A: times(map.A, toMatrix(orientation)),
+});
+
+/** From the world's slice to the rest frame: the inverse of the contraction. */
+const uncontracted = (x: Vec3, u: Vec3): Vec3 => addScaled(x, u, dot(u, x) / (gamma(u) + 1));
+
+/** The matrix of a linear function, by rows. */
+function matrixOf(f: (p: Vec3) => Vec3): number[] {
+  const [a, b, c] = [f([1, 0, 0]), f([0, 1, 0]), f([0, 0, 1])];
+  return [a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]];
+}
+
+export class ProjectedInertialBody implements ProjectedBody {
+  readonly kinked = false;
+  private readonly metric: ScreenMetric;
+  private readonly map: InertialMap;
+  private readonly positions: Float32Array;
+  private readonly doubleSided: boolean;
+  /** The picture's sides on (|X|, X): b|X| + a·X ≥ 0 inside. */
+  private readonly sides: readonly { readonly a: Vec3; readonly b: number }[];
+  /** γ and u = γβ of the observer against the frame of X. */
+  private readonly gamma: number;
+  private readonly u: Vec3;
+  private readonly w: number;
+  private readonly sphere: ProjectedSphere;
+  private readonly maxStretch: number;
+  /** X of the chosen triangle's corners. */
+  private readonly corners = new Float64Array(9);
+
+  constructor(map: InertialMap, positions: Float32Array, doubleSided: boolean, gauge: ScreenMetric) {
+    const { L } = map;
+    this.map = map;
+    this.metric = gauge;
+    this.positions = positions;
+    this.doubleSided = doubleSided;
+    this.gamma = L[0];
+    this.u = [L[1], L[2], L[3]];
+    this.w = length(this.u);
+    this.sphere = new ProjectedSphere(L, gauge);
+    this.maxStretch = map.maxStretch;
+    const row = (i: number): Vec3 => [L[4 + i], L[8 + i], L[12 + i]];
+    this.sides = gauge.sides.map((s) => ({ a: [dot(s, row(1)), dot(s, row(2)), dot(s, row(3))], b: dot(s, row(0)) }));
+  }
+
+  classify(lump: ClusterBounds): ClusterState {
+    const { A, x0 } = this.map;
+    const { x, y, z } = lump;
+    const cx = A[0] * x + A[1] * y + A[2] * z + x0[0];
+    const cy = A[3] * x + A[4] * y + A[5] * z + x0[1];
+    const cz = A[6] * x + A[7] * y + A[8] * z + x0[2];
+    const radius = this.maxStretch * lump.radius;
+    this.sphere.set(cx, cy, cz, radius);
+    if (this.sphere.isOutside()) return CULLED;
+    return this.mayBend(cx, cy, cz, radius, this.maxStretch * lump.longestEdge) ? TESSELLATED : DRAWN;
+  }
+
+  setTriangle(a: number, b: number, c: number): void {
+    this.placeCorner(a, 0);
+    this.placeCorner(b, 3);
+    this.placeCorner(c, 6);
+  }
+
+  isBackFacing(): boolean {
+    if (this.doubleSided) return false;
+    const X = this.corners;
+    const ex = X[3] - X[0];
+    const ey = X[4] - X[1];
+    const ez = X[5] - X[2];
+    const fx = X[6] - X[0];
+    const fy = X[7] - X[1];
+    const fz = X[8] - X[2];
+    const nx = ey * fz - ez * fy;
+    const ny = ez * fx - ex * fz;
+    const nz = ex * fy - ey * fx;
+    const height = nx * X[0] + ny * X[1] + nz * X[2];
+    const square = (nx * nx + ny * ny + nz * nz) * (X[0] * X[0] + X[1] * X[1] + X[2] * X[2]);
+    return height > 1e-6 * Math.sqrt(square);
+  }
+
+  projectPoint(out: Float64Array, at: number): void {
+    const X = this.corners;
+    const { L } = this.map;
+    const w1 = out[at + 6];
+    const w2 = out[at + 7];
+    const w0 = 1 - w1 - w2;
+    const x = w0 * X[0] + w1 * X[3] + w2 * X[6];
+    const y = w0 * X[1] + w1 * X[4] + w2 * X[7];
+    const z = w0 * X[2] + w1 * X[5] + w2 * X[8];
+    const r = Math.sqrt(x * x + y * y + z * z);
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z;
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z;
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z;
+    out[at + 3] = x;
+    out[at + 4] = y;
+    out[at + 5] = z;
+  }
+
+  isOutside(points: Float64Array, a: number, b: number, c: number): boolean {
+    return this.isOutsideUncut(points, a, b, c);
+  }
+
+  /**
+   * b|X| + a·X over the triangle is greatest at a corner where b ≥ 0, for then it is convex; where b < 0 it is concave and nowhere above its
+   * tangent (a + bn)·X at the middle, n = X/|X| there.
+   */
+  isOutsideUncut(points: Float64Array, i: number, j: number, k: number): boolean {
+    const mx = points[i + 3] + points[j + 3] + points[k + 3];
+    const my = points[i + 4] + points[j + 4] + points[k + 4];
+    const mz = points[i + 5] + points[j + 5] + points[k + 5];
+    const far = Math.sqrt(mx * mx + my * my + mz * mz);
+    if (far === 0) return false;
+    for (const { a, b } of this.sides) {
+      const convex = b >= 0;
+      const ax = convex ? a[0] : a[0] + (b * mx) / far;
+      const ay = convex ? a[1] : a[1] + (b * my) / far;
+      const az = convex ? a[2] : a[2] + (b * mz) / far;
+      const bend = convex ? b : 0;
+      const most = Math.max(
+        side(points, i, ax, ay, az, bend),
+        side(points, j, ax, ay, az, bend),
+        side(points, k, ax, ay, az, bend),
+      );
+      if (most < -1e-9 * far * this.gamma) return true;
+    }
+    return false;
+  }
+
+  needsNoCut(points: Float64Array, a: number, b: number): boolean {
+    const dx = points[a + 3] - points[b + 3];
+    const dy = points[a + 4] - points[b + 4];
+    const dz = points[a + 5] - points[b + 5];
+    const x = 0.5 * (points[a + 3] + points[b + 3]);
+    const y = 0.5 * (points[a + 4] + points[b + 4]);
+    const z = 0.5 * (points[a + 5] + points[b + 5]);
+    return !this.mayBend(x, y, z, 0, Math.sqrt(dx * dx + dy * dy + dz * dz));
+  }
+
+  /** Whether a chord of at most `longest` in a ball, or what lies between three of them, can be too far from what is seen. */
+  private mayBend(x: number, y: number, z: number, radius: number, longest: number): boolean {
+    const { w, sphere } = this;
+    sphere.set(x, y, z, radius + EDGE_REACH * longest);
+    if (!(sphere.minDistance > 0)) return true;
+    sphere.computeAngles();
+    const scale = this.metric.view.focal / (sphere.minStretch * sphere.minDistance);
+    const image = longest * Math.sqrt(2 * this.gamma * sphere.maxStretch);
+    if (image * scale * sphere.maxMagnification < MIN_EDGE_PIXELS) return false;
+    if (sphere.nearCameraPlane && image > MAX_GRADE_NEAR_CAMERA_PLANE * sphere.minStretch * sphere.minDistance)
+      return true;
+    const across = sphere.maxSine * sphere.maxMagnification;
+    const seen = w * Math.sqrt(across * across + DEPTH_WEIGHT * DEPTH_WEIGHT);
+    return !((seen * longest * longest * scale) / (8 * sphere.minDistance) < this.metric.tolerance);
+  }
+
+  private placeCorner(vertex: number, to: number): void {
+    const { A, x0 } = this.map;
+    const p = this.positions;
+    const x = p[3 * vertex];
+    const y = p[3 * vertex + 1];
+    const z = p[3 * vertex + 2];
+    this.corners[to] = A[0] * x + A[1] * y + A[2] * z + x0[0];
+    this.corners[to + 1] = A[3] * x + A[4] * y + A[5] * z + x0[1];
+    this.corners[to + 2] = A[6] * x + A[7] * y + A[8] * z + x0[2];
+  }
+}
+
+/** The most that a symmetric matrix can lengthen a vector, or a little more: by its row sums. */
+function normBound(A: readonly number[]): number {
+  const row = (i: number) => Math.abs(A[i]) + Math.abs(A[i + 1]) + Math.abs(A[i + 2]);
+  const column = (i: number) => Math.abs(A[i]) + Math.abs(A[i + 3]) + Math.abs(A[i + 6]);
+  return Math.sqrt(Math.max(row(0), row(3), row(6)) * Math.max(column(0), column(1), column(2)));
+}
+
+const side = (p: Float64Array, i: number, ax: number, ay: number, az: number, b: number): number => {
+  const x = p[i + 3];
+  const y = p[i + 4];
+  const z = p[i + 5];
+  const r = b > 0 ? b * Math.sqrt(x * x + y * y + z * z) : 0;
+  return ax * x + ay * y + az * z + r;
+};

@@ -1,0 +1,307 @@
+import { toMatrix } from '../../../math/quat.ts';
+import { add, length, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import { gamma } from '../../../physics/lorentz/boost.ts';
+import type { PolylineLine } from '../../../physics/worldLines/worldLine.ts';
+import { samplePose } from '../../../scene/motion/motion.ts';
+import { pointsAt } from '../../../scene/streaming/samplePoints.ts';
+import type { SampledMotion, SampledPointsMotion } from '../../../scene/types.ts';
+import type { Observation } from '../../geometry/observation.ts';
+import type { ClusterBounds } from '../criterion/projectedBody.ts';
+import type { EventBounds, HypersurfaceIntersector } from './projectedAcceleratedBody.ts';
+
+/** Samples [first, first + count) of a motion, those that a picture needs. */
+export interface SampleWindow {
+  readonly first: number;
+  readonly count: number;
+}
+
+/** How fast something changes in each piece between samples, the first being 0, and by how much that changes at each sample [1/m of light]. */
+interface VelocityChanges {
+  readonly rates: Float64Array;
+  readonly jumps: Float64Array;
+}
+
+/** Points that go straight from sample to sample, and rest before the first and after the last one. */
+abstract class SampledIntersector implements HypersurfaceIntersector {
+  protected readonly observation: Observation;
+  /** Of the window's samples after the observer's event [m of light]. */
+  protected readonly times: Float64Array;
+  /** Where `sample` leaves the point [m]: observer → sample, world frame. */
+  protected x = 0;
+  protected y = 0;
+  protected z = 0;
+  protected readonly gamma: number;
+  /** The window has the first and the last sample of the motion, outside which it rests. */
+  protected readonly includesStart: boolean;
+  protected readonly includesEnd: boolean;
+
+  constructor(times: Float64Array, { first, count }: SampleWindow, sight: Observation) {
+    this.observation = sight;
+    this.includesStart = first === 0;
+    this.includesEnd = first + count === times.length;
+    this.times = times.slice(first, first + count).map((t) => sight.c * (t - sight.t));
+    this.gamma = gamma(sight.u);
+  }
+
+  abstract setTriangle(a: number, b: number, c: number): void;
+  abstract boundsOf(lump: ClusterBounds): EventBounds;
+  /** Chooses a point of the triangle. */
+  protected abstract setPoint(w1: number, w2: number): void;
+  /** Puts the place of the point at sample k of the window into x, y, z. */
+  protected abstract evaluateSample(k: number): void;
+
+  /** The surface is crossed once, since nothing is as fast as light: bisection finds the piece, a quadratic or linear equation the event in it. */
+  intersect(w1: number, w2: number, out: Float64Array, at: number): void {
+    this.setPoint(w1, w2);
+    const { times } = this;
+    let lo = 0;
+    let hi = times.length;
+    while (lo < hi) {
+      const mid = (lo + hi) >>> 1;
+      this.evaluateSample(mid);
+      if (this.lateness(times[mid]) <= 0) lo = mid + 1;
+      else hi = mid;
+    }
+    if (lo > 0 && lo < times.length) {
+      this.intersectPiece(lo - 1, out, at);
+      return;
+    }
+    this.evaluateSample(Math.max(0, lo - 1));
+    out[at] = this.x;
+    out[at + 1] = this.y;
+    out[at + 2] = this.z;
+  }
+
+  /** The event of the point, which lies between samples k and k + 1. */
+  protected intersectPiece(k: number, out: Float64Array, at: number): void {
+    const { times } = this;
+    this.evaluateSample(k);
+    const ax = this.x;
+    const ay = this.y;
+    const az = this.z;
+    this.evaluateSample(k + 1);
+    const span = times[k + 1] - times[k];
+    this.x = (this.x - ax) / span;
+    this.y = (this.y - ay) / span;
+    this.z = (this.z - az) / span;
+    const s = Math.min(span, Math.max(0, this.crossingTime(-times[k], ax, ay, az)));
+    out[at] = ax + this.x * s;
+    out[at + 1] = ay + this.y * s;
+    out[at + 2] = az + this.z * s;
+  }
+
+  /** Changes of what has `size` numbers per sample. */
+  protected changesOf(values: Float64Array, size: number): VelocityChanges {
+    const n = this.times.length;
+    const rate = (k: number, i: number): number => {
+      if (k < 1) return this.includesStart ? 0 : rate(1, i);
+      if (k >= n) return this.includesEnd ? 0 : rate(n - 1, i);
+      return (values[size * k + i] - values[size * k - size + i]) / (this.times[k] - this.times[k - 1]);
+    };
+    const norm = (part: (i: number) => number) => {
+      let sum = 0;
+      for (let i = 0; i < size; i++) sum += part(i) ** 2;
+      return Math.sqrt(sum);
+    };
+    const rates = new Float64Array(n);
+    const jolts = new Float64Array(n);
+    for (let k = 0; k < n; k++) {
+      if (k > 0) rates[k] = norm((i) => rate(k, i));
+      jolts[k] = norm((i) => rate(k + 1, i) - rate(k, i));
+    }
+    return { rates, jumps: jolts };
+  }
+
+  /** How far behind the surface the event (x, t) is; it rises along every world line. */
+  protected lateness(t: number): number {
+    const { x, y, z } = this;
+    const { u, hypersurface } = this.observation;
+    if (hypersurface === 'past-light-cone') return Math.sqrt(x * x + y * y + z * z) + t;
+    return hypersurface === 'slice' ? this.gamma * t - (u[0] * x + u[1] * y + u[2] * z) : t;
+  }
+
+  /** Time [m of light] from A, T before the observer's, to the crossing, with the velocity in x, y, z: `timeSince` of physics/worldLines/emission.ts, `uniformSlice`. */
+  private crossingTime(T: number, ax: number, ay: number, az: number): number {
+    const { x: vx, y: vy, z: vz } = this;
+    const { u, hypersurface } = this.observation;
+    if (hypersurface === 'now') return T;
+    if (hypersurface === 'slice')
+      return (u[0] * ax + u[1] * ay + u[2] * az + this.gamma * T) / (this.gamma - (u[0] * vx + u[1] * vy + u[2] * vz));
+    const nx = ax + vx * T;
+    const ny = ay + vy * T;
+    const nz = az + vz * T;
+    const slow = 1 - (vx * vx + vy * vy + vz * vz);
+    const away = nx * vx + ny * vy + nz * vz;
+    const now = nx * nx + ny * ny + nz * nz;
+    const root = Math.sqrt(Math.max(0, away * away + slow * now));
+    if (away > 0) return T - now / (away + root);
+    const g = T + ax * vx + ay * vy + az * vz;
+    const r = Math.sqrt(ax * ax + ay * ay + az * az);
+    return g > 0 ? ((T - r) * (T + r)) / (g + root) : (g - root) / slow;
+  }
+}
+
+/** A rigid body: per sample its center and how it is turned. */
+export class SampledPosesIntersector extends SampledIntersector {
+  private readonly positions: Float32Array;
+  private readonly centers: Float64Array;
+  private readonly rotations: Float64Array;
+  /** Of the rotation matrices, by their Frobenius norm: at most so much moves a point at distance 1. */
+  private readonly rotationChanges: VelocityChanges;
+  private readonly corners = new Float64Array(9);
+  private px = 0;
+  private py = 0;
+  private pz = 0;
+
+  /** `line`: of the body's center. */
+  constructor(
+    motion: SampledMotion,
+    line: PolylineLine,
+    window: SampleWindow,
+    positions: Float32Array,
+    sight: Observation,
+  ) {
+    super(motion.times, window, sight);
+    const { first, count } = window;
+    this.positions = positions;
+    this.centers = line.positions.slice(3 * first, 3 * (first + count)).map((x, i) => x - sight.position[i % 3]);
+    this.rotations = new Float64Array(9 * count);
+    for (let k = 0; k < count; k++)
+      this.rotations.set(toMatrix(samplePose(motion.poses, first + k).orientation), 9 * k);
+    this.rotationChanges = this.changesOf(this.rotations, 9);
+  }
+
+  setTriangle(a: number, b: number, c: number): void {
+    const p = this.positions;
+    for (let k = 0; k < 3; k++) {
+      this.corners[k] = p[3 * a + k];
+      this.corners[3 + k] = p[3 * b + k];
+      this.corners[6 + k] = p[3 * c + k];
+    }
+  }
+
+  boundsOf({ x, y, z, radius, longestEdge }: ClusterBounds): EventBounds {
+    const n = this.times.length;
+    const places = new Float64Array(3 * n);
+    for (let k = 0; k < n; k++) {
+      this.transform(k, x, y, z);
+      places[3 * k] = this.x;
+      places[3 * k + 1] = this.y;
+      places[3 * k + 2] = this.z;
+    }
+    const { rates, jumps } = this.changesOf(places, 3);
+    const speed = rates.reduce((most, v, k) => Math.max(most, v + radius * this.rotationChanges.rates[k]), 0);
+    const shear = longestEdge * this.rotationChanges.rates.reduce((most, rate) => Math.max(most, rate), 0);
+    const sums = jumps.map((jolt, k) => jolt + radius * this.rotationChanges.jumps[k]);
+    return {
+      ...boundingSphereOf(places, radius),
+      maxSpeed: speed,
+      maxShear: shear,
+      maxAcceleration: 0,
+      maxVelocityJump: (time) => maxWithin(sums, this.times, time),
+    };
+  }
+
+  protected setPoint(w1: number, w2: number): void {
+    const p = this.corners;
+    const w0 = 1 - w1 - w2;
+    this.px = w0 * p[0] + w1 * p[3] + w2 * p[6];
+    this.py = w0 * p[1] + w1 * p[4] + w2 * p[7];
+    this.pz = w0 * p[2] + w1 * p[5] + w2 * p[8];
+  }
+
+  protected evaluateSample(k: number): void {
+    this.transform(k, this.px, this.py, this.pz);
+  }
+
+  private transform(k: number, px: number, py: number, pz: number): void {
+    const R = this.rotations;
+    const i = 9 * k;
+    this.x = R[i] * px + R[i + 1] * py + R[i + 2] * pz + this.centers[3 * k];
+    this.y = R[i + 3] * px + R[i + 4] * py + R[i + 5] * pz + this.centers[3 * k + 1];
+    this.z = R[i + 6] * px + R[i + 7] * py + R[i + 8] * pz + this.centers[3 * k + 2];
+  }
+}
+
+/** A deforming mesh: every vertex has its own samples. A lump is measured from the motion's origin, over the same window. */
+export class SampledPointsIntersector extends SampledIntersector {
+  private readonly points: readonly Float32Array[];
+  private readonly origin: Vec3;
+  private a = 0;
+  private b = 0;
+  private c = 0;
+  private w1 = 0;
+  private w2 = 0;
+
+  constructor(motion: SampledPointsMotion, window: SampleWindow, sight: Observation) {
+    super(motion.times, window, sight);
+    this.points = Array.from({ length: window.count }, (_, i) => pointsAt(motion, window.first + i));
+    this.origin = sub(motion.origin, sight.position);
+  }
+
+  setTriangle(a: number, b: number, c: number): void {
+    this.a = 3 * a;
+    this.b = 3 * b;
+    this.c = 3 * c;
+  }
+
+  /** Pieces are not what a lump is told of: nothing is known. */
+  protected get straightened(): boolean {
+    return false;
+  }
+
+  boundsOf({ x, y, z, radius, maxSpeed, velocityJumps: jolts, maxAcceleration = 0 }: ClusterBounds): EventBounds {
+    const fastest = this.straightened ? 1 : maxSpeed / this.observation.c;
+    const sums = jolts?.map((jolt) => jolt / this.observation.c) ?? new Float64Array(this.times.length);
+    return {
+      center: add(this.origin, [x, y, z]),
+      radius,
+      maxSpeed: fastest,
+      maxShear: 2 * fastest,
+      maxAcceleration: maxAcceleration / this.observation.c ** 2,
+      maxVelocityJump: (time) => maxWithin(sums, this.times, time),
+    };
+  }
+
+  protected setPoint(w1: number, w2: number): void {
+    this.w1 = w1;
+    this.w2 = w2;
+  }
+
+  protected evaluateSample(k: number): void {
+    const p = this.points[k];
+    const o = this.origin;
+    const { a, b, c, w1, w2 } = this;
+    const w0 = 1 - w1 - w2;
+    this.x = w0 * p[a] + w1 * p[b] + w2 * p[c] + o[0];
+    this.y = w0 * p[a + 1] + w1 * p[b + 1] + w2 * p[c + 1] + o[1];
+    this.z = w0 * p[a + 2] + w1 * p[b + 2] + w2 * p[c + 2] + o[2];
+  }
+
+  /** What the point has of vectors of the vertices. */
+  protected interpolate(of: Float32Array, out: Float64Array): void {
+    const { a, b, c, w1, w2 } = this;
+    const w0 = 1 - w1 - w2;
+    for (let i = 0; i < 3; i++) out[i] = w0 * of[a + i] + w1 * of[b + i] + w2 * of[c + i];
+  }
+}
+
+function boundingSphereOf(places: Float64Array, radius: number): { center: Vec3; radius: number } {
+  const at = (i: number): Vec3 => [places[i], places[i + 1], places[i + 2]];
+  const center = scale(add(at(0), at(places.length - 3)), 0.5);
+  let far = 0;
+  for (let i = 0; i < places.length; i += 3) far = Math.max(far, length(sub(at(i), center)));
+  return { center, radius: radius + far };
+}
+
+/** The largest sum of what happens within a time. */
+function maxWithin(jolts: Float64Array, times: Float64Array, time: number): number {
+  let [most, sum, first] = [0, 0, 0];
+  for (let k = 0; k < jolts.length; k++) {
+    sum += jolts[k];
+    while (times[k] - times[first] > time) sum -= jolts[first++];
+    most = Math.max(most, sum);
+  }
+  // Sums and differences leave roundings.
+  return most * (1 + 1e-9);
+}

@@ -1,0 +1,54 @@
+import type { Vec3 } from '../../math/vec3.ts';
+
+/** Points of a lump; they are near each other where neighbours in a mesh are. */
+const CLUSTER_POINTS = 64;
+/** Numbers per lump: centre, radius. */
+const SPHERE_NUMBERS = 4;
+
+/** Points, in lumps with a ball round each: how far they reach in a direction is found without a look at most of them. */
+export class SupportMap {
+  private readonly points: ArrayLike<number>;
+  private readonly spheres: Float64Array;
+
+  /** 3 finite numbers each. */
+  constructor(points: ArrayLike<number>) {
+    this.points = points;
+    const lumps = Math.ceil(points.length / (3 * CLUSTER_POINTS));
+    this.spheres = new Float64Array(SPHERE_NUMBERS * lumps);
+    for (let k = 0; k < lumps; k++) this.enclose(k);
+  }
+
+  /** The greatest d · x of all points x. */
+  support([x, y, z]: Vec3): number {
+    const { points, spheres } = this;
+    const size = Math.hypot(x, y, z);
+    let most = Number.NEGATIVE_INFINITY;
+    for (let k = 0; SPHERE_NUMBERS * k < spheres.length; k++) {
+      const b = SPHERE_NUMBERS * k;
+      if (!(x * spheres[b] + y * spheres[b + 1] + z * spheres[b + 2] + size * spheres[b + 3] > most)) continue;
+      const end = Math.min(points.length, 3 * CLUSTER_POINTS * (k + 1));
+      for (let i = 3 * CLUSTER_POINTS * k; i < end; i += 3) {
+        const along = x * points[i] + y * points[i + 1] + z * points[i + 2];
+        if (along > most) most = along;
+      }
+    }
+    return most;
+  }
+
+  private enclose(k: number): void {
+    const { points, spheres } = this;
+    const end = Math.min(points.length, 3 * CLUSTER_POINTS * (k + 1));
+    const from = 3 * CLUSTER_POINTS * k;
+    const count = (end - from) / 3;
+    const b = SPHERE_NUMBERS * k;
+    for (let i = from; i < end; i++) spheres[b + ((i - from) % 3)] += points[i] / count;
+    let square = 0;
+    for (let i = from; i < end; i += 3)
+      square = Math.max(
+        square,
+        (points[i] - spheres[b]) ** 2 + (points[i + 1] - spheres[b + 1]) ** 2 + (points[i + 2] - spheres[b + 2]) ** 2,
+      );
+    // Rounded up, so that no point is beyond.
+    spheres[b + 3] = Math.sqrt(square) * (1 + 1e-12);
+  }
+}

@@ -1,0 +1,59 @@
+import { fromAxisAngle, IDENTITY, type Quat, rotate } from '../../math/quat.ts';
+import { scale, type Vec3 } from '../../math/vec3.ts';
+import type { Scene } from '../types.ts';
+import { transformObject } from './transformScene.ts';
+
+/** Where one copy stands: turned, then carried [m]. */
+export interface InstancePose {
+  readonly position: Vec3;
+  readonly orientation: Quat;
+}
+
+/** Most copies of one thing. */
+export const MAX_COPIES = 10_000;
+
+/** The scene's objects once at each spot; all wear the same meshes. The first keeps its paths, the others are `/Ball/copy2` and so on, past those that there are. */
+export function arrangeCopies(scene: Scene, spots: readonly InstancePose[]): Scene {
+  const taken = new Set(scene.objects.map(({ path }) => path));
+  const latest = new Map<string, number>();
+  const copyOf = (path: string): string => {
+    let n = latest.get(path) ?? 1;
+    do n++;
+    while (taken.has(`${path}/copy${n}`));
+    latest.set(path, n);
+    return `${path}/copy${n}`;
+  };
+  const objects = spots.flatMap((spot, i) =>
+    scene.objects.map((object) => {
+      const copy = transformObject(object, { ...spot, scale: 1 });
+      return i === 0 ? copy : { ...copy, path: copyOf(object.path) };
+    }),
+  );
+  return { ...scene, objects };
+}
+
+/** nx × ny × nz places `step` apart [m], their middle at the origin. */
+export function gridPoses(counts: readonly [number, number, number], step: Vec3): InstancePose[] {
+  const spots: InstancePose[] = [];
+  const at = (i: number, axis: number): number => (i - (counts[axis] - 1) / 2) * step[axis];
+  for (let i = 0; i < counts[0]; i++)
+    for (let j = 0; j < counts[1]; j++)
+      for (let k = 0; k < counts[2]; k++)
+        spots.push({ position: [at(i, 0), at(j, 1), at(k, 2)], orientation: IDENTITY });
+  return spots;
+}
+
+/** `count` places on a circle about an axis of unit length, each turned as far as it is carried round. */
+export const ringPoses = (count: number, radius: number, axis: Vec3): InstancePose[] =>
+  Array.from({ length: count }, (_, k) => {
+    const orientation = fromAxisAngle(axis, (2 * Math.PI * k) / count);
+    return { position: rotate(orientation, scale(perpendicularTo(axis), radius)), orientation };
+  });
+
+/** A unit vector at right angles to a unit axis: of the coordinate axes the first that is not near it. */
+export function perpendicularTo(axis: Vec3): Vec3 {
+  const other: Vec3 = Math.abs(axis[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0];
+  const along = axis[0] * other[0] + axis[1] * other[1] + axis[2] * other[2];
+  const v: Vec3 = [other[0] - along * axis[0], other[1] - along * axis[1], other[2] - along * axis[2]];
+  return scale(v, 1 / Math.hypot(...v));
+}

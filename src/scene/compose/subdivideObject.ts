@@ -1,0 +1,146 @@
+import { gatherPoints, makeMesh } from '../mesh/makeMesh.ts';
+import { normalizeInPlace } from '../mesh/transformPoints.ts';
+import { isStreamed } from '../streaming/samplePoints.ts';
+import { subdividePolygons } from '../subdivide/subdividePolygons.ts';
+import { makeTopology } from '../subdivide/topology.ts';
+import type { Mesh, SampledPointsMotion, SceneObject } from '../types.ts';
+import { weld } from './weld.ts';
+
+/** Most triangles that a mesh may become. */
+export const MAX_TRIANGLES = 4_000_000;
+
+/** Each level cuts a triangle in four. */
+export const trianglesAfter = ({ indices }: Mesh, levels: number): number => (indices.length / 3) * 4 ** levels;
+
+/** Whether its samples can be cut: what is left in a file has the points that the file has. */
+export const canSubdivide = ({ motion }: SceneObject): boolean =>
+  motion.kind !== 'sampled-points' || !isStreamed(motion.points);
+
+/** The same shape of smaller triangles: `levels` times cut at the middles of their edges. */
+export function midpointSubdivide(object: SceneObject, levels: number): SceneObject {
+  let { mesh, motion } = object;
+  for (let level = 0; level < levels; level++) {
+    const middles = new MidpointMesh(mesh);
+    mesh = middles.mesh;
+    if (motion.kind === 'sampled-points') motion = splitSamples(motion, middles);
+  }
+  return { ...object, mesh, motion };
+}
+
+/** A mesh cut once. Its first vertices are the old ones; each of the others is in the middle of two of them. */
+class MidpointMesh {
+  readonly mesh: Mesh;
+  private readonly ends: number[] = [];
+  private readonly known = new Map<number, number>();
+  private readonly vertices: number;
+
+  constructor(mesh: Mesh) {
+    this.vertices = mesh.positions.length / 3;
+    const { indices } = mesh;
+    const cut = new Uint32Array(4 * indices.length);
+    for (let t = 0; t < indices.length; t += 3) {
+      const [a, b, c] = [indices[t], indices[t + 1], indices[t + 2]];
+      const [ab, bc, ca] = [this.middle(a, b), this.middle(b, c), this.middle(c, a)];
+      cut.set([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], 4 * t);
+    }
+    this.mesh = {
+      ...mesh,
+      positions: this.mean(mesh.positions, 3),
+      normals: normalizeInPlace(this.mean(mesh.normals, 3)),
+      uvs: this.mean(mesh.uvs, 2),
+      ...(mesh.colors && { colors: this.mean(mesh.colors, 3) }),
+      indices: cut,
+      groups: mesh.groups.map(({ start, count, material }) => ({ start: 4 * start, count: 4 * count, material })),
+    };
+  }
+
+  private middle(a: number, b: number): number {
+    const key = Math.min(a, b) * this.vertices + Math.max(a, b);
+    const known = this.known.get(key);
+    if (known !== undefined) return known;
+    const made = this.vertices + this.ends.length / 2;
+    this.ends.push(a, b);
+    this.known.set(key, made);
+    return made;
+  }
+
+  /** Values of the old vertices, `width` numbers each, and after them those of the middles. */
+  mean(values: Float32Array, width: number): Float32Array {
+    const out = new Float32Array(values.length + (this.ends.length / 2) * width);
+    out.set(values);
+    for (let i = 0, at = values.length; i < this.ends.length; i += 2)
+      for (let k = 0; k < width; k++, at++)
+        out[at] = (values[width * this.ends[i] + k] + values[width * this.ends[i + 1] + k]) / 2;
+    return out;
+  }
+}
+
+function splitSamples(motion: SampledPointsMotion, middles: MidpointMesh): SampledPointsMotion {
+  const { points, velocities, normals } = motion;
+  if (isStreamed(points)) return motion;
+  return {
+    ...motion,
+    points: points.map((each) => middles.mean(each, 3)),
+    ...(velocities && { velocities: velocities.map((each) => middles.mean(each, 3)) }),
+    ...(normals && { normals: normals.map((each) => normalizeInPlace(middles.mean(each, 3))) }),
+  };
+}
+
+/** A smooth surface through and round the mesh (Loop 1987), of triangles `levels` times cut, its points on the limit. */
+export function loopSubdivide(object: SceneObject, levels: number): SceneObject {
+  const { mesh, motion } = object;
+  const { pointOfVertex: welded, vertexOfPoint } = weld(mesh.positions);
+  const cage = cageOf(mesh, welded, vertexOfPoint);
+  const topology = makeTopology({
+    points: vertexOfPoint.length,
+    faceCounts: cage.faceCounts,
+    faceIndices: cage.faceIndices,
+    sharpCorners: true,
+  });
+  const { polygons, surface } = subdividePolygons(cage, topology, {
+    scheme: 'loop',
+    levels,
+    faceVarying: 'cornersPlus1',
+    smoothTriangles: false,
+    hidden: () => false,
+  });
+  const { mesh: made, pointOfVertex } = makeMesh(polygons);
+  if (motion.kind !== 'sampled-points' || isStreamed(motion.points)) return { ...object, mesh: made };
+  const at = (values: Float32Array) => surface.at(gatherPoints(values, vertexOfPoint));
+  const samples = motion.points.map(at);
+  const gathered = (values: Float32Array) => gatherPoints(values, pointOfVertex);
+  const { velocities } = motion;
+  return {
+    ...object,
+    mesh: made,
+    motion: {
+      ...motion,
+      points: samples.map(({ positions }) => gathered(positions)),
+      normals: samples.map(({ normals }) => gathered(normals)),
+      ...(velocities && { velocities: velocities.map((each) => gathered(at(each).positions)) }),
+    },
+  };
+}
+
+/** Triangles whose corners are one point are left out. */
+function cageOf(mesh: Mesh, welded: Uint32Array, vertexOfPoint: Uint32Array) {
+  const corners: number[] = [];
+  const faceMaterials: number[] = [];
+  for (const { start, count, material } of mesh.groups)
+    for (let i = start; i < start + count; i += 3) {
+      const face = mesh.indices.subarray(i, i + 3);
+      if (new Set(Array.from(face, (v) => welded[v])).size < 3) continue;
+      corners.push(...face);
+      faceMaterials.push(material);
+    }
+  const perCorner = (values: Float32Array) => ({ per: 'corner' as const, values, indices: corners });
+  return {
+    points: gatherPoints(mesh.positions, vertexOfPoint),
+    faceCounts: new Uint8Array(faceMaterials.length).fill(3),
+    faceIndices: corners.map((v) => welded[v]),
+    uvs: perCorner(mesh.uvs),
+    ...(mesh.colors && { colors: perCorner(mesh.colors) }),
+    faceMaterials,
+    doubleSided: mesh.doubleSided,
+  };
+}

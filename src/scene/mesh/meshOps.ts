@@ -1,0 +1,89 @@
+import { cofactors, determinant, transform } from '../../math/mat3.ts';
+import { linearPart, type Mat4, transformPoint } from '../../math/mat4.ts';
+import { normalize } from '../../math/vec3.ts';
+import type { Mesh, MeshGroup } from '../types.ts';
+import { pointAt } from './polygons.ts';
+
+/** One mesh of several; each keeps its groups and so its materials. Colours are white where a part has none. */
+export function mergeMeshes(parts: readonly Mesh[]): Mesh {
+  const starts = runningSums(parts.map((m) => m.positions.length / 3));
+  const indexStarts = runningSums(parts.map((m) => m.indices.length));
+  const indices = new Uint32Array(indexStarts[parts.length]);
+  parts.forEach((m, i) => {
+    m.indices.forEach((v, k) => {
+      indices[indexStarts[i] + k] = v + starts[i];
+    });
+  });
+  const groups = parts.flatMap((m, i) => m.groups.map((g) => ({ ...g, start: g.start + indexStarts[i] })));
+  const colored = parts.some((m) => m.colors !== undefined);
+  return {
+    positions: concat(parts.map((m) => m.positions)),
+    normals: concat(parts.map((m) => m.normals)),
+    uvs: concat(parts.map((m) => m.uvs)),
+    ...(colored ? { colors: concat(parts.map((m) => m.colors ?? new Float32Array(m.positions.length).fill(1))) } : {}),
+    indices,
+    groups: joinGroups(groups),
+    doubleSided: parts.some((m) => m.doubleSided),
+  };
+}
+
+/** Neighbouring runs with one material become one run: fewer draws. */
+function joinGroups(groups: readonly MeshGroup[]): MeshGroup[] {
+  const out: MeshGroup[] = [];
+  for (const g of groups) {
+    const last = out[out.length - 1];
+    if (last && last.material === g.material && last.start + last.count === g.start) {
+      out[out.length - 1] = { ...last, count: last.count + g.count };
+    } else out.push(g);
+  }
+  return out;
+}
+
+function runningSums(counts: readonly number[]): number[] {
+  const sums = [0];
+  for (const n of counts) sums.push(sums[sums.length - 1] + n);
+  return sums;
+}
+
+function concat(parts: readonly Float32Array[]): Float32Array {
+  const out = new Float32Array(parts.reduce((n, p) => n + p.length, 0));
+  let at = 0;
+  for (const p of parts) {
+    out.set(p, at);
+    at += p.length;
+  }
+  return out;
+}
+
+/**
+ * The mesh with every point x → M x. Normals go with the cofactor matrix, so that they stay normal under scale and shear;
+ * a mirror turns the winding round.
+ */
+export function transformMesh(mesh: Mesh, m: Mat4): Mesh {
+  const linear = linearPart(m);
+  const mirrored = determinant(linear) < 0;
+  const normalMatrix = cofactors(linear).map((x) => (mirrored ? -x : x));
+  const positions = new Float32Array(mesh.positions.length);
+  const normals = new Float32Array(mesh.normals.length);
+  for (let v = 0; v < positions.length / 3; v++) {
+    const normal = pointAt(mesh.normals, v);
+    positions.set(transformPoint(m, pointAt(mesh.positions, v)), 3 * v);
+    normals.set(normalize(transform(normalMatrix, normal), normal), 3 * v);
+  }
+  return { ...mesh, positions, normals, indices: mirrored ? turned(mesh.indices) : mesh.indices };
+}
+
+function turned(indices: Uint32Array): Uint32Array {
+  const out = indices.slice();
+  for (let i = 0; i + 2 < out.length; i += 3) {
+    out[i + 1] = indices[i + 2];
+    out[i + 2] = indices[i + 1];
+  }
+  return out;
+}
+
+/** The mesh with all its triangles in one material. */
+export const withMaterial = (mesh: Mesh, material: number): Mesh => ({
+  ...mesh,
+  groups: [{ start: 0, count: mesh.indices.length, material }],
+});

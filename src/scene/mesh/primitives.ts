@@ -1,0 +1,223 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import type { Mesh } from '../types.ts';
+import { makeMesh } from './makeMesh.ts';
+
+/** The axis of symmetry, as USD's `axis`. */
+export type Axis = 'X' | 'Y' | 'Z';
+
+type RadiusHeight = readonly [number, number];
+
+/**
+ * A band of a surface of revolution between two circles. Seen with the axis up and r to the right, outside is to the
+ * right of the way from `from` to `to`.
+ */
+export interface SurfaceBand {
+  /** Radius and height [m] of the two circles; a radius of 0 is a pole. */
+  readonly from: RadiusHeight;
+  readonly to: RadiusHeight;
+  /** Radial and axial part of the normals at the two circles. */
+  readonly fromNormal: RadiusHeight;
+  readonly toNormal: RadiusHeight;
+  /** Texture v at the two circles. */
+  readonly v: RadiusHeight;
+}
+
+/** Points and corners of a surface of revolution under construction; circles shared by two bands share their points. */
+class RevolutionBuilder {
+  readonly points: number[] = [];
+  readonly faceCounts: number[] = [];
+  readonly faceIndices: number[] = [];
+  readonly normals: number[] = [];
+  readonly uvs: number[] = [];
+  private readonly circles = new Map<string, number>();
+  private readonly segments: number;
+  private readonly place: (x: number, y: number, z: number) => Vec3;
+
+  constructor(segments: number, axis: Axis) {
+    this.segments = segments;
+    this.place = (x, y, z) => (axis === 'Z' ? [x, y, z] : axis === 'Y' ? [y, z, x] : [z, x, y]);
+  }
+
+  band({ from, to, fromNormal, toNormal, v }: SurfaceBand): void {
+    for (let s = 0; s < this.segments; s++) {
+      // Where a circle is a pole, its one corner has the normal and u of the triangle's middle.
+      const low = from[0] > 0 ? [s, s + 1] : [s + 0.5];
+      const high = to[0] > 0 ? [s + 1, s] : [s + 0.5];
+      for (const at of low) this.corner(from, fromNormal, at, v[0]);
+      for (const at of high) this.corner(to, toNormal, at, v[1]);
+      this.faceCounts.push(low.length + high.length);
+    }
+  }
+
+  private corner(circle: RadiusHeight, normal: RadiusHeight, at: number, v: number): void {
+    const angle = (2 * Math.PI * at) / this.segments;
+    this.faceIndices.push(this.circle(circle) + (circle[0] > 0 ? at % this.segments : 0));
+    this.normals.push(...this.place(normal[0] * Math.cos(angle), normal[0] * Math.sin(angle), normal[1]));
+    this.uvs.push(at / this.segments, v);
+  }
+
+  private circle([r, h]: RadiusHeight): number {
+    const known = this.circles.get(`${r} ${h}`);
+    if (known !== undefined) return known;
+    const first = this.points.length / 3;
+    this.circles.set(`${r} ${h}`, first);
+    for (let s = 0; s < (r > 0 ? this.segments : 1); s++) {
+      const angle = (2 * Math.PI * s) / this.segments;
+      this.points.push(...this.place(r * Math.cos(angle), r * Math.sin(angle), h));
+    }
+    return first;
+  }
+}
+
+/** Turns bands round the axis; u runs once round it. */
+export function revolve(bands: readonly SurfaceBand[], segments: number, axis: Axis): Mesh {
+  const lathe = new RevolutionBuilder(segments, axis);
+  for (const band of bands) lathe.band(band);
+  const { points, faceCounts, faceIndices, normals, uvs } = lathe;
+  return makeMesh({
+    points,
+    faceCounts,
+    faceIndices,
+    normals: { per: 'corner', values: normals },
+    uvs: { per: 'corner', values: uvs },
+  }).mesh;
+}
+
+/** Bands along a curve t ∈ [0, 1] → circle and normal, e.g. an arc; v rises with t. */
+function curve(
+  steps: number,
+  at: (t: number) => { circle: RadiusHeight; normal: RadiusHeight },
+  v: RadiusHeight = [0, 1],
+): SurfaceBand[] {
+  return Array.from({ length: steps }, (_, i): SurfaceBand => {
+    const [a, b] = [at(i / steps), at((i + 1) / steps)];
+    const vAt = (t: number) => v[0] + (v[1] - v[0]) * t;
+    const vs: RadiusHeight = [vAt(i / steps), vAt((i + 1) / steps)];
+    return { from: a.circle, to: b.circle, fromNormal: a.normal, toNormal: b.normal, v: vs };
+  });
+}
+
+/** An arc round (0, h0) from latitude `from` to `to` [rad]; exactly on the axis at the poles. */
+function arc(radius: number, h0: number, from: number, to: number, steps: number, v: RadiusHeight): SurfaceBand[] {
+  return curve(
+    steps,
+    (t) => {
+      const latitude = from + (to - from) * t;
+      const [c, s] =
+        Math.abs(Math.abs(latitude) - Math.PI / 2) < 1e-12
+          ? [0, Math.sign(latitude)]
+          : [Math.cos(latitude), Math.sin(latitude)];
+      return { circle: [radius * c, h0 + radius * s], normal: [c, s] };
+    },
+    v,
+  );
+}
+
+const flatBand = (from: RadiusHeight, to: RadiusHeight, axial: number, v: RadiusHeight): SurfaceBand => ({
+  from,
+  to,
+  fromNormal: [0, axial],
+  toNormal: [0, axial],
+  v,
+});
+
+export interface RoundOptions {
+  /** Steps round the axis. */
+  readonly segments?: number;
+  readonly axis?: Axis;
+}
+
+/** A ball of `radius` [m]; v runs from pole to pole in equal steps of latitude. */
+export function sphere(radius: number, options: RoundOptions & { readonly rings?: number } = {}): Mesh {
+  const { segments = 64, rings = segments / 2, axis = 'Z' } = options;
+  return revolve(arc(radius, 0, -Math.PI / 2, Math.PI / 2, Math.round(rings), [0, 1]), segments, axis);
+}
+
+/** A closed cylinder, its middle at the origin [m]. */
+export function cylinder(radius: number, height: number, { segments = 64, axis = 'Z' }: RoundOptions = {}): Mesh {
+  const h = height / 2;
+  const side: SurfaceBand = { from: [radius, -h], to: [radius, h], fromNormal: [1, 0], toNormal: [1, 0], v: [0, 1] };
+  const bands = [flatBand([0, -h], [radius, -h], -1, [0, 1]), side, flatBand([radius, h], [0, h], 1, [1, 0])];
+  return revolve(bands, segments, axis);
+}
+
+/** A closed cone, its apex at +height/2 [m]. */
+export function cone(radius: number, height: number, { segments = 64, axis = 'Z' }: RoundOptions = {}): Mesh {
+  const h = height / 2;
+  const slant = Math.hypot(radius, height);
+  const n: RadiusHeight = [height / slant, radius / slant];
+  const side: SurfaceBand = { from: [radius, -h], to: [0, h], fromNormal: n, toNormal: n, v: [0, 1] };
+  return revolve([flatBand([0, -h], [radius, -h], -1, [0, 1]), side], segments, axis);
+}
+
+/** A cylinder of `height` [m] (without its caps) closed by half balls. */
+export function capsule(
+  radius: number,
+  height: number,
+  options: RoundOptions & { readonly rings?: number } = {},
+): Mesh {
+  const { segments = 64, rings = segments / 4, axis = 'Z' } = options;
+  const h = height / 2;
+  const steps = Math.round(rings);
+  const cap = (Math.PI / 2) * radius;
+  const low = cap / (2 * cap + height);
+  const side: SurfaceBand = {
+    from: [radius, -h],
+    to: [radius, h],
+    fromNormal: [1, 0],
+    toNormal: [1, 0],
+    v: [low, 1 - low],
+  };
+  const bands = [
+    ...arc(radius, -h, -Math.PI / 2, 0, steps, [0, low]),
+    ...(height > 0 ? [side] : []),
+    ...arc(radius, h, 0, Math.PI / 2, steps, [1 - low, 1]),
+  ];
+  return revolve(bands, segments, axis);
+}
+
+/** A ring: a tube of radius `tube` round a circle of radius `ring` [m] about the axis. */
+export function torus(ring: number, tube: number, options: RoundOptions & { readonly rings?: number } = {}): Mesh {
+  const { segments = 96, rings = 32, axis = 'Z' } = options;
+  const at = (t: number): { circle: RadiusHeight; normal: RadiusHeight } => {
+    // The last circle is the first one, to the last bit, so that the tube closes.
+    const angle = 2 * Math.PI * (t % 1) - Math.PI;
+    const normal: RadiusHeight = [Math.cos(angle), Math.sin(angle)];
+    return { circle: [ring + tube * normal[0], tube * normal[1]], normal };
+  };
+  return revolve(curve(rings, at), segments, axis);
+}
+
+/** A box with its middle at the origin; each face has uv from 0 to 1. */
+export function box(size: Vec3): Mesh {
+  const points: number[] = [];
+  for (let i = 0; i < 8; i++) points.push(...[0, 1, 2].map((k) => ((i >> k) & 1 ? size[k] : -size[k]) / 2));
+  const faceIndices = [1, 3, 7, 5, 2, 0, 4, 6, 3, 2, 6, 7, 0, 1, 5, 4, 4, 5, 7, 6, 2, 3, 1, 0];
+  const uvs = { per: 'corner' as const, values: Array.from({ length: 6 }, () => [0, 0, 1, 0, 1, 1, 0, 1]).flat() };
+  return makeMesh({ points, faceCounts: [4, 4, 4, 4, 4, 4], faceIndices, uvs }).mesh;
+}
+
+/** A flat rectangle that faces along `axis`, cut into nx × ny cells; uv from 0 to 1. USD's plane: x is width, y is length. */
+export function grid(width: number, length: number, nx: number, ny: number, axis: Axis = 'Z'): Mesh {
+  // As USD's Plane: the width is along X (for axis X: along Z), the length along Y (for axis Y: along Z).
+  const place = (x: number, y: number): Vec3 => (axis === 'Z' ? [x, y, 0] : axis === 'Y' ? [x, 0, -y] : [0, y, -x]);
+  const points: number[] = [];
+  const uvs: number[] = [];
+  for (let j = 0; j <= ny; j++)
+    for (let i = 0; i <= nx; i++) {
+      points.push(...place((i / nx - 0.5) * width, (j / ny - 0.5) * length));
+      uvs.push(i / nx, j / ny);
+    }
+  const faceIndices: number[] = [];
+  for (let j = 0; j < ny; j++)
+    for (let i = 0; i < nx; i++) {
+      const a = j * (nx + 1) + i;
+      faceIndices.push(a, a + 1, a + nx + 2, a + nx + 1);
+    }
+  const faceCounts = new Array<number>(nx * ny).fill(4);
+  const { mesh } = makeMesh({ points, faceCounts, faceIndices, uvs: { per: 'point', values: uvs } });
+  return { ...mesh, doubleSided: true };
+}
+
+/** A flat rectangle of one cell. */
+export const plane = (width: number, length: number, axis: Axis = 'Z'): Mesh => grid(width, length, 1, 1, axis);

@@ -1,0 +1,46 @@
+import type { Motion, Scene, SceneObject } from '../types.ts';
+import { fastestVertex } from './fastestVertex.ts';
+
+/** The fastest point of a scene. */
+export interface FastestInScene {
+  /** Prim path. */
+  readonly path: string;
+  /** World time [s]. */
+  readonly time: number;
+  /** [m/s] */
+  readonly speed: number;
+}
+
+/** Of a vacuum [m/s]: where a scene suggests nothing, Born-rigid bodies are judged by it. */
+export const SPEED_OF_LIGHT = 299_792_458;
+
+/** Undefined where nothing moves. Samples of deforming meshes, which are many, are gone through once, whatever scenes they come to be in. */
+export function fastestInScene(scene: Scene): FastestInScene | undefined {
+  const range = [scene.startTime, scene.endTime] as const;
+  let best: FastestInScene | undefined;
+  for (const object of scene.objects) {
+    const { speed, from } = cachedFastestVertex(
+      object,
+      scene.hints.speedOfLight ?? SPEED_OF_LIGHT,
+      range,
+      best?.speed ?? 0,
+    );
+    if (speed > (best?.speed ?? 0)) {
+      best = { path: object.path, time: Number.isFinite(from) ? from : scene.startTime, speed };
+    }
+  }
+  return best;
+}
+
+type Found = Pick<ReturnType<typeof fastestVertex>, 'speed' | 'from'>;
+
+const known = new WeakMap<Motion, Found>();
+
+function cachedFastestVertex(object: SceneObject, c: number, range: readonly [number, number], atLeast: number): Found {
+  const { motion } = object;
+  // The bend of cubics depends on c, which is another in another scene.
+  if (motion.kind !== 'sampled-points' || motion.velocities) return fastestVertex(object, c, range, atLeast);
+  const found = known.get(motion) ?? fastestVertex(object, c, range);
+  known.set(motion, found);
+  return found;
+}

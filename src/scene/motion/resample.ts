@@ -1,0 +1,114 @@
+import { conjugate, multiply, rotationAngle, slerp, toMatrix } from '../../math/quat.ts';
+import { distance, lerp } from '../../math/vec3.ts';
+import { deformedNormals, smoothingGroups } from '../mesh/normals.ts';
+import type { Pose, SampledMotion, SampledPointsMotion, SceneObject } from '../types.ts';
+import { samplePose, vertexPositions } from './motion.ts';
+
+/** Rigid poses at rising times: a `SampledMotion` under construction. */
+export type PoseSamples = Pick<SampledMotion, 'times' | 'poses'>;
+
+/**
+ * More samples between those given, so that a point at `radius` [m] from the frame's origin, going straight from sample
+ * to sample, stays within `tolerance` [m] of the turning body: a turn by θ in n steps leaves the chord at most
+ * r(1 − cos(θ/2n)) from the arc. Between given samples the body is taken to turn evenly by the shorter way.
+ */
+export function resampleRotation(
+  times: ArrayLike<number>,
+  poses: ArrayLike<number>,
+  radius: number,
+  tolerance: number,
+): PoseSamples {
+  const out = new SampleList();
+  const last = times.length - 1;
+  const step = 2 * Math.acos(Math.max(-1, 1 - tolerance / Math.max(radius, tolerance)));
+  for (let i = 0; i < last; i++) {
+    const [a, b] = [samplePose(poses, i), samplePose(poses, i + 1)];
+    const angle = rotationAngle(multiply(conjugate(a.orientation), b.orientation));
+    const pieces = Math.max(1, Math.ceil(angle / step - 1e-9));
+    for (let k = 0; k < pieces; k++) {
+      const s = k / pieces;
+      const pose =
+        s === 0
+          ? a
+          : { position: lerp(a.position, b.position, s), orientation: slerp(a.orientation, b.orientation, s) };
+      out.add(times[i] + s * (times[i + 1] - times[i]), pose);
+    }
+  }
+  if (last >= 0) out.add(times[last], samplePose(poses, last));
+  return out.finish();
+}
+
+/**
+ * Samples of any rigid motion t → pose: the given times, and between them as many as keep every point within `radius` [m] of
+ * the origin `tolerance` [m] near its straight way. Each piece is tried at three places that no periodic motion has in common.
+ */
+export function sampleMotion(
+  at: (t: number) => Pose,
+  times: ArrayLike<number>,
+  radius: number,
+  tolerance: number,
+): PoseSamples {
+  const out = new SampleList();
+  const refine = (t0: number, a: Pose, t1: number, b: Pose, depth: number): void => {
+    const strays = PROBE_FRACTIONS.some((s) => deviation(at(t0 + s * (t1 - t0)), a, b, s, radius) > tolerance);
+    if (strays && depth > 0) {
+      const middle = (t0 + t1) / 2;
+      const pose = at(middle);
+      refine(t0, a, middle, pose, depth - 1);
+      refine(middle, pose, t1, b, depth - 1);
+    } else out.add(t1, b);
+  };
+  if (times.length > 0) out.add(times[0], at(times[0]));
+  for (let i = 0; i + 1 < times.length; i++)
+    refine(times[i], at(times[i]), times[i + 1], at(times[i + 1]), MAX_HALVINGS);
+  return out.finish();
+}
+
+const PROBE_FRACTIONS = [0.5, 0.2360679774997897, Math.SQRT1_2];
+/** 2¹² pieces of one given interval: a turn a hundred times round it at a thousandth of the radius. */
+const MAX_HALVINGS = 12;
+
+/**
+ * How far a point within `radius` can be from the straight way between two poses: of the positions, plus radius times the
+ * norm of the difference of the rotations (its Frobenius norm, which is never too small).
+ */
+function deviation(pose: Pose, a: Pose, b: Pose, s: number, radius: number): number {
+  const [r, ra, rb] = [toMatrix(pose.orientation), toMatrix(a.orientation), toMatrix(b.orientation)];
+  let sum = 0;
+  for (let k = 0; k < 9; k++) sum += (r[k] - (1 - s) * ra[k] - s * rb[k]) ** 2;
+  return distance(pose.position, lerp(a.position, b.position, s)) + radius * Math.sqrt(sum);
+}
+
+class SampleList {
+  private readonly times: number[] = [];
+  private readonly poses: number[] = [];
+
+  add(t: number, { position, orientation }: Pose): void {
+    this.times.push(t);
+    this.poses.push(...position, ...orientation);
+  }
+
+  finish(): PoseSamples {
+    return { times: Float64Array.from(this.times), poses: Float64Array.from(this.poses) };
+  }
+}
+
+/**
+ * A sampled motion authored in the rest frame, as points of the world: at each sample the body is contracted along its
+ * frame's velocity there. c [m/s]. Anything else is given back as it is.
+ */
+export function restToWorld(object: SceneObject, c: number): SceneObject {
+  const { motion } = object;
+  if (object.authoredIn !== 'rest' || motion.kind !== 'sampled') return object;
+  return { ...object, authoredIn: 'world', motion: contractedPoints(object, motion, c) };
+}
+
+function contractedPoints(object: SceneObject, motion: SampledMotion, c: number): SampledPointsMotion {
+  const origin = samplePose(motion.poses, 0).position;
+  const points = Array.from(motion.times, (t) =>
+    Float32Array.from(vertexPositions(object, t, c), (x, i) => x - origin[i % 3]),
+  );
+  const groups = smoothingGroups(object.mesh);
+  const normals = points.map((p) => deformedNormals(p, object.mesh.indices, groups));
+  return { kind: 'sampled-points', times: motion.times, origin, points, normals };
+}

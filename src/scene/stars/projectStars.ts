@@ -1,0 +1,55 @@
+import { conjugate, rotate } from '../../math/quat.ts';
+import { scale, ZERO } from '../../math/vec3.ts';
+import { aberrate } from '../../physics/optics/aberration.ts';
+import { observerDoppler } from '../../physics/optics/doppler.ts';
+import type { NightSky } from '../types.ts';
+import type { RenderSettings, ViewPoint } from '../view/view.ts';
+import { MAX_SPREAD_RADIUS, spreadRadius } from './pointSpread.ts';
+import { starlight } from './starlight.ts';
+
+/** Room for all stars of a sky, 3 numbers each. */
+export interface ProjectedStars {
+  /** Place in the picture, −1 … 1 from left to right and from below up, and the half side of the square that it is seen in [px]. */
+  readonly positions: Float32Array;
+  /** Linear sRGB radiance that a pixel would have with all of its light. */
+  readonly radiances: Float32Array;
+}
+
+/** The stars that a picture has, brightest first as in the sky: how many there are. Frames: equatorial → world → observer → camera. */
+export function projectStars(
+  { stars, orientation, gain }: NightSky,
+  view: ViewPoint,
+  settings: RenderSettings,
+  width: number,
+  height: number,
+  out: ProjectedStars,
+): number {
+  const seen = settings.view === 'light-cone';
+  const boosted = seen && settings.aberration;
+  const u = seen ? view.u : ZERO;
+  const tanY = Math.tan(view.fovY / 2);
+  const tanX = (tanY * width) / height;
+  const pixel = (4 * tanX * tanY) / (width * height);
+  const toCamera = conjugate(view.orientation);
+  let count = 0;
+  for (let i = 0; i < stars.temperatures.length; i++) {
+    const n = rotate(orientation, [stars.directions[3 * i], stars.directions[3 * i + 1], stars.directions[3 * i + 2]]);
+    const [x, y, z] = rotate(toCamera, boosted ? aberrate(n, u) : n);
+    if (z >= 0) continue;
+    const place = [x / (-z * tanX), y / (-z * tanY)];
+    const outside = (pixels: number) =>
+      Math.abs(place[0]) > 1 + (2 * pixels) / width || Math.abs(place[1]) > 1 + (2 * pixels) / height;
+    // Most are, and what they shine with is dear.
+    if (outside(MAX_SPREAD_RADIUS)) continue;
+    const D = observerDoppler(n, u);
+    // A picture's flat pixels take up less of the sky toward its edges: by cos³ of the angle.
+    const share = (gain * stars.illuminances[i]) / (pixel * (-z) ** 3);
+    const light = scale(starlight(stars.temperatures[i], D, settings), share / (boosted ? D * D : 1));
+    const brightest = Math.max(...light) * 2 ** settings.exposure;
+    const half = spreadRadius(brightest);
+    if (outside(half)) continue;
+    out.positions.set([...place, half], 3 * count);
+    out.radiances.set(light, 3 * count++);
+  }
+  return count;
+}

@@ -1,0 +1,97 @@
+import type { Polygons, PolygonValues } from '../mesh/polygons.ts';
+import { type FaceVaryingRule, makeFaceVaryingChannel } from './faceVarying.ts';
+import { LimitSurface, limitValues, parentFaces, refineTopology } from './limitSurface.ts';
+import { type SubdivisionScheme, splitsTriangles } from './masks.ts';
+import { INFINITELY_SHARP, type SubdivisionTopology } from './topology.ts';
+
+export interface SubdivisionOptions {
+  readonly scheme: 'catmullClark' | 'loop' | 'bilinear';
+  /** At least 1. */
+  readonly levels: number;
+  readonly faceVarying: FaceVaryingRule;
+  /** Triangles are smoothed as Stam and Loop do (2003). */
+  readonly smoothTriangles: boolean;
+  /** Faces that shape their neighbours and are not drawn. */
+  readonly hidden: (face: number) => boolean;
+}
+
+export interface SubdividedPolygons {
+  /** On the limit surface. Their points are the surface's slots. */
+  readonly polygons: Polygons;
+  readonly surface: LimitSurface;
+}
+
+/** A subdivision surface as polygons on its limit, with all their values; given normals are not looked at, since the surface has its own. */
+export function subdividePolygons(
+  cage: Polygons,
+  topology: SubdivisionTopology,
+  how: SubdivisionOptions,
+): SubdividedPolygons {
+  const refinement = refineTopology(topology, how.scheme, how.levels, how.smoothTriangles);
+  const surface = new LimitSurface(refinement);
+  const parents = parentFaces(refinement, cage.faceCounts);
+  const faces = parents.map((_, f) => f).filter((f) => !how.hidden(parents[f]));
+  const size = splitsTriangles(how.scheme) ? 3 : 4;
+  const corners = new Uint32Array(size * faces.length).map((_, c) => size * faces[Math.floor(c / size)] + (c % size));
+  const carry = (values: PolygonValues, width: number): PolygonValues => {
+    if (values.per === 'constant') return values;
+    if (values.per === 'face') return onFaces(values, faces, parents);
+    const { of, ids } = carried(values, width, topology, surface, how);
+    return { per: 'corner', values: of, indices: corners.map((c) => ids[c]) };
+  };
+  const { positions, normals } = surface.at(cage.points);
+  const polygons: Polygons = {
+    points: positions,
+    faceCounts: new Uint8Array(faces.length).fill(size),
+    faceIndices: corners.map((c) => surface.slotOfCorner[c]),
+    normals: { per: 'point', values: cage.leftHanded ? normals.map((x) => -x) : normals },
+    ...(cage.uvs ? { uvs: carry(cage.uvs, 2) } : {}),
+    ...(cage.colors ? { colors: carry(cage.colors, 3) } : {}),
+    ...(cage.faceMaterials ? { faceMaterials: faces.map((f) => cage.faceMaterials![parents[f]]) } : {}),
+    leftHanded: cage.leftHanded,
+    doubleSided: cage.doubleSided,
+  };
+  return { polygons, surface };
+}
+
+const onFaces = ({ values, indices }: PolygonValues, faces: Uint32Array, parents: Uint32Array): PolygonValues => ({
+  per: 'face',
+  values,
+  indices: faces.map((f) => (indices ? indices[parents[f]] : parents[f])),
+});
+
+/** Values on points or corners, refined, and the place of each corner of the refined mesh in them. */
+function carried(
+  given: PolygonValues,
+  width: number,
+  topology: SubdivisionTopology,
+  { refinement }: LimitSurface,
+  { scheme, levels, faceVarying, smoothTriangles }: SubdivisionOptions,
+): { of: Float64Array; ids: Uint32Array } {
+  const linear: SubdivisionScheme = splitsTriangles(scheme) ? 'linear' : 'bilinear';
+  if (given.per === 'corner') {
+    const channel = makeFaceVaryingChannel(topology, given, width, faceVarying);
+    const how = faceVarying === 'all' ? linear : scheme;
+    const refined = refineTopology(channel.topology, how, levels, smoothTriangles);
+    return { of: limitValues(refined, channel.values, width), ids: refined.topology.corners };
+  }
+  const onPoints = new Float64Array(topology.points * width);
+  for (let p = 0; p < topology.points; p++)
+    for (let k = 0; k < width; k++)
+      onPoints[p * width + k] = given.values[(given.indices ? given.indices[p] : p) * width + k] ?? 0;
+  const how = given.linear ? refineTopology(topology, linear, levels) : refinement;
+  return { of: limitValues(how, onPoints, width), ids: refinement.topology.corners };
+}
+
+/** Faces at an open boundary, none of which is drawn where boundaries are not to be interpolated; those whose boundary is written as sharp are. */
+export function boundaryFaces(topology: SubdivisionTopology, sharpness: (a: number, b: number) => number): Uint8Array {
+  const { twins, corners, cornerEdges, edgePoints, faceOfCorner } = topology;
+  const open = new Uint8Array(topology.points);
+  for (let c = 0; c < corners.length; c++) {
+    const [a, b] = [edgePoints[2 * cornerEdges[c]], edgePoints[2 * cornerEdges[c] + 1]];
+    if (twins[c] < 0 && !(sharpness(a, b) >= INFINITELY_SHARP)) open[a] = open[b] = 1;
+  }
+  const faces = new Uint8Array(topology.faceStarts.length - 1);
+  for (let c = 0; c < corners.length; c++) if (open[corners[c]]) faces[faceOfCorner[c]] = 1;
+  return faces;
+}

@@ -1,0 +1,297 @@
+import { rotate } from '../../math/quat.ts';
+import { dot, length, type Vec3 } from '../../math/vec3.ts';
+import { makeObject } from '../defaults.ts';
+import { pointAt } from '../mesh/polygons.ts';
+import { isCubic, MAX_CONTROL_SPEED, maxControlSpeed, straightenedPieces } from '../motion/cubicPoints.ts';
+import { fastestVertex } from '../motion/fastestVertex.ts';
+import { isStreamed, sampleCount } from '../streaming/samplePoints.ts';
+import type {
+  Diagnostic,
+  HyperbolicMotion,
+  LocalLight,
+  Mesh,
+  Motion,
+  SampledPointsMotion,
+  Scene,
+  SceneCamera,
+  SceneObject,
+} from '../types.ts';
+import type { SceneCode } from './diagnosticCodes.ts';
+
+/**
+ * What is wrong with a scene at the speed of light c [m/s], object by object. Errors are things that no picture can be made of;
+ * an object with one must be left out or mended.
+ */
+export function validate(scene: Scene, c: number): Diagnostic[] {
+  const meshes = new Map<Mesh, MeshFindings>();
+  const findingsOf = (mesh: Mesh): MeshFindings => {
+    const known = meshes.get(mesh) ?? { faults: meshFaults(mesh, scene), notFinite: notFiniteIn(mesh) };
+    meshes.set(mesh, known);
+    return known;
+  };
+  return [
+    ...duplicatePaths(scene),
+    ...scene.objects.flatMap((object) => validateObject(object, findingsOf(object.mesh), c)),
+    ...scene.cameras.flatMap((camera) => validateRigidMotion(camera, c)),
+    ...scene.lights.flatMap((light) => ('motion' in light ? validateLocalLight(light, c) : [])),
+  ];
+}
+
+const problem = (severity: Diagnostic['severity'], code: SceneCode, place: string, message: string): Diagnostic => ({
+  severity,
+  code,
+  place,
+  message,
+});
+
+function duplicatePaths({ objects }: Scene): Diagnostic[] {
+  const seen = new Set<string>();
+  return objects
+    .filter(({ path }) => seen.has(path) || !seen.add(path))
+    .map(({ path }) => problem('error', 'scene.duplicate-path', path, 'two objects have this path; rename one'));
+}
+
+/** Each later check takes what the earlier ones found in order, so the first that finds an error ends the list. */
+function validateObject(object: SceneObject, mesh: MeshFindings, c: number): Diagnostic[] {
+  const { path, motion } = object;
+  const found = [
+    ...mesh.faults.map(({ severity, code, message }) => problem(severity, code, path, message)),
+    ...validateTimes(motion, path),
+    ...validateLifetime(object),
+    ...validateAuthoring(object),
+  ];
+  if (hasError(found)) return found;
+  found.push(...finiteness(object, mesh));
+  return hasError(found) ? found : [...found, ...validateSpeed(object, c)];
+}
+
+const hasError = (found: readonly Diagnostic[]): boolean => found.some(({ severity }) => severity === 'error');
+
+/** What is wrong with a mesh, whatever wears it: looked for once. */
+interface MeshFindings {
+  readonly faults: readonly MeshFault[];
+  /** The first vertex that is nowhere. */
+  readonly notFinite: number | undefined;
+}
+type MeshFault = Pick<Diagnostic, 'severity' | 'message'> & { readonly code: SceneCode };
+
+const error = (code: SceneCode, message: string): MeshFault => ({ severity: 'error', code, message });
+
+function meshFaults(mesh: Mesh, scene: Scene): MeshFault[] {
+  const vertices = mesh.positions.length / 3;
+  if (mesh.indices.length === 0 || vertices === 0)
+    return [{ severity: 'warning', code: 'mesh.empty', message: 'has no triangle; nothing of it is drawn' }];
+  const beyond = mesh.indices.find((v) => v >= vertices);
+  if (beyond !== undefined)
+    return [error('mesh.index', `a triangle names vertex ${beyond}, but there are only ${vertices}`)];
+  if (mesh.normals.length !== mesh.positions.length || mesh.uvs.length !== 2 * vertices) {
+    const message = `${vertices} vertices need as many normals and uvs, not ${mesh.normals.length / 3} and ${mesh.uvs.length / 2}`;
+    return [error('mesh.length', message)];
+  }
+  const foreign = mesh.groups.find(({ material }) => material >= scene.materials.length);
+  if (foreign)
+    return [error('mesh.material', `uses material ${foreign.material}, but there are only ${scene.materials.length}`)];
+  return degenerateTriangles(mesh);
+}
+
+function notFiniteIn({ positions }: Mesh): number | undefined {
+  const at = positions.findIndex((x) => !Number.isFinite(x));
+  return at < 0 ? undefined : Math.floor(at / 3);
+}
+
+/** Two corners in one place, or three in line, to f32: area under a millionth of the square of the longest side. */
+function degenerateTriangles({ positions, indices }: Mesh): MeshFault[] {
+  let count = 0;
+  for (let i = 0; i < indices.length; i += 3)
+    if (isDegenerate(positions, indices[i], indices[i + 1], indices[i + 2])) count++;
+  if (count === 0) return [];
+  const message = `${count} of ${indices.length / 3} triangles have no area; merge double points, or leave it: they are not drawn`;
+  return [{ severity: 'warning', code: 'mesh.degenerate', message }];
+}
+
+function isDegenerate(p: Float32Array, a: number, b: number, c: number): boolean {
+  const [i, j, k] = [3 * a, 3 * b, 3 * c];
+  const [ux, uy, uz] = [p[j] - p[i], p[j + 1] - p[i + 1], p[j + 2] - p[i + 2]];
+  const [vx, vy, vz] = [p[k] - p[i], p[k + 1] - p[i + 1], p[k + 2] - p[i + 2]];
+  const area2 = (uy * vz - uz * vy) ** 2 + (uz * vx - ux * vz) ** 2 + (ux * vy - uy * vx) ** 2;
+  const longest = Math.max(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz);
+  return area2 <= 1e-12 * longest * longest;
+}
+
+function validateTimes(motion: Motion, path: string): Diagnostic[] {
+  if (!('times' in motion)) return [];
+  const { times } = motion;
+  const samples = motion.kind === 'sampled' ? motion.poses.length / 7 : sampleCount(motion);
+  if (times.length < 2 || samples !== times.length) {
+    return [
+      problem(
+        'error',
+        'motion.samples',
+        path,
+        `${times.length} times and ${samples} samples; a motion needs as many of both, two or more`,
+      ),
+    ];
+  }
+  const k = times.findIndex((t, i) => i > 0 && !(t > times[i - 1]));
+  if (k < 0) return [];
+  return [
+    problem(
+      'error',
+      'motion.times',
+      path,
+      `sample ${k} is at ${seconds(times[k])}, not after sample ${k - 1} at ${seconds(times[k - 1])}; times must rise`,
+    ),
+  ];
+}
+
+function validateLifetime({ lifetime, path }: SceneObject): Diagnostic[] {
+  if (lifetime.birth < lifetime.death) return [];
+  return [
+    problem(
+      'warning',
+      'object.lifetime',
+      path,
+      `ends at ${seconds(lifetime.death)}, not after it begins at ${seconds(lifetime.birth)}; it is never there`,
+    ),
+  ];
+}
+
+function validateAuthoring({ authoredIn, motion, path }: SceneObject): Diagnostic[] {
+  if (authoredIn === 'world' || motion.kind !== 'sampled-points') return [];
+  const message =
+    'deforming points are authored in the rest frame, which they do not share; they are taken as the world’s';
+  return [problem('info', 'motion.rest-points', path, message)];
+}
+
+function finiteness({ path, mesh, motion }: SceneObject, { notFinite }: MeshFindings): Diagnostic[] {
+  if (notFinite !== undefined) {
+    const message = `vertex ${notFinite} is at ${pointAt(mesh.positions, notFinite).join(', ')}`;
+    return [problem('error', 'mesh.not-finite', path, message)];
+  }
+  const bad = badMotion(motion);
+  return bad === undefined ? [] : [problem('error', 'motion.not-finite', path, bad)];
+}
+
+function badMotion(motion: Motion): string | undefined {
+  switch (motion.kind) {
+    case 'sampled': {
+      const at = motion.poses.findIndex((x) => !Number.isFinite(x));
+      return at < 0
+        ? undefined
+        : `the pose at ${seconds(motion.times[Math.floor(at / 7)])} has ${motion.poses[at]} in it`;
+    }
+    case 'sampled-points': {
+      const { points, velocities } = motion;
+      const broken = (all: readonly Float32Array[]) =>
+        all.findIndex((numbers) => numbers.some((x) => !Number.isFinite(x)));
+      const k = Math.max(
+        isStreamed(points) ? points.statistics.firstNonFinite : broken(points),
+        broken(velocities ?? []),
+      );
+      return k < 0
+        ? undefined
+        : `the points or velocities at ${seconds(motion.times[k])} have a number that is not finite`;
+    }
+    default: {
+      const given = [...motion.pose.position, ...motion.pose.orientation, ...vectorOf(motion)];
+      const bad = given.find((x) => !Number.isFinite(x));
+      return bad === undefined ? undefined : `its pose or motion has ${bad} in it`;
+    }
+  }
+}
+
+const vectorOf = (motion: Motion): Vec3 =>
+  motion.kind === 'uniform' ? motion.velocity : motion.kind === 'hyperbolic' ? motion.properAcceleration : [0, 0, 0];
+
+function validateSpeed(object: SceneObject, c: number): Diagnostic[] {
+  const place = `motion of ${object.path}`;
+  if (object.motion.kind === 'hyperbolic') return validateHorizon(object, object.motion, c);
+  const { speed, from, to } = fastestVertex(object, c, [0, 0], c * (1 - 1e-9));
+  if (speed >= c) return [tooFast(place, speed, from, to, c)];
+  return object.motion.kind === 'sampled-points' ? validateBends(object.motion, object.path, c) : [];
+}
+
+/** What of a cubic motion is shown straighter than it is, because it would be faster than light. */
+function validateBends(motion: SampledPointsMotion, path: string, c: number): Diagnostic[] {
+  if (!isCubic(motion)) return [];
+  const pieces = straightenedPieces(motion, c);
+  const [first] = pieces;
+  if (!first) return [];
+  const speed = Math.max(...pieces.map(({ k }) => maxControlSpeed(motion, k)));
+  const lost = Math.max(...pieces.map((piece) => piece.lost));
+  const from = seconds(motion.times[first.k]);
+  const message = `between samples its cubic path could reach ${inUnitsOfC(speed / c)} c, first at t = ${from}; ${pieces.length} of ${motion.times.length - 1} pieces are shown straighter, by up to ${Math.ceil(100 * lost)} %, and velocities jump there; raise c above ${roundedUp(speed / MAX_CONTROL_SPEED)} m/s or write more samples`;
+  return [problem('warning', 'motion.cubic', path, message)];
+}
+
+/** The house's model of a message: what, how much, when, and the least c that would do. */
+function tooFast(place: string, speed: number, from: number, to: number, c: number): Diagnostic {
+  const [fast, least] = [inUnitsOfC(speed / c), roundedUp(speed)];
+  const message = Number.isFinite(from)
+    ? `${fast} c between t = ${seconds(from)} and ${seconds(to)}; raise c above ${least} m/s or slow it down`
+    : `${fast} c at all times; raise c above ${least} m/s or slow it down`;
+  return problem('error', 'motion.superluminal', place, message);
+}
+
+/** Speeds just over c are told with as many digits as it takes to see it. */
+function inUnitsOfC(ratio: number): string {
+  for (let digits = 3; digits < 9; digits++)
+    if (Number(ratio.toPrecision(digits)) > 1) return ratio.toPrecision(digits);
+  return '1';
+}
+
+/** Three digits, and never under the number itself. */
+function roundedUp(x: number): string {
+  const step = 10 ** (Math.floor(Math.log10(x)) - 2);
+  const up = Math.ceil(x / step - 1e-9) * step;
+  return Number(up.toPrecision(3)).toString();
+}
+
+const seconds = (t: number): string => `${t.toFixed(Math.abs(t) < 0.01 && t !== 0 ? 6 : 2)} s`;
+
+/** A Born-rigid body must lie wholly before its horizon, c²/a behind the origin of its frame. */
+function validateHorizon({ path, mesh, authoredIn }: SceneObject, motion: HyperbolicMotion, c: number): Diagnostic[] {
+  if (authoredIn !== 'rest') return [];
+  const a = motion.properAcceleration;
+  let depth = 0;
+  for (let i = 0; i < mesh.positions.length / 3; i++) {
+    depth = Math.max(depth, -dot(a, rotate(motion.pose.orientation, pointAt(mesh.positions, i))));
+  }
+  if (depth < c * c) return [];
+  const [behind, horizon] = [depth, c * c].map((of) => (of / length(a)).toPrecision(3));
+  const message = `a point ${behind} m behind its origin would have to outrun light (horizon at ${horizon} m); raise c above ${roundedUp(Math.sqrt(depth))} m/s or accelerate less`;
+  return [problem('error', 'motion.horizon', `motion of ${path}`, message)];
+}
+
+function validateLocalLight(lamp: LocalLight, c: number): Diagnostic[] {
+  const sizes = Object.entries(lamp).flatMap(([name, value]) =>
+    SIZES.has(name) && !(value >= 0 && Number.isFinite(value)) ? [`its ${name} is ${value} m`] : [],
+  );
+  if (sizes.length > 0)
+    return [problem('error', 'light.size', lamp.path, `${sizes.join(', ')}; give it a size of 0 m or more`)];
+  if (!lamp.color.every(Number.isFinite))
+    return [
+      problem('error', 'light.color', lamp.path, `its colour is ${lamp.color.join(', ')}; give it three numbers`),
+    ];
+  return validateRigidMotion(lamp, c);
+}
+
+const SIZES = new Set(['radius', 'width', 'height', 'length']);
+
+/** The frame of a camera or a light is a point: its own speed is what counts. */
+function validateRigidMotion({ path, motion }: SceneCamera | LocalLight, c: number): Diagnostic[] {
+  const found = validateTimes(motion, path);
+  if (hasError(found)) return found;
+  const bad = badMotion(motion);
+  if (bad !== undefined) return [problem('error', 'motion.not-finite', path, bad)];
+  return validateSpeed(makeObject({ path, mesh: POINT, motion }), c);
+}
+
+const POINT: Mesh = {
+  positions: new Float32Array(3),
+  normals: new Float32Array(3),
+  uvs: new Float32Array(2),
+  indices: new Uint32Array(0),
+  groups: [],
+  doubleSided: false,
+};

@@ -1,0 +1,66 @@
+import { fromMatrix, type Quat } from '../../math/quat.ts';
+import { add, addScaled, cross, length, negate, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { velocityAt } from '../../physics/worldLines/worldLine.ts';
+import { sceneBounds } from '../bounds/bounds.ts';
+import { restingAt } from '../defaults.ts';
+import { originWorldLine, poseAt } from '../motion/motion.ts';
+import type { Scene, SceneCamera } from '../types.ts';
+
+/** An observer at one moment of a camera's path. */
+export interface CameraState {
+  /** World frame [m]. */
+  readonly position: Vec3;
+  /** γβ of the camera's world line, world frame. */
+  readonly u: Vec3;
+  /** Camera axes in the world's axes carried by the pure boost with u. */
+  readonly orientation: Quat;
+  /** Vertical, in the observer's frame [rad]. */
+  readonly fovY: number;
+}
+
+/**
+ * The observer that rides on a camera at world time t [s]; c [m/s]. At a sample it has the velocity of the piece that begins
+ * there, at the last one of the piece that ends there, so that the last picture of an animation is still of the journey.
+ */
+export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: number): CameraState {
+  const pose = poseAt(motion, t, c);
+  const line = originWorldLine(motion);
+  const last = motion.kind === 'sampled' ? motion.times[motion.times.length - 1] : undefined;
+  const inside = last === t && motion.kind === 'sampled' ? motion.times[motion.times.length - 2] : t;
+  const v = velocityAt(line, inside, c);
+  return { ...pose, u: properVelocity(scale(v, 1 / c)), fovY };
+}
+
+/** The axes of a camera (−Z forward, +Y up) that looks along `forward` with `up` as far up as can be. Any lengths but 0. */
+export function lookAtOrientation(forward: Vec3, up: Vec3): Quat {
+  const back = normalize(negate(forward), [0, 0, 1]);
+  const sideways = cross(up, back);
+  // Looking along `up`: any right is right.
+  const spare: Vec3 = Math.abs(back[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0];
+  const right =
+    length(sideways) > 1e-9 * length(up)
+      ? normalize(sideways)
+      : normalize(addScaled(spare, back, -back[0] * spare[0] - back[1] * spare[1]));
+  const top = cross(back, right);
+  return fromMatrix([right[0], top[0], back[0], right[1], top[1], back[1], right[2], top[2], back[2]]);
+}
+
+const FRAMING_FOV = Math.PI / 3;
+
+/** For a scene without a camera: at rest outside it, a little from above, with all that exists at the opening time in view. */
+export function framingCamera(scene: Scene): SceneCamera {
+  const c = scene.hints.speedOfLight ?? 299_792_458;
+  const box = sceneBounds(scene, scene.hints.openAt ?? scene.startTime, c) ?? { min: [-1, -1, -1], max: [1, 1, 1] };
+  const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
+  const aside: Vec3 = scene.upAxis === 'Z' ? [0.55, -1, 0] : [0.55, 0, 1];
+  const center = scale(add(box.min, box.max), 0.5);
+  const radius = Math.max(1e-3, length(sub(box.max, box.min)) / 2);
+  const offset = scale(normalize(addScaled(aside, up, 0.45)), radius / Math.sin(FRAMING_FOV / 2));
+  const { pose } = restingAt(add(center, offset));
+  return {
+    path: '/FramingCamera',
+    motion: { kind: 'static', pose: { ...pose, orientation: lookAtOrientation(negate(offset), up) } },
+    fovY: FRAMING_FOV,
+  };
+}

@@ -1,0 +1,51 @@
+import { describe, expect, it } from 'vitest';
+import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { pictureMetadata } from './pictureMetadata.ts';
+import { DEFAULT_SETTINGS, type ViewPoint } from './view.ts';
+
+const view: ViewPoint = {
+  t: 6.5,
+  position: [1, 2, -3],
+  u: properVelocity([0, 0, -0.6]),
+  orientation: [0, 0, 0, 1],
+  fovY: Math.PI / 3,
+};
+const settings = { ...DEFAULT_SETTINGS, speedOfLight: 30, exposure: -1.25 };
+
+describe('what a picture tells of itself', () => {
+  it('is who looked and how its light is shown', () => {
+    const { observerBeta, observerSpeed, fieldOfView, ...rest } = pictureMetadata(view, settings);
+    expect(observerBeta!.split(' ').map(Number)[2]).toBeCloseTo(-0.6, 12);
+    expect(Number.parseFloat(observerSpeed!)).toBeCloseTo(0.6, 12);
+    expect(Number.parseFloat(fieldOfView!)).toBeCloseTo(60, 12);
+    expect(rest).toEqual({
+      Software: 'Slowlight',
+      worldTime: '6.5 s',
+      speedOfLight: '30 m/s',
+      observerPosition: '1 2 -3 m',
+      view: 'light-cone',
+      colors: 'spectral',
+      exposure: '-1.25 EV',
+      tone: 'neutral',
+    });
+  });
+
+  it('names what is not physical', () => {
+    const about = pictureMetadata(view, {
+      ...settings,
+      lightDelay: false,
+      aberration: false,
+      dopplerMix: 0.5,
+      beaming: 0,
+    });
+    expect(about).toMatchObject({ lightDelay: 'off', aberration: 'off', dopplerMix: '0.5', beaming: '0' });
+  });
+
+  it('has the scale of false colours, and no exposure where they show none', () => {
+    const about = pictureMetadata(view, { ...settings, falseColors: { kind: 'emission-time', from: -5, to: 0 } });
+    expect(about.falseColors).toBe('emission-time from -5 s to 0 s');
+    expect(about.exposure).toBeUndefined();
+    const band = pictureMetadata(view, { ...settings, falseColors: { kind: 'band', from: 3e-8, to: 1e-5 } });
+    expect(band).toMatchObject({ falseColors: 'band from 3e-8 m to 0.00001 m', exposure: '-1.25 EV' });
+  });
+});

@@ -1,0 +1,42 @@
+import { degrees } from '../../math/angle.ts';
+import { length, type Vec3 } from '../../math/vec3.ts';
+import { velocity } from '../../physics/lorentz/boost.ts';
+import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
+import type { RenderSettings, ViewPoint } from './view.ts';
+
+// What a file of a picture tells in its header, by names of docs/conventions.md: of the picture alone, nothing of whose machine or which files it is from.
+
+/** Words by which the observer's event can be found again. */
+export function observerMetadata({ t, position, u }: ViewPoint, speedOfLight: number): Record<string, string> {
+  const beta = velocity(u);
+  return {
+    worldTime: `${t} s`,
+    speedOfLight: `${speedOfLight} m/s`,
+    observerPosition: `${vector(position)} m`,
+    observerBeta: vector(beta),
+    observerSpeed: `${length(beta)} c`,
+  };
+}
+
+/** The same, and how its light is shown. `settings` have the exposure that the metering set. */
+export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Record<string, string> {
+  const { lightDelay, aberration, dopplerMix, beaming, exposure, tone, falseColors } = settings;
+  const showsLight = falseColors === undefined || falseColors.kind === 'band';
+  return {
+    Software: 'Slowlight',
+    ...observerMetadata(view, settings.speedOfLight),
+    fieldOfView: `${degrees(view.fovY)} degrees`,
+    view: settings.view,
+    ...(!lightDelay && { lightDelay: 'off' }),
+    ...(!aberration && { aberration: 'off' }),
+    ...(showsLight && { colors: settings.colors, exposure: `${exposure} EV`, tone }),
+    ...(dopplerMix !== 1 && { dopplerMix: String(dopplerMix) }),
+    ...(beaming !== 1 && { beaming: String(beaming) }),
+    ...(falseColors && { falseColors: falseColorRange(falseColors) }),
+  };
+}
+
+const UNITS = { doppler: '', 'emission-time': ' s', radiance: '', band: ' m' } as const;
+const falseColorRange = ({ kind, from, to }: FalseColorScale): string =>
+  `${kind} from ${from}${UNITS[kind]} to ${to}${UNITS[kind]}`;
+const vector = (v: Vec3): string => v.join(' ');

@@ -1,0 +1,131 @@
+import type { Quat } from '../../math/quat.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
+import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
+import type { FrameGraph } from '../frameGraph/frameGraph.ts';
+
+/** `light-cone`: what is seen. `simultaneity`: where things are at the observer's own instant. `galilean`: c = ∞. */
+export type View = 'light-cone' | 'simultaneity' | 'galilean';
+export type Solver = 'exact' | 'newton';
+/** `spectral`: light is spectra, and a shift is seen at their wavelengths. `approximate`: light is linear sRGB, and a shift is a tint (dopplerTint.ts). */
+export type ColorMode = 'spectral' | 'approximate';
+
+/** How a picture is made. Every field is plain data, so that a document, a flag or a socket can hold it. */
+export interface RenderSettings {
+  readonly view: View;
+  /** Off: every point is taken at the observer's own world time, as if light were instantaneous. Light-cone view only. */
+  readonly lightDelay: boolean;
+  /** Off: directions are those of the world frame, not the observer's. Light-cone view only. */
+  readonly aberration: boolean;
+  readonly colors: ColorMode;
+  /** 0 … 1: how much of log D reaches the colours. */
+  readonly dopplerMix: number;
+  /** 0 … 1: how much of log D⁴ reaches the brightness. */
+  readonly beaming: number;
+  /** Suns throw shadows. The reference renderer always has them. */
+  readonly shadows: boolean;
+  readonly solver: Solver;
+  /** Newton steps per vertex. */
+  readonly iterations: number;
+  /** Newton step length, 0 < k ≤ 1. */
+  readonly damping: number;
+  /** Off: every pixel shows what is at its centre. Else edges are smoothed, moving pictures follow those before, and resting ones get many samples. */
+  readonly antialiasing: boolean;
+  /** The ground's reference grid, which relativity does not bend. */
+  readonly grid: boolean;
+  /** [EV]: the picture is 2^exposure times as bright. */
+  readonly exposure: number;
+  /** How that becomes what a screen can show. */
+  readonly tone: ToneMapping;
+  /** Instead of the light: what of it is to be shown as colours, between which values. */
+  readonly falseColors?: FalseColorScale;
+  /** How far from a point something can hide its sky, in the fast renderer [m]; 0: nothing does. Absent: a quarter of the scene's size. */
+  readonly occlusionRadius?: number;
+  /** What is made of the light, and of that of other G-buffers, before it is exposed; absent: nothing. */
+  readonly frameGraph?: FrameGraph;
+  /** [m/s] */
+  readonly speedOfLight: number;
+}
+
+export const DEFAULT_SETTINGS: RenderSettings = {
+  view: 'light-cone',
+  lightDelay: true,
+  aberration: true,
+  colors: 'spectral',
+  dopplerMix: 1,
+  beaming: 1,
+  shadows: true,
+  solver: 'exact',
+  iterations: 8,
+  damping: 1,
+  antialiasing: true,
+  grid: false,
+  exposure: 0,
+  tone: 'neutral',
+  speedOfLight: 299_792_458,
+};
+
+/** The observer's event and the camera there. */
+export interface ViewPoint {
+  /** World time [s]. */
+  readonly t: number;
+  /** World frame [m]. */
+  readonly position: Vec3;
+  /** Proper velocity γβ, world frame. */
+  readonly u: Vec3;
+  /** Camera axes (−Z forward, +Y up) against the world axes carried by the pure boost. */
+  readonly orientation: Quat;
+  /** Vertical field of view in the observer frame [rad]. */
+  readonly fovY: number;
+}
+
+export type AovName =
+  | 'beauty'
+  | 'albedo'
+  | 'depth'
+  | 'emission_time'
+  | 'doppler'
+  | 'position'
+  | 'normal'
+  | 'occlusion'
+  | 'velocity'
+  | 'object';
+
+export interface AovInfo {
+  /** EXR channel names, in the order of the values of a pixel. */
+  readonly channels: readonly string[];
+  readonly meaning: string;
+}
+
+/**
+ * What can be read back besides the picture. Pixels without a surface are 0 in every data AOV; `beauty` has the sky there.
+ * Data AOVs are of the surface through the pixel's centre and are never averaged.
+ */
+export const AOVS: Readonly<Record<AovName, AovInfo>> = {
+  beauty: { channels: ['R', 'G', 'B'], meaning: 'linear sRGB radiance before exposure and tone mapping' },
+  albedo: {
+    channels: ['albedo.R', 'albedo.G', 'albedo.B'],
+    meaning: 'linear sRGB base colour of the surface, with its texture and vertex colour',
+  },
+  depth: { channels: ['depth'], meaning: "apparent distance |Δx'| in the observer frame [m]" },
+  emission_time: { channels: ['emission_time'], meaning: 'world time of the event that is seen [s]' },
+  doppler: { channels: ['doppler'], meaning: 'D = ν_observed/ν_emitted' },
+  position: {
+    channels: ['position.x', 'position.y', 'position.z'],
+    meaning: 'world position of the event that is seen [m]',
+  },
+  normal: {
+    channels: ['normal.x', 'normal.y', 'normal.z'],
+    meaning: 'unit normal in the rest frame of the surface, on the world axes carried there by the pure boost',
+  },
+  occlusion: {
+    channels: ['occlusion'],
+    meaning:
+      'share of the sky that the surface sees in its rest frame, weighted by the cosine: 1 where nothing hides it',
+  },
+  velocity: {
+    channels: ['velocity.x', 'velocity.y', 'velocity.z'],
+    meaning: 'velocity of the surface in the world frame, in units of c',
+  },
+  object: { channels: ['object'], meaning: 'place of the object in Scene.objects plus one' },
+};

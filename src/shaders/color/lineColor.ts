@@ -1,0 +1,25 @@
+import { clamp, dot, float, select } from 'three/tsl';
+import { NANOMETRE, VISIBLE, WAVELENGTHS } from '../../spectrum/observer/standardObserver.ts';
+import type { HalfTable } from '../tables/halfAtlas.ts';
+import type { Float, Vec3, Vec4 } from '../types.ts';
+
+/**
+ * Linear sRGB of a line of radiance 1 that is at the wavelength `surface` [m] where it meets a filter and at `seen` for the eye. The filter:
+ * (r, g, b, what it has beyond the visible where this eye sees that); `own`: the last is its own, else what its basis ends at is taken.
+ * `observer`: two rows over `WAVELENGTH_RANGE`, the linear sRGB of each and the basis of filters there (observerTable.ts).
+ */
+export const lineColor = (observer: HalfTable, surface: Float, seen: Float, filter: Vec4, own: boolean): Vec3 => {
+  const row = (k: number, wavelength: Float): Vec3 => {
+    const place = clamp(coordinateOf(wavelength), 0, WAVELENGTHS.length - 1);
+    return observer.sampleLinear(place.add(0.5), float(k + 0.5)).xyz;
+  };
+  const within = dot(row(1, surface), filter.xyz);
+  const share = own ? select(isVisible(surface), within, filter.w) : within;
+  return row(0, seen).mul(select(isVisible(seen), share, 0));
+};
+
+/** 0 at the first of `WAVELENGTH_RANGE`, 1 at the next one. */
+const coordinateOf = (wavelength: Float): Float => wavelength.div(NANOMETRE).sub(WAVELENGTHS[0] / NANOMETRE);
+
+const isVisible = (wavelength: Float) =>
+  wavelength.greaterThanEqual(VISIBLE[0]).and(wavelength.lessThanEqual(VISIBLE[1]));

@@ -1,0 +1,25 @@
+import { cross, dot, Fn, length, max, select } from 'three/tsl';
+import type { Float, Vec3 } from '../types.ts';
+
+/**
+ * Where a point that emitted at Δx (world frame) stands in the observer's frame, at the end of a light ray:
+ * p∥′ = γp∥ + |u| r, across unchanged; |Δx′| = D_o r. Behind in the conjugate form (|u×Δx|² − p∥²)/(|u| r − γp∥).
+ * `dx` [m]; `u` = γβ of the observer. Source: docs/model.md, "Seeing".
+ */
+export const apparentPosition = Fn(
+  ([dx, u, gamma]: [Vec3, Vec3, Float]) => {
+    const r = length(dx).toVar();
+    const w = length(u).toVar();
+    const axis = u.div(max(w, 1e-20)).toVar();
+    const along = dot(axis, dx).toVar();
+    const across = cross(u, dx).toVar();
+    const behind = dot(across, across)
+      .sub(along.mul(along))
+      .div(w.mul(r).sub(gamma.mul(along)));
+    const boosted = select(along.lessThan(0), behind, gamma.mul(along).add(w.mul(r)));
+    // Twice, because what rounding leaves along the axis would count γ times as much behind.
+    const rest = dx.sub(axis.mul(along)).toVar();
+    return rest.sub(axis.mul(dot(axis, rest))).add(axis.mul(boosted));
+  },
+  { dx: 'vec3', u: 'vec3', gamma: 'float', return: 'vec3' },
+);

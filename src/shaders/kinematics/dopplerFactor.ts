@@ -1,0 +1,14 @@
+import { Fn, length, max } from 'three/tsl';
+import type { Float, Vec3, Vec4 } from '../types.ts';
+import { emitterDoppler } from './emitterDoppler.ts';
+import { observerDoppler } from './observerDoppler.ts';
+
+/**
+ * D = ν_observed/ν_emitted = γ_o(1 + β_o·n)/(γ_e(1 + β_e·n)).
+ * `dx` [m] observer → emission event; `u`, `gamma` of the observer; `velocity` = (v, 1 − v²) of the emitter there.
+ */
+export const dopplerFactor = Fn(
+  ([dx, u, gamma, velocity]: [Vec3, Vec3, Float, Vec4]) =>
+    observerDoppler(dx, u, gamma).mul(emitterDoppler(dx.div(max(length(dx), 1e-20)), velocity)),
+  { dx: 'vec3', u: 'vec3', gamma: 'float', velocity: 'vec4', return: 'float' },
+);

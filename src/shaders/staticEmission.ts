@@ -1,8 +1,0 @@
-import { vec4 } from 'three/tsl';
-import { coneOffset } from './coneOffset.ts';
-import type { Vec3, Vec4, VertexEvent } from './types.ts';
-
-/** Emission event of a vertex at rest at `offset` [m] from the anchor (d_c, R). */
-export function staticEmission(anchor: Vec4, offset: Vec3): VertexEvent {
-  return { dx: anchor.xyz.add(offset), s: coneOffset(anchor, offset).negate(), velocity: vec4(0, 0, 0, 1) };
-}

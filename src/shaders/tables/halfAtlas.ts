@@ -1,0 +1,125 @@
+import { float, int, ivec2, texture, uniform, vec2 } from 'three/tsl';
+import {
+  ClampToEdgeWrapping,
+  DataTexture,
+  HalfFloatType,
+  LinearFilter,
+  RGBAFormat,
+  type TextureNode,
+  Vector2,
+} from 'three/webgpu';
+import type { Float, Int, Vec4 } from '../types.ts';
+
+/** Rows of RGBA half floats, `width` texels each. */
+export interface HalfTexels {
+  readonly data: Uint16Array;
+  readonly width: number;
+}
+
+/** Such rows as shaders read them. */
+export interface HalfTable {
+  /** Linear between texels, (0.5, 0.5) the middle of the first; no farther out than the middles of the outermost, for beside them are other tables. */
+  sampleLinear(x: Float, y: Float): Vec4;
+  /** Counted row after row. */
+  load(index: Int): Vec4;
+}
+
+/** Where a table is. */
+interface AtlasRegion {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Tables side by side, as high as the first of them. */
+interface Shelf {
+  readonly y: number;
+  readonly height: number;
+  used: number;
+}
+
+/** Of the texture, and of the widest table. */
+const ATLAS_WIDTH = 512;
+
+/**
+ * The tables of half floats of a scene, all in one texture: a device may have no more than 16 for a shader. Tables are made when they are first asked for, be it while a
+ * shader that reads them is being built.
+ */
+export class HalfAtlas {
+  private readonly shelves: Shelf[] = [];
+  private readonly tables = new Map<string, HalfTable>();
+  private texture = makeTexture(new Uint16Array(4 * ATLAS_WIDTH), 1);
+  private readonly node: TextureNode<'vec4'> = texture(this.texture);
+  /** 1/(width, height) */
+  private readonly scale = uniform(new Vector2(1 / ATLAS_WIDTH, 1));
+
+  /** The table of a name; no wider than 512. */
+  table(name: string, make: () => HalfTexels): HalfTable {
+    const table = this.tables.get(name) ?? this.add(make());
+    this.tables.set(name, table);
+    return table;
+  }
+
+  dispose(): void {
+    this.texture.dispose();
+  }
+
+  private add({ data, width }: HalfTexels): HalfTable {
+    const height = data.length / (4 * width);
+    const place = this.reserve(width, height);
+    const all = this.texture.image.data as Uint16Array;
+    for (let row = 0; row < height; row++)
+      all.set(data.subarray(4 * width * row, 4 * width * (row + 1)), 4 * (ATLAS_WIDTH * (place.y + row) + place.x));
+    this.texture.needsUpdate = true;
+    return this.reader(place, width);
+  }
+
+  private reader({ x: left, y: top }: AtlasRegion, width: number): HalfTable {
+    const read = (texel: TextureNode<'vec4'>): Vec4 => {
+      // Else three multiplies places by the texture's matrix at every fetch.
+      texel.updateMatrix = false;
+      return texel.toVar();
+    };
+    return {
+      // The base level, for neighbours may not have read it.
+      sampleLinear: (x, y) => read(this.node.sample(vec2(x.add(left), y.add(top)).mul(this.scale)).level(float(0))),
+      load: (index) => {
+        const row = index.div(int(width)).toVar();
+        return read(this.node.load(ivec2(index.sub(row.mul(int(width))).add(int(left)), row.add(int(top)))));
+      },
+    };
+  }
+
+  /** Room on the first shelf that has it, or on a new one. */
+  private reserve(width: number, height: number): AtlasRegion {
+    let shelf = this.shelves.find((each) => each.height >= height && each.used + width <= ATLAS_WIDTH);
+    if (!shelf) {
+      const last = this.shelves.at(-1);
+      shelf = { y: last ? last.y + last.height : 0, height, used: 0 };
+      this.shelves.push(shelf);
+      this.grow(shelf.y + height);
+    }
+    const place = { x: shelf.used, y: shelf.y };
+    shelf.used += width;
+    return place;
+  }
+
+  private grow(height: number): void {
+    const all = new Uint16Array(4 * ATLAS_WIDTH * height);
+    all.set(this.texture.image.data as Uint16Array);
+    this.texture.dispose();
+    this.texture = makeTexture(all, height);
+    this.node.value = this.texture;
+    this.scale.value.set(1 / ATLAS_WIDTH, 1 / height);
+  }
+}
+
+function makeTexture(data: Uint16Array<ArrayBuffer>, height: number): DataTexture {
+  const made = new DataTexture(data, ATLAS_WIDTH, height, RGBAFormat, HalfFloatType);
+  made.minFilter = LinearFilter;
+  made.magFilter = LinearFilter;
+  made.wrapS = ClampToEdgeWrapping;
+  made.wrapT = ClampToEdgeWrapping;
+  made.generateMipmaps = false;
+  made.needsUpdate = true;
+  return made;
+}

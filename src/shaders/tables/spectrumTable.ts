@@ -1,0 +1,82 @@
+import { clamp, exp, Fn, min, select } from 'three/tsl';
+import { type DopplerTable, SHIFT_LIMIT } from '../../spectrum/doppler/dopplerTable.ts';
+import { LUMINANCE_THETA, MIDDLE_TEMPERATURE } from '../../spectrum/doppler/thermalTable.ts';
+import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
+import type { Float, Vec3, Vec4 } from '../types.ts';
+import type { HalfAtlas, HalfTable } from './halfAtlas.ts';
+
+/** A `DopplerTable` on the GPU, its layers one under the other. */
+export interface SpectrumTable {
+  readonly table: HalfTable;
+  readonly layers: 3 | 4;
+  readonly columns: number;
+  readonly rows: number;
+}
+
+/** What is seen through each band of a filter, linear sRGB, of light of luminance 1. */
+export interface BandColors {
+  readonly red: Vec3;
+  readonly green: Vec3;
+  readonly blue: Vec3;
+  /** Through its ultraviolet or infrared, in tables of four layers. */
+  readonly beyond?: Vec3;
+  /** H of `relativeLuminance`. */
+  readonly H: Float;
+}
+
+/** A table as shaders read it. */
+export function spectrumTable(
+  atlas: HalfAtlas,
+  name: string,
+  { data, layers, columns, rows }: DopplerTable,
+): SpectrumTable {
+  return { table: atlas.table(name, () => ({ data, width: columns })), layers, columns, rows };
+}
+
+/** Half of what D/(1 + D) spans. */
+const HALF_SPAN = SHIFT_LIMIT / (1 + SHIFT_LIMIT) - 0.5;
+
+/** The colours of the bands of a filter that is seen shifted by D, of a blackbody that is seen at T [K]: `tableTexel` at `rowOf` and `columnOf`. */
+export const thermalColors = (table: SpectrumTable, T: Float, D: Float): BandColors =>
+  colorsAt(table, coordinateOf(D, table.columns), T.div(T.add(MIDDLE_TEMPERATURE)).mul(table.rows - 1));
+
+/**
+ * The colours of the bands of a filter that is seen shifted by `out`, of a light that has a colour of its own and is seen shifted by `whole`, both within
+ * `SHIFT_LIMIT`; from its `filteredBlackbodyTable`.
+ */
+export const coloredColors = (table: SpectrumTable, whole: Float, out: Float): BandColors =>
+  colorsAt(table, coordinateOf(out, table.columns), coordinateOf(whole, table.rows));
+
+/** From 0 to steps − 1: `columnOf`. */
+function coordinateOf(D: Float, steps: number): Float {
+  const shift = D.div(D.add(1))
+    .sub(0.5)
+    .div(2 * HALF_SPAN);
+  return clamp(shift.add(0.5), 0, 1).mul(steps - 1);
+}
+
+function colorsAt({ table, layers, rows }: SpectrumTable, column: Float, row: Float): BandColors {
+  const [across, down] = [column.add(0.5).toVar(), row.add(0.5).toVar()];
+  const layer = (k: number): Vec4 => table.sampleLinear(across, down.add(k * rows));
+  const red = layer(0);
+  const colors = { red: red.xyz, green: layer(1).xyz, blue: layer(2).xyz, H: red.w };
+  return layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
+}
+
+/** What is seen through a filter: (r, g, b, and in tables of four layers its ultraviolet where D < 1, else its infrared). */
+export function filteredColor({ red, green, blue, beyond }: Omit<BandColors, 'H'>, filter: Vec4): Vec3 {
+  const inside = red.mul(filter.x).add(green.mul(filter.y)).add(blue.mul(filter.z));
+  return beyond ? inside.add(beyond.mul(filter.w)) : inside;
+}
+
+const OF_DAYLIGHT = Math.expm1(LUMINANCE_THETA / DAYLIGHT.temperature);
+
+/** Y(T)/Y(6504 K) of a blackbody of T [K] whose H is given: H (e^{θ/6504 K} − 1)/(e^{θ/T} − 1), the denominator as a series where θ/T is small. */
+export const luminanceOf = Fn(
+  ([H, T]: [Float, Float]): Float => {
+    const x = min(T.reciprocal().mul(LUMINANCE_THETA), 85).toVar();
+    const series = x.mul(x.mul(x.div(3).add(1)).div(2).add(1));
+    return H.mul(OF_DAYLIGHT).div(select(x.lessThan(0.03), series, exp(x).sub(1)));
+  },
+  { H: 'float', T: 'float', return: 'float' },
+);

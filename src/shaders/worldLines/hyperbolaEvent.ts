@@ -1,0 +1,32 @@
+import { vec4 } from 'three/tsl';
+import type { Bool, Float, Vec3, Vec4 } from '../types.ts';
+import type { HyperbolaVertex } from './hyperbola.ts';
+
+/** An event of a vertex on its hyperbola, relative to the anchor. */
+interface HyperbolaEvent {
+  /** [m] */
+  readonly x: Vec3;
+  /** [light-metres] */
+  readonly s: Float;
+  /** (v, 1 − v²) */
+  readonly velocity: Vec4;
+  /** false behind the horizon, and for the part of a Born-rigid body that would be beyond its own. */
+  readonly exists: Bool;
+}
+
+/** The event of the vertex at the parameter `eta` of its hyperbola (see hyperbola.ts). */
+export function hyperbolaEvent(motion: Vec4, w: Float, vertex: HyperbolaVertex, eta: Float): HyperbolaEvent {
+  const growth = vertex.acceleration.mul(eta).add(1).toVar();
+  const plus = w.mul(vertex.plus.add(eta)).toVar();
+  const minus = vertex.minus.add(eta.div(growth)).div(w).toVar();
+  // e^φ at the event: v = tanh φ, 1 − v² = 1/cosh² φ
+  const rapidity = w.mul(growth).toVar();
+  const cosh = rapidity.add(rapidity.reciprocal()).mul(0.5).toVar();
+  const sinh = rapidity.sub(rapidity.reciprocal()).mul(0.5);
+  return {
+    x: vertex.across.add(motion.xyz.mul(plus.sub(minus).mul(0.5))),
+    s: plus.add(minus).mul(0.5),
+    velocity: vec4(motion.xyz.mul(sinh.div(cosh)), cosh.mul(cosh).reciprocal()),
+    exists: growth.greaterThan(0).and(vertex.acceleration.greaterThanEqual(0)),
+  };
+}

@@ -1,0 +1,20 @@
+import { clamp, int, select, vec4 } from 'three/tsl';
+import type { Int, SampleTable, WorldLineAt } from '../types.ts';
+import { bisect } from './bisect.ts';
+import { pieceVelocity } from './pieceVelocity.ts';
+
+/** World line of a vertex that moves straight between samples (relative to the anchor) and rests outside them; 2 ≤ `count` ≤ 4096. */
+export const polylinePlace =
+  (at: SampleTable, count: Int): WorldLineAt =>
+  (time) => {
+    const index = bisect(count, (i) => at(i).w.lessThanEqual(time));
+    const a = at(index).toVar();
+    const b = at(index.add(int(1))).toVar();
+    const moving = pieceVelocity(a, b).toVar();
+    const resting = time.lessThan(a.w).or(time.greaterThanEqual(b.w));
+    const elapsed = clamp(time.sub(a.w), 0, b.w.sub(a.w));
+    return {
+      x: select(time.greaterThanEqual(b.w), b.xyz, a.xyz.add(moving.xyz.mul(elapsed))).toVar(),
+      velocity: select(resting, vec4(0, 0, 0, 1), moving).toVar(),
+    };
+  };

@@ -1,0 +1,65 @@
+import { dot, type Vec3 } from '../../math/vec3.ts';
+import { LUMINANCE_WEIGHTS } from './observerColor.ts';
+
+/** Between these a blackbody's colour is told [K]; beyond them it is that of the nearer one. */
+export const KRYSTEK_RANGE = [1000, 10000] as const;
+/** Krystek's fits: numerator and denominator of u(T) and of v(T), from the constant on. */
+export const KRYSTEK_FITS = {
+  u: [
+    [0.860117757, 1.54118254e-4, 1.28641212e-7],
+    [1, 8.42420235e-4, 7.08145163e-7],
+  ],
+  v: [
+    [0.317398726, 4.22806245e-5, 4.20481691e-8],
+    [1, -2.89741816e-5, 1.61456053e-7],
+  ],
+} as const;
+/** Y of linear sRGB, IEC 61966-2-1. */
+const SRGB_LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];
+/** XYZ to linear sRGB, IEC 61966-2-1. */
+export const XYZ_TO_SRGB_ROWS = [
+  [3.2404542, -1.5371385, -0.4985314],
+  [-0.969266, 1.8760108, 0.041556],
+  [0.0556434, -0.2040259, 1.0572252],
+] as const;
+
+/**
+ * What files mean by a colour temperature T [K]: linear sRGB of a blackbody, scaled to the luminance 1; what lies outside of sRGB is clipped first.
+ * UsdLux defines it so, by a fit and for a display whose white is D65. Light that is computed as light is `colorOfSpectrum` a thermal spectrum, where
+ * daylight of 6504 K is white: from 1900 K on blackbodyColor(T)/blackbodyColor(6504 K) is that within 2 % of its brightest part.
+ * Source: Krystek 1985, "An algorithm to calculate correlated colour temperature", eq. for u(T), v(T) (CIE 1960); within 1.5e-4 in u and v.
+ */
+export function blackbodyColor(T: number): Vec3 {
+  const t = Math.min(Math.max(T, KRYSTEK_RANGE[0]), KRYSTEK_RANGE[1]);
+  const [u, v] = [fitted(KRYSTEK_FITS.u, t), fitted(KRYSTEK_FITS.v, t)];
+  // XYZ/Y from x = 3u/(2u − 8v + 4), y = 2v/(2u − 8v + 4).
+  const X = (3 * u) / (2 * v);
+  const Z = (4 - u - 10 * v) / (2 * v);
+  const channel = (row: Vec3): number => Math.max(dot(row, [X, 1, Z]), 0);
+  return atUnitLuminance(
+    [channel(XYZ_TO_SRGB_ROWS[0]), channel(XYZ_TO_SRGB_ROWS[1]), channel(XYZ_TO_SRGB_ROWS[2])],
+    SRGB_LUMINANCE,
+  );
+}
+
+type Polynomial = readonly [number, number, number];
+const polynomial = ([a, b, c]: Polynomial, t: number): number => a + b * t + c * t * t;
+const fitted = ([over, under]: readonly [Polynomial, Polynomial], t: number): number =>
+  polynomial(over, t) / polynomial(under, t);
+
+function atUnitLuminance(rgb: Vec3, weights: Vec3): Vec3 {
+  const luminance = dot(weights, rgb);
+  return [rgb[0] / luminance, rgb[1] / luminance, rgb[2] / luminance];
+}
+
+/** What the approximate colours take for white. */
+export const DAYLIGHT_COLOR = blackbodyColor(6504);
+
+/**
+ * The colour of what glows at T [K], of luminance 1, as the *approximate* colours have it: that of a file's colour temperature, in which
+ * daylight of 6504 K is white. A shift then tints it as any other colour (dopplerTint.ts); spectra have a blackbody of T·D instead.
+ */
+export function glowColor(T: number): Vec3 {
+  const [r, g, b] = blackbodyColor(T);
+  return atUnitLuminance([r / DAYLIGHT_COLOR[0], g / DAYLIGHT_COLOR[1], b / DAYLIGHT_COLOR[2]], LUMINANCE_WEIGHTS);
+}

@@ -1,0 +1,45 @@
+import { IDENTITY, invert, type Mat3, multiply, transform, transpose } from '../../math/mat3.ts';
+import { add, dot, sub, type Vec3 } from '../../math/vec3.ts';
+import { filterFromRgb, type SpectralFilter, WHITE_FILTER } from '../reflectance/spectralFilter.ts';
+import type { LightSpectrum } from '../sources/lightSpectrum.ts';
+import { LUMINANCE_WEIGHTS, observedColor } from './observerColor.ts';
+
+/**
+ * The filter k before a blackbody that makes its light on a white surface at rest the linear sRGB `color`: (r, g, b) itself in daylight.
+ * What such light could only show with a filter that it lacks light for (blue of embers) is left neutral. Lines and sampled
+ * spectra have their own colour: of `color` only the luminance counts.
+ */
+export function lightFilter(color: Vec3, spectrum: LightSpectrum): SpectralFilter {
+  const gray = dot(LUMINANCE_WEIGHTS, color);
+  if (spectrum.kind !== 'thermal') return filterFromRgb([gray, gray, gray]);
+  return filterFromRgb(solveNearNeutral(bandMatrix(spectrum), color, gray));
+}
+
+const matrices = new WeakMap<LightSpectrum, Mat3>();
+
+/** Columns: what r, g and b alone show of a light at rest. Kept, for a sky asks with every ray. */
+function bandMatrix(spectrum: LightSpectrum): Mat3 {
+  const known = matrices.get(spectrum);
+  if (known) return known;
+  const band = (rgb: Vec3) => observedColor(filterFromRgb(rgb), WHITE_FILTER, spectrum, 1, 1);
+  const [red, green, blue] = [band([1, 0, 0]), band([0, 1, 0]), band([0, 0, 1])];
+  const matrix = [0, 1, 2].flatMap((i) => [red[i], green[i], blue[i]]);
+  matrices.set(spectrum, matrix);
+  return matrix;
+}
+
+/** Below this share of the light a band decides nothing. */
+const DAMPING = 0.05;
+
+/**
+ * k ≥ 0 with C k = color, from grey on: iterated Tikhonov, k += (CᵀC + ε²)⁻¹ Cᵀ(color − C k). What C knows well is met to (ε/σ)⁸,
+ * what it hardly knows stays grey. Source: Engl, Hanke and Neubauer 1996, "Regularization of Inverse Problems", §5.
+ */
+function solveNearNeutral(C: Mat3, color: Vec3, gray: number): Vec3 {
+  const Ct = transpose(C);
+  const damped = multiply(Ct, C).map((value, i) => value + DAMPING ** 2 * IDENTITY[i]);
+  const step = multiply(invert(damped) ?? IDENTITY, Ct);
+  let k: Vec3 = [gray, gray, gray];
+  for (let i = 0; i < 4; i++) k = add(k, transform(step, sub(color, transform(C, k))));
+  return [Math.max(k[0], 0), Math.max(k[1], 0), Math.max(k[2], 0)];
+}

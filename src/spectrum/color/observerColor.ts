@@ -1,0 +1,83 @@
+import { IDENTITY, invert, type Mat3, transform, transpose } from '../../math/mat3.ts';
+import { addScaled, type Vec3, ZERO } from '../../math/vec3.ts';
+import { colorMatching, NANOMETRE, tristimulus } from '../observer/standardObserver.ts';
+import { basisAt, reflectanceAt, type SpectralFilter, WHITE_FILTER } from '../reflectance/spectralFilter.ts';
+import {
+  DAYLIGHT,
+  type LightSpectrum,
+  linesOf,
+  meanRadiance,
+  type SpectralLine,
+  spectralRadiance,
+} from '../sources/lightSpectrum.ts';
+
+/** XYZ of the basis functions in `DAYLIGHT`, one a column. */
+const DAYLIGHT_XYZ: Mat3 = transpose(
+  [0, 1, 2].flatMap((j) =>
+    tristimulus((wavelength) => basisAt(wavelength)[j] * spectralRadiance(DAYLIGHT, wavelength)),
+  ),
+);
+
+/**
+ * N: XYZ → linear sRGB, row by row, such that a surface of linear sRGB (r, g, b) shows (r, g, b) in daylight at rest: the inverse of
+ * the XYZ of the three basis functions in `DAYLIGHT`, whose luminance is 1. It differs by up to 0.06 from the matrix of IEC 61966-2-1, which is made for CIE D65.
+ */
+export const XYZ_TO_RENDER_SRGB: Mat3 = invert(DAYLIGHT_XYZ) ?? IDENTITY;
+
+/** Y of linear sRGB as the renderers see it: the luminance of the three basis functions in `DAYLIGHT`; (0.218, 0.711, 0.071), of sum 1. */
+export const LUMINANCE_WEIGHTS: Vec3 = [DAYLIGHT_XYZ[3], DAYLIGHT_XYZ[4], DAYLIGHT_XYZ[5]];
+
+/** N·XYZ: linear sRGB as the renderers see it, white in `DAYLIGHT`. Negative where a colour lies outside of sRGB: only a display clips. */
+export const toLinearSrgb = (xyz: Vec3): Vec3 => transform(XYZ_TO_RENDER_SRGB, xyz);
+
+/** Linear sRGB of a light of luminance 1, at rest: (1, 1, 1) of `DAYLIGHT`. */
+export const colorOfSpectrum = (spectrum: LightSpectrum): Vec3 =>
+  observedColor(WHITE_FILTER, WHITE_FILTER, spectrum, 1, 1);
+
+/**
+ * Linear sRGB of what is seen of a surface `a` in a light of filter `k` and spectrum S (of luminance 1), by integration at
+ * every nanometre: the truth that tables and shaders are held to. The light meets the surface shifted by `Din`, the eye sees it
+ * shifted by `Dout` again, D = Din·Dout in all (D = ν_observed/ν_emitted):
+ *
+ *   N ∫ cmf(λ) a(Dout λ) k(D λ) D⁵ S(D λ) dλ / D⁴
+ *
+ * The D⁴ that radiance over all wavelengths gains is left to beaming. What a light or an emitter shows of itself has Din = 1.
+ */
+export function observedColor(
+  a: SpectralFilter,
+  k: SpectralFilter,
+  spectrum: LightSpectrum,
+  Din: number,
+  Dout: number,
+): Vec3 {
+  const D = Din * Dout;
+  if (spectrum.kind === 'lines') return observedLines(a, k, linesOf(spectrum), Din, D);
+  const xyz = tristimulus(
+    (wavelength) =>
+      filterMean(a, Dout * wavelength, Dout * NANOMETRE) *
+      filterMean(k, D * wavelength, D * NANOMETRE) *
+      D *
+      meanRadiance(spectrum, D * wavelength, D * NANOMETRE),
+  );
+  return toLinearSrgb(xyz);
+}
+
+/** What is white, as every light by itself, passes all; to ask its bands would be most of the work. */
+const filterMean = (bands: SpectralFilter, wavelength: number, width: number): number =>
+  bands === WHITE_FILTER ? 1 : reflectanceAt(bands, wavelength, width);
+
+/** A line of λ is at λ/Din for the surface and seen at λ/D; its radiance gains D⁴. */
+function observedLines(
+  a: SpectralFilter,
+  k: SpectralFilter,
+  lines: readonly SpectralLine[],
+  Din: number,
+  D: number,
+): Vec3 {
+  let xyz = ZERO;
+  for (const { wavelength, weight } of lines) {
+    const radiance = weight * reflectanceAt(k, wavelength) * reflectanceAt(a, wavelength / Din);
+    xyz = addScaled(xyz, colorMatching(wavelength / D), radiance);
+  }
+  return toLinearSrgb(xyz);
+}

@@ -1,0 +1,46 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import { agx } from './agx.ts';
+
+/**
+ * How light becomes what a screen can show. `neutral` keeps colours as they are up to a shoulder; `agx` rolls all of them off as film
+ * does; `linear` cuts what is too bright.
+ */
+export type ToneMapping = 'neutral' | 'agx' | 'linear';
+export const TONE_MAPPINGS: readonly ToneMapping[] = ['neutral', 'agx', 'linear'];
+
+/**
+ * The shoulder of Khronos PBR Neutral: colours up to `shoulder` are kept as they are, brighter ones are compressed below 1 and
+ * fade to white. Its toe, which takes off the 4 % that a product photograph reflects, is left out: it turns the faint light of
+ * things that flee to black. Source: github.com/KhronosGroup/ToneMapping, PBR_Neutral/README.md (2024).
+ */
+export const NEUTRAL = { shoulder: 0.8, desaturation: 0.15 } as const;
+
+/** Brighter light counts as this: what is far beyond every curve's end stays finite. */
+export const MAX_RADIANCE = 1e15;
+
+/**
+ * Linear sRGB radiance → linear sRGB to display, each in 0…1 (still to be encoded): times 2^exposure [EV], then the curve. Colours outside
+ * the gamut have negative parts: `agx` draws them in, the others count them as 0.
+ */
+export function toneMap(rgb: Vec3, exposure: number, tone: ToneMapping): Vec3 {
+  const exposed = (value: number) => Math.min(Math.max(value * 2 ** exposure, -MAX_RADIANCE), MAX_RADIANCE);
+  return CURVES[tone]([exposed(rgb[0]), exposed(rgb[1]), exposed(rgb[2])]);
+}
+
+const CURVES: Readonly<Record<ToneMapping, (rgb: Vec3) => Vec3>> = { neutral, agx, linear };
+
+function neutral([r, g, b]: Vec3): Vec3 {
+  const color: Vec3 = [Math.max(r, 0), Math.max(g, 0), Math.max(b, 0)];
+  const peak = Math.max(...color);
+  if (peak <= NEUTRAL.shoulder) return color;
+  const room = 1 - NEUTRAL.shoulder;
+  const newPeak = 1 - room ** 2 / (peak + room - NEUTRAL.shoulder);
+  const white = 1 - 1 / (NEUTRAL.desaturation * (peak - newPeak) + 1);
+  const compressed = (value: number) => (value * newPeak * (1 - white)) / peak + newPeak * white;
+  return [compressed(color[0]), compressed(color[1]), compressed(color[2])];
+}
+
+function linear([r, g, b]: Vec3): Vec3 {
+  const cut = (value: number) => Math.min(Math.max(value, 0), 1);
+  return [cut(r), cut(g), cut(b)];
+}

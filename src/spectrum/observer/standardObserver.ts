@@ -1,0 +1,40 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import { X_BAR, Y_BAR, Z_BAR } from '../tables/cie1931.ts';
+
+/**
+ * What the CIE 1931 2° standard observer sees, from violet to red [m]: the nanometres 360 … 830 of its table, each with half of itself
+ * to either side. Everything else is, for an eye at rest, invisible.
+ */
+export const VISIBLE: readonly [shortest: number, longest: number] = [359.5e-9, 830.5e-9];
+/** Width of the steps in which spectra are integrated [m]. */
+export const NANOMETRE = 1e-9;
+/** The wavelengths of the standard observer's table [m]: 360, 361 … 830 nm. */
+export const WAVELENGTHS: readonly number[] = X_BAR.map((_, i) => (360 + i) / 1e9);
+
+/** x̄, ȳ, z̄ of the CIE 1931 2° standard observer at a wavelength [m]: as published at whole nanometres, linear between, 0 outside. */
+export function colorMatching(wavelength: number): Vec3 {
+  const place = wavelength / NANOMETRE - 360;
+  return [interpolateTable(X_BAR, place), interpolateTable(Y_BAR, place), interpolateTable(Z_BAR, place)];
+}
+
+/** A place is counted from a wavelength in metres: the ends still count where that is rounded. */
+const ROUNDING = 1e-9;
+
+/** Of two values or more at 0, 1, 2 … the one at `place`, linear between them, 0 outside. */
+export function interpolateTable(values: readonly number[], place: number): number {
+  if (!(place >= -ROUNDING && place <= values.length - 1 + ROUNDING)) return 0;
+  const i = Math.min(Math.max(Math.floor(place), 0), values.length - 2);
+  return values[i] + (values[i + 1] - values[i]) * (place - i);
+}
+
+/** ∫ (x̄, ȳ, z̄) S dλ of a spectrum over wavelength, summed at whole nanometres. */
+export function tristimulus(spectrum: (wavelength: number) => number): Vec3 {
+  let [X, Y, Z] = [0, 0, 0];
+  for (let i = 0; i < WAVELENGTHS.length; i++) {
+    const value = spectrum(WAVELENGTHS[i]) * NANOMETRE;
+    X += X_BAR[i] * value;
+    Y += Y_BAR[i] * value;
+    Z += Z_BAR[i] * value;
+  }
+  return [X, Y, Z];
+}

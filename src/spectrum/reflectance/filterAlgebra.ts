@@ -1,0 +1,28 @@
+import type { SpectralFilter } from './spectralFilter.ts';
+
+// What filters light is linear in its five coefficients; so Lambert's and Fresnel's shares are mixed of them, and asked at wavelengths once.
+
+/** The same at all wavelengths. */
+export const neutralFilter = (x: number): SpectralFilter => ({ rgb: [x, x, x], uv: x, ir: x });
+
+export const scaleFilter = ({ rgb: [r, g, b], uv, ir, residual: rest }: SpectralFilter, s: number): SpectralFilter => ({
+  rgb: [s * r, s * g, s * b],
+  uv: s * uv,
+  ir: s * ir,
+  ...(rest && { residual: { base: rest.base, share: s * rest.share } }),
+});
+
+/** p a + q b, of which one has a rest, or both have that of one reflectance. */
+export function mixFilters(a: SpectralFilter, p: number, b: SpectralFilter, q: number): SpectralFilter {
+  const rest = a.residual ?? b.residual;
+  return {
+    rgb: [p * a.rgb[0] + q * b.rgb[0], p * a.rgb[1] + q * b.rgb[1], p * a.rgb[2] + q * b.rgb[2]],
+    uv: p * a.uv + q * b.uv,
+    ir: p * a.ir + q * b.ir,
+    ...(rest && { residual: { base: rest.base, share: p * (a.residual?.share ?? 0) + q * (b.residual?.share ?? 0) } }),
+  };
+}
+
+/** Nowhere is more left than this. */
+export const maxOfFilter = ({ rgb: [r, g, b], uv, ir, residual: rest }: SpectralFilter): number =>
+  Math.max(r, g, b, uv, ir) + Math.abs(rest?.share ?? 0);

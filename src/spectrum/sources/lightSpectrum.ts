@@ -1,0 +1,125 @@
+import { colorMatching, interpolateTable, NANOMETRE, tristimulus } from '../observer/standardObserver.ts';
+import { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
+
+/** A blackbody of a temperature above 0 [K]. Shifted by D it is one of T·D. */
+export interface ThermalSpectrum {
+  readonly kind: 'thermal';
+  readonly temperature: number;
+}
+
+/** A line at a wavelength [m] of relative radiance `weight`. */
+export interface SpectralLine {
+  readonly wavelength: number;
+  readonly weight: number;
+}
+
+/** Light of single wavelengths: lamps of thin vapour, nebulae, lasers. */
+export interface LineSpectrum {
+  readonly kind: 'lines';
+  readonly lines: readonly SpectralLine[];
+}
+
+/** Relative radiance per wavelength at `first`, `first + step` … [m], two values at least, linear between them, 0 outside. */
+export interface SampledSpectrum {
+  readonly kind: 'sampled';
+  readonly first: number;
+  readonly step: number;
+  readonly values: readonly number[];
+}
+
+/** What light is made of, in its source's own rest frame; relative, for its brightness is told by the source. */
+export type LightSpectrum = ThermalSpectrum | LineSpectrum | SampledSpectrum;
+
+/** What everything shines with that says nothing else: a blackbody of 6504 K, whose colour is sRGB's white, nearly. */
+export const DAYLIGHT: ThermalSpectrum = { kind: 'thermal', temperature: 6504 };
+
+/**
+ * S(λ) [1/m] of a spectrum at a wavelength [m] in its source's rest frame, scaled so that its luminance ∫ ȳ S dλ is 1.
+ * Lines have no S(λ): see `countLines`. What is invisible at rest is scaled to the luminance that its power would have at 555 nm.
+ */
+export function spectralRadiance(spectrum: ThermalSpectrum | SampledSpectrum, wavelength: number): number {
+  if (spectrum.kind === 'thermal') return thermalRadiance(spectrum.temperature, wavelength, scaleOf(spectrum));
+  return interpolateTable(spectrum.values, (wavelength - spectrum.first) / spectrum.step) * scaleOf(spectrum);
+}
+
+/** The mean of S(λ) over a step of `width` [m] around a wavelength: what is narrower than a step is not missed. A blackbody's is S(λ) itself. */
+export function meanRadiance(spectrum: ThermalSpectrum | SampledSpectrum, wavelength: number, width: number): number {
+  if (spectrum.kind === 'thermal') return spectralRadiance(spectrum, wavelength);
+  return meanSample(spectrum, wavelength, width) * scaleOf(spectrum);
+}
+
+function meanSample(spectrum: SampledSpectrum, wavelength: number, width: number): number {
+  const place = (wavelength - spectrum.first) / spectrum.step;
+  const half = width / (2 * spectrum.step);
+  return (integralUpTo(spectrum, place + half) - integralUpTo(spectrum, place - half)) / (2 * half);
+}
+
+/** ∫ of the values from the first to `place`, with a step between two as the unit. */
+function integralUpTo(spectrum: SampledSpectrum, place: number): number {
+  const { values } = spectrum;
+  const sums = memoize(integrals, spectrum, () => runningIntegral(values));
+  const within = Math.min(Math.max(place, 0), values.length - 1);
+  const i = Math.min(Math.floor(within), values.length - 2);
+  const t = within - i;
+  return sums[i] + t * (values[i] + ((values[i + 1] - values[i]) * t) / 2);
+}
+
+function runningIntegral(values: readonly number[]): Float64Array {
+  const sums = new Float64Array(values.length);
+  for (let i = 1; i < values.length; i++) sums[i] = sums[i - 1] + (values[i - 1] + values[i]) / 2;
+  return sums;
+}
+
+/** The lines of a spectrum, scaled so that their luminance Σ w ȳ(λ) is 1; what is invisible at rest as in `spectralRadiance`. */
+export function linesOf(spectrum: LineSpectrum): readonly SpectralLine[] {
+  const scale = scaleOf(spectrum);
+  return spectrum.lines.map(({ wavelength, weight }) => ({ wavelength, weight: weight * scale }));
+}
+
+/** A light of 1 K that should be as bright as day would be brighter than numbers can tell when it comes near at half of c. */
+const MAX_LOG = 600;
+
+/** Exponents below which Planck's law is a number as it stands, without the logarithms that take three times as long. */
+const MAX_PLAIN_EXPONENT = 200;
+
+/** B(λ, T)/Y(T) [1/m], for ln Y(T). */
+function thermalRadiance(T: number, wavelength: number, logY: number): number {
+  const x = SECOND_RADIATION / (wavelength * T);
+  const fifth = wavelength * wavelength * wavelength * wavelength * wavelength;
+  if (x < MAX_PLAIN_EXPONENT && Math.abs(logY) < MAX_PLAIN_EXPONENT && fifth > 1e-100)
+    return Math.exp(-logY) / (fifth * Math.expm1(x));
+  return Math.exp(Math.min(logPlanck(wavelength, T) - logY, MAX_LOG));
+}
+
+/** ln Y of blackbodies, 1/Y of others, and integrals, kept: a path tracer asks again for every ray. */
+const scales = new WeakMap<LightSpectrum, number>();
+const integrals = new WeakMap<LightSpectrum, Float64Array>();
+
+function memoize<T>(kept: WeakMap<LightSpectrum, T>, spectrum: LightSpectrum, find: () => T): T {
+  const known = kept.get(spectrum);
+  if (known !== undefined) return known;
+  const found = find();
+  kept.set(spectrum, found);
+  return found;
+}
+
+const scaleOf = (spectrum: LightSpectrum): number => memoize(scales, spectrum, () => findScale(spectrum));
+
+function findScale(spectrum: LightSpectrum): number {
+  if (spectrum.kind === 'thermal') return logLuminance(spectrum.temperature);
+  const [luminance, power] = spectrum.kind === 'lines' ? ofLines(spectrum) : ofSamples(spectrum);
+  if (luminance > 1e-6 * power) return 1 / luminance;
+  // ȳ is 1 at 555 nm.
+  return power > 0 ? 1 / power : 0;
+}
+
+function ofLines({ lines }: LineSpectrum): [luminance: number, power: number] {
+  const total = (value: (line: SpectralLine) => number) => lines.reduce((sum, line) => sum + value(line), 0);
+  return [total(({ wavelength, weight }) => weight * colorMatching(wavelength)[1]), total(({ weight }) => weight)];
+}
+
+function ofSamples(spectrum: SampledSpectrum): [luminance: number, power: number] {
+  const { values, step } = spectrum;
+  const [, Y] = tristimulus((wavelength) => meanSample(spectrum, wavelength, NANOMETRE));
+  return [Y, integralUpTo(spectrum, values.length) * step];
+}

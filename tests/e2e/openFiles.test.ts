@@ -1,0 +1,275 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import { zipSync } from 'fflate';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { difference, type MonitoredPage, Program } from './program.ts';
+import { drop, pinkShare, sceneBytes } from './support.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+const SMALL = '?backend=webgl&scene=examples/sphere.usda';
+const text = (words: string) => new TextEncoder().encode(words);
+const TEXTURED = { name: 'textured.usda', content: sceneBytes('textured.usda') };
+const CHECKER = { name: 'checker.png', content: sceneBytes('textures/checker.png') };
+
+async function visitScenePanel(visit: MonitoredPage): Promise<void> {
+  await visit.page.getByRole('tab', { name: 'Scene' }).click();
+}
+
+/** Chooses an option of a select by its label. */
+async function choose(page: Page, label: string | RegExp, option: string | RegExp): Promise<void> {
+  await page.getByRole('combobox', { name: label }).click();
+  await page.getByRole('option', { name: option }).click();
+}
+
+const violations = async (page: Page) => {
+  const found = await new AxeBuilder({ page }).analyze();
+  return found.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+};
+
+/** A square that fills the view, in one of two colours, and beside it a thing of a group. */
+const VARIANTS = `#usda 1.0
+( customLayerData = { dictionary slowlight = { double speedOfLight = 30 } }
+  metersPerUnit = 1
+  upAxis = "Y" )
+def Xform "World"
+{
+    def Xform "Car" (
+        variants = { string paint = "grey" }
+        prepend variantSets = "paint"
+    )
+    {
+        def Mesh "Body" {
+            uniform token subdivisionScheme = "none"
+            int[] faceVertexCounts = [4]
+            int[] faceVertexIndices = [0, 1, 2, 3]
+            point3f[] points = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]
+            uniform bool doubleSided = 1
+        }
+        variantSet "paint" = {
+            "grey" { over "Body" { color3f[] primvars:displayColor = [(0.3, 0.3, 0.3)]; } }
+            "pink" { over "Body" { color3f[] primvars:displayColor = [(1, 0, 1)]; } }
+        }
+    }
+    def Mesh "Wall" {
+        uniform token subdivisionScheme = "none"
+        int[] faceVertexCounts = [4]
+        int[] faceVertexIndices = [0, 1, 2, 3]
+        point3f[] points = [(-9, -1, -2), (-2, -1, -2), (-2, 1, -2), (-9, 1, -2)]
+        uniform bool doubleSided = 1
+        double3 xformOp:translate.timeSamples = { 0: (0, 0, 0), 48: (4, 0, 0) }
+        uniform token[] xformOpOrder = ["xformOp:translate"]
+    }
+}
+`;
+
+/** Drops it, and waits until the panel tells of it and no longer of the scene before. */
+async function openCar(visit: MonitoredPage): Promise<void> {
+  await drop(visit, [{ name: 'car.usda', content: Buffer.from(VARIANTS) }]);
+  await visitScenePanel(visit);
+  await visit.page.getByRole('combobox', { name: 'paint' }).waitFor();
+}
+
+describe('bringing a scene', () => {
+  it('a zip opens with its texture; the others in it can be chosen', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const packed = zipSync({
+      'set/textured.usda': new Uint8Array(TEXTURED.content),
+      'set/textures/checker.png': new Uint8Array(CHECKER.content),
+      'set/parts/car.usda': text(VARIANTS),
+      '__MACOSX/set/._textured.usda': text('fork'),
+    });
+    await drop(visit, [{ name: 'set.zip', content: Buffer.from(packed) }]);
+    await visit.page.getByText('The square wears the picture').waitFor();
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
+    await visitScenePanel(visit);
+    await choose(visit.page, 'Scene in these files', 'set.zip/set/parts/car.usda');
+    await visit.page.getByText('car.usda', { exact: true }).waitFor();
+    await visit.page.getByRole('combobox', { name: 'paint' }).waitFor();
+    await visit.shot('bring-zip');
+    expect(await violations(visit.page)).toEqual([]);
+    await visit.close();
+  });
+
+  it('a zip that leads out of itself is refused, and the scene stays', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await drop(visit, [{ name: 'bad.zip', content: Buffer.from(zipSync({ '../x.usda': text('#usda 1.0') })) }]);
+    await visit.refusals.waitFor();
+    expect(await visit.refusals.textContent()).toMatch(/bad\.zip.*leads out of it/);
+    expect(await visit.triangles()).toBeGreaterThan(0);
+    await visit.close();
+  });
+
+  it('missing files are listed with what asked for them, and can be given; the observer stays', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await drop(visit, [TEXTURED]);
+    await visit.page.getByText('The square wears the picture').waitFor();
+    const warning = visit.page.getByText(/^Missing files: 1 \(\.\/textures\/checker\.png\)/);
+    await warning.waitFor();
+    await visitScenePanel(visit);
+    const item = visit.page.locator('[data-missing="./textures/checker.png"]');
+    await item.waitFor();
+    expect(await item.textContent()).toMatch(/for .*textured\.usda<\/.*looked for textures\/checker\.png/);
+    await visit.shot('bring-missing');
+    expect(await violations(visit.page)).toEqual([]);
+    await visit.viewport.click();
+    for (const key of ['ArrowLeft', 'ArrowUp']) await visit.page.keyboard.press(key, { delay: 120 });
+    await visit.page.keyboard.press('Escape');
+    expect(pinkShare(await visit.pixels())).toBe(0);
+    const own = await visit.page.evaluate(() => document.querySelector('[data-opened]')?.getAttribute('data-opened'));
+    await drop(visit, [CHECKER]);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.01);
+    await expect.poll(() => item.count()).toBe(0);
+    await expect.poll(() => warning.count()).toBe(0);
+    expect(own).toMatch(/^local:1\//);
+    await visit.page.getByRole('button', { name: /^Undo: add missing files/ }).click();
+    await item.waitFor();
+    await visit.close();
+  });
+
+  it('a file without objects says so, until another is open', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await drop(visit, [{ name: 'empty.usda', content: Buffer.from('#usda 1.0\n') }]);
+    const warning = visit.page.getByText(/^There are no objects in empty\.usda/);
+    await warning.waitFor();
+    await openCar(visit);
+    await expect.poll(() => warning.count()).toBe(0);
+    await visit.close();
+  });
+
+  it('missing files of a scene on the server can be given too', async () => {
+    const visit = await program.open(SMALL, {}, async (page) => {
+      await page.route('**/examples/asked.usda', (route) => route.fulfill({ body: TEXTURED.content }));
+      await page.route('**/examples/textures/checker.png', (route) => route.fulfill({ status: 404 }));
+    });
+    await visit.ready();
+    await visit.page.goto(`${program.url}/?backend=webgl&scene=examples/asked.usda`);
+    await visit.page.getByText('The square wears the picture').waitFor();
+    await visit.ready();
+    await drop(visit, [CHECKER]);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.01);
+    await visit.close();
+  });
+
+  it('a variant is chosen, kept in the document and taken back; the view stays where it is', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await openCar(visit);
+    await expect.poll(() => visit.triangles()).toBe(4);
+    const gray = await (await visit.finest()).pixels();
+    expect(pinkShare(gray)).toBe(0);
+    await choose(visit.page, 'paint', 'pink');
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.02);
+    await visit.shot('bring-variants');
+    await visit.page.getByRole('button', { name: /^Undo: choose a variant/ }).click();
+    await visit.page.mouse.move(0, 0); // The button's own tip lies over the picture.
+    await expect.poll(async () => difference(await visit.pixels(), gray)).toBeLessThan(0.5);
+    await visit.close();
+  });
+
+  it('reading tells its stage and what part is done, and can be stopped at once', async () => {
+    let slow = true;
+    const visit = await (
+      await program.open(SMALL, {}, async (page) => {
+        await page.route('**/examples/street.usda', async (route) => {
+          if (slow) await new Promise((done) => setTimeout(done, 60_000));
+          await route.continue().catch(() => {});
+        });
+      })
+    ).ready();
+    const before = await (await visit.finest()).pixels();
+    await visit.page.getByRole('button', { name: 'Scenes' }).click();
+    await visit.page.locator('[data-example="street"]').click();
+    const bar = visit.page.getByRole('progressbar', { name: 'Reading the file' });
+    await bar.waitFor();
+    expect(await bar.getAttribute('aria-valuenow')).toBeNull();
+    await visit.shot('bring-reading');
+    await visit.page.getByRole('button', { name: 'Cancel' }).click();
+    await bar.waitFor({ state: 'detached', timeout: 1000 });
+    expect(difference(await visit.pixels(), before)).toBeLessThan(1);
+    expect(visit.page.workers().filter((worker) => worker.url().includes('loader.worker'))).toEqual([]);
+    slow = false;
+    await visit.close();
+  });
+});
+
+describe('motion', () => {
+  const motion = (visit: MonitoredPage) => visit.page.getByRole('region', { name: 'Motion' });
+
+  /** By the keyboard alone. */
+  async function findThing(visit: MonitoredPage, words: string): Promise<void> {
+    const search = motion(visit).getByRole('combobox', { name: 'Make something fly' });
+    await search.fill(words);
+    await visit.page.getByRole('option').first().waitFor();
+    // The list opens with nothing chosen in it, a moment after it is there.
+    await expect
+      .poll(async () => {
+        await search.press('ArrowDown');
+        return visit.page.locator('[role=option][data-combobox-selected]').count();
+      })
+      .toBe(1);
+    await search.press('Enter');
+  }
+
+  it('an animation runs faster, and is refused where it would outrun light', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await openCar(visit);
+    const speed = motion(visit).getByRole('textbox', { name: 'Animation speed' });
+    await speed.fill('2');
+    await speed.press('Enter');
+    await visit.page.getByText('0.00 s … 1.00 s').waitFor();
+    await visit.page.getByText('4.00 m/s at t =').waitFor();
+    await visit.page.getByText('Paths between samples').waitFor();
+    await visit.shot('bring-motion');
+    await speed.fill('40');
+    await speed.press('Enter');
+    await visit.refusals.getByRole('button', { name: /Set Speed of light to/ }).waitFor();
+    await visit.page.getByRole('button', { name: /^Undo/ }).click();
+    await expect.poll(() => visit.refusals.count()).toBe(0);
+    await visit.close();
+  });
+
+  it('a thing is searched for by the keyboard and flies at 0.8 c; direction and end can be chosen', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await openCar(visit);
+    await findThing(visit, 'Body');
+    const flight = visit.page.getByRole('group', { name: 'Flight: /World/Car/Body' });
+    await flight.waitFor();
+    await visit.page.getByText('24.0 m/s at t =').waitFor();
+    await flight.getByRole('textbox', { name: 'Speed', exact: true }).fill('0.5');
+    await flight.getByRole('textbox', { name: 'Speed', exact: true }).press('Enter');
+    await visit.page.getByText('15.0 m/s at t =').waitFor();
+    await choose(visit.page, 'Direction', '−X');
+    await expect.poll(() => flight.getByRole('textbox', { name: 'Direction x' }).inputValue()).toBe('-1');
+    await visit.page.mouse.move(0, 0);
+    await visit.shot('bring-flight');
+    expect(await violations(visit.page)).toEqual([]);
+    await flight.getByRole('button', { name: 'Move as in the file again' }).click();
+    await expect.poll(() => flight.count()).toBe(0);
+    await visit.page.getByText('2.00 m/s at t =').waitFor();
+    await visit.close();
+  });
+
+  it('the panel fits its width, in light colours and in dark ones', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    await openCar(visit);
+    await findThing(visit, 'Wall');
+    for (const [colorScheme, viewport] of [
+      ['light', { width: 1280, height: 900 }],
+      ['dark', { width: 390, height: 844 }],
+    ] as const) {
+      await visit.page.emulateMedia({ colorScheme });
+      await visit.page.setViewportSize(viewport);
+      await visit.page.locator(`html[data-mantine-color-scheme=${colorScheme}]`).waitFor();
+      await visit.page.getByRole('group', { name: 'Flight: /World/Wall' }).scrollIntoViewIfNeeded();
+      await visit.shot(`bring-${colorScheme}-${viewport.width}`);
+      const overflow = () => visit.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      await expect.poll(overflow).toBeLessThanOrEqual(0);
+      expect(await violations(visit.page)).toEqual([]);
+    }
+    await visit.close();
+  });
+});

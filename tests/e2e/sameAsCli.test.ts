@@ -1,0 +1,97 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { decode } from 'fast-png';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import type { ParamValue } from '../../src/graph/document/document.ts';
+import { parseDocument } from '../../src/graph/document/parse.ts';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
+import { applyCommand } from '../../src/graph/edits/commands.ts';
+import { slowlight } from '../cli/program.ts';
+import { colorCount, type MonitoredPage, Program, shots } from './program.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+const [WIDTH, HEIGHT] = [192, 108];
+
+/** Of both sides: a parameter, and its value as the command line has it. */
+type Set = readonly [node: string, param: string, value: ParamValue, text: string];
+
+/** The page takes itself to have a GPU, for where it has none it draws coarser shadows and one sample. */
+const asOnGpu = (page: Page): Promise<unknown> =>
+  page.addInitScript(() => {
+    const of = WebGL2RenderingContext.prototype;
+    const { getParameter } = of;
+    of.getParameter = function (name) {
+      return name === 0x9246 /* UNMASKED_RENDERER_WEBGL */ ? 'a GPU' : getParameter.call(this, name);
+    };
+  });
+
+const example = (name: string): string => new URL(`../../examples/${name}.slowlight.json`, import.meta.url).pathname;
+
+async function shown(name: string, backend: string, sets: readonly Set[]): Promise<MonitoredPage> {
+  const commands = sets.map(([node, param, value]) => ({ kind: 'set-param', node, param, value }) as const);
+  const { document } = applyCommand(parseDocument(readFileSync(example(name), 'utf8')), { kind: 'batch', commands });
+  const address = `examples/${name}.slowlight.json`;
+  const visit = await program.open(`?backend=${backend}&project=${address}`, {}, async (page) => {
+    await asOnGpu(page);
+    await page.route(`**/${address}`, (route) => route.fulfill({ body: serializeDocument(document) }));
+  });
+  const content = `.sl-picture { inline-size: ${WIDTH}px; block-size: ${HEIGHT}px; }`;
+  await visit.page.addStyleTag({ content });
+  return visit.ready();
+}
+
+/** Shares of the channels that differ, and by more than one step of 8 bits. */
+function differing(a: Uint8Array, b: Uint8Array): readonly [some: number, more: number] {
+  const steps = a.map((value, i) => Math.abs(value - b[i]!));
+  const share = (least: number) => steps.filter((step) => step >= least).length / steps.length;
+  return a.length === b.length ? [share(1), share(2)] : [1, 1];
+}
+
+function rgbOf(file: string): Uint8Array {
+  const { data, channels } = decode(readFileSync(file));
+  return Uint8Array.from(data.filter((_, i) => i % channels < 3));
+}
+
+const UNSMOOTHED = (node: string): Set => [node, 'antialiasing', false, 'off'];
+
+it.each([
+  ['webgl', 'plain', 8, []],
+  ['webgl', 'layers', 1, [UNSMOOTHED('seen')]],
+  ['webgl', 'rush', 1, [['falseColour', 'of', 'doppler', 'doppler']]],
+  ['webgpu', 'plain', 1, [UNSMOOTHED('rasterize')]],
+] as const)('on %s the page and the command line make the same picture of %s', async (backend, name, samples, sets) => {
+  const file = join(shots, `alike-${backend}-${name}.png`);
+  const flags = sets.flatMap(([node, param, _, text]) => ['--set', `${node}.${param}=${text}`]);
+  const sampled = samples > 1 ? ['--samples', String(samples)] : [];
+  const how = ['--size', `${WIDTH}x${HEIGHT}`, '--backend', backend];
+  const { code, err } = await slowlight('render', example(name), '-o', file, ...flags, ...sampled, ...how);
+  expect(code, err).toBe(0);
+  const wanted = rgbOf(file);
+  const visit = await shown(name, backend, sets);
+  // The light is measured, edges are cut and samples are added until it rests.
+  await expect.poll(async () => differing(await visit.pixels(), wanted)).toEqual([0, 0]);
+  expect(colorCount(wanted)).toBeGreaterThan(50);
+  await visit.close();
+});
+
+it('the page that the command line drives tells how large its device draws, before it is asked to', async () => {
+  const visit = await program.open('headless.html', {}, async (page) => {
+    await page.addInitScript(() => {
+      const of = WebGL2RenderingContext.prototype;
+      const { getParameter } = of;
+      of.getParameter = function (name) {
+        return name === of.MAX_TEXTURE_SIZE ? 4321 : getParameter.call(this, name);
+      };
+    });
+  });
+  const started = await visit.page.evaluate(() => window.slowlight.start());
+  expect(started.largest).toBe(4321);
+  expect(started.adapterName).not.toBe('');
+  await visit.close();
+});

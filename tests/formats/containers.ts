@@ -1,0 +1,124 @@
+import { zipSync } from 'fflate';
+import { encode } from 'jpeg-js';
+import { expect } from 'vitest';
+import { encodePng } from '../../src/formats/image/encodePng.ts';
+import { type ClaimGroup, type Files, leftOut, read, refused } from './claim.ts';
+import { withMaterial } from './obj.ts';
+import { PIXEL, WEBP } from './pictures.ts';
+
+const shown = (bytes: Uint8Array): Files => withMaterial('map_Kd a.png', { 'a.png': bytes });
+
+/** With another width in its header. */
+function wider(png: Uint8Array): Uint8Array {
+  const out = png.slice();
+  new DataView(out.buffer).setUint32(16, 2 ** 20);
+  return out;
+}
+
+const JPEG = new Uint8Array(encode({ width: 8, height: 8, data: new Uint8Array(256).fill(255) }, 90).data);
+
+/** The first bytes of pictures of other kinds. */
+const STRANGE = [
+  WEBP,
+  ...['    ftypavif    ', '\xabKTX 20\xbb', '\x76\x2f\x31\x01\x02', '#?RADIANCE\n'].map((start) =>
+    Uint8Array.from(start, (c) => c.charCodeAt(0)),
+  ),
+];
+
+const pictures: ClaimGroup = {
+  title: 'Pictures',
+  rows: [
+    read(
+      'PNG: every colour type and depth, interlaced or not',
+      'RGBA of 8 bits',
+      shown(encodePng(2, 1, new Uint8Array(8).fill(255))),
+      (s) => expect(s.materials[0].baseColorTexture).toMatchObject({ width: 2, height: 1 }),
+    ),
+    read(
+      'JPEG: baseline and progressive',
+      'the same; told from PNG by its content, whatever it is called',
+      shown(JPEG),
+      (s) => expect(s.materials[0].baseColorTexture?.width).toBe(8),
+    ),
+    leftOut(
+      'WebP, AVIF, KTX2, OpenEXR, Radiance HDR',
+      'named with what it is',
+      'file.unreadable-texture',
+      STRANGE.map(shown),
+    ),
+    leftOut(
+      'a picture that is damaged, cut off or empty',
+      'named',
+      'file.unreadable-texture',
+      [PIXEL.slice(0, 40), JPEG.slice(0, 90), new Uint8Array(0)].map(shown),
+    ),
+    leftOut(
+      'a picture with more pixels than are read',
+      'named, before there is room made for it',
+      'file.unreadable-texture',
+      shown(wider(PIXEL)),
+    ),
+  ],
+};
+
+const text = (content: string): Uint8Array => new TextEncoder().encode(content);
+const CUBE = text('#usda 1.0\n( metersPerUnit = 1 )\ndef Cube "A" {}');
+const zip = (files: Record<string, Uint8Array>): Files => ({ 'set.zip': zipSync(files) });
+/** Of the first file's local header and of its entry in the directory, the byte at these places. */
+function changed(local: number, central: number, value: number): Files {
+  const bytes = zipSync({ 'a.usda': CUBE });
+  bytes[local] = value;
+  bytes[new DataView(bytes.buffer).getUint32(bytes.length - 6, true) + central] = value;
+  return { 'set.zip': bytes };
+}
+
+const archives: ClaimGroup = {
+  title: 'Archives (`.zip`)',
+  rows: [
+    read(
+      'stored and deflated files, in folders',
+      'as a folder; of several scenes the least deep, USD before glTF before meshes, or `set.zip[a/scene.usda]`',
+      zip({ 'b/b.usda': text('no'), 'a.usda': CUBE }),
+      (s) => expect(s.objects.map(({ path }) => path)).toEqual(['/A']),
+    ),
+    refused('an archive that is damaged or cut off', 'with its place', 'zip.damaged', {
+      'set.zip': zipSync({ 'a.usda': CUBE }).slice(0, 60),
+    }),
+    refused('a path that leads out of it', 'with the path', 'zip.path', zip({ '../a.usda': CUBE })),
+    refused('files with a password', 'with the file', 'zip.encrypted', changed(6, 8, 1)),
+    refused('other ways of packing', 'with the file and the way', 'zip.method', changed(8, 10, 12)),
+    refused('what unpacks to far more than it can hold', 'with the sizes', 'zip.bomb', { 'set.zip': bomb() }),
+  ],
+};
+
+/** Says that it holds a gigabyte. */
+function bomb(): Uint8Array {
+  const bytes = zipSync({ 'a.usda': CUBE });
+  const view = new DataView(bytes.buffer);
+  view.setUint32(view.getUint32(bytes.length - 6, true) + 24, 2 ** 30, true);
+  return bytes;
+}
+
+const whole: ClaimGroup = {
+  title: 'Any file',
+  rows: [
+    refused('a file without a byte', 'said', 'file.empty', { 'a.usda': '' }),
+    refused('another kind of file', 'with those that can be opened', 'file.unknown-format', { 'a.fbx': 'x' }),
+    refused('a line longer than any of a sound file', 'with its place', 'text.long-line', {
+      'a.obj': 'v'.repeat(2 ** 25),
+    }),
+    refused('files with one path in an archive', 'with the path', 'zip.duplicate', {
+      'set.zip': twice(),
+    }),
+  ],
+};
+
+/** Two files that are both called `a.usda`. */
+function twice(): Uint8Array {
+  const bytes = zipSync({ 'a.usda': CUBE, 'b.usda': CUBE });
+  for (let i = 0; i < bytes.length; i++)
+    if (String.fromCharCode(...bytes.subarray(i, i + 6)) === 'b.usda') bytes[i] = 97;
+  return bytes;
+}
+
+export const containerGroups: readonly ClaimGroup[] = [whole, pictures, archives];

@@ -1,0 +1,400 @@
+import {
+  EXTMeshGPUInstancing,
+  KHRLightsPunctual,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
+  KHRMaterialsUnlit,
+  KHRMaterialsVariants,
+  KHRTextureTransform,
+} from '@gltf-transform/extensions';
+import { expect } from 'vitest';
+import { vertexPosition } from '../../src/scene/motion/motion.ts';
+import type { Material, Scene } from '../../src/scene/types.ts';
+import { find, type GltfBuilder } from '../support/gltfBuilder.ts';
+import { approximated, type ClaimGroup, leftOut, read, refused } from './claim.ts';
+import { type Fill, glb, json, kinds, withMaterial } from './gltfExamples.ts';
+import { PIXEL, WEBP } from './pictures.ts';
+import { C } from './usdKit.ts';
+
+const base = (scene: Scene): Material => scene.materials[find(scene, '/Thing').mesh.groups[0].material];
+
+const picture = (kit: GltfBuilder, bytes: Uint8Array = PIXEL, mime = 'image/png') =>
+  kit.doc.createTexture('bark').setImage(Uint8Array.from(bytes)).setMimeType(mime);
+
+const looks: ClaimGroup = {
+  title: 'Materials',
+  rows: [
+    read(
+      'base colour, emission (× `KHR_materials_emissive_strength`), roughness, metalness, `KHR_materials_ior`, double sides, vertex colours',
+      'the same',
+      withMaterial((m, { doc }) => {
+        m.setBaseColorFactor([1, 0, 0, 1]).setEmissiveFactor([1, 1, 1]);
+        m.setExtension(
+          'KHR_materials_emissive_strength',
+          doc.createExtension(KHRMaterialsEmissiveStrength).createEmissiveStrength().setEmissiveStrength(5),
+        );
+        m.setExtension('KHR_materials_ior', doc.createExtension(KHRMaterialsIOR).createIOR().setIOR(1.25));
+      }),
+      (s) => expect(base(s)).toMatchObject({ baseColor: [1, 0, 0], emissive: [5, 5, 5], ior: 1.25 }),
+    ),
+    read(
+      'alpha mode `MASK`, `BLEND`',
+      'opacity and its threshold; with `OPAQUE` alpha does not count',
+      withMaterial((m) => {
+        m.setAlphaMode('MASK').setAlphaCutoff(0.25).setBaseColorFactor([1, 1, 1, 0.5]);
+      }),
+      (s) => expect(base(s)).toMatchObject({ opacity: 0.5, opacityThreshold: 0.25 }),
+    ),
+    read(
+      '`KHR_materials_unlit`',
+      'a surface that sends out its colour and reflects nothing',
+      withMaterial((m, { doc }) => {
+        m.setBaseColorFactor([1, 0, 0, 1]).setExtension(
+          'KHR_materials_unlit',
+          doc.createExtension(KHRMaterialsUnlit).createUnlit(),
+        );
+      }),
+      (s) => expect(base(s)).toMatchObject({ baseColor: [0, 0, 0], emissive: [1, 0, 0] }),
+    ),
+    read(
+      'PNG and JPEG pictures of base colour and emission',
+      'textures of 8 bits',
+      withMaterial((m, kit) => {
+        m.setBaseColorTexture(picture(kit));
+      }),
+      (s) => expect(base(s).baseColorTexture?.width).toBe(1),
+    ),
+    read(
+      '`KHR_texture_transform`',
+      'moved into the uvs',
+      withMaterial((m, kit) => {
+        m.setBaseColorTexture(picture(kit));
+        m.getBaseColorTextureInfo()!.setExtension(
+          'KHR_texture_transform',
+          kit.doc.createExtension(KHRTextureTransform).createTransform().setScale([3, 3]),
+        );
+      }),
+      (s) => expect(Math.max(...find(s, '/Thing').mesh.uvs)).toBe(3),
+    ),
+    read(
+      '`KHR_materials_variants`',
+      'the variant that is asked for (set `material`); the scene lists what there is',
+      glb((kit, thing) => {
+        const variants = kit.doc.createExtension(KHRMaterialsVariants);
+        const red = variants.createVariant('red');
+        const mapping = variants.createMapping().setMaterial(kit.doc.createMaterial('Red')).addVariant(red);
+        thing
+          .getMesh()!
+          .listPrimitives()[0]
+          .setExtension('KHR_materials_variants', variants.createMappingList().addMapping(mapping));
+      }),
+      (s) => expect(base(s).name).toBe('Red'),
+      { options: { variants: new Map([['material', 'red']]) } },
+    ),
+    approximated(
+      'textures of one material with different uvs',
+      'those of the first are used: base colour, emission, normal, metallic-roughness',
+      'gltf.second-uvs',
+      withMaterial((m, kit) => {
+        m.setBaseColorTexture(picture(kit)).setEmissiveTexture(picture(kit));
+        m.getEmissiveTextureInfo()!.setTexCoord(1);
+      }),
+    ),
+    read(
+      'normal and metallic-roughness textures',
+      'read per pixel',
+      withMaterial((m, kit) => {
+        m.setMetallicRoughnessTexture(picture(kit)).setRoughnessFactor(0.5);
+        m.setNormalTexture(picture(kit)).setNormalScale(0.25);
+      }),
+      (s) =>
+        expect(base(s)).toMatchObject({
+          roughnessTexture: { channel: 1, scale: 0.5, texture: { colorSpace: 'linear' } },
+          metallicTexture: { channel: 2, scale: 1 },
+          normalTexture: { strength: [0.25, 0.25] },
+        }),
+    ),
+    read(
+      'extras `slowlight:albedo:uv`, `slowlight:albedo:ir`, `slowlight:emission:temperature` [K] of a material',
+      'what it reflects of invisible light, and a glow that shifts as a blackbody’s',
+      withMaterial((m) => {
+        m.setExtras({ 'slowlight:albedo:ir': 0.5, 'slowlight:emission:temperature': 3000 });
+      }),
+      (s) => expect(base(s)).toMatchObject({ ir: 0.5, emissionTemperature: 3000 }),
+    ),
+    leftOut(
+      'such extras that are no numbers, or out of range',
+      'named',
+      'gltf.slowlight',
+      withMaterial((m) => {
+        m.setExtras({ 'slowlight:albedo:uv': 7, 'slowlight:emission:temperature': 'hot' });
+      }),
+      (s) => expect(base(s).uv).toBeUndefined(),
+    ),
+    read(
+      'occlusion textures and their strength',
+      'they dim the light of the sky and of other surfaces',
+      withMaterial((m, kit) => {
+        m.setOcclusionTexture(picture(kit)).setOcclusionStrength(0.25);
+      }),
+      (s) => expect(base(s).occlusionTexture).toMatchObject({ channel: 0, scale: 0.25, bias: 0.75 }),
+    ),
+    read(
+      'the extras `slowlight:albedo:uv` and `:ir` as `{ "image": 0, "channel": 1 }`',
+      'reflectance of invisible light by that channel of the image',
+      withMaterial((m, kit) => {
+        m.setBaseColorTexture(picture(kit)).setExtras({ 'slowlight:albedo:ir': { image: 0, channel: 1, scale: 0.5 } });
+      }),
+      (s) =>
+        expect(base(s).irTexture).toMatchObject({ channel: 1, scale: 0.5, bias: 0, texture: { colorSpace: 'linear' } }),
+    ),
+    leftOut(
+      'the opacity of vertex colours',
+      'named',
+      'gltf.vertex-alpha',
+      withMaterial((m, kit) => {
+        m.setAlphaMode('BLEND');
+        for (const p of kit.doc.getRoot().listMeshes()[0].listPrimitives())
+          p.setAttribute('COLOR_0', kit.values('VEC4', [1, 0, 0, 0.5, 1, 0, 0, 0.5, 1, 0, 0, 0.5]));
+      }),
+    ),
+    leftOut(
+      'a picture that is damaged, too large, or neither PNG nor JPEG (WebP, KTX2)',
+      'named with what it is',
+      'file.unreadable-texture',
+      withMaterial((m, kit) => {
+        m.setBaseColorTexture(picture(kit, WEBP));
+      }),
+      (s) => expect(base(s).baseColorTexture).toBeUndefined(),
+    ),
+    leftOut(
+      'a picture that is not there',
+      'named with where it was looked for; it can be dropped on the page',
+      'file.missing-texture',
+      json({ images: [{ uri: 'bark.png' }] }),
+      (s) => expect(s.diagnostics[0].missing?.lookedFor).toEqual(['bark.png']),
+    ),
+    refused('a variant that is asked for and not there', 'with those that are', 'gltf.no-variant', json({}), {
+      variants: new Map([['material', 'red']]),
+    }),
+  ],
+};
+
+const light =
+  (type: 'directional' | 'point' | 'spot', range?: number): Fill =>
+  (kit) => {
+    const made = kit.doc
+      .createExtension(KHRLightsPunctual)
+      .createLight()
+      .setType(type)
+      .setIntensity(Math.PI * 0.05 ** 2);
+    if (range !== undefined) made.setRange(range);
+    kit.scene.addChild(kit.doc.createNode('Lamp').setExtension('KHR_lights_punctual', made));
+  };
+
+const lights: ClaimGroup = {
+  title: 'Lights and cameras',
+  rows: [
+    read(
+      '`KHR_lights_punctual`: point, spot',
+      'a sphere of 5 cm of the same luminous intensity, a spot within its cone; it moves where its node does',
+      glb(light('spot')),
+      (s) =>
+        expect(s.lights).toMatchObject([
+          {
+            kind: 'sphere',
+            radius: 0.05,
+            color: [1, 1, 1].map((x) => expect.closeTo(x, 12)),
+            shaping: { inner: 0, outer: Math.PI / 4 },
+          },
+        ]),
+    ),
+    read('`KHR_lights_punctual`: directional', 'a distant light', glb(light('directional')), (s) =>
+      expect(s.lights).toMatchObject([{ kind: 'distant', direction: [0, 0, -1] }]),
+    ),
+    read(
+      'the extra `slowlight:spectrum` of a light: `"2856 K"`, `"sodium"` …',
+      'what its light is made of',
+      glb((kit) => {
+        const lamp = kit.doc.createExtension(KHRLightsPunctual).createLight().setType('point');
+        const spectrum = lamp.setExtras({ 'slowlight:spectrum': '2856 K' });
+        kit.scene.addChild(kit.doc.createNode('Lamp').setExtension('KHR_lights_punctual', spectrum));
+      }),
+      (s) => expect(s.lights[0]).toMatchObject({ spectrum: { kind: 'thermal', temperature: 2856 } }),
+    ),
+    leftOut(
+      'the extra `slowlight:spectrum` of a light as `"lamp.csv"`, a table beside the scene, that is not there',
+      'named; where it is there, the light is what it says',
+      'file.missing-spectrum',
+      glb((kit) => {
+        const lamp = kit.doc.createExtension(KHRLightsPunctual).createLight().setType('point');
+        const spectrum = lamp.setExtras({ 'slowlight:spectrum': 'lamp.csv' });
+        kit.scene.addChild(kit.doc.createNode('Lamp').setExtension('KHR_lights_punctual', spectrum));
+      }),
+      (s) => expect(s.lights[0]).not.toHaveProperty('spectrum'),
+    ),
+    leftOut('a range of a light', 'named; light goes on for ever', 'gltf.light', glb(light('point', 7)), (s) =>
+      expect(s.lights.length).toBe(1),
+    ),
+    read(
+      'perspective cameras',
+      'cameras, moving where their node does',
+      glb((kit) => {
+        kit.scene.addChild(
+          kit.doc.createNode('Eye').setCamera(kit.doc.createCamera().setType('perspective').setYFov(0.5)),
+        );
+      }),
+      (s) => expect(s.cameras).toMatchObject([{ path: '/Eye', fovY: 0.5 }]),
+    ),
+    leftOut(
+      'orthographic cameras',
+      'named',
+      'gltf.camera',
+      glb((kit) => {
+        kit.scene.addChild(kit.doc.createNode('Eye').setCamera(kit.doc.createCamera().setType('orthographic')));
+      }),
+      (s) => expect(s.cameras).toEqual([]),
+    ),
+  ],
+};
+
+/** All of a thing on one joint: its only one is 0. */
+function skinned(
+  kit: GltfBuilder,
+  thing: ReturnType<GltfBuilder['meshNode']>,
+  place: number,
+): ReturnType<GltfBuilder['meshNode']> {
+  const joint = kit.doc.createNode('Joint');
+  kit.scene.addChild(joint);
+  thing.setSkin(kit.doc.createSkin().addJoint(joint));
+  for (const p of thing.getMesh()!.listPrimitives()) {
+    p.setAttribute('JOINTS_0', kit.ints('VEC4', Array(12).fill(place)));
+    p.setAttribute('WEIGHTS_0', kit.values('VEC4', [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]));
+  }
+  return joint;
+}
+
+const motion: ClaimGroup = {
+  title: 'Animations',
+  rows: [
+    read(
+      'translation and rotation: linear, cubic spline',
+      'rigid motion in the world frame',
+      [
+        glb((kit, thing) => kit.animate(thing, 'translation', [0, 1], [0, 0, 0, 4, 0, 0])),
+        glb((kit, thing) => {
+          const values = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0, 0, 0, 0];
+          kit.animate(thing, 'translation', [0, 1], values, 'CUBICSPLINE');
+        }),
+      ],
+      (s) => {
+        kinds('sampled')(s);
+        expect(vertexPosition(find(s, '/Thing'), 0, 0.5, C)[0]).toBeCloseTo(2, 6);
+      },
+    ),
+    read(
+      'scale, shear, morph weights; joints',
+      'a path for each vertex',
+      [
+        glb((kit, thing) => kit.animate(thing, 'scale', [0, 1], [1, 1, 1, 3, 3, 3])),
+        glb((kit, thing) => {
+          const target = kit.doc.createPrimitiveTarget().setAttribute('POSITION', kit.values('VEC3', Array(9).fill(1)));
+          for (const p of thing.getMesh()!.listPrimitives()) p.addTarget(target);
+          kit.animate(thing, 'weights', [0, 1], [0, 1]);
+        }),
+        glb((kit, thing) => {
+          const joint = skinned(kit, thing, 0);
+          kit.animate(joint, 'rotation', [0, 1], [0, 0, 0, 1, 0, 0, Math.SQRT1_2, Math.SQRT1_2]);
+        }),
+      ],
+      kinds('sampled-points'),
+    ),
+    approximated(
+      'step',
+      'a ramp of at most a millisecond, which may be faster than light',
+      'gltf.jump',
+      glb((kit, thing) => kit.animate(thing, 'translation', [0, 1], [0, 0, 0, 4, 0, 0], 'STEP')),
+      kinds('sampled'),
+    ),
+    read(
+      'several animations',
+      'the first, unless another is chosen (set `animation`)',
+      glb((kit, thing) => {
+        kit.animate(thing, 'translation', [0, 1], [0, 0, 0, 4, 0, 0]);
+        kit.doc.createAnimation('Other');
+      }),
+      (s) => expect(s.variants).toEqual([{ set: 'animation', options: ['Move', 'Other'], chosen: 'Move' }]),
+      { says: 'gltf.animations' },
+    ),
+    approximated(
+      'a path that turns too fast between its keys to be followed',
+      'as near as is affordable; the error is told',
+      'gltf.resampling',
+      glb((kit, thing) => {
+        const keys = Array.from({ length: 25000 }, (_, i) => i);
+        kit.animate(
+          thing,
+          'rotation',
+          keys,
+          keys.flatMap((i) => [0, 0, Math.sin(i * 1.4), Math.cos(i * 1.4)]),
+        );
+      }),
+      kinds('sampled'),
+    ),
+    approximated(
+      'a directional light that turns',
+      'held where it starts',
+      'gltf.light',
+      glb((kit, thing) => {
+        light('directional')(kit, thing);
+        kit.animate(kit.scene.listChildren()[1], 'rotation', [0, 1], [0, 0, 0, 1, 0, 1, 0, 0]);
+      }),
+      (s) => expect(s.lights.length).toBe(1),
+    ),
+    leftOut(
+      'instances of a skinned mesh',
+      'one is shown: all follow the same joints',
+      'gltf.instances',
+      glb((kit, thing) => {
+        skinned(kit, thing, 0);
+        const of = kit.doc.createExtension(EXTMeshGPUInstancing).createInstancedMesh();
+        thing.setExtension(
+          'EXT_mesh_gpu_instancing',
+          of.setAttribute('TRANSLATION', kit.values('VEC3', [0, 0, 0, 5, 0, 0])),
+        );
+      }),
+      (s) => expect(s.objects.length).toBe(1),
+    ),
+    leftOut(
+      'animations of anything else (`KHR_animation_pointer`)',
+      'named',
+      'gltf.channel',
+      json({
+        extensionsUsed: ['KHR_animation_pointer'],
+        accessors: [0, 0]
+          .map(() => ({ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' }))
+          .concat({ bufferView: 0, componentType: 5126, count: 2, type: 'SCALAR' }),
+        animations: [{ samplers: [{ input: 2, output: 1 }], channels: [{ sampler: 0, target: { path: 'pointer' } }] }],
+      }),
+    ),
+    refused(
+      'keys that do not fit together',
+      'with the animation and the numbers',
+      'gltf.bad-animation',
+      glb((kit, thing) => kit.animate(thing, 'translation', [0, 1], [0, 0, 0])),
+    ),
+    refused(
+      'joints that do not fit together',
+      'with the numbers',
+      'gltf.bad-skin',
+      glb((kit, thing) => {
+        skinned(kit, thing, 7);
+      }),
+    ),
+    refused('an animation that is asked for and not there', 'with those that are', 'gltf.no-animation', json({}), {
+      animation: 'Jump',
+    }),
+  ],
+};
+
+export const materialGroups: readonly ClaimGroup[] = [looks, lights, motion];

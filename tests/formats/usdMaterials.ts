@@ -1,0 +1,469 @@
+import { expect } from 'vitest';
+import { writeExr } from '../../src/formats/image/exr.ts';
+import { toHalf } from '../../src/math/half.ts';
+import type { Material, Scene } from '../../src/scene/types.ts';
+import { approximated, type ClaimGroup, type Files, leftOut, read } from './claim.ts';
+import { PIXEL, WEBP } from './pictures.ts';
+import { def, FACE, material, usd } from './usdKit.ts';
+
+/** A square that wears `/M`. */
+const worn = (looks: string, uvs = ''): string => def('Mesh', `${FACE}\nrel material:binding = </M>\n${uvs}`) + looks;
+const UVS = 'texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] ( interpolation = "vertex" )';
+
+const wears = (inputs: string, more = ''): Files => usd(worn(material('M', inputs, more), UVS));
+const texture = (name: string, lines = ''): string => `def Shader "${name}" { uniform token info:id = "UsdUVTexture"
+    asset inputs:file = @./a.png@
+    ${lines}
+    float3 outputs:rgb
+    float outputs:r }`;
+const DIFFUSE = 'color3f inputs:diffuseColor.connect = </M/T.outputs:rgb>';
+const reader = (type: string, lines = ''): string =>
+  `def Shader "R" { uniform token info:id = "UsdPrimvarReader_${type}"\n${lines}\n${type} outputs:result }`;
+
+const base = (scene: Scene): Material => scene.materials[scene.objects[0].mesh.groups[0].material];
+const red = (scene: Scene): void => expect(base(scene).baseColor).toEqual([1, 0, 0]);
+
+const ANIMATED = 'color3f inputs:diffuseColor.timeSamples = { 0: (1, 0, 0), 9: (0, 1, 0) }';
+
+const materials: ClaimGroup = {
+  title: 'Materials and textures',
+  rows: [
+    read(
+      '`UsdPreviewSurface` (also as a node of MaterialX): diffuse and emissive colour, opacity and its threshold, roughness, metallic, ior',
+      'a material',
+      wears(
+        'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:roughness = 0.25\nfloat inputs:ior = 1.25\nfloat inputs:opacity = 0.5',
+      ),
+      (s) => expect(base(s)).toMatchObject({ baseColor: [1, 0, 0], roughness: 0.25, ior: 1.25, opacity: 0.5 }),
+    ),
+    read(
+      '`UsdUVTexture` on colours and opacity, with `UsdPrimvarReader_float2` and `UsdTransform2d`',
+      'textures with colour space, scale, bias, channel, wrap mode, fallback',
+      { ...wears(DIFFUSE, texture('T', 'token inputs:wrapS = "mirror"')), 'a.png': PIXEL },
+      (s) => expect(base(s).baseColorTexture).toMatchObject({ width: 1, wrapS: 'mirror', colorSpace: 'srgb' }),
+    ),
+    read(
+      'tiles of `<UDIM>`, 1001 to 1100',
+      'one picture',
+      { ...wears(DIFFUSE, texture('T').replace('a.png', 'a.<UDIM>.png')), 'a.1001.png': PIXEL, 'a.1002.png': PIXEL },
+      (s) => expect(base(s).baseColorTexture?.width).toBeGreaterThan(1),
+    ),
+    read(
+      '`UsdPrimvarReader_float3` (`_vector`, `_point`, `_normal`) on the diffuse colour',
+      'the mesh’s colours; its fallback where there are none',
+      wears(
+        'color3f inputs:diffuseColor.connect = </M/R.outputs:result>',
+        reader('float3', 'string inputs:varname = "none"\nfloat3 inputs:fallback = (1, 0, 0)'),
+      ),
+      (s) => expect([...s.objects[0].mesh.colors!.subarray(0, 3)]).toEqual([1, 0, 0]),
+    ),
+    read(
+      'textures of roughness and metallic, each from a channel with scale and bias',
+      'read per pixel',
+      {
+        ...wears(
+          'float inputs:roughness.connect = </M/T.outputs:g>',
+          texture('T', 'float4 inputs:scale = (1, 0.5, 1, 1)\ntoken inputs:sourceColorSpace = "raw"'),
+        ),
+        'a.png': PIXEL,
+      },
+      (s) => expect(base(s).roughnessTexture).toMatchObject({ channel: 1, scale: 0.5, bias: 0 }),
+    ),
+    read(
+      'normal maps, with scale and bias',
+      'read per pixel, in the frame of the uvs',
+      {
+        ...wears(
+          'normal3f inputs:normal.connect = </M/T.outputs:rgb>',
+          texture(
+            'T',
+            'float4 inputs:scale = (2, -2, 2, 1)\nfloat4 inputs:bias = (-1, 1, -1, 0)\ntoken inputs:sourceColorSpace = "raw"',
+          ),
+        ),
+        'a.png': PIXEL,
+      },
+      (s) => expect(base(s).normalTexture).toMatchObject({ strength: [1, -1], texture: { colorSpace: 'linear' } }),
+    ),
+    read(
+      '`slowlight:albedo:uv`, `slowlight:albedo:ir`, `slowlight:emission:temperature` [K] on the Material',
+      'what it reflects of invisible light, and a glow that shifts as a blackbody’s',
+      usd(
+        worn(
+          material(
+            'M',
+            '',
+            'custom double slowlight:albedo:ir = 0.5\ncustom double slowlight:emission:temperature = 3000',
+          ),
+        ),
+      ),
+      (s) => expect(base(s)).toMatchObject({ ir: 0.5, emissionTemperature: 3000 }),
+    ),
+    read(
+      'an `asset slowlight:reflectance` on the Material, a CSV of wavelengths in nm and shares from 0 to 1',
+      'what it reflects at each wavelength, by the reference renderer exactly; the fast one shows its colour and the means of its ultraviolet and infrared',
+      {
+        ...usd(worn(material('M', '', 'custom asset slowlight:reflectance = @./grey.csv@'))),
+        'grey.csv': '# nm, share\n300, 0.25\n900, 0.25\n1500, 0.25\n',
+      },
+      (s) =>
+        expect(base(s)).toMatchObject({
+          reflectance: { values: [0.25, 0.25, 0.25] },
+          baseColor: [expect.closeTo(0.25, 4), expect.closeTo(0.25, 4), expect.closeTo(0.25, 4)],
+          uv: expect.closeTo(0.25, 9),
+          ir: expect.closeTo(0.25, 9),
+        }),
+    ),
+    leftOut(
+      'one whose values are percents',
+      'named with its greatest value',
+      'spectrum.csv',
+      {
+        ...usd(worn(material('M', '', 'custom asset slowlight:reflectance = @leaf.csv@'))),
+        'leaf.csv': '400, 5\n700, 50\n',
+      },
+      (s) => {
+        expect(base(s)).not.toHaveProperty('reflectance');
+        expect(s.diagnostics.map(({ message }) => message).join()).toContain('divide percents by 100');
+      },
+    ),
+    approximated(
+      '`useSpecularWorkflow`',
+      'the nearest metal or glass',
+      'usd.material-input',
+      wears('int inputs:useSpecularWorkflow = 1\ncolor3f inputs:specularColor = (1, 1, 1)'),
+      (s) => expect(base(s).metallic).toBeGreaterThan(0.8),
+    ),
+    leftOut(
+      'displacement, clearcoat',
+      'named; the rest of the material counts',
+      'usd.material-input',
+      [
+        wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:clearcoat = 1'),
+        wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:displacement = 0.1'),
+      ],
+      red,
+    ),
+    read(
+      'textures of occlusion, and of what is reflected of invisible light (`slowlight:albedo:uv.connect`, `:ir`)',
+      'drawn per pixel; occlusion dims the light of the sky and of other surfaces',
+      [{ ...wears('float inputs:occlusion.connect = </M/T.outputs:r>', texture('T')), 'a.png': PIXEL }],
+      (s) => expect(base(s).occlusionTexture).toMatchObject({ channel: 0, scale: 1, bias: 0 }),
+    ),
+    leftOut(
+      'a primvar that drives a number',
+      'its fallback counts',
+      'usd.material-input',
+      wears(
+        'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:roughness.connect = </M/R.outputs:result>',
+        reader('float', 'float inputs:fallback = 0.25'),
+      ),
+      (s) => expect(base(s).roughness).toBe(0.25),
+    ),
+    approximated(
+      'materials of other renderers (MaterialX, MDL, RenderMan, Arnold …)',
+      'their `UsdPreviewSurface`; else base colour or the one picture behind it, roughness, metalness, glow, opacity, as far as they are constants; else the displayColor',
+      'usd.material',
+      usd(
+        worn(
+          material(
+            'M',
+            'color3f inputs:base_color = (1, 0, 0)',
+            '',
+            'ND_standard_surface_surfaceshader',
+            'outputs:mtlx:surface',
+          ),
+        ),
+      ),
+      red,
+    ),
+    approximated(
+      'a material that is not there',
+      'the displayColor',
+      'usd.material',
+      usd(worn('', 'color3f[] primvars:displayColor = [(1, 0, 0)]')),
+      red,
+    ),
+    approximated(
+      'a shader that is not read, or a network too long to follow',
+      'the input keeps its own value',
+      'usd.shader',
+      wears(
+        'color3f inputs:diffuseColor = (1, 0, 0)\ncolor3f inputs:diffuseColor.connect = </M/T.outputs:rgb>',
+        'def Shader "T" { uniform token info:id = "Noise"\nfloat3 outputs:rgb }',
+      ),
+    ),
+    approximated(
+      'textures of one material that read different uvs',
+      'those of the first; a mesh has one set',
+      'usd.uv',
+      {
+        ...usd(
+          worn(
+            material(
+              'M',
+              `${DIFFUSE}\ncolor3f inputs:emissiveColor.connect = </M/U.outputs:rgb>`,
+              [
+                texture('T', 'float2 inputs:st.connect = </M/Q.outputs:result>'),
+                texture('U', 'float2 inputs:st.connect = </M/R.outputs:result>'),
+                reader('float2', 'string inputs:varname = "st"').replace('"R"', '"Q"'),
+                reader('float2', 'string inputs:varname = "uv2"'),
+              ].join('\n'),
+            ),
+            UVS,
+          ),
+        ),
+        'a.png': PIXEL,
+      },
+    ),
+    approximated(
+      'a material that changes with time',
+      'held at the start',
+      'usd.animated-material',
+      wears(ANIMATED),
+      red,
+    ),
+    leftOut(
+      'a picture that is not there',
+      'named with where it was looked for; it can be dropped on the page',
+      'file.missing-texture',
+      wears(DIFFUSE, texture('T')),
+      (s) => expect(s.diagnostics[0].missing?.name).toBe('./a.png'),
+    ),
+    leftOut(
+      'a picture that is damaged, too large, or neither PNG nor JPEG',
+      'named with what it is',
+      'file.unreadable-texture',
+      { ...wears(DIFFUSE, texture('T')), 'a.png': WEBP },
+    ),
+    leftOut(
+      'a texture that names no file',
+      'its fallback counts',
+      'usd.texture',
+      wears(DIFFUSE, texture('T', 'float4 inputs:fallback = (1, 0, 0, 1)').replace('@./a.png@', '@@')),
+      red,
+    ),
+  ],
+};
+
+const shines = (type: string, lines = ''): Files => usd(def(type, lines));
+
+/** One pixel of radiance 16.0625 = 2^(133 − 136) · (128 + ½). */
+const HDR = new Uint8Array([
+  ...new TextEncoder().encode('#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n'),
+  ...[128, 128, 128, 133],
+]);
+const EXR = writeExr({
+  width: 1,
+  height: 1,
+  channels: ['R', 'G', 'B'].map((name) => ({ name, type: 'float', data: Float32Array.of(16.0625) })),
+});
+const HALVES = Uint16Array.from([16.0625, 16.0625, 16.0625, 1], toHalf);
+
+const unread = (type: string): ReturnType<typeof leftOut> =>
+  leftOut(`\`${type}\``, 'named', 'usd.unsupported-prim', shines(type), (s) => expect(s.lights).toEqual([]));
+
+const lights: ClaimGroup = {
+  title: 'Lights and cameras',
+  rows: [
+    read(
+      '`DistantLight` with its angle, `DomeLight` with its picture',
+      'lights',
+      {
+        ...usd(
+          'def DistantLight "A" { float inputs:intensity = 3\n float inputs:angle = 0 }\ndef DomeLight "B" { asset inputs:texture:file = @a.png@ }',
+        ),
+        'a.png': PIXEL,
+      },
+      (s) =>
+        expect(s.lights).toMatchObject([
+          { kind: 'distant', color: [3, 3, 3], direction: [0, 0, -1], angle: 0 },
+          { kind: 'dome', texture: { width: 1 } },
+        ]),
+    ),
+    read(
+      '`DomeLight` with `slowlight:sky = "stars"`; intensity, where it is turned to',
+      'the bright stars and the cosmic background, celestial north along +Y of its frame',
+      usd('def DomeLight "A" { token slowlight:sky = "stars"\nfloat inputs:intensity = 5 }'),
+      (s) => expect(s.lights).toMatchObject([{ kind: 'stars', gain: expect.closeTo(5, 6) }]),
+    ),
+    read(
+      'a `DomeLight` without a picture; with `slowlight:sky:horizon` or `slowlight:sky:ground`',
+      'alike all round; a sky that changes with height',
+      usd(
+        'def DomeLight "A" { float inputs:intensity = 2 }\ndef DomeLight "B" { custom color3f slowlight:sky:horizon = (1, 0.5, 0) }',
+      ),
+      (s) =>
+        expect(s.lights).toEqual([
+          { kind: 'dome', path: '/A', color: [2, 2, 2] },
+          { kind: 'dome', path: '/B', color: [1, 1, 1], gradient: { horizon: [1, 0.5, 0], ground: [1, 0.5, 0] } },
+        ]),
+    ),
+    read(
+      'the picture of a `DomeLight` as Radiance (`.hdr`), or OpenEXR (halves or floats; uncompressed, ZIP)',
+      'radiance as bright as it says, up to 65504',
+      [
+        { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.hdr@ }'), 'a.hdr': HDR },
+        { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.exr@ }'), 'a.exr': EXR },
+      ],
+      (s) => expect(s.lights).toMatchObject([{ kind: 'dome', texture: { width: 1, data: HALVES } }]),
+    ),
+    read(
+      'how a `DomeLight` is turned, the `poleAxis` of a `DomeLight_1`; a mirror ball or light probe by `texture:format`',
+      'where UsdLux puts it',
+      {
+        ...usd(
+          'def DomeLight_1 "B" { uniform token poleAxis = "Z"\nasset inputs:texture:file = @a.exr@\ntoken inputs:texture:format = "angular" }',
+        ),
+        'a.exr': EXR,
+      },
+      (s) =>
+        expect(s.lights).toMatchObject([
+          {
+            texture: { width: 2, height: 1 },
+            orientation: [expect.closeTo(Math.SQRT1_2), 0, 0, expect.closeTo(Math.SQRT1_2)],
+          },
+        ]),
+    ),
+    leftOut(
+      'a `texture:format` of `cubeMapVerticalCross`',
+      'named; the dome shines in its colour',
+      'usd.light-input',
+      {
+        ...usd(
+          'def DomeLight "B" { asset inputs:texture:file = @a.exr@\ntoken inputs:texture:format = "cubeMapVerticalCross" }',
+        ),
+        'a.exr': EXR,
+      },
+      (s) => expect(s.lights).toEqual([{ kind: 'dome', path: '/B', color: [1, 1, 1] }]),
+    ),
+    leftOut(
+      'such a picture that is damaged, too large, or of another kind (PIZ, DWA, tiles …)',
+      'named with what it is',
+      'file.unreadable-texture',
+      { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.hdr@ }'), 'a.hdr': HDR.slice(0, -1) },
+      (s) => expect(s.lights).toMatchObject([{ kind: 'dome' }]),
+    ),
+    read(
+      '`SphereLight`, `RectLight`, `DiskLight`, `CylinderLight`; color, intensity, exposure, `normalize`, colour temperature, `treatAsPoint`, `treatAsLine`',
+      'lamps that move as their transforms or `slowlight:motion` say',
+      usd(
+        ['Sphere', 'Rect', 'Disk', 'Cylinder']
+          .map((k) => `def ${k}Light "${k}" { float inputs:exposure = 1 }`)
+          .join('\n'),
+      ),
+      (s) =>
+        expect(s.lights).toMatchObject(
+          ['sphere', 'rect', 'disk', 'cylinder'].map((kind) => ({ kind, color: [2, 2, 2] })),
+        ),
+    ),
+    read(
+      '`slowlight:spectrum` of a light: `"2856 K"`, `"sodium"` …; else its colour temperature',
+      'what its light is made of',
+      shines('SphereLight', 'custom token slowlight:spectrum = "sodium"'),
+      (s) => expect(s.lights).toMatchObject([{ spectrum: { kind: 'lines' } }]),
+    ),
+    read(
+      'an `asset slowlight:spectrum` of a light, a CSV of wavelengths in nm and values',
+      'its light is what the table says; only the brightness of its colour counts',
+      {
+        ...shines('SphereLight', 'custom asset slowlight:spectrum = @./lamps/warm.csv@'),
+        'lamps/warm.csv': '# nm, W\n400, 1\n500, 2\n600, 4\n',
+      },
+      (s) => expect(s.lights).toMatchObject([{ spectrum: { kind: 'sampled', values: [1, 2, 4] } }]),
+    ),
+    leftOut(
+      'such a table that is not there',
+      'named with where it was looked for; it can be dropped on the page',
+      'file.missing-spectrum',
+      shines('SphereLight', 'custom asset slowlight:spectrum = @./warm.csv@'),
+      (s) => expect(s.diagnostics.find(({ missing }) => missing)?.missing?.name).toBe('./warm.csv'),
+    ),
+    leftOut(
+      'one that is no spectrum',
+      'named with its line',
+      'spectrum.csv',
+      {
+        ...shines('DomeLight', 'custom asset slowlight:spectrum = @warm.csv@'),
+        'warm.csv': '400, 1\n390, 2\n',
+      },
+      (s) => {
+        expect(s.lights[0]).not.toHaveProperty('spectrum');
+        expect(s.diagnostics.map(({ message }) => message).join()).toContain(
+          'warm.csv: line 2: 390 nm comes after 400 nm',
+        );
+      },
+    ),
+    leftOut(
+      'a `slowlight:spectrum` that is not known',
+      'named',
+      'usd.slowlight',
+      ['moonshine', '-3 K', '1e99 K'].map((text) =>
+        shines('SphereLight', `custom token slowlight:spectrum = "${text}"`),
+      ),
+      (s) => expect(s.lights[0]).not.toHaveProperty('spectrum'),
+    ),
+    read(
+      '`ShapingAPI`: cone angle, softness, focus',
+      'the same',
+      shines('SphereLight', 'float inputs:shaping:cone:angle = 90\nfloat inputs:shaping:cone:softness = 0.5'),
+      (s) => expect(s.lights[0]).toMatchObject({ shaping: { inner: Math.PI / 4, outer: Math.PI / 2 } }),
+    ),
+    approximated(
+      '`MeshLightAPI`, `GeometryLight`',
+      'the mesh glows; that it lights other things the reference renderer alone shows',
+      'usd.mesh-light',
+      usd(`def Mesh "A" ( prepend apiSchemas = ["MeshLightAPI"] ) { ${FACE}\nfloat inputs:intensity = 2 }`),
+      (s) => expect(base(s).emissive).toEqual([2, 2, 2]),
+    ),
+    approximated(
+      'the picture on a `RectLight`',
+      'its mean colour',
+      'usd.light-input',
+      { ...shines('RectLight', 'asset inputs:texture:file = @a.png@'), 'a.png': PIXEL },
+      (s) => expect(s.lights[0]).toMatchObject({ color: [1, 0, 0] }),
+    ),
+    approximated(
+      'a light that changes with time, but for where a lamp is',
+      'held at the start',
+      'usd.animated-light',
+      shines('SphereLight', 'float inputs:intensity.timeSamples = { 0: 1, 9: 2 }'),
+      (s) => expect(s.lights[0]).toMatchObject({ color: [1, 1, 1] }),
+    ),
+    leftOut(
+      'IES profiles, `focusTint`, a `specular` unlike `diffuse`, shadows that are switched off',
+      'named; the light shines without',
+      'usd.light-input',
+      [
+        'asset inputs:shaping:ies:file = @a.ies@',
+        'color3f inputs:shaping:focusTint = (1, 0, 0)\nfloat inputs:shaping:focus = 1',
+        'float inputs:specular = 0.5',
+        'bool inputs:shadow:enable = false',
+      ].map((lines) => shines('SphereLight', lines)),
+      (s) => expect(s.lights.length).toBe(1),
+    ),
+    unread('PortalLight'),
+    unread('PluginLight'),
+    read(
+      '`Camera`',
+      'a camera; vertical field of view 2 atan(verticalAperture / 2 focalLength)',
+      shines('Camera', 'float focalLength = 10\nfloat verticalAperture = 20'),
+      (s) => expect(s.cameras[0].fovY).toBeCloseTo(Math.PI / 2, 12),
+    ),
+    approximated(
+      'orthographic cameras',
+      'perspective ones',
+      'usd.projection',
+      shines('Camera', 'token projection = "orthographic"'),
+      (s) => expect(s.cameras.length).toBe(1),
+    ),
+    approximated(
+      'a lens that changes with time',
+      'held at the start',
+      'usd.animated-lens',
+      shines('Camera', 'float focalLength.timeSamples = { 0: 10, 9: 20 }'),
+      (s) => expect(s.cameras.length).toBe(1),
+    ),
+  ],
+};
+
+export const materialGroups: readonly ClaimGroup[] = [materials, lights];

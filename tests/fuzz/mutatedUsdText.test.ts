@@ -1,0 +1,4 @@
+import { fuzzSeeds } from './mutatedFiles.ts';
+import { seeds } from './seeds.ts';
+
+fuzzSeeds((await seeds()).filter(({ entry }) => entry.endsWith('.usda')));

@@ -1,0 +1,72 @@
+import { fromAxisAngle, IDENTITY } from '../../../src/math/quat.ts';
+import type { Vec3 } from '../../../src/math/vec3.ts';
+import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
+import { makeMesh } from '../../../src/scene/mesh/makeMesh.ts';
+import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
+import type { Scene } from '../../../src/scene/types.ts';
+
+/** How much farther the farther of two sheets is; and the distances at which they are looked at [m]. */
+const GAP = 3e-5;
+export const DISTANCES = [0.01, 1, 100, 1e4, 1e6] as const;
+
+/** Half a millimetre across, its front `distance` from the origin along −Z [m]. */
+const speck = (name: string, distance: number): Scene =>
+  makeScene({
+    name,
+    objects: [makeObject({ path: '/speck', mesh: box([5e-4, 5e-4, 5e-4]), motion: restingAt([0, 0, -distance]) })],
+  });
+
+/** Two parallel sheets that fill the picture, slanted; the nearer one is first, so that a draw in doubt shows the other. */
+function sheets(distance: number): Scene {
+  const orientation = fromAxisAngle([1, 0, 0], 0.5);
+  const sheet = (path: string, away: number) =>
+    makeObject({
+      path,
+      mesh: plane(8 * distance, 8 * distance),
+      motion: { kind: 'static', pose: { position: [0, 0, -away], orientation } },
+    });
+  return makeScene({
+    name: `sheets at ${distance} m`,
+    objects: [sheet('/near', distance), sheet('/far', distance * (1 + GAP))],
+  });
+}
+
+/** The observer's height over the floor [m]. */
+export const HEIGHT = 1.5;
+/**
+ * Corners of the floor [m, along X and Z]: one triangle, of which two corners are in front of the camera and one is behind. Not far away:
+ * SwiftShader rounds them to 1/16 pixel, and what is a tenth of a pixel under the horizon would turn the whole plane by it.
+ */
+export const FLOOR = [
+  [-40, -15],
+  [8, 30],
+  [40, -20],
+] as const;
+
+const floor = makeMesh({
+  points: FLOOR.flatMap(([x, z]): Vec3 => [x, -HEIGHT, z]),
+  faceCounts: [3],
+  faceIndices: [0, 1, 2],
+}).mesh;
+
+/** Behind an observer at the origin who looks along −Z, 120° off. */
+export const BEHIND: Vec3 = [10 * Math.sin((2 * Math.PI) / 3), 0, 5];
+
+export const DEPTH_SCENES: readonly Scene[] = [
+  speck('speck in front', 2.25e-3),
+  speck('speck behind', -2.25e-3),
+  makeScene({
+    name: 'speck before a wall',
+    objects: [
+      makeObject({ path: '/speck', mesh: box([5e-4, 5e-4, 5e-4]), motion: restingAt([0, 0, -2.25e-3]) }),
+      makeObject({
+        path: '/wall',
+        mesh: plane(1e7, 1e7),
+        motion: { kind: 'static', pose: { position: [0, 0, -1e6], orientation: IDENTITY } },
+      }),
+    ],
+  }),
+  makeScene({ name: 'floor', objects: [makeObject({ path: '/floor', mesh: floor })] }),
+  makeScene({ name: 'behind', objects: [makeObject({ path: '/ball', mesh: sphere(1), motion: restingAt(BEHIND) })] }),
+  ...DISTANCES.map(sheets),
+];

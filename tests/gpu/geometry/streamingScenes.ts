@@ -1,0 +1,74 @@
+import { IDENTITY } from '../../../src/math/quat.ts';
+import type { Vec3 } from '../../../src/math/vec3.ts';
+import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
+import type { SceneRenderer } from '../../../src/render/renderer.ts';
+import { makeObject, makeScene } from '../../../src/scene/defaults.ts';
+import { deformedNormals, smoothingGroups } from '../../../src/scene/mesh/normals.ts';
+import { sphere } from '../../../src/scene/mesh/primitives.ts';
+import type { SampledPointsMotion, Scene } from '../../../src/scene/types.ts';
+import { DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
+import { leftInFile } from '../../support/streamed.ts';
+
+export const SIZE = 72;
+/** Texels for samples: room for 40 of the 150, and a picture needs up to 33. */
+export const FEW_TEXELS = 40 * 4096;
+
+/** In which form the samples are: all on the GPU, few of them, few of them that are left in a file, those read by a worker. */
+export type SampleStorage = 'whole' | 'ring' | 'file' | 'worker';
+
+/** Forward, backward, and jumps over more than the ring holds, at rest and at 0.9 c by turns. */
+export const STREAMING_VIEWS = [2, 2.1, 2.4, 9, 9.1, 8.7, 8.3, 14.9, 0, 3].map((t, i) => ({
+  t: t + 5,
+  beta: (i % 2 ? [0.3, 0, -0.85] : [0, 0, 0]) as Vec3,
+}));
+
+const mesh = sphere(1, { segments: 24 });
+const PERIOD = 0.1;
+
+function waving(): SampledPointsMotion {
+  const groups = smoothingGroups(mesh);
+  const times = Float64Array.from({ length: 150 }, (_, k) => PERIOD * k);
+  const points = Array.from(times, (t) =>
+    mesh.positions.map((x, i) => x + 0.25 * Math.sin(2 * t + mesh.positions[i - (i % 3) + 1] + i)),
+  );
+  const normals = points.map((p) => deformedNormals(p, mesh.indices, groups));
+  return { kind: 'sampled-points', times, origin: [0, 0, -5], points, normals };
+}
+
+const blobOf = (bytes: Uint8Array<ArrayBuffer>): Blob => new Blob([bytes]);
+
+export function sceneIn(form: SampleStorage): Scene {
+  const motion = form === 'file' ? leftInFile(waving()) : form === 'worker' ? leftInFile(waving(), blobOf) : waving();
+  return makeScene({ name: form, objects: [makeObject({ path: '/waving', mesh, motion })] });
+}
+
+export const viewOf = ({ t, beta }: (typeof STREAMING_VIEWS)[number]): ViewPoint => ({
+  t,
+  position: [0, 0, 0],
+  u: properVelocity(beta),
+  orientation: IDENTITY,
+  fovY: 0.9,
+});
+
+const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
+
+/** Position, emission time and picture of each look, one after the other. */
+export async function renderStreamingViews(renderer: SceneRenderer, form: SampleStorage): Promise<number[][]> {
+  renderer.setSize(SIZE, SIZE);
+  await renderer.setScene(sceneIn(form));
+  const seen: number[][] = [];
+  for (const look of STREAMING_VIEWS) {
+    renderer.render(viewOf(look), SETTINGS);
+    while (renderer.info.waiting) {
+      await new Promise((done) => setTimeout(done, 2));
+      renderer.render(viewOf(look), SETTINGS);
+    }
+    const parts = [
+      await renderer.readAov('position'),
+      await renderer.readAov('emission_time'),
+      await renderer.readAov('beauty'),
+    ];
+    seen.push(parts.flatMap((part) => Array.from(part)));
+  }
+  return seen;
+}

@@ -1,0 +1,147 @@
+import '../../../src/cli/gpu/nodeShim.ts';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
+import { toHalf } from '../../../src/math/half.ts';
+import { fromAxisAngle, IDENTITY, rotate } from '../../../src/math/quat.ts';
+import { dot, normalize, type Vec3, ZERO } from '../../../src/math/vec3.ts';
+import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
+import { cameraRay } from '../../../src/reference/camera/cameraRay.ts';
+import { pixelSequence } from '../../../src/reference/sampling/pixelSequence.ts';
+import { radiance } from '../../../src/reference/transport/path.ts';
+import { directionFromLatLong } from '../../../src/scene/lights/latLong.ts';
+import { sphere } from '../../../src/scene/mesh/primitives.ts';
+import type { DomeLight, Material, Motion } from '../../../src/scene/types.ts';
+import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
+import { dome, GREY, lambert, lit, mirror } from '../../support/lightKit.ts';
+import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
+
+const SIZE = 40;
+let headless: HeadlessPictures;
+beforeAll(async () => {
+  headless = await openPictures(SIZE, SIZE);
+});
+afterAll(() => headless?.close());
+
+const SETTINGS: RenderSettings = { ...GREY, grid: false };
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, fovY: 0.9 };
+
+const [W, H] = [256, 128];
+const BRIGHT = normalize([0.8, 0.6, 0.5]);
+
+/** The dome's axes are not the world's. */
+const TURN = fromAxisAngle(normalize([0.3, 1, -0.4]), 2.1);
+
+/** Dim above, dimmer below, and something 40 times as bright, ten degrees wide, to the upper right. */
+const DOME: DomeLight = {
+  kind: 'dome',
+  path: '/dome',
+  color: [1, 1, 1],
+  orientation: TURN,
+  texture: {
+    name: 'dome',
+    width: W,
+    height: H,
+    data: Uint16Array.from({ length: 4 * W * H }, (_, i) => {
+      if (i % 4 === 3) return toHalf(1);
+      const [x, y] = [(i >> 2) % W, Math.floor((i >> 2) / W)];
+      const n = rotate(TURN, directionFromLatLong((x + 0.5) / W, 1 - (y + 0.5) / H));
+      return toHalf(dot(n, BRIGHT) > Math.cos(0.17) ? 40 : 0.6 + 0.4 * n[1]);
+    }),
+    colorSpace: 'linear',
+    filter: 'linear',
+    wrapS: 'repeat',
+    wrapT: 'clamp',
+  },
+};
+
+/** How far the rasterizer's ball is from the reference's, over its brightest pixel: in the mean. */
+async function difference(material: Material, motion?: Motion, view = VIEW, sky = DOME): Promise<number> {
+  const { scene } = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [sky]);
+  await headless.renderer.setScene(scene);
+  pumpFrame();
+  headless.renderer.render(view, SETTINGS, 1);
+  const drawn = await headless.renderer.readAov('beauty');
+  const traced = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [sky]);
+  const far: number[] = [];
+  let brightest = 0;
+  for (let y = 6; y < SIZE - 6; y += 3)
+    for (let x = 6; x < SIZE - 6; x += 3) {
+      const ray = cameraRay(view, SETTINGS, x + 0.5, y + 0.5, SIZE, SIZE);
+      const numbers = pixelSequence(1, x, y);
+      const options = { bounces: 1, mirrors: true, glass: false };
+      let sum = 0;
+      for (let i = 0; i < 400; i++) sum += radiance(traced, ray, view, SETTINGS, options, numbers(i))[1];
+      brightest = Math.max(brightest, sum / 400);
+      far.push(Math.abs(drawn[3 * (y * SIZE + x) + 1] - sum / 400));
+    }
+  return far.reduce((a, b) => a + b) / far.length / brightest;
+}
+
+it.each([
+  ['matt', lambert(0.8), 0.03],
+  ['a rough mirror', mirror({ roughness: 0.5 }), 0.06],
+  ['a mirror that is a little rough', mirror({ roughness: 0.2 }), 0.02],
+  ['a mirror', mirror({ roughness: 0.05 }), 0.01],
+] as const)('a ball under a dome of radiance is lit as the reference has it: %s', async (_, material, bound) => {
+  expect(await difference(material)).toBeLessThan(bound);
+});
+
+/** All of a dome's light on a matt surface is taken to come along its normal, and to be shifted as there. */
+it('a ball that flies meets its light aberrated and shifted, nearly', async () => {
+  const motion: Motion = {
+    kind: 'uniform',
+    pose: { position: [1.2, 0, 0], orientation: IDENTITY },
+    velocity: [0.6, 0, 0],
+  };
+  expect(await difference(lambert(0.8), motion)).toBeLessThan(0.22);
+});
+
+/** The pixels of a ball that are farthest from the sky behind them, over that. */
+async function standsOut(material: Material, u: Vec3): Promise<number> {
+  const sky: Vec3 = [0.5, 0.75, 0.25];
+  await headless.renderer.setScene(lit([{ mesh: sphere(1, { segments: 24 }), material }], [dome(sky)]).scene);
+  pumpFrame();
+  headless.renderer.render({ ...VIEW, u }, { ...SETTINGS, beaming: 0, occlusionRadius: 0 }, 1);
+  const drawn = await headless.renderer.readAov('beauty');
+  return drawn.reduce((most, value, i) => Math.max(most, Math.abs(value / sky[i % 3] - 1)), 0);
+}
+
+it.each([
+  ['matt', lambert(1), 2e-3],
+  // What a mirror has of a sky in all is a fitted curve (brdf.ts).
+  ['a mirror', mirror(), 0.035],
+] as const)('what reflects everything under a plain dome vanishes into it: %s', async (_, material, bound) => {
+  expect(await standsOut(material, ZERO)).toBeLessThan(bound);
+  expect(await standsOut(material, properVelocity([0, 0, -0.5]))).toBeLessThan(bound);
+});
+
+const EVENING: DomeLight = {
+  ...dome([0.1, 0.2, 0.6]),
+  gradient: { horizon: [1.2, 0.7, 0.4], ground: [0.2, 0.15, 0.1] },
+};
+
+it('a matt ball under a sky with a horizon is lit as the reference has it', async () => {
+  expect(await difference(lambert(0.8), undefined, VIEW, EVENING)).toBeLessThan(0.01);
+});
+
+it('the sky is the picture as it is turned', async () => {
+  await headless.renderer.setScene(lit([], [DOME]).scene);
+  pumpFrame();
+  const wide = { ...VIEW, fovY: 2 };
+  headless.renderer.render(wide, SETTINGS, 1);
+  const drawn = await headless.renderer.readAov('beauty');
+  for (const [x, y] of [
+    [3, 4],
+    [30, 2],
+    [20, 20],
+    [8, 33],
+  ]) {
+    const n = normalize(cameraRay(wide, SETTINGS, x + 0.5, y + 0.5, SIZE, SIZE).dx);
+    const expected = dot(n, BRIGHT) > Math.cos(0.17) ? 40 : 0.6 + 0.4 * n[1];
+    expect(Math.abs(drawn[3 * (y * SIZE + x) + 1] - expected)).toBeLessThan(0.01 * expected);
+  }
+});
+
+it('one who flies sees the ball alike', async () => {
+  expect(await difference(lambert(0.8), undefined, { ...VIEW, u: properVelocity([0, 0, -0.5]) })).toBeLessThan(0.03);
+});

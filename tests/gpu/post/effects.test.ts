@@ -1,0 +1,67 @@
+import '../../../src/cli/gpu/nodeShim.ts';
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, it, test } from 'vitest';
+import { type HeadlessDevice, openDevice } from '../../../src/cli/gpu/device.ts';
+import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
+import type { Gpu } from '../../../src/render/gpu/device.ts';
+import { EFFECT_IDS, MIX_MODES } from '../../../src/scene/frameGraph/effects.ts';
+import { closeAndAssertHealthy } from '../support/healthyClose.ts';
+import { type ModulePage, openModulePage } from '../support/modulePage.ts';
+import { EFFECT_CASES, type EffectCase, expected } from './effectCases.ts';
+import { runEffect } from './runEffect.ts';
+
+/** Of a value, or of the least that is told apart from black. */
+const TOLERANCE = 2e-3;
+const BLACK = 1e-3;
+const NEARLY = 0.3;
+/** Of a lens: each of the places that are looked through may fall on either of two pixels, which may be of very different light. */
+const LENS_TOLERANCE = 0.1;
+const LENS_SHARE = 0.01;
+
+function expectSame(of: EffectCase, values: ArrayLike<number>): void {
+  const truth = expected(of).values;
+  expect(values.length).toBe(truth.length);
+  // Texts are free to take large numbers from each other.
+  const size = (i: number): number =>
+    typeof of.of === 'object' && 'text' in of.of
+      ? Math.hypot(...truth.subarray(i - (i % 3), i - (i % 3) + 3)) + NEARLY
+      : Math.abs(truth[i]) + BLACK;
+  const off = Array.from(truth, (value, i) => Math.abs(values[i] - value) / size(i));
+  const lens = of.of === 'depth-of-field';
+  const wrong = off.filter((error) => !(error < (lens ? LENS_TOLERANCE : TOLERANCE))).length / off.length;
+  if (process.env.REPORT) console.log(`${of.name}: most ${Math.max(...off).toExponential(1)}, wrong ${wrong}`);
+  expect(wrong).toBeLessThanOrEqual(lens ? LENS_SHARE : 0);
+}
+
+test('every effect and every mode is among the cases', () => {
+  const tried = new Set(EFFECT_CASES.map(({ of }) => (typeof of === 'string' ? of : 'mode' in of ? of.mode : 'text')));
+  expect([...EFFECT_IDS, ...MIX_MODES].filter((name) => !tried.has(name))).toEqual([]);
+});
+
+describe('effects are those of the reference, on WebGPU (Dawn)', () => {
+  let headless: HeadlessDevice;
+  let gpu: Gpu;
+  beforeAll(async () => {
+    headless = await openDevice();
+    const { openGpu } = await import('../../../src/render/gpu/device.ts');
+    gpu = await openGpu({ device: headless.device });
+  });
+  afterAll(() => closeAndAssertHealthy(headless, gpu.renderer)());
+  it.each(EFFECT_CASES)('$name', async (of) => {
+    pumpFrame();
+    expectSame(of, await runEffect(gpu, of));
+  });
+});
+
+describe('on WebGL2', () => {
+  let chromium: ModulePage;
+  beforeAll(async () => {
+    chromium = await openModulePage(fileURLToPath(new URL('./effectsPage.ts', import.meta.url)));
+  });
+  afterAll(() => chromium?.close());
+  it.each(EFFECT_CASES)('$name', async (of) => {
+    const values = await chromium.page.evaluate((name) => window.drawEffect(name), of.name);
+    chromium.assertHealthy();
+    expectSame(of, values);
+  });
+});

@@ -1,0 +1,144 @@
+import '../../../src/cli/gpu/nodeShim.ts';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
+import { IDENTITY } from '../../../src/math/quat.ts';
+import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
+import { createTracedScene } from '../../../src/reference/intersection/tracedScene.ts';
+import { DEFAULT_LIGHT } from '../../../src/reference/lights/lightOptions.ts';
+import {
+  AOVS_OF_FALSE_COLOR,
+  type FalseColorInput,
+  falseColorPicture,
+  falseColorValues,
+} from '../../../src/reference/post/falseColor.ts';
+import { renderTile } from '../../../src/reference/tile.ts';
+import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
+import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
+import { METER_CELLS, meterPixel, relativeLuminance } from '../../../src/scene/view/metering.ts';
+import {
+  type AovName,
+  DEFAULT_SETTINGS,
+  type RenderSettings,
+  type View,
+  type ViewPoint,
+} from '../../../src/scene/view/view.ts';
+import { FALSE_COLOR_QUANTITIES, type FalseColorQuantity } from '../../../src/spectrum/falseColor/falseColor.ts';
+import { fitScale } from '../../../src/spectrum/falseColor/falseColorScale.ts';
+import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
+
+const SIZE = { width: 96, height: 72 };
+const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1, exposure: 0.5 };
+/** A resting ball and a floor, and a ball that flies to the right, before the sky; the observer flies ahead. */
+const SCENE = makeScene({
+  name: 'balls',
+  objects: [
+    makeObject({ path: '/floor', mesh: plane(30, 30), motion: restingAt([0, -1.2, -8]) }),
+    makeObject({ path: '/still', mesh: sphere(1), motion: restingAt([-1.5, 0, -6]) }),
+    makeObject({
+      path: '/fast',
+      mesh: sphere(0.8),
+      authoredIn: 'rest',
+      motion: {
+        kind: 'uniform',
+        pose: { position: [6, 0.5, -7], orientation: IDENTITY },
+        velocity: [0.6, 0, 0],
+      },
+    }),
+  ],
+});
+const VIEW: ViewPoint = {
+  t: 3,
+  position: [0, 0, 0],
+  u: properVelocity([0, 0, -0.4]),
+  orientation: IDENTITY,
+  fovY: 1,
+};
+
+let headless: HeadlessPictures;
+beforeAll(async () => {
+  headless = await openPictures(SIZE.width, SIZE.height);
+  await headless.renderer.setScene(SCENE);
+});
+afterAll(() => headless?.close());
+
+function render(settings: RenderSettings, samples = 1): void {
+  pumpFrame();
+  headless.renderer.render(VIEW, settings, samples);
+}
+
+async function rasterized(names: readonly AovName[], settings: RenderSettings, samples = 1): Promise<FalseColorInput> {
+  render(settings, samples);
+  const aovs = new Map<AovName, Float32Array>();
+  for (const name of names) aovs.set(name, await headless.renderer.readAov(name));
+  return { aovs, view: VIEW, settings, ...SIZE };
+}
+
+function traced(kind: FalseColorQuantity, settings: RenderSettings): FalseColorInput {
+  const layers = AOVS_OF_FALSE_COLOR[kind];
+  const request = { view: VIEW, settings, ...SIZE, layers, samples: 1, seed: 0, light: DEFAULT_LIGHT };
+  const data = renderTile(createTracedScene(SCENE, 1), request, { x0: 0, y0: 0, x1: SIZE.width, y1: SIZE.height });
+  return { aovs: new Map(layers.map((name) => [name, data[name]!])), view: VIEW, settings, ...SIZE };
+}
+
+/** Share of the pixels with a channel that is off by more than `slack` of 255. */
+async function shareOff(kind: FalseColorQuantity, taken: FalseColorInput, slack: number, samples = 1): Promise<number> {
+  const values = falseColorValues(kind, taken);
+  const colors = { kind, ...fitScale(kind, values) };
+  const expected = falseColorPicture(colors, values, taken).pixels;
+  render({ ...taken.settings, falseColors: colors }, samples);
+  const drawn = await headless.renderer.readPixels();
+  let off = 0;
+  for (let i = 0; i < drawn.length; i += 4)
+    if ([0, 1, 2].some((k) => Math.abs(drawn[i + k]! - expected[i + k]!) > slack)) off++;
+  return (4 * off) / drawn.length;
+}
+
+describe('false colours on the GPU', () => {
+  it.each(['doppler', 'emission-time'] as const)('%s: those of the reference renderer’s numbers', async (kind) => {
+    for (const view of ['light-cone', 'simultaneity', 'galilean'] satisfies View[]) {
+      const settings = { ...SETTINGS, view };
+      // Where things meet a ray may go either way.
+      expect(await shareOff(kind, traced(kind, settings), 2)).toBeLessThan(0.01);
+    }
+  });
+
+  it.each(FALSE_COLOR_QUANTITIES)(
+    '%s: those of the numbers that the data channels hold, to a step of 8 bits',
+    async (kind) => {
+      for (const samples of [1, 2])
+        expect(
+          await shareOff(kind, await rasterized(AOVS_OF_FALSE_COLOR[kind], SETTINGS, samples), 1, samples),
+        ).toBeLessThan(0.001);
+    },
+  );
+
+  it('the picture without them is the same before and after', async () => {
+    render(SETTINGS);
+    const before = await headless.renderer.readPixels();
+    render({ ...SETTINGS, falseColors: { kind: 'radiance', from: 0.1, to: 10 } });
+    expect(await headless.renderer.readPixels()).not.toEqual(before);
+    render(SETTINGS);
+    expect(await headless.renderer.readPixels()).toEqual(before);
+  });
+});
+
+describe('the gauge', () => {
+  it.each([1, 2])('measures what the data channels hold at its places, with %s × as many samples', async (samples) => {
+    const { aovs } = await rasterized(['beauty', 'object', 'doppler', 'emission_time'], SETTINGS, samples);
+    const gauge = await headless.renderer.measureLight();
+    const taken = { aovs, view: VIEW, settings: SETTINGS, ...SIZE };
+    const [doppler, time] = [falseColorValues('doppler', taken), falseColorValues('emission-time', taken)];
+    const beauty = aovs.get('beauty')!;
+    for (let i = 0; i < METER_CELLS * METER_CELLS; i++) {
+      const pixel =
+        meterPixel(Math.floor(i / METER_CELLS), SIZE.height) * SIZE.width + meterPixel(i % METER_CELLS, SIZE.width);
+      const [r, g, b] = beauty.subarray(3 * pixel, 3 * pixel + 3);
+      expect(gauge.luminance[i]! / relativeLuminance(r!, g!, b!)).toBeCloseTo(1, 3);
+      if (aovs.get('object')![pixel]) expect(gauge.doppler[i]).toBeCloseTo(doppler[pixel]!, 4);
+      // The sky's is that of the cell's middle, at most a pixel beside.
+      else expect(Math.abs(gauge.doppler[i]! / doppler[pixel]! - 1)).toBeLessThan(0.02);
+      if (Number.isNaN(time[pixel]!)) expect(gauge.time[i]).toBeNaN();
+      else expect(gauge.time[i]).toBeCloseTo(time[pixel]!, 3);
+    }
+  });
+});

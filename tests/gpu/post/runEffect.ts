@@ -1,0 +1,112 @@
+import { DataTexture, FloatType, RGBAFormat, RGFormat } from 'three/webgpu';
+import { toMatrix } from '../../../src/math/quat.ts';
+import { gamma } from '../../../src/physics/lorentz/boost.ts';
+import type { EffectInput, FloatImage } from '../../../src/reference/post/effects/effectInput.ts';
+import { dataTarget } from '../../../src/render/gbuffer/gbuffer.ts';
+import { readFloats } from '../../../src/render/gbuffer/readback.ts';
+import type { Gpu } from '../../../src/render/gpu/device.ts';
+import { makeFrameUniforms } from '../../../src/render/gpu/frameUniforms.ts';
+import {
+  CODE_OFFSET,
+  encodeOctahedral,
+  GBUFFER_NORMAL_STEPS,
+  NORMAL_LOW_STEPS,
+} from '../../../src/render/gpu/packNormal.ts';
+import type { GBufferTextures } from '../../../src/render/post/effectContext.ts';
+import { EffectPasses } from '../../../src/render/post/effectPasses.ts';
+import { EFFECTS } from '../../../src/scene/frameGraph/effects.ts';
+import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
+import type { AovName } from '../../../src/scene/view/view.ts';
+import { type EffectCase, maskOf, overOf, pictureOf } from './effectCases.ts';
+
+/** A case on this GPU: three numbers per pixel. */
+export async function runEffect(gpu: Gpu, of: EffectCase): Promise<Float32Array> {
+  const picture = pictureOf(of);
+  const { width, height } = picture.image;
+  const passes = passesOf(of, picture);
+  const target = dataTarget(1, FloatType);
+  passes.setSize(width, height);
+  target.setSize(width, height);
+  passes.render(gpu.renderer, target, of.args, picture.view.t);
+  const values = await readFloats(gpu, target, 0, { x: 0, y: 0, width, height });
+  passes.dispose();
+  target.dispose();
+  return values.filter((_, i) => i % 4 < 3);
+}
+
+/** How much of the G-buffer is read. */
+function readsOf({ of }: EffectCase): number {
+  if (typeof of === 'string') return EFFECTS[of].reads.length;
+  return 'text' in of ? readShaderText(of.text).reads.size : 0;
+}
+
+function passesOf(of: EffectCase, picture: EffectInput): EffectPasses {
+  const inputs = {
+    image: textureOf(picture.image),
+    mask: of.masked ? textureOf(maskOf(picture)) : undefined,
+    buffer: readsOf(of) > 0 ? bufferOf(picture) : undefined,
+    uniforms: uniformsOf(picture),
+    type: FloatType,
+  };
+  if (typeof of.of === 'string') return EffectPasses.forEffect(of.of, inputs);
+  if ('text' in of.of) return EffectPasses.forEffect(readShaderText(of.of.text), inputs);
+  return EffectPasses.forMix(of.of.mode, textureOf(overOf(picture)), inputs);
+}
+
+/** What the renderer sets for a picture. */
+export function uniformsOf({ view, image, zenith, settings }: EffectInput) {
+  const uniforms = makeFrameUniforms();
+  const up = Math.tan(view.fovY / 2);
+  uniforms.u.value.set(...view.u);
+  uniforms.secondsPerMetre.value = 1 / settings.speedOfLight;
+  uniforms.gamma.value = gamma(view.u);
+  uniforms.halfTangents.value.set((up * image.width) / image.height, up);
+  uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
+  uniforms.zenith.value.set(...zenith);
+  return uniforms;
+}
+
+export const textureOf = ({ width, height, values, channels }: FloatImage): DataTexture =>
+  dataTexture(width, height, (i) => [...values.subarray(channels * i, channels * (i + 1)), 1]);
+
+/** The G-buffer of a picture whose data are known. */
+export function bufferOf({ aovs, view, settings, image: { width, height } }: EffectInput): GBufferTextures {
+  const at = (name: AovName, i: number, k: number): number => {
+    const values = aovs.get(name) ?? [];
+    return values[(values.length / (width * height)) * i + k] ?? 0;
+  };
+  const textures = {
+    object: dataTexture(width, height, (i) => [at('object', i, 0), at('depth', i, 0)], RGFormat),
+    normal: dataTexture(width, height, (i) => packed(at('normal', i, 0), at('normal', i, 1), at('normal', i, 2))),
+    event: dataTexture(width, height, (i) => [
+      ...view.position.map((p, k) => at('position', i, k) - p),
+      (at('emission_time', i, 0) - view.t) * settings.speedOfLight,
+    ]),
+    motion: dataTexture(width, height, (i) => [...[0, 1, 2].map((k) => at('velocity', i, k)), at('doppler', i, 0)]),
+  };
+  return {
+    texture: (name) => {
+      if (!(name in textures)) throw new Error(`no effect was to read ${name}`);
+      return textures[name as keyof typeof textures];
+    },
+  };
+}
+
+/** As `packNormals` writes it, with no reflectance beside it. */
+function packed(x: number, y: number, z: number): readonly number[] {
+  const fine = encodeOctahedral(x, y, z).map((place) => Math.round((place * 0.5 + 0.5) * GBUFFER_NORMAL_STEPS));
+  const coarse = fine.map((step) => Math.floor(step / NORMAL_LOW_STEPS));
+  return [...coarse, ...fine.map((step, k) => step - NORMAL_LOW_STEPS * coarse[k])].map((code) => code - CODE_OFFSET);
+}
+
+function dataTexture(
+  width: number,
+  height: number,
+  texel: (i: number) => readonly number[],
+  format: typeof RGBAFormat | typeof RGFormat = RGBAFormat,
+): DataTexture {
+  const data = Float32Array.from(Array.from({ length: width * height }, (_, i) => texel(i)).flat());
+  const texture = new DataTexture(data, width, height, format, FloatType);
+  texture.needsUpdate = true;
+  return texture;
+}

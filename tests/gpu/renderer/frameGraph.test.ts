@@ -1,0 +1,124 @@
+import '../../../src/cli/gpu/nodeShim.ts';
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
+import { fromHalf, toHalf } from '../../../src/math/half.ts';
+import { aovsOfFrameGraph, evaluateFrameGraph } from '../../../src/reference/post/frameGraph.ts';
+import type { AovName } from '../../../src/scene/view/view.ts';
+import { openModulePage } from '../support/modulePage.ts';
+import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
+import {
+  FRAME_GRAPH,
+  type RenderedFrameGraph,
+  renderFrameGraph,
+  renderStillImages,
+  SCENES,
+  SETTINGS,
+  SHADOWS,
+  SIZE,
+  STILLS,
+  showing,
+  still,
+  VIEW,
+} from './frameGraphScenes.ts';
+
+/** Of a value and the least that is told apart, through eight images of half floats; and of false colours, which the reference has in 8 bits. */
+const [TOLERANCE, LEAST] = [0.01, 0.5];
+
+/** What the reference makes of the same G-buffers. */
+function expectAsReference({ light, buffers }: RenderedFrameGraph): void {
+  const taken = buffers.map((data) => ({
+    aovs: new Map(Object.entries(data).map(([name, values]) => [name as AovName, Float32Array.from(values)])),
+    zenith: [0, 1, 0] as const,
+  }));
+  const truth = evaluateFrameGraph({ view: VIEW, settings: SETTINGS, ...SIZE, buffers: taken }).values;
+  expect(light.length).toBe(truth.length);
+  const off = Array.from(truth, (value, i) => Math.abs(value - light[i]) / (Math.abs(value) + LEAST));
+  if (process.env.REPORT) console.log(Math.max(...off), off.filter((each) => each > TOLERANCE).length);
+  expect(Math.max(...off)).toBeLessThan(TOLERANCE);
+  expect(new Set(truth).size).toBeGreaterThan(1000);
+}
+
+/** One of the picture's size comes back as half floats have it, to the bit; others as the reference fits them. */
+function expectStills(lights: readonly (readonly number[])[]): void {
+  STILLS.forEach(([width, height], i) => {
+    const made = still(width, height);
+    const light = lights[i]!;
+    if (i === 0) expect(light).toEqual(Array.from(made.pixels, (value) => fromHalf(toHalf(value))));
+    const taken = { view: VIEW, settings: showing(made), ...SIZE, buffers: [] };
+    const truth = evaluateFrameGraph(taken).values;
+    expect(light.length).toBe(truth.length);
+    const off = Array.from(truth, (value, k) => Math.abs(value - light[k]!) / (value + 1e-3));
+    if (process.env.REPORT) console.log(width, height, Math.max(...off));
+    expect(Math.max(...off)).toBeLessThan(0.002);
+  });
+}
+
+describe('a plan is carried out as the reference does', () => {
+  let headless: HeadlessPictures;
+  beforeAll(async () => {
+    headless = await openPictures(SIZE.width, SIZE.height);
+  });
+  afterAll(() => headless?.close());
+
+  it('on WebGPU (Dawn)', async () => {
+    pumpFrame();
+    expectAsReference(await renderFrameGraph(headless.renderer, aovsOfFrameGraph(FRAME_GRAPH)));
+  });
+
+  it('stills lie in the picture as the reference has them, each anew, on WebGPU (Dawn)', async () => {
+    pumpFrame();
+    expectStills(await renderStillImages(headless.renderer));
+  });
+
+  it('numbers change without new shaders, and the picture comes back with them', async () => {
+    const { renderer } = headless;
+    const { frameGraph, ...plain } = SETTINGS;
+    await renderer.setScene(SCENES[0], SCENES.slice(1));
+    const drawn = async (settings: typeof SETTINGS): Promise<Uint8Array> => {
+      pumpFrame();
+      renderer.render(VIEW, settings);
+      return renderer.readPixels();
+    };
+    const [bare, first] = [await drawn(plain), await drawn(SETTINGS)];
+    const steps = FRAME_GRAPH.passes.map((step) => (step.kind === 'mix' ? { ...step, alpha: 0.25 } : step));
+    expect(renderer.precompile(VIEW, { ...SETTINGS, frameGraph: { ...FRAME_GRAPH, passes: steps } })).toBeUndefined();
+    expect(await drawn({ ...SETTINGS, frameGraph: { ...FRAME_GRAPH, passes: steps } })).not.toEqual(first);
+    expect(await drawn(SETTINGS)).toEqual(first);
+    expect(await drawn(plain)).toEqual(bare);
+    expect(first).not.toEqual(bare);
+    expect(frameGraph).toBe(FRAME_GRAPH);
+  });
+
+  it('one G-buffer has lights with shadows and without', async () => {
+    const { renderer } = headless;
+    const { frameGraph: _, ...plain } = SHADOWS;
+    const light = async (settings: typeof SHADOWS): Promise<Float32Array> => {
+      pumpFrame();
+      renderer.render(VIEW, settings);
+      return renderer.readAov('beauty');
+    };
+    const [lit, bright] = [
+      await light({ ...plain, occlusionRadius: 0 }),
+      await light({ ...plain, occlusionRadius: 0, shadows: false }),
+    ];
+    const both = await light(SHADOWS);
+    both.forEach((value, i) => {
+      expect(Math.abs(value - Math.abs(lit[i] - bright[i]))).toBeLessThan(0.002);
+    });
+    expect(Math.max(...both)).toBeGreaterThan(0.1);
+  });
+});
+
+it('a plan is carried out on WebGL2 too', async () => {
+  const chromium = await openModulePage(fileURLToPath(new URL('./frameGraphPage.ts', import.meta.url)));
+  try {
+    const drawn = await chromium.page.evaluate((needed) => window.drawPlan(needed), aovsOfFrameGraph(FRAME_GRAPH));
+    chromium.assertHealthy();
+    expectAsReference(drawn);
+    expectStills(await chromium.page.evaluate(() => window.drawStills()));
+    chromium.assertHealthy();
+  } finally {
+    await chromium.close();
+  }
+});

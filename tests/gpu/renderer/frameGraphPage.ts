@@ -1,0 +1,17 @@
+import { SceneRenderer } from '../../../src/render/renderer.ts';
+import type { AovName } from '../../../src/scene/view/view.ts';
+import { type RenderedFrameGraph, renderFrameGraph, renderStillImages } from './frameGraphScenes.ts';
+
+declare global {
+  interface Window {
+    /** The plan of frameGraphScenes.ts on WebGL2, and what it is made of. */
+    drawPlan: (needed: readonly (readonly AovName[])[]) => Promise<RenderedFrameGraph>;
+    /** Stills on WebGL2. */
+    drawStills: () => Promise<number[][]>;
+  }
+}
+
+const renderer = () => SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
+
+window.drawPlan = async (needed) => renderFrameGraph(await renderer(), needed);
+window.drawStills = async () => renderStillImages(await renderer());

@@ -1,0 +1,18 @@
+import { SceneRenderer } from '../../../src/render/renderer.ts';
+import { renderSunShares, SHADOW_SCENES } from './shadowsScenes.ts';
+
+declare global {
+  interface Window {
+    /** What shadows leave of the light in one of the scenes on WebGL2. */
+    takeShares: (name: string) => Promise<number[]>;
+  }
+}
+
+let opened: Promise<SceneRenderer> | undefined;
+
+window.takeShares = async (name) => {
+  opened ??= SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
+  const scene = SHADOW_SCENES.find((candidate) => candidate.name === name);
+  if (!scene) throw new Error(`no scene is called ${name}`);
+  return renderSunShares(await opened, scene);
+};

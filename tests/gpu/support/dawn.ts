@@ -1,0 +1,27 @@
+import '../../../src/cli/gpu/nodeShim.ts';
+import { WebGPURenderer } from 'three/webgpu';
+import { type HeadlessDevice, openDevice } from '../../../src/cli/gpu/device.ts';
+import { closeAndAssertHealthy } from './healthyClose.ts';
+
+export interface HeadlessRenderer {
+  readonly renderer: WebGPURenderer;
+  readonly gpu: HeadlessDevice;
+  /** Throws what the GPU reported meanwhile, and gives it back. */
+  close(): Promise<void>;
+}
+
+/** three's renderer on Dawn, in Node. */
+export async function openRenderer(): Promise<HeadlessRenderer> {
+  const gpu = await openDevice();
+  const renderer = new WebGPURenderer({ canvas: canvas(), device: gpu.device });
+  await renderer.init();
+  return {
+    renderer,
+    gpu,
+    close: closeAndAssertHealthy(gpu, renderer),
+  };
+}
+
+/** The renderer asks for one; nothing is drawn on it. */
+const canvas = (): HTMLCanvasElement =>
+  ({ width: 1, height: 1, style: {}, addEventListener() {}, removeEventListener() {} }) as unknown as HTMLCanvasElement;

@@ -1,0 +1,97 @@
+import type { PixelOracle, PixelVerdict } from './pixelOracle.ts';
+import { pixelSampleAt } from './pixels.ts';
+
+/** What is compared at right pixels. D and the velocity are apart for what changes its velocity. */
+export const MEASURES = ['time', 'depth', 'doppler', 'velocity', 'changing doppler', 'changing velocity'] as const;
+export type Measure = (typeof MEASURES)[number];
+
+/** What 99 % of the pixels stay below, and all. */
+export interface Spread {
+  readonly most: number;
+  readonly worst: number;
+}
+
+/** By how much a base colour may lie outside those around: mipmaps and anisotropic filters differ between GPUs. */
+const ALBEDO_SLACK = 0.08;
+/** Every so many pixels the base colour is asked for, which costs 49 rays. */
+const ALBEDO_STEP = 61;
+
+/** What came out for one picture, or for several together. */
+export class ErrorTally {
+  private readonly displacements: number[] = [];
+  private readonly errors = new Map<Measure, number[]>(MEASURES.map((name) => [name, []]));
+  private readonly wrongPixels: number[] = [];
+  private readonly albedos = { asked: 0, unfit: 0 };
+  private judged = 0;
+
+  add(pixel: number, verdict: PixelVerdict): void {
+    this.judged++;
+    // Where the event is behind the camera, the distance says nothing.
+    if (Number.isFinite(verdict.displacement)) this.displacements.push(verdict.displacement);
+    if (!verdict.right) {
+      this.wrongPixels.push(pixel);
+      return;
+    }
+    const kind = verdict.changing ? 'changing ' : '';
+    this.errors.get('time')?.push(verdict.time);
+    this.errors.get('depth')?.push(verdict.depth);
+    this.errors.get(`${kind}doppler`)?.push(verdict.doppler);
+    this.errors.get(`${kind}velocity`)?.push(verdict.velocity);
+  }
+
+  addAlbedo(fits: boolean | undefined): void {
+    if (fits === undefined) return;
+    this.albedos.asked++;
+    if (!fits) this.albedos.unfit++;
+  }
+
+  /** Share of the judged pixels. */
+  get wrong(): number {
+    return this.wrongPixels.length / Math.max(1, this.judged);
+  }
+  /** The first of them, to look at: their places in the picture's rows. */
+  get wrongPlaces(): readonly number[] {
+    return this.wrongPixels.slice(0, 8);
+  }
+  /** From the pixels' centres to where what they show is truly seen [px]. */
+  get displacement(): Spread {
+    return spread(this.displacements);
+  }
+  error(measure: Measure): Spread {
+    return spread(this.errors.get(measure) ?? []);
+  }
+  get albedoUnfit(): number {
+    return this.albedos.unfit / Math.max(1, this.albedos.asked);
+  }
+
+  line(): string {
+    const { most, worst } = this.displacement;
+    const errors = MEASURES.map((name) => [name, this.error(name)] as const).filter(([, { worst }]) => worst > 0);
+    const exponential = (x: number): string => x.toExponential(0).replace('e-', 'e−');
+    return [
+      `wrong ${(100 * this.wrong).toFixed(3)} % of ${this.judged}`,
+      `displaced ${most.toFixed(2)}/${worst.toFixed(2)} px`,
+      ...errors.map(([name, e]) => `${name} ${exponential(e.most)}/${exponential(e.worst)}`),
+      `albedo ${(100 * this.albedoUnfit).toFixed(1)} %`,
+    ].join(', ');
+  }
+}
+
+/** Judges the given pixels of a picture; `values`: theirs, as `readSamplePixels` has them. */
+export function tallyErrors(judge: PixelOracle, values: Float32Array, pixels: readonly number[]): ErrorTally {
+  const tally = new ErrorTally();
+  pixels.forEach((pixel, k) => {
+    const claim = pixelSampleAt(values, k);
+    const verdict = judge.judge(pixel, claim);
+    tally.add(pixel, verdict);
+    if (verdict.right && claim.object > 0 && k % ALBEDO_STEP === 0)
+      tally.addAlbedo(judge.albedoFits(pixel, claim, ALBEDO_SLACK));
+  });
+  return tally;
+}
+
+function spread(values: readonly number[]): Spread {
+  const sorted = [...values].sort((a, b) => a - b);
+  const last = sorted.length - 1;
+  return { most: sorted[Math.floor(0.99 * last)] ?? 0, worst: sorted[last] ?? 0 };
+}

@@ -1,0 +1,218 @@
+import { conjugate, rotate } from '../../src/math/quat.ts';
+import { dot, length, sub, type Vec3 } from '../../src/math/vec3.ts';
+import { boost, properVelocity, velocity } from '../../src/physics/lorentz/boost.ts';
+import { fourVector, spatial } from '../../src/physics/lorentz/fourVector.ts';
+import { apparentPosition } from '../../src/physics/optics/apparentPosition.ts';
+import { dopplerFactor } from '../../src/physics/optics/doppler.ts';
+import { simultaneousPosition } from '../../src/physics/worldLines/simultaneity.ts';
+import type { Hit } from '../../src/reference/acceleration/ray.ts';
+import { cameraRay } from '../../src/reference/camera/cameraRay.ts';
+import { visibleHit } from '../../src/reference/camera/visibleHit.ts';
+import type { TracedScene } from '../../src/reference/intersection/tracedScene.ts';
+import { surfaceAt } from '../../src/reference/materials/surface.ts';
+import type { Motion } from '../../src/scene/types.ts';
+import type { RenderSettings, ViewPoint } from '../../src/scene/view/view.ts';
+
+/*
+ * Is a rasterized pixel right? It claims that an event of an object's surface is seen at the pixel's centre. It is right where that very
+ * event is truly seen within `MAX_REACH` pixels of the centre; background likewise. Where it is seen follows from its place alone, by the
+ * formulas of physics/; that the surface is there at that moment, and that nothing hides it, from rays of the reference.
+ */
+
+/** How far from the pixel's centre what it shows may truly be [px]: the goal of the whole renderer. */
+export const MAX_DISPLACEMENT = 0.5;
+
+/** One rasterized picture and what it is a picture of. */
+export interface RasterizedPicture {
+  readonly scene: TracedScene;
+  readonly view: ViewPoint;
+  readonly settings: RenderSettings;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** What a pixel says: its data AOVs. */
+export interface PixelSample {
+  /** Place in `Scene.objects` plus one; 0: background. */
+  readonly object: number;
+  readonly position: Vec3;
+  readonly time: number;
+  /** Apparent distance [m]. */
+  readonly depth: number;
+  readonly doppler: number;
+  /** World frame, units of c. */
+  readonly velocity: Vec3;
+  readonly albedo: Vec3;
+}
+
+export interface PixelVerdict {
+  readonly right: boolean;
+  /** From the pixel's centre to where the claimed event is truly seen [px]; 0 for background, infinite where it is behind the camera. */
+  readonly displacement: number;
+  /** Errors of a right pixel's data. Time: over the light's own way, c|Δt|/|Δx|; depth and D: relative; velocity: in units of c. */
+  readonly time: number;
+  readonly depth: number;
+  readonly doppler: number;
+  readonly velocity: number;
+  /** The surface's velocity changes: the rasterizer has it at its vertices, each for its own light, and takes what is between them. */
+  readonly changing: boolean;
+}
+
+/** The claimed event as an event of the picture: its time is what its place asks for. */
+interface Truth {
+  /** Observer → event, world frame [m]. */
+  readonly dx: Vec3;
+  /** [s] */
+  readonly time: number;
+  /** In the picture, from its top left [px]. */
+  readonly x: number;
+  readonly y: number;
+  /** Where it is seen, in the camera's axes [m]. */
+  readonly seen: Vec3;
+}
+
+const STEADY: readonly Motion['kind'][] = ['static', 'uniform'];
+
+const NO_ERRORS = { time: 0, depth: 0, doppler: 0, velocity: 0, changing: false };
+const WRONG: PixelVerdict = { right: false, displacement: Number.POSITIVE_INFINITY, ...NO_ERRORS };
+const BACKGROUND: PixelVerdict = { right: true, displacement: 0, ...NO_ERRORS };
+
+/** Half a step of f32, twice: the CPU rounds, and so does the GPU. */
+const F32 = 2 ** -23;
+
+/** Where the ring search looks [px from the centre]: on circles up to `MAX_REACH`. */
+const RING: readonly (readonly [number, number])[] = [0.2, 0.35, 0.5].flatMap((share, k) =>
+  Array.from({ length: 8 + 4 * k }, (_, i) => {
+    const angle = (2 * Math.PI * (i + k / 3)) / (8 + 4 * k);
+    return [2 * share * MAX_DISPLACEMENT * Math.cos(angle), 2 * share * MAX_DISPLACEMENT * Math.sin(angle)] as const;
+  }),
+);
+
+/** Judges the pixels of pictures of one thing by several rasterizers; a ray that two of them need is traced once. */
+export class PixelOracle {
+  private readonly picture: RasterizedPicture;
+  private readonly centers = new Map<number, Hit | undefined>();
+
+  constructor(picture: RasterizedPicture) {
+    this.picture = picture;
+  }
+
+  /** `pixel`: its place in the picture's rows. */
+  judge(pixel: number, claim: PixelSample): PixelVerdict {
+    const center = this.center(pixel);
+    if (claim.object === 0) return this.judgeBackground(pixel, center);
+    const own = center?.object === claim.object - 1 ? center : undefined;
+    const truth = this.truth(claim);
+    const [x, y] = this.placeOf(pixel);
+    const displacement = truth.seen[2] < 0 ? Math.hypot(truth.x - x, truth.y - y) : Number.POSITIVE_INFINITY;
+    if (!(displacement <= MAX_DISPLACEMENT)) return { ...WRONG, displacement };
+    const hit = this.meeting(claim, truth, pixel, own);
+    return hit ? this.compare(claim, truth, hit, displacement) : { ...WRONG, displacement };
+  }
+
+  /**
+   * Whether a base colour lies between the darkest and the brightest of the surface within a pixel around, give or take `slack`: the GPU reads
+   * textures through a filter that is about so wide. undefined where the pixel's neighbourhood is not of one object.
+   */
+  albedoFits(pixel: number, { object, albedo }: PixelSample, slack: number): boolean | undefined {
+    const [x, y] = this.placeOf(pixel);
+    const low = [1, 1, 1];
+    const high = [0, 0, 0];
+    for (let i = 0; i < 49; i++) {
+      const hit = this.trace(x + (i % 7) / 3 - 1, y + Math.floor(i / 7) / 3 - 1);
+      if (hit?.object !== object - 1) return undefined;
+      const color = surfaceAt(this.picture.scene, hit).albedo;
+      for (let k = 0; k < 3; k++) {
+        low[k] = Math.min(low[k], color[k]);
+        high[k] = Math.max(high[k], color[k]);
+      }
+    }
+    return albedo.every((value, k) => value >= low[k] - slack && value <= high[k] + slack);
+  }
+
+  private judgeBackground(pixel: number, center: Hit | undefined): PixelVerdict {
+    if (!center) return BACKGROUND;
+    const [x, y] = this.placeOf(pixel);
+    return RING.some(([dx, dy]) => !this.trace(x + dx, y + dy)) ? BACKGROUND : WRONG;
+  }
+
+  /** A ray within reach that meets the claimed point: at the centre, where it is truly seen, else on a ring round the centre. */
+  private meeting(claim: PixelSample, truth: Truth, pixel: number, own: Hit | undefined): Hit | undefined {
+    if (own && this.samePoint(claim, truth, own)) return own;
+    const [x, y] = this.placeOf(pixel);
+    for (const [px, py] of [[truth.x, truth.y], ...RING.map(([dx, dy]) => [x + dx, y + dy])]) {
+      const hit = this.trace(px, py);
+      if (hit && hit.object === claim.object - 1 && this.samePoint(claim, truth, hit)) return hit;
+    }
+    return undefined;
+  }
+
+  /**
+   * Whether the claimed point lies in the surface that the ray has met: no farther from its plane, in its rest frame, than the footprint of
+   * `MAX_REACH` pixels. (Along the plane it is as near as the two places in the picture are; lengths across the line of sight are the same in all frames.)
+   */
+  private samePoint({ position }: PixelSample, { time, seen }: Truth, hit: Hit): boolean {
+    const { view, settings, height } = this.picture;
+    const between = fourVector(settings.speedOfLight * (time - hit.time), sub(position, hit.position));
+    const offPlane = dot(hit.normal, spatial(boost(between, properVelocity(hit.velocity))));
+    const pixel = (2 * Math.tan(view.fovY / 2)) / height;
+    return Math.abs(offPlane) <= MAX_DISPLACEMENT * pixel * -seen[2];
+  }
+
+  private compare(claim: PixelSample, { dx, time, seen }: Truth, hit: Hit, displacement: number): PixelVerdict {
+    const { scene, view, settings } = this.picture;
+    const D = settings.view === 'light-cone' ? dopplerFactor(dx, view.u, properVelocity(hit.velocity)) : 1;
+    // The AOV is f32, of a world time that may be large.
+    const late = Math.max(0, Math.abs(claim.time - time) - F32 * Math.abs(time));
+    return {
+      right: true,
+      displacement,
+      time: (settings.speedOfLight * late) / length(dx),
+      depth: Math.abs(claim.depth / length(seen) - 1),
+      doppler: Math.abs(claim.doppler / D - 1),
+      velocity: length(sub(claim.velocity, hit.velocity)),
+      changing: !STEADY.includes(scene.objects[hit.object].motion.kind),
+    };
+  }
+
+  private truth({ position }: PixelSample): Truth {
+    const { view, settings } = this.picture;
+    const dx = sub(position, view.position);
+    const time = view.t + delayOf(dx, view.u, settings) / settings.speedOfLight;
+    const seen = rotate(conjugate(view.orientation), shownAt(dx, view.u, settings));
+    return { dx, time, seen, ...this.project(seen) };
+  }
+
+  private project([x, y, z]: Vec3): { x: number; y: number } {
+    const { view, width, height } = this.picture;
+    const focal = height / (2 * Math.tan(view.fovY / 2));
+    return { x: width / 2 + (focal * x) / -z, y: height / 2 - (focal * y) / -z };
+  }
+
+  private center(pixel: number): Hit | undefined {
+    if (!this.centers.has(pixel)) this.centers.set(pixel, this.trace(...this.placeOf(pixel)));
+    return this.centers.get(pixel);
+  }
+
+  private placeOf(pixel: number): readonly [x: number, y: number] {
+    const { width } = this.picture;
+    return [(pixel % width) + 0.5, Math.floor(pixel / width) + 0.5];
+  }
+
+  private trace(x: number, y: number): Hit | undefined {
+    const { scene, view, settings, width, height } = this.picture;
+    return visibleHit(scene, cameraRay(view, settings, x, y, width, height));
+  }
+}
+
+/** c(t − t_o) of an event at Δx on the light cone or slice that is looked at [m of light]. */
+function delayOf(dx: Vec3, u: Vec3, { view, lightDelay }: RenderSettings): number {
+  if (view === 'simultaneity') return dot(velocity(u), dx);
+  return view === 'light-cone' && lightDelay ? -length(dx) : 0;
+}
+
+/** From the observer, on the world axes that the boost carries [m]. */
+function shownAt(dx: Vec3, u: Vec3, { view, aberration }: RenderSettings): Vec3 {
+  if (view === 'simultaneity') return simultaneousPosition(dx, u);
+  return view === 'light-cone' && aberration ? apparentPosition(dx, u) : dx;
+}
