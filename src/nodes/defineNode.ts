@@ -17,7 +17,7 @@ import type { LoadedScene, Services } from './services.ts';
 export interface RelativisticScene extends LoadedScene {
   /** [m/s] */
   readonly speedOfLight: number;
-  /** The observer's greatest speed, as a fraction of c. */
+  /** The observer's maximum speed as a fraction of c. */
   readonly maxSpeed: number;
   readonly lightDelay: boolean;
   readonly aberration: boolean;
@@ -27,17 +27,17 @@ export interface RelativisticScene extends LoadedScene {
   readonly view: View;
 }
 
-/** A scene with where it is looked at from. */
+/** A relativistic scene with the camera that observes it. */
 export interface CameraView extends RelativisticScene {
   /** Prim path; empty: the scene's first camera. */
   readonly camera: string;
-  /** The observer rides on the file's camera, with its velocity, instead of flying freely. */
+  /** Whether the observer rides on the file's camera with its velocity instead of flying freely. */
   readonly ride: boolean;
-  /** Vertical field of view [rad]; undefined: the camera's own. */
+  /** Vertical field of view [rad]; undefined: the camera's. */
   readonly fovY: number | undefined;
 }
 
-/** What the rasterizer is to draw. A description: the pass itself runs once a frame. */
+/** What the rasterizer is to draw. A description only: the pass runs once per frame. */
 export interface GBufferSpec extends CameraView {
   readonly colors: ColorMode;
   readonly dopplerMix: number;
@@ -46,50 +46,50 @@ export interface GBufferSpec extends CameraView {
   readonly grid: boolean;
 }
 
-/** An image, by the step that makes it of others; nothing is drawn before the whole picture is known. */
+/** An image, described by the pass that makes it from others; nothing is rendered before the whole picture is known. */
 export interface ImageSpec {
   readonly step: FrameGraphPassOf<ImageSpec, GBufferSpec>;
-  /** The G-buffer that the picture is of, first of all: whose camera, time and speed of light hold for it. */
+  /** The primary G-buffer, whose camera, time and speed of light apply to the image. */
   readonly gbuffer: GBufferSpec;
 }
 
-/** A whole picture, but for the time and the observer, which change by themselves. */
+/** A whole picture, except for time and observer, which change without an evaluation. */
 export interface PictureSpec extends GBufferSpec {
   readonly shadows: boolean;
-  /** What hides the sky of a place dims its light. */
+  /** Whether ambient occlusion dims the light of the sky. */
   readonly occlusion: boolean;
   readonly tone: ToneMapping;
   readonly metering: MeteringMode;
-  /** What is added to the metered exposure [EV]. */
+  /** Exposure compensation, added to the metered exposure [EV]. */
   readonly exposure: number;
   readonly falseColor: FalseColorQuantity | 'none';
-  /** Where it is more than one G-buffer, shaded: how it is put together. */
+  /** Present if the picture is more than one shaded G-buffer. */
   readonly frameGraph?: FrameGraph;
-  /** What it was planned of. */
+  /** The final image. */
   readonly image: ImageSpec;
-  /** What the plan's other G-buffers are of, with that of the first. */
+  /** Scenes of all G-buffers; the primary one's first. */
   readonly scenes: readonly Scene[];
 }
 
-/** From when to when a scene's animation is shown [s]. */
+/** Time range in which a scene's animation is shown [s]. */
 export interface TimeRange {
   readonly start: number;
   readonly end: number;
-  /** World time that it opens at; absent: its start. */
+  /** Initial world time [s]; absent: the start. */
   readonly openAt?: number;
 }
 
-/** What flows through a socket of each type. */
+/** Type of value of each socket type. */
 interface SocketValues {
-  /** Things, lamps and cameras that are to be part of a scene. */
+  /** Objects, lights and cameras to be part of a scene. */
   readonly geometry: LoadedScene;
   readonly motion: MotionPath;
-  /** What is to be simulated. */
+  /** Description of what is to be simulated. */
   readonly matter: Matter;
-  /** What a simulation did. */
+  /** Run record of a simulation. */
   readonly books: RunRecord;
   readonly lights: readonly Light[];
-  /** The observer's velocity at the start, in units of c. */
+  /** The observer's initial velocity [c]. */
   readonly observer: Vec3;
   readonly time: TimeRange;
   readonly spectrum: LightSpectrum;
@@ -98,7 +98,7 @@ interface SocketValues {
   readonly view: CameraView;
   readonly gbuffer: GBufferSpec;
   readonly image: ImageSpec;
-  /** An image whose first channel counts. */
+  /** An image whose first channel is used. */
   readonly mask: ImageSpec;
   readonly picture: PictureSpec;
   readonly number: number;
@@ -133,8 +133,8 @@ export interface NodeDefinition<P extends Params, I extends SocketTable, O exten
 }
 
 /**
- * A node whose code is typed by its own description. The engine connects only sockets of one type and the document's
- * values are checked against the description, so the erased types are what the code was promised.
+ * Defines a node whose code is typed by its own description. The engine connects only sockets of equal types, and the
+ * document's values are validated against the description, so the erased types hold.
  */
 export function defineNode<const P extends Params, const I extends SocketTable, const O extends SocketTable>(
   definition: NodeDefinition<P, I, O>,

@@ -19,20 +19,20 @@ import { VectorControl } from './VectorControl.tsx';
 
 export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
   readonly spec: Spec;
-  /** As set in the document; undefined: the default, or what the scene suggests. */
+  /** Value set in the document; undefined: the default, or what the scene suggests. */
   readonly set: ParamValue | undefined;
-  /** What holds now. */
+  /** The effective value. */
   readonly value: ParamValue;
-  /** For a text whose values come from the scene. */
+  /** Values that the scene offers for a text parameter. */
   readonly choices?: readonly string[];
-  /** The node that says what it is, where an edge drives it. */
+  /** Title of the node whose edge drives it. */
   readonly drivenBy?: string;
-  /** `gesture`: part of one continuous action. */
+  /** `gesture`: key of a continuous interaction, whose changes are one undo step. */
   readonly onChange: (value: ParamValue | undefined, gesture?: string) => void;
   readonly onGestureEnd: () => void;
 }
 
-/** One parameter of a node, as its description says. */
+/** Control of one parameter, chosen by its description. */
 export function ParamControl(props: ParamProps): ReactNode {
   const { spec, drivenBy } = props;
   if (drivenBy !== undefined) return <DrivenParam spec={spec} by={drivenBy} />;
@@ -100,11 +100,11 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
 interface UnphysicalProps {
   readonly spec: ParamSpec;
   readonly value: ParamValue;
-  /** What nature has, in words. */
+  /** The physical value, as text. */
   readonly nature: string;
 }
 
-/** A value that nature does not have is for teaching, and says so. */
+/** Warns that a value departs from nature. */
 function Unphysical({ spec, value, nature }: UnphysicalProps): ReactNode {
   const { t } = useTexts();
   if (!isUnphysical(spec, value)) return null;
@@ -163,7 +163,7 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
   );
 }
 
-/** More choices than fit side by side are a list. */
+/** More options than this are a list instead of segments. */
 const MAX_SEGMENTS = 5;
 
 function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>): ReactNode {
