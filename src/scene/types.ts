@@ -3,7 +3,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { MeasuredReflectance } from '../spectrum/reflectance/measuredReflectance.ts';
 import type { LightSpectrum } from '../spectrum/sources/lightSpectrum.ts';
 import type { Stars } from './stars/brightStars.ts';
-import type { StreamedPoints } from './streaming/streamedPoints.ts';
+import type { StreamedPoints } from './streaming/storedPoints.ts';
 
 /**
  * What is observed. Everything is in the world frame (the inertial frame the scene is authored in), in SI:

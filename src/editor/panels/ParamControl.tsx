@@ -13,24 +13,10 @@ import { useTexts } from '../i18n/i18n.ts';
 import { ColorControl } from './ColorControl.tsx';
 import { ExpressionField } from './ExpressionField.tsx';
 import { DrivenParam, ParamLabel, ResetButton } from './ParamLabel.tsx';
+import type { ParamProps } from './paramProps.ts';
 import { sliderPosition, sliderValue } from './sliderScale.ts';
 import { ListControl, TextControl } from './TextControl.tsx';
 import { VectorControl } from './VectorControl.tsx';
-
-export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
-  readonly spec: Spec;
-  /** As set in the document; undefined: the default, or what the scene suggests. */
-  readonly set: ParamValue | undefined;
-  /** What holds now. */
-  readonly value: ParamValue;
-  /** For a text whose values come from the scene. */
-  readonly choices?: readonly string[];
-  /** The node that says what it is, where an edge drives it. */
-  readonly drivenBy?: string;
-  /** `gesture`: part of one continuous action. */
-  readonly onChange: (value: ParamValue | undefined, gesture?: string) => void;
-  readonly onGestureEnd: () => void;
-}
 
 /** One parameter of a node, as its description says. */
 export function ParamControl(props: ParamProps): ReactNode {

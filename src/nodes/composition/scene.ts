@@ -3,7 +3,8 @@ import { makeScene } from '../../scene/defaults.ts';
 import type { Light, Scene } from '../../scene/types.ts';
 import { framingCamera } from '../../scene/view/camera.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
-import { defineNode, type TimeRange } from '../defineNode.ts';
+import { defineNode } from '../defineNode.ts';
+import type { TimeRange } from '../socketValues.ts';
 
 /** Composes what is observed: things, lights, when and how fast; with a camera that has all of it in view where none is brought. */
 export const sceneNode = defineNode({

@@ -4,7 +4,7 @@ import { type FrameGraph, includesToneMapping } from '../../scene/frameGraph/fra
 import type { SceneCamera } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
-import type { PictureSpec } from '../defineNode.ts';
+import type { PictureSpec } from '../socketValues.ts';
 
 /** The picture that an evaluation of the output node gave; undefined where it failed. */
 export const evaluatedPicture = ({ target }: Evaluation): PictureSpec | undefined =>

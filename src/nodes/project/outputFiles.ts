@@ -1,7 +1,7 @@
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import type { Scene } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
-import type { PictureSpec } from '../defineNode.ts';
+import type { PictureSpec } from '../socketValues.ts';
 
 /** A file that a project asks for: a description. Who evaluates the project writes it, or offers it. */
 export type RequestedFile = SceneOutput | ImageOutput | VideoOutput;
