@@ -2,7 +2,7 @@ import { type EarlyStop, MAX_ENERGY_GAIN, type RunOptions, type SimulationFrame,
 
 /** Record of a run for plots and tables, frame by frame, as plain data. World frame, SI units. */
 export interface RunRecord {
-  /** Id of the method. */
+  /** Id of the integration method. */
   readonly method: string;
   /** [m/s]; Infinity: Newtonian mechanics. */
   readonly speedOfLight: number;

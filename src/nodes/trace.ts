@@ -1,6 +1,6 @@
 import { CancelledError } from '../graph/evaluation/evaluator.ts';
 import type { AbortSignalLike, ProgressCallback } from '../graph/nodeType.ts';
-import type { TileRequest } from '../reference/tile.ts';
+import type { TileRequest } from '../reference/tileRequest.ts';
 import type { Scene } from '../scene/types.ts';
 
 /** Request for a reference picture; its speed of light is that of the settings. */

@@ -56,7 +56,7 @@ function midpointOf(a: Float64Array, b: Float64Array, out: Float64Array): void {
   for (let j = 0; j < out.length; j++) out[j] = 0.5 * (a[j] + b[j]);
 }
 
-/** Conserves energy for any step size. Source: Gonzalez 1996; for H = √(p²c² + m²c⁴) + V see docs/physics.md. */
+/** Conserves energy for any step size. Source: Gonzalez 1996; for H = √(p²c² + m²c⁴) + V: docs/physics.md §11.4. */
 export const discreteGradient: IntegrationMethod = {
   id: 'discrete-gradient',
   order: 2,

@@ -1,7 +1,7 @@
 import { IDENTITY } from '../../math/quat.ts';
 import { length, ZERO } from '../../math/vec3.ts';
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { sceneKey } from '../loading/localFiles.ts';

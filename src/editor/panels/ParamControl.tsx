@@ -13,24 +13,10 @@ import { useTexts } from '../i18n/i18n.ts';
 import { ColorControl } from './ColorControl.tsx';
 import { ExpressionField } from './ExpressionField.tsx';
 import { DrivenParam, ParamLabel, ResetButton } from './ParamLabel.tsx';
+import type { ParamProps } from './paramProps.ts';
 import { sliderPosition, sliderValue } from './sliderScale.ts';
 import { ListControl, TextControl } from './TextControl.tsx';
 import { VectorControl } from './VectorControl.tsx';
-
-export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
-  readonly spec: Spec;
-  /** Value set in the document; undefined: the default, or what the scene suggests. */
-  readonly set: ParamValue | undefined;
-  /** The effective value. */
-  readonly value: ParamValue;
-  /** Values that the scene offers for a text parameter. */
-  readonly choices?: readonly string[];
-  /** Title of the node whose edge drives it. */
-  readonly drivenBy?: string;
-  /** `gesture`: key of a continuous interaction, whose changes are one undo step. */
-  readonly onChange: (value: ParamValue | undefined, gesture?: string) => void;
-  readonly onGestureEnd: () => void;
-}
 
 /** Control of one parameter, chosen by its description. */
 export function ParamControl(props: ParamProps): ReactNode {

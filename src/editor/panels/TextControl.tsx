@@ -2,8 +2,8 @@ import { Group, Stack, Textarea, TextInput } from '@mantine/core';
 import { type KeyboardEvent, type ReactNode, useId, useState } from 'react';
 import type { ListParam, TextParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import type { ParamProps } from './ParamControl.tsx';
 import { ParamLabel, ResetButton } from './ParamLabel.tsx';
+import type { ParamProps } from './paramProps.ts';
 
 /** Longer texts get a multiline field [characters]. */
 const LONG = 60;

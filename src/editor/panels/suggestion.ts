@@ -1,8 +1,8 @@
 import type { ParamValue } from '../../graph/document/document.ts';
 import type { ParamSpec } from '../../graph/nodeType.ts';
 import { degrees } from '../../math/angle.ts';
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 
 const SUGGESTED: Readonly<Record<string, (picture: PictureSpec) => number>> = {
   speedOfLight: ({ speedOfLight }) => speedOfLight,

@@ -13,12 +13,12 @@ import {
 import { CancelledError, type Evaluation, Evaluator } from '../../graph/evaluation/evaluator.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
 import type { NodeProblem } from '../../graph/nodeType.ts';
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { evaluatedPicture } from '../../nodes/pictures/renderSettings.ts';
 import { nearestToOutput, outputNodeId, readNodeParams, readSource } from '../../nodes/project/outputChain.ts';
 import { newProject, openFileCommand, setParamCommand } from '../../nodes/project/projectCommands.ts';
 import type { Services } from '../../nodes/services.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { Backend } from '../../render/settings.ts';
 import type { Lock } from '../flight/flight.ts';
 import { coalesce } from './coalesce.ts';

@@ -1,6 +1,6 @@
 import { type Vec3, ZERO } from '../../math/vec3.ts';
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';

@@ -1,5 +1,5 @@
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { adaptExposure, exposureForMetering, measuredFalseColorScale } from '../../nodes/pictures/metering.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import { contentKey } from '../../scene/frameGraph/frameGraph.ts';
 import type { LightMeterReadings } from '../../scene/view/metering.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';

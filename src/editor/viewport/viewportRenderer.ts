@@ -1,5 +1,5 @@
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { exposedFrameGraph, renderSettings } from '../../nodes/pictures/renderSettings.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import { SceneRenderer } from '../../render/renderer.ts';
 import type { Backend, Sampling } from '../../render/settings.ts';
 import { contentKey, type FrameGraph } from '../../scene/frameGraph/frameGraph.ts';

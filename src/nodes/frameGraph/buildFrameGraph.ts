@@ -1,6 +1,4 @@
 import {
-  BUFFER_SETTINGS,
-  type BufferSettings,
   contentKey,
   type FrameGraph,
   type FrameGraphBuffer,
@@ -12,7 +10,8 @@ import {
   MAX_STILL_IMAGES,
 } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
-import type { GBufferSpec, ImageSpec, PictureSpec } from '../defineNode.ts';
+import { BUFFER_SETTINGS, type BufferSettings } from '../../scene/view/bufferSettings.ts';
+import type { GBufferSpec, ImageSpec, PictureSpec } from '../socketValues.ts';
 
 /** A picture with too many parts. */
 export class FrameGraphError extends Error {}

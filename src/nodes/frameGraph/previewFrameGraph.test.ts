@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { makeScene } from '../../scene/defaults.ts';
 import { MAX_PASSES } from '../../scene/frameGraph/frameGraph.ts';
 import { DEFAULT_SETTINGS } from '../../scene/view/view.ts';
-import type { GBufferSpec, ImageSpec } from '../defineNode.ts';
+import type { GBufferSpec, ImageSpec } from '../socketValues.ts';
 import { buildPicture } from './buildFrameGraph.ts';
 import { previewFrameGraph } from './previewFrameGraph.ts';
 

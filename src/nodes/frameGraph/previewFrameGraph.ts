@@ -1,8 +1,9 @@
 import { EFFECTS, type EffectInfo } from '../../scene/frameGraph/effects.ts';
-import { bufferSettings, type FrameGraph, type FrameGraphPass, MAX_PASSES } from '../../scene/frameGraph/frameGraph.ts';
+import { type FrameGraph, type FrameGraphPass, MAX_PASSES } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
-import type { GBufferSpec, ImageSpec } from '../defineNode.ts';
+import { bufferSettings } from '../../scene/view/view.ts';
+import type { GBufferSpec, ImageSpec } from '../socketValues.ts';
 import { addPasses, FrameGraphError, frameGraphBuffer, UniqueList } from './buildFrameGraph.ts';
 
 /** The picture that previews are rendered with. */

@@ -4,8 +4,9 @@ import { fastestVertex } from '../../scene/motion/fastestVertex.ts';
 import { fly, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
 import type { Scene } from '../../scene/types.ts';
 import { timeParam } from '../common/params.ts';
-import { defineNode, type RelativisticScene } from '../defineNode.ts';
+import { defineNode } from '../defineNode.ts';
 import type { FastestScenePoint } from '../services.ts';
+import type { RelativisticScene } from '../socketValues.ts';
 
 /** Makes an object fly along a straight line, replacing its motion. */
 export const flyNode = defineNode({

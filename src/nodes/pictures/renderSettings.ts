@@ -4,7 +4,7 @@ import { type FrameGraph, includesToneMapping } from '../../scene/frameGraph/fra
 import type { SceneCamera } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
-import type { PictureSpec } from '../defineNode.ts';
+import type { PictureSpec } from '../socketValues.ts';
 
 /** The picture of an evaluated output node; undefined if it failed. */
 export const evaluatedPicture = ({ target }: Evaluation): PictureSpec | undefined =>

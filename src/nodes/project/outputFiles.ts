@@ -1,7 +1,7 @@
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import type { Scene } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
-import type { PictureSpec } from '../defineNode.ts';
+import type { PictureSpec } from '../socketValues.ts';
 
 /** Description of a file that a project requests. Whoever evaluates the project writes or downloads it. */
 export type RequestedFile = SceneOutput | ImageOutput | VideoOutput;

@@ -1,11 +1,12 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { DEFAULT_LIGHT, MAX_BOUNCES, MAX_SAMPLES, SEED_COUNT } from '../../reference/lights/lightOptions.ts';
-import { BUFFER_SETTINGS } from '../../scene/frameGraph/frameGraph.ts';
 import { makeStillPixels } from '../../scene/frameGraph/still.ts';
+import { BUFFER_SETTINGS } from '../../scene/view/bufferSettings.ts';
 import { framingCamera, observerFromCamera } from '../../scene/view/camera.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
-import { defineNode, type GBufferSpec } from '../defineNode.ts';
+import { defineNode } from '../defineNode.ts';
+import type { GBufferSpec } from '../socketValues.ts';
 
 /** Limits of a still on pixels and on light paths: minutes, not hours. */
 const MAX_PIXELS = 2 ** 22;

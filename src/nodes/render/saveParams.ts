@@ -1,7 +1,7 @@
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import type { NumberParam, ParamSpec } from '../../graph/nodeType.ts';
 import { nodeRefusal } from '../common/params.ts';
-import type { ImageSpec, PictureSpec } from '../defineNode.ts';
+import type { ImageSpec, PictureSpec } from '../socketValues.ts';
 import { buildPictureAt } from './pictureFor.ts';
 
 const MAX_SIDE = 16384;

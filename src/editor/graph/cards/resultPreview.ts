@@ -1,6 +1,6 @@
 import type { NodeResult } from '../../../graph/evaluation/resultCache.ts';
-import type { GBufferSpec, ImageSpec, PictureSpec, RelativisticScene, TimeRange } from '../../../nodes/defineNode.ts';
 import type { LoadedScene } from '../../../nodes/services.ts';
+import type { GBufferSpec, ImageSpec, PictureSpec, RelativisticScene, TimeRange } from '../../../nodes/socketValues.ts';
 import type { MotionPath } from '../../../scene/compose/motionPaths.ts';
 import type { Light } from '../../../scene/types.ts';
 import type { LightSpectrum } from '../../../spectrum/sources/lightSpectrum.ts';

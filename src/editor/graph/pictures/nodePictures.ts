@@ -1,6 +1,6 @@
 import { createStore, useStore } from 'zustand';
-import type { GBufferSpec, ImageSpec } from '../../../nodes/defineNode.ts';
 import { type PreviewTarget, previewFrameGraph } from '../../../nodes/frameGraph/previewFrameGraph.ts';
+import type { GBufferSpec, ImageSpec } from '../../../nodes/socketValues.ts';
 import { PreviewRenderer, type PreviewRequest } from '../../../render/previews.ts';
 import type { SceneRenderer } from '../../../render/renderer.ts';
 import type { FrameGraph } from '../../../scene/frameGraph/frameGraph.ts';

@@ -1,6 +1,6 @@
 import { useStoreApi } from '@xyflow/react';
 import { useEffect, useRef } from 'react';
-import type { GBufferSpec, ImageSpec } from '../../../nodes/defineNode.ts';
+import type { GBufferSpec, ImageSpec } from '../../../nodes/socketValues.ts';
 import { useServices } from '../../services.tsx';
 import { useEditor } from '../../state/context.tsx';
 import type { Editor } from '../../state/editor.ts';

@@ -1,6 +1,6 @@
 import { Badge, ScrollArea, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
-import type { PictureSpec } from '../../../nodes/defineNode.ts';
+import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import type { Diagnostic } from '../../../scene/types.ts';
 import { formatCount, formatLength, formatSeconds, formatSpeed } from '../../format.ts';
 import { type Translate, useTexts } from '../../i18n/i18n.ts';
