@@ -1,6 +1,6 @@
 import type { Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import type { StreamedPoints } from '../streaming/streamedPoints.ts';
+import type { StreamedPoints } from '../streaming/storedPoints.ts';
 
 /** World times between which the object exists [s]; ±Infinity where it always did or always will. */
 export interface Lifetime {
