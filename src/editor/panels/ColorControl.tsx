@@ -9,7 +9,7 @@ import type { ParamProps } from './paramProps.ts';
 
 /** A colour, edited in display sRGB; the document stores linear values. */
 export function ColorControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<ColorParam>): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey: any } = useTexts();
   const id = useId();
   const shown = cssColor(Array.isArray(value) ? value.map(Number) : spec.default);
   const take = (text: string) => {

@@ -53,7 +53,7 @@ interface NodeSectionProps {
 }
 
 function NodeSection({ section, inputTitles: feeders }: NodeSectionProps): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey: any } = useTexts();
   const { node, type, title } = section;
   const shown = visibleParams(type, node.params);
   return (

@@ -51,7 +51,7 @@ const vectorOf = (spec: VectorParam, value: ParamValue): VectorParam['default'] 
   Array.isArray(value) ? [Number(value[0]), Number(value[1]), Number(value[2])] : spec.default;
 
 function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<NumberParam>): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey: any } = useTexts();
   const id = useId();
   const number = Number(value);
   const precision = spec.scale ? 9 : decimals(spec.step);
@@ -130,7 +130,7 @@ function NumberField({ spec, number, onChange, label, precision }: NumberFieldPr
 const decimals = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step)));
 
 function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
-  const { any, t } = useTexts();
+  const { textOrKey: any, t } = useTexts();
   const id = useId();
   return (
     <Group gap={4} wrap="nowrap" justify="space-between" mih={24}>
@@ -153,7 +153,7 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
 const MAX_SEGMENTS = 5;
 
 function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey: any } = useTexts();
   const id = useId();
   if (spec.options.length > MAX_SEGMENTS)
     return (
@@ -189,7 +189,7 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
 }
 
 function TextChoiceControl({ spec, value, choices, onChange }: ParamProps<TextParam>): ReactNode {
-  const { any, t } = useTexts();
+  const { textOrKey: any, t } = useTexts();
   const id = useId();
   if (!choices || choices.length < 2) return null;
   return (

@@ -7,7 +7,7 @@ import { useTexts } from '../i18n/i18n.ts';
 
 /** Title and help of a parameter. */
 export function ParamLabel({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey: any } = useTexts();
   const text = (
     <Text size="sm" id={id} className="sl-param-label" truncate>
       {any(spec.title)}
@@ -48,7 +48,7 @@ export function ResetButton({ set, onChange }: ResetProps): ReactNode {
 
 /** Shown instead of a control when an edge drives the parameter. */
 export function DrivenParam({ spec, by }: { readonly spec: ParamSpec; readonly by: string }): ReactNode {
-  const { any, t } = useTexts();
+  const { textOrKey: any, t } = useTexts();
   return (
     <Group gap={4} wrap="nowrap" justify="space-between" mih={26} aria-label={any(spec.title)} role="group">
       <ParamLabel spec={spec} id="" />

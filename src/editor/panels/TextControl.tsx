@@ -30,7 +30,7 @@ interface LinesProps extends Pick<ParamProps<TextParam | ListParam>, 'spec' | 's
 }
 
 function Lines({ spec, set, text, long, onChange, take }: LinesProps): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey: any } = useTexts();
   const id = useId();
   const [typed, setTyped] = useState<string>();
   const commit = () => {

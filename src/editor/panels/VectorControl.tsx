@@ -28,7 +28,7 @@ interface VectorControlProps {
 
 /** A position or direction: a choice of axis, or three numbers. */
 export function VectorControl({ spec, set, value, onChange }: VectorControlProps): ReactNode {
-  const { any, t } = useTexts();
+  const { textOrKey: any, t } = useTexts();
   const id = useId();
   const title = any(spec.title);
   const axis = AXES.find(([, one]) => one.every((x, i) => x === value[i]))?.[0] ?? OTHER;

@@ -8,7 +8,7 @@ export type KeyRow = readonly [keys: readonly string[], what: TextKey];
 export const OR = ' or ';
 
 export function KeyRows({ rows }: { readonly rows: readonly KeyRow[] }): ReactNode {
-  const { t, any } = useTexts();
+  const { t, textOrKey: any } = useTexts();
   return rows.map(([keys, what]) => (
     <Group key={what} justify="space-between" wrap="nowrap" gap="md">
       <Text size="sm">{t(what)}</Text>

@@ -9,11 +9,11 @@ import { addableNodes } from './addableNodes.ts';
 import type { QuickPickItem } from './ranking.ts';
 
 /** Kinds of nodes that can be added, searchable by their names in all languages and by their options. */
-export function useNodeItems(level: GraphLevel, loose?: PendingConnection): readonly QuickPickItem[] {
-  const { any } = useTexts();
+export function useNodeItems(level: GraphLevel, pendingEnd?: PendingConnection): readonly QuickPickItem[] {
+  const { textOrKey: any } = useTexts();
   return useMemo(
     () =>
-      addableNodes(level, loose).map(
+      addableNodes(level, pendingEnd).map(
         ({ id, type, title, help, category }): QuickPickItem => ({
           id,
           label: any(title),
@@ -23,7 +23,7 @@ export function useNodeItems(level: GraphLevel, loose?: PendingConnection): read
           words: `${inEveryLanguage(title)} ${id} ${any(`category.${category}`)} ${optionTitles(type)}`,
         }),
       ),
-    [level, loose, any],
+    [level, pendingEnd, any],
   );
 }
 
