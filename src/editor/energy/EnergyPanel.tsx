@@ -79,15 +79,15 @@ function UnevaluatedNote(): ReactNode {
 }
 
 function useLabeledRuns(runs: readonly SimulationRun[], quantity: Quantity, unit: string): readonly LabeledRun[] {
-  const { textOrKey: any } = useTexts();
+  const { textOrKey } = useTexts();
   const document = useEditorState((state) => state.history.document);
   return useMemo(() => {
-    const names = runNames(runs, (node) => userTitle(document, node), any);
+    const names = runNames(runs, (node) => userTitle(document, node), textOrKey);
     return runs.map((run, i) => {
       const line = { times: run.record.times, values: valuesOf(run.record, quantity, unit) };
       return { ...run, name: names[i]!, line };
     });
-  }, [runs, quantity, unit, document, any]);
+  }, [runs, quantity, unit, document, textOrKey]);
 }
 
 interface RunsProps {

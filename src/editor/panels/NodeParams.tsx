@@ -33,7 +33,7 @@ interface NodeParamsProps {
 
 /** A control for each parameter. */
 export function NodeParams({ node, type, set, visible: shown, inputTitles }: NodeParamsProps): ReactNode {
-  const { textOrKey: any } = useTexts();
+  const { textOrKey } = useTexts();
   const editor = useEditor();
   const picture = useEditorState((state) => state.picture);
   const resolved = resolveParams(type, set);
@@ -44,7 +44,7 @@ export function NodeParams({ node, type, set, visible: shown, inputTitles }: Nod
       set={set[name]}
       value={resolved[name] ?? suggestion(spec, picture)}
       choices={picture?.scene.cameras.map(({ path }) => path)}
-      drivenBy={inputTitles[name] && any(inputTitles[name])}
+      drivenBy={inputTitles[name] && textOrKey(inputTitles[name])}
       onChange={(value, gesture) => editor.set(node, name, value, spec.title, gesture)}
       onGestureEnd={editor.endGesture}
     />

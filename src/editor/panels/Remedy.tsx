@@ -10,7 +10,7 @@ import { useEditor, useEditorState } from '../state/context.tsx';
 
 /** Button that applies a problem's suggested fix. */
 export function Remedy({ remedy }: { readonly remedy: NonNullable<NodeProblem['remedy']> }): ReactNode {
-  const { t, textOrKey: any } = useTexts();
+  const { t, textOrKey } = useTexts();
   const editor = useEditor();
   const type = useEditorState(({ history: { document } }) => {
     const place = locateNode(document, remedy.node);
@@ -26,7 +26,7 @@ export function Remedy({ remedy }: { readonly remedy: NonNullable<NodeProblem['r
       className="sl-remedy"
       onClick={() => editor.set(remedy.node, remedy.param, remedy.value, 'edit.remedy')}
     >
-      {t('notice.remedy', { what: any(spec?.title ?? remedy.param), value: `${shown}${unit}`.trim() })}
+      {t('notice.remedy', { what: textOrKey(spec?.title ?? remedy.param), value: `${shown}${unit}`.trim() })}
     </Button>
   );
 }

@@ -89,14 +89,14 @@ function IconButton({ label, keys, disabled, lang, onClick, children }: IconButt
 }
 
 function UndoRedo(): ReactNode {
-  const { t, textOrKey: any } = useTexts();
+  const { t, textOrKey } = useTexts();
   const editor = useEditor();
   const last = useEditorState(({ history }) => history.past.at(-1)?.label);
   const next = useEditorState(({ history }) => history.future[0]?.label);
   return (
     <Group gap={0} wrap="nowrap">
       <IconButton
-        label={last ? t('header.undoWhat', { what: any(last) }) : t('header.undo')}
+        label={last ? t('header.undoWhat', { what: textOrKey(last) }) : t('header.undo')}
         keys="Ctrl Z"
         disabled={!last}
         onClick={editor.undo}
@@ -104,7 +104,7 @@ function UndoRedo(): ReactNode {
         <IconArrowBackUp size={17} />
       </IconButton>
       <IconButton
-        label={next ? t('header.redoWhat', { what: any(next) }) : t('header.redo')}
+        label={next ? t('header.redoWhat', { what: textOrKey(next) }) : t('header.redo')}
         keys="Ctrl ⇧ Z"
         disabled={!next}
         onClick={editor.redo}

@@ -121,7 +121,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
 
 /** Title of the node that a notice refers to. */
 function usePlace({ place }: Notice): string | undefined {
-  const { textOrKey: any, said: translateMessage } = useTexts();
+  const { textOrKey, said: translateMessage } = useTexts();
   const title = useEditorState(({ history }) => (place ? displayTitle(history.document, place) : undefined));
-  return title ? any(title) : place && translateMessage(place);
+  return title ? textOrKey(title) : place && translateMessage(place);
 }

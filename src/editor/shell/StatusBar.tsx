@@ -113,9 +113,9 @@ function Speed(): ReactNode {
 
 /** Lists unphysical settings while they are active. */
 function Unphysical(): ReactNode {
-  const { t, textOrKey: any } = useTexts();
+  const { t, textOrKey } = useTexts();
   const document = useEditorState((state) => state.history.document);
-  const names = unphysical(document).map((title) => any(title));
+  const names = unphysical(document).map((title) => textOrKey(title));
   const text = `${t('status.unphysical')}: ${names.join(', ')}`;
   return names.length > 0 ? (
     <Text size="xs" fw={600} className="sl-unphysical" role="status" title={text} data-status="unphysical">

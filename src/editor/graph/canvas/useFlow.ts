@@ -81,13 +81,13 @@ export function useFlow() {
 }
 
 function useNames(): (card: CardModel) => string {
-  const { t, textOrKey: any, said: translateMessage, language } = useTexts();
+  const { t, textOrKey, said: translateMessage, language } = useTexts();
   // biome-ignore lint/correctness/useExhaustiveDependencies: texts change with the language
   return useCallback(
     ({ title, problem }) =>
       problem
-        ? t('graph.node.problem', { title: any(title), problem: translateMessage(problem.message) })
-        : t('graph.node', { title: any(title) }),
+        ? t('graph.node.problem', { title: textOrKey(title), problem: translateMessage(problem.message) })
+        : t('graph.node', { title: textOrKey(title) }),
     [language, translateMessage],
   );
 }
@@ -161,12 +161,12 @@ interface DragContext {
 /** Positions of everything that moves: the dragged nodes, and those in dragged frames. */
 function computeDrag(
   moves: readonly (FlowItem & { readonly at: CanvasPoint })[],
-  { level, placed, cards: faces }: DragContext,
+  { level, placed, cards }: DragContext,
 ): Drag {
   const of = (kind: FlowItem['kind']) => moves.filter((move) => move.kind === kind);
   const nodes = new Map(of('node').map(({ key, at }) => [key, at]));
   const boxOf = (id: string) => {
-    const [card, at] = [faces.get(id), placed[id]];
+    const [card, at] = [cards.get(id), placed[id]];
     return card && at && { at, size: cardSize(card) };
   };
   for (const { key, at } of of('frame')) {

@@ -27,33 +27,33 @@ function useCompatibleSockets(id: string): ReadonlySet<string> | undefined {
 }
 
 /** A node: title, sockets, set parameters, result and problem. */
-export const NodeCard = memo(function NodeCard({ data: { card: face, reach } }: NodeProps<CardNode>): ReactNode {
-  const fits = useCompatibleSockets(face.id);
+export const NodeCard = memo(function NodeCard({ data: { card, reach } }: NodeProps<CardNode>): ReactNode {
+  const fits = useCompatibleSockets(card.id);
   const pixel = useContext(CanvasPixelContext);
   return (
     <article
       className="sl-node"
-      data-category={face.category}
-      data-muted={face.muted || undefined}
-      data-collapsed={face.collapsed || undefined}
-      data-picture={(!face.collapsed && face.picture) || undefined}
-      data-problem={face.problem ? 'error' : undefined}
+      data-category={card.category}
+      data-muted={card.muted || undefined}
+      data-collapsed={card.collapsed || undefined}
+      data-picture={(!card.collapsed && card.picture) || undefined}
+      data-problem={card.problem ? 'error' : undefined}
       data-unfit={(fits && fits.size === 0) || undefined}
     >
-      <Head card={face} />
-      {pixel !== undefined && <ZoomedOutLabel card={face} reach={reach} pixel={pixel} />}
-      {face.collapsed ? <CollapsedSockets card={face} /> : <Body card={face} fits={fits} />}
+      <Head card={card} />
+      {pixel !== undefined && <ZoomedOutLabel card={card} reach={reach} pixel={pixel} />}
+      {card.collapsed ? <CollapsedSockets card={card} /> : <Body card={card} fits={fits} />}
     </article>
   );
 });
 
 function Head({ card }: { readonly card: CardModel }): ReactNode {
-  const { textOrKey: any, t, said: translateMessage } = useTexts();
+  const { textOrKey, t, said: translateMessage } = useTexts();
   return (
     <header className="sl-node-head">
       {card.type === GROUP && <EnterButton id={card.id} />}
-      <span className="sl-node-title" title={card.kind && `${any(card.title)} (${any(card.kind)})`}>
-        {any(card.title)}
+      <span className="sl-node-title" title={card.kind && `${textOrKey(card.title)} (${textOrKey(card.kind)})`}>
+        {textOrKey(card.title)}
       </span>
       <NodeProgress id={card.id} />
       {!card.muted && isFileNode(card.type) && <SaveMark id={card.id} />}
@@ -83,10 +83,10 @@ interface ZoomedOutLabelProps {
 }
 
 /** Label of a zoomed-out node: its title, centered or above its picture. */
-function ZoomedOutLabel({ card: face, reach, pixel }: ZoomedOutLabelProps): ReactNode {
-  const { textOrKey: any } = useTexts();
-  const room = titleArea(face, pixel <= MAX_PICTURE_PIXEL);
-  const set = layoutTitle(any(face.title), room, reach, pixel);
+function ZoomedOutLabel({ card, reach, pixel }: ZoomedOutLabelProps): ReactNode {
+  const { textOrKey } = useTexts();
+  const room = titleArea(card, pixel <= MAX_PICTURE_PIXEL);
+  const set = layoutTitle(textOrKey(card.title), room, reach, pixel);
   if (!set) return null;
   const [x, y] = set.reach;
   const place = { left: -x, right: -x, top: -y, height: room[1] + 2 * y };
@@ -160,12 +160,12 @@ function RowLine({
   readonly row: CardRow;
   readonly fits?: ReadonlySet<string>;
 }) {
-  const { textOrKey: any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   const unfit = (key: string) => fits !== undefined && !fits.has(key);
   return (
     <div className="sl-node-row" data-param={title ? true : undefined}>
       {input && <SocketHandle side="inputs" socket={input} closed={false} unfit={unfit(`inputs ${input.name}`)} />}
-      <span className="sl-node-label">{title ? any(title) : input && <SocketLabel socket={input} />}</span>
+      <span className="sl-node-label">{title ? textOrKey(title) : input && <SocketLabel socket={input} />}</span>
       {title && (
         <span className="sl-node-value">{value ? <ValueText of={value} /> : <em>{t('graph.driven')}</em>}</span>
       )}
@@ -182,21 +182,21 @@ function RowLine({
 }
 
 function SocketLabel({ socket }: { readonly socket: SocketModel }): ReactNode {
-  const { textOrKey: any } = useTexts();
+  const { textOrKey } = useTexts();
   return (
     <>
-      {any(socket.title)}
+      {textOrKey(socket.title)}
       {socket.number !== undefined && <span className="sl-node-number"> {socket.number}</span>}
     </>
   );
 }
 
 /** A reroute: a bend in an edge. */
-export const RerouteDot = memo(function RerouteDot({ data: { card: face } }: NodeProps<CardNode>): ReactNode {
-  const fits = useCompatibleSockets(face.id);
-  const { input, output } = face.rows[0] ?? {};
+export const RerouteDot = memo(function RerouteDot({ data: { card } }: NodeProps<CardNode>): ReactNode {
+  const fits = useCompatibleSockets(card.id);
+  const { input, output } = card.rows[0] ?? {};
   return (
-    <div className="sl-dot" data-muted={face.muted || undefined}>
+    <div className="sl-dot" data-muted={card.muted || undefined}>
       {input && <SocketHandle side="inputs" socket={input} closed={false} unfit={fits?.has('inputs in') === false} />}
       {output && (
         <SocketHandle side="outputs" socket={output} closed={false} unfit={fits?.has('outputs out') === false} />

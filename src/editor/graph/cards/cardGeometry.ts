@@ -107,11 +107,11 @@ export function withoutCoveringPictures(
     box: { at: places[card.id] ?? [0, 0], size: cardSize(card) },
   }));
   return new Map(
-    bare.map(({ card: face, box: { at, size } }) => {
-      const uncropped = cards.get(face.id)!;
+    bare.map(({ card, box: { at, size } }) => {
+      const uncropped = cards.get(card.id)!;
       const picture: CanvasRect = { at: [at[0], at[1] + size[1]], size: [size[0], cardSize(uncropped)[1] - size[1]] };
-      const covers = uncropped.picture && bare.some((other) => other.card !== face && rectsOverlap(picture, other.box));
-      return [face.id, covers ? face : uncropped];
+      const covers = uncropped.picture && bare.some((other) => other.card !== card && rectsOverlap(picture, other.box));
+      return [card.id, covers ? card : uncropped];
     }),
   );
 }

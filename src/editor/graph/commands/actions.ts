@@ -72,20 +72,16 @@ const hasSelection = ({ selection }: ActionContext): boolean =>
 const groupNode = ({ level, selection }: ActionContext): string | undefined =>
   selection.nodes.find((id) => level.graph.nodes[id]?.type === GROUP);
 
-const editLevel = (
-  { editor: studio, level }: ActionContext,
-  command: Command,
-  label: TextKey,
-  gesture?: string,
-): void => studio.edit(insideGroup(level.group, command), label, gesture);
+const editLevel = ({ editor, level }: ActionContext, command: Command, label: TextKey, gesture?: string): void =>
+  editor.edit(insideGroup(level.group, command), label, gesture);
 
 /** Runs an action; a refusal becomes a notice. */
-function notifyOnError({ editor: studio }: ActionContext, act: () => void): void {
+function notifyOnError({ editor }: ActionContext, act: () => void): void {
   try {
     act();
   } catch (error) {
     if (!(error instanceof CommandError)) throw error;
-    studio.notify({ kind: 'error', text: error.message });
+    editor.notify({ kind: 'error', text: error.message });
   }
 }
 
@@ -95,22 +91,22 @@ function openAddNode({ viewport }: ActionContext, at: CanvasPoint = viewport.cen
 }
 
 function duplicateSelected(context: ActionContext): void {
-  const { level, selection, editor: studio } = context;
+  const { level, selection, editor } = context;
   const { nodes, notes } = selection;
   const fragment = copyFragment(level.document, { nodes, notes, group: level.group });
   const { command, ...added } = pasteFragment(level.document, fragment, level.group, findFreeCenter(level, fragment));
-  studio.edit(command, 'edit.duplicate');
+  editor.edit(command, 'edit.duplicate');
   selectItems(added);
   revealNodes(added.nodes);
 }
 
 function groupSelection(context: ActionContext): void {
   notifyOnError(context, () => {
-    const { level, selection: chosen, editor: studio } = context;
+    const { level, selection: chosen, editor } = context;
     const selection = { nodes: chosen.nodes, group: level.group };
     const { command, node } = groupCommand(level.document, selection, '', nodeLibrary);
     context.viewport.focus();
-    studio.edit(command, 'edit.group');
+    editor.edit(command, 'edit.group');
     selectItems({ nodes: [node] });
   });
 }
@@ -155,7 +151,7 @@ function toggleFlag(context: ActionContext, kind: 'mute' | 'collapse'): void {
 
 /** Lays out the selected nodes in place, or all nodes. */
 function arrangeNodes(context: ActionContext): void {
-  const { level, selection, viewport, editor: studio } = context;
+  const { level, selection, viewport, editor } = context;
   const nodes = selection.nodes.length > 1 ? selection.nodes : Object.keys(level.graph.nodes);
   const found = layeredLayout(nodes, Object.values(level.graph.edges), viewport.sizeWithPicture);
   const corner = (places: readonly CanvasPoint[]): CanvasPoint => [
@@ -164,7 +160,7 @@ function arrangeNodes(context: ActionContext): void {
   ];
   const [x, y] = corner(nodes.map(viewport.positionOf));
   const to = Object.entries(found).map(([id, at]): [string, CanvasPoint] => [id, [at[0] + x, at[1] + y]]);
-  studio.edit(moveItemsCommand(level, Object.fromEntries(to)), 'edit.arrange');
+  editor.edit(moveItemsCommand(level, Object.fromEntries(to)), 'edit.arrange');
   requestAnimationFrame(() => viewport.fit(selection.nodes.length > 1 ? selection.nodes : undefined));
 }
 
@@ -173,8 +169,8 @@ const alignAction = (to: Alignment, title: TextKey, ...keys: KeyBinding[]): Grap
   title,
   keys,
   isEnabled: hasSeveralNodes,
-  run: ({ editor: studio, level, selection, viewport }) =>
-    studio.edit(
+  run: ({ editor, level, selection, viewport }) =>
+    editor.edit(
       alignCommand(level.document, { nodes: selection.nodes, group: level.group }, to, viewport.sizeOf),
       'edit.arrange',
     ),
@@ -185,8 +181,8 @@ const distributeAction = (axis: 0 | 1, title: TextKey): GraphAction => ({
   title,
   keys: [],
   isEnabled: ({ selection }) => selection.nodes.length > 2,
-  run: ({ editor: studio, level, selection, viewport }) =>
-    studio.edit(
+  run: ({ editor, level, selection, viewport }) =>
+    editor.edit(
       distributeCommand(level.document, { nodes: selection.nodes, group: level.group }, axis, viewport.sizeOf),
       'edit.arrange',
     ),
@@ -194,15 +190,15 @@ const distributeAction = (axis: 0 | 1, title: TextKey): GraphAction => ({
 
 /** Puts a frame around the selection. */
 function frameSelection(context: ActionContext): void {
-  const { level, selection, editor: studio } = context;
+  const { level, selection, editor } = context;
   const { command, frame: key } = frameCommand(level, selection.nodes, '');
-  studio.edit(command, 'edit.frame');
+  editor.edit(command, 'edit.frame');
   canvas.setState({ selection: { ...EMPTY_SELECTION, frames: [key] }, editing: `frame:${key}` });
 }
 
-function addNote({ level, editor: studio, viewport }: ActionContext): void {
+function addNote({ level, editor, viewport }: ActionContext): void {
   const { command, note: key } = noteCommand(level, viewport.center());
-  studio.edit(command, 'edit.note');
+  editor.edit(command, 'edit.note');
   canvas.setState({ selection: { ...EMPTY_SELECTION, notes: [key] }, editing: `note:${key}` });
 }
 
@@ -215,9 +211,9 @@ const firstSelected = ({ nodes, notes, frames }: CanvasSelection): string | unde
 
 /** Removes the selection. */
 function removeSelection(context: ActionContext): void {
-  const { level, selection, editor: studio } = context;
+  const { level, selection, editor } = context;
   context.viewport.focus();
-  studio.edit(removeCommand(level, selection), 'edit.remove');
+  editor.edit(removeCommand(level, selection), 'edit.remove');
   selectItems({});
 }
 
@@ -251,7 +247,7 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
     keys: ['Mod+C'],
     native: true,
     isEnabled: hasSelection,
-    run: ({ editor: studio }) => writeClipboard(studio, copySelection(studio)),
+    run: ({ editor }) => writeClipboard(editor, copySelection(editor)),
   },
   {
     id: 'cut',
@@ -259,17 +255,17 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
     keys: ['Mod+X'],
     native: true,
     isEnabled: hasSelection,
-    run: ({ editor: studio }) => writeClipboard(studio, cutSelection(studio)),
+    run: ({ editor }) => writeClipboard(editor, cutSelection(editor)),
   },
   {
     id: 'paste',
     title: 'graph.paste',
     keys: ['Mod+V'],
     native: true,
-    run: ({ editor: studio }) => {
+    run: ({ editor }) => {
       navigator.clipboard.readText().then(
-        (words) => pasteText(studio, words),
-        (error) => reportError(studio, error),
+        (words) => pasteText(editor, words),
+        (error) => reportError(editor, error),
       );
     },
   },
@@ -284,7 +280,7 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
     title: 'graph.inspect',
     keys: ['Enter'],
     isEnabled: hasNodes,
-    run: ({ editor: studio }) => studio.update({ inspecting: true }),
+    run: ({ editor }) => editor.update({ inspecting: true }),
   },
   {
     id: 'rename',
@@ -334,7 +330,7 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
   alignAction('middle', 'graph.align.middle'),
   distributeAction(0, 'graph.distribute.across'),
   distributeAction(1, 'graph.distribute.down'),
-  { id: 'large', title: 'graph.large', keys: ['Shift+Space'], run: ({ editor: studio }) => toggleLargeGraph(studio) },
+  { id: 'large', title: 'graph.large', keys: ['Shift+Space'], run: ({ editor }) => toggleLargeGraph(editor) },
   { id: 'pictures', title: 'graph.pictures', keys: ['P'], run: togglePictures },
   { id: 'fit', title: 'graph.fit', keys: ['Home'], run: ({ viewport }) => viewport.fit() },
   {
@@ -360,7 +356,7 @@ const LARGE_NUDGE = 50;
 
 /** Moves the selection by one step; while a key is held, all steps are one undo step. */
 export function nudgeSelection(
-  { level, selection, viewport, editor: studio }: ActionContext,
+  { level, selection, viewport, editor }: ActionContext,
   key: string,
   far: boolean,
 ): boolean {
@@ -371,6 +367,6 @@ export function nudgeSelection(
   const nodes = selection.nodes.map((id): [string, CanvasPoint] => [id, moved(viewport.positionOf(id))]);
   const notes = selection.notes.map((id): [string, CanvasPoint] => [id, moved(level.graph.notes[id]!.at)]);
   const gesture = `nudge ${[...selection.nodes, ...selection.notes].join(' ')}`;
-  studio.edit(moveItemsCommand(level, Object.fromEntries(nodes), Object.fromEntries(notes)), 'edit.move', gesture);
+  editor.edit(moveItemsCommand(level, Object.fromEntries(nodes), Object.fromEntries(notes)), 'edit.move', gesture);
   return true;
 }

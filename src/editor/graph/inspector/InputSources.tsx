@@ -49,7 +49,7 @@ interface InputSourceProps {
 }
 
 function InputSource({ id, level, socket }: InputSourceProps): ReactNode {
-  const { textOrKey: any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   const editor = useEditor();
   const [open, setOpen] = useState(false);
   const to = { node: id, input: socket.name };
@@ -59,8 +59,8 @@ function InputSource({ id, level, socket }: InputSourceProps): ReactNode {
     const held = own(level.graph.nodes, node);
     const title = held && socketsOf(level, held, nodeLibrary)?.outputs;
     const several = title && Object.keys(title).length > 1;
-    const called = any(held?.title ?? nodeLibrary[held?.type ?? '']?.title ?? node);
-    return several ? `${called} (${node}) · ${any(title[output]?.title ?? output)}` : `${called} (${node})`;
+    const called = textOrKey(held?.title ?? nodeLibrary[held?.type ?? '']?.title ?? node);
+    return several ? `${called} (${node}) · ${textOrKey(title[output]?.title ?? output)}` : `${called} (${node})`;
   };
   const sources = open ? compatibleSources(level, to) : from ? [from] : [];
   const take = (chosen: string | null) => {
@@ -75,7 +75,7 @@ function InputSource({ id, level, socket }: InputSourceProps): ReactNode {
   return (
     <Select
       size="xs"
-      label={`${any(socket.title)}${socket.number ? ` ${socket.number}` : ''}`}
+      label={`${textOrKey(socket.title)}${socket.number ? ` ${socket.number}` : ''}`}
       placeholder={t('inspector.notConnected')}
       nothingFoundMessage={t('inspector.noSource')}
       searchable

@@ -51,19 +51,19 @@ interface InspectedProps {
 }
 
 function NodeInspector({ id, node, level, flat }: InspectedProps): ReactNode {
-  const { textOrKey: any } = useTexts();
+  const { textOrKey } = useTexts();
   const type = own(nodeLibrary, node.type);
   const problem = useEditorState((state) => problemsByNode(state.results).get(flat));
   const isCarrier = node.type === GROUP_INPUT || node.type === GROUP_OUTPUT;
   return (
-    <Stack gap="sm" p="md" component="section" aria-label={any(node.title ?? type?.title ?? node.type)}>
+    <Stack gap="sm" p="md" component="section" aria-label={textOrKey(node.title ?? type?.title ?? node.type)}>
       <div>
         <Text component="h2" size="sm" fw={600}>
-          {any(type?.title ?? node.type)}
+          {textOrKey(type?.title ?? node.type)}
         </Text>
         {type && (
           <Text size="xs" c="dimmed" lh={1.5}>
-            {any(type.help)}
+            {textOrKey(type.help)}
           </Text>
         )}
       </div>
@@ -81,7 +81,7 @@ function NodeInspector({ id, node, level, flat }: InspectedProps): ReactNode {
 
 /** Title of the node, or of its group; focused when the inspector is opened by a command. */
 function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { readonly type?: NodeType }): ReactNode {
-  const { textOrKey: any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   const editor = useEditor();
   const field = useRef<HTMLInputElement>(null);
   const inspecting = useEditorState((state) => state.inspecting);
@@ -104,7 +104,7 @@ function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { reado
       ref={field}
       size="xs"
       label={t('inspector.name')}
-      placeholder={any(type?.title ?? node.type)}
+      placeholder={textOrKey(type?.title ?? node.type)}
       defaultValue={held}
       maxLength={200}
       onBlur={(event) => take(event.currentTarget.value)}

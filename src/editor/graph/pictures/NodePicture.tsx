@@ -8,7 +8,7 @@ import { useNodePicture } from './nodePictures.ts';
 
 /** Picture of a node's result; an empty frame until it is rendered. */
 export function NodePicture({ card }: { readonly card: CardModel }): ReactNode {
-  const { t, textOrKey: any } = useTexts();
+  const { t, textOrKey } = useTexts();
   const path = useCanvas((state) => state.path);
   const picture = useNodePicture(flatNodeId(path, card.id));
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -17,7 +17,7 @@ export function NodePicture({ card }: { readonly card: CardModel }): ReactNode {
     if (image) canvas.current?.getContext('2d')?.putImageData(image, 0, 0);
   }, [image]);
   const surfaces = picture !== undefined && !('step' in picture.of);
-  const label = t(surfaces ? 'graph.picture.surfaces' : 'graph.picture', { title: any(card.title) });
+  const label = t(surfaces ? 'graph.picture.surfaces' : 'graph.picture', { title: textOrKey(card.title) });
   return (
     <>
       <div className="sl-node-picture">

@@ -59,7 +59,7 @@ export function AddNode({
 }
 
 function useItems(adding: AddNodeRequest) {
-  const { textOrKey: any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   const document = useEditorState((state) => state.history.document);
   const level = useMemo(() => levelAt(document, canvas.getState().path), [document]);
   const nodes = useNodeItems(level, adding.pending);
@@ -69,9 +69,9 @@ function useItems(adding: AddNodeRequest) {
     const group = t('graph.sockets');
     return socketOptions(level, pending, onto).map(({ socket, title }) => {
       const number = /\.(\d+)$/.exec(socket)?.[1];
-      return { id: socket, label: number ? `${any(title)} ${number}` : any(title), group };
+      return { id: socket, label: number ? `${textOrKey(title)} ${number}` : textOrKey(title), group };
     });
-  }, [nodes, level, pending, onto, any, t]);
+  }, [nodes, level, pending, onto, textOrKey, t]);
 }
 
 function take(editor: Editor, { at, pending, onto }: AddNodeRequest, id: string): void {

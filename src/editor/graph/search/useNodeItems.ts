@@ -10,20 +10,20 @@ import type { QuickPickItem } from './ranking.ts';
 
 /** Kinds of nodes that can be added, searchable by their names in all languages and by their options. */
 export function useNodeItems(level: GraphLevel, pendingEnd?: PendingConnection): readonly QuickPickItem[] {
-  const { textOrKey: any } = useTexts();
+  const { textOrKey } = useTexts();
   return useMemo(
     () =>
       addableNodes(level, pendingEnd).map(
         ({ id, type, title, help, category }): QuickPickItem => ({
           id,
-          label: any(title),
-          group: any(`category.${category}`),
+          label: textOrKey(title),
+          group: textOrKey(`category.${category}`),
           category,
-          ...(help && { detail: any(help) }),
-          words: `${inEveryLanguage(title)} ${id} ${any(`category.${category}`)} ${optionTitles(type)}`,
+          ...(help && { detail: textOrKey(help) }),
+          words: `${inEveryLanguage(title)} ${id} ${textOrKey(`category.${category}`)} ${optionTitles(type)}`,
         }),
       ),
-    [level, pendingEnd, any],
+    [level, pendingEnd, textOrKey],
   );
 }
 
