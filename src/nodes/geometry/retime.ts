@@ -1,4 +1,4 @@
-import { fastestVertex } from '../../scene/motion/fastestVertex.ts';
+import { approachesC, fastestVertex } from '../../scene/motion/motion.ts';
 import { retime } from '../../scene/motion/retime.ts';
 import { timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
@@ -34,13 +34,13 @@ export const retimeNode = defineNode({
   },
 });
 
-/** The fastest point goes by as much faster, at its new time; of hyperbolic motion, which nears c, it is looked for again. */
+/** The fastest point goes by as much faster, at its new time; of what approaches c it is looked for again. */
 function retimedFastest(scene: LoadedScene['scene'], before: LoadedScene, speed: number): Pick<LoadedScene, 'fastest'> {
   const point = before.fastest;
   const object = point && scene.objects.find(({ path }) => path === point.path);
   if (!point || !object) return {};
   const { startTime, endTime, hints } = scene;
-  if (object.motion.kind === 'hyperbolic') {
+  if (approachesC(object.motion)) {
     const found = fastestVertex(object, hints.speedOfLight ?? 299_792_458, [startTime, endTime]);
     return { fastest: { path: object.path, time: found.from, speed: found.speed } };
   }
