@@ -2,7 +2,7 @@ import { PictureTooLargeError } from '../../nodes/pictures/maxSize.ts';
 import type { PictureRenderer } from '../../nodes/pictures/pictureRenderer.ts';
 import type { Backend } from '../../render/settings.ts';
 import type { Scene } from '../../scene/types.ts';
-import type { RenderFlags } from '../render/renderCommand.ts';
+import type { RenderFlags } from '../render/renderFlags.ts';
 import { CliError, EXIT, unavailable } from '../terminal/exitCodes.ts';
 
 /** What made the pictures, for `--json`. */

@@ -4,14 +4,14 @@ import type { PictureSize, RenderedPicture } from '../../nodes/pictures/pictureR
 import { DEFAULT_LIGHT, type LightOptions } from '../../reference/lights/lightOptions.ts';
 import { encodeDisplay } from '../../reference/post/encodeDisplay.ts';
 import { aovsOfFrameGraph, type CapturedPicture, evaluateFrameGraph } from '../../reference/post/frameGraph.ts';
-import type { OutputLayer } from '../../reference/tile.ts';
+import type { OutputLayer } from '../../reference/tileRequest.ts';
 import { renderWithPool, type TracerPool, tilesOf } from '../../reference/tracerPool.ts';
 import { upVector } from '../../scene/lights/sceneLights.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { toneMap } from '../../spectrum/display/toneMap.ts';
 import { killWhenStopped } from '../files/outputFile.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
-import type { RenderFlags } from '../render/renderCommand.ts';
+import type { RenderFlags } from '../render/renderFlags.ts';
 import { CliError, EXIT, usageError } from '../terminal/exitCodes.ts';
 import type { PictureScenes, RendererSession } from './openRenderer.ts';
 import { tracerPool } from './tracerPool.ts';

@@ -1,4 +1,4 @@
-/** The texts of the node graph, in English and Chinese; part of the page's catalogue. */
+/** Texts of the node graph in English and Chinese; part of the page's catalogue. */
 export const graphTexts = {
   'panel.graph': ['Graph', '节点图'],
   'panel.node': ['Node', '节点'],

@@ -1,4 +1,4 @@
-/** Of projects: opening, saving, sharing and keeping them. Merged into the catalogue. */
+/** Texts of opening, saving, sharing and restoring projects. Merged into the catalogue. */
 export const projectTexts = {
   'project.menu': ['Project', '项目'],
   'project.new': ['New', '新建'],

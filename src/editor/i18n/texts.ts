@@ -4,7 +4,7 @@ import { maxSizeTexts } from '../../nodes/pictures/maxSize.ts';
 import { graphTexts } from './graphTexts.ts';
 import { projectTexts } from './projectTexts.ts';
 
-/** Every text of the page, in English and Chinese; `{{name}}` is filled in. One catalogue, so that neither can lack a key. */
+/** All UI texts in English and Chinese; `{{name}}` is a filling. One table, so that no language can lack a key. */
 export const uiTexts = {
   ...nodeTexts,
   ...effectTexts,

@@ -1,4 +1,4 @@
-/** Names of the effects over a picture (scene/frameGraph/effects.ts) and of their numbers, in English and Chinese. */
+/** Names of the postprocessing effects (scene/frameGraph/effects.ts) and of their arguments, in English and Chinese. */
 export const effectTexts = {
   'effect.gaussianBlur': ['Gaussian blur', '高斯模糊'],
   'effect.gaussianBlur.help': [

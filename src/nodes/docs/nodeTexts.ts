@@ -1,4 +1,7 @@
-/** Every text that the node library names, in English and Chinese; part of the page's catalogue, and of the command line's pages about nodes. */
+/**
+ * All texts that the node library names, in English and Chinese; part of the page's catalogue and of the command line's
+ * node reference.
+ */
 export const nodeTexts = {
   'node.read': ['Read', '读取'],
   'node.read.help': ['Reads a scene file: USD, glTF, OBJ, PLY or STL.', '读取场景文件：USD、glTF、OBJ、PLY 或 STL。'],

@@ -25,7 +25,7 @@ const sinhc = (x: number): number => (x === 0 ? 1 : Math.sinh(x) / x);
  * (ct, x) = (c²/a)(sinh ζ, (cosh ζ − 1) â) with u = sinh ζ â; the axes are Fermi–Walker carried (a gyroscope's), so the
  * orientation turns back by the Wigner rotation of Λ = B(tanh ζ â) B(β₀) = R·B(β_f).
  * properAcceleration [m/s²]: observer's frame (world axes carried by the pure boost), fixed in a gyroscope's axes during the step.
- * dTau [s], also negative. Source: physics.md "The accelerated observer"; Misner, Thorne & Wheeler §6.2.
+ * dTau [s], also negative. docs/physics.md §2.7; Misner, Thorne & Wheeler §6.2.
  */
 export function accelerate(state: ObserverState, properAcceleration: Vec3, dTau: number, c: number): ObserverState {
   const zeta = (length(properAcceleration) * dTau) / c;

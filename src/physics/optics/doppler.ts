@@ -8,7 +8,7 @@ import { gamma, oneMinusBetaSquared } from '../lorentz/boost.ts';
  * The observer's own factor D_o = γ(1 + β·n), n = Δx/|Δx|: what a static world's light is multiplied with.
  * Δx [any unit of length]: world frame, observer → emission event. u: the observer's γβ. Where u·n < 0 by its conjugate
  * (1 + |u × n|²)/(γ − u·n), exact to the last digits at any γ. Δx = 0, which has no direction, gives γ.
- * Source: physics.md "Seeing"; Einstein 1905 §7.
+ * docs/physics.md §3.4; Einstein 1905, §7.
  */
 export function observerDoppler(dx: Vec3, u: Vec3): number {
   const n = normalize(dx);
@@ -21,7 +21,7 @@ export function observerDoppler(dx: Vec3, u: Vec3): number {
 /**
  * A moving emitter's factor D_e = √(1 − β²)/(1 + β·n), seen by an observer at rest in the world.
  * n: unit, world frame, observer → source at the emission event. β: the emitter's velocity in units of c, world frame.
- * `oneMinusBeta2` where 1 − β² is known better than β tells. Source: physics.md "Seeing".
+ * `oneMinusBeta2` where 1 − β² is known better than β tells. docs/physics.md §3.4.
  */
 export function emitterDoppler(n: Vec3, beta: Vec3, oneMinusBeta2 = oneMinusBetaSquared(beta)): number {
   const bn = dot(beta, n);

@@ -1,5 +1,5 @@
 // What a Doppler factor D = ν_observed / ν_emitted does to light. From the invariance of L_ν/ν³ (the number of photons per
-// quantum state). Source: Rybicki & Lightman, Radiative Processes in Astrophysics, §4.9; physics.md "Seeing".
+// quantum state). Source: Rybicki & Lightman, Radiative Processes in Astrophysics, §4.9; docs/physics.md §6.1.
 
 /** Frequency seen [Hz]: ν′ = D ν. */
 export const observedFrequency = (nu: number, D: number): number => D * nu;

@@ -20,7 +20,7 @@ export const staticEmission = (d: Vec3): RetardedEvent => ({ offset: d, delay: l
 /**
  * A uniform mover at d now (when the observer looks): the retarded root of |d + v s| = −s,
  * s = [d·v − √((d·v)² + (1 − v²) d²)]/(1 − v²) ≤ 0, by its conjugate where d·v > 0.
- * d [m], v [c]: world frame. `oneMinusV2` = 1 − v² > 0. Source: physics.md "Seeing", anchored at the observer's time.
+ * d [m], v [c]: world frame. `oneMinusV2` = 1 − v² > 0. docs/physics.md §4.2.
  */
 export function presentEmission(d: Vec3, v: Vec3, oneMinusV2: number): RetardedEvent {
   const dv = dot(d, v);
@@ -33,7 +33,7 @@ export function presentEmission(d: Vec3, v: Vec3, oneMinusV2: number): RetardedE
 /**
  * A point at offset o from an object's centre, both moving with v, from the centre's emission event d_c: as
  * `polylineEmission` with A = d_c + o, T = |d_c|, where q = T² − A² = −(2 d_c·o + o²) cancels nothing.
- * d_c, o [m], v [c]: world frame; `oneMinusV2` = 1 − v² > 0. Source: physics.md "Seeing", measured in probes/f32b.mjs.
+ * d_c, o [m], v [c]: world frame; `oneMinusV2` = 1 − v² > 0. docs/physics.md §4.2.
  */
 export function uniformEmission(center: Vec3, v: Vec3, oneMinusV2: number, o: Vec3): RetardedEvent {
   const T = length(center);
@@ -47,7 +47,7 @@ export function uniformEmission(center: Vec3, v: Vec3, oneMinusV2: number, o: Ve
  * A straight piece from A (time tA) to B (time tB) that crosses the past light cone: A on it or inside, B on it or outside.
  * The time since A, T = −tA after which the observer looks, is s = q/(g + √(g² − (1 − v²)q)), q = T² − A², g = T + A·v.
  * The event is held inside the piece. A, B [m]: observer → sample; tA < tB [m of light]: relative to the observer's time.
- * Source: physics.md "Seeing".
+ * docs/physics.md §4.3.
  */
 export function polylineEmission(a: Vec3, tA: number, b: Vec3, tB: number): RetardedEvent {
   const span = tB - tA;
@@ -84,7 +84,7 @@ function lineOfSightRate(d: Vec3, r: number, v: Vec3, oneMinusV2: number): numbe
  * Hyperbolic motion x = d + ℓ(cosh η − 1) â, t = −T + ℓ sinh η with ℓ = 1/k, k = |a|: where it crosses the past light cone of
  * the origin, or undefined behind the horizon, 1 + k(T + ξ) ≤ 0.
  *
- * physics.md's quadratic in w = e^η is put with w = 1 + kφ (emission after the turning point, r ≤ T):
+ * The quadratic in w = e^η (docs/physics.md §4.4) is written with w = 1 + kφ (emission after the turning point, r ≤ T):
  * (1 + k(ξ − T)) φ² − 2(T + kσ/2) φ − σ = 0, ξ = −d·â, σ = r² − T², whose discriminant is the sum of squares
  * (ξ + kσ/2)² + |d⊥|²; before it with T → −T and 1/w = 1 + kψ. Exact for k → 0 (φ is then the coordinate time since the turning point).
  * d [m]: world frame, observer → turning point. T [m of light]: the observer's time after the turning point.

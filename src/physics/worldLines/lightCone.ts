@@ -81,7 +81,7 @@ function sampledEmission(w: PolylineLine | CubicLine, { t, position }: ObserverE
 
 /**
  * World time t_e [s] of the event on `w` that the observer sees: |x(t_e) − x_o| = c(t_o − t_e), the retarded root.
- * undefined: behind a horizon, never visible. c [m/s]. Source: physics.md "Seeing".
+ * undefined: behind a horizon, never visible. c [m/s]. docs/physics.md §3.1.
  */
 export function emissionTime(w: WorldLine, observer: ObserverEvent, c: number): number | undefined {
   const seen = pastLightCone(w, observer, c);
@@ -130,7 +130,7 @@ export interface NewtonOptions {
 /**
  * The damped Newton iteration t ← t − k f/f′, started at t_o, for comparison with `emissionTime`:
  * f = |x(t) − x_o| − c(t_o − t), f′ = (x − x_o)·v/|x − x_o| + c. World time after the last step [s].
- * Source: physics.md "Seeing".
+ * docs/physics.md §4.11.
  */
 export function newtonEmissionTime(w: WorldLine, observer: ObserverEvent, c: number, options: NewtonOptions): number {
   let t = observer.t;

@@ -38,7 +38,7 @@ function relativeRate(u: Vec3, v: Vec3): number {
 /**
  * A uniform mover that is at d when the world's clock shows T (relative to the observer's time): the event with
  * cΔt = β·Δx comes s = (u·d − γT)/(γ − u·v) later. d [m], v [c], u = γβ: world frame; T [m of light].
- * Source: physics.md "Simultaneity".
+ * docs/physics.md §5.2.
  */
 export function uniformSlice(d: Vec3, T: number, v: Vec3, u: Vec3): SimultaneousEvent {
   const s = (dot(u, d) - gamma(u) * T) / relativeRate(u, v);
@@ -145,7 +145,7 @@ export function simultaneousTimes(
 
 /**
  * Where a simultaneous event is in the observer's frame: Δx′ = Δx − γ/(γ + 1)(β·Δx)β, for Δx with cΔt = β·Δx.
- * Δx [m]: world frame, observer → event. u: the observer's γβ. Source: physics.md "Simultaneity".
+ * Δx [m]: world frame, observer → event. u: the observer's γβ. docs/physics.md §5.5.
  */
 export function simultaneousPosition(dx: Vec3, u: Vec3): Vec3 {
   const g = gamma(u);

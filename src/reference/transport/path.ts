@@ -43,7 +43,7 @@ export interface PathState extends LightReceiver {
 
 /**
  * The light that arrives along a ray, from s = 0 on: linear sRGB radiance for a receiver with proper velocity u (world frame, units of c). Between two rest
- * frames there is one Doppler factor, so light that is scattered on its way is shifted at each step (physics.md, "Shading"). In the
+ * frames there is one Doppler factor, so light that is scattered on its way is shifted at each step (docs/physics.md §6.2). In the
  * views that show no light, D = 1. One sample of an integral: the mean of many is the picture. `random` in 0 … 1.
  */
 export function radiance(

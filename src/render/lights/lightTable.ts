@@ -13,7 +13,7 @@ import { projectedArea } from '../../scene/lights/localLights.ts';
 import { originWorldLine, poseAt } from '../../scene/motion/motion.ts';
 import { samplePose } from '../../scene/motion/poses.ts';
 import type { LocalLight } from '../../scene/types.ts';
-import type { ColorMode } from '../../scene/view/view.ts';
+import type { ColorMode } from '../../scene/view/bufferSettings.ts';
 import type * as gpu from '../../shaders/types.ts';
 import type { FilteredBlackbody } from '../../spectrum/doppler/filterPairs.ts';
 import {

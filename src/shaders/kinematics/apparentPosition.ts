@@ -4,7 +4,7 @@ import type { Float, Vec3 } from '../types.ts';
 /**
  * Where a point that emitted at Δx (world frame) stands in the observer's frame, at the end of a light ray:
  * p∥′ = γp∥ + |u| r, across unchanged; |Δx′| = D_o r. Behind in the conjugate form (|u×Δx|² − p∥²)/(|u| r − γp∥).
- * `dx` [m]; `u` = γβ of the observer. Source: docs/model.md, "Seeing".
+ * `dx` [m]; `u` = γβ of the observer. docs/physics.md §3.3.
  */
 export const apparentPosition = Fn(
   ([dx, u, gamma]: [Vec3, Vec3, Float]) => {

@@ -290,7 +290,14 @@ export const emissionTwins: readonly Twin[] = [
   emissionTwin(motionInputs.uniform, ['linearEmission']),
   emissionTwin(motionInputs.hyperbolic, ['hyperbolaVertex', 'hyperbolaEmission', 'hyperbolaEvent']),
   emissionTwin(motionInputs.polyline, ['linearEmission', 'bisect', 'pieceVelocity']),
-  emissionTwin(motionInputs.cubic, ['linearEmission', 'bisect', 'pieceVelocity', 'cubicPiece', 'cubicRoot', 'onCubic']),
+  emissionTwin(motionInputs.cubic, [
+    'linearEmission',
+    'bisect',
+    'pieceVelocity',
+    'cubicPiece',
+    'cubicRoot',
+    'evaluateCubic',
+  ]),
   longestTable,
   newtonTwin(motionInputs.uniform),
   newtonTwin(motionInputs.polyline),
@@ -298,5 +305,5 @@ export const emissionTwins: readonly Twin[] = [
   placeTwin(motionInputs.uniform, []),
   placeTwin(motionInputs.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent']),
   placeTwin(motionInputs.polyline, ['bisect', 'pieceVelocity']),
-  placeTwin(motionInputs.cubic, ['bisect', 'cubicPiece', 'onCubic']),
+  placeTwin(motionInputs.cubic, ['bisect', 'cubicPiece', 'evaluateCubic']),
 ];

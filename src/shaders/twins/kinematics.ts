@@ -165,9 +165,9 @@ const recessionTwin: Twin = {
   checks: [relative('1 + v·n', 0, always(1e-4))],
 };
 
-const closingTwin: Twin = {
+const lorentzFactorRatioTwin: Twin = {
   ...observed,
-  name: 'closing',
+  name: 'lorentzFactorRatio',
   cases: (random) =>
     casesOf(observers, EACH, (stratum) => {
       const { u, n } = observerInput(random, stratum);
@@ -216,6 +216,6 @@ export const kinematicsTwins: readonly Twin[] = [
   boostTwin,
   simultaneousPositionTwin,
   recessionTwin,
-  closingTwin,
+  lorentzFactorRatioTwin,
   coneOffsetTwin,
 ];

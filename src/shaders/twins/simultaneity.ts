@@ -37,8 +37,8 @@ const sliceTwin = (mover: MotionInput, parts: readonly string[]): Twin => ({
 });
 
 export const simultaneityTwins: readonly Twin[] = [
-  sliceTwin(motionInputs.uniform, ['closing']),
+  sliceTwin(motionInputs.uniform, ['lorentzFactorRatio']),
   sliceTwin(motionInputs.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent']),
   sliceTwin(motionInputs.polyline, ['bisect', 'pieceVelocity']),
-  sliceTwin(motionInputs.cubic, ['bisect', 'cubicPiece', 'cubicRoot', 'onCubic']),
+  sliceTwin(motionInputs.cubic, ['bisect', 'cubicPiece', 'cubicRoot', 'evaluateCubic']),
 ];

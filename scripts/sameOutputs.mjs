@@ -1,0 +1,150 @@
+// `npm run sameOutputs -- REF`: proves that a change of the code changes no output. Runs the program of the working tree and that of a git commit on all
+// examples of that commit, and compares what they write to the bit: pictures (WebGPU, WebGL2, reference renderer) with their data channels, probes, converted
+// files, simulations and exit codes. Ends with 1 where any of it differs. Differences of help, messages and refusals are reported, and are no failure.
+//
+//     npm run sameOutputs -- main
+//     npm run sameOutputs -- 5993356 --only dice,street --kinds render,reference,probe,convert
+//     npm run sameOutputs -- main --thorough
+//
+// `--thorough` draws every scene in every view, at rest and moving, by each pipeline, and every project by each: three times as long.
+// Outputs of the commit are cached in the temporary folder of the system, so that later runs run the working tree only; `--fresh` ignores the cache.
+// On software GPUs (SwiftShader, llvmpipe) pictures are the same in every run; a hardware GPU may not promise that: then compare a commit with itself first.
+import { execFileSync, spawnSync } from 'node:child_process';
+import { existsSync, lstatSync, mkdtempSync, readFileSync, rmSync, symlinkSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { jobsFor, KIND_GROUPS, KINDS, SCENE_FILE } from './sameOutputs/jobs.mjs';
+import { report } from './sameOutputs/report.mjs';
+import { cleanups, hash, home, makeFolder, moveTo, runJobs, temporaryFolder } from './sameOutputs/run.mjs';
+import { checkNode, ensureBuilt, ensureModules, ensureSystem, root, run, SetupError, say } from './setup.mjs';
+
+/** Part of each cached job's key: raise it where the outputs are kept otherwise. */
+const CACHE_VERSION = 1;
+
+try {
+  const { ref, ...wanted } = parseArguments(process.argv.slice(2));
+  checkNode();
+  ensureModules();
+  if (ensureSystem('which the pictures need').length > 0)
+    throw new SetupError('system packages are missing, see above.');
+  const commit = git('rev-parse', '--verify', '--quiet', `${ref}^{commit}`).trim();
+  const before = { name: `${ref} (${commit.slice(0, 7)})`, folder: join(home, commit) };
+  const jobs = chosenJobs(inputsOf(commit, before.folder), wanted);
+  await runBefore(commit, before, jobs, wanted.fresh);
+  const now = await runNow(jobs);
+  process.exitCode = report(jobs, before, now);
+} catch (error) {
+  if (!(error instanceof SetupError)) throw error;
+  console.error(`\nnpm run sameOutputs: ${error.message}`);
+  process.exitCode = 1;
+}
+
+// ── What to run ────────────────────────────────────────────────────────────────────────────────────────────────────
+
+function parseArguments(words) {
+  const options = { only: [], kinds: [], fresh: false, thorough: false };
+  for (let i = 0; i < words.length; i++) {
+    const list = () => (words[++i] ?? '').split(',').filter(Boolean);
+    if (words[i] === '--only') options.only.push(...list());
+    else if (words[i] === '--kinds') options.kinds.push(...list().flatMap((kind) => KIND_GROUPS[kind] ?? kind));
+    else if (words[i] === '--fresh' || words[i] === '--thorough') options[words[i].slice(2)] = true;
+    else if (options.ref === undefined && !words[i].startsWith('-')) options.ref = words[i];
+    else throw new SetupError(`what is ${words[i]}? ${usage()}`);
+  }
+  if (options.ref === undefined) throw new SetupError(`name a git commit to compare with. ${usage()}`);
+  const unknown = options.kinds.filter((kind) => !KINDS.includes(kind));
+  if (unknown.length > 0) throw new SetupError(`no kind ${unknown.join(', ')}. ${usage()}`);
+  return options;
+}
+
+function usage() {
+  const kinds = [...Object.keys(KIND_GROUPS), ...KINDS].join(', ');
+  return `npm run sameOutputs -- REF [--only NAME,…] [--kinds KIND,…] [--thorough] [--fresh]; kinds: ${kinds}`;
+}
+
+function git(...args) {
+  const done = spawnSync('git', args, { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 28 });
+  if (done.status !== 0) throw new SetupError(`git ${args.join(' ')} failed. ${done.stderr}`.trim());
+  return done.stdout;
+}
+
+/** The commit's examples, and the scene files of its tests with what lies beside them: both programs read these. */
+function inputsOf(commit, folder) {
+  const all = git('ls-tree', '-r', '--name-only', '-z', commit).split('\0').filter(Boolean);
+  const folders = new Set(all.filter((path) => SCENE_FILE.test(path)).map((path) => dirname(path)));
+  const paths = all.filter((path) => path.startsWith('examples/') || folders.has(dirname(path)));
+  const inputs = join(folder, 'inputs');
+  if (!existsSync(inputs)) {
+    const unpacked = mkdtempSync(join(makeFolder(folder), 'unpacked-'));
+    const archive = join(unpacked, 'inputs.tar');
+    git('archive', '--format=tar', '-o', archive, commit, '--', ...paths);
+    execFileSync('tar', ['-xf', archive], { cwd: unpacked });
+    rmSync(archive);
+    moveTo(inputs, unpacked);
+  }
+  return { folder: inputs, paths };
+}
+
+function chosenJobs({ folder, paths }, { only, kinds, thorough }) {
+  const jobs = jobsFor(folder, paths);
+  const subjects = new Set(jobs.map(({ subject }) => subject));
+  const unknown = only.filter((name) => !subjects.has(name));
+  if (unknown.length > 0)
+    throw new SetupError(`no example ${unknown.join(', ')}; there are ${[...subjects].join(', ')}.`);
+  const chosen = jobs.filter(
+    (job) =>
+      (thorough || !job.thorough) &&
+      (only.length === 0 || only.includes(job.subject)) &&
+      (kinds.length === 0 || kinds.includes(job.kind)),
+  );
+  if (chosen.length === 0) throw new SetupError('there is nothing of these kinds to run.');
+  const environment = environmentKey();
+  return chosen.map((each) => ({ ...each, key: hash(JSON.stringify([CACHE_VERSION, environment, each.steps])) }));
+}
+
+/** What else outputs depend on: the software GPUs come with Chromium and the system. */
+function environmentKey() {
+  const version = (program, flag) => spawnSync(program, [flag], { encoding: 'utf8' }).stdout ?? '';
+  const { CHROMIUM = 'chromium', VK_ICD_FILENAMES, VK_DRIVER_FILES } = process.env;
+  return [process.version, process.arch, version(CHROMIUM, '--version'), VK_ICD_FILENAMES, VK_DRIVER_FILES];
+}
+
+// ── Running ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/** Runs what is not cached yet with a build of the commit in a temporary worktree. */
+async function runBefore(commit, before, jobs, fresh) {
+  const place = (job) => join(before.folder, job.key);
+  before.place = place;
+  if (fresh) for (const job of jobs) rmSync(place(job), { recursive: true, force: true });
+  const missing = jobs.filter((job) => !existsSync(place(job)));
+  say(`${before.name}: ${jobs.length - missing.length} of ${jobs.length} jobs are cached in ${before.folder}`);
+  if (missing.length === 0) return;
+  const tree = buildOf(commit);
+  const folder = temporaryFolder('before-');
+  const unfinished = (job) => join(folder, job.key);
+  await runJobs(before.name, tree, missing, unfinished, (job) => moveTo(place(job), unfinished(job)));
+}
+
+/** A worktree of the commit, built; removed at the end. */
+function buildOf(commit) {
+  const tree = join(temporaryFolder('tree-'), 'slowlight');
+  git('worktree', 'add', '--detach', '--force', tree, commit);
+  cleanups.unshift(() => {
+    const modules = join(tree, 'node_modules');
+    if (existsSync(modules) && lstatSync(modules).isSymbolicLink()) rmSync(modules);
+    spawnSync('git', ['worktree', 'remove', '--force', tree], { cwd: root });
+  });
+  const lock = 'package-lock.json';
+  // Else the build below installs the commit's own.
+  if (readFileSync(join(root, lock)).equals(readFileSync(join(tree, lock))))
+    symlinkSync(join(root, 'node_modules'), join(tree, 'node_modules'), 'junction');
+  run(process.execPath, [join(tree, 'scripts/build.mjs')], { cwd: tree });
+  return tree;
+}
+
+async function runNow(jobs) {
+  ensureBuilt('lib', 'app');
+  const folder = mkdtempSync(join(home, 'now-'));
+  const now = { name: 'working tree', folder, place: (job) => join(folder, job.id.replaceAll(/[^\w./-]+/g, '-')) };
+  await runJobs(now.name, root, jobs, now.place, () => {});
+  return now;
+}
