@@ -1,5 +1,4 @@
-import { multiply, rotate } from '../../math/quat.ts';
-import { scale } from '../../math/vec3.ts';
+import { lightKind } from '../lights/lightKinds.ts';
 import { transformMesh } from '../mesh/meshOps.ts';
 import { linearOf, type SimilarityTransform } from '../motion/kinds/changes.ts';
 import { deforms } from '../motion/motion.ts';
@@ -37,33 +36,8 @@ function enlargedMesh(mesh: Mesh, motion: Motion, { orientation, scale: s }: Sim
   return s === 1 ? mesh : { ...mesh, positions: mesh.positions.map((x) => s * x) };
 }
 
-/** Radiance does not change with the scale, so that a lamp of a scaled room lights it as before; a point or line is all of its light. */
+/** Radiance does not change with the scale, so that a light of a scaled room lights it as before; of a point or line `color` is all of its light. */
 function transformLight(light: Light, by: SimilarityTransform): Light {
-  switch (light.kind) {
-    case 'distant':
-      return { ...light, direction: rotate(by.orientation, light.direction) };
-    case 'dome':
-      return light;
-    case 'stars':
-      return { ...light, orientation: multiply(by.orientation, light.orientation) };
-    case 'rect': {
-      const [width, height] = [light.width * by.scale, light.height * by.scale];
-      return { ...light, motion: motionKind(light.motion).transform(light.motion, by), width, height };
-    }
-    case 'cylinder': {
-      const color = light.radius === 0 ? scale(light.color, by.scale) : light.color;
-      const [radius, length] = [light.radius * by.scale, light.length * by.scale];
-      return { ...light, motion: motionKind(light.motion).transform(light.motion, by), color, radius, length };
-    }
-    default: {
-      const point = light.kind === 'sphere' && light.radius === 0;
-      const color = point ? scale(light.color, by.scale ** 2) : light.color;
-      return {
-        ...light,
-        motion: motionKind(light.motion).transform(light.motion, by),
-        color,
-        radius: light.radius * by.scale,
-      };
-    }
-  }
+  const turned = lightKind(light).transform(light, by);
+  return 'motion' in turned ? { ...turned, motion: motionKind(turned.motion).transform(turned.motion, by) } : turned;
 }
