@@ -1,9 +1,10 @@
 import { scale } from '../../../math/vec3.ts';
 import type { HyperbolicMotion, Lifetime, Pose, SceneHints, UniformMotion } from '../../../scene/types.ts';
 import { parseSceneHints } from '../../attributes/hints.ts';
+import { report } from '../diagnostics.ts';
 import { numberAt, textAt, vec3At } from '../layer/attributes.ts';
 import type { Layer, PrimSpec } from '../layer/layer.ts';
-import { report, type StageContext } from './context.ts';
+import type { StageContext } from './context.ts';
 
 /** What our own attributes (docs/guide/usd.md) say about a prim; descendants have it too, unless they say otherwise. */
 export interface SlowlightAttributes {
