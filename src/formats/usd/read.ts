@@ -3,7 +3,7 @@ import type { Diagnostic, MissingFile, Scene } from '../../scene/types.ts';
 import { DiagnosticList } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import type { FileSource } from '../files/fileSource.ts';
-import type { ReadOptions } from '../registry.ts';
+import type { ReadOptions } from '../readOptions.ts';
 import { AssetFiles } from './assets/assetFiles.ts';
 import { type ComposedStage, composeStage } from './compose/composeStage.ts';
 import { LayerStore } from './compose/layers/layerStore.ts';
