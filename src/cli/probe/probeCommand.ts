@@ -1,9 +1,9 @@
 import { Command } from 'commander';
 import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
-import type { View } from '../../scene/view/bufferSettings.ts';
+import type { View } from '../../scene/views/views.ts';
 import { parseNumber, parsePixel, sizeOption } from '../flags/parse.ts';
 import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
-import { addObserverFlags, type ObserverFlags, viewOption } from '../flags/viewFlags.ts';
+import { addObserverFlags, type ObserverFlags, settingOption } from '../flags/viewFlags.ts';
 
 export interface ProbeFlags extends ObserverFlags, SceneFlags {
   readonly prim?: string;
@@ -36,7 +36,7 @@ export function probeCommand(): Command {
       parseNumber,
     );
   return addSceneFlags(addObserverFlags(command))
-    .addOption(viewOption())
+    .addOption(settingOption('view'))
     .option('--json', 'print as JSON')
     .addHelpText('after', examples)
     .action(async (scene: string, flags: ProbeFlags) => (await import('./probeAction.ts')).probe(scene, flags));

@@ -9,8 +9,9 @@ import {
   MAX_PASSES,
   MAX_STILL_IMAGES,
 } from '../../scene/frameGraph/frameGraph.ts';
+import { BUFFER_SETTINGS, type BufferSettings } from '../../scene/settings/settings.ts';
 import type { Scene } from '../../scene/types.ts';
-import { BUFFER_SETTINGS, type BufferSettings } from '../../scene/view/bufferSettings.ts';
+import { VIEWS } from '../../scene/views/views.ts';
 import type { GBufferSpec, ImageSpec, PictureSpec } from '../socketValues.ts';
 
 /** A picture that is put together of too much. */
@@ -18,7 +19,7 @@ export class FrameGraphError extends Error {}
 
 /** Of two, that of which the picture is first of all: the one that relativity has to do with. */
 export const primaryGBuffer = (below: GBufferSpec, above: GBufferSpec): GBufferSpec =>
-  below.view === 'galilean' && above.view !== 'galilean' ? above : below;
+  VIEWS[below.view].relativistic || !VIEWS[above.view].relativistic ? below : above;
 
 /**
  * The picture whose last step an image is: with its exposure and tone curve apart, which the metering and the antialiasing work on, and with its G-buffers and

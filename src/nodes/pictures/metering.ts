@@ -1,16 +1,11 @@
 import { skyDoppler } from '../../reference/post/falseColor.ts';
+import type { MeteringMode } from '../../scene/settings/settings.ts';
 import { type LightMeterReadings, METER_CELLS, relativeLuminance } from '../../scene/view/metering.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { VIEWS } from '../../scene/views/views.ts';
 import { dopplerTint } from '../../spectrum/doppler/dopplerTint.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import { fitScale } from '../../spectrum/falseColor/falseColorScale.ts';
-
-/**
- * What sets the exposure. `automatic`: the picture's own light. `resting-eye`: the same light without what the observer's velocity does to
- * its brightness, so that this is seen as it is. `manual`: the person alone.
- */
-export type MeteringMode = 'automatic' | 'resting-eye' | 'manual';
-export const METERING_MODES: readonly MeteringMode[] = ['automatic', 'resting-eye', 'manual'];
 
 /** Shares of what is lit at all, from the darkest on: its middle, without shadows and reflections, and its highlights, without the sun's glints. */
 const MIDTONE_RANGE = [0.1, 0.95] as const;
@@ -66,7 +61,7 @@ function restFrameLuminance(
   settings: RenderSettings,
   aspect: number,
 ): Float32Array {
-  if (settings.view !== 'light-cone') return luminance;
+  if (!VIEWS[settings.view].luminous) return luminance;
   return luminance.map((value, i) => {
     const [x, y] = [aspect * ((i % METER_CELLS) + 0.5), Math.floor(i / METER_CELLS) + 0.5];
     const D = skyDoppler(view, settings, x, y, aspect * METER_CELLS, METER_CELLS);
