@@ -9,17 +9,17 @@ import type { RequestedFile } from './project/outputFiles.ts';
 import type { LoadedScene, Services } from './services.ts';
 import type { CameraView, GBufferSpec, ImageSpec, PictureSpec, RelativisticScene, TimeRange } from './socketValues.ts';
 
-/** What flows through a socket of each type. */
+/** Type of value of each socket type. */
 interface SocketValues {
-  /** Things, lamps and cameras that are to be part of a scene. */
+  /** Objects, lights and cameras to be part of a scene. */
   readonly geometry: LoadedScene;
   readonly motion: MotionPath;
-  /** What is to be simulated. */
+  /** Description of what is to be simulated. */
   readonly matter: Matter;
-  /** What a simulation did. */
+  /** Run record of a simulation. */
   readonly books: RunRecord;
   readonly lights: readonly Light[];
-  /** The observer's velocity at the start, in units of c. */
+  /** The observer's initial velocity [c]. */
   readonly observer: Vec3;
   readonly time: TimeRange;
   readonly spectrum: LightSpectrum;
@@ -28,7 +28,7 @@ interface SocketValues {
   readonly view: CameraView;
   readonly gbuffer: GBufferSpec;
   readonly image: ImageSpec;
-  /** An image whose first channel counts. */
+  /** An image whose first channel is used. */
   readonly mask: ImageSpec;
   readonly picture: PictureSpec;
   readonly number: number;
@@ -63,8 +63,8 @@ export interface NodeDefinition<P extends Params, I extends SocketTable, O exten
 }
 
 /**
- * A node whose code is typed by its own description. The engine connects only sockets of one type and the document's
- * values are checked against the description, so the erased types are what the code was promised.
+ * Defines a node whose code is typed by its own description. The engine connects only sockets of equal types, and the
+ * document's values are validated against the description, so the erased types hold.
  */
 export function defineNode<const P extends Params, const I extends SocketTable, const O extends SocketTable>(
   definition: NodeDefinition<P, I, O>,

@@ -8,47 +8,47 @@ import type { LoadedScene } from './services.ts';
 export interface RelativisticScene extends LoadedScene, ValuesOf<SettingOfNode<'relativity-console'>> {
   /** [m/s] */
   readonly speedOfLight: number;
-  /** The observer's greatest speed, as a fraction of c. */
+  /** The observer's maximum speed as a fraction of c. */
   readonly maxSpeed: number;
 }
 
-/** A scene with where it is looked at from. */
+/** A relativistic scene with the camera that observes it. */
 export interface CameraView extends RelativisticScene {
   /** Prim path; empty: the scene's first camera. */
   readonly camera: string;
-  /** The observer rides on the file's camera, with its velocity, instead of flying freely. */
+  /** Whether the observer rides on the file's camera with its velocity instead of flying freely. */
   readonly ride: boolean;
-  /** Vertical field of view [rad]; undefined: the camera's own. */
+  /** Vertical field of view [rad]; undefined: the camera's. */
   readonly fovY: number | undefined;
 }
 
-/** What the rasterizer is to draw. A description: the pass itself runs once a frame. */
+/** What the rasterizer is to draw. A description only: the pass runs once per frame. */
 export interface GBufferSpec extends CameraView, ValuesOf<SettingOfNode<'relativity-rasterize'>> {}
 
-/** An image, by the step that makes it of others; nothing is drawn before the whole picture is known. */
+/** An image, described by the pass that makes it from others; nothing is rendered before the whole picture is known. */
 export interface ImageSpec {
   readonly step: FrameGraphPassOf<ImageSpec, GBufferSpec>;
-  /** The G-buffer that the picture is of, first of all: whose camera, time and speed of light hold for it. */
+  /** The primary G-buffer, whose camera, time and speed of light apply to the image. */
   readonly gbuffer: GBufferSpec;
 }
 
-/** A whole picture, but for the time and the observer, which change by themselves. */
+/** A whole picture, except for time and observer, which change without an evaluation. */
 export interface PictureSpec extends GBufferSpec, ValuesOf<SettingOfNode<'deferred-lighting' | 'tone-map'>> {
-  /** What hides the sky of a place dims its light. */
+  /** Whether ambient occlusion dims the light of the sky. */
   readonly occlusion: boolean;
   readonly falseColor: FalseColorQuantity | 'none';
-  /** Where it is more than one G-buffer, shaded: how it is put together. */
+  /** Present if the picture is more than one shaded G-buffer. */
   readonly frameGraph?: FrameGraph;
-  /** What it was planned of. */
+  /** The final image. */
   readonly image: ImageSpec;
-  /** What the plan's other G-buffers are of, with that of the first. */
+  /** Scenes of all G-buffers; the primary one's first. */
   readonly scenes: readonly Scene[];
 }
 
-/** From when to when a scene's animation is shown [s]. */
+/** Time range in which a scene's animation is shown [s]. */
 export interface TimeRange {
   readonly start: number;
   readonly end: number;
-  /** World time that it opens at; absent: its start. */
+  /** Initial world time [s]; absent: the start. */
   readonly openAt?: number;
 }

@@ -3,12 +3,12 @@ import type { AbortSignalLike, ProgressCallback } from '../graph/nodeType.ts';
 import type { TileRequest } from '../reference/tileRequest.ts';
 import type { Scene } from '../scene/types.ts';
 
-/** What a picture by the reference renderer is to be; its speed of light is that of the settings. */
+/** Request for a reference picture; its speed of light is that of the settings. */
 export type TraceOptions = Omit<TileRequest, 'layers'>;
 
 /**
- * Has a picture drawn by the reference renderer, in threads: linear light, three values per pixel, rows from the top. Rejects with a `CancelledError`
- * where the signal says so; `progress` hears which part is done.
+ * Renders a picture with the reference renderer in threads: linear radiance, three values per pixel, rows from the top.
+ * Rejects with a `CancelledError` on the signal; `progress` gets the completed fraction.
  */
 export type ReferenceTrace = (
   scene: Scene,
@@ -16,7 +16,7 @@ export type ReferenceTrace = (
   work: { readonly signal?: AbortSignalLike; readonly progress: ProgressCallback },
 ) => Promise<Float32Array<ArrayBuffer>>;
 
-/** One picture after another, for each takes all threads that there are. */
+/** Runs one trace after another, since each uses all threads. */
 export function queueTraces(trace: ReferenceTrace): ReferenceTrace {
   let before: Promise<unknown> = Promise.resolve();
   return (scene, picture, work) => {

@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { nodeLibrary } from '../../nodes/library.ts';
 import { settingTexts } from '../../nodes/common/settingTexts.ts';
+import { nodeLibrary } from '../../nodes/library.ts';
 import { EFFECTS } from '../../scene/frameGraph/effects.ts';
 import { exampleTexts } from './exampleTexts.ts';
 import { preferredLanguage } from './i18n.ts';
@@ -29,7 +29,7 @@ describe('the catalogue of messages', () => {
         },
       ),
     ).join('\n');
-    // Keys that are put together: `lock.${lock}.help`.
+    // Matches keys composed from templates: `lock.${lock}.help`.
     const composed =
       /^(lock|loading|header)\.(free|look|fly|fetch|parse|trace|simulate|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^(band|preset|light|math|vectorMath|relation|category|type|graph\.course)\.|^energy\.(change|total|kinetic|potential|fastest|momentum|angularMomentum)$/;
     // Those of settings are there because the list of settings has them.
@@ -60,7 +60,7 @@ describe('the catalogue of messages', () => {
       ]),
       ...[...Object.values(type.inputs), ...Object.values(type.outputs)].flatMap(({ title }) => title ?? []),
     ]);
-    // A single letter is its own name in every language.
+    // Single letters are the same in every language.
     expect(keys.filter((key) => !Object.hasOwn(uiTexts, key) && !/^[A-Z]$/.test(key))).toEqual([]);
   });
 });

@@ -18,7 +18,7 @@ import { sliderPosition, sliderValue } from './sliderScale.ts';
 import { ListControl, TextControl } from './TextControl.tsx';
 import { VectorControl } from './VectorControl.tsx';
 
-/** One parameter of a node, as its description says. */
+/** Control of one parameter, chosen by its description. */
 export function ParamControl(props: ParamProps): ReactNode {
   const { spec, drivenBy } = props;
   if (drivenBy !== undefined) return <DrivenParam spec={spec} by={drivenBy} />;
@@ -86,11 +86,11 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
 interface UnphysicalProps {
   readonly spec: ParamSpec;
   readonly value: ParamValue;
-  /** What nature has, in words. */
+  /** The physical value, as text. */
   readonly nature: string;
 }
 
-/** A value that nature does not have is for teaching, and says so. */
+/** Warns that a value departs from nature. */
 function Unphysical({ spec, value, nature }: UnphysicalProps): ReactNode {
   const { t } = useTexts();
   if (!isUnphysical(spec, value)) return null;
@@ -149,7 +149,7 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
   );
 }
 
-/** More choices than fit side by side are a list. */
+/** More options than this are a list instead of segments. */
 const MAX_SEGMENTS = 5;
 
 function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>): ReactNode {

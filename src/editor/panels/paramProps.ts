@@ -3,15 +3,15 @@ import type { ParamSpec } from '../../graph/nodeType.ts';
 
 export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
   readonly spec: Spec;
-  /** As set in the document; undefined: the default, or what the scene suggests. */
+  /** Value set in the document; undefined: the default, or what the scene suggests. */
   readonly set: ParamValue | undefined;
   /** What holds now. */
   readonly value: ParamValue;
-  /** For a text whose values come from the scene. */
+  /** Values that the scene offers for a text parameter. */
   readonly choices?: readonly string[];
-  /** The node that says what it is, where an edge drives it. */
+  /** Title of the node whose edge drives it. */
   readonly drivenBy?: string;
-  /** `gesture`: part of one continuous action. */
+  /** `gesture`: key of a continuous interaction, whose changes are one undo step. */
   readonly onChange: (value: ParamValue | undefined, gesture?: string) => void;
   readonly onGestureEnd: () => void;
 }

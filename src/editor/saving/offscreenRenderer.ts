@@ -11,13 +11,13 @@ import type { Scene } from '../../scene/types.ts';
 import type { LightMeterReadings } from '../../scene/view/metering.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 
-/** Draws pictures of any size beside the one on show, with a device of its own: what is shown goes on. */
+/** Renders pictures of any size on a device of its own, while the viewport goes on. */
 export class OffscreenRenderer implements PictureRenderer {
   readonly defaultSamples = 1;
   private readonly renderer: SceneRenderer;
   private readonly troubles: RendererFailure;
 
-  /** `scenes`: a picture's, and those of its plan's other G-buffers. */
+  /** `scenes`: the picture's, and those of further G-buffers of its frame graph. */
   static async open(
     backend: Backend | 'auto',
     scenes: readonly Scene[],
@@ -64,7 +64,7 @@ export class OffscreenRenderer implements PictureRenderer {
   private async draw(view: ViewPoint, settings: RenderSettings, samples: number): Promise<void> {
     const renderer = this.renderer;
     await nextFrame();
-    // Shaders are compiled between the frames of the picture on show.
+    // Compiles shaders between the viewport's frames.
     for (
       let busy = renderer.precompile(view, settings, samples);
       busy;
@@ -83,10 +83,10 @@ export class OffscreenRenderer implements PictureRenderer {
   }
 }
 
-/** three's passes are made once a frame of the page: in the same one, the second picture would be the first. */
+/** three.js updates a pass once per frame: a second picture in the same frame would repeat the first. */
 const nextFrame = (): Promise<unknown> => new Promise((resolve) => requestAnimationFrame(resolve));
 
-/** What ends all work: a device that is lost, samples that cannot be read. */
+/** Errors that end all work: a lost device, unreadable samples. */
 class RendererFailure {
   private meet: (error: Error) => void = () => {};
   private readonly met = new Promise<never>((_, reject) => {

@@ -2,10 +2,10 @@ import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import { queueTraces, type ReferenceTrace } from '../../nodes/trace.ts';
 import type { TraceReply, TraceRequest } from './protocol.ts';
 
-/** A slider's steps come faster than this, so that only the last of them is traced [ms]. */
+/** Debounces slider steps, so that only the last is traced [ms]. */
 const DEBOUNCE = 200;
 
-/** Has pictures drawn by the reference renderer in workers, which are ended when they are cancelled, whatever they are doing. */
+/** Traces pictures with the reference renderer in workers, which are terminated on cancellation. */
 export const traceInWorkers: ReferenceTrace = queueTraces(async (scene, picture, { signal, progress }) => {
   progress(0, 'trace');
   await new Promise((done) => setTimeout(done, DEBOUNCE));

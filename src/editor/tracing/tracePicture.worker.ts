@@ -4,14 +4,14 @@ import { renderWithPool, TracerPool, type TracerThread, tilesOf } from '../../re
 import type { Scene } from '../../scene/types.ts';
 import type { TraceReply, TraceRequest } from './protocol.ts';
 
-/** Each tracer has its own copy of the scene; so much memory they take together at most [bytes]. */
+/** Memory limit for the tracers' copies of the scene, together [bytes]. */
 const MAX_SCENE_COPIES_BYTES = 2 ** 30;
-/** Memory for the shapes of sampled objects at their samples, of all tracers [bytes]. */
+/** Memory for cached shapes of sampled objects, of all tracers [bytes]. */
 const SHAPE_CACHE_BYTES = 2 ** 29;
-/** Between two words on how far it is [ms]. */
+/** Interval of progress messages [ms]. */
 const PROGRESS_INTERVAL = 100;
 
-/** Has one picture traced by workers of its own, so that the page only sends the scene once. */
+/** Traces one picture with workers of its own, so that the page sends the scene only once. */
 addEventListener('message', async ({ data }: MessageEvent<TraceRequest>) => {
   try {
     const pixels = await tracePicture(data);
@@ -36,7 +36,7 @@ async function tracePicture({ scene, picture }: TraceRequest): Promise<Float32Ar
   return layers.get('beauty')!;
 }
 
-/** One processor is left to the page; of large scenes there are fewer copies. */
+/** One core is left to the page; large scenes get fewer copies. */
 function threadsFor(scene: Scene): number {
   const bytes = transferables(scene).reduce((sum, { byteLength }) => sum + byteLength, 1);
   return Math.max(1, Math.min(navigator.hardwareConcurrency - 1, Math.floor(MAX_SCENE_COPIES_BYTES / bytes)));

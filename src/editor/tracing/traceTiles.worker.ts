@@ -4,7 +4,7 @@ import { readBlob } from '../loading/readBlob.ts';
 
 setFileReader(readBlob);
 
-/** A thread of the reference renderer; tracePicture.worker.ts starts it and gives it work. */
+/** A thread of the reference renderer, started by tracePicture.worker.ts. */
 serveTracer({
   listen: (hear) => addEventListener('message', ({ data }) => hear(data)),
   post: (reply, transfer) => postMessage(reply, { transfer: [...transfer] as ArrayBuffer[] }),

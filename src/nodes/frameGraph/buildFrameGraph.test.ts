@@ -11,7 +11,7 @@ import type { PictureSpec } from '../socketValues.ts';
 
 const loaded = { scene: makeScene({ name: 'a', hints: { speedOfLight: 10 } }) };
 
-/** What a graph behind a camera gives. */
+/** Output of a graph behind a camera. */
 async function evaluated(...commands: readonly Command[]) {
   const document = build(
     add('read', 'read'),

@@ -34,7 +34,7 @@ const mixed = (below: ImageSpec, above: ImageSpec): ImageSpec => ({
   gbuffer: below.gbuffer,
 });
 
-/** As the page shows a picture of an image. */
+/** The picture in which the page shows a preview of an image. */
 function besideOf(image: ImageSpec) {
   const { frameGraph, scenes } = buildPicture(image);
   return { settings: { ...DEFAULT_SETTINGS, ...(frameGraph && { frameGraph }) }, scenes };

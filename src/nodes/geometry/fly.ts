@@ -8,7 +8,7 @@ import { defineNode } from '../defineNode.ts';
 import type { FastestScenePoint } from '../services.ts';
 import type { RelativisticScene } from '../socketValues.ts';
 
-/** Makes a thing fly along a straight line, whatever moved it before. */
+/** Makes an object fly along a straight line, replacing its motion. */
 export const flyNode = defineNode({
   id: 'fly',
   title: 'node.fly',
@@ -83,7 +83,10 @@ function assertCanFly(scene: Scene, path: string, direction: readonly [number, n
   }
 }
 
-/** The fastest of what flies and of the rest; of the rest it is known, unless it was one of those that fly now. */
+/**
+ * The faster of the flying objects and the rest; the fastest point of the rest is known unless it was one of those that
+ * now fly.
+ */
 function fastestAfter({ fastest: before, scene, speedOfLight: c }: RelativisticScene, flown: Scene, path: string) {
   const known = before && !isAtOrBelow(before.path, path) ? before : undefined;
   const changed = new Set(scene.objects);

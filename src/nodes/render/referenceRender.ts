@@ -8,7 +8,7 @@ import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../sce
 import { defineNode } from '../defineNode.ts';
 import type { GBufferSpec } from '../socketValues.ts';
 
-/** A still has at most so many pixels, and so many paths of light are followed for it: minutes, not hours. */
+/** Limits of a still on pixels and on light paths: minutes, not hours. */
 const MAX_PIXELS = 2 ** 22;
 const MAX_PATHS = 2 ** 26;
 
@@ -17,7 +17,7 @@ const integerParam = (title: string, preset: number, min: number, max: number) =
 const stillPixelParam = (title: string, preset: number) =>
   ({ ...integerParam(title, preset, 1, 8192), unit: 'px', slider: false }) as const;
 
-/** A picture by the reference renderer, of the scene's camera. */
+/** A picture by the reference renderer, from the scene's camera. */
 export const referenceRenderNode = defineNode({
   id: 'reference-render',
   title: 'node.referenceRender',
@@ -92,7 +92,7 @@ function assertSize(width: number, height: number, samples: number, node: string
   }
 }
 
-/** Where the observer is at time t [s] who begins there: in the camera, with its velocity, or that which the scene wants. */
+/** View point at time t [s] of the initial observer: at the camera, with its velocity or that of the scene's hint. */
 function initialViewPoint({ scene, camera, fovY, speedOfLight }: GBufferSpec, t: number): ViewPoint {
   const found = scene.cameras.find(({ path }) => path === camera) ?? scene.cameras[0] ?? framingCamera(scene);
   const { beta } = scene.hints;
@@ -104,7 +104,7 @@ function initialViewPoint({ scene, camera, fovY, speedOfLight }: GBufferSpec, t:
   };
 }
 
-/** What of the settings light itself depends on. */
+/** The settings that radiance depends on. */
 const traceSettings = (gbuffer: GBufferSpec): RenderSettings => ({
   ...DEFAULT_SETTINGS,
   ...Object.fromEntries(BUFFER_SETTINGS.map((name) => [name, gbuffer[name]])),

@@ -1,7 +1,7 @@
 import { settingParams } from '../common/settingParams.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** Draws what the observer sees into a G-buffer. */
+/** Rasterizes what the observer sees into a G-buffer. */
 export const relativityRasterizeNode = defineNode({
   id: 'relativity-rasterize',
   title: 'node.rasterize',

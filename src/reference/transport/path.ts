@@ -5,7 +5,8 @@ import { maxOfFilter, neutralFilter, scaleFilter } from '../../spectrum/reflecta
 import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
 import { nearestHit, type TracedScene } from '../intersection/tracedScene.ts';
-import { createLightingContext, type LightingContext, rayBack, restFrameOf } from '../lights/lightingContext.ts';
+import { createLightingContext } from '../lights/createLightingContext.ts';
+import { type LightingContext, rayBack, restFrameOf } from '../lights/lightingContext.ts';
 import type { LightOptions } from '../lights/lightOptions.ts';
 import { type Brdf, brdfOf, diffuseLobe, type Lobe, specularLobe } from '../materials/brdf.ts';
 import { type SurfacePoint, surfaceAt } from '../materials/surface.ts';

@@ -9,7 +9,7 @@ import {
   velocityAt,
   type WorldLine,
 } from '../../physics/worldLines/worldLine.ts';
-import { projectedArea } from '../../scene/lights/localLights.ts';
+import { projectedArea } from '../../scene/lights/lightKinds.ts';
 import { originWorldLine, poseAt, samplePose } from '../../scene/motion/motion.ts';
 import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { LocalLight } from '../../scene/types.ts';

@@ -22,7 +22,7 @@ export const SETTINGS = {
   lightDelay: {
     kind: 'boolean',
     title: ['Light delay', '光的延迟'],
-    help: ['Moving things are seen where they were when the light left them.', '运动的物体显示在其发光时的位置。'],
+    help: ['Moving objects are seen where they were when the light left them.', '运动的物体显示在其发光时的位置。'],
     default: true,
     physical: true,
     nodes: CONSOLE,
@@ -35,7 +35,7 @@ export const SETTINGS = {
   aberration: {
     kind: 'boolean',
     title: ['Aberration', '光行差'],
-    help: ['Directions of light change with your velocity.', '光的方向随你的速度改变。'],
+    help: ['The directions of light depend on your velocity.', '光的方向随你的速度改变。'],
     default: true,
     physical: true,
     nodes: CONSOLE,
@@ -49,7 +49,7 @@ export const SETTINGS = {
     kind: 'choice',
     title: ['Colours', '颜色'],
     help: [
-      'Spectral: light is spectra, and a shift is seen at their wavelengths. Approximate: a simple tint, for comparison.',
+      'Spectral: light has spectra, and Doppler shift acts on wavelengths. Approximate: a simple tint, for comparison.',
       '光谱：光以光谱计算，频移按波长作用。近似：简单的色调变化，用于比较。',
     ],
     default: 'spectral',
@@ -63,7 +63,7 @@ export const SETTINGS = {
   dopplerMix: {
     kind: 'number',
     title: ['Doppler mix', '多普勒混合'],
-    help: ['How much of the Doppler shift reaches the colours.', '多普勒频移对颜色的影响程度。'],
+    help: ['How strongly the Doppler shift affects colours.', '多普勒频移对颜色的影响程度。'],
     default: 1,
     physical: 1,
     range: { min: 0, max: 1 },
@@ -77,7 +77,7 @@ export const SETTINGS = {
   beaming: {
     kind: 'number',
     title: ['Beaming', '聚束'],
-    help: ['How much brighter things get ahead, and darker behind.', '前方变亮、后方变暗的程度。'],
+    help: ['How strongly light is brighter ahead and darker behind.', '前方变亮、后方变暗的程度。'],
     default: 1,
     physical: 1,
     range: { min: 0, max: 1 },
@@ -92,7 +92,7 @@ export const SETTINGS = {
     kind: 'boolean',
     title: ['Shadows', '阴影'],
     help: [
-      'Suns and lamps throw shadows, each from where its thing was when the light passed it.',
+      'Suns and lamps cast shadows, each from where the object was when the light passed it.',
       '太阳和灯投下阴影：每个物体的阴影取自光经过它时它所在的位置。',
     ],
     default: true,
@@ -104,7 +104,7 @@ export const SETTINGS = {
     kind: 'number',
     title: ['Exposure', '曝光'],
     help: [
-      'Added to what the metering sets. One step doubles the brightness.',
+      'Added to the metered exposure. Each stop doubles the brightness.',
       '在测光结果之上再加的曝光。每增加一档亮度加倍。',
     ],
     default: 0,
@@ -121,7 +121,7 @@ export const SETTINGS = {
     kind: 'choice',
     title: ['Metering', '测光'],
     help: [
-      'Automatic follows the picture’s light, as an eye does. Resting eye keeps to what someone at rest here would have, so that the headlight effect is seen as it is. Manual is yours alone.',
+      'Automatic follows the picture’s luminance, as an eye does. Resting eye uses the exposure of an observer at rest here, so that the headlight effect is visible. Manual is set by you alone.',
       '自动：像眼睛一样跟随画面亮度。静止之眼：按此处静止者的曝光，因而能看到聚束效应的真实强弱。手动：完全由你设定。',
     ],
     default: 'automatic',
@@ -142,7 +142,7 @@ export const SETTINGS = {
     kind: 'choice',
     title: ['Tone curve', '色调曲线'],
     help: [
-      'Neutral keeps colours as they are and softens only what is very bright; AgX rolls all of it off, as film does; Linear cuts what is too bright.',
+      'Neutral keeps colours and compresses only very bright light; AgX compresses all light, as film does; Linear clips.',
       '中性：保持颜色，只压缩很亮的部分；AgX：像胶片一样整体柔化；线性：直接截断过亮的部分。',
     ],
     default: 'neutral',
@@ -158,7 +158,7 @@ export const SETTINGS = {
     kind: 'choice',
     title: ['Solver', '求解器'],
     help: [
-      'Exact: bisection and a closed form. Newton: the iterative method, for comparison.',
+      'Exact: closed form or bisection. Newton: the iterative method, for comparison.',
       '精确：二分加解析解。牛顿：迭代法，用于比较。',
     ],
     default: 'exact',
@@ -184,7 +184,7 @@ export const SETTINGS = {
   damping: {
     kind: 'number',
     title: ['Damping', '阻尼'],
-    help: ['Smaller steps explode less easily.', '步长越小越不易发散。'],
+    help: ['Smaller steps diverge less easily.', '步长越小越不易发散。'],
     default: 1,
     range: { above: 0, max: 1 },
     control: { min: 0.05, max: 1, step: 0.05 },
@@ -198,7 +198,7 @@ export const SETTINGS = {
     kind: 'boolean',
     title: ['Antialiasing', '抗锯齿'],
     help: [
-      'Edges without steps, still in motion; a resting picture gets finer by itself. Off: every pixel shows what is at its centre.',
+      'Smooth edges, stable in motion; a still picture becomes finer over time. Off: every pixel shows what is at its centre.',
       '边缘平滑，运动时也稳定；静止画面会自动变得更精细。关：每个像素只显示其中心所见。',
     ],
     default: true,
@@ -209,7 +209,7 @@ export const SETTINGS = {
   grid: {
     kind: 'boolean',
     title: ['Reference grid', '参考网格'],
-    help: ['A grid on the ground that relativity does not bend.', '不受相对论变形影响的地面网格。'],
+    help: ['A grid on the ground that is not affected by relativity.', '不受相对论变形影响的地面网格。'],
     default: false,
     nodes: RASTERIZERS,
     flag: { help: 'draw the reference grid on the ground, which relativity does not bend' },

@@ -8,7 +8,7 @@ import type { ViewRecord } from './viewRecord.ts';
 export const simultaneity: ViewRecord = {
   title: ['Simultaneity', '同时面'],
   summary: 'where things are at one instant of the observer',
-  help: ['where things are at your own instant (a “god’s eye” view)', '你此刻同时面上的物体位置（“上帝视角”）'],
+  help: ['positions at your own instant (a “god’s eye” view)', '你此刻同时面上的物体位置（“上帝视角”）'],
   luminous: false,
   relativistic: true,
   hypersurface: () => 'slice',
