@@ -1,6 +1,7 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { fastestInScene } from '../../scene/motion/fastestInScene.ts';
+import { approachesC } from '../../scene/motion/motion.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { settingParams } from '../common/settingParams.ts';
 import { defineNode } from '../defineNode.ts';
@@ -58,9 +59,7 @@ const fittingSpeedOfLight = ({ fastest }: LoadedScene): number =>
 
 /** The Rindler horizon, which limits how far a Born-rigid body may extend behind its origin, also depends on c. */
 function assertWithinHorizon({ scene }: LoadedScene, c: number): void {
-  const objects = scene.objects.filter(
-    ({ motion, authoredIn }) => motion.kind === 'hyperbolic' && authoredIn === 'rest',
-  );
+  const objects = scene.objects.filter(({ motion, authoredIn }) => approachesC(motion) && authoredIn === 'rest');
   if (objects.length === 0) return;
   const found = validate({ ...scene, objects, cameras: [] }, c).find(({ code }) => code === 'motion.horizon');
   if (found) throw new NodeRefusal({ severity: 'error', code: found.code, place: found.place, message: found.message });
@@ -71,7 +70,7 @@ function assertWithinHorizon({ scene }: LoadedScene, c: number): void {
  */
 function withFastestAt(loaded: LoadedScene, speedOfLight: number): LoadedScene {
   const { scene, fastest } = loaded;
-  const evenly = scene.objects.some(({ path, motion }) => path === fastest?.path && motion.kind === 'hyperbolic');
+  const evenly = scene.objects.some(({ path, motion }) => path === fastest?.path && approachesC(motion));
   if (!fastest || fastest.speed < speedOfLight || !evenly) return loaded;
   return { scene, fastest: fastestInScene({ ...scene, hints: { ...scene.hints, speedOfLight } }) };
 }
