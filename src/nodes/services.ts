@@ -4,7 +4,7 @@ import type { ReadOptions } from '../formats/registry.ts';
 import type { AbortSignalLike, ProgressCallback } from '../graph/nodeType.ts';
 import type { FastestInScene } from '../scene/motion/fastestInScene.ts';
 import type { Scene } from '../scene/types.ts';
-import type { ReferenceTrace } from './trace.ts';
+import type { RenderStill } from './still.ts';
 
 /** A scene as read, with what the checks need that is dear to compute: done where the file is read, off the main thread. */
 export interface LoadedScene {
@@ -29,8 +29,8 @@ export interface Services {
   readonly readFont: ReadFont;
   /** A small file whole, a table; throws an `InputError` where it is not there. */
   readFile(source: string): Promise<Uint8Array>;
-  /** Pictures by the reference renderer. */
-  readonly trace: ReferenceTrace;
+  /** Pictures by a pipeline, of nodes that have them drawn once. */
+  readonly renderStill: RenderStill;
   /** A GPU that nobody else computes on; throws a `SystemError` where there is none. */
   readonly openGpu: () => Promise<ComputeGpu>;
 }
@@ -41,6 +41,6 @@ export const workerServices: Services = {
   readScene: rejectReading,
   readFont: rejectReading,
   readFile: rejectReading,
-  trace: () => Promise.reject(new Error('a heavy node has no threads of its own')),
+  renderStill: () => Promise.reject(new Error('a heavy node has no threads of its own')),
   openGpu: openWebGpu,
 };

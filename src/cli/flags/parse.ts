@@ -1,8 +1,8 @@
 import { InvalidArgumentError, Option } from 'commander';
 import { parseVariantChoice } from '../../formats/variantChoice.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
-import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
-import { MAX_BOUNCES, MAX_SAMPLES, SEED_COUNT } from '../../reference/lights/lightOptions.ts';
+import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
+import { MAX_SAMPLES } from '../../reference/lights/lightOptions.ts';
 import { AOVS, type AovName } from '../../scene/view/view.ts';
 
 /** Readers of flag values. Each throws an InvalidArgumentError, which names what was expected. */
@@ -27,21 +27,11 @@ export const parseNotNegative = numberWhere((x) => x >= 0, 'a number, 0 or above
 export const parseFraction = numberWhere((x) => x >= 0 && x <= 1, 'a number from 0 to 1');
 export const parseDamping = numberWhere((x) => x > 0 && x <= 1, 'a number above 0 and at most 1');
 export const parseFov = numberWhere((x) => x > 0 && x < 180, 'degrees between 0 and 180');
-export const parseIterations = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 64, 'a whole number, 1 to 64');
-export const parseSamples = numberWhere(
-  (x) => Number.isInteger(x) && x >= 1 && x <= MAX_SAMPLES,
-  `a whole number, 1 to ${MAX_SAMPLES}`,
-);
-export const parseLevels = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 8, 'a whole number, 0 to 8');
-export const parseThreads = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 1024, 'a whole number, 1 to 1024');
-export const parseSeed = numberWhere(
-  (x) => Number.isInteger(x) && x >= 0 && x < SEED_COUNT,
-  `a whole number, 0 to ${SEED_COUNT - 1}`,
-);
-export const parseBounces = numberWhere(
-  (x) => Number.isInteger(x) && x >= 0 && x <= MAX_BOUNCES,
-  `a whole number, 0 to ${MAX_BOUNCES}`,
-);
+export const parseInteger = (min: number, max: number): ((text: string) => number) =>
+  numberWhere((x) => Number.isInteger(x) && x >= min && x <= max, `a whole number, ${min} to ${max}`);
+export const parseSamples = parseInteger(1, MAX_SAMPLES);
+export const parseIterations = parseInteger(1, 64);
+export const parseLevels = parseInteger(0, 8);
 export const parsePort = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 65535, 'a port, 0 to 65535');
 
 export function parseVec3(text: string): Vec3 {

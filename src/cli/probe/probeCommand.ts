@@ -1,5 +1,5 @@
 import { Command } from 'commander';
-import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
+import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import type { View } from '../../scene/view/view.ts';
 import { parseNumber, parsePixel, sizeOption } from '../flags/parse.ts';
 import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';

@@ -1,5 +1,6 @@
 import { Command, Option } from 'commander';
 import type { FalseColorOptions } from '../../nodes/pictures/falseColor.ts';
+import { PIPELINES } from '../../pipelines/registry.ts';
 import type { AovName } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import {
@@ -33,6 +34,10 @@ export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, Pi
   readonly set?: readonly string[];
 }
 
+const defaultSamples = PIPELINES.map(({ id, samples: { default: n, note } }) =>
+  [`${n} of ${id}`, ...(note ? [note] : [])].join(', '),
+).join('; ');
+
 const examples = `
 Examples:
   slowlight render street.usda -o street.png --time 2 --c 10 --beta 0,0,-0.8
@@ -65,11 +70,7 @@ export function renderCommand(): Command {
     'with --frames: stay in place although there is a velocity, instead of coasting with it',
   );
   addSettingFlags(command)
-    .option(
-      '--samples <n>',
-      'n × n samples per pixel (default: 1 of raster, whose edges FXAA then smooths; 4 of reference)',
-      parseSamples,
-    )
+    .option('--samples <n>', `n × n samples per pixel (default: ${defaultSamples})`, parseSamples)
     .addOption(
       new Option(
         '--false-colour <what>',

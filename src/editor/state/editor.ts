@@ -264,7 +264,10 @@ const NO_OUTPUT_EVALUATION: Evaluation = { target: NO_OUTPUT_RESULT, results: ne
 /** Keeps the picture in step with the document: each evaluation takes over what of the last one's work it needs too, and ends the rest. */
 function startEvaluation(store: StoreApi<EditorState>, services: Services) {
   const evaluator = new Evaluator(nodeLibrary, { heavy: heavyWorkers() });
-  const quick: Services = { ...services, trace: () => Promise.reject(new Error('it waits for what is under way')) };
+  const quick: Services = {
+    ...services,
+    renderStill: () => Promise.reject(new Error('it waits for what is under way')),
+  };
   let abort = new AbortController();
   let latest = 0;
   /** Work that was cancelled stays as far as it came. */

@@ -1,6 +1,6 @@
+import type { PictureRequest, PictureSize } from '../../pipelines/pictureRenderer.ts';
 import { adaptExposure, exposureForMetering, type MeteringMode } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
-import type { PictureRequest, PictureSize } from './pictureRenderer.ts';
 
 /** Sets the exposure of one picture after another, as an eye would that follows them: each by its own light, eased over the scene's time. */
 export class ExposureMeter {

@@ -1,3 +1,4 @@
+import type { PictureRenderer, PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { ObserverPath } from '../../scene/view/observerPath.ts';
 import type { AovName, RenderSettings } from '../../scene/view/view.ts';
 import type { FrameTime } from '../project/outputFiles.ts';
@@ -7,7 +8,6 @@ import { type FalseColorOptions, FalseColorRenderer } from './falseColor.ts';
 import { FrameGraphSettings } from './frameGraphSettings.ts';
 import type { MeteringMode } from './metering.ts';
 import { PictureMeter } from './pictureMeter.ts';
-import type { PictureRenderer, PictureRequest, RenderedPicture } from './pictureRenderer.ts';
 
 /** Pictures of one scene, one after another. */
 export interface PictureSequence extends FalseColorOptions {

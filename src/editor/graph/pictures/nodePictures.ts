@@ -1,8 +1,8 @@
 import { createStore, useStore } from 'zustand';
 import type { GBufferSpec, ImageSpec } from '../../../nodes/defineNode.ts';
 import { type PreviewTarget, previewFrameGraph } from '../../../nodes/frameGraph/previewFrameGraph.ts';
-import { PreviewRenderer, type PreviewRequest } from '../../../render/previews.ts';
-import type { SceneRenderer } from '../../../render/renderer.ts';
+import type { InteractiveRenderer, PreviewSource } from '../../../pipelines/interactiveRenderer.ts';
+import type { PreviewRequest } from '../../../render/previews.ts';
 import type { FrameGraph } from '../../../scene/frameGraph/frameGraph.ts';
 import type { PreviewContext } from '../../viewport/viewportRenderer.ts';
 import { PICTURE_SIZE } from '../cards/cardGeometry.ts';
@@ -33,8 +33,8 @@ const PIXEL_DENSITY = { hardware: 3, software: 1.5 } as const;
 
 /** Draws nodes' pictures with the renderer of the page, as long as that lives. */
 export class NodePictureRenderer {
-  private previews: PreviewRenderer | undefined;
-  private renderer: SceneRenderer | undefined;
+  private previews: PreviewSource | undefined;
+  private renderer: InteractiveRenderer | undefined;
 
   /** `made`: of all nodes that show pictures; `wanted`: of which they are to be drawn now. */
   async render(made: NodeImages, wanted: ReadonlySet<string>, besides: PreviewContext): Promise<void> {
@@ -52,7 +52,7 @@ export class NodePictureRenderer {
     const list = [
       ...new Map(asked.flatMap(({ orders }) => orders).map((order) => [requestKey(order), order])).values(),
     ];
-    const drawn = await this.for(renderer).make(plan, list, { width, height });
+    const drawn = await this.for(renderer)?.make(plan, list, { width, height });
     if (!drawn) return;
     const previews = new Map(list.map((order, i) => [requestKey(order), drawn[i]!]));
     const next = new Map([...nodePictures.getState()].filter(([name]) => made.has(name)));
@@ -68,11 +68,11 @@ export class NodePictureRenderer {
     nodePictures.setState(next, true);
   }
 
-  private for(renderer: SceneRenderer): PreviewRenderer {
+  private for(renderer: InteractiveRenderer): PreviewSource | undefined {
     if (!this.previews || this.renderer !== renderer) {
       this.stop();
       this.renderer = renderer;
-      this.previews = new PreviewRenderer(renderer);
+      this.previews = renderer.createPreviews?.();
     }
     return this.previews;
   }

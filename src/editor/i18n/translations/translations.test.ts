@@ -25,7 +25,7 @@ const sources = import.meta.glob<string>(
     '!**/fixtures/**',
     // Words of the catalogue, the pages about nodes and codes, and programs of the GPU.
     '!../../../nodes/docs/{nodeTexts,effectTexts,nodeReference}.ts',
-    '!../../../nodes/pictures/maxSize.ts',
+    '!../../../pipelines/maxSize.ts',
     '!../../../formats/diagnostics/diagnosticCodes.ts',
     '!../../../compute/shader.ts',
     // Lines of the files that are written.

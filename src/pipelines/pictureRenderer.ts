@@ -1,5 +1,5 @@
-import type { LightMeterReadings } from '../../scene/view/metering.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import type { LightMeterReadings } from '../scene/view/metering.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
 
 /** Of a picture [px]. */
 export interface PictureSize {
@@ -26,10 +26,8 @@ export interface RenderedPicture {
   readonly aovs: AovValues;
 }
 
-/** Makes pictures of one scene, all of one size: on a GPU, in a browser, or on the processor. */
+/** Makes pictures of one scene, all of one size. */
 export interface PictureRenderer {
-  /** n × n samples per pixel where nobody says. */
-  readonly defaultSamples: number;
   /** `onPart` hears, now and then, which part of the picture is done, 0 … 1. */
   render(request: PictureRequest, onPart?: (part: number) => void): Promise<RenderedPicture>;
   /** Of those that measure pictures by themselves, as the page does, and paint `settings.falseColors`; of others it is done with their data. */
