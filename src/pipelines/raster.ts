@@ -15,12 +15,5 @@ export const rasterPipeline = definePipeline({
   isProgressive: true,
   maxViews: 1,
   // Loaded when it is opened: three is large, and looks around it while it is loaded.
-  async openInteractive(options) {
-    const [{ SceneRenderer }, { PreviewRenderer }] = await Promise.all([
-      import('../render/renderer.ts'),
-      import('../render/previews.ts'),
-    ]);
-    const renderer = await SceneRenderer.create(options);
-    return Object.assign(renderer, { createPreviews: () => new PreviewRenderer(renderer) });
-  },
+  openInteractive: async (options) => (await import('./raster.gpu.ts')).openRasterRenderer(options),
 });
