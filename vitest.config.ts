@@ -12,7 +12,12 @@ export default defineConfig({
       {
         test: {
           name: 'unit',
-          include: ['src/**/*.test.{ts,tsx}', 'tests/examples/**/*.test.ts', 'tests/formats/**/*.test.ts'],
+          include: [
+            'src/**/*.test.{ts,tsx}',
+            'tests/examples/**/*.test.ts',
+            'tests/formats/**/*.test.ts',
+            'tests/docs/**/*.test.ts',
+          ],
           exclude: ['**/*.oracle.test.ts'],
           setupFiles: seeded,
           maxWorkers: 2,

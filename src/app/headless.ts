@@ -10,13 +10,13 @@ import type { LightMeterReadings } from '../scene/view/metering.ts';
 import type { AovName } from '../scene/view/view.ts';
 
 /**
- * The page that the command line drives where a picture is to be made with WebGL2. It draws scenes that the server of this page has read, and
- * gives their pictures back as base64, which is what a remote call can carry.
+ * The page that the command line drives to render with WebGL2. It renders scenes that the page's server has read, and
+ * returns pictures as base64, which remote calls can carry.
  *
  * `await page.goto('…/headless.html')`, `await page.evaluate(() => window.slowlight.start('raster'))`, then
  * `await page.evaluate((r) => window.slowlight.open(r), { scenes: '/scenes', files: '/parts/', width: 640, height: 360 })`
  * once, and `await page.evaluate((r) => window.slowlight.render(r), { view, settings, samples: 1, pixels: true, aovs: ['depth'] })` per picture.
- * Errors reject the call with the renderer's own message.
+ * Errors reject the call with the renderer's message.
  */
 interface HeadlessPage {
   /** `pipeline`: the id of one that draws frames. */
@@ -28,9 +28,12 @@ interface HeadlessPage {
 }
 
 interface OpenRequest {
-  /** Address of a parcel (scene/transfer/transferCodec.ts) of the scenes: the picture's, and those of its plan's other G-buffers. */
+  /**
+   * Address of the encoded scenes (scene/transfer/transferCodec.ts): the picture's, and those of further G-buffers of
+   * its frame graph.
+   */
   readonly scenes: string;
-  /** Address under which parts of files are, for what was left in them: `from/length/{handle as JSON}`. */
+  /** Address of file ranges, for samples that were left in files: `from/length/{handle as JSON}`. */
   readonly files: string;
   /** Of the pictures [px]. */
   readonly width: number;
@@ -38,16 +41,16 @@ interface OpenRequest {
 }
 
 interface StartReply {
-  /** What draws, as the browser names it. */
+  /** The graphics adapter, as the browser names it. */
   readonly adapterName: string;
-  /** The most pixels of a side that it can draw. */
+  /** Maximum pixels per side. */
   readonly largest: number;
 }
 
 interface RenderReply {
-  /** Base64 of RGBA8, sRGB, rows from the top; empty where it was not asked for. */
+  /** Base64 of RGBA8, sRGB, rows from the top; empty if not requested. */
   readonly pixels: string;
-  /** Base64 of little-endian f32, in the AOV's own channels, rows from the top. */
+  /** Base64 of little-endian f32 in the AOV's channels, rows from the top. */
   readonly aovs: Readonly<Partial<Record<AovName, string>>>;
 }
 
@@ -95,7 +98,10 @@ window.slowlight = {
   },
 };
 
-/** While the renderer waits: a window gets bytes in that way only as a text of characters whose lower halves they are. */
+/**
+ * Synchronous, since the renderer waits: on the main thread a synchronous request returns bytes only as text, in the
+ * low bytes of its characters.
+ */
 function partOfFile(files: string, { name, handle }: StoredFile, at: number, length: number): Uint8Array<ArrayBuffer> {
   const request = new XMLHttpRequest();
   request.open('GET', `${files}${at}/${length}/${encodeURIComponent(JSON.stringify(handle))}`, false);
@@ -112,7 +118,7 @@ function newCanvas(): HTMLCanvasElement {
   return canvas;
 }
 
-/** Of a context of its own: the renderer's is not to be touched. */
+/** From a context of its own, to leave the renderer's untouched. */
 function adapterName(): string {
   const gl = document.createElement('canvas').getContext('webgl2');
   const unmasked = gl?.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL;

@@ -3,11 +3,13 @@ import { length, normalize, ZERO } from '../math/vec3.ts';
 import type { ForceRows } from './forceRows.ts';
 import type { SplittingStage } from './splittingStages.ts';
 
-/** What the shader's structures hold, laid out as WGSL does: a vector of three takes the room of four, unless one number follows it. */
+/**
+ * Layout of the shader's structures by WGSL's rules: a vec3 takes the space of four words, unless a scalar follows it.
+ */
 
 /** 32-bit words of `Body`, `Origin`, `VelocityChange`, `Obstacle`, and of `World`. */
 export const WORDS = { body: 12, origin: 8, change: 8, obstacle: 16, world: 12 } as const;
-/** Between one `SplittingStage` and the next [bytes]: what a device asks for at most. */
+/** Stride of `SplittingStage` [bytes]: the largest alignment that a device may require. */
 export const STAGE_BYTES = 256;
 
 export function packBodies(
@@ -39,7 +41,7 @@ export function packObstacles({ obstacles }: ForceRows): Float32Array<ArrayBuffe
   return all;
 }
 
-/** `way`: how far each point may go [m]. */
+/** `way`: maximum travel of each point [m]. */
 export function packWorld(
   { c, magneticField = ZERO }: System,
   { pointOfRow, longRowCount, near }: ForceRows,
@@ -56,7 +58,7 @@ export function packWorld(
 export const packStage = ({ kick, drift, damp, after, before }: SplittingStage): Float32Array<ArrayBuffer> =>
   Float32Array.of(kick, drift, damp, after, before);
 
-/** Of a state, by places: origins, to 32 bits, and the changes that are left of it. */
+/** Splits a state, by row: into origins rounded to 32 bits, and the remaining changes. */
 export function splitState({ x, p }: State, pointAt: Uint32Array, origins: Float32Array, changes: Float32Array): void {
   for (let place = 0, at = 0; place < pointAt.length; place++, at += WORDS.origin) {
     const j = 3 * pointAt[place];
@@ -69,7 +71,7 @@ export function splitState({ x, p }: State, pointAt: Uint32Array, origins: Float
   }
 }
 
-/** The state that origins and changes make, to 64 bits. */
+/** The state as the sum of origins and changes, in 64 bits. */
 export function joinState(origins: Float32Array, changes: Float32Array, pointAt: Uint32Array, { x, p }: State): void {
   for (let place = 0, at = 0; place < pointAt.length; place++, at += WORDS.origin) {
     const j = 3 * pointAt[place];

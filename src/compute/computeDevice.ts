@@ -1,14 +1,14 @@
 import { SystemError } from '../dynamics/system.ts';
 
-/** A GPU to compute on; `release` it at the end. */
+/** A GPU for computing; call `release` when done. */
 export interface ComputeGpu {
   readonly device: GPUDevice;
-  /** It is a program on the processor. */
+  /** Whether it is a software implementation. */
   readonly software: boolean;
   release(): void;
 }
 
-/** The one that a page or its workers have. Throws a SystemError where there is none. */
+/** The WebGPU device of a page or worker. Throws a SystemError if there is none. */
 export async function openWebGpu(): Promise<ComputeGpu> {
   const adapter = await globalThis.navigator?.gpu?.requestAdapter({ powerPreference: 'high-performance' });
   if (!adapter) throw new SystemError('there is no GPU here that computes (WebGPU)');

@@ -12,7 +12,7 @@ import { type ForceRows, forceRowsOf, neighborRows, WORDS_PER_LINK } from './for
 const COUNT = 70;
 const points = Array.from({ length: COUNT }, (_, i) => i);
 const walls = [plane([0, -0.5, 0], [0.1, 1, 0]), box([0.4, 0, 0], [0.3, 0.4, 0.5])];
-/** Springs in a ring, a ball that meets all others, charges, two obstacles. */
+/** Springs in a ring, a sphere in contact with all others, charges, two obstacles. */
 const system = makeSystem({
   masses: new Float64Array(COUNT).fill(1),
   pinned: Uint8Array.from(points, (i) => Number(i === 5)),
@@ -36,7 +36,7 @@ const system = makeSystem({
   ],
 });
 
-/** The force on a point by its row. */
+/** The force on a point from its row. */
 function byLinks(links: ForceRows, x: Float64Array, point: number): number[] {
   const numbers = new Float32Array(links.words.buffer);
   const place = links.rowOfPoint[point];

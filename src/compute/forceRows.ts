@@ -3,35 +3,35 @@ import type { Obstacle } from '../dynamics/forces/obstacle.ts';
 import { type System, SystemError } from '../dynamics/system.ts';
 
 /**
- * All that acts on points, as a GPU takes it: each point adds up a row of its own, so that no two write to one place. A spring is in the rows of both its ends; an
- * obstacle is in those of all points that it stops; who is held has none. Points have places in another order here: those with long rows come last, for the threads of a
- * group share each of these.
+ * All forces in a form for the GPU: each point sums a row of its own, so that there are no write conflicts. A spring is
+ * in the rows of both ends; an obstacle in those of all points that it stops; pinned points have empty rows. Rows are
+ * reordered: long rows come last, since the threads of a workgroup share each of these.
  */
 export interface ForceRows {
   readonly pointOfRow: Uint32Array;
   readonly rowOfPoint: Uint32Array;
-  /** How many rows are long. */
+  /** Number of long rows. */
   readonly longRowCount: number;
-  /** Where each row begins, by places; one more at the end. */
+  /** Start of each row; one more at the end. */
   readonly rowStarts: Uint32Array;
-  /** How many of a row are springs; they come first. */
+  /** Number of springs of each row; they come first. */
   readonly springCounts: Uint32Array;
-  /** Of each link: the place of the other end, or an obstacle; its law; its strength and its length, the bits of 32-bit floats. */
+  /** Of each link: row of the other end, or an obstacle; its law; strength and length as bits of 32-bit floats. */
   readonly words: Uint32Array<ArrayBuffer>;
   readonly obstacles: readonly Obstacle[];
-  /** What is the same everywhere: x, y, z by places [N]. */
+  /** Constant forces: x, y, z by row [N]. */
   readonly constantForces: Float32Array;
-  /** What depends on who is near. */
+  /** Forces between points that come near. */
   readonly near: NeighborForceData | undefined;
 }
 
-/** As the shader knows them. */
+/** As in the shader. */
 const LAW_CODES = { spring: 0, penalty: 1, 'inverse-square': 2, barrier: 3 } as const;
 export const WORDS_PER_LINK = 4;
-/** Rows of more links than these are long. */
+/** Rows with more links than this are long. */
 const LONG_ROW = 64;
 
-/** Throws a SystemError for what a GPU cannot be told. */
+/** Throws a SystemError for forces that the GPU does not support. */
 export function forceRowsOf({ forces, masses, pinned, led = [] }: System): ForceRows {
   if (led.length > 0) throw new SystemError('what goes a way of its own is not led by the GPU');
   const all = forces.map((force) => force.data);
@@ -87,7 +87,7 @@ function eachPair({ kind, ends, strengths, lengths }: PairForceData, tell: LinkV
   }
 }
 
-/** Short rows first; else as they were. */
+/** Short rows first; otherwise in the original order. */
 function rowOrder(counts: Uint32Array): Pick<ForceRows, 'pointOfRow' | 'rowOfPoint' | 'longRowCount'> {
   const all = Array.from(counts, (_, point) => point);
   const long = all.filter((point) => counts[point] > LONG_ROW);
@@ -109,7 +109,7 @@ function constantForcesOf(forces: readonly ForceData[], pointAt: Uint32Array): F
   return Float32Array.from(pull);
 }
 
-/** Pairs, from both ends, by places: where each row begins, one more, and then the places of those that are near. */
+/** Pairs, from both ends, by row: start of each row, one more, and then the rows of the neighbours. */
 export function neighborRows(placeOf: Uint32Array, ends: Uint32Array): Uint32Array<ArrayBuffer> {
   const count = placeOf.length;
   const rows = new Uint32Array(count + 1 + ends.length);

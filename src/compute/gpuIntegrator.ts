@@ -8,15 +8,21 @@ import { type ForceRows, forceRowsOf, neighborRows } from './forceRows.ts';
 import { IntegratorPasses } from './integratorPasses.ts';
 import { type SplittingStages, splittingStagesOf } from './splittingStages.ts';
 
-/** Passes that a GPU is given at a time. After them places and momenta are put together in 64 bits, and split anew. */
+/** Passes per submission; after them positions and momenta are recombined in 64 bits and split anew. */
 const MAX_PASSES = 512;
-/** Points and links, over all those passes: some hundredths of a second of a small GPU, which has pictures to draw too. */
+/**
+ * Limit on points and links over all those passes: some hundredths of a second of a small GPU, which also has to
+ * render.
+ */
 const MAX_WORK = 3e7;
-/** Points may go this share of the reach at which they touch until those that are near are looked for again; and twice as far, so often, where one goes farther in a single step. */
+/**
+ * Points may travel by this fraction of the contact distance until the neighbour list is rebuilt; doubled up to this
+ * many times if a point travels farther in a single step.
+ */
 const SKIN = 0.25;
 const MAX_WIDENINGS = 8;
 
-/** Takes a system's state from step to step by a splitting, on a GPU. */
+/** Advances a system's state by a splitting method on a GPU. */
 export class GpuIntegrator {
   private readonly links: ForceRows;
   private readonly stages: SplittingStages;
@@ -26,7 +32,7 @@ export class GpuIntegrator {
   private readonly changes: Float32Array<ArrayBuffer>;
   private readonly neighbors: NeighborList | undefined;
 
-  /** `shares`: of the method; `h`: of all steps [s]. Throws a SystemError for what a GPU cannot compute. */
+  /** `shares`: fractions of the method; `h`: step size [s]. Throws a SystemError for what a GPU cannot compute. */
   static async create(device: GPUDevice, system: System, shares: readonly number[], h: number): Promise<GpuIntegrator> {
     const links = forceRowsOf(system);
     const stages = splittingStagesOf(shares, h, system.drag);
@@ -45,7 +51,7 @@ export class GpuIntegrator {
     this.neighbors = links.near && new NeighborList(links.near, links.rowOfPoint, passes);
   }
 
-  /** Throws a StepFailure where it cannot; the state is then worth nothing. The same to the bit from the same state: nothing is kept from before. */
+  /** Throws a StepFailure; the state is then invalid. Deterministic: no state is kept between calls. */
   async advance(state: State, steps: number): Promise<void> {
     this.neighbors?.reset();
     let most = this.stepsAtOnce();
@@ -61,7 +67,7 @@ export class GpuIntegrator {
     this.passes.release();
   }
 
-  /** Some steps at once. Not, where a point went farther than those near it are known for. */
+  /** Runs several steps at once; returns false if a point travelled beyond the validity of the neighbour list. */
   private async runSteps(state: State, steps: number): Promise<boolean> {
     const { origins, changes, links, passes, neighbors } = this;
     neighbors?.update(state.x);
@@ -83,7 +89,7 @@ export class GpuIntegrator {
     return Math.max(1, Math.floor((passes - 1) / (this.stages.within.length + 1)));
   }
 
-  /** Which stages so many steps are. */
+  /** Stage indices of that many steps. */
   private stageSequence(steps: number): number[] {
     const inner = this.stages.within.map((_, k) => 1 + k);
     const between = 1 + inner.length;
@@ -92,14 +98,14 @@ export class GpuIntegrator {
   }
 }
 
-/** Tells the GPU which points can touch. */
+/** Neighbour list of points that can come into contact. */
 class NeighborList {
   private readonly near: NeighborForceData;
   private readonly placeOf: Uint32Array;
   private readonly passes: IntegratorPasses;
-  /** Where they were looked for. */
+  /** Positions at the last rebuild. */
   private builtAt: Float64Array | undefined;
-  /** How far points may go from there [m]. */
+  /** Maximum travel from there [m]. */
   private margin = 0;
   private widenings = 0;
 
@@ -122,7 +128,7 @@ class NeighborList {
     this.margin *= 2;
   }
 
-  /** For points that set out from x. */
+  /** For points that start at x. */
   update(x: Float64Array): void {
     const gone = this.builtAt ? maxDisplacement(this.builtAt, x) : Number.POSITIVE_INFINITY;
     if (gone <= this.margin / 2) {

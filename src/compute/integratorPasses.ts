@@ -5,22 +5,22 @@ import type { ForceRows } from './forceRows.ts';
 import { SPLITTING_WGSL, WORKGROUP_SIZE } from './shader.ts';
 import type { SplittingStage } from './splittingStages.ts';
 
-/** What came of some passes. */
+/** Result of some passes. */
 export interface PassResult {
-  /** `VelocityChange` of each place. */
+  /** `VelocityChange` of each row. */
   readonly changes: Float32Array;
-  /** The place of a point that went through what is solid. */
+  /** Row of a point that passed through a solid. */
   readonly piercedAt: number | undefined;
-  /** A point went farther than those that are near it are known for. */
+  /** Whether a point travelled beyond the validity of the neighbour list. */
   readonly strayed: boolean;
 }
 
 const NO_POINT = 0xffffffff;
 const CLEARED_MARKS = Uint32Array.of(NO_POINT, 0);
-/** Of a link or an obstacle: what a list of none is as long as. */
+/** Size of a buffer for an empty list of links or obstacles. */
 const MIN_BUFFER_BYTES = 64;
 
-/** The passes of the shader over the points of a system, and the buffers that they read and write. */
+/** The shader's passes over the points of a system, with their buffers. */
 export class IntegratorPasses {
   private readonly device: GPUDevice;
   private readonly system: System;
@@ -31,7 +31,7 @@ export class IntegratorPasses {
   /** From one buffer of changes to the other, and back. */
   private bindGroups: readonly [GPUBindGroup, GPUBindGroup];
 
-  /** Throws a SystemError for what the GPU has no room for. */
+  /** Throws a SystemError if the GPU has too little memory. */
   static async create(
     device: GPUDevice,
     system: System,
@@ -58,19 +58,19 @@ export class IntegratorPasses {
     this.setMaxTravel(Number.POSITIVE_INFINITY);
   }
 
-  /** Who is near whom (`neighborRows`). */
+  /** Uploads the neighbour list (`neighborRows`). */
   setNeighbors(rows: Uint32Array<ArrayBuffer>): void {
     this.near.destroy();
     this.near = bufferWith(this.device, GPUBufferUsage.STORAGE, rows);
     this.bindGroups = this.makeBindGroups();
   }
 
-  /** How far each point may go from its origin [m]. */
+  /** Sets the maximum travel of points from their origins [m]. */
   setMaxTravel(way: number): void {
     this.device.queue.writeBuffer(this.buffers.world, 0, packWorld(this.system, this.links, way));
   }
 
-  /** Passes from origins and changes on; `sequence`: which stage each is. */
+  /** Runs passes from origins and changes; `sequence`: stage index of each. */
   async run(
     origins: Float32Array<ArrayBuffer>,
     changes: Float32Array<ArrayBuffer>,
@@ -98,7 +98,7 @@ export class IntegratorPasses {
     };
   }
 
-  /** Gives the GPU its room back. */
+  /** Frees GPU memory. */
   release(): void {
     for (const each of [...Object.values(this.buffers).flat(), this.near]) each.destroy();
   }
@@ -175,7 +175,7 @@ function makeBuffers(device: GPUDevice, system: System, links: ForceRows, stages
   };
 }
 
-/** A buffer with what it holds; one without anything would not be allowed. */
+/** A buffer with contents; empty buffers are not allowed. */
 function bufferWith(device: GPUDevice, usage: number, contents: ArrayBuffer | ArrayBufferView<ArrayBuffer>): GPUBuffer {
   const buffer = makeBuffer(device, Math.max(MIN_BUFFER_BYTES, contents.byteLength), usage | GPUBufferUsage.COPY_DST);
   device.queue.writeBuffer(buffer, 0, contents);

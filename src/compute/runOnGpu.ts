@@ -3,8 +3,9 @@ import { copyState, SystemError } from '../dynamics/system.ts';
 import { GpuIntegrator } from './gpuIntegrator.ts';
 
 /**
- * What `run` of dynamics does, with steps that a GPU takes, in 32-bit floats (docs/adr/0020-cloth-on-the-gpu.md). By splittings, in steps that are all alike; energies and momenta are added up here, in 64 bits.
- * The device is not closed. Throws a SystemError for what a GPU cannot compute.
+ * As `integrate` of dynamics, with steps on a GPU, in 32-bit floats (docs/adr/0020-cloth-on-the-gpu.md). Splitting
+ * methods with fixed steps only; energies and momenta are summed on the CPU in 64 bits. The device is not closed.
+ * Throws a SystemError for what a GPU cannot compute.
  */
 export async function* runOnGpu(
   device: GPUDevice,
@@ -37,7 +38,7 @@ export async function* runOnGpu(
   }
 }
 
-/** What a GPU gives, unless it refuses, for want of memory for instance. */
+/** Runs GPU calls within error scopes; throws if the GPU refuses, e.g. for lack of memory. */
 async function withErrorScopes<T>(device: GPUDevice, make: () => Promise<T>): Promise<T> {
   const kinds = ['validation', 'out-of-memory', 'internal'] as const;
   for (const kind of kinds) device.pushErrorScope(kind);

@@ -1,9 +1,10 @@
-/** Points that a group of threads takes; and threads that share a long row. */
+/** Points per workgroup, and threads that share a long row. */
 export const WORKGROUP_SIZE = 64;
 
 /**
- * One pass of a splitting over all points (stages.ts), in 32-bit floats. Places and momenta are what they were when they came here, and what they have changed by since:
- * what is added in each pass is small, and so is what its rounding loses. Bindings and layouts: gpuIntegrator.ts.
+ * One pass of a splitting method over all points (splittingStages.ts), in 32-bit floats. Positions and momenta are
+ * stored as origins and changes since: the increments of each pass are small, and so is their rounding error. Bindings
+ * and layouts: integratorPasses.ts and bufferLayout.ts.
  */
 export const SPLITTING_WGSL = /* wgsl */ `
 struct World {

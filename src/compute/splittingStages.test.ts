@@ -13,7 +13,7 @@ const rowOf = (shares: readonly number[], h: number, drag: number, steps: number
   return [begin, ...each.slice(0, -1), end];
 };
 
-/** What passes do to a mass on a spring, on the line, in 64 bits. */
+/** Effect of passes on a mass on a spring in one dimension, in 64 bits. */
 function passed(row: readonly SplittingStage[], from: readonly [x: number, p: number], k: number, c: number): number[] {
   let [x, p] = from;
   const v = (): number => p / Math.hypot(1, p / c);
@@ -57,7 +57,7 @@ describe.each(SPLITTINGS)('the passes of %s', (id) => {
     const row = rowOf(shares!, 0.1, 0, 3);
     row.slice(1).forEach(({ before }, i) => {
       const { drift, after } = row[i];
-      // The first pass of some steps counts what the last one of those before went on by.
+      // The first pass of a batch counts the last drift of the batch before.
       expect(before).toBeCloseTo(i === 0 ? 2 * after : drift + after, 15);
     });
   });

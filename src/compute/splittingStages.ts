@@ -1,4 +1,4 @@
-/** What one pass over all points does, all in a row: p is pushed, x goes on, air takes its share of p, x goes on. */
+/** One pass over all points: kick p, drift x, damp p, drift x. */
 export interface SplittingStage {
   /** p += kick · F(x) [s] */
   readonly kick: number;
@@ -8,13 +8,14 @@ export interface SplittingStage {
   readonly damp: number;
   /** x += after · v, with the new p [s] */
   readonly after: number;
-  /** What x went on by since the pass before [s]; 0: F is not asked for. */
+  /** Drift of x since the previous pass [s]; 0: F is not evaluated. */
   readonly before: number;
 }
 
 /**
- * Steps of a splitting, as passes each of which asks for the force once: the half drifts at the end of a step and at the beginning of the next one belong to one pass. `begin` comes once, `within` in each step, then
- * `between` two steps, and `end` after the last. `shares`: as of a `IntegrationMethod`; air: half before each share and half after it.
+ * Steps of a splitting method as passes with one force evaluation each: the half drifts at the end of a step and at the
+ * start of the next are merged into one pass. `begin` runs once, `within` in each step, then `between` two steps, and
+ * `end` after the last. `shares`: coefficients of the `IntegrationMethod`; drag: half before each and half after it.
  */
 export interface SplittingStages {
   readonly begin: SplittingStage;
@@ -27,7 +28,7 @@ export function splittingStagesOf(shares: readonly number[], h: number, drag: nu
   const last = shares.length - 1;
   const half = (k: number | undefined): number => (k === undefined ? 0 : (shares[k] * h) / 2);
   const damp = (time: number): number => -Math.expm1(-drag * time);
-  /** The k-th kick, and what comes until the next. */
+  /** The k-th kick, and what follows until the next. */
   const pass = (k: number, next?: number): SplittingStage => ({
     ...{ kick: shares[k] * h, drift: half(k), damp: damp(half(k) + half(next)), after: half(next) },
     before: half(k === 0 ? last : k - 1) + half(k),

@@ -2,18 +2,20 @@ import type { Integrator } from './integrator.ts';
 import { StepFailure } from './methods/method.ts';
 import { assignState, type State, type System, velocities } from './system.ts';
 
-/** Steps are made so much shorter than the estimate asks for, and so much shorter or longer at once at most. */
+/** Factor on the step that the error estimate asks for, and limits on the change of the step at once. */
 const SAFETY_FACTOR = 0.9;
 const [SHRINK, GROW] = [0.2, 4];
-/** The shortest step, over the longest. */
+/** Shortest step as a fraction of the longest. */
 const MIN_STEP_RATIO = 1e-9;
 
 /**
- * Steps whose length follows what they get wrong. Each is taken twice, whole and in halves, and the halves are kept where the two agree within tolerance · h: in the place of every point [m], and in
- * its velocity [m/s], for what a velocity is off moves a point as much in a second. As halves are better than their difference from the whole, the errors of all steps of a
- * second add up to less than the tolerance. What becomes of an error later is the system's own matter. Each stretch begins anew with the longest step, so that a run can
- * be taken up from any frame. Steps that follow the state are not symplectic: splittings lose their lack of a trend. Source: Hairer, Nørsett, Wanner, "Solving Ordinary
- * Differential Equations I", §II.4.
+ * Adaptive steps. Each step is taken twice, whole and in two halves; the halves are kept if both agree within tolerance
+ * · h: in the position of every point [m] and in its velocity [m/s], since a velocity error moves a point by as much in
+ * a second. The halves are more accurate than their difference to the whole, so the errors of all steps in a second sum
+ * to less than the tolerance. How the system amplifies errors later is not controlled. Each frame starts anew with the
+ * longest step, so that a run can be resumed from any frame. Steps that depend on the state are not symplectic:
+ * splittings lose their bounded energy error. Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations
+ * I", §II.4.
  */
 export class AdaptiveSteps {
   private readonly mover: Integrator;
@@ -33,7 +35,10 @@ export class AdaptiveSteps {
     this.v = [room(), room()];
   }
 
-  /** Takes the state `time` further; how many steps were kept. Throws a StepFailure where no step is short enough. */
+  /**
+   * Advances the state by `time`; returns the number of accepted steps. Throws a StepFailure if no step is short
+   * enough.
+   */
   advance(state: State, time: number): number {
     const { order, longest } = this.settings;
     let steps = 0;
@@ -50,7 +55,10 @@ export class AdaptiveSteps {
     return steps;
   }
 
-  /** The difference between whole and halves, over what is allowed; where it is 1 at most, the state is that of the halves. */
+  /**
+   * Difference between whole and halves relative to the tolerance; if it is at most 1 the state becomes that of the
+   * halves.
+   */
   private attempt(state: State, h: number, last: boolean): number {
     const { whole, halves, mover } = this;
     assignState(whole, state);
@@ -70,7 +78,7 @@ export class AdaptiveSteps {
     return Number.isNaN(error) ? Number.POSITIVE_INFINITY : error;
   }
 
-  /** The largest of any point's place [m] or velocity [m/s]. */
+  /** Maximum over the points, of position [m] and velocity [m/s] differences. */
   private difference(): number {
     const { whole, halves, v, system } = this;
     const { pinned } = system;
@@ -81,7 +89,7 @@ export class AdaptiveSteps {
 }
 
 interface AdaptiveSettings {
-  /** Of the method. */
+  /** Order of the method. */
   readonly order: number;
   /** [m/s] */
   readonly tolerance: number;
@@ -89,7 +97,7 @@ interface AdaptiveSettings {
   readonly longest: number;
 }
 
-/** Of the differences of points that are not pinned; NaN where there is one. */
+/** Over points that are not pinned; NaN if any component is. */
 function maxSquaredDistance(a: Float64Array, b: Float64Array, pinned: Uint8Array): number {
   let most = 0;
   for (let j = 0; j < a.length; j += 3) {

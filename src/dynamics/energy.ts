@@ -1,19 +1,19 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { State, System } from './system.ts';
 
-/** What a state has, in the world frame; of what is not pinned. */
+/** Conserved quantities of a state in the world frame; pinned points are excluded. */
 export interface ConservedQuantities {
   /** Σ (γ − 1) m c² [J] */
   readonly kinetic: number;
   /** V [J] */
   readonly potential: number;
-  /** Both [J]; without what the masses are at rest. */
+  /** Their sum [J], without rest energy. */
   readonly total: number;
   /** Σ p [kg m/s] */
   readonly momentum: Vec3;
   /** Σ x × p about the origin [kg m²/s]. */
   readonly angularMomentum: Vec3;
-  /** Speed of the fastest point [m/s]. */
+  /** Maximum speed [m/s]. */
   readonly fastest: number;
 }
 
@@ -38,7 +38,7 @@ export function conservedQuantities(system: System, state: State): ConservedQuan
   return { kinetic, potential, total: kinetic + potential, momentum, angularMomentum, fastest: Math.sqrt(fastest) };
 }
 
-/** Σ (γ − 1) m c² = Σ p²/(γm + m) [J], which is p²/2m where c = ∞; of what is not pinned. */
+/** Σ (γ − 1) m c² = Σ p²/(γm + m) [J], which is p²/2m for c = ∞; pinned points are excluded. */
 export function kineticEnergy({ c, masses, pinned }: System, p: Float64Array): number {
   const perSquare = 1 / (c * c);
   let sum = 0;

@@ -7,7 +7,10 @@ import { makeSystem, momenta } from './system.ts';
 const [C, K, DRAG, TIME] = [1, 4, 0.7, 1];
 const START = [1, 0, 0.1, 0.3] as const;
 
-/** Place and momentum of a mass on a spring in air, by dx/dt = p/√(1 + p²/c²), dp/dt = −Kx − drag p, with Runge and Kutta's steps: nothing of what is tested. */
+/**
+ * Position and momentum of a mass on a spring with drag, by dx/dt = p/√(1 + p²/c²), dp/dt = −Kx − drag p, with
+ * Runge–Kutta steps, independent of the tested code.
+ */
 function exact(steps: number): readonly number[] {
   const h = TIME / steps;
   const slope = ([x, y, p, q]: readonly number[]): number[] => {
@@ -26,7 +29,7 @@ function exact(steps: number): readonly number[] {
   return state;
 }
 
-/** How far it is from there by a method. */
+/** Error of a method's result. */
 function error(id: string, steps: number, end: readonly number[]): number {
   const net = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(K), lengths: Float64Array.of(0) };
   const masses = Float64Array.of(1, 1);

@@ -3,19 +3,20 @@ import { type IntegrationMethod, StepFailure, type Stepper } from './methods/met
 import { leapfrog } from './methods/splitting.ts';
 import { momentum, pointAt, pointName, type State, type System } from './system.ts';
 
-/** Takes a system's state from step to step by a method: with the air, and with an eye on what is solid. */
+/** Advances a system's state by a method, with drag and kinematic points, and detects tunneling. */
 export class Integrator {
   private readonly system: System;
   private readonly stepper: Stepper;
-  /** Of a step, each with the air before and after it. */
+  /** Fractions of a step, each with drag before and after it. */
   private readonly shares: readonly number[];
   private readonly before: Float64Array;
-  /** Momenta of those that are led. */
+  /** Momenta of kinematic points. */
   private readonly ways: Float64Array;
 
   constructor(system: System, method: IntegrationMethod) {
     this.system = system;
-    // In air a row of leapfrogs stays of its order where each of them has its own air; around all of them it would be of the second.
+    // With drag a composition of leapfrogs keeps its order only if each has its own drag; around the whole it would be
+    // second order.
     const row = system.drag > 0 ? method.coefficients : undefined;
     this.stepper = (row ? leapfrog : method).begin(system);
     this.shares = row ?? [1];
@@ -23,7 +24,10 @@ export class Integrator {
     this.ways = new Float64Array(3 * (system.led?.length ?? 0));
   }
 
-  /** Air before and after, half of it each, so that a step stays the same when it is run backwards. Throws a StepFailure; the state is then worth nothing. */
+  /**
+   * Half of the drag before and half after, so that the step is time-reversible. Throws a StepFailure; the state is
+   * then invalid.
+   */
   step(state: State, h: number): void {
     const { drag, pinned } = this.system;
     this.before.set(state.x);
@@ -39,7 +43,7 @@ export class Integrator {
     this.assertNotTunneled(state);
   }
 
-  /** Those that are led go evenly, so that they are at the end of the step where they are then to be. */
+  /** Kinematic points move uniformly to their position at the end of the step. */
   private moveKinematic({ t, x, p }: State, end: number): void {
     const { led = [], c, masses } = this.system;
     led.forEach(({ point, positionAt: place }, i) => {
@@ -53,7 +57,7 @@ export class Integrator {
     });
   }
 
-  /** To the last digit, and as they went. */
+  /** Sets their exact positions, and momenta from the displacement. */
   private placeKinematic({ x, p }: State, end: number): void {
     this.system.led?.forEach(({ point, positionAt: place }, i) => {
       x.set(place(end), 3 * point);
@@ -70,21 +74,21 @@ export class Integrator {
   }
 }
 
-/** `where`: how a place tells of it [m]. */
+/** `where`: description of a position [m]. */
 export function tunnelingFailure(point: number, where: string, place: Vec3): StepFailure {
   const at = place.map((value) => value.toPrecision(4)).join(', ');
   const message = `${pointName(point)} went through what is solid, ${where} (${at}) m; take a smaller step, a harder penalty, or let it go slower`;
   return new StepFailure('pierced', message, point);
 }
 
-/** All but what is held, which goes as it is led. */
+/** Damps all points except pinned ones. */
 function applyDrag({ p }: State, pinned: Uint8Array, much: number): void {
   if (much === 0) return;
   const share = Math.exp(-much);
   for (let i = 0; i < pinned.length; i++) if (!pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] *= share;
 }
 
-/** Throws a StepFailure where something is no number. */
+/** Throws a StepFailure if a value is not finite. */
 export function assertFinite({ x, p }: State): void {
   const odd = x.findIndex((value, j) => !Number.isFinite(value) || !Number.isFinite(p[j]));
   if (odd < 0) return;

@@ -24,7 +24,7 @@ function ranBy(id: string, system: System, x: readonly number[], more: Partial<R
   return { frames, stop, last: frames.at(-1)! };
 }
 
-/** Point 0 at rest in the origin; point 1 comes along x. */
+/** Point 0 rests at the origin; point 1 approaches along x. */
 const coming = (speed: number, forces: System['forces']): System =>
   makeSystem({
     masses: Float64Array.of(1, 5),
@@ -44,7 +44,7 @@ describe.each(OURS)('what is led, by %s,', (id) => {
 
   it.each(solid)('%s throws a point at rest to 2β/(1 + β²), and keeps H − u·p', (_, forces) => {
     const { frames, last } = ranBy(id, coming(u, forces), [0, 0, 0, -1, 0, 0], { step: 1e-4 });
-    // Where V(x − ut) pushes, H − u·p does not change: with p = 0 before, p = 2γ²mu after.
+    // For a potential V(x − ut), H − u·p is conserved: with p = 0 before, p = 2γ²mu after.
     expect(last.quantities.fastest / ((2 * u) / (1 + (u / c) ** 2))).toBeCloseTo(1, 5);
     expect(last.state.p[0] / (2 * u)).toBeCloseTo(1 / (1 - (u / c) ** 2), 5);
     expect(frames[0].quantities).toMatchObject({ kinetic: 0, fastest: 0, momentum: [0, 0, 0] });
@@ -55,10 +55,13 @@ describe.each(OURS)('what is led, by %s,', (id) => {
   });
 });
 
-/** Point 0 at rest in (1, 0, 0); a wall or a box, carried by points 1, 2 and 3, turns about z through the origin and comes to it. */
+/**
+ * Point 0 rests at (1, 0, 0); a wall or box, carried by points 1, 2 and 3, rotates about z through the origin towards
+ * it.
+ */
 const sweeping = (omega: number, forces: System['forces'], arm: Vec3): System => {
   const begin = -0.3;
-  /** Of what lies at (x, y, 0) when it is at the angle 0. */
+  /** Rotates a point that is at (x, y, 0) at angle 0. */
   const turned =
     (x: number, y: number) =>
     (t: number): Vec3 => {
@@ -88,7 +91,7 @@ describe.each(OURS)('what turns, by %s,', (id) => {
     ['a box', barrier(box(middle, [1, 0.1, 1], first), [0], K, 0.05, [1, 2, 3])],
     ['a wall', barrier({ ...plane(middle, front), orientation: first }, [0], K, 0.1, [1, 2, 3])],
   ] as const)('%s throws a point at rest where it meets it to 2β/(1 + β²), and keeps H − ωL', (_, force) => {
-    // Where the point is, as the box sees it, when it is touched.
+    // Position of the point in the box's frame at contact.
     const r = Math.sqrt(1 - 0.1 ** 2);
     const system = sweeping(omega, [force], [0.8, 0, 0]);
     const start = [
@@ -99,7 +102,8 @@ describe.each(OURS)('what turns, by %s,', (id) => {
     ];
     const { frames, stop, last } = ranBy(id, system, start, { step: 1e-5, duration: 0.08, every: 0.01 });
     expect(stop).toBeUndefined();
-    // Where V pushes that turns evenly, H − ω·L does not change: with both 0 before, p = 2γ²mωr after, across the arm.
+    // For a uniformly rotating potential, H − ω·L is conserved: with both 0 before, p = 2γ²mωr after, perpendicular to
+    // the arm.
     expect(last.quantities.fastest / ((2 * omega * r) / (1 + ((omega * r) / c) ** 2))).toBeCloseTo(1, 2);
     const kept = frames.map(
       ({ quantities }) => quantities.kinetic + quantities.potential - omega * quantities.angularMomentum[2],
@@ -113,7 +117,7 @@ describe.each(OURS)('what turns, by %s,', (id) => {
   });
 });
 
-/** A point of 1 kg on a spring without a length to one that is led; Newton's mechanics. */
+/** A mass of 1 kg on a spring of zero length to a kinematic point; Newtonian. */
 const towed = (place: (t: number) => Vec3): System =>
   makeSystem({
     masses: Float64Array.of(1, 1),

@@ -1,28 +1,29 @@
 import type { Springs } from './forces/springs.ts';
 import { SystemError } from './system.ts';
 
-/** How hard the springs of a mesh are [N/m]; 0 leaves them out. */
+/** Stiffness of a mesh's springs [N/m]; 0 omits them. */
 export interface MeshStiffness {
   /** Along the edges. */
   readonly structural: number;
-  /** Across faces of four and more corners. */
+  /** Across faces with four or more corners. */
   readonly shear: number;
-  /** Between what lies on both sides of an edge, and from neighbour to next neighbour. */
+  /** Across edges between faces, and between second neighbours. */
   readonly bending: number;
 }
 
 export interface FaceTopology {
-  /** Corners of each face. */
+  /** Number of corners of each face. */
   readonly counts: ArrayLike<number>;
-  /** Points of the corners, face after face. */
+  /** Point indices of the corners, face by face. */
   readonly corners: ArrayLike<number>;
 }
 
 const MAX_SPRINGS = 10_000_000;
 
 /**
- * The springs of a mesh, each pair of points once: structural along edges, shear along the diagonals of faces, bending from each point to the one beyond a neighbour (in
- * faces of four: straight on) or over an edge between triangles. At rest they are as long as they are in x, times `tension`.
+ * The springs of a mesh, each pair of points once: structural along edges; shear along face diagonals; bending from
+ * each point to the one beyond a neighbour (in quads: straight on), or across the edge between two triangles. Rest
+ * lengths are those in x times `tension`.
  */
 export function meshSprings(x: Float64Array, faces: FaceTopology, stiffness: MeshStiffness, tension = 1): Springs {
   const points = x.length / 3;
@@ -41,11 +42,11 @@ export function meshSprings(x: Float64Array, faces: FaceTopology, stiffness: Mes
   return net.build(x, tension);
 }
 
-/** Of each corner, the side from it to the next corner of its face. */
+/** For each corner, the edge from it to the next corner of its face. */
 interface HalfEdges {
-  /** The lower and the higher point of each. */
+  /** Lower and higher point index of each. */
   readonly ends: Uint32Array;
-  /** The corners before and after each, round its face. */
+  /** Corners before and after each, around its face. */
   readonly before: Uint32Array;
   readonly after: Uint32Array;
 }
@@ -67,7 +68,7 @@ function halfEdgesOf({ counts, corners }: FaceTopology, points: number): HalfEdg
   return { ends, before, after };
 }
 
-/** Pairs of corners that no side joins. */
+/** Pairs of corners of a face that are not joined by an edge. */
 function addShearSprings(net: SpringBuilder, { counts, corners }: FaceTopology, k: number): void {
   for (let f = 0, first = 0; f < counts.length; first += counts[f++])
     for (let i = 0; i < counts[f]; i++)
@@ -75,7 +76,7 @@ function addShearSprings(net: SpringBuilder, { counts, corners }: FaceTopology, 
         if (i > 0 || j < counts[f] - 1) net.add(corners[first + i], corners[first + j], k);
 }
 
-/** Of two faces with a side between them: the pairs of corners, one of each face, that lie beyond an end of it. */
+/** For two faces with a common edge: pairs of corners, one of each face, beyond an end of the edge. */
 function addBendingSprings(
   net: SpringBuilder,
   sides: HalfEdges,
@@ -92,9 +93,9 @@ function addBendingSprings(
   net.add(a[1], b[1], k);
 }
 
-/** Springs by their ends: the first that joins two points counts. */
+/** Springs by their ends; of several between two points the first counts. */
 class SpringBuilder {
-  /** The lower and the higher end of each. */
+  /** Lower and higher end of each. */
   private readonly ends: number[] = [];
   private readonly stiffness: number[] = [];
 
@@ -120,7 +121,7 @@ class SpringBuilder {
   }
 }
 
-/** The order of pairs by their first ends, and of those by their second; pairs that are equal stay in theirs. By counting, so that the time grows like their number. */
+/** Permutation that sorts pairs by first, then second end; stable. A counting sort, linear in time. */
 function sortPairs(ends: ArrayLike<number>, points: number): Uint32Array {
   let order = Uint32Array.from({ length: ends.length / 2 }, (_, s) => s);
   for (const end of [1, 0]) {
@@ -137,7 +138,7 @@ function sortPairs(ends: ArrayLike<number>, points: number): Uint32Array {
 const isSamePair = (ends: ArrayLike<number>, s: number, t: number): boolean =>
   ends[2 * s] === ends[2 * t] && ends[2 * s + 1] === ends[2 * t + 1];
 
-/** Where the pairs end that are equal to the k-th. */
+/** End of the run of pairs equal to the k-th. */
 function endOfRun(ends: ArrayLike<number>, order: Uint32Array, k: number): number {
   let end = k + 1;
   while (end < order.length && isSamePair(ends, order[k], order[end])) end++;

@@ -96,7 +96,7 @@ describe('points that are near', () => {
 });
 
 describe('what touches', () => {
-  /** Points of four bodies that are soft to each other, in a crowd. */
+  /** Points of four bodies in soft contact. */
   const crowd = (seed: number): Pick<RunOptions, 'system' | 'start'> => {
     const n = 80;
     const next = random(seed);
@@ -198,7 +198,7 @@ describe('the fastest oscillation', () => {
             }),
           ],
         });
-        // Of a long chain: 2√(k/m), and of n points that times cos(π/2n).
+        // For a long chain: 2√(k/m), and for n points that times cos(π/2n).
         const exact = 2 * Math.sqrt(k / m) * Math.cos(Math.PI / (2 * n));
         expect(maxAngularFrequency(system)).toBeGreaterThan(exact);
         expect(maxAngularFrequency(system)).toBeLessThan(1.01 * exact);
@@ -217,7 +217,7 @@ describe('the fastest oscillation of what is unlike', () => {
         const bound = maxAngularFrequency(makeSystem({ masses, forces: [springForce(one)] }));
         expect(bound).toBeGreaterThan(exact * (1 - 1e-12));
         expect(bound).toBeLessThan(Math.SQRT2 * exact * (1 + 1e-12));
-        // What is pinned does not swing: its bound is that of the other alone.
+        // A pinned point does not oscillate: the bound is that of the other alone.
         const held = maxAngularFrequency(
           makeSystem({ masses, pinned: Uint8Array.of(1, 0), forces: [springForce(one)] }),
         );
@@ -312,7 +312,7 @@ describe('a run', () => {
 });
 
 describe('what is solid', () => {
-  /** A kilogram that flies at a fixed ball of 0.5 m, and reaches 0.55 m by 1.1 times its size. */
+  /** 1 kg thrown at a fixed sphere of radius 0.5 m with contact radius 0.55 m. */
   const thrown = (speed: number, stiffness: number, step: number): RunOptions => {
     const masses = Float64Array.of(1, 1);
     const pinned = Uint8Array.of(1, 0);
@@ -336,7 +336,7 @@ describe('what is solid', () => {
     const { frames, stop } = recordRun(thrown(speed, stiffness, step));
     expect(stop).toMatchObject({ reason: 'pierced', point: 1 });
     expect(stop?.message).toMatch(/^point 1 went through what is solid, to \(.+\) m; take a smaller step/);
-    // ½K·0.55² = 1.5 J are less than ½·25: it arrives within half of the reach after 1.7 m at 5 m/s, or somewhat later.
+    // ½K·0.55² = 1.5 J are less than ½·25 J: it passes half of the reach after 1.7 m at 5 m/s, or slightly later.
     expect(stop!.t).toBeGreaterThan(1.725 / speed);
     expect(stop!.t).toBeLessThan(2.2 / speed + step);
     expect(frames.at(-1)!.state.t).toBeLessThanOrEqual(stop!.t + 1e-9);
@@ -358,7 +358,7 @@ describe('what is solid', () => {
   });
 });
 
-/** Slope of the line through the means of parts of a row, and its standard error, by their time in parts. */
+/** Slope of a regression line through the means of consecutive parts, and its standard error, per part. */
 function trend(values: readonly number[], parts: number): { readonly slope: number; readonly error: number } {
   const size = Math.floor(values.length / parts);
   const mean = (of: readonly number[]): number => of.reduce((sum, value) => sum + value, 0) / of.length;
@@ -370,9 +370,12 @@ function trend(values: readonly number[], parts: number): { readonly slope: numb
   return { slope, error: Math.sqrt(left / (parts - 2) / spread) };
 }
 
-// `npm run dynamics` asks the same of larger cloths and more steps.
+// `npm run dynamics` tests the same with larger cloths and more steps.
 describe('the energy of a cloth', () => {
-  /** A cloth whose points are thrown by up to `shaken` m/s along each axis: its energy at 100 steps' distance, less what it was, over the largest kinetic energy. */
+  /**
+   * A cloth whose points get random velocities up to `shaken` m/s along each axis: energy every 100 steps, relative to
+   * the initial one, over the maximum kinetic energy.
+   */
   const followed = (id: string, shaken: number, step: number, steps: number): number[] => {
     const { system, start } = hanging(4, 10);
     const next = random(3);
@@ -411,14 +414,14 @@ describe('the energy of a cloth', () => {
 });
 
 describe('steps that adapt', () => {
-  /** Two charges that attract each other pass; the smaller `aside` [m], the nearer. */
+  /** Fly-by of two attracting charges; `aside`: impact parameter [m]. */
   const flyBy = (c: number, strength: number, aside: number): Pick<RunOptions, 'system' | 'start'> => {
     const forces = [coulomb(Float64Array.of(1, -1), strength)];
     const system = makeSystem({ masses: Float64Array.of(1, 1), c, forces });
     const p = momenta(system, [0.5, 0, 0, -0.5, 0, 0]);
     return { system, start: { t: 0, x: Float64Array.of(-4, aside, 0, 4, -aside, 0), p } };
   };
-  /** Angle between the first way and the last. */
+  /** Angle of the final velocity. */
   const turned = ({ state }: SimulationFrame): number => Math.atan2(state.p[1], state.p[0]);
 
   it('turn a fly-by as Rutherford says, where as many equal steps fail', () => {
@@ -446,7 +449,7 @@ describe('steps that adapt', () => {
     const state = copyState(start);
     const exact = METHODS.get('yoshida-8')!.begin(system);
     const v = [new Float64Array(6), new Float64Array(6)];
-    // In so short a time the fly-by makes little of errors that were there before.
+    // Over so short a time the fly-by does not amplify earlier errors.
     for (let k = 0; k < 320; k++) {
       const before = copyState(state);
       adaptive.advance(state, 0.05);
@@ -485,12 +488,13 @@ describe('steps that adapt', () => {
   });
 });
 
-/** Of bounds that hold for small steps. */
+/** Margin on bounds that are asymptotic in the step. */
 const SLACK = 2;
 
 /**
- * How far two bodies' first one is from Kepler's hyperbola after their time, over its distance: r = p/(1 + e cos θ) with reduced mass ½ and strength 1. Its orbit follows from energy and angular
- * momentum; where it is there, from Kepler's equation M = e sinh F − F.
+ * Distance of the first of two bodies from its position on Kepler's hyperbola at that time, over its distance: r = p/(1
+ * + e cos θ) with reduced mass ½ and strength 1. The orbit follows from energy and angular momentum; the position from
+ * Kepler's equation M = e sinh F − F.
  */
 function hyperbola(x: Float64Array, p: Float64Array, end: { t: number; x: Float64Array }): { readonly off: number } {
   const [rx, ry] = [x[3] - x[0], x[4] - x[1]];

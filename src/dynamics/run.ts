@@ -8,62 +8,71 @@ import { copyState, type State, type System } from './system.ts';
 /** What is to be computed. */
 export interface RunOptions {
   readonly system: System;
-  /** Not changed. */
+  /** Not modified. */
   readonly start: State;
-  /** Of a run that goes on: when the whole began [s], and which of its frames `start` is. Its times are then those of the whole, to the last digit. */
+  /**
+   * For a resumed run: start time of the whole run [s], and the frame number of `start`; makes times bit-identical to
+   * those of an uninterrupted run.
+   */
   readonly since?: { readonly t: number; readonly frames: number };
   readonly method: IntegrationMethod;
   /** From `start.t` on [s]. */
   readonly duration: number;
-  /** How often the state is given [s]. */
+  /** Interval of frames [s]. */
   readonly every: number;
-  /** The longest step [s]; absent: a tenth of what an explicit method can take at most. A whole number of equal steps goes into `every`. */
+  /**
+   * Maximum step [s]; default: a tenth of the stability limit of an explicit method. An integer number of equal steps
+   * makes up `every`.
+   */
   readonly step?: number;
   /**
-   * Steps follow what they get wrong: of each second, the errors of all steps add up to no more than this, in the place of any point [m] and in its velocity [m/s] (adaptiveSteps.ts). `step` is then
-   * the longest; absent: a frame, or what an explicit method can take.
+   * Adaptive steps: the errors of all steps within a second sum to at most this, in the position of any point [m] and
+   * in its velocity [m/s] (adaptiveSteps.ts). `step` is then the maximum; default: a frame, or the stability limit of
+   * an explicit method.
    */
   readonly tolerance?: number;
 }
 
-/** What a run gives, from time to time. */
+/** A state that a run yields at an interval. */
 export interface SimulationFrame {
   readonly state: State;
   readonly quantities: ConservedQuantities;
-  /** Steps taken from the start. */
+  /** Steps since the start. */
   readonly steps: number;
 }
 
-/** Why a run ended before its time. */
+/** Why a run ended early. */
 export interface EarlyStop {
   readonly reason: StepFailureReason;
   /** [s] */
   readonly t: number;
   readonly message: string;
-  /** That it happened to, where it is one. */
+  /** The affected point, if there is one. */
   readonly point?: number;
 }
 
-/** Share of 2/ω that steps take where nobody says how long they are to be. */
+/** Default step as a fraction of the stability limit 2/ω. */
 const DEFAULT_STEP_FRACTION = 0.1;
-/** Share of 2/ω that steps which follow their error take at most, where 2/ω bounds them. */
+/** Maximum of adaptive steps as a fraction of the stability limit, if there is one. */
 const MAX_STEP_FRACTION = 0.9;
-/** Where nothing swings, and nobody says how long steps are to be, so many go into a frame. */
+/** Default steps per frame if nothing oscillates. */
 const DEFAULT_STEPS_PER_FRAME = 10;
 const MAX_STEPS = 1e9;
-/** What may be gained of the energy where steps are longer than the stability bound, over the kinetic energy: more is not a swing. */
+/**
+ * Allowed energy gain relative to the kinetic energy if steps exceed the stability limit; more is not an oscillation.
+ */
 export const MAX_ENERGY_GAIN = 0.5;
 
 export interface StepSchedule {
-  /** The longest that there are [s]. */
+  /** Maximum step [s]. */
   readonly h: number;
-  /** So many, or more where they adapt. */
+  /** Number of steps, or the minimum if they adapt. */
   readonly perFrame: number;
-  /** Whether h < 2/ω, where the method asks for that: else what is small may grow in every step. */
+  /** Whether h < 2/ω, for methods that require it; otherwise perturbations may grow at every step. */
   readonly stable: boolean;
 }
 
-/** The steps that an order is computed with. */
+/** Step size and count for a run's options. */
 export function stepSchedule(order: RunOptions): StepSchedule {
   const { system, method, every } = order;
   const omega = maxAngularFrequency(system);
@@ -80,8 +89,8 @@ function maxStepLength({ method, every, step, tolerance }: RunOptions, omega: nu
 }
 
 /**
- * Runs a system from frame to frame; the first is the start. It returns why it ended where it could not go on: the last frame given is good. Whoever asks decides when
- * it goes on, so that it can be cancelled, and taken up again from any frame's state.
+ * Runs a system frame by frame, starting with the initial state. Returns the reason if it ended early; the last yielded
+ * frame is valid. A generator, so that the caller can cancel, and resume from any frame's state.
  */
 export function* integrate(order: RunOptions): Generator<SimulationFrame, EarlyStop | undefined> {
   const course = new FrameBuilder(order);
@@ -100,7 +109,7 @@ export function* integrate(order: RunOptions): Generator<SimulationFrame, EarlyS
   return undefined;
 }
 
-/** The frames of a run, whoever computes them. */
+/** Makes the frames of a run, for any integrator. */
 export class FrameBuilder {
   readonly steps: StepSchedule;
   private readonly order: RunOptions;
@@ -124,7 +133,7 @@ export class FrameBuilder {
 
   start = (): SimulationFrame => ({ state: copyState(this.order.start), quantities: this.first, steps: 0 });
 
-  /** The next frame, of a state that was taken there in so many steps. Throws a StepFailure where what came is not to be trusted. */
+  /** The next frame, from a state that took so many steps. Throws a StepFailure if the state is not plausible. */
   next(state: State, steps: number): SimulationFrame {
     const { order, first } = this;
     assertFinite(state);
@@ -132,21 +141,21 @@ export class FrameBuilder {
     assertEnergyBounded(order, this.steps, first, now);
     this.taken += steps;
     this.frame++;
-    // Sums of many steps drift away from what a clock shows.
+    // Recomputed, since sums of many steps accumulate rounding errors.
     const { t, frames } = order.since ?? { t: order.start.t, frames: 0 };
     state.t = t + (frames + this.frame) * order.every;
     return { state: copyState(state), quantities: now, steps: this.taken };
   }
 }
 
-/** Why a run ends at t, by what was thrown; that which is no StepFailure is thrown on. */
+/** The reason for a run's end at t from a StepFailure; other errors are rethrown. */
 export function earlyStopFor(error: unknown, t: number): EarlyStop {
   if (!(error instanceof StepFailure)) throw error;
   const { reason, message, point } = error;
   return { reason, t, message, ...(point !== undefined && { point }) };
 }
 
-/** Takes a state one frame further, and tells in how many steps. */
+/** Returns a function that advances a state by one frame and returns the number of steps. */
 function advancer(order: RunOptions, { h, perFrame }: StepSchedule): (state: State) => number {
   const { system, method, every, tolerance } = order;
   const mover = new Integrator(system, method);
@@ -160,7 +169,7 @@ function advancer(order: RunOptions, { h, perFrame }: StepSchedule): (state: Sta
   };
 }
 
-/** Where steps are longer than the stability bound, energy that comes from nowhere is the end. */
+/** Beyond the stability limit, growing energy ends the run. */
 function assertEnergyBounded(
   order: RunOptions,
   { h, stable }: StepSchedule,

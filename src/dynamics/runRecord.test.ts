@@ -5,7 +5,7 @@ import { integrate, type RunOptions } from './run.ts';
 import { type RunRecord, RunRecorder, runRecordCsv, summarizeRun } from './runRecord.ts';
 import { makeSystem, momenta } from './system.ts';
 
-/** Two masses on a spring, one of which is thrown at 0.6 c: γ = 1.25. */
+/** Two masses on a spring, one thrown at 0.6 c: γ = 1.25. */
 function thrown(): RunOptions {
   const system = makeSystem({
     masses: Float64Array.of(2, 3),
@@ -35,7 +35,7 @@ describe('the books of a run', () => {
     expect([books.method, books.speedOfLight, books.step, books.pace]).toEqual(['discrete-gradient', 5, 0.01, 0.25]);
     expect([...books.times]).toEqual([0.5, 0.75, 1, 1.25, 1.5]);
     expect([...books.steps]).toEqual([0, 25, 50, 75, 100]);
-    // (γ − 1) m c² = 0.25 · 2 · 25; ½k(r − L)² = 4; p = γmv = 7.5 along y, in the origin.
+    // (γ − 1) m c² = 0.25 · 2 · 25; ½k(r − L)² = 4; p = γmv = 7.5 along y at the origin.
     expect([books.kinetic[0], books.potential[0], books.fastest[0]]).toEqual([12.5, 4, expect.closeTo(3, 12)]);
     expect([...books.momentum.subarray(0, 3)]).toEqual([0, 7.5, 0]);
     for (let i = 0; i < 5; i++) {
@@ -70,10 +70,10 @@ describe('the books of a run', () => {
         },
       });
     expect(summarizeRun(books)).toEqual({ drift: expect.closeTo(0, 11), fastest: expect.closeTo(3, 6), until: 1.5 });
-    // Falls by 4 and rises by 1.9 of 4, then by 2.1.
+    // Falls by 4, rises by 1.9 of 4, then by 2.1.
     expect(of([10, 6, 7.9, 8.1, 20], [0, 4, 4, 4, 9])).toEqual({ drift: 10 / 9, fastest: 3, until: 1.5, grown: 1.25 });
     expect(of([10, 6, 7.9, 7.9, 7.9], [0, 4, 4, 4, 4])).not.toHaveProperty('grown');
-    // What is there by rounding alone.
+    // Rounding errors only.
     const still = of([1e-25, 2e-25, 9e-25, 1e-25, 1e-25], [0, 1e-27, 1e-27, 1e-27, 0], [0, 1e-13, 1e-13, 1e-13, 0]);
     expect(still).toEqual({ drift: undefined, fastest: 1e-13, until: 1.5 });
     expect(of([1e9, 1e9 + 1e-5, 1e9, 1e9, 1e9], [0, 1e-8, 1e-8, 1e-8, 0])).not.toHaveProperty('grown');

@@ -1,52 +1,55 @@
 import { type EarlyStop, MAX_ENERGY_GAIN, type RunOptions, type SimulationFrame, stepSchedule } from './run.ts';
 
-/** What a run kept of its state from frame to frame, for plots and tables: plain data. World frame, SI units. */
+/** Record of a run for plots and tables, frame by frame, as plain data. World frame, SI units. */
 export interface RunRecord {
-  /** Id of the method. */
+  /** Id of the integration method. */
   readonly method: string;
-  /** [m/s]; Infinity: Newton's mechanics. */
+  /** [m/s]; Infinity: Newtonian mechanics. */
   readonly speedOfLight: number;
-  /** A GPU took the steps, in 32-bit numbers. */
+  /** Whether steps were taken on a GPU, in 32-bit floats. */
   readonly onGpu?: boolean;
-  /** Something is led its way, and gives energy and takes it. */
+  /** Whether there are kinematic points, which add and remove energy. */
   readonly led?: boolean;
-  /** [s]; 0 where it adapts. */
+  /** [s]; 0 for adaptive steps. */
   readonly step: number;
-  /** Between frames [s]. */
+  /** Interval of frames [s]. */
   readonly pace: number;
-  /** Of each frame [s]. */
+  /** Time of each frame [s]. */
   readonly times: Float64Array;
-  /** Taken until each frame. */
+  /** Total steps at each frame. */
   readonly steps: Float64Array;
-  /** Of each frame [J]; as in `ConservedQuantities`. */
+  /** Per frame [J]; as in `ConservedQuantities`. */
   readonly kinetic: Float64Array;
   readonly potential: Float64Array;
   readonly total: Float64Array;
-  /** x, y, z of each frame [kg m/s]. */
+  /** x, y, z per frame [kg m/s]. */
   readonly momentum: Float64Array;
-  /** x, y, z of each frame [kg m²/s]. */
+  /** x, y, z per frame [kg m²/s]. */
   readonly angularMomentum: Float64Array;
-  /** [m/s] */
+  /** Maximum speed [m/s]. */
   readonly fastest: Float64Array;
-  /** Why it ended before its time. */
+  /** Why it ended early. */
   readonly stop?: EarlyStop;
 }
 
-/** What a run comes to. */
+/** Summary of a run. */
 export interface RunSummary {
-  /** The largest change of the energy, in units of the largest kinetic energy; undefined where nothing moved. */
+  /** Largest change of the energy relative to the largest kinetic energy; undefined if nothing moved. */
   readonly drift: number | undefined;
   /** [m/s] */
   readonly fastest: number;
-  /** Of the last frame [s]. */
+  /** Time of the last frame [s]. */
   readonly until: number;
-  /** When more energy had come from nowhere than half of the largest kinetic energy until then [s]: nothing gives any here, so that it is the method's error. Absent: it never had. */
+  /**
+   * Time at which the energy had grown by more than half of the largest kinetic energy until then [s]: without energy
+   * sources this is the method's error. Absent: never.
+   */
   readonly grown?: number;
 }
 
-/** What is slower than this does not move: rounding makes so much [m/s]. */
+/** Slower motion is rounding error [m/s]. */
 const MIN_SPEED = 1e-9;
-/** Of energies, by rounding: of places in 32 bits too, which a GPU computes with. */
+/** Relative rounding error of energies, including the 32-bit positions of a GPU. */
 const ENERGY_ROUNDING = 1e-6;
 
 export function summarizeRun({ total, kinetic, fastest, times, led }: RunRecord): RunSummary {
@@ -59,7 +62,7 @@ export function summarizeRun({ total, kinetic, fastest, times, led }: RunRecord)
   return { drift, fastest: top, until, ...(frame >= 0 && { grown: times[frame] }) };
 }
 
-/** The first frame at which the energy is above its lowest so far by more than it can swing; −1: none. */
+/** First frame with an energy above its minimum so far by more than an oscillation; −1: none. */
 function firstGrowth(total: Float64Array, kinetic: Float64Array): number {
   let [lowest, most] = [Number.POSITIVE_INFINITY, 0];
   return total.findIndex((energy, k) => {
@@ -72,7 +75,7 @@ function firstGrowth(total: Float64Array, kinetic: Float64Array): number {
 const maxMagnitude = (values: Float64Array): number =>
   values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 
-/** Keeps the books of a run: each of its frames is entered once. */
+/** Records a run; call once per frame. */
 export class RunRecorder {
   private readonly order: RunOptions;
   private readonly rows: RunRecordRow[] = [];
@@ -85,7 +88,7 @@ export class RunRecorder {
     this.rows.push({ t: state.t, steps, ...quantities });
   }
 
-  /** The books so far. */
+  /** The record so far. */
   record(stop?: EarlyStop): RunRecord {
     const { rows, order } = this;
     const column = (of: (row: RunRecordRow) => number): Float64Array => Float64Array.from(rows, of);
@@ -113,7 +116,7 @@ type RunRecordRow = SimulationFrame['quantities'] & { readonly t: number; readon
 const CSV_HEADER =
   'time [s],steps,kinetic energy [J],potential energy [J],total energy [J],px [kg m/s],py [kg m/s],pz [kg m/s],Lx [kg m²/s],Ly [kg m²/s],Lz [kg m²/s],fastest [m/s]';
 
-/** The books as a table of comma-separated values: a head with units, and a row for each frame, in full precision. */
+/** The record as a CSV table: a header with units and a row per frame, in full precision. */
 export function runRecordCsv(books: RunRecord): string {
   const { times, steps, kinetic, potential, total, momentum, angularMomentum, fastest } = books;
   const rows = Array.from(times, (t, i) => [

@@ -1,8 +1,8 @@
 import type { System } from './system.ts';
 
 /**
- * A bound of the fastest oscillation [rad/s]: ω² ≤ max_i Σ_j |∂²V/∂x_i∂x_j|/m_i (Gershgorin's circles of M⁻¹∇²V). Masses in motion are γm > m and only slow
- * it down. Explicit methods are stable where h < 2/ω.
+ * Upper bound of the fastest oscillation [rad/s]: ω² ≤ max_i Σ_j |∂²V/∂x_i∂x_j|/m_i (Gershgorin's circles of M⁻¹∇²V).
+ * Moving masses are γm > m, which only slows it down. Explicit methods are stable for h < 2/ω.
  */
 export function maxAngularFrequency({ forces, masses, pinned }: System): number {
   const bound = new Float64Array(masses.length);

@@ -1,34 +1,34 @@
 import { dot, scale, type Vec3 } from '../math/vec3.ts';
 import type { Force } from './forces/force.ts';
 
-/** Points with masses, what acts between and upon them, and the speed that none of them reaches. World frame, SI units. */
+/** Point masses, the forces on and between them, and the limiting speed. World frame, SI units. */
 export interface System {
-  /** [m/s]; Infinity: Newton's mechanics. */
+  /** [m/s]; Infinity: Newtonian mechanics. */
   readonly c: number;
-  /** At rest, of each point [kg], above 0. */
+  /** Rest mass of each point [kg], positive. */
   readonly masses: Float64Array;
-  /** 1 where a point is held: where it is, or where it is led. */
+  /** 1 for points that are fixed or kinematic. */
   readonly pinned: Uint8Array;
-  /** Where some of those that are held go. */
+  /** Prescribed motions of some of the pinned points. */
   readonly led?: readonly KinematicPoint[];
-  /** All that has a potential; the force is the sum of theirs. */
+  /** Potentials; the force is the sum of theirs. */
   readonly forces: readonly Force[];
-  /** Of each point [C]; absent: none is charged. */
+  /** Charge of each point [C]; absent: none. */
   readonly charges?: Float64Array;
-  /** The same everywhere and always [T]. Its force q v × B does no work. */
+  /** Uniform and constant [T]. Its force q v × B does no work. */
   readonly magneticField?: Vec3;
-  /** What air takes away: dp/dt = −drag · p [1/s]. */
+  /** Linear drag: dp/dt = −drag · p [1/s]. */
   readonly drag: number;
 }
 
-/** A point that goes its way whatever pushes it, slower than light. What it takes and gives is in no books. */
+/** A point with prescribed motion, slower than light. The energy it exchanges is not recorded. */
 export interface KinematicPoint {
   readonly point: number;
-  /** [m], at t [s]. */
+  /** Position [m] at t [s]. */
   positionAt(t: number): Vec3;
 }
 
-/** Where all points are, and how they go, at a time. x, y, z of one point after the other. */
+/** Positions and momenta of all points at a time. x, y, z of each point. */
 export interface State {
   /** [s] */
   t: number;
@@ -38,24 +38,24 @@ export interface State {
   readonly p: Float64Array;
 }
 
-/** What messages call a point; who knows what it is of says that instead. */
+/** Name of a point in messages; callers that know its object replace it. */
 export const pointName = (i: number): string => `point ${i}`;
 
-/** Of x, y, z of one point after the other. */
+/** Components of a point in x, y, z order. */
 export const pointAt = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
 
 export const copyState = ({ t, x, p }: State): State => ({ t, x: x.slice(), p: p.slice() });
 
-/** Makes a state what another is; both of the same number of points. */
+/** Copies a state of the same number of points. */
 export function assignState(to: State, from: State): void {
   to.t = from.t;
   to.x.set(from.x);
   to.p.set(from.p);
 }
 
-/** Something about a system that cannot be, with what to do. */
+/** An invalid system, with what to do about it. */
 export class SystemError extends Error {
-  /** That it is about, where it is one. */
+  /** The affected point, if there is one. */
   readonly point: number | undefined;
 
   constructor(message: string, point?: number) {
@@ -66,7 +66,7 @@ export class SystemError extends Error {
 
 const MAX_POINTS = 1_000_000;
 
-/** A system with what is left out filled in. Throws a SystemError for what cannot be moved. */
+/** Fills in defaults. Throws a SystemError for an invalid system. */
 export function makeSystem({
   masses,
   pinned = new Uint8Array(masses.length),
@@ -90,7 +90,7 @@ export const stateAtRest = (x: Float64Array, t = 0): State => ({ t, x, p: new Fl
 /** p = γ m v of a mass; v [m/s] below c. */
 export const momentum = (mass: number, v: Vec3, c: number): Vec3 => scale(v, mass / Math.sqrt(1 - dot(v, v) / (c * c)));
 
-/** p = γ m v of all points; v [m/s] below c. Those that are pinned rest. */
+/** p = γ m v of all points; v [m/s] below c. Pinned points are at rest. */
 export function momenta({ c, masses, pinned }: System, v: ArrayLike<number>): Float64Array {
   const p = new Float64Array(v.length);
   for (let i = 0; i < masses.length; i++) {
@@ -116,7 +116,7 @@ export function relativisticMasses({ c, masses }: System, p: Float64Array, out: 
     out[i] = Math.sqrt(masses[i] * masses[i] + (p[j] * p[j] + p[j + 1] * p[j + 1] + p[j + 2] * p[j + 2]) * perSquare);
 }
 
-/** v = p/√(m² + p²/c²) [m/s], below c whatever p is. */
+/** v = p/√(m² + p²/c²) [m/s], below c for any p. */
 export function velocities(system: System, p: Float64Array, out: Float64Array): void {
   const { c, masses } = system;
   const perSquare = 1 / (c * c);

@@ -45,7 +45,7 @@ export function EditorApp(): ReactNode {
   );
 }
 
-/** What the tab is called: the project, marked where no file holds it. */
+/** Sets the document title: the project's name, with a mark while it has unsaved changes. */
 function useTitle(): void {
   const { t } = useTexts();
   const name = useEditorState(projectName);
@@ -55,7 +55,7 @@ function useTitle(): void {
   }, [name, unsaved, t]);
 }
 
-/** The list of all commands, from when it is first asked for. */
+/** The command palette, loaded when it is first opened. */
 function LazyCommandPalette(): ReactNode {
   const asked = useEditorState((state) => state.dialog === 'palette');
   const [wanted, setWanted] = useState(false);
@@ -67,7 +67,7 @@ function LazyCommandPalette(): ReactNode {
   ) : null;
 }
 
-/** Keys that work wherever the focus is, but for fields that are being written in. */
+/** Keyboard shortcuts of the whole page; ignored while a text field has the focus. */
 function usePageKeys(): void {
   const studio = useEditor();
   const savePicture = useSavePicture();

@@ -1,6 +1,6 @@
 import { encodeSrgb } from '../spectrum/display/srgb.ts';
 
-/** Linear sRGB as `#rrggbb`; what is brighter than a screen is cut. */
+/** Linear sRGB → `#rrggbb`, clamped to 0 … 1. */
 export const cssColor = (linear: readonly number[]): string =>
   `#${linear
     .map((x) =>

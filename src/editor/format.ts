@@ -1,4 +1,4 @@
-/** Numbers as the page shows them: a few digits, a true minus, thin spaces between thousands. */
+/** Formats a number: few digits, a true minus sign, thin spaces between thousands. */
 export function formatNumber(value: number, digits = 3): string {
   if (!Number.isFinite(value)) return value > 0 ? '∞' : value < 0 ? '−∞' : '–';
   const size = Math.abs(value);
@@ -7,10 +7,10 @@ export function formatNumber(value: number, digits = 3): string {
   return group(minus(value.toFixed(Math.min(decimals, 12))));
 }
 
-/** A whole number. */
+/** Formats an integer. */
 export const formatCount = (value: number): string => group(minus(String(Math.round(value))));
 
-/** β near 1 with as many nines as it has: 0.5, 0.99, 0.999999. */
+/** β near 1 with all its nines: 0.5, 0.99, 0.999999. */
 export function formatBeta(beta: number): string {
   if (beta === 0) return '0';
   const nines = Math.max(0, Math.floor(1e-6 - Math.log10(Math.max(1e-12, 1 - beta))));
@@ -27,7 +27,7 @@ export function formatSeconds(t: number): string {
 /** [m/s] */
 export const formatSpeed = (v: number): string => `${formatNumber(v)} m/s`;
 
-/** [m] → `0.12 mm`; two digits of what is short. */
+/** [m] → `0.12 mm`; lengths below 1 mm with two digits. */
 export function formatLength(x: number): string {
   if (x >= 1) return `${formatNumber(x)} m`;
   const [unit, size] = x >= 1e-3 ? ['mm', 1e-3] : x >= 1e-6 ? ['µm', 1e-6] : (['nm', 1e-9] as const);
@@ -36,7 +36,7 @@ export function formatLength(x: number): string {
 
 const minus = (text: string): string => text.replace('-', '−');
 
-/** 299792458 → `299 792 458`; four digits stay together. */
+/** 299792458 → `299 792 458`; numbers of four digits are not grouped. */
 function group(text: string): string {
   const [whole = '', part] = text.split('.');
   const grouped = whole.replace('−', '').length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, '\u202f') : whole;

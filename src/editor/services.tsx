@@ -6,15 +6,15 @@ import type { Autosave } from './projects/autosave.ts';
 import type { SessionStore } from './projects/sessionStore.ts';
 import type { CapturedPicture, PreviewContext } from './viewport/viewportRenderer.ts';
 
-/** What the components share besides the studio's state. */
+/** Services that components share, besides the editor's state. */
 export interface EditorServices {
   readonly observerController: ObserverController;
   readonly localFiles: LocalFiles;
   readonly autosave: Autosave;
-  /** What is kept of this tab and others; undefined where the browser keeps nothing. */
+  /** Stored sessions; undefined if the browser provides no storage. */
   readonly sessions: SessionStore | undefined;
   readonly backend: Backend | 'auto';
-  /** The stage on show, as long as there is one: for saving its picture, and for pictures of nodes. */
+  /** The viewport's current renderer, while it exists: for saving its picture, and for node pictures. */
   readonly viewport: {
     capture?: () => Promise<CapturedPicture | undefined>;
     besides?: () => PreviewContext | undefined;

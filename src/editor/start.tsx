@@ -31,7 +31,7 @@ export interface StartOptions extends StartupRequest {
   readonly backend: Backend | 'auto';
 }
 
-/** Puts the program on a page. */
+/** Starts the editor in a page. */
 export async function startEditor(root: Root, { backend: wanted, ...asked }: StartOptions): Promise<void> {
   const { language, legend: withLegend } = loadPreferences();
   legendStore.setState({ visible: withLegend });
@@ -63,7 +63,7 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
   if (problem) studio.notify({ kind: 'error', ...problem });
   const pilot = new ObserverController(studio, view);
   const autosave = new Autosave({ ...session, studio, observerController: pilot, localFiles, address: pageAddress });
-  // A tab that is a copy of another has nothing of its own yet.
+  // A duplicated tab has nothing stored yet.
   void autosave.saveNow();
   const sessions = 'refusal' in session.sessions ? undefined : session.sessions;
   const services: EditorServices = { observerController: pilot, localFiles, backend, viewport: {}, autosave, sessions };
@@ -89,7 +89,7 @@ function Page({ children }: { readonly children: ReactNode }): ReactNode {
   );
 }
 
-/** Tells the browser, and with it screen readers and fonts, what language the page is in. */
+/** Sets the document's language, for screen readers and font selection. */
 function Language(): null {
   const { t, language } = useTexts();
   useEffect(() => {

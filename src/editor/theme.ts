@@ -1,6 +1,6 @@
 import { Button, createTheme, type MantineColorsTuple, Modal, Select } from '@mantine/core';
 
-/** The blue of light that comes towards you. */
+/** Blue, the colour of blueshift. */
 const azure: MantineColorsTuple = [
   '#eaf3ff',
   '#d5e4fb',
@@ -14,7 +14,7 @@ const azure: MantineColorsTuple = [
   '#064a9b',
 ];
 
-/** Neutral greys with a trace of blue, so that colours of the picture are judged against a calm surround. */
+/** Neutral greys with a slight blue tint, so that the picture's colours are judged against a neutral surround. */
 const dark: MantineColorsTuple = [
   '#d5d9e0',
   '#aeb5c0',

@@ -75,7 +75,7 @@ describe('expressions', () => {
     fc.assert(
       fc.property(arithmetic, (text) => {
         fc.pre(text.length <= 200 && text.split('(').length < 10);
-        // What it is compared with: the language's own arithmetic, of digits, brackets and signs alone.
+        // Reference: JavaScript's own arithmetic, for texts of digits, parentheses and operators only.
         expect(value(text)).toBe(new Function(`return ${text}`)());
       }),
     );

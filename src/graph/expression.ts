@@ -1,18 +1,18 @@
 import { radians } from '../math/angle.ts';
 
 /**
- * What people type into a number field: `0.9*c`, `30deg`, `5 km/h`, `2*pi/3`. It is worked out when it is typed, to the number in the
- * field's own unit; the document holds that number. A small parser by recursive descent, with a value's dimensions beside it.
+ * Expressions in number fields: `0.9*c`, `30deg`, `5 km/h`, `2*pi/3`. Evaluated on input to a number in the field's
+ * unit, which the document stores. A recursive-descent parser with dimensional analysis.
  */
 export type ExpressionResult =
   | { readonly value: number }
-  /** `at`: where in the text [characters from its start]. */
+  /** `at`: offset in the text [characters]. */
   | { readonly problem: string; readonly at: number };
 
 export interface ExpressionContext {
-  /** Of the field: a number without a unit is taken as so many of it. */
+  /** Unit of the field; numbers without a unit are in it. */
   readonly unit?: string;
-  /** [m/s]; without it there is no `c`. */
+  /** [m/s]; without it `c` is not defined. */
   readonly speedOfLight?: number;
 }
 
@@ -32,7 +32,7 @@ const TIME: Dimensions = [0, 1, 0, 0];
 const SPEED: Dimensions = [1, -1, 0, 0];
 const ANGLE: Dimensions = [0, 0, 0, 1];
 
-/** In SI. */
+/** In SI units. */
 const UNITS: Readonly<Record<string, Quantity>> = {
   m: { value: 1, of: LENGTH },
   km: { value: 1e3, of: LENGTH },
@@ -64,7 +64,7 @@ const UNITS: Readonly<Record<string, Quantity>> = {
 type FunctionSpec = { readonly arity: number; readonly of: (...values: number[]) => number };
 const unaryFunction = (of: (value: number) => number): FunctionSpec => ({ arity: 1, of });
 
-/** Of numbers; angles are taken in radians. */
+/** Of numbers; angles in radians. */
 const FUNCTIONS: Readonly<Record<string, FunctionSpec>> = {
   sin: unaryFunction(Math.sin),
   cos: unaryFunction(Math.cos),
@@ -77,9 +77,9 @@ const FUNCTIONS: Readonly<Record<string, FunctionSpec>> = {
   ln: unaryFunction(Math.log),
   log10: unaryFunction(Math.log10),
   abs: unaryFunction(Math.abs),
-  /** γ of a speed β. */
+  /** γ at speed β. */
   gamma: unaryFunction((beta) => 1 / Math.sqrt((1 - beta) * (1 + beta))),
-  /** β of a γ. */
+  /** β at a given γ. */
   beta: unaryFunction((gamma) => Math.sqrt((1 - 1 / gamma) * (1 + 1 / gamma))),
 };
 
@@ -102,11 +102,11 @@ class ParseError extends Error {
   }
 }
 
-/** A quantity as a number of the field's unit. */
+/** A quantity in the field's unit. */
 function toFieldUnit({ value, of }: Quantity, unit: string | undefined, speedOfLight: number | undefined): number {
   const field = unit === undefined ? undefined : unitOf(unit, speedOfLight);
   const result = sameDimensions(of, NONE) ? value : value / (field?.value ?? 1);
-  // Without a unit of its own a field takes angles in radians.
+  // A field without a unit accepts angles, in radians.
   const fits =
     sameDimensions(of, NONE) || sameDimensions(of, field?.of ?? NONE) || (!field && sameDimensions(of, ANGLE));
   if (!fits) throw new ParseError(`a value in ${unitName(of)} where ${unit ?? 'a plain number'} is wanted`, 0);
@@ -114,7 +114,7 @@ function toFieldUnit({ value, of }: Quantity, unit: string | undefined, speedOfL
   return result;
 }
 
-/** A field's unit, `m/s` or `c`; undefined of those that are no quantities here, as EV. */
+/** A field's unit, `m/s` or `c`; undefined for units that are not parsed, such as EV. */
 function unitOf(unit: string, speedOfLight: number | undefined): Quantity | undefined {
   try {
     return new ExpressionParser(tokenizeExpression(unit), speedOfLight).parse();
@@ -219,7 +219,7 @@ class ExpressionParser {
     });
   }
 
-  /** A factor with the units or brackets that follow it: `5 km`, `2pi`, `3(1 + 2)`. */
+  /** A factor with its units or parenthesized factors: `5 km`, `2pi`, `3(1 + 2)`. */
   private measured(): Quantity {
     let value = this.power();
     while (this.next.kind === 'name' || (this.next.kind === 'sign' && this.next.text === '('))

@@ -16,7 +16,7 @@ import {
   valueError,
 } from './nodeType.ts';
 
-/** A toy library of numbers: `value` → `sum` → `sum`. */
+/** A small library of number nodes: `value` → `sum` → `sum`. */
 const runs: string[] = [];
 const value: NodeType = {
   id: 'value',

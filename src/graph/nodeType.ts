@@ -1,33 +1,33 @@
 import type { ParamValue } from './document/document.ts';
 
 /**
- * How a node type describes itself. Panels, menus, the reference pages and the tests are made from these descriptions,
- * so that a new node is one file.
+ * How a node type describes itself. Panels, menus, reference pages and tests are generated from these descriptions, so
+ * a new node is one file.
  */
 export interface Socket<Type extends string = string> {
   /**
-   * Two sockets connect where their types are the same, or one converts to the other (convert.ts). `any`: whatever is connected; all
-   * sockets of a node that are `any` are of one type.
+   * Two sockets connect if their types are equal, or one converts to the other (analysis/conversion.ts). `any`: the
+   * type of what is connected; all `any` sockets of a node have the same type.
    */
   readonly type: Type;
-  /** Key of the catalogue of messages; else it is shown by its name. */
+  /** Text key; default: the socket's name. */
   readonly title?: string;
-  /** An input without a source is an error, unless it is optional. */
+  /** Whether it may be unconnected; otherwise a missing source is an error. */
   readonly optional?: boolean;
-  /** An input of any number of edges, in the order of their numbers: `name.1`, `name.2`. The node's code gets an array. */
+  /** Whether it takes any number of edges, ordered by number: `name.1`, `name.2`. The node's code gets an array. */
   readonly many?: boolean;
 }
-/** The type of a socket that takes its type from what is connected. */
+/** Type of a socket that takes its type from its connections. */
 export const ANY = 'any';
 
 interface ParamBase {
-  /** Key of the catalogue of messages. */
+  /** Text key. */
   readonly title: string;
-  /** Key of the sentence that explains it. */
+  /** Text key of the explanation. */
   readonly help?: string;
-  /** Matters only while another parameter of the node has this value, or one of these. */
+  /** The parameter is active only while another has this value, or one of these. */
   readonly onlyWhen?: { readonly param: string; readonly is: ParamValue | readonly ParamValue[] };
-  /** The value that is nature's: at any other the control is marked as not physical. */
+  /** The physical value; at any other the control is marked as unphysical. */
   readonly physical?: ParamValue;
 }
 export interface NumberParam extends ParamBase {
@@ -36,19 +36,22 @@ export interface NumberParam extends ParamBase {
   readonly min: number;
   readonly max: number;
   readonly step: number;
-  /** `log`: a control moves in equal ratios. `approach`: in equal steps of how near the value comes to 1. */
+  /**
+   * `log`: the control moves in equal ratios. `approach`: in equal steps of the distance to 1, on a scale that never
+   * reaches it.
+   */
   readonly scale?: 'linear' | 'log' | 'approach';
-  /** As written beside the number: `m/s`, `c`, `EV`, `°`. */
+  /** As displayed beside the number: `m/s`, `c`, `EV`, `°`. */
   readonly unit?: string;
   readonly integer?: boolean;
-  /** False: it has no range that a slider could go through, and is only typed. */
+  /** False: no bounded range, so there is only a text field. */
   readonly slider?: boolean;
-  /** While the parameter is not set, what the scene suggests under this name comes before the default. */
+  /** Name of the scene's suggestion, which precedes the default while the parameter is not set. */
   readonly suggestion?: string;
-  /** It means something else by the value of another parameter; with a value that is not among these, nothing. */
+  /** The meaning depends on another parameter's value; with a value not listed here it is inactive. */
   readonly as?: { readonly param: string; readonly cases: Readonly<Record<string, NumberVariant>> };
 }
-/** What a number is called, and which it may be, in one of its meanings. */
+/** Title and range of a number in one of its meanings. */
 export type NumberVariant = Pick<
   NumberParam,
   'title' | 'default' | 'min' | 'max' | 'step' | 'scale' | 'unit' | 'slider'
@@ -65,20 +68,20 @@ export interface ChoiceParam<Value extends string = string> extends ParamBase {
 export interface TextParam extends ParamBase {
   readonly kind: 'text';
   readonly default: string;
-  /** Where its values come from: `cameras` of the scene. Without, a special control of the program sets it (the opened file). */
+  /** Source of its options: the scene's `cameras`. Absent: set by a special control (the opened file). */
   readonly choices?: 'cameras';
-  /** It names a file of the project. */
+  /** Whether it names a file of the project. */
   readonly file?: true;
-  /** It is the text of an effect, of many lines. */
+  /** Whether it is the source text of an effect, of many lines. */
   readonly shader?: true;
-  /** It may be of several lines. */
+  /** Whether it may have several lines. */
   readonly lines?: true;
 }
-/** Three numbers: a direction, a place. */
+/** Three numbers: a direction or a position. */
 export interface VectorParam extends ParamBase {
   readonly kind: 'vector';
   readonly default: readonly [number, number, number];
-  /** Of each of them, as written beside the number. */
+  /** Unit of each component, as displayed beside the number. */
   readonly unit?: string;
 }
 /** Linear sRGB. */
@@ -86,14 +89,14 @@ export interface ColorParam extends ParamBase {
   readonly kind: 'color';
   readonly default: readonly [number, number, number];
 }
-/** Texts of which there may be any number; a special control of the program sets them. */
+/** Any number of texts, set by a special control. */
 export interface ListParam extends ParamBase {
   readonly kind: 'list';
   readonly default: readonly string[];
 }
 export type ParamSpec = NumberParam | BooleanParam | ChoiceParam | TextParam | VectorParam | ColorParam | ListParam;
 
-/** The value that a node's code gets for a parameter. */
+/** Type of a parameter's value in the node's code. */
 export type ParamValueOf<Spec> =
   Spec extends ChoiceParam<infer Value>
     ? Value
@@ -109,21 +112,21 @@ export type ParamValueOf<Spec> =
               ? readonly string[]
               : string;
 
-/** What an `AbortSignal` is, as far as the engine needs it. */
+/** The part of `AbortSignal` that the engine needs. */
 export interface AbortSignalLike {
   readonly aborted: boolean;
   addEventListener(type: 'abort', listener: () => void): void;
 }
 
-/** Reports a part done, 0 … 1, or undefined where it cannot be known, and what is being done. */
+/** Reports the completed fraction, 0 … 1, or undefined if unknown, and what is being done. */
 export type ProgressCallback = (part: number | undefined, what?: string) => void;
 
-/** By the names of the outputs. Under other names a node may put what only itself needs, to go on from an interim. */
+/** By output name. Other names may hold data that the node itself needs for resuming. */
 export type Outputs = Readonly<Record<string, unknown>>;
 
 /**
- * Gives what there is so far, as outputs that are right as far as they go. To be called as often as there is something new: what is not
- * wanted now is not made.
+ * Gives the current state as outputs that are valid as far as they go. Call whenever there is something new; `make` is
+ * only called if a result is wanted now.
  */
 export type ReportInterim = (make: () => Outputs) => void;
 
@@ -131,24 +134,24 @@ export interface EvaluationContext<Services> {
   readonly services: Services;
   readonly signal?: AbortSignalLike;
   readonly progress: ProgressCallback;
-  /** Absent where nobody looks. */
+  /** Absent if interim results are not requested. */
   readonly interim?: ReportInterim;
-  /** The last interim of the same content, whose work was cancelled. */
+  /** The last interim result of the same content, if its work was cancelled. */
   readonly resume?: Outputs;
 }
 
-/** Cause and remedy of a refusal, as it is shown on the node. */
+/** Cause and remedy of a problem, as displayed on the node. */
 export interface NodeProblem {
   readonly severity: 'error' | 'warning';
   readonly code: string;
   /** Node, or file and prim path. */
   readonly place: string;
   readonly message: string;
-  /** A change of a parameter that would put it right. */
+  /** A parameter change that would solve it. */
   readonly remedy?: { readonly node: string; readonly param: string; readonly value: ParamValue };
 }
 
-/** Thrown by a node's evaluation to refuse its inputs; the engine sets it on the node. */
+/** Thrown by a node's evaluation to refuse its inputs; the engine reports it at the node. */
 export class NodeRefusal extends Error {
   readonly problem: NodeProblem;
   constructor(problem: NodeProblem) {
@@ -158,7 +161,7 @@ export class NodeRefusal extends Error {
   }
 }
 
-/** A node type with its types erased, as the engine and the panels see it. */
+/** A node type with erased types, as engine and panels use it. */
 export interface NodeType<Services = unknown> {
   readonly id: string;
   readonly title: string;
@@ -167,11 +170,11 @@ export interface NodeType<Services = unknown> {
   readonly params: Readonly<Record<string, ParamSpec>>;
   readonly inputs: Readonly<Record<string, Socket>>;
   readonly outputs: Readonly<Record<string, Socket>>;
-  /** The inputs that matter with these parameters; the others are not evaluated. Without: all. */
+  /** The inputs needed with these parameters; others are not evaluated. Default: all. */
   needs?(params: Readonly<Record<string, ParamValue | undefined>>): readonly string[];
-  /** Takes long: it is evaluated in a worker, without services. */
+  /** Whether it takes long and is evaluated in a worker, without services. */
   readonly heavy?: boolean;
-  /** Whether it computes on a GPU, which not every worker can reach. */
+  /** Whether it computes on a GPU, which is not available in every worker. */
   onGpu?(params: Readonly<Record<string, ParamValue | undefined>>): boolean;
   evaluate(
     inputs: Readonly<Record<string, unknown>>,
@@ -182,7 +185,7 @@ export interface NodeType<Services = unknown> {
 
 export type Registry<Services = unknown> = Readonly<Record<string, NodeType<Services>>>;
 
-/** Every parameter with its value: as set, else the default; undefined where the scene may suggest one. */
+/** All parameters with their values: as set, else the default; undefined if the scene may suggest one. */
 export function resolveParams(
   type: NodeType,
   set: Readonly<Record<string, ParamValue>>,
@@ -195,7 +198,7 @@ export function resolveParams(
   );
 }
 
-/** A parameter as it is described with these values of the others. */
+/** The description of a parameter at the given values of the others. */
 export function resolveSpec(
   type: NodeType,
   spec: ParamSpec,
@@ -207,18 +210,18 @@ export function resolveSpec(
   return { ...spec, ...(typeof value === 'string' && Object.hasOwn(cases, value) ? cases[value] : undefined) };
 }
 
-/** Whether a parameter matters, by the values of the others. */
+/** Whether a parameter is active at the values of the others. */
 export function isParamActive(spec: ParamSpec, params: Readonly<Record<string, ParamValue | undefined>>): boolean {
   const { onlyWhen } = spec;
   if (spec.kind === 'number' && spec.as) return Object.hasOwn(spec.as.cases, String(params[spec.as.param]));
   return onlyWhen === undefined || [onlyWhen.is].flat().includes(params[onlyWhen.param] ?? '');
 }
 
-/** Whether nature has another value. */
+/** Whether the value differs from the physical one. */
 export const isUnphysical = ({ physical }: ParamSpec, value: ParamValue): boolean =>
   physical !== undefined && value !== physical;
 
-/** Why a value cannot stand for a parameter, or undefined where it can. */
+/** Why a value is not valid for a parameter; undefined if it is. */
 export function valueError(spec: ParamSpec, value: ParamValue): string | undefined {
   if (spec.kind === 'number') return numberError(spec, value);
   if (spec.kind === 'choice')

@@ -2,94 +2,24 @@ import type { RunRecord } from '../dynamics/runRecord.ts';
 import type { EvaluationContext, NodeType, ParamSpec, ParamValueOf, Socket } from '../graph/nodeType.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import type { MotionPath } from '../scene/compose/motionPaths.ts';
-import type { FrameGraph, FrameGraphPassOf } from '../scene/frameGraph/frameGraph.ts';
-import type { Light, Scene } from '../scene/types.ts';
-import type { ColorMode, Solver, View } from '../scene/view/view.ts';
-import type { ToneMapping } from '../spectrum/display/toneMap.ts';
-import type { FalseColorQuantity } from '../spectrum/falseColor/falseColor.ts';
+import type { Light } from '../scene/types.ts';
 import type { LightSpectrum } from '../spectrum/sources/lightSpectrum.ts';
 import type { Matter } from './dynamics/matter.ts';
-import type { MeteringMode } from './pictures/metering.ts';
 import type { RequestedFile } from './project/outputFiles.ts';
 import type { LoadedScene, Services } from './services.ts';
+import type { CameraView, GBufferSpec, ImageSpec, PictureSpec, RelativisticScene, TimeRange } from './socketValues.ts';
 
-/** A scene with how light travels in it. */
-export interface RelativisticScene extends LoadedScene {
-  /** [m/s] */
-  readonly speedOfLight: number;
-  /** The observer's greatest speed, as a fraction of c. */
-  readonly maxSpeed: number;
-  readonly lightDelay: boolean;
-  readonly aberration: boolean;
-  readonly solver: Solver;
-  readonly iterations: number;
-  readonly damping: number;
-  readonly view: View;
-}
-
-/** A scene with where it is looked at from. */
-export interface CameraView extends RelativisticScene {
-  /** Prim path; empty: the scene's first camera. */
-  readonly camera: string;
-  /** The observer rides on the file's camera, with its velocity, instead of flying freely. */
-  readonly ride: boolean;
-  /** Vertical field of view [rad]; undefined: the camera's own. */
-  readonly fovY: number | undefined;
-}
-
-/** What the rasterizer is to draw. A description: the pass itself runs once a frame. */
-export interface GBufferSpec extends CameraView {
-  readonly colors: ColorMode;
-  readonly dopplerMix: number;
-  readonly beaming: number;
-  readonly antialiasing: boolean;
-  readonly grid: boolean;
-}
-
-/** An image, by the step that makes it of others; nothing is drawn before the whole picture is known. */
-export interface ImageSpec {
-  readonly step: FrameGraphPassOf<ImageSpec, GBufferSpec>;
-  /** The G-buffer that the picture is of, first of all: whose camera, time and speed of light hold for it. */
-  readonly gbuffer: GBufferSpec;
-}
-
-/** A whole picture, but for the time and the observer, which change by themselves. */
-export interface PictureSpec extends GBufferSpec {
-  readonly shadows: boolean;
-  /** What hides the sky of a place dims its light. */
-  readonly occlusion: boolean;
-  readonly tone: ToneMapping;
-  readonly metering: MeteringMode;
-  /** What is added to the metered exposure [EV]. */
-  readonly exposure: number;
-  readonly falseColor: FalseColorQuantity | 'none';
-  /** Where it is more than one G-buffer, shaded: how it is put together. */
-  readonly frameGraph?: FrameGraph;
-  /** What it was planned of. */
-  readonly image: ImageSpec;
-  /** What the plan's other G-buffers are of, with that of the first. */
-  readonly scenes: readonly Scene[];
-}
-
-/** From when to when a scene's animation is shown [s]. */
-export interface TimeRange {
-  readonly start: number;
-  readonly end: number;
-  /** World time that it opens at; absent: its start. */
-  readonly openAt?: number;
-}
-
-/** What flows through a socket of each type. */
+/** Type of value of each socket type. */
 interface SocketValues {
-  /** Things, lamps and cameras that are to be part of a scene. */
+  /** Objects, lights and cameras to be part of a scene. */
   readonly geometry: LoadedScene;
   readonly motion: MotionPath;
-  /** What is to be simulated. */
+  /** Description of what is to be simulated. */
   readonly matter: Matter;
-  /** What a simulation did. */
+  /** Run record of a simulation. */
   readonly books: RunRecord;
   readonly lights: readonly Light[];
-  /** The observer's velocity at the start, in units of c. */
+  /** The observer's initial velocity [c]. */
   readonly observer: Vec3;
   readonly time: TimeRange;
   readonly spectrum: LightSpectrum;
@@ -98,7 +28,7 @@ interface SocketValues {
   readonly view: CameraView;
   readonly gbuffer: GBufferSpec;
   readonly image: ImageSpec;
-  /** An image whose first channel counts. */
+  /** An image whose first channel is used. */
   readonly mask: ImageSpec;
   readonly picture: PictureSpec;
   readonly number: number;
@@ -133,8 +63,8 @@ export interface NodeDefinition<P extends Params, I extends SocketTable, O exten
 }
 
 /**
- * A node whose code is typed by its own description. The engine connects only sockets of one type and the document's
- * values are checked against the description, so the erased types are what the code was promised.
+ * Defines a node whose code is typed by its own description. The engine connects only sockets of equal types, and the
+ * document's values are validated against the description, so the erased types hold.
  */
 export function defineNode<const P extends Params, const I extends SocketTable, const O extends SocketTable>(
   definition: NodeDefinition<P, I, O>,

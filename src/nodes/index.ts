@@ -1,9 +1,3 @@
-export type {
-  CameraView,
-  GBufferSpec,
-  PictureSpec,
-  RelativisticScene,
-} from './defineNode.ts';
 export { nodeLibrary } from './library.ts';
 export { evaluatedPicture, renderSettings } from './pictures/renderSettings.ts';
 export {
@@ -25,3 +19,9 @@ export {
   setParamCommand,
 } from './project/projectCommands.ts';
 export type { FastestScenePoint, LoadedScene, ReadRequest, Services } from './services.ts';
+export type {
+  CameraView,
+  GBufferSpec,
+  PictureSpec,
+  RelativisticScene,
+} from './socketValues.ts';

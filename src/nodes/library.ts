@@ -67,7 +67,7 @@ import { textNode } from './utility/text.ts';
 import { vectorNode } from './utility/vector.ts';
 import { vectorMathNode } from './utility/vectorMath.ts';
 
-/** In the order in which menus show them. */
+/** In menu order. */
 const types = [
   readNode,
   boxNode,
@@ -137,5 +137,5 @@ const types = [
   groupOutputNode,
 ];
 
-/** Every node type, by id: a new one is added here and nowhere else. */
+/** All node types by id; a new type is registered only here. */
 export const nodeLibrary: Registry<Services> = Object.fromEntries(types.map((type) => [type.id, type]));

@@ -6,36 +6,39 @@ import type { FastestInScene } from '../scene/motion/fastestInScene.ts';
 import type { Scene } from '../scene/types.ts';
 import type { RenderStill } from './still.ts';
 
-/** A scene as read, with what the checks need that is dear to compute: done where the file is read, off the main thread. */
+/**
+ * A scene as read, with values that are costly to compute; these are computed where the file is read, off the main
+ * thread.
+ */
 export interface LoadedScene {
   readonly scene: Scene;
-  /** The fastest point of all; undefined where nothing moves. */
+  /** The fastest point; undefined if nothing moves. */
   readonly fastest?: FastestScenePoint;
 }
 
 export type FastestScenePoint = FastestInScene;
 
-/** How a scene is to be read. */
+/** Options for reading a scene. */
 export interface ReadRequest extends Pick<ReadOptions, 'variants' | 'interpolation'> {
   readonly signal?: AbortSignalLike;
   readonly progress: ProgressCallback;
 }
 
-/** What the nodes need from where they run: a page reads in a worker, a command line reads directly. */
+/** Services of the host: the page reads in a worker, the command line directly. */
 export interface Services {
-  /** Throws an `InputError` where the file cannot be read. */
+  /** Throws an `InputError` if the file cannot be read. */
   readScene(source: string, how: ReadRequest): Promise<LoadedScene>;
-  /** Reads a file of a font that comes with the program; throws an `InputError` where it cannot. */
+  /** Reads a font file that comes with the program; throws an `InputError` if it cannot. */
   readonly readFont: ReadFont;
-  /** A small file whole, a table; throws an `InputError` where it is not there. */
+  /** Reads a small file, such as a table; throws an `InputError` if it does not exist. */
   readFile(source: string): Promise<Uint8Array>;
-  /** Pictures by a pipeline, of nodes that have them drawn once. */
+  /** Renders stills with a pipeline. */
   readonly renderStill: RenderStill;
-  /** A GPU that nobody else computes on; throws a `SystemError` where there is none. */
+  /** Opens a GPU for computing; throws a `SystemError` if there is none. */
   readonly openGpu: () => Promise<ComputeGpu>;
 }
 
-/** In the threads of heavy nodes nothing is read, and no others are started: what they work on comes with their orders. */
+/** Heavy-node threads read nothing and start no threads; their inputs come with the request. */
 const rejectReading = () => Promise.reject(new Error('a heavy node reads no files; give it what it needs as inputs'));
 export const workerServices: Services = {
   readScene: rejectReading,

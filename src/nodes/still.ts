@@ -5,7 +5,7 @@ import type { PictureRenderer, PictureRequest, PictureSize } from '../pipelines/
 import type { UncheckedRequest } from '../pipelines/pipeline.ts';
 import type { Scene } from '../scene/types.ts';
 
-/** A picture of a scene, drawn once; its speed of light is that of the settings. Plain data. */
+/** Request for a picture that is rendered once; its speed of light is that of the settings. Plain data. */
 export interface StillOrder extends PictureSize, Pick<PictureRequest, 'view' | 'settings' | 'samples'> {
   /** Id of the pipeline that draws it. */
   readonly pipeline: string;
@@ -15,15 +15,15 @@ export interface StillOrder extends PictureSize, Pick<PictureRequest, 'view' | '
 }
 
 /**
- * Has a picture drawn: linear light, three values per pixel, rows from the top. Rejects with a `CancelledError` where the signal says so; `progress`
- * hears which part is done.
+ * Renders a picture: linear radiance, three values per pixel, rows from the top. Rejects with a `CancelledError` on the
+ * signal; `progress` gets the completed fraction.
  */
 export type RenderStill = (
   still: StillOrder,
   work: { readonly signal?: AbortSignalLike; readonly progress: ProgressCallback },
 ) => Promise<Float32Array<ArrayBuffer>>;
 
-/** One picture after another, for each takes all threads that there are. */
+/** Renders one picture after another, since each uses all threads. */
 export function queueStills(render: RenderStill): RenderStill {
   let before: Promise<unknown> = Promise.resolve();
   return (still, work) => {
@@ -36,7 +36,7 @@ export function queueStills(render: RenderStill): RenderStill {
   };
 }
 
-/** What its pipeline is opened with. */
+/** Opens the still's pipeline for it. */
 export const stillRequest = ({ scene, width, height, settings, options }: StillOrder): UncheckedRequest => ({
   scenes: [scene],
   size: { width, height },
@@ -44,13 +44,13 @@ export const stillRequest = ({ scene, width, height, settings, options }: StillO
   options,
 });
 
-/** Its light, of a renderer that was opened for it. */
+/** Radiance of the still, by a renderer that was opened for it. */
 export async function lightOf(
   renderer: PictureRenderer,
   { view, settings, samples }: StillOrder,
   onPart: (part: number) => void,
 ): Promise<Float32Array<ArrayBuffer>> {
   const { aovs } = await renderer.render({ view, settings, samples, pixels: false, aovs: ['beauty'] }, onPart);
-  // Renderers do not give shared memory.
+  // Renderers return no shared memory.
   return aovs.get('beauty') as Float32Array<ArrayBuffer>;
 }

@@ -1,6 +1,6 @@
 import type { PictureSize } from './pictureRenderer.ts';
 
-/** Part of the page's catalogue of messages; the command line says it in English. */
+/** Part of the page's catalogue; the command line uses the English text. */
 export const maxSizeTexts = {
   'picture.tooLarge': [
     '{{width}} × {{height}} pixels are too many for the graphics device here, which draws up to {{largest}} along each side; make the picture smaller.',
@@ -8,7 +8,7 @@ export const maxSizeTexts = {
   ],
 } as const;
 
-/** A picture that the graphics device would leave blank. */
+/** A picture larger than the graphics device supports, which it would leave blank. */
 export class PictureTooLargeError extends Error {
   readonly fill: PictureSize & { readonly largest: number };
   constructor(size: PictureSize, largest: number) {
@@ -20,7 +20,7 @@ export class PictureTooLargeError extends Error {
   }
 }
 
-/** `largest`: the most pixels of a side. */
+/** `largest`: maximum pixels per side. */
 export function assertPictureSize({ width, height }: PictureSize, largest: number): void {
   if (Math.max(width, height) > largest) throw new PictureTooLargeError({ width, height }, largest);
 }

@@ -2,7 +2,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import { prepareScene } from '../reference/intersection/tracedScene.ts';
 import { encodeDisplay } from '../reference/post/encodeDisplay.ts';
 import { aovsOfFrameGraph, type CapturedPicture, evaluateFrameGraph } from '../reference/post/frameGraph.ts';
-import type { OutputLayer } from '../reference/tile.ts';
+import type { OutputLayer } from '../reference/tileRequest.ts';
 import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts';
 import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
 import { upVector } from '../scene/lights/sceneLights.ts';

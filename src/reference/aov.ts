@@ -4,7 +4,7 @@ import { dopplerFactor } from '../physics/optics/doppler.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
 import type { Hit, SpacetimeRay } from './acceleration/ray.ts';
 import type { TracedScene } from './intersection/tracedScene.ts';
-import { createLightingContext } from './lights/lightingContext.ts';
+import { createLightingContext } from './lights/createLightingContext.ts';
 import { DEFAULT_LIGHT } from './lights/lightOptions.ts';
 import { surfaceAt } from './materials/surface.ts';
 import { openness } from './transport/openness.ts';

@@ -8,7 +8,7 @@ import type { TracedScene } from './intersection/tracedScene.ts';
 import { pixelSequence } from './sampling/pixelSequence.ts';
 import { sensorsOf } from './spectral/sensors.ts';
 import { starField } from './starField.ts';
-import type { ImageTile, TileRequest } from './tile.ts';
+import type { ImageTile, TileRequest } from './tileRequest.ts';
 import { radiance } from './transport/path.ts';
 
 /** Where the means of a tile's samples go, 3 values per pixel; what is absent is not wanted. */

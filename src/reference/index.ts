@@ -4,4 +4,5 @@ export { cameraRay, rayToward } from './camera/cameraRay.ts';
 export { type TransparentMode, visibleHit } from './camera/visibleHit.ts';
 export { createTracedScene, nearestHit, type TracedScene } from './intersection/tracedScene.ts';
 export { materialOf } from './materials/material.ts';
-export { type ImageTile, renderTile, type TileData, type TileRequest } from './tile.ts';
+export { renderTile } from './tile.ts';
+export type { ImageTile, TileData, TileRequest } from './tileRequest.ts';

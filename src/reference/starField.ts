@@ -7,7 +7,7 @@ import { projectStars } from '../scene/stars/projectStars.ts';
 import type { NightSky } from '../scene/types.ts';
 import type { SpacetimeRay } from './acceleration/ray.ts';
 import { nearestHit, type TracedScene } from './intersection/tracedScene.ts';
-import type { ImageTile, TileRequest } from './tile.ts';
+import type { ImageTile, TileRequest } from './tileRequest.ts';
 import { coverage } from './transport/transmittance.ts';
 
 interface StarSprite {

@@ -10,7 +10,8 @@ import type { Motion } from '../scene/types.ts';
 import type { AovName } from '../scene/view/view.ts';
 import { createTracedScene, type TracedScene } from './intersection/tracedScene.ts';
 import { DEFAULT_LIGHT } from './lights/lightOptions.ts';
-import { type ImageTile, renderTile, type TileRequest } from './tile.ts';
+import { renderTile } from './tile.ts';
+import type { ImageTile, TileRequest } from './tileRequest.ts';
 
 const turning: Motion = {
   kind: 'sampled',

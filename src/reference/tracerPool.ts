@@ -1,4 +1,5 @@
-import { channelsOf, type ImageTile, type OutputLayer, type TileData, type TileRequest } from './tile.ts';
+import { channelsOf } from './tile.ts';
+import type { ImageTile, OutputLayer, TileData, TileRequest } from './tileRequest.ts';
 import type { TracerMessage, TracerReply } from './tracerServer.ts';
 
 /** A thread that serves (serve.ts), seen from outside; what carries the messages is given. */

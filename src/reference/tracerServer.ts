@@ -1,6 +1,7 @@
 import { setSampleCacheSize } from '../scene/streaming/streamedPoints.ts';
 import { fromPreparedScene, type PreparedScene, type TracedScene } from './intersection/tracedScene.ts';
-import { type ImageTile, renderTile, type TileData, type TileRequest } from './tile.ts';
+import { renderTile } from './tile.ts';
+import type { ImageTile, TileData, TileRequest } from './tileRequest.ts';
 
 /** What a thread that draws tiles is told, in this order: a scene, then for each picture what it is to be, then its tiles. */
 export type TracerMessage =

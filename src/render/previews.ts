@@ -1,6 +1,7 @@
 import { Fn, select, uniform, vec4 } from 'three/tsl';
 import { type RenderTarget, type Texture, UnsignedByteType } from 'three/webgpu';
-import { bufferSettings, type FrameGraph, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
+import { type FrameGraph, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
+import { bufferSettings } from '../scene/view/view.ts';
 import { toneMaps } from '../shaders/color/toneMap.ts';
 import type { Vec4 } from '../shaders/types.ts';
 import type { BoundRenderView } from './frameGraph/frameGraphRunner.ts';

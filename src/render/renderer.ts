@@ -1,7 +1,8 @@
-import { bufferSettings, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
+import { frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
 import type { LightMeterReadings } from '../scene/view/metering.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
+import { bufferSettings } from '../scene/view/view.ts';
 import type { RasterRenderer } from './api.ts';
 import { colorVariantOf } from './color/colorPipelines.ts';
 import { FrameRenderer } from './frameRenderer.ts';

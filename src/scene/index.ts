@@ -27,6 +27,7 @@ export { retime, type Timing } from './motion/retime.ts';
 export type * from './types.ts';
 export { InputError } from './types.ts';
 export { validate } from './validation/validate.ts';
+export type { Solver, View } from './view/bufferSettings.ts';
 export type { CameraState } from './view/camera.ts';
 export { framingCamera, lookAtOrientation, observerFromCamera } from './view/camera.ts';
 export type { ProbeObserver, VertexProbe } from './view/probe.ts';
@@ -37,7 +38,5 @@ export {
   type AovName,
   DEFAULT_SETTINGS,
   type RenderSettings,
-  type Solver,
-  type View,
   type ViewPoint,
 } from './view/view.ts';

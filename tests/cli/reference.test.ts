@@ -6,7 +6,7 @@ import { decodeImage } from '../../src/formats/image/decodeImage.ts';
 import type { ExrImage } from '../../src/formats/image/exr.ts';
 import { readExr } from '../../src/formats/image/readExr.ts';
 import { DEFAULT_LIGHT } from '../../src/reference/lights/lightOptions.ts';
-import type { TileRequest } from '../../src/reference/tile.ts';
+import type { TileRequest } from '../../src/reference/tileRequest.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
 import { AOVS, type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view/view.ts';
 import {

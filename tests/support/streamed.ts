@@ -3,7 +3,7 @@ import { IDENTITY } from '../../src/math/quat.ts';
 import { computePointStatistics } from '../../src/scene/streaming/pointStatistics.ts';
 import { normalsAt, pointsAt } from '../../src/scene/streaming/samplePoints.ts';
 import type { StoredFile, StoredNumbers } from '../../src/scene/streaming/storedNumbers.ts';
-import type { PointRecipe } from '../../src/scene/streaming/streamedPoints.ts';
+import type { PointRecipe } from '../../src/scene/streaming/storedPoints.ts';
 import type { SampledPointsMotion } from '../../src/scene/types.ts';
 
 /** The same motion with its samples and their normals left in a "file": the bytes in memory, or what a host calls them. */

@@ -3,13 +3,8 @@ import { Option } from 'commander';
 import type { Vec3 } from '../../math/vec3.ts';
 import { METERING_MODES, type MeteringMode } from '../../nodes/pictures/metering.ts';
 import type { Scene } from '../../scene/types.ts';
-import {
-  type ColorMode,
-  DEFAULT_SETTINGS,
-  type RenderSettings,
-  type Solver,
-  type View,
-} from '../../scene/view/view.ts';
+import type { ColorMode, Solver, View } from '../../scene/view/bufferSettings.ts';
+import { DEFAULT_SETTINGS, type RenderSettings } from '../../scene/view/view.ts';
 import { TONE_MAPPINGS, type ToneMapping } from '../../spectrum/display/toneMap.ts';
 import {
   parseBeta,

@@ -6,7 +6,7 @@ import type { Backend } from '../../render/settings.ts';
 import { killWhenStopped } from '../files/outputFile.ts';
 import { foreignSetting, optionsOf } from '../flags/pipelineFlags.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
-import type { RenderFlags } from '../render/renderCommand.ts';
+import type { RenderFlags } from '../render/renderFlags.ts';
 import { CliError, EXIT, unavailable } from '../terminal/exitCodes.ts';
 import { nodeHost } from './nodeHost.ts';
 

@@ -1,6 +1,6 @@
 import { Command } from 'commander';
 import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
-import type { View } from '../../scene/view/view.ts';
+import type { View } from '../../scene/view/bufferSettings.ts';
 import { parseNumber, parsePixel, sizeOption } from '../flags/parse.ts';
 import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
 import { addObserverFlags, type ObserverFlags, viewOption } from '../flags/viewFlags.ts';

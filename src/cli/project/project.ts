@@ -9,12 +9,12 @@ import { type Evaluation, Evaluator, type RunHeavy } from '../../graph/evaluatio
 import { type NodeProblem, type ParamSpec, valueError } from '../../graph/nodeType.ts';
 import { degrees } from '../../math/angle.ts';
 import { toLoadedScene } from '../../nodes/common/loadedScene.ts';
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { evaluatedPicture, initialBeta } from '../../nodes/pictures/renderSettings.ts';
 import { outputNodeId } from '../../nodes/project/outputChain.ts';
 import { PROJECT_FILE_NAME } from '../../nodes/project/projectArchive.ts';
 import type { Services } from '../../nodes/services.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
 import { renderableScene } from '../../scene/validation/renderableScene.ts';
@@ -22,7 +22,7 @@ import { readFont } from '../files/fonts.ts';
 import { locateScene, openSceneFile } from '../files/sceneFiles.ts';
 import { openDevice } from '../gpu/device.ts';
 import { renderStill } from '../pipelines/renderStill.ts';
-import type { RenderFlags } from '../render/renderCommand.ts';
+import type { RenderFlags } from '../render/renderFlags.ts';
 import { inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { heavyNodes } from './heavyNodes.ts';
 

@@ -4,7 +4,7 @@ import type { PictureFrame } from '../../nodes/pictures/sequence.ts';
 import type { Scene } from '../../scene/types.ts';
 import { checkWritable, writeFileAtomically } from '../files/outputFile.ts';
 import { usageError } from '../terminal/exitCodes.ts';
-import type { RenderFlags } from './renderCommand.ts';
+import type { RenderFlags } from './renderFlags.ts';
 import { VideoWriter } from './videoWriter.ts';
 
 /** Where finished frames go. */

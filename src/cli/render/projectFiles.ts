@@ -20,13 +20,9 @@ import {
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { Progress } from '../terminal/progress.ts';
-import type { RenderFlags } from './renderCommand.ts';
+import type { ProjectFilesFlags, RenderFlags } from './renderFlags.ts';
 import { renderFrames } from './renderFrames.ts';
 import { checkEncoder, VIDEO_EXTENSION } from './videoWriter.ts';
-
-export interface ProjectFilesFlags extends Omit<RenderFlags, 'output'> {
-  readonly folder?: string;
-}
 
 /** Where files are written, of which project, and what somebody wants of them. */
 interface WriteTarget {

@@ -8,7 +8,7 @@ import { openSceneWithFlags } from '../flags/sceneFlags.ts';
 import { isProject, openProjectJob, type RenderJob } from '../project/project.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { Progress } from '../terminal/progress.ts';
-import type { RenderFlags } from './renderCommand.ts';
+import type { RenderFlags } from './renderFlags.ts';
 import { chooseAovs, type RenderReport, renderFrames } from './renderFrames.ts';
 
 export async function render(path: string, written: RenderFlags, given: ReadonlySet<string>): Promise<void> {

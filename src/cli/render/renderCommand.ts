@@ -1,10 +1,7 @@
 import { Command, Option } from 'commander';
-import type { FalseColorOptions } from '../../nodes/pictures/falseColor.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
-import type { AovName } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import {
-  type FrameRange,
   parseAovs,
   parseFrames,
   parseNumber,
@@ -13,26 +10,13 @@ import {
   parseSamples,
   sizeOption,
 } from '../flags/parse.ts';
-import { addPipelineFlags, type PipelineFlags } from '../flags/pipelineFlags.ts';
-import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
-import { addObserverFlags, addSettingFlags, type ObserverFlags, type SettingFlags } from '../flags/viewFlags.ts';
+import { addPipelineFlags } from '../flags/pipelineFlags.ts';
+import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
+import { addObserverFlags, addSettingFlags } from '../flags/viewFlags.ts';
 import { usageError } from '../terminal/exitCodes.ts';
-import type { ProjectFilesFlags } from './projectFiles.ts';
+import type { ProjectFilesFlags, RenderFlags } from './renderFlags.ts';
 
 type Optional<T, K extends keyof T> = Omit<T, K> & Partial<Pick<T, K>>;
-
-export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags, FalseColorOptions {
-  readonly output: string;
-  readonly time?: number;
-  readonly frames?: FrameRange;
-  readonly fps?: number;
-  readonly hold?: boolean;
-  readonly aov?: readonly AovName[];
-  readonly samples?: number;
-  readonly json?: boolean;
-  /** Of a project: `node.param=value`. */
-  readonly set?: readonly string[];
-}
 
 const defaultSamples = PIPELINES.map(({ id, samples: { default: n, note } }) =>
   [`${n} of ${id}`, ...(note ? [note] : [])].join(', '),

@@ -18,7 +18,7 @@ import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { Progress } from '../terminal/progress.ts';
 import { type FrameSink, openFrameSink } from './frameSinks.ts';
-import type { RenderFlags } from './renderCommand.ts';
+import type { RenderFlags } from './renderFlags.ts';
 
 /** What has been made, for a report. */
 export interface RenderReport {

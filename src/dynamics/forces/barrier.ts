@@ -5,13 +5,14 @@ import { pointAt } from '../system.ts';
 import { addBlock, type BarrierData, type Force, type Stiffness } from './force.ts';
 import type { Obstacle } from './obstacle.ts';
 
-/** A third is cut off so often. */
+/** Ternary search: each iteration discards a third. */
 const MAX_SEARCH_STEPS = 40;
 
 /**
- * Pushes points out of an obstacle: V = Σ ½K(margin − d)² of those whose distance d is below the margin. `K` [N/m], `margin` [m]. Its discrete gradient is Gonzalez's:
- * the gradient halfway, and along the way what is missing of V₁ − V₀. `carriers`: points that are led, which the obstacle goes with: its middle, and, where it
- * turns, the ends of two arms along its own x and y; none: it stands fast. Places are then taken as it sees them, in the axes that it had at first.
+ * Pushes points out of an obstacle: V = Σ ½K(margin − d)² over points at distance d < margin. `K` [N/m], `margin` [m].
+ * Its discrete gradient is Gonzalez's: the gradient at the midpoint plus a correction along the displacement that makes
+ * up for V₁ − V₀. `carriers`: kinematic points that carry the obstacle: its center and, if it rotates, the ends of two
+ * arms along its x and y axes; none: it is fixed. Points are then transformed to the obstacle's initial pose.
  */
 export const barrier = (
   obstacle: Obstacle,
@@ -21,21 +22,21 @@ export const barrier = (
   carriers: readonly number[] = [],
 ): Force => new Barrier({ kind: 'barrier', obstacle, points, strength: K, margin }, carriers);
 
-/** How an obstacle lies. */
+/** Pose of an obstacle relative to its initial pose. */
 interface ObstacleMotion {
-  /** How far its middle has gone [m]. */
+  /** Displacement of its center [m]. */
   readonly translation: Vec3;
-  /** How it has turned since, and back; absent: not at all. */
+  /** Rotation since the start, and its inverse; absent if it does not rotate. */
   readonly rotation?: Mat3;
   readonly inverseRotation?: Mat3;
 }
 const STATIONARY: ObstacleMotion = { translation: ZERO };
 
-/** Most points are far off most of the time: they are asked for their distance alone, number by number. */
+/** Most points are far away most of the time: only their distance is evaluated, without allocating vectors. */
 class Barrier implements Force {
   readonly data: BarrierData;
   private readonly carriers: readonly number[];
-  /** From the world to the obstacle's own axes, as it lay at first. */
+  /** World axes → the obstacle's own initial axes. */
   private readonly back: Mat3;
 
   constructor(plain: BarrierData, carriers: readonly number[]) {
@@ -67,7 +68,7 @@ class Barrier implements Force {
     for (const i of points) {
       const far0 = this.distance(x0, i, seat0);
       const far1 = this.distance(x1, i, seat1);
-      // Nobody is nearer by more than he goes.
+      // A point cannot come nearer than by its displacement.
       if (
         Math.min(far0, far1) >= margin &&
         Math.max(far0, far1) - this.localDisplacement(x0, x1, i, seat0, seat1) / 2 >= margin
@@ -97,7 +98,7 @@ class Barrier implements Force {
 
   findTunneled(x0: Float64Array, x1: Float64Array): number | undefined {
     const { points, obstacle } = this.data;
-    // A plane has no other side.
+    // A plane cannot be passed through to another side.
     if (!obstacle.half) return undefined;
     const [seat0, seat1] = [this.motionAt(x0), this.motionAt(x1)];
     return points.find(
@@ -107,7 +108,7 @@ class Barrier implements Force {
     );
   }
 
-  /** How the obstacle lies, or halfway between two such. */
+  /** Relative pose at a state, or midway between two. */
   private motionAt(x: Float64Array, other = x): ObstacleMotion {
     const { carriers, back } = this;
     if (carriers.length === 0) return STATIONARY;
@@ -121,7 +122,7 @@ class Barrier implements Force {
     return { translation: gone, rotation: turn, inverseRotation: transpose(turn) };
   }
 
-  /** A point as the obstacle sees it. */
+  /** A point in the obstacle's frame. */
   private localPoint(x: Float64Array, i: number, { translation, inverseRotation }: ObstacleMotion): Vec3 {
     const place = sub(pointAt(x, i), translation);
     const { middle } = this.data.obstacle;
@@ -143,7 +144,7 @@ class Barrier implements Force {
     return Math.max(0, this.data.margin - this.distance(x, i, seat));
   }
 
-  /** How far a point goes, as the obstacle sees it [m]. */
+  /** Displacement of a point in the obstacle's frame [m]. */
   private localDisplacement(
     x0: Float64Array,
     x1: Float64Array,
@@ -159,15 +160,15 @@ class Barrier implements Force {
   }
 }
 
-/** A direction that the obstacle sees. */
+/** A direction from the obstacle's frame to the world. */
 const directionToWorld = (way: Vec3, { rotation: turn }: ObstacleMotion): Vec3 => (turn ? transform(turn, way) : way);
 
-/** Whether the way out is the opposite one at the other end of a straight way that leads through the inside. */
+/** Whether the outward direction reverses along a straight path through the inside. */
 function passesThrough(obstacle: Obstacle, from: Vec3, to: Vec3): boolean {
   if (dot(obstacle.distanceAndNormal(from)[1], obstacle.distanceAndNormal(to)[1]) >= 0) return false;
   const way = sub(to, from);
   const outside = (share: number): number => obstacle.distanceAndNormal(addScaled(from, way, share))[0];
-  // What is solid is convex, and so is the distance from it along a straight way.
+  // Obstacles are convex, and so is the distance along a straight path.
   let [a, b] = [0, 1];
   for (let k = 0; k < MAX_SEARCH_STEPS; k++) {
     const [p, q] = [a + (b - a) / 3, b - (b - a) / 3];
@@ -188,7 +189,7 @@ interface ActiveContact {
   readonly K: number;
 }
 
-/** K n nᵀ of each point that is pressed; what bends of the surface is left out. */
+/** K n nᵀ of each point in contact; the curvature of the surface is neglected. */
 class BarrierStiffness implements Stiffness {
   private readonly pressed: readonly ActiveContact[];
 

@@ -1,22 +1,22 @@
 import { PairForce, type PairPotential } from './pairs.ts';
 
 export interface ContactParameters {
-  /** How hard it pushes [N/m]. */
+  /** Stiffness [N/m]. */
   readonly stiffness: number;
-  /** How much larger than what is shown it is. */
+  /** Contact radius relative to the displayed radius. */
   readonly scale: number;
 }
 
-/** Of the source documents. */
+/** Values of the source documents. */
 export const DEFAULT_CONTACT: ContactParameters = { stiffness: 10_000, scale: 1.1 };
 
-/** Pushes points apart that are nearer than `reach`: φ = ½K(s − r)² where r < s, which is soft, so that a hard blow goes in deeper. */
+/** Repels points nearer than `reach`: φ = ½K(s − r)² for r < s. A soft contact: faster impacts penetrate deeper. */
 export class PenaltyPotential implements PairPotential {
   readonly kind = 'penalty';
   private readonly K: number;
   readonly restLength: (pair: number) => number;
 
-  /** K [N/m]; `reach`: s of each pair [m]. */
+  /** K [N/m]; `reach`: distance s of each pair [m]. */
   constructor(K: number, reach: (pair: number) => number) {
     this.K = K;
     this.restLength = reach;
@@ -37,14 +37,14 @@ export class PenaltyPotential implements PairPotential {
   maxStiffness = (): number => this.K;
 }
 
-/** A rigid ball: a point of the system, which may be pinned, with a radius. */
+/** A rigid sphere: a point of the system, possibly pinned, with a radius. */
 export interface ContactSphere {
   readonly point: number;
-  /** Of what is shown [m]. */
+  /** Displayed radius [m]. */
   readonly radius: number;
 }
 
-/** Balls against points, and against each other; all pairs, for balls are few. */
+/** Spheres against points and each other; all pairs, since spheres are few. */
 export function sphereContacts(
   balls: readonly ContactSphere[],
   points: Iterable<number>,

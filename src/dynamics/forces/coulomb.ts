@@ -3,7 +3,10 @@ import { PairForce, type PairPotential } from './pairs.ts';
 /** 1/4πε₀ [N m²/C²], CODATA 2022. */
 export const COULOMB_CONSTANT = 8.987551786e9;
 
-/** Charges that push each other apart, or together: V = Σ k q_i q_j/r over all pairs. At once, as springs do. `strength`: k [N m²/C²]. */
+/**
+ * Coulomb repulsion or attraction: V = Σ k q_i q_j/r over all pairs, instantaneous as springs are. `strength`: k [N
+ * m²/C²].
+ */
 export function coulomb(charges: Float64Array, strength = COULOMB_CONSTANT): PairForce {
   const ends: number[] = [];
   const products: number[] = [];
@@ -32,6 +35,6 @@ class CoulombPotential implements PairPotential {
   secondDerivative = (r: number, s: number): number => (2 * this.k[s]) / (r * r * r);
   /** (1/r₁ − 1/r₀)/(r₁² − r₀²) = −1/(r₀ r₁ (r₀ + r₁)) */
   discreteDerivative = (r0: number, r1: number, s: number): number => -this.k[s] / (r0 * r1 * (r0 + r1));
-  /** Without a bound: the nearer the stiffer. */
+  /** Unbounded: the stiffness grows as the distance shrinks. */
   maxStiffness = (): number => 0;
 }

@@ -56,7 +56,7 @@ const forceOf = (force: Force, x: Float64Array): Float64Array => {
 };
 const inner = (a: Float64Array, b: Float64Array): number => a.reduce((sum, value, j) => sum + value * b[j], 0);
 const along = (x: Float64Array, u: Float64Array, s: number): Float64Array => x.map((value, j) => value + s * u[j]);
-/** Charges that nearly touch push harder than numbers can be compared. */
+/** Forces of nearly coincident charges are too large to compare. */
 const apart = (x: Float64Array): boolean =>
   [0, 1, 2].every((i) =>
     [1, 2, 3].every(
@@ -64,7 +64,7 @@ const apart = (x: Float64Array): boolean =>
     ),
   );
 
-/** Inside of the box there are places from which two ways out are as short. */
+/** Inside the box there are points with two equally short ways out. */
 const oneWayOut = (x: Float64Array): boolean =>
   [0, 1, 2, 3].every((i) => {
     const over = [Math.abs(x[3 * i] - 0.1) - 0.9, Math.abs(x[3 * i + 1]) - 0.6, Math.abs(x[3 * i + 2]) - 1].sort(
@@ -118,7 +118,7 @@ describe.each(FORCES)('%s', (name, force) => {
   });
 });
 
-// The edges of a box bend, and that its stiffness leaves out.
+// The curvature at a box's edges is neglected by its stiffness.
 describe.each(FORCES.filter(([name]) => !/box/.test(name)))('%s', (_, force) => {
   it('have a stiffness that is the slope of the force, with blocks that are its own', () => {
     fc.assert(
@@ -127,7 +127,7 @@ describe.each(FORCES.filter(([name]) => !/box/.test(name)))('%s', (_, force) => 
         const s = 1e-6;
         const [ahead, behind] = [along(x, u, s), along(x, u, -s)];
         const [product, later, earlier] = [x, ahead, behind].map((at) => productOf(force.stiffness(at, 'exact'), u));
-        // Where something touches just now there is a kink.
+        // At first contact the force has a kink.
         fc.pre(Math.hypot(...along(later, earlier, -1)) < 1e-2 * (1 + Math.hypot(...product)));
         const change = along(forceOf(force, ahead), forceOf(force, behind), -1);
         const off = along(product, change, 1 / (2 * s));
@@ -166,13 +166,13 @@ describe('a barrier that is carried', () => {
         const pushed = new Float64Array(all.length);
         carried.add(all, pushed);
         expect(pushed.slice(12).every((f) => f === 0)).toBe(true);
-        // From the middle of an edge two ways out are as short.
+        // From the middle of an edge two ways out are equally short.
         fc.pre([0, 1, 2, 3].every((i) => leadsOut(x, i, to, multiply(turn, TURNED))));
         const wanted = forceOf(stands, x);
         wanted.forEach((f, j) => {
           expect(pushed[j]).toBeCloseTo(f, 8);
         });
-        // Where nothing goes, the mean is what pushes there.
+        // Without displacement the discrete gradient is the gradient.
         const mean = new Float64Array(all.length);
         carried.addDiscreteGradient(all, all, mean);
         wanted.forEach((f, j) => {
@@ -183,7 +183,7 @@ describe('a barrier that is carried', () => {
   });
 });
 
-/** Whether one way out of a box is the shortest, by more than rounding. */
+/** Whether one way out of a box is the shortest, by more than rounding error. */
 function leadsOut(x: Float64Array, i: number, middle: Vec3, orientation: Quat): boolean {
   const d = rotate(conjugate(orientation), sub([x[3 * i], x[3 * i + 1], x[3 * i + 2]], middle));
   const over = [Math.abs(d[0]) - 0.9, Math.abs(d[1]) - 0.6, Math.abs(d[2]) - 1].sort((a, b) => b - a);

@@ -1,12 +1,14 @@
 import type { Force, NeighborForceData, Stiffness, StiffnessForm } from './force.ts';
 import { PairForce, type PairPotential } from './pairs.ts';
 
-/** Points are looked at anew when one has gone this share of the reach. */
+/** The pair list is rebuilt when a point has moved by this fraction of the reach. */
 const SKIN_RATIO = 0.5;
 
 /**
- * A short force between points of different bodies, and of one body where at rest they are farther apart than it reaches, so that what is folded is not drawn through itself. Of all pairs only those are looked at that can be within reach. They are found by cells as wide as the reach and a
- * skin, and found anew when a point has gone half of the skin: so none is ever missed. Source: Verlet 1967, Phys. Rev. 159, 98.
+ * A short-range force between points of different bodies, and within a body between points that are farther apart at
+ * rest than its reach, so that folds do not pass through each other. Candidate pairs come from a Verlet list: found by
+ * cells as wide as the reach plus a skin, and rebuilt when a point has moved by half of the skin, so that none is
+ * missed. Source: Verlet 1967, Phys. Rev. 159, 98.
  */
 export class NeighborPairs implements Force {
   private readonly bodies: Int32Array;
@@ -16,7 +18,7 @@ export class NeighborPairs implements Force {
   readonly data: NeighborForceData;
   private found: { readonly at: Float64Array; readonly pairs: PairForce } | undefined;
 
-  /** `bodies`: of each point; those of none (−1) are left out. `rest`: where points are before anything has bent. */
+  /** `bodies`: body of each point; points of none (−1) are excluded. `rest`: positions before any deformation. */
   constructor(bodies: Int32Array, rest: Float64Array, reach: number, law: PairPotential) {
     this.bodies = bodies;
     this.rest = rest;
@@ -37,7 +39,7 @@ export class NeighborPairs implements Force {
 
   stiffness = (x: Float64Array, form: StiffnessForm): Stiffness => this.pairs(x).stiffness(x, form);
 
-  /** As if each point met one other: how many will nobody can tell. */
+  /** Assumes one contact per point; their actual number is not known in advance. */
   addStiffnessBound(bound: Float64Array): void {
     this.bodies.forEach((body, i) => {
       if (body >= 0) bound[i] += 2 * this.law.maxStiffness(0);
@@ -50,14 +52,17 @@ export class NeighborPairs implements Force {
     return this.found.pairs;
   }
 
-  /** Whether no point is farther than half of the skin from where pairs were found. */
+  /** Whether no point is farther than half of the skin from its position at the last rebuild. */
   private isListValid(x: Float64Array): boolean {
     return maxDisplacement(this.found!.at, x) <= (SKIN_RATIO / 2) * this.reach;
   }
 
   private among = (x: Float64Array, way: number): PairForce => new PairForce(this.candidates(x, way), this.law);
 
-  /** Both ends of all pairs that are within reach where each point goes `way` at most. In the order of their numbers, so that sums are the same to the bit wherever points were when they were sought. */
+  /**
+   * Both ends of all pairs that can be within reach while each point moves by at most `way`. In index order, so that
+   * sums are bit-identical whatever the positions at the rebuild.
+   */
   private candidates(x: Float64Array, way: number): Uint32Array {
     const { bodies } = this;
     const width = this.reach + 2 * way;
@@ -78,11 +83,14 @@ export class NeighborPairs implements Force {
     this.bodies[i] !== this.bodies[j] || distanceBetween(this.rest, i, j) > this.reach;
 }
 
-/** Points by the cells of a grid that they are in, found by a hash of the cell. Source: Teschner et al. 2003, "Optimized Spatial Hashing for Collision Detection of Deformable Objects". */
+/**
+ * Points by grid cell, through a hash of the cell. Source: Teschner et al. 2003, "Optimized Spatial Hashing for
+ * Collision Detection of Deformable Objects".
+ */
 class CellList {
   /** x, y, z of each point's cell. */
   private readonly cells: Int32Array;
-  /** Where the points of each hash begin. */
+  /** Start of each hash bucket. */
   private readonly from: Uint32Array;
   private readonly points: Uint32Array;
 
@@ -97,7 +105,7 @@ class CellList {
     for (let i = 0; i < count; i++) if (bodies[i] >= 0) this.points[free[this.hashOf(i)]++] = i;
   }
 
-  /** Tells all points of the cell of a point and of those around it. */
+  /** Visits all points in the cell of a point and the cells around it. */
   forEachNeighbor(i: number, tell: (j: number) => void): void {
     const { cells, from, points } = this;
     for (const [dx, dy, dz] of NEIGHBOR_CELLS) {
@@ -123,7 +131,7 @@ const NEIGHBOR_CELLS = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 
 const distanceBetween = (x: Float64Array, i: number, j: number): number =>
   Math.hypot(x[3 * i] - x[3 * j], x[3 * i + 1] - x[3 * j + 1], x[3 * i + 2] - x[3 * j + 2]);
 
-/** How far the point is that is farthest from where it was. */
+/** Maximum displacement of any point. */
 export function maxDisplacement(a: Float64Array, b: Float64Array): number {
   let most = 0;
   for (let j = 0; j < a.length; j += 3)

@@ -1,21 +1,21 @@
 import { conjugate, IDENTITY, type Quat, rotate, shortestRotation, toMatrix } from '../../math/quat.ts';
 import { dot, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
 
-/** Something that stands fast, and is convex. */
+/** A convex solid. */
 export interface Obstacle {
-  /** How far a place is outside of it (below 0: inside) [m], and the unit direction that leads out. */
+  /** Signed distance (negative inside) [m], and the outward unit normal. */
   distanceAndNormal(place: Vec3): readonly [distance: number, out: Vec3];
-  /** The same distance alone. */
+  /** The distance alone. */
   distance(x: number, y: number, z: number): number;
-  /** A place on a plane, or the middle of a box [m]. */
+  /** A point on a plane, or the center of a box [m]. */
   readonly middle: Vec3;
-  /** From its own frame, in which a plane looks along z, to the world. */
+  /** From its own frame to the world; a plane's normal is z. */
   readonly orientation: Quat;
-  /** Half of a box's sizes [m]; a plane has none. */
+  /** Half of a box's sizes [m]; absent for a plane. */
   readonly half?: Vec3;
 }
 
-/** All on the side that `normal` does not point to. */
+/** The half-space opposite to `normal`. */
 export function plane(point: Vec3, normal: Vec3): Obstacle {
   const n = normalize(normal);
   const [nx, ny, nz] = n;
@@ -27,7 +27,7 @@ export function plane(point: Vec3, normal: Vec3): Obstacle {
   };
 }
 
-/** A box; from inside it leads out by the nearest side. */
+/** A box; inside, the normal is that of the nearest side. */
 export function box(middle: Vec3, size: Vec3, orientation = IDENTITY): Obstacle {
   const half = scale(size, 0.5);
   const back = conjugate(orientation);
@@ -55,7 +55,7 @@ export function box(middle: Vec3, size: Vec3, orientation = IDENTITY): Obstacle 
   };
 }
 
-/** The same in the frame of a box. */
+/** The same in the box's frame. */
 function boxDistanceAndNormal(d: Vec3, half: Vec3): readonly [distance: number, out: Vec3] {
   const over = d.map((value, k) => Math.abs(value) - half[k]);
   const beyond: Vec3 = [0, 1, 2].map((k) => Math.max(0, over[k]) * Math.sign(d[k])) as unknown as Vec3;

@@ -1,7 +1,7 @@
 import { addScaled, dot, length, sub, type Vec3 } from '../../math/vec3.ts';
 import { addBlock, type Force, type PairForceData, type Stiffness, type StiffnessForm } from './force.ts';
 
-/** A potential φ of the distance of two points. */
+/** A potential φ of the distance between two points. */
 export interface PairPotential {
   readonly kind: PairForceData['kind'];
   /** k [N/m], or [N m²]. */
@@ -14,18 +14,18 @@ export interface PairPotential {
   derivative(r: number, pair: number): number;
   /** φ″(r) [N/m] */
   secondDerivative(r: number, pair: number): number;
-  /** (φ(r₁) − φ(r₀))/(r₁² − r₀²), without its cancellation; φ′/2r where r₁ = r₀ [N/m]. */
+  /** (φ(r₁) − φ(r₀))/(r₁² − r₀²) without cancellation; φ′/2r for r₁ = r₀ [N/m]. */
   discreteDerivative(r0: number, r1: number, pair: number): number;
-  /** The most that φ″ and φ′/r are above 0 [N/m]. */
+  /** Upper bound of φ″ and φ′/r, at least 0 [N/m]. */
   maxStiffness(pair: number): number;
 }
 
 /**
- * A force along the line between two points, for each of many pairs: V = Σ φ(|x_i − x_j|). Its discrete gradient
- * (φ(r₁) − φ(r₀))/(r₁² − r₀²)·(d₀ + d₁), d = x_i − x_j, keeps momentum, and angular momentum too, for it is symmetric in the ends.
+ * Central forces between many pairs of points: V = Σ φ(|x_i − x_j|). The discrete gradient (φ(r₁) − φ(r₀))/(r₁² −
+ * r₀²)·(d₀ + d₁), d = x_i − x_j, conserves momentum, and angular momentum too, since it is symmetric in the ends.
  */
 export class PairForce implements Force {
-  /** Both ends, pair after pair. */
+  /** Both ends of each pair. */
   private readonly ends: Uint32Array;
   private readonly law: PairPotential;
 
@@ -71,7 +71,7 @@ export class PairForce implements Force {
   stiffness(x: Float64Array, form: StiffnessForm): Stiffness {
     const { ends } = this;
     const count = ends.length / 2;
-    /** Of each pair: a and b n of a I + b n nᵀ, and n. */
+    /** For each pair: a and b n of a I + b n nᵀ, and n. */
     const known = new Float64Array(5 * count);
     for (let s = 0; s < count; s++) {
       const [i, j] = [3 * ends[2 * s], 3 * ends[2 * s + 1]];
@@ -91,12 +91,14 @@ export class PairForce implements Force {
     const [across, along] = [law.derivative(r, s) / r, law.secondDerivative(r, s)];
     if (form === 'exact') return [across, along];
     if (form === 'safe') return [Math.max(0, across), Math.max(0, along)];
-    // What does not pull now may be out of reach.
+    // A pair without stiffness may be out of range.
     const k = along > 0 ? law.maxStiffness(s) : 0;
     return [k, k];
   }
 
-  /** The second end of a pair whose ends came nearer than half of where they touch, or passed each other within touch: from before to behind the middle. */
+  /**
+   * The second end of a pair whose ends came nearer than half their contact distance, or passed each other within it.
+   */
   findTunneled(x0: Float64Array, x1: Float64Array): number | undefined {
     const { ends, law } = this;
     if (law.kind !== 'penalty') return undefined;
@@ -133,7 +135,7 @@ const dotProduct = (x0: Float64Array, x1: Float64Array, i: number, j: number): n
   (x0[i + 1] - x0[j + 1]) * (x1[i + 1] - x1[j + 1]) +
   (x0[i + 2] - x0[j + 2]) * (x1[i + 2] - x1[j + 2]);
 
-/** How near two points come that go straight on from x₀ to x₁ and pass each other. */
+/** Minimum distance of two points that move straight from x₀ to x₁ and pass each other. */
 function closestApproach(x0: Float64Array, x1: Float64Array, i: number, j: number): number {
   const from: Vec3 = [x0[i] - x0[j], x0[i + 1] - x0[j + 1], x0[i + 2] - x0[j + 2]];
   const way = sub([x1[i] - x1[j], x1[i + 1] - x1[j + 1], x1[i + 2] - x1[j + 2]], from);

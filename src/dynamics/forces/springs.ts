@@ -1,8 +1,8 @@
 import { addBlock, type Force, type ForceData, type Stiffness, type StiffnessForm } from './force.ts';
 
-/** Springs between points: V = Σ ½k(r − L)². They act at once, in the world frame (docs/model.md). */
+/** Springs between points: V = Σ ½k(r − L)². They act instantaneously in the world frame (docs/model.md). */
 export interface Springs {
-  /** Both ends, spring after spring. */
+  /** Both ends of each spring. */
   readonly ends: Uint32Array;
   /** k of each [N/m] */
   readonly stiffness: Float64Array;
@@ -13,9 +13,9 @@ export interface Springs {
 export const springForce = (given: Springs): Force => new SpringForce(given);
 
 /**
- * What `PairForce` is for any law, written out for springs: they are what a step's time goes into. They are kept point by point, each at one of its ends, so that what is known
- * of a point is read once for all of its springs. The discrete gradient is the one of `PairForce`. (In such loops a list of names for a list of values costs four times as much as a
- * line for each.)
+ * `PairForce` specialized for springs, which dominate the cost of a step. Springs are stored by one of their ends, so
+ * that a point's data is read once for all of its springs. The discrete gradient is that of `PairForce`. (In such loops
+ * destructuring arrays costs four times as much as separate statements.)
  */
 class SpringForce implements Force {
   readonly data: ForceData;
@@ -140,7 +140,7 @@ class SpringForce implements Force {
         const dy = x[i + 1] - x[j + 1];
         const dz = x[i + 2] - x[j + 2];
         const r = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        // Springs without a length, whose ends are in one place, have no direction.
+        // Springs of zero length with coincident ends have no direction.
         const exact = r > 0 ? k[s] - kL[s] / r : 0;
         const across = isotropic ? k[s] : safe && exact < 0 ? 0 : exact;
         const scale = r > 0 ? Math.sqrt(k[s] - across) / r : 0;
@@ -163,11 +163,11 @@ class SpringForce implements Force {
   }
 }
 
-/** Springs by their first ends. */
+/** Springs grouped by their first ends. */
 interface SpringRows {
-  /** Of each point, where its springs begin. */
+  /** Start of each point's springs. */
   readonly from: Uint32Array;
-  /** Of each spring, where the coordinates of its other end are. */
+  /** Offset of the coordinates of each spring's other end. */
   readonly other: Uint32Array;
 }
 
@@ -183,10 +183,10 @@ function groupByFirstEnd(ends: Uint32Array): { readonly rows: SpringRows; readon
   return { rows: { from, other: order.map((s) => 3 * ends[2 * s + 1]) }, order };
 }
 
-/** a I + m mᵀ of each spring: a across, and |m|² more along. */
+/** a I + m mᵀ of each spring: stiffness a across, and |m|² more along it. */
 class SpringStiffness implements Stiffness {
   readonly rows: SpringRows;
-  /** a and m, spring after spring. */
+  /** a and m of each spring. */
   readonly known: Float64Array;
 
   constructor(rows: SpringRows, known: Float64Array) {

@@ -1,7 +1,10 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Force, Stiffness } from './force.ts';
 
-/** The same force everywhere, times what a point has of it: V = −Σ a_i f·x_i. Weight: a = m, f = g [m/s²]; an electric field: a = q, f = E [V/m]. */
+/**
+ * A uniform field, scaled per point: V = −Σ a_i f·x_i. Weight: a = m, f = g [m/s²]; an electric field: a = q, f = E
+ * [V/m].
+ */
 export function uniformField(amounts: Float64Array, [fx, fy, fz]: Vec3): Force {
   const add = (sum: Float64Array): void => {
     for (let i = 0, j = 0; i < amounts.length; i++, j += 3) {

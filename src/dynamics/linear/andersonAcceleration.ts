@@ -1,6 +1,7 @@
 /**
- * Hastens rounds x → x + f(x) towards f = 0: from the last two it takes the mixture whose f would be least, were f linear. To remember more of them saves hardly a round, and
- * costs more than the force. Source: Anderson 1965, J. ACM 12, 547; Walker and Ni 2011, SIAM J. Numer. Anal. 49, 1715.
+ * Accelerates the iteration x → x + f(x) towards f = 0: takes the mixture of the last two iterates that minimizes f if
+ * f were linear. A longer memory saves few iterations and costs more than the force. Source: Anderson 1965, J. ACM 12,
+ * 547; Walker and Ni 2011, SIAM J. Numer. Anal. 49, 1715.
  */
 export class AndersonAcceleration {
   private readonly x: Float64Array;
@@ -16,7 +17,7 @@ export class AndersonAcceleration {
     this.begun = false;
   }
 
-  /** Changes x to the next one. */
+  /** Replaces x by the next iterate. */
   next(x: Float64Array, f: Float64Array): void {
     const share = this.begun ? this.shareOfLast(f) : 0;
     const { x: xLast, f: fLast } = this;
@@ -29,7 +30,7 @@ export class AndersonAcceleration {
     }
   }
 
-  /** Where f − share·Δf is least. */
+  /** Minimizes f − share·Δf. */
   private shareOfLast(f: Float64Array): number {
     const { f: last } = this;
     let along = 0;

@@ -1,25 +1,26 @@
 import { innerProduct } from './inner.ts';
 
-/** How a linear system was left. */
+/** Result of a linear solve. */
 export interface LinearSolveResult {
   readonly iterations: number;
   /** |r| ≤ tolerance · |b| */
   readonly converged: boolean;
-  /** The matrix turned out not to be positive definite: there is a direction u with uᵀAu ≤ 0. */
+  /** Whether the matrix is not positive definite: a direction u with uᵀAu ≤ 0 was found. */
   readonly indefinite: boolean;
 }
 
-/** A symmetric matrix as it is used. */
+/** A symmetric matrix, as products. */
 export interface LinearOperator {
   /** out = A u */
   multiply(u: Float64Array, out: Float64Array): void;
-  /** out = P⁻¹ u of a preconditioner P that is symmetric and positive definite. */
+  /** out = P⁻¹ u of a symmetric positive definite preconditioner P. */
   precondition(u: Float64Array, out: Float64Array): void;
 }
 
 /**
- * A x = b by preconditioned conjugate gradients, from the x that is given. Our own: npm has no kept sparse solver without WebAssembly, which the page's
- * `script-src 'self'` forbids; and as A changes with every step, nothing would be gained by factors. Source: Hestenes and Stiefel 1952; Shewchuk 1994, §B3.
+ * A x = b by preconditioned conjugate gradients, starting from the given x. Written here since npm has no maintained
+ * sparse solver without WebAssembly, which the page's `script-src 'self'` forbids; and since A changes at every step, a
+ * factorization would not be reused. Source: Hestenes and Stiefel 1952; Shewchuk 1994, §B3.
  */
 export class ConjugateGradients {
   private readonly r: Float64Array;

@@ -9,7 +9,7 @@ import { StepMatrix } from './stepMatrix.ts';
 
 const N = 6;
 
-/** Springs between all points, drawn out or pressed together. */
+/** Springs between all points, stretched or compressed. */
 function net(seed: number, form: 'exact' | 'safe' | 'isotropic', size: number): Stiffness {
   const next = random(seed);
   const ends = Array.from({ length: N * N }, (_, k) => [Math.floor(k / N), k % N]).filter(([i, j]) => i < j);
@@ -100,7 +100,7 @@ describe('Anderson’s mixing', () => {
   });
 
   it('comes nearer in each round than the row itself, whose errors shrink at different rates', () => {
-    // x → Bx has its end in 0.
+    // x → Bx converges to 0.
     const B = [-0.25, -0.1, 0, -0.2];
     const mixing = new AndersonAcceleration(4);
     const x = Float64Array.of(1, 1, 1, 1);

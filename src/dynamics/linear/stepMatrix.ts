@@ -2,8 +2,9 @@ import { addBlock, type Stiffness } from '../forces/force.ts';
 import type { LinearOperator } from './conjugateGradients.ts';
 
 /**
- * What implicit steps solve: A = W(I + γ²ββᵀ) + ∇²V, with W and β of each point: I + γ²ββᵀ is the inverse of I − ββᵀ, by which a force turns into acceleration; on this
- * side the matrix is symmetric. Points that are pinned keep their places. Preconditioned by the inverses of its 3 × 3 blocks.
+ * The matrix of implicit steps: A = W(I + γ²ββᵀ) + ∇²V, with W and β of each point: I + γ²ββᵀ is the inverse of I −
+ * ββᵀ, which maps force to acceleration; on this side the matrix is symmetric. Pinned points keep their positions.
+ * Preconditioned by the inverses of its 3 × 3 blocks.
  */
 export class StepMatrix implements LinearOperator {
   private readonly pinned: Uint8Array;
@@ -63,7 +64,7 @@ export class StepMatrix implements LinearOperator {
   }
 }
 
-/** Inverts a symmetric 3 × 3 block where it is positive definite; else takes 1/W in its stead. */
+/** Inverts a symmetric 3 × 3 block if it is positive definite; otherwise uses 1/W. */
 function invert(blocks: Float64Array, k: number, weight: number): void {
   const a = blocks[k];
   const b = blocks[k + 1];

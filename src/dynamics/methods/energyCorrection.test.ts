@@ -8,7 +8,7 @@ const C = 2;
 const MASSES = [1, 3];
 const system = makeSystem({ masses: Float64Array.from(MASSES), c: C });
 
-/** Σ m c²(1/√(1 − v²/c²) − 1) of two points, plainly [J]. */
+/** Σ m c²(1/√(1 − v²/c²) − 1) of two points, computed directly [J]. */
 const kinetic = (v: readonly number[]): number =>
   MASSES.reduce((sum, m, i) => {
     const square = v[3 * i] ** 2 + v[3 * i + 1] ** 2 + v[3 * i + 2] ** 2;
@@ -19,9 +19,9 @@ const at = (v: readonly number[], dv: readonly number[], share: number): number[
 const shareOf = (correction: 0 | 1 | 2 | 3, v: readonly number[], dv: readonly number[], wanted: number): number =>
   velocityChangeFraction(correction, system, Float64Array.from(v), Float64Array.from(dv), wanted);
 
-/** Of both points, so slow that they stay below c. */
+/** For both points, slow enough to stay below c. */
 const some = fc.array(between(-0.5, 0.5), { minLength: 6, maxLength: 6 });
-/** Changes by which what moves gets faster. */
+/** Velocity changes that increase the kinetic energy. */
 const faster = fc.tuple(some, some).filter(([v, dv]) => kinetic(at(v, dv, 1)) > kinetic(v) + 1e-3);
 
 describe('the share of a step’s change of the velocities', () => {

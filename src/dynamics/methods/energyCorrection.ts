@@ -2,13 +2,14 @@ import { brent } from '../../math/roots.ts';
 import type { System } from '../system.ts';
 
 /**
- * What the source documents do about energy that explodes: of Δv, by which a step changes the velocities, only a share is given, so that the kinetic energy changes
- * by what the potential energy gave. 0: none of it; 1: the share by the tangent of T(v); 2: by its secant, never taking more nor turning back; 3: the share where
- * T has the value, sought between those two and never turning back, which they name as future work.
+ * The source documents' remedy for growing energy: of the velocity change Δv of a step only a fraction is applied, so
+ * that the kinetic energy changes by what the potential energy lost. 0: off; 1: fraction by the tangent of T(v); 2: by
+ * its secant, within 0 … 1; 3: the fraction at which T has the target value, bracketed by these two and not negative,
+ * which they name as future work.
  */
 export type EnergyCorrection = 0 | 1 | 2 | 3;
 
-/** The share of Δv. `wanted`: by how much the kinetic energy is to change [J]. */
+/** The fraction of Δv. `wanted`: target change of the kinetic energy [J]. */
 export function velocityChangeFraction(
   correction: EnergyCorrection,
   system: System,
@@ -27,7 +28,7 @@ export function velocityChangeFraction(
   return brent(off, Math.min(secant, tangent), Math.max(secant, tangent), 1e-12);
 }
 
-/** ΔT = Σ γ³ m v·Δv, and no more than all of it, either way. */
+/** ΔT = Σ γ³ m v·Δv; the fraction is clamped to −1 … 1. */
 function tangentFraction(system: System, v: Float64Array, dv: Float64Array, wanted: number): number {
   const { c, masses } = system;
   let slope = 0;
@@ -44,7 +45,7 @@ function secantFraction(gain: number, wanted: number): number {
   return wanted <= 0 ? 0 : Math.min(1, wanted / gain);
 }
 
-/** Σ (γ − 1) m c² at v + share·Δv [J]; infinite where that is not below c. */
+/** Σ (γ − 1) m c² at v + share·Δv [J]; infinite if not below c. */
 function kineticEnergyAt({ c, masses }: System, v: Float64Array, dv: Float64Array, share: number): number {
   let sum = 0;
   for (let i = 0, j = 0; i < masses.length; i++, j += 3) {

@@ -7,13 +7,11 @@ import { maxAngularFrequency } from '../stability.ts';
 import { assignState, relativisticMasses, type State, type System } from '../system.ts';
 import { type IntegrationMethod, potentialForces, StepFailure, type Stepper } from './method.ts';
 
-/**
- * Steps x₁ = x₀ + h (p₀ + p₁)/W, p₁ = p₀ + h F̄: what W and F̄ are makes the method. |x₁ − x₀| < c h by construction.
- */
+/** Steps x₁ = x₀ + h (p₀ + p₁)/W, p₁ = p₀ + h F̄, where W and F̄ define the method. |x₁ − x₀| < c h by construction. */
 interface ImplicitScheme {
   /** W of each point [kg]; M₀ = E₀/c². */
   weights(system: System, step: StepStart, p1: Float64Array, out: Float64Array): void;
-  /** F̄ of the potentials [N]; `half` is room for places. */
+  /** F̄ of the potentials [N]; `half` is a scratch buffer of positions. */
   meanForce(system: System, x0: Float64Array, x1: Float64Array, half: Float64Array, out: Float64Array): void;
 }
 
@@ -22,7 +20,10 @@ interface StepStart {
   readonly M0: Float64Array;
 }
 
-/** W = (E₀ + E₁)/c² and F̄ the discrete gradient: v̄·Δp = ΔT and F̄·Δx = −ΔV, and so the energy is kept, as far as the equations are solved. */
+/**
+ * W = (E₀ + E₁)/c² and F̄ the discrete gradient: v̄·Δp = ΔT and F̄·Δx = −ΔV, so energy is conserved to the solver's
+ * tolerance.
+ */
 const DISCRETE_GRADIENT_SCHEME: ImplicitScheme = {
   weights(system, { M0 }, p1, out) {
     relativisticMasses(system, p1, out);
@@ -34,7 +35,7 @@ const DISCRETE_GRADIENT_SCHEME: ImplicitScheme = {
   },
 };
 
-/** Velocity and force halfway; symplectic, and it keeps what is quadratic: momentum and angular momentum. */
+/** Midpoint velocity and force; symplectic, conserves quadratic invariants: momentum and angular momentum. */
 const MIDPOINT_SCHEME: ImplicitScheme = {
   weights({ c, masses }, { p0 }, p1, out) {
     const perSquare = 1 / (c * c);
@@ -55,7 +56,7 @@ function midpointOf(a: Float64Array, b: Float64Array, out: Float64Array): void {
   for (let j = 0; j < out.length; j++) out[j] = 0.5 * (a[j] + b[j]);
 }
 
-/** Keeps the energy exactly, whatever the step. Source: Gonzalez 1996; for H = √(p²c² + m²c⁴) + V physics.md, Mechanics. */
+/** Conserves energy for any step size. Source: Gonzalez 1996; for H = √(p²c² + m²c⁴) + V: docs/physics.md §11.4. */
 export const discreteGradient: IntegrationMethod = {
   id: 'discrete-gradient',
   order: 2,
@@ -71,24 +72,31 @@ export const implicitMidpoint: IntegrationMethod = {
   begin: (system) => new ImplicitStepper(system, MIDPOINT_SCHEME),
 };
 
-/** Rounds of x₁ → x₀ + h v̄(x₁) that may be taken, and of Newton's. */
+/** Maximum number of fixed-point iterations x₁ → x₀ + h v̄(x₁), and of Newton iterations. */
 const MAX_ITERATIONS = 200;
-/** So many that bring it no nearer are the end. */
+/** Iterations without improvement before giving up. */
 const MAX_STALLED_ITERATIONS = 12;
-/** Rounds by themselves leave (hω/2)² of the error or less: where that is below 1, Newton's steps are not worth their price. */
+/**
+ * Fixed-point iterations contract the error by (hω/2)² or more; below 1, Newton iterations are not worth their cost.
+ */
 const FIXED_POINT_LIMIT = 4;
-/** Solved where a round moves no point by more than this, over the largest coordinate. */
+/** Converged if an iteration moves no point by more than this, relative to the largest coordinate. */
 const TOLERANCE = Number.EPSILON;
-/** Rounds by themselves are carried one further than the forces that they come from. */
+/** Fixed-point iterates are one iteration ahead of the forces that they are computed from. */
 const FIXED_POINT_TOLERANCE = 4 * Number.EPSILON;
-/** Rounding may leave more: this is enough where one round made it no better, or where two did not. */
+/**
+ * Rounding may prevent more: accepted after one Newton iteration, or two fixed-point iterations, without improvement.
+ */
 const STALL_TOLERANCE = 8 * Number.EPSILON;
 const REPEATED_STALL_TOLERANCE = 1e-13;
-/** A step is cut into 2¹⁰ at most. */
+/** A step is split into at most 2¹⁰ parts. */
 const MAX_HALVINGS = 10;
-/** Of 1 − β², for rounding must not make it 0. */
+/** Lower bound of 1 − β², which rounding must not make 0. */
 const MIN_INVERSE_GAMMA_SQUARED = 1e-12;
-/** How well, and in how many rounds, Newton's linear systems are solved: better would be wasted, for their matrix is not quite that of the next round. */
+/**
+ * Tolerance and iteration limit of Newton's linear systems: more accuracy would be wasted, since their matrix is
+ * approximate.
+ */
 const LINEAR_SOLVE = { tolerance: 1e-2, most: 400 };
 
 class ImplicitStepper implements Stepper {
@@ -97,7 +105,7 @@ class ImplicitStepper implements Stepper {
   private readonly omega: number;
   private readonly W: Float64Array;
   private readonly M0: Float64Array;
-  /** 2W/h² [kg/s²] */
+  /** 2W/h² per point [kg/s²]. */
   private readonly N: Float64Array;
   private readonly x0: Float64Array;
   private readonly p0: Float64Array;
@@ -134,7 +142,7 @@ class ImplicitStepper implements Stepper {
     this.anderson = new AndersonAcceleration(size);
   }
 
-  /** A step whose equations resist is taken in halves: what is kept exactly is kept by these too. */
+  /** If the equations cannot be solved the step is split in halves, which conserve the same quantities. */
   step(state: State, h: number, halvings = 0): void {
     const { t } = state;
     if (this.solveStep(state, h)) {
@@ -166,7 +174,7 @@ class ImplicitStepper implements Stepper {
     return this.solve(state, h, TOLERANCE, () => this.newtonChange(state.x, h));
   }
 
-  /** Straight on. */
+  /** Initial guess: uniform motion. */
   private predict({ x, p }: State, h: number): void {
     const { M0, x0 } = this;
     for (let i = 0, j = 0; i < M0.length; i++, j += 3) {
@@ -177,7 +185,7 @@ class ImplicitStepper implements Stepper {
     }
   }
 
-  /** Rounds until x₁ stays; `change` tells by how much x₁ is to change. Whether it came to an end. */
+  /** Iterates until x₁ converges; `change` returns the update of x₁. Returns whether it converged. */
   private solve(state: State, h: number, enough: number, change: () => Float64Array): boolean {
     const { anderson } = this;
     anderson.reset();
@@ -195,14 +203,14 @@ class ImplicitStepper implements Stepper {
     return false;
   }
 
-  /** What a round changes by itself. */
+  /** Update of a fixed-point iteration. */
   private fixedPointChange(x: Float64Array): Float64Array {
     const { next, change } = this;
     for (let j = 0; j < x.length; j++) change[j] = next[j] - x[j];
     return change;
   }
 
-  /** p₁ of x₁ = `state.x`, and `next` = x₀ + h v̄: how far it is from x₁, and the largest coordinate. */
+  /** Computes p₁ at x₁ = `state.x`, and `next` = x₀ + h v̄; returns its distance from x₁ and the largest coordinate. */
   private evaluateResidual({ x, p }: State, h: number): readonly [off: number, size: number] {
     const { system, x0, p0, next, W } = this;
     this.updateMomenta(x, p, h);
@@ -223,7 +231,7 @@ class ImplicitStepper implements Stepper {
     return [Number.isNaN(off) ? Number.POSITIVE_INFINITY : off, size];
   }
 
-  /** p = p₀ + h (F̄ + q v̄ × B), v̄ = (x − x₀)/h; of what is pinned p₀. */
+  /** p = p₀ + h (F̄ + q v̄ × B), v̄ = (x − x₀)/h; p₀ for pinned points. */
   private updateMomenta(x: Float64Array, p: Float64Array, h: number): void {
     const { system, x0, p0, force } = this;
     this.rule.meanForce(system, x0, x, this.half, force);
@@ -233,7 +241,10 @@ class ImplicitStepper implements Stepper {
     for (let i = 0; i < pinned.length; i++) if (pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] = p0[j];
   }
 
-  /** x −= [N(I + γ²ββᵀ) + ∇²V]⁻¹ N(I + γ²ββᵀ)(x − next), N = 2W/h²: Newton's step, but that ∇²V is that of halfway; without its negative parts, where they would lead astray. */
+  /**
+   * x −= [N(I + γ²ββᵀ) + ∇²V]⁻¹ N(I + γ²ββᵀ)(x − next), N = 2W/h²: a Newton step with ∇²V of the midpoint; without its
+   * negative parts where the matrix would be indefinite.
+   */
   private newtonChange(x: Float64Array, h: number): Float64Array {
     const { system, x0, change, matrix, half, u, N, force: b } = this;
     midpointOf(x0, x, half);

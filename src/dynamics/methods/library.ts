@@ -5,7 +5,7 @@ import { linearlyImplicit, localGlobal, semiImplicitEuler } from './velocityMeth
 
 const CORRECTIONS = [0, 1, 2, 3] as const;
 
-/** All methods by their ids; those of the source documents by their correction too (`local-global-2`). */
+/** All methods by id; those of the source documents with the number of their correction (`local-global-2`). */
 export const METHODS: ReadonlyMap<string, IntegrationMethod> = new Map(
   [
     discreteGradient,

@@ -1,45 +1,48 @@
 import type { State, System } from '../system.ts';
 
-/** A way to go from one time to the next. */
+/** A numerical integration method. */
 export interface IntegrationMethod {
   readonly id: string;
-  /** The error of a given time grows like this power of the step. */
+  /** Order: the error at a fixed time scales as this power of the step. */
   readonly order: number;
-  /** Steps longer than 2/ω of the fastest oscillation run away. */
+  /** Whether steps longer than 2/ω of the fastest oscillation are unstable. */
   readonly conditionallyStable: boolean;
-  /** Of a splitting, its shares of h: x goes on for half of the first, p is pushed for the first, x goes on for half of the first and half of the second, and so on. */
+  /**
+   * For compositions of leapfrogs: fractions of h. x drifts by half of the first, p is kicked by the first, x drifts by
+   * half of the first and half of the second, and so on.
+   */
   readonly coefficients?: readonly number[];
   begin(system: System): Stepper;
 }
 
-/** What a method does with one system; it keeps room for its work. */
+/** A method applied to one system, with its scratch buffers. */
 export interface Stepper {
-  /** Takes the state h [s] further. Throws a StepFailure where it cannot; the state is then worth nothing. */
+  /** Advances the state by h [s]. Throws a StepFailure; the state is then invalid. */
   step(state: State, h: number): void;
 }
 
-/** Why a step could not be done. */
+/** Why a step failed. */
 export type StepFailureReason =
   /** A point reached the speed of light. */
   | 'light'
-  /** The matrix of a linear step is not positive definite any more. */
+  /** The matrix of a linearized step is not positive definite. */
   | 'indefinite'
   /** The equations of an implicit step were not solved. */
   | 'unsolved'
-  /** Something is no number. */
+  /** A value is not finite. */
   | 'infinite'
-  /** A point went through what is solid. */
+  /** A point passed through a solid. */
   | 'pierced'
-  /** Steps are longer than the stability bound, and the energy grows. */
+  /** Steps exceed the stability limit, and the energy grows. */
   | 'unstable'
   /** No step is short enough for the tolerance. */
   | 'tolerance'
-  /** The GPU that it was computed on is gone. */
+  /** The GPU device was lost. */
   | 'lost';
 
 export class StepFailure extends Error {
   readonly reason: StepFailureReason;
-  /** That it happened to first, where it is one. */
+  /** The first affected point, if there is one. */
   readonly point: number | undefined;
 
   constructor(reason: StepFailureReason, message: string, point?: number) {
@@ -49,7 +52,7 @@ export class StepFailure extends Error {
   }
 }
 
-/** The force of all potentials on each point [N]. */
+/** Total force of all potentials on each point [N]. */
 export function potentialForces({ forces }: System, x: Float64Array, out: Float64Array): void {
   out.fill(0);
   for (const force of forces) force.add(x, out);

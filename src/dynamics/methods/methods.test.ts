@@ -13,11 +13,11 @@ import { METHODS } from './library.ts';
 import { type IntegrationMethod, StepFailure } from './method.ts';
 
 const method = (id: string): IntegrationMethod => METHODS.get(id)!;
-/** Those with momenta as their state, which keep below c by construction. */
+/** Methods with momenta as state, which stay below c by construction. */
 const OURS = ['discrete-gradient', 'implicit-midpoint', 'leapfrog', 'yoshida-4', 'yoshida-6', 'yoshida-8'] as const;
 const OF_SOURCES = [...METHODS.keys()].filter((id) => !OURS.includes(id as (typeof OURS)[number]));
 
-/** The documents say of the tangent that it turns accelerations round, and that no step is short enough for it. */
+/** The documents say that the tangent correction may reverse accelerations, and that no step is short enough for it. */
 const TANGENT = OF_SOURCES.filter((id) => id.endsWith('-1'));
 const ALL = [...OURS, ...OF_SOURCES.filter((id) => !TANGENT.includes(id))];
 
@@ -35,7 +35,7 @@ const moving = (system: System, x: readonly number[], v: readonly number[]): Sta
   p: momenta(system, v),
 });
 
-/** A point on a spring of length 0 to one that is pinned in the origin. */
+/** A point on a spring of zero length to a pinned point at the origin. */
 const oscillator = (c: number, k: number): System =>
   makeSystem({
     masses: Float64Array.of(1, 1),
@@ -67,8 +67,8 @@ function period(c: number, k: number, A: number): number {
 }
 
 /**
- * A spring of length 1 that is turned a little, with h²k/m = 1: across it there is no force, and a step of implicit Euler keeps v. Linear systems with
- * the same k in all directions see only half of what is missing, so that each round leaves half of what the one before has left.
+ * A spring of length 1 that is rotated slightly, with h²k/m = 1: there is no force across it, and a step of implicit
+ * Euler keeps v. Linear systems with isotropic stiffness correct only half of the error, so each iteration halves it.
  */
 describe('rounds of the documents’ implicit methods', () => {
   it.each([
@@ -129,7 +129,7 @@ describe.each(OURS)('%s', (id) => {
     const quarter = ((Math.PI / 2) * gamma * 1.5) / (q * B);
     const end = follow(system, start, method(id), quarter, 3000);
     const radius = Math.abs(start.p[0]) / (q * B);
-    // F = q v × B: to the right of the way, looking along −B.
+    // F = q v × B: to the right of the motion, looking along −B.
     expect(end.x[0]).toBeCloseTo(radius, 5);
     expect(end.x[1]).toBeCloseTo(-radius, 5);
     expect(Math.hypot(...end.p) / Math.hypot(...start.p)).toBeCloseTo(1, 11);
@@ -176,12 +176,12 @@ describe.each(OURS)('%s', (id) => {
           for (let i = 0; i < 5; i++) {
             const before = state.x.slice();
             stepper.step(state, h);
-            // Rounding alone makes c of what is nearer to it than 64 bits can tell: γ > 10⁸.
+            // Rounding yields exactly c where 64 bits cannot represent the difference: γ > 10⁸.
             const { fastest } = conservedQuantities(system, state);
             expect(fastest).toBeLessThanOrEqual(c * (1 + 4 * Number.EPSILON));
             const momentum = Math.max(...state.p.map(Math.abs));
             if (momentum < 1e6 * c) expect(fastest).toBeLessThan(c);
-            // Splittings also go back on their way: by their rows, up to seven times as far.
+            // Compositions also step backwards: by up to seven times as far.
             const far = Math.max(
               ...[0, 1, 2, 3].map((k) =>
                 distance(state.x.subarray(3 * k, 3 * k + 3), before.subarray(3 * k, 3 * k + 3)),
@@ -190,7 +190,7 @@ describe.each(OURS)('%s', (id) => {
             expect(far).toBeLessThanOrEqual((id.startsWith('yoshida') ? 7 : 1 + 1e-9) * c * h);
           }
         } catch (error) {
-          // An implicit step may resist; it says so.
+          // An implicit step may fail with a StepFailure.
           if (!(error instanceof StepFailure)) throw error;
           expect(error.reason).toBe('unsolved');
         }
@@ -200,7 +200,7 @@ describe.each(OURS)('%s', (id) => {
   });
 });
 
-/** Over twice the error that a step of T/n leaves, by the order: what closed forms are compared with. */
+/** More than twice the error of a step of T/n, by order; tolerances for comparison with closed forms. */
 const NEARLY = new Map([
   [1, 5e-3],
   [2, 5e-6],
@@ -234,11 +234,11 @@ describe.each(ALL)('%s, of the sources or ours,', (id) => {
         springForce({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(length) }),
       ],
     });
-    // Along a line through nothing that is singular: until the spring is as long as at rest, or both are where it is 0.
+    // Along a line without singularities: until the spring is at rest length, or until both meet if that is 0.
     const T = timeToSlack(c, k, masses, length, apart);
     const end = follow(system, moving(system, [0, 0, 0, apart, 0, 0], [0, 0, 0, 0, 0, 0]), method(id), T, 4000);
     expect(Math.abs((end.x[3] - end.x[0] - length) / apart)).toBeLessThan(nearly(id));
-    // All energy is kinetic then, and both have the same momentum.
+    // Then all energy is kinetic, and both momenta are equal and opposite.
     const energy = (k * (apart - length) ** 2) / 2;
     expect(Math.abs(end.p[0] / momentumOf(c, masses, energy) - 1)).toBeLessThan(nearly(id));
     expect(Math.abs(end.p[3] / momentumOf(c, masses, energy) + 1)).toBeLessThan(nearly(id));
@@ -261,7 +261,7 @@ describe.each(ALL)('%s, of the sources or ours,', (id) => {
     const time = 0.4;
     const exact = follow(system, start, method('yoshida-8'), time, 400);
     const [coarse, fine] = [400, 800].map((n) => follow(system, start, method(id), time, n));
-    // What a step's first power errs by is taken out (Richardson): what is left of methods of order one is of order two.
+    // Richardson extrapolation removes the leading error: methods of order one become order two.
     const gain = 2 ** method(id).order;
     const limit = fine.x.map((value, j) => (gain * value - coarse.x[j]) / (gain - 1));
     expect(distance(limit, exact.x)).toBeLessThan(2e-5);
@@ -279,16 +279,19 @@ describe.each(ALL)('%s, of the sources or ours,', (id) => {
   });
 });
 
-/** Of two bodies with opposite momenta whose kinetic energies add up to this [kg m/s]: (√(m₁² + q²) + √(m₂² + q²)) c² = E + (m₁ + m₂)c², q = p/c. */
+/**
+ * Momentum of two bodies with opposite momenta and the given total kinetic energy [kg m/s]: (√(m₁² + q²) + √(m₂² + q²))
+ * c² = E + (m₁ + m₂)c², q = p/c.
+ */
 function momentumOf(c: number, [m, n]: readonly number[], energy: number): number {
   const whole = energy / (c * c) + m + n;
-  // Källén's function: of a decay into two.
+  // Källén's function, as in a two-body decay.
   return (c * Math.sqrt((whole ** 2 - (m + n) ** 2) * (whole ** 2 - (m - n) ** 2))) / (2 * whole);
 }
 
 /**
- * Time in which a spring between two bodies that rest, `apart`, becomes as long as at rest: ∫ dr/(v₁ + v₂), with p(r) by the energy that the spring has given. r = L + (D − L) cos θ takes the
- * singularity at its beginning away; Simpson's rule.
+ * Time in which a spring between two bodies at rest, `apart`, contracts to its rest length: ∫ dr/(v₁ + v₂), with p(r)
+ * from energy conservation. r = L + (D − L) cos θ removes the singularity at the start; Simpson's rule.
  */
 function timeToSlack(c: number, k: number, masses: readonly number[], length: number, apart: number): number {
   const A = apart - length;
@@ -298,7 +301,7 @@ function timeToSlack(c: number, k: number, masses: readonly number[], length: nu
     return (A * Math.sin(theta)) / speed;
   };
   const n = 2000;
-  // At θ → 0 the speeds are those of Newton: p = A sin θ √(kμ), v₁ + v₂ = p/μ.
+  // For θ → 0 the speeds are Newtonian: p = A sin θ √(kμ), v₁ + v₂ = p/μ.
   const mu = 1 / masses.reduce((sum, m) => sum + 1 / m, 0);
   const values = Array.from({ length: n + 1 }, (_, i) =>
     i === 0 ? Math.sqrt(mu / k) : integrand((Math.PI / 2) * (i / n)),
@@ -307,7 +310,7 @@ function timeToSlack(c: number, k: number, masses: readonly number[], length: nu
   return (sum * Math.PI) / 2 / (3 * n);
 }
 
-/** Sides and heights of a tetrahedron, each another spring; it turns, and breathes. */
+/** Edges of a tetrahedron, each a different spring; it rotates and pulsates. */
 const TETRAHEDRON = [1, 0, 0, 0, 1, 0, 0, 0, 1, -0.6, -0.6, -0.6];
 const SPIN = [[1, 0, 0] as Vec3, [0, 1, 0] as Vec3, [0, 0, 1] as Vec3, [-0.6, -0.6, -0.6] as Vec3].flatMap((place) =>
   cross([0.2, 0.5, 0.3], place),
@@ -330,7 +333,7 @@ const free = (): System =>
     ],
   });
 
-/** Springs, weight, charges, and a magnetic field. */
+/** Springs, gravity, charges and a magnetic field. */
 const all = (c: number): System => {
   const charges = Float64Array.of(0.8, -0.5, 0.3, 0.6);
   const { forces } = free();
@@ -340,7 +343,7 @@ const all = (c: number): System => {
   });
 };
 
-/** The same springs by Newton’s second law, with Runge and Kutta’s steps: nothing of what is tested. */
+/** The same springs by Newton’s second law with Runge–Kutta steps, independent of the tested code. */
 function newton(x: Float64Array, v: Float64Array, time: number, steps: number): Float64Array {
   const h = time / steps;
   const pulled = (at: Float64Array): Float64Array => {

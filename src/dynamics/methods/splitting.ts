@@ -3,9 +3,11 @@ import type { State, System } from '../system.ts';
 import { type IntegrationMethod, potentialForces, type Stepper } from './method.ts';
 
 /**
- * H = Σ√(p²c² + m²c⁴) + V(x) is a part of p and a part of x, each of which is followed exactly in turn: x goes on at constant p for half a step, p is pushed at
- * constant x, x goes on. Symplectic and reversible; the energy swings, and has no trend. Steps of several lengths in a symmetric row cancel the errors of lower orders.
- * `row`: their shares of h before the middle one. Sources: Yoshida 1990, Phys. Lett. A 150, 262; Suzuki and Umeno 1993; Hairer, Lubich, Wanner, §V.3.2.
+ * H = Σ√(p²c² + m²c⁴) + V(x) splits into a part of p and a part of x, each integrated exactly in turn: x drifts at
+ * constant p for half a step, p is kicked at constant x, x drifts. Symplectic and time-reversible; the energy error
+ * oscillates without a trend. Symmetric compositions of steps of several lengths cancel the errors of lower orders.
+ * `row`: their fractions of h before the middle one. Sources: Yoshida 1990, Phys. Lett. A 150, 262; Suzuki and Umeno
+ * 1993; Hairer, Lubich, Wanner, §V.3.2.
  */
 const splitting = (id: string, order: number, row: readonly number[]): IntegrationMethod => {
   const middle = 1 - 2 * row.reduce((sum, share) => sum + share, 0);
@@ -42,7 +44,7 @@ class SplittingStepper implements Stepper {
     this.force = new Float64Array(3 * system.masses.length);
   }
 
-  /** Between two kicks the two drifts are one. */
+  /** Adjacent drifts between two kicks are merged. */
   step(state: State, h: number): void {
     const { system, shares, force } = this;
     this.drift(state, (shares[0] * h) / 2);
@@ -69,7 +71,7 @@ class SplittingStepper implements Stepper {
     }
   }
 
-  /** p += h F at constant x; in a magnetic field half of it before p turns, and half of it after. */
+  /** p += h F at constant x; with a magnetic field in two halves, before and after p rotates. */
   private kick(state: State, h: number): void {
     const { charges, magneticField } = this.system;
     if (!charges || !magneticField) {
@@ -92,7 +94,7 @@ class SplittingStepper implements Stepper {
     }
   }
 
-  /** dp/dt = q p × B/γm turns p about −B by q|B|h/γm, exactly. */
+  /** dp/dt = q p × B/γm rotates p about −B by q|B|h/γm, exactly. */
   private rotateMomenta({ p }: State, h: number, charges: Float64Array, B: Vec3): void {
     const { c: light, masses, pinned } = this.system;
     const strength = Math.hypot(...B);

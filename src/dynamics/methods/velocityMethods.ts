@@ -6,10 +6,9 @@ import { momenta, type State, type System, SystemError, velocities } from '../sy
 import { type EnergyCorrection, velocityChangeFraction } from './energyCorrection.ts';
 import { type IntegrationMethod, potentialForces, StepFailure, type Stepper } from './method.ts';
 
-/*
- * The methods of the source documents, to be compared with: they hold velocities, turn forces into accelerations by (I − ββᵀ)/γm at the velocity before the step,
- * and nothing keeps them below c. Their energy is corrected by a share of each step's Δv (energyCorrection.ts).
- */
+/* The methods of the source documents, for comparison: their state are velocities, forces become accelerations by (I
+   − ββᵀ)/γm at the velocity before the step, and nothing keeps them below c. Their energy is corrected by applying a
+   fraction of each step's Δv (energyCorrection.ts). */
 
 /** v += h a(x, v), x += h v */
 export const semiImplicitEuler = (correction: EnergyCorrection): IntegrationMethod =>
@@ -22,17 +21,21 @@ export const semiImplicitEuler = (correction: EnergyCorrection): IntegrationMeth
     };
   });
 
-/** One Newton step for the places. */
+/** Implicit Euler with a single Newton iteration. */
 export const linearlyImplicit = (correction: EnergyCorrection): IntegrationMethod =>
   velocityMethod('linearly-implicit', correction, (system) => implicitChange(system, 1, 'exact'));
 
-/** Springs are drawn to fixed places, which then turn with them, in turns: each global step is a linear system whose part of the springs does not change. */
+/**
+ * Local–global iteration: springs pull towards fixed positions, which then rotate with them; the spring part of the
+ * global linear system is constant.
+ */
 export const localGlobal = (correction: EnergyCorrection): IntegrationMethod =>
   velocityMethod('local-global', correction, (system) => implicitChange(system, 10, 'isotropic'));
 
 /**
- * The places after a step by γm/h² (I + γ²ββᵀ)(x − xₙ − hv) = F(x), which is the documents’ equation times (I − ββᵀ)⁻¹, and so symmetric: rounds of
- * [γm/h² (I + γ²ββᵀ) + K] δ = F − γm/h² (I + γ²ββᵀ)(x − xₙ − hv), with K a form of ∇²V.
+ * Positions after a step by γm/h² (I + γ²ββᵀ)(x − xₙ − hv) = F(x), the documents’ equation times (I − ββᵀ)⁻¹, which
+ * makes it symmetric: iterations of [γm/h² (I + γ²ββᵀ) + K] δ = F − γm/h² (I + γ²ββᵀ)(x − xₙ − hv), with K a form of
+ * ∇²V.
  */
 function implicitChange(system: System, rounds: number, form: StiffnessForm): VelocityChange {
   const linear = new ConjugateGradients(3 * system.masses.length);
@@ -40,7 +43,7 @@ function implicitChange(system: System, rounds: number, form: StiffnessForm): Ve
   let stiffnesses: Stiffness[] = [];
   return (x0, v, h) => {
     const { u, weights } = pointInertia(system, v, h);
-    // Points that are held go on as they are led.
+    // Pinned points continue at their prescribed velocity.
     const x = x0.map((value, j) => (system.pinned[Math.floor(j / 3)] ? value + h * v[j] : value));
     for (let round = 0; round < rounds; round++) {
       const b = stepResidual(system, { x0, x, v, h, u, weights });
@@ -79,7 +82,7 @@ function stepResidual(system: System, { x0, x, v, h, u, weights }: TrialStep): F
   return b;
 }
 
-/** How the documents’ methods begin: Δv of a step from places and velocities. */
+/** Core of the documents’ methods: Δv of a step from positions and velocities. */
 type VelocityChange = (x: Float64Array, v: Float64Array, h: number) => Float64Array;
 
 function velocityMethod(

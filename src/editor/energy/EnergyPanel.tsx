@@ -12,13 +12,13 @@ import { lineStyle } from './lineStyle.ts';
 import { runNames } from './runNames.ts';
 import { frameIndexAt, QUANTITIES, type Quantity, unitOf, valuesOf } from './series.ts';
 
-/** A run with what it is called, and its line in the plot. */
+/** A run with its name and line style. */
 interface LabeledRun extends SimulationRun {
   readonly name: string;
   readonly line: PlotLine;
 }
 
-/** Books of all simulations of the project: plots over each other, and their figures in words. */
+/** Run records of all simulations of the project: plots and a table of figures. */
 export default function EnergyPanel(): ReactNode {
   const { t } = useTexts();
   const [quantity, setQuantity] = useState<Quantity>('change');
@@ -60,7 +60,7 @@ export default function EnergyPanel(): ReactNode {
   );
 }
 
-/** Simulate nodes that nothing is asked of: only what leads to the picture is computed. */
+/** Lists simulate nodes that were not evaluated because the output does not need them. */
 function UnevaluatedNote(): ReactNode {
   const { t } = useTexts();
   const document = useEditorState((state) => state.history.document);
@@ -109,7 +109,7 @@ function valueAt({ times, values }: PlotLine, t: number): string {
   return frame < 0 ? '–' : formatNumber(values[frame]!);
 }
 
-/** What there is at the page's time, and what a run comes to as a whole. */
+/** Values at the page's time, and figures of the whole run. */
 function EnergyTable({ runs, unit }: RunsProps): ReactNode {
   const { t } = useTexts();
   return (
@@ -166,10 +166,10 @@ function RunRow({ run, n }: { readonly run: LabeledRun; readonly n: number }): R
   );
 }
 
-/** What is below c is told so. */
+/** Speeds near c keep all their nines, so that a value below c never reads as c. */
 const formatFractionOfC = (beta: number): string => (beta > 0.1 ? formatBeta(beta) : formatNumber(beta, 2));
 
-/** With which step, how far it came, and what went wrong. */
+/** Step size, how far the run came, and its problem. */
 function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures: RunSummary }): ReactNode {
   const { t, said } = useTexts();
   const running = useEditorState((state) => state.interim === 'running');
@@ -190,7 +190,7 @@ function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures
   );
 }
 
-/** As the line is drawn. */
+/** A sample of the line as drawn in the plot. */
 function Swatch({ n }: { readonly n: number }): ReactNode {
   const { color, dash } = lineStyle(n, useComputedColorScheme('dark'));
   return (

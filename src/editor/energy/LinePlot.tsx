@@ -19,16 +19,16 @@ interface PlotProps {
   readonly lines: readonly PlotLine[];
   readonly logarithmic: boolean;
   readonly label: string;
-  /** What is read at a time, in words. */
+  /** Returns the value at time t as text, for screen readers. */
   readonly spoken: (t: number) => string;
 }
 
 const HEIGHT = 220; // [px]
-/** Of the plot, what an arrow key goes on by. */
+/** Step of an arrow key, as a fraction of the plotted time range. */
 const SEEK_STEP = 0.01;
 const LARGE_SEEK_STEP = 0.1;
 
-/** Lines over time, with the page's time in them: to be dragged there, or with keys. */
+/** Lines over time with a marker at the page's time, which can be dragged or moved by keys. */
 export function LinePlot({ lines, logarithmic, label, spoken }: PlotProps): ReactNode {
   const { observerController } = useServices();
   const host = useRef<HTMLDivElement>(null);
@@ -68,7 +68,7 @@ export function LinePlot({ lines, logarithmic, label, spoken }: PlotProps): Reac
   );
 }
 
-/** By how much of the plot. */
+/** Step of each key, as a fraction of the plotted time range. */
 const SEEK_KEYS: Readonly<Record<string, number>> = {
   ArrowRight: SEEK_STEP,
   ArrowUp: SEEK_STEP,
@@ -78,7 +78,7 @@ const SEEK_KEYS: Readonly<Record<string, number>> = {
   PageDown: -LARGE_SEEK_STEP,
 };
 
-/** Made anew for other lines; what grows is only drawn again. */
+/** Recreated when the set of lines changes; when only data grow, they are replaced. */
 function useUPlot(
   host: React.RefObject<HTMLDivElement | null>,
   lines: readonly PlotLine[],
@@ -116,7 +116,7 @@ function useUPlot(
   return plot;
 }
 
-/** The line at the page's time. */
+/** Places the marker of the page's time. */
 function placeTimeMarker({ over, valToPos }: uPlot, time: number): void {
   const mark = over.querySelector<HTMLElement>('.sl-plot-now');
   if (!mark) return;
@@ -125,7 +125,7 @@ function placeTimeMarker({ over, valToPos }: uPlot, time: number): void {
   mark.style.transform = `translateX(${x}px)`;
 }
 
-/** All over the same times, with gaps where a line has none. */
+/** All lines on shared times, with gaps where a line has no value. */
 function alignedData(lines: readonly PlotLine[], logarithmic: boolean): uPlot.AlignedData {
   const columns = lines.map(
     ({ times, values }): uPlot.AlignedData => [times, logarithmic ? onLogarithmicAxis(values) : values],

@@ -3,7 +3,10 @@ import { simulateNode } from '../../nodes/dynamics/simulate.ts';
 import { formatNumber } from '../format.ts';
 import type { SimulationRun } from '../state/simulationRuns.ts';
 
-/** What runs are called: as a person calls the node, else by the method; where that is the same, also by the speed of light, or the node. */
+/**
+ * Display names of runs: the user's node title, else the method; duplicates are told apart by the speed of light, then
+ * by the node id.
+ */
 export function runNames(
   runs: readonly SimulationRun[],
   titleOf: (node: string) => string | undefined,
@@ -17,7 +20,7 @@ export function runNames(
   });
 }
 
-/** With its correction, where it has several. */
+/** With its velocity correction, for methods that have several. */
 function methodName({ method, onGpu }: RunRecord, word: (key: string) => string): string {
   const [, family, correction] = /^(.+?)(?:-([0-3]))?$/.exec(method) ?? [];
   const known = simulateNode.params.method.options.find(({ value }) => value === family);

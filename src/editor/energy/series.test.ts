@@ -8,7 +8,7 @@ import { runNames } from './runNames.ts';
 import { frameIndexAt, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
 import { tick } from './ticks.ts';
 
-/** Three frames: of 3 J of motion at most, 1.5 J are lost. */
+/** Three frames; the maximum kinetic energy is 3 J, and 1.5 J are lost. */
 const record: RunRecord = {
   method: 'leapfrog',
   speedOfLight: 10,
@@ -42,7 +42,7 @@ describe('the books of an evaluation', () => {
       ['run', true],
       ['outer/run', false],
     ]);
-    // Of what is still computed only.
+    // Only runs that are still being computed count.
     expect(computedUntil(results)).toBe(1);
     expect(computedUntil(new Map())).toBe(Number.POSITIVE_INFINITY);
   });

@@ -2,7 +2,7 @@ import type { RunRecord } from '../../dynamics/runRecord.ts';
 import { samplesUntil } from '../../physics/worldLines/worldLine.ts';
 import type { SimulationRun } from '../state/simulationRuns.ts';
 
-/** What is plotted over time. */
+/** Quantities that can be plotted over time. */
 export const QUANTITIES = [
   'change',
   'total',
@@ -14,7 +14,7 @@ export const QUANTITIES = [
 ] as const;
 export type Quantity = (typeof QUANTITIES)[number];
 
-/** Of each frame; `unit`: see there. */
+/** Values of a quantity, one per frame, in `unit` (see `unitOf`). */
 export function valuesOf(books: RunRecord, quantity: Quantity, unit: string): Float64Array {
   const { total, speedOfLight, fastest } = books;
   if (quantity === 'change') return total.map((energy) => energy - (total[0] ?? 0));
@@ -23,7 +23,7 @@ export function valuesOf(books: RunRecord, quantity: Quantity, unit: string): Fl
   return books[quantity];
 }
 
-/** Where one of the runs knows no speed of light, none is told in its units. */
+/** The unit for all runs together: relative to c only if every run has a speed of light. */
 export function unitOf(quantity: Quantity, runs: readonly SimulationRun[]): string {
   if (quantity === 'momentum') return 'kg m/s';
   if (quantity === 'angularMomentum') return 'kg m²/s';
@@ -36,9 +36,9 @@ const lengths = (vectors: Float64Array): Float64Array =>
     Math.hypot(vectors[3 * i]!, vectors[3 * i + 1]!, vectors[3 * i + 2]!),
   );
 
-/** The place of the last frame that is not after t; −1: all are. */
+/** Index of the last frame with time ≤ t; −1 if there is none. */
 export const frameIndexAt = (times: Float64Array, t: number): number => samplesUntil(times, t) - 1;
 
-/** What a logarithmic axis can show of a value. */
+/** Absolute values for a logarithmic axis; null where zero or not finite. */
 export const onLogarithmicAxis = (values: Float64Array): (number | null)[] =>
   Array.from(values, (value) => (value === 0 || !Number.isFinite(value) ? null : Math.abs(value)));

@@ -1,4 +1,4 @@
-/** A number at an axis: as short as it is exact, for it is a round one. */
+/** Label of an axis tick, with as few digits as represent it exactly. */
 export function tick(value: number | null): string {
   if (value === null) return '';
   const round = Number(value.toPrecision(6));
@@ -7,6 +7,6 @@ export function tick(value: number | null): string {
   return text.replace('e+', 'e').replaceAll('-', '−');
 }
 
-/** Room for the numbers of an axis [px]. */
+/** Width of the tick labels of an axis [px]. */
 export const ticksWidth = (texts: readonly string[] | null): number =>
   17 + 7 * Math.max(2, ...(texts ?? []).map((text) => text.length));

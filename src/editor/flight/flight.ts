@@ -5,13 +5,13 @@ import { accelerate, coast, type ObserverState } from '../../physics/lorentz/obs
 import { relativeVelocity } from '../../physics/lorentz/velocity.ts';
 
 /**
- * `free`: the observer flies. `look`: a velocity without moving, to see what a speed does to one place. `fly`: moving
- * while the picture stays that of an observer at rest.
+ * `free`: the observer flies. `look`: has a velocity but stays in place, to see the effect of speed at one point.
+ * `fly`: moves, while the picture is that of an observer at rest.
  */
 export type Lock = 'free' | 'look' | 'fly';
 export const LOCKS: readonly Lock[] = ['free', 'look', 'fly'];
 
-/** What the person asks for at one moment. */
+/** Input of the user at one moment. */
 export interface FlightControls {
   /** In camera axes, each −1 … 1: right, along the scene's up axis, back. */
   readonly thrust: Vec3;
@@ -22,27 +22,27 @@ export const NO_CONTROLS: FlightControls = { thrust: ZERO, fullSpeed: false };
 export interface FlightRules {
   /** [m/s] */
   readonly c: number;
-  /** As a fraction of c. */
+  /** Upper speed limit as a fraction of c. */
   readonly maxSpeed: number;
   readonly lock: Lock;
-  /** Without a key the velocity is kept, instead of braking to rest. */
+  /** Whether the velocity is kept when no key is pressed; otherwise the observer brakes to rest. */
   readonly cruise: boolean;
-  /** Whether time passes in the world. */
+  /** Whether world time runs. */
   readonly playing: boolean;
   readonly up: Vec3;
 }
 
-/** [m/s]: as fast as one goes without asking for full speed. */
+/** Speed limit without the full-speed key [m/s]. */
 const WALKING_SPEED = 8;
-/** Time to reach the greatest speed, and the walking speed, from rest [s, own clock]. */
+/** Proper times to reach the maximum speed, and the walking speed, from rest [s]. */
 const SPRINT_TIME = 2;
 const WALK_TIME = 0.5;
 
-/** The smaller of half the greatest speed and 8 m/s, as a fraction of c. */
+/** The smaller of half the maximum speed and 8 m/s, as a fraction of c. */
 export const walkingSpeed = ({ c, maxSpeed }: Pick<FlightRules, 'c' | 'maxSpeed'>): number =>
   Math.min(maxSpeed / 2, WALKING_SPEED / c);
 
-/** The proper velocity that the controls ask for, world frame; undefined: as it is. */
+/** Proper velocity that the controls ask for, world frame; undefined: keep the current one. */
 export function targetVelocity(state: ObserverState, controls: FlightControls, rules: FlightRules): Vec3 | undefined {
   const [right, up, back] = controls.thrust;
   const push = length(controls.thrust);
@@ -53,8 +53,8 @@ export function targetVelocity(state: ObserverState, controls: FlightControls, r
 }
 
 /**
- * The observer after dt [s] of the person's time, which is the observer's own: a constant proper acceleration towards the
- * wanted velocity, exactly. Where time stands still in the world the observer still moves, through a frozen instant.
+ * The observer after dt [s] of real time, which equals the observer's proper time: constant proper acceleration towards
+ * the target velocity, integrated exactly. With world time paused the observer still moves, through a frozen instant.
  */
 export function stepFlight(
   state: ObserverState,
@@ -70,7 +70,7 @@ export function stepFlight(
   return { ...held, position, orientation: state.orientation };
 }
 
-/** In the locks the world's time runs as the person's: `look` stays at one place, and `fly` is at rest for the picture. */
+/** With a lock, world time runs as real time: `look` stays in place, and `fly` is at rest for the picture. */
 function lockedClocks(state: ObserverState, u: Vec3, dt: number, { lock, playing }: FlightRules) {
   if (!playing) return { t: state.t, properTime: state.properTime };
   return { t: state.t + dt, properTime: state.properTime + (lock === 'look' ? dt / gamma(u) : dt) };
@@ -86,14 +86,17 @@ function thrust(state: ObserverState, wanted: Vec3 | undefined, dt: number, rule
   return burn < dt ? coast({ ...burnt, u: wanted }, dt - burn, rules.c) : burnt;
 }
 
-/** [m/s²]: one for walking, a stronger one wherever more than the walking speed is had or wanted. */
+/** Proper acceleration [m/s²]: a stronger one where the current or the target speed exceeds the walking speed. */
 function properAcceleration(u: Vec3, wanted: Vec3, rules: FlightRules): number {
   const walk = Math.atanh(walkingSpeed(rules));
   const fast = Math.max(rapidity(u), rapidity(wanted)) > walk * 1.001;
   return rules.c * (fast ? Math.atanh(rules.maxSpeed) / SPRINT_TIME : walk / WALK_TIME);
 }
 
-/** Turns the head: yaw about the scene's up axis, then pitch about the camera's own right [rad]; never over the top. */
+/**
+ * Rotates the view: yaw about the scene's up axis, then pitch about the camera's right axis [rad]; pitch is clamped at
+ * the vertical.
+ */
 export function turnView(orientation: Quat, yaw: number, pitch: number, up: Vec3): Quat {
   const turned = multiply(fromAxisAngle(up, yaw), orientation);
   const forward = rotate(turned, [0, 0, -1]);
@@ -103,7 +106,7 @@ export function turnView(orientation: Quat, yaw: number, pitch: number, up: Vec3
   return normalizeQuat(multiply(fromAxisAngle(rotate(turned, [1, 0, 0]), bounded), turned));
 }
 
-/** World time [s] on the timeline: at the end it starts again, or stays. */
+/** Wraps world time [s] to the timeline: at the end it loops or stops. */
 export function wrapTime(t: number, start: number, end: number, loop: boolean): number {
   if (end <= start || t <= end) return t;
   return loop ? start + ((t - start) % (end - start)) : end;

@@ -1,7 +1,7 @@
 import { length, type Vec3 } from '../../math/vec3.ts';
 import type { FlightControls } from './flight.ts';
 
-/** Thrust of each key in camera axes, by the key's place on the keyboard, so that it is the same on every layout. */
+/** Thrust of each key in camera axes, by physical key (`KeyboardEvent.code`), the same on every layout. */
 const THRUST_KEYS: Readonly<Record<string, Vec3>> = {
   KeyW: [0, 0, -1],
   KeyS: [0, 0, 1],
@@ -10,7 +10,7 @@ const THRUST_KEYS: Readonly<Record<string, Vec3>> = {
   KeyE: [0, 1, 0],
   KeyQ: [0, -1, 0],
 };
-/** Yaw and pitch of each key. */
+/** Yaw and pitch directions of each key. */
 const LOOK_KEYS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [1, 0],
   ArrowRight: [-1, 0],
@@ -21,14 +21,14 @@ const LOOK_KEYS: Readonly<Record<string, readonly [number, number]>> = {
 const LOOK_SPEED = 1.2;
 const DEAD_ZONE = 0.15;
 
-/** Letters that fly, wherever the focus is on something that does not take letters. */
+/** Flight keys, active unless the focused element takes text. */
 export const isThrustKey = (code: string): boolean => code in THRUST_KEYS;
 export const isFlightKey = (code: string): boolean => code in THRUST_KEYS || code in LOOK_KEYS;
 
-/** Actions of a gamepad's buttons, by their standard numbers. */
+/** Button indices of the W3C standard gamepad. */
 const GAMEPAD_BUTTONS = { play: 0, lock: 3, down: 4, up: 5, full: 7 } as const;
 
-/** What is held down or pushed now: keys, dragging and a gamepad together. */
+/** Keys, drags and gamepad as they are held now. */
 export class InputState {
   private readonly keys = new Set<string>();
   private pendingTurn: [yaw: number, pitch: number] = [0, 0];
@@ -44,12 +44,12 @@ export class InputState {
   holdFullSpeed(held: boolean): void {
     this.fullSpeed = held;
   }
-  /** Keys whose release will not be heard: the picture lost the focus. */
+  /** Forgets held keys, whose release will not be reported after the viewport loses the focus. */
   releaseAll(): void {
     this.keys.clear();
     this.fullSpeed = false;
   }
-  /** By the mouse [rad]. */
+  /** Adds a rotation by the mouse [rad]. */
   turn(yaw: number, pitch: number): void {
     this.pendingTurn[0] += yaw;
     this.pendingTurn[1] += pitch;

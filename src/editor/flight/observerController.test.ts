@@ -31,7 +31,7 @@ const loaded: LoadedScene = {
 let studio: Editor;
 let pilot: ObserverController;
 const settled = () => new Promise((done) => setTimeout(done));
-/** Takes up what the document says now. */
+/** Applies the document's current state. */
 async function follow(until?: number): Promise<void> {
   await settled();
   const { picture, pictureSource } = studio.store.getState();

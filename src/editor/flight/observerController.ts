@@ -1,7 +1,7 @@
 import { IDENTITY } from '../../math/quat.ts';
 import { length, ZERO } from '../../math/vec3.ts';
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { sceneKey } from '../loading/localFiles.ts';
@@ -11,24 +11,24 @@ import { initialObserver, observerOnCamera, sceneUpVector, viewPointOf } from '.
 import { LOCKS, type Lock, stepFlight, turnView, wrapTime } from './flight.ts';
 import { InputState } from './inputState.ts';
 
-/** Where an observer goes on. */
+/** State from which a restored session resumes. */
 export interface RestoredObserver {
   readonly observer: ObserverState;
   readonly lock: Lock;
   readonly cruise: boolean;
 }
 
-/** Moves the observer, and the world's time, by what the person does: what changes by itself and is in no document. */
+/** Moves the observer and world time by user input. This state is in no document. */
 export class ObserverController {
   readonly inputs = new InputState();
   private readonly studio: Editor;
   private currentPicture: PictureSpec | undefined;
-  /** What it is of: files that are added to a scene do not make it another. */
+  /** Key of the shown scene; it stays the same when files are added to the scene. */
   private scene = '';
   private until: number | undefined;
   private state: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
 
-  /** Of the first picture: where the observer was before the page was loaded again. */
+  /** For the first picture: the state to restore after a page reload. */
   private returns: RestoredObserver | undefined;
 
   constructor(studio: Editor, returns?: RestoredObserver) {
@@ -43,7 +43,7 @@ export class ObserverController {
     return this.currentPicture;
   }
 
-  /** So far the motion was computed [s]: time waits there for more. Undefined: it is whole. */
+  /** Time up to which the motion is computed [s], where playback waits for more; undefined when it is complete. */
   get computedUntil(): number | undefined {
     return this.until;
   }
@@ -53,8 +53,8 @@ export class ObserverController {
   }
 
   /**
-   * What is shown from now on. Another project or file begins at its own start, another camera is gone to; any other edit leaves the
-   * observer where he is.
+   * Sets the picture to observe. Another project or file starts at its own start; another camera is moved to; any other
+   * edit leaves the observer in place.
    */
   setPicture(picture: PictureSpec, { origin, source }: Pick<PictureSource, 'origin' | 'source'>, until?: number): void {
     const before = this.currentPicture?.camera;
@@ -71,7 +71,7 @@ export class ObserverController {
     }
   }
 
-  /** Back to where the scene begins, as its author meant it to be seen. */
+  /** Back to the initial state that the scene defines. */
   restart(): void {
     if (!this.currentPicture) return;
     this.state = initialObserver(this.currentPicture);
@@ -91,7 +91,7 @@ export class ObserverController {
     this.state = { ...this.state, t };
   }
 
-  /** dt [s]: of the person's time. */
+  /** dt [s] of real time. */
   advance(dt: number): void {
     this.takeButtons();
     const picture = this.currentPicture;
@@ -159,7 +159,7 @@ export class ObserverController {
     this.state = { ...after, properTime: before.properTime + (after.t - before.t) / slow };
   }
 
-  /** Whether time passes in the world. */
+  /** Whether world time runs. */
   private get passes(): boolean {
     const { playing } = this.studio.store.getState();
     return playing && (this.until === undefined || this.state.t < this.until);

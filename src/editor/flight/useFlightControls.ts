@@ -10,7 +10,7 @@ import type { ObserverController } from './observerController.ts';
 /** [rad] per pixel of dragging. */
 const RADIANS_PER_PIXEL = 0.0032;
 
-/** Keys and mouse over the picture, while it has the focus. Returns whether it has. */
+/** Keyboard and mouse input of the viewport while it has the focus. Returns whether it has the focus. */
 export function useFlightControls(host: RefObject<HTMLElement | null>): boolean {
   const studio = useEditor();
   const { observerController } = useServices();
@@ -51,7 +51,7 @@ export function useFlightControls(host: RefObject<HTMLElement | null>): boolean 
   return focused;
 }
 
-/** A flight key that is pressed outside the picture brings the focus there, unless it means something where it is. */
+/** Focuses the viewport when a flight key is pressed elsewhere, unless the focused element uses the key. */
 function focusOnFlightKey(event: KeyboardEvent, element: HTMLElement, pilot: ObserverController, studio: Editor): void {
   if (event.ctrlKey || event.metaKey || event.altKey || !isThrustKey(event.code)) return;
   const { target } = event;
@@ -69,7 +69,7 @@ function handleKeyDown(event: KeyboardEvent, element: HTMLElement, pilot: Observ
   event.preventDefault();
 }
 
-/** Does what a key stands for; false: it stands for nothing here. */
+/** Runs the action of a key; returns false if it has none. */
 function runKeyAction(code: string, element: HTMLElement, pilot: ObserverController, studio: Editor): boolean {
   const { cruise, maximized } = studio.store.getState();
   switch (code) {

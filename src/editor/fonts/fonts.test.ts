@@ -5,7 +5,7 @@ import { uiTexts } from '../i18n/texts.ts';
 const text = (path: string): string => readFileSync(new URL(path, import.meta.url), 'utf8');
 const greek = (words: string): readonly string[] => [...new Set(words.match(/\p{Script=Greek}/gu))].toSorted();
 
-/** The letters of `U+03B1-03B3, U+03C9`. */
+/** The code points of a unicode-range such as `U+03B1-03B3, U+03C9`. */
 function lettersOf(ranges: string): string {
   const bounds = ranges.split(',').map((range) => range.match(/[0-9A-F]+/g)!.map((code) => Number.parseInt(code, 16)));
   return bounds

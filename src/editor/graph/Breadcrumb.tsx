@@ -6,7 +6,7 @@ import { useEditor, useEditorState } from '../state/context.tsx';
 import { existingPath, levelAt, useCanvas } from './canvas/canvasState.ts';
 import { actionContext, leaveGroup } from './commands/actions.ts';
 
-/** In which group the canvas is, and the way out. */
+/** Path of entered groups, with buttons to leave them. */
 export function Breadcrumb(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();

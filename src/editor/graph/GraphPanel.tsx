@@ -16,7 +16,7 @@ import { AddNode } from './search/AddNode.tsx';
 
 canvas.setState({ pictures: loadPreferences().nodePictures });
 
-/** The document as a graph of nodes. */
+/** The document as a node graph. */
 export default function GraphPanel(): ReactNode {
   const { t } = useTexts();
   const panel = useRef<HTMLElement>(null);

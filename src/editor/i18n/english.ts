@@ -1,4 +1,4 @@
 import { textsIn } from './texts.ts';
 
-// The build puts the texts themselves here (vite.config.ts), so that the page loads one language.
+// The build replaces this by the texts themselves (vite.config.ts), so that the page loads one language only.
 export const words = textsIn(0);

@@ -1,4 +1,4 @@
-/** The words of the example scenes and projects in Chinese; in English they are the scenes' own, in their files. */
+/** Texts of the example scenes and projects in Chinese; the English ones are in the scene files. */
 export const exampleTexts: Readonly<Record<string, { readonly title: string; readonly lookFor: string }>> = {
   street: {
     title: '街道',

@@ -12,17 +12,17 @@ export type Translate = (key: TextKey, values?: Readonly<Record<string, string |
 
 interface Texts {
   readonly words: Readonly<Record<string, string>>;
-  /** Of the examples, where they are not as their files have them. */
+  /** Example texts, in languages other than that of the files. */
   readonly examples?: typeof exampleTexts;
 }
 
-/** A page loads the language that it is in. */
+/** Only the page's language is loaded. */
 const TEXT_LOADERS: Readonly<Record<Language, () => Promise<Texts>>> = {
   en: () => import('./english.ts'),
   zh: () => import('./chinese.ts'),
 };
 
-/** Of sentences that arise in English, in the other languages; loaded after the page's own words, for nothing is said at first. */
+/** Translations of messages that are composed in English; loaded after the UI texts, since none is shown at first. */
 const TRANSLATION_LOADERS: Readonly<
   Partial<Record<Language, () => Promise<{ readonly translations: MessageCatalogue }>>>
 > = {
@@ -30,10 +30,10 @@ const TRANSLATION_LOADERS: Readonly<
 };
 const messageTranslators = new Map<Language, TranslateMessage>();
 const untranslated: TranslateMessage = (sentence) => sentence;
-/** Tells those who show sentences. */
+/** Event: translations have been loaded. */
 const TRANSLATIONS_LOADED = 'learnt';
 
-/** The language that a browser's list of preferences asks for. */
+/** The best language for a browser's list of preferences. */
 export const preferredLanguage = (wanted: readonly string[]): Language =>
   wanted.map((tag) => tag.slice(0, 2)).find((tag): tag is Language => tag === 'en' || tag === 'zh') ?? 'en';
 
@@ -50,7 +50,7 @@ export async function startTranslation(language: Language): Promise<void> {
   loadTranslations(language);
 }
 
-/** Rejects where the language cannot be loaded; the page stays as it is. */
+/** Rejects if the language cannot be loaded; the page then stays as it is. */
 export async function setLanguage(language: Language): Promise<void> {
   for (const [namespace, texts] of Object.entries(await resourcesOf(language))) {
     i18next.addResourceBundle(language, namespace, texts);
@@ -59,7 +59,7 @@ export async function setLanguage(language: Language): Promise<void> {
   loadTranslations(language);
 }
 
-/** Until it is learnt, and where it cannot be loaded, sentences stay English. */
+/** Messages stay in English until translations are loaded, or if they cannot be. */
 function loadTranslations(language: Language): void {
   if (messageTranslators.has(language)) return;
   TRANSLATION_LOADERS[language]?.().then(
@@ -76,7 +76,7 @@ async function resourcesOf(language: Language): Promise<{ readonly translation: 
   return { translation: words, examples };
 }
 
-/** The catalogue in the language of the page; the component is drawn again when it changes. */
+/** The UI texts in the current language; components re-render when it changes. */
 export function useTexts(): {
   readonly t: Translate;
   readonly language: Language;
@@ -89,11 +89,11 @@ export function useTexts(): {
   return {
     t: (key, values) => t(key, values ?? {}),
     language,
-    /** For keys that come out of descriptions: what is not in the catalogue stands for itself. */
+    /** For keys from node descriptions: a text that is not in the catalogue is returned as it is. */
     any: (key, values) => (i18n.exists(key) ? t(key, values ?? {}) : key),
-    /** What the program says of its own accord, which arises in English. */
+    /** Translates a message that the program composed in English. */
     said: messageTranslators.get(language) ?? untranslated,
-    /** What is said of an example scene or project, where its file does not say it in this language. */
+    /** Text of an example where its file has none in this language. */
     example: (name) => i18n.getResource(i18n.language, 'examples', name),
   };
 }

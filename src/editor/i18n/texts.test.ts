@@ -28,7 +28,7 @@ describe('the catalogue of messages', () => {
         },
       ),
     ).join('\n');
-    // Keys that are put together: `lock.${lock}.help`.
+    // Matches keys composed from templates: `lock.${lock}.help`.
     const composed =
       /^(lock|loading|header)\.(free|look|fly|fetch|parse|trace|simulate|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^(band|preset|light|math|vectorMath|relation|category|type|graph\.course)\.|^energy\.(change|total|kinetic|potential|fastest|momentum|angularMomentum)$/;
     const unused = Object.keys(uiTexts).filter((key) => !sources.includes(`'${key}'`) && !composed.test(key));
@@ -56,7 +56,7 @@ describe('the catalogue of messages', () => {
       ]),
       ...[...Object.values(type.inputs), ...Object.values(type.outputs)].flatMap(({ title }) => title ?? []),
     ]);
-    // A single letter is its own name in every language.
+    // Single letters are the same in every language.
     expect(keys.filter((key) => !Object.hasOwn(uiTexts, key) && !/^[A-Z]$/.test(key))).toEqual([]);
   });
 });

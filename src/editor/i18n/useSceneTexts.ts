@@ -6,7 +6,7 @@ interface SceneTexts {
   readonly lookFor: string;
 }
 
-/** The title of a scene or project and what to look for: its file's own words; of the examples the page has them in its other language too. */
+/** Title and description of a scene or project: the file's own; for examples also in the page's other language. */
 export function useSceneTexts(source: string, own: { readonly title?: string; readonly lookFor?: string }): SceneTexts {
   const { example } = useTexts();
   const name = source
@@ -17,7 +17,7 @@ export function useSceneTexts(source: string, own: { readonly title?: string; re
   return translated ?? { title: own.title ?? name, lookFor: own.lookFor ?? '' };
 }
 
-/** The words of what is shown: the project's own, where it says what to look for, else those of its scene. */
+/** Texts of the opened document: the project's own if it says what to look for, otherwise those of its scene. */
 export function useOpenedTexts(): SceneTexts {
   const { origin, source, title, lookFor } = useEditorState(({ pictureSource }) => pictureSource);
   const hints = useEditorState(({ picture }) => picture?.scene.hints);

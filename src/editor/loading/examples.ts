@@ -1,12 +1,12 @@
-/** One scene or project of the gallery, as `examples/index.json` lists it; made when the page is built, from their own words. */
+/** A scene or project of the gallery, as listed in `examples/index.json`; generated from the files at build time. */
 export interface Example {
-  /** Beside the page: `examples/street.usda`. */
+  /** Path relative to the page: `examples/street.usda`. */
   readonly source: string;
-  /** `street` */
+  /** Name without extension: `street`. */
   readonly name: string;
   readonly title: string;
   readonly lookFor: string;
-  /** Address of a picture of it. */
+  /** Address of its thumbnail. */
   readonly thumbnail?: string;
 }
 

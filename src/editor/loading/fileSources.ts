@@ -5,7 +5,10 @@ import { readUserFile, type UserFile } from './userFiles.ts';
 
 type ReportProgress = (received: number, total: number) => void;
 
-/** Files beside an address; what the server does not have is undefined. Reports the bytes of each file as they arrive. */
+/**
+ * Files relative to a base address; `read` returns undefined for what the server does not have. Reports the received
+ * bytes of each file.
+ */
 export function urlSource(base: string, report: ReportProgress): FileSource {
   return {
     read: async (path) => {
@@ -19,7 +22,7 @@ export function urlSource(base: string, report: ReportProgress): FileSource {
 
 const encodePath = (path: string): string => path.split('/').map(encodeURIComponent).join('/');
 
-/** An address as the folder that files are read from, ending with '/', and the file in it. */
+/** Splits an address into the folder that files are read from, ending with '/', and the file name. */
 export function splitAddress(url: URL): { readonly base: string; readonly entry: string } {
   const slash = url.pathname.lastIndexOf('/') + 1;
   return {
@@ -53,8 +56,8 @@ async function* streamOf(response: Response): AsyncGenerator<Uint8Array> {
 }
 
 /**
- * Files that a person chose, by their paths, before those of `others`. A reference that leads to none finds the one that it
- * most likely means.
+ * Files that the user chose, by path, preferred to those of `others`. A reference that matches none is resolved to the
+ * most likely file.
  */
 export function localSource(
   files: ReadonlyMap<string, UserFile>,

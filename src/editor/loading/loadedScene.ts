@@ -3,7 +3,7 @@ import type { LoadedScene } from '../../nodes/services.ts';
 import type { Scene } from '../../scene/types.ts';
 import { renderableScene } from '../../scene/validation/renderableScene.ts';
 
-/** What is told when a scene is opened: its faults, and its fastest point. */
+/** A scene with its problems and its fastest point. */
 export function loadedScene(read: Scene): LoadedScene {
   const { scene, diagnostics } = renderableScene(read);
   return toLoadedScene({ ...scene, diagnostics: [...scene.diagnostics, ...diagnostics] });

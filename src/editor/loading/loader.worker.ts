@@ -14,7 +14,7 @@ import { readBlob } from './readBlob.ts';
 
 setFileReader(readBlob);
 
-/** Reads one scene off the main thread; its arrays are handed over, not copied. */
+/** Reads one scene off the main thread; its arrays are transferred, not copied. */
 addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
   try {
     const files = new Map<string, Uint8Array>();
@@ -27,7 +27,7 @@ addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
   }
 });
 
-/** Of a long cache, whose samples are all looked at once. */
+/** Progress of validating a long cache, which reads all samples. */
 const progress = (part: number): void => reply({ kind: 'progress', stage: 'parse', part });
 
 async function load(request: LoadRequest, files?: Map<string, Uint8Array>): Promise<LoadedScene> {
@@ -41,7 +41,7 @@ async function load(request: LoadRequest, files?: Map<string, Uint8Array>): Prom
   );
 }
 
-/** What share of a file has come is known; of what is made of it is not. */
+/** The read fraction of a file is known; that of parsing is not. */
 const report = (received: number, total: number): void =>
   received < total
     ? reply({ kind: 'progress', stage: 'fetch', part: received / total })
@@ -52,17 +52,17 @@ function sourceOf({ files, base }: LoadRequest, asked?: Map<string, Uint8Array>)
   return localSource(new Map(files), report, server && asked ? collecting(server, asked) : server);
 }
 
-/** Remembers what was asked for and was there. */
+/** Records the files that are read. */
 const collecting = ({ read }: FileSource, files: Map<string, Uint8Array>): FileSource => ({
   read: async (path) => {
     const bytes = await read(path);
-    // Readers may hand over what they get.
+    // Readers may transfer the buffers they get.
     if (bytes) files.set(normalizePath(path), bytes.slice());
     return bytes;
   },
 });
 
-/** The scene itself, or the best one in an archive. */
+/** The scene itself, or the best one of an archive. */
 async function sceneIn(source: FileSource, path: string): Promise<{ source: FileSource; entry: string }> {
   const zip = splitArchive(path);
   const bytes = zip && (await source.read(zip.archive));

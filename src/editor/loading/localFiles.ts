@@ -3,22 +3,22 @@ import type { SceneFiles } from './protocol.ts';
 import type { UserFiles } from './userFiles.ts';
 
 /**
- * The files that the person gave this session, by the name under which a document refers to them: `local:3/set/scene.usda` is
- * a file of the third set; in `local:3.1/…` others were added to it once. The set of a scene on the server holds what was
- * added: `local:4.1@examples/scene.usda`.
+ * Files that the user opened in this session, by the names under which documents refer to them:
+ * `local:3/set/scene.usda` is a file of the third set; `local:3.1/…` is the set after one addition. A scene on the
+ * server has a set for files added to it: `local:4.1@examples/scene.usda`.
  */
 export class LocalFiles {
   private readonly sets = new Map<string, UserFiles>();
   private count = 0;
 
-  /** Returns the name to open a file of a new set by. */
+  /** Adds a set; returns the name of its entry. */
   add(files: UserFiles, entry: string): string {
     const id = String(++this.count);
     this.sets.set(id, files);
     return `local:${id}/${entry}`;
   }
 
-  /** Adds files to the set of a scene; returns the name to open it by from then on. */
+  /** Adds files to the set of a scene; returns the scene's new name. */
   addToSet(source: string, files: UserFiles): string {
     const { id, rest } = parseLocalName(source) ?? { id: String(++this.count), rest: `@${source}` };
     const before = this.sets.get(id) ?? new Map();
@@ -27,20 +27,20 @@ export class LocalFiles {
     return `local:${next}${rest}`;
   }
 
-  /** The set that a name is of, with its key. */
+  /** The set of a name, with its id. */
   setOf(source: string): { readonly id: string; readonly files: UserFiles } | undefined {
     const id = parseLocalName(source)?.id ?? '';
     const files = this.sets.get(id);
     return files && { id, files };
   }
 
-  /** A file that was given before, by its path; of several, the one that was given last. */
+  /** Finds a file by its path; of several, the most recently added. */
   find(path: string): string | undefined {
     const [id] = [...this.sets].findLast(([, files]) => files.has(path)) ?? [];
     return id === undefined ? undefined : `local:${id}/${path}`;
   }
 
-  /** Takes a set of an earlier session, under its key where that is free; returns its key. */
+  /** Restores a set of an earlier session, under its id if that is free; returns the id. */
   restoreSet(id: string, files: UserFiles): string {
     const key = this.sets.has(id) ? String(++this.count) : id;
     this.sets.set(key, files);
@@ -48,13 +48,13 @@ export class LocalFiles {
     return key;
   }
 
-  /** Names that are in use already are not given again, whether their files are here or not. */
+  /** Reserves a name's id, whether its files are available or not. */
   reserveName(source: string): void {
     const numbers = parseLocalName(source)?.id.split('.').map(Number) ?? [];
     this.count = Math.max(this.count, ...numbers);
   }
 
-  /** Paths of the set that a scene belongs to. */
+  /** Paths of the scene's set. */
   paths(source: string): string[] {
     return [...(this.sets.get(parseLocalName(source)?.id ?? '')?.keys() ?? [])];
   }
@@ -79,13 +79,13 @@ export function parseLocalName(source: string): { id: string; rest: string } | u
   return id === undefined || rest === undefined ? undefined : { id, rest };
 }
 
-/** Single files come beside the scene; a folder or an archive keeps its own paths. */
+/** Single files are placed beside the scene; folders and archives keep their paths. */
 function relativeToScene(files: UserFiles, rest: string): UserFiles {
   const folder = rest.startsWith('@') ? '' : rest.slice(1, rest.lastIndexOf('/') + 1);
   return new Map([...files].map(([path, file]) => [path.includes('/') ? path : folder + path, file]));
 }
 
-/** What stays the same while files are added to a scene: by this the page knows that it is still the same one. */
+/** Identity of a scene that does not change when files are added to it. */
 export function sceneKey(source: string): string {
   const { id, rest } = parseLocalName(source) ?? {};
   if (id === undefined || rest === undefined) return source;

@@ -3,21 +3,21 @@ import type { Diagnostic } from '../../scene/types.ts';
 
 const baseName = (path: string): string => path.slice(path.lastIndexOf('/') + 1).toLowerCase();
 
-/** Paths of files that a scene asked for and did not find. */
+/** Paths of files that a scene references and that were not found. */
 export const missingPaths = (diagnostics: readonly Diagnostic[]): string[] =>
   diagnostics.flatMap(({ missing }) => (missing ? [missing.name, ...missing.lookedFor] : []));
 
 export interface OpenSceneStatus {
-  /** By which it was opened. */
+  /** Name under which it was opened. */
   readonly name: string;
   readonly missing: readonly string[];
-  /** It could not be read. */
+  /** Whether it could not be read. */
   readonly failed: boolean;
 }
 
 /**
- * Whether files that were dropped belong to the scene that is open, rather than being one: where it asked for one of them, or
- * could not be read, and where there is no other scene among them.
+ * Whether dropped files belong to the open scene rather than being a new one: it lacks one of them, or could not be
+ * read, and there is no other scene among them.
  */
 export function suppliesMissingFiles(paths: readonly string[], { name, missing, failed }: OpenSceneStatus): boolean {
   const wanted = new Set(missing.map(baseName));

@@ -1,13 +1,13 @@
-/** Files by their paths within what was chosen. */
+/** Files by their paths within the selection. */
 export type PickedFiles = ReadonlyMap<string, File>;
 
-/** Of a file dialogue: with their folders, where a folder was chosen. */
+/** Files of a file dialogue; with folders, if a folder was chosen. */
 export const pickedFiles = (list: Iterable<File>): PickedFiles =>
   new Map([...list].map((file) => [file.webkitRelativePath || file.name, file]));
 
 /**
- * Everything that was dropped, folders with all that is in them. To be called within the drop event: the browser takes the
- * items back when it ends.
+ * All dropped files, folders recursively. Must be called within the drop event, after which the browser revokes access
+ * to the items.
  */
 export async function droppedFiles(transfer: DataTransfer): Promise<PickedFiles> {
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry());
@@ -24,7 +24,7 @@ async function filesIn(entry: FileSystemEntry): Promise<[string, File][]> {
   if (!isDirectory(entry)) return [];
   const reader = entry.createReader();
   const found: [string, File][] = [];
-  // A reader gives its entries in portions, and an empty one at the end.
+  // `readEntries` returns batches, and an empty one at the end.
   for (let part = await readDirectoryBatch(reader); part.length > 0; part = await readDirectoryBatch(reader)) {
     found.push(...(await Promise.all(part.map(filesIn))).flat());
   }

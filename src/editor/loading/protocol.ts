@@ -5,9 +5,9 @@ import type { UserFile } from './userFiles.ts';
 
 /** Where the worker finds a scene's files. */
 export interface SceneFiles {
-  /** Chosen or dropped by the person: looked at first. */
+  /** Files from the user, searched first. */
   readonly files: readonly (readonly [path: string, file: UserFile])[];
-  /** Folder on the page's own server, ending with '/'; absent where the person gave all files. */
+  /** Folder on the page's server, ending with '/'; absent if the user supplied all files. */
   readonly base?: string;
   readonly entry: string;
 }
@@ -16,17 +16,17 @@ export interface LoadRequest extends SceneFiles {
   /** `set`, `option`. */
   readonly variants: readonly (readonly [string, string])[];
   readonly interpolation?: Interpolation;
-  /** Give the files that reading it asks the server for, instead of the scene. */
+  /** Return the files that reading requests from the server, instead of the scene. */
   readonly collect?: true;
 }
 
 export type LoadStage = 'fetch' | 'parse';
 
 export type LoaderReply =
-  /** `part` 0 … 1; undefined where it cannot be known. */
+  /** `part` 0 … 1; undefined if unknown. */
   | { readonly kind: 'progress'; readonly part: number | undefined; readonly stage: LoadStage }
   | { readonly kind: 'done'; readonly loaded: LoadedScene }
-  /** By their paths beside the scene. */
+  /** By their paths relative to the scene. */
   | { readonly kind: 'collected'; readonly files: ReadonlyMap<string, Uint8Array> }
-  /** `diagnostic` where the reader refused the file; else something unforeseen. */
+  /** With `diagnostic` if the reader refused the file; otherwise an unexpected error. */
   | { readonly kind: 'failed'; readonly message: string; readonly diagnostic?: Diagnostic };

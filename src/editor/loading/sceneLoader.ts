@@ -6,7 +6,7 @@ import { localSource, splitAddress, urlSource } from './fileSources.ts';
 import { type LocalFiles, sceneName } from './localFiles.ts';
 import type { LoaderReply, LoadRequest, SceneFiles } from './protocol.ts';
 
-/** Reads the scene of a document's `source`: files of this session, or an address beside the page. */
+/** Reads the scene of a document's `source`: user files of this session, or an address relative to the page. */
 export function sceneReader(local: LocalFiles): Services['readScene'] {
   return (source, how) => readInWorker(requestFor(local, source, how), how);
 }
@@ -22,7 +22,7 @@ function requestFor(
 
 type SceneReadOptions = Pick<ReadRequest, 'variants' | 'interpolation'>;
 
-/** Reads a small file of a document: one of this session, or at an address beside the page. */
+/** Reads a small file of a document: a user file of this session, or an address relative to the page. */
 export function fileReader(local: LocalFiles): Services['readFile'] {
   return async (source) => {
     const { files, base, entry } = local.get(source) ?? filesAtAddress(source);
@@ -42,7 +42,7 @@ function filesAtAddress(source: string): SceneFiles {
   return { files: [], ...splitAddress(new URL(source, document.baseURI)) };
 }
 
-/** One worker per scene: to cancel is to end it, whatever it is doing. */
+/** One worker per scene; it is terminated to cancel. */
 async function readInWorker(request: LoadRequest, { signal, progress }: ReadRequest): Promise<LoadedScene> {
   progress(undefined, 'fetch');
   const reply = await askWorker(request, progress, signal);
@@ -50,7 +50,7 @@ async function readInWorker(request: LoadRequest, { signal, progress }: ReadRequ
   throw new Error('the reader did not give the scene');
 }
 
-/** The files on a server that reading a scene asks for, by their paths from its folder. */
+/** Files on a server that reading a scene requests, by path relative to its folder. */
 export async function collectServerFiles(
   local: LocalFiles,
   source: string,

@@ -3,26 +3,26 @@ import { extensionOf } from '../../formats/files/fileSource.ts';
 import { type RandomAccessFile, readZipDirectory, type ZipEntry } from '../../formats/zip/directory.ts';
 import { unpack } from '../../formats/zip/unpack.ts';
 
-/** A file that a person gave, or one in an archive that he gave: unpacked when it is read, in the worker. */
+/** A file from the user, or an entry of an archive, decompressed on read in the worker. */
 export type UserFile = Blob | ArchivedFile;
 
 interface ArchivedFile {
   readonly archive: Blob;
-  /** Of the archive, for messages. */
+  /** Name of the archive, for messages. */
   readonly name: string;
   readonly entry: ZipEntry;
 }
 
-/** Files by their paths within what was given. */
+/** Files by their paths within the selection. */
 export type UserFiles = ReadonlyMap<string, UserFile>;
 
-/** A blob, of which only what is needed is read. */
+/** A blob with random access. */
 const partedBlob = (blob: Blob): RandomAccessFile => ({
   size: blob.size,
   read: async (from, to) => new Uint8Array(await blob.slice(from, to).arrayBuffer()),
 });
 
-/** Reads a file whole; `report` hears of the bytes that have come so far, of all. */
+/** Reads a whole file; `report` gets received and total bytes. */
 export async function readUserFile(
   file: UserFile,
   report: (received: number, total: number) => void,
@@ -41,7 +41,7 @@ export async function readUserFile(
   return bytes.subarray(0, received);
 }
 
-/** Every zip among the files becomes a folder of its own name; an InputError where one cannot be read. */
+/** Replaces every zip by a folder of its name; throws an InputError if one cannot be read. */
 export async function expandArchives(files: ReadonlyMap<string, Blob>): Promise<UserFiles> {
   const found = new Map<string, UserFile>();
   for (const [path, file] of files) {

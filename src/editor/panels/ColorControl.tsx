@@ -4,10 +4,10 @@ import type { ColorParam } from '../../graph/nodeType.ts';
 import { decodeSrgb } from '../../spectrum/display/srgb.ts';
 import { cssColor } from '../color.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import type { ParamProps } from './ParamControl.tsx';
 import { ParamLabel, ResetButton } from './ParamLabel.tsx';
+import type { ParamProps } from './paramProps.ts';
 
-/** A colour, chosen and typed as screens have it; the document holds linear light. */
+/** A colour, edited in display sRGB; the document stores linear values. */
 export function ColorControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<ColorParam>): ReactNode {
   const { any } = useTexts();
   const id = useId();

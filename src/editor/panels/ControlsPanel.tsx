@@ -11,7 +11,7 @@ import { drivenInputTitlesOf } from './drivenInputs.ts';
 import { NodeParams, visibleParams } from './NodeParams.tsx';
 import { userTitle } from './nodeTitle.ts';
 
-/** What a person reaches for most comes first; other nodes follow, the nearest to the output first. */
+/** Most used sections first; other nodes follow, nearest to the output first. */
 const SECTION_ORDER = [
   'relativity-console',
   'relativity-rasterize',
@@ -25,11 +25,11 @@ const SECTION_ORDER = [
 interface ParamSection {
   readonly node: FlatNode;
   readonly type: NodeType;
-  /** What a person calls the node. */
+  /** The user's title of the node. */
   readonly title?: string;
 }
 
-/** The parameters of the nodes that make the picture. It is made from their descriptions and knows none of them. */
+/** Parameters of the nodes that contribute to the picture, generated from their descriptions. */
 export function ControlsPanel(): ReactNode {
   const document = useEditorState((state) => state.history.document);
   const sections = sectionsOf(document);
@@ -80,7 +80,7 @@ function sectionsOf(document: GraphDocument): ParamSection[] {
     .sort((a, b) => place(a.type) - place(b.type));
 }
 
-/** What is in the scene and how it moves is the Scene panel's; of what only computes, what a person has given a name is a control. */
+/** Scene content and motion are in the Scene panel; utility nodes are listed only if the user has titled them. */
 const isListed = (type: NodeType, title: string | undefined): boolean =>
   type.category !== 'geometry' &&
   (type.category !== 'utility' || title !== undefined) &&

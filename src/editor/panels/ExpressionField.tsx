@@ -7,16 +7,18 @@ import { useEditorState } from '../state/context.tsx';
 interface ExpressionFieldProps {
   readonly label: string;
   readonly value: number;
-  /** As written beside the number. */
+  /** As displayed beside the number. */
   readonly unit?: string;
-  /** At most so many decimals are shown. */
+  /** Maximum number of decimals displayed. */
   readonly decimals: number;
   readonly width?: number;
   readonly leftSection?: ReactNode;
   readonly take: (value: number) => void;
 }
 
-/** A number that may be typed as it is thought of: `0.9*c`, `30deg`, `5 km/h`. What is not understood is told, and changes nothing. */
+/**
+ * A number field that accepts expressions: `0.9*c`, `30deg`, `5 km/h`. Invalid input is reported and changes nothing.
+ */
 export function ExpressionField({
   label,
   value,
@@ -84,13 +86,13 @@ export function ExpressionField({
   );
 }
 
-/** Without the thin spaces and the unit that the field itself shows, of which not all are quantities. */
+/** Removes the thin spaces and the unit that the field displays; not all displayed units can be parsed. */
 function plain(typed: string, unit: string | undefined): string {
   const text = typed.replaceAll('\u202f', '').trim();
   return unit && text.endsWith(` ${unit}`) ? text.slice(0, -unit.length).trim() : text;
 }
 
-/** 299792458 → `299 792 458`, with no more decimals than it has. */
+/** 299792458 → `299 792 458`, without trailing zeros. */
 function grouped(value: number, decimals: number): string {
   const [whole = '', part] = value.toFixed(Math.min(decimals, 12)).split('.');
   const fraction = part?.replace(/0+$/, '');

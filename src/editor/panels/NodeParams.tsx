@@ -6,7 +6,10 @@ import { useEditor, useEditorState } from '../state/context.tsx';
 import { ParamControl } from './ParamControl.tsx';
 import { suggestion } from './suggestion.ts';
 
-/** What does not matter now is not shown: the steps of a solver that is not chosen. `always`: by name, what is shown all the same. */
+/**
+ * Parameters that are active with the current values: not the steps of a solver that is not chosen. `always`: names of
+ * those displayed regardless.
+ */
 export function visibleParams(
   type: NodeType,
   set: GraphNode['params'],
@@ -19,12 +22,12 @@ export function visibleParams(
 }
 
 interface NodeParamsProps {
-  /** As an evaluation names it. */
+  /** Id in evaluation results. */
   readonly node: string;
   readonly type: NodeType;
   readonly set: GraphNode['params'];
   readonly visible: ReturnType<typeof visibleParams>;
-  /** Titles of the nodes that say what parameters are, by these. */
+  /** Titles of the nodes that drive parameters, by parameter. */
   readonly inputTitles: Readonly<Record<string, string>>;
 }
 

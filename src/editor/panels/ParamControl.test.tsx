@@ -21,7 +21,7 @@ const spec: NumberParam = {
 };
 
 beforeAll(async () => {
-  // jsdom has no layout: what Mantine asks of it.
+  // Browser features that Mantine uses and jsdom lacks.
   vi.stubGlobal('matchMedia', () => ({ matches: false, addEventListener: () => {}, removeEventListener: () => {} }));
   vi.stubGlobal(
     'ResizeObserver',

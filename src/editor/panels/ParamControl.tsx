@@ -13,26 +13,12 @@ import { useTexts } from '../i18n/i18n.ts';
 import { ColorControl } from './ColorControl.tsx';
 import { ExpressionField } from './ExpressionField.tsx';
 import { DrivenParam, ParamLabel, ResetButton } from './ParamLabel.tsx';
+import type { ParamProps } from './paramProps.ts';
 import { sliderPosition, sliderValue } from './sliderScale.ts';
 import { ListControl, TextControl } from './TextControl.tsx';
 import { VectorControl } from './VectorControl.tsx';
 
-export interface ParamProps<Spec extends ParamSpec = ParamSpec> {
-  readonly spec: Spec;
-  /** As set in the document; undefined: the default, or what the scene suggests. */
-  readonly set: ParamValue | undefined;
-  /** What holds now. */
-  readonly value: ParamValue;
-  /** For a text whose values come from the scene. */
-  readonly choices?: readonly string[];
-  /** The node that says what it is, where an edge drives it. */
-  readonly drivenBy?: string;
-  /** `gesture`: part of one continuous action. */
-  readonly onChange: (value: ParamValue | undefined, gesture?: string) => void;
-  readonly onGestureEnd: () => void;
-}
-
-/** One parameter of a node, as its description says. */
+/** Control of one parameter, chosen by its description. */
 export function ParamControl(props: ParamProps): ReactNode {
   const { spec, drivenBy } = props;
   if (drivenBy !== undefined) return <DrivenParam spec={spec} by={drivenBy} />;
@@ -100,11 +86,11 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
 interface UnphysicalProps {
   readonly spec: ParamSpec;
   readonly value: ParamValue;
-  /** What nature has, in words. */
+  /** The physical value, as text. */
   readonly nature: string;
 }
 
-/** A value that nature does not have is for teaching, and says so. */
+/** Warns that a value departs from nature. */
 function Unphysical({ spec, value, nature }: UnphysicalProps): ReactNode {
   const { t } = useTexts();
   if (!isUnphysical(spec, value)) return null;
@@ -163,7 +149,7 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
   );
 }
 
-/** More choices than fit side by side are a list. */
+/** More options than this are a list instead of segments. */
 const MAX_SEGMENTS = 5;
 
 function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>): ReactNode {

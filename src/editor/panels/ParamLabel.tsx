@@ -5,7 +5,7 @@ import type { ParamValue } from '../../graph/document/document.ts';
 import type { ParamSpec } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
 
-/** What a parameter is called, and what it is for. */
+/** Title and help of a parameter. */
 export function ParamLabel({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
   const { any } = useTexts();
   const text = (
@@ -27,7 +27,7 @@ interface ResetProps {
   readonly onChange: (value: undefined) => void;
 }
 
-/** Back to the default, where another value is set. */
+/** Resets to the default; shown when another value is set. */
 export function ResetButton({ set, onChange }: ResetProps): ReactNode {
   const { t } = useTexts();
   if (set === undefined) return null;
@@ -46,7 +46,7 @@ export function ResetButton({ set, onChange }: ResetProps): ReactNode {
   );
 }
 
-/** In place of its control: another node says what a parameter is. */
+/** Shown instead of a control when an edge drives the parameter. */
 export function DrivenParam({ spec, by }: { readonly spec: ParamSpec; readonly by: string }): ReactNode {
   const { any, t } = useTexts();
   return (

@@ -8,7 +8,7 @@ import { formatNumber } from '../format.ts';
 import { useTexts } from '../i18n/i18n.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 
-/** What would put a problem right, to be done at once. */
+/** Button that applies a problem's suggested fix. */
 export function Remedy({ remedy }: { readonly remedy: NonNullable<NodeProblem['remedy']> }): ReactNode {
   const { t, any } = useTexts();
   const studio = useEditor();

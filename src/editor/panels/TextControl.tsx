@@ -2,13 +2,13 @@ import { Group, Stack, Textarea, TextInput } from '@mantine/core';
 import { type KeyboardEvent, type ReactNode, useId, useState } from 'react';
 import type { ListParam, TextParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../i18n/i18n.ts';
-import type { ParamProps } from './ParamControl.tsx';
 import { ParamLabel, ResetButton } from './ParamLabel.tsx';
+import type { ParamProps } from './paramProps.ts';
 
-/** What is longer is written in a field of several lines [characters]. */
+/** Longer texts get a multiline field [characters]. */
 const LONG = 60;
 
-/** A text; taken when the field is left, or with Enter (of several lines: Ctrl Enter). */
+/** A text field; accepts on blur or Enter (multiline: Ctrl Enter). */
 export function TextControl({ spec, set, value, onChange }: ParamProps<TextParam>): ReactNode {
   const text = String(value);
   const long =
@@ -16,7 +16,7 @@ export function TextControl({ spec, set, value, onChange }: ParamProps<TextParam
   return <Lines {...{ spec, set, onChange }} text={text} long={long} take={onChange} />;
 }
 
-/** Texts, each on a line. */
+/** A list of texts, one per line. */
 export function ListControl({ spec, set, value, onChange }: ParamProps<ListParam>): ReactNode {
   const lines = Array.isArray(value) ? value.map(String) : spec.default;
   const take = (text: string) => onChange(text.split('\n').filter((line) => line.trim() !== ''));

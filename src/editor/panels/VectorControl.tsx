@@ -26,7 +26,7 @@ interface VectorControlProps {
   readonly onChange: (value: Vector | undefined) => void;
 }
 
-/** A place, or a direction: one of the axes, or three numbers. */
+/** A position or direction: a choice of axis, or three numbers. */
 export function VectorControl({ spec, set, value, onChange }: VectorControlProps): ReactNode {
   const { any, t } = useTexts();
   const id = useId();
@@ -42,7 +42,7 @@ export function VectorControl({ spec, set, value, onChange }: VectorControlProps
         <ParamLabel spec={spec} id={id} />
         <Group gap={4} wrap="nowrap">
           <ResetButton set={set} onChange={onChange} />
-          {/* What has a unit is no direction. */}
+          {/* Vectors with a unit are positions, not directions. */}
           {spec.unit === undefined && (
             <Select
               size="xs"

@@ -2,7 +2,7 @@ import { type Graph, type GraphDocument, graphIn, own } from '../../graph/docume
 import { locateNode } from '../../graph/edits/locateNode.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 
-/** By its inputs that are connected, what the nodes are called that feed a node; keys of the catalogue, or plain words. */
+/** Titles of the nodes that feed a node, by connected input; text keys or plain text. */
 export function drivenInputTitles({ nodes, edges }: Graph, node: string): Readonly<Record<string, string>> {
   const found = Object.values(edges).flatMap(({ from, to }): [string, string][] => {
     const feeder = to.node === node ? own(nodes, from.node) : undefined;
@@ -11,7 +11,7 @@ export function drivenInputTitles({ nodes, edges }: Graph, node: string): Readon
   return Object.fromEntries(found);
 }
 
-/** As `drivenInputTitles`, of a node as evaluations name it. */
+/** As `drivenInputTitles`, for a node given by its evaluation id. */
 export function drivenInputTitlesOf(document: GraphDocument, flat: string): Readonly<Record<string, string>> {
   const place = locateNode(document, flat);
   const level = place && graphIn(document, place.group);

@@ -2,10 +2,10 @@ import { type GraphDocument, type GraphNode, graphIn, own } from '../../graph/do
 import { locateNode } from '../../graph/edits/locateNode.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 
-/** What a person calls a node, which is named as evaluations name it. */
+/** The user's title of a node given by its evaluation id. */
 export const userTitle = (document: GraphDocument, id: string): string | undefined => nodeAt(document, id)?.title;
 
-/** What a node is called in the graph, by the person or after its kind; undefined where there is no such node. */
+/** Title of a node in the graph: the user's, or its type's; undefined if the node does not exist. */
 export function displayTitle(document: GraphDocument, id: string): string | undefined {
   const node = nodeAt(document, id);
   return node && (node.title || own(nodeLibrary, node.type)?.title);

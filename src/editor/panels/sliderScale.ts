@@ -1,6 +1,6 @@
 import type { NumberParam } from '../../graph/nodeType.ts';
 
-/** A control's place 0 … 1 for a value, and back: how a slider goes through the range of a parameter. */
+/** Slider position 0 … 1 of a value, and the inverse. */
 export function sliderPosition(spec: NumberParam, value: number): number {
   const [low, high] = [toScale(spec, spec.min), toScale(spec, spec.max)];
   const bounded = Math.min(spec.max, Math.max(spec.min, value));
@@ -13,7 +13,7 @@ export function sliderValue(spec: NumberParam, position: number): number {
   return Math.min(spec.max, Math.max(spec.min, roundToStep(spec, value)));
 }
 
-/** No equal ratios lead to 0: where a range begins there, they are those of what is a step more. */
+/** A logarithmic scale cannot reach 0: a range that starts there is shifted by one step. */
 const logOffset = ({ min, step }: NumberParam): number => (min > 0 ? 0 : step);
 
 function toScale(spec: NumberParam, value: number): number {
@@ -28,7 +28,10 @@ function fromScale(spec: NumberParam, stretched: number): number {
   return scale === 'approach' ? Math.tanh(stretched) : stretched;
 }
 
-/** To the step; on a stretched scale to three digits that tell, of the value or of what it lacks to 1. */
+/**
+ * Rounds to the step; on a log scale to three significant digits, on an approach scale above 0.5 to two digits of 1 −
+ * value.
+ */
 function roundToStep({ scale, step }: NumberParam, value: number): number {
   if (scale === 'log') return Number(value.toPrecision(3));
   if (scale === 'approach') return value < 0.5 ? Number(value.toFixed(2)) : 1 - Number((1 - value).toPrecision(2));

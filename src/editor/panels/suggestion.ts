@@ -1,8 +1,8 @@
 import type { ParamValue } from '../../graph/document/document.ts';
 import type { ParamSpec } from '../../graph/nodeType.ts';
 import { degrees } from '../../math/angle.ts';
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 
 const SUGGESTED: Readonly<Record<string, (picture: PictureSpec) => number>> = {
   speedOfLight: ({ speedOfLight }) => speedOfLight,
@@ -13,7 +13,7 @@ const SUGGESTED: Readonly<Record<string, (picture: PictureSpec) => number>> = {
   timeCodesPerSecond: ({ scene }) => scene.timeCodesPerSecond,
 };
 
-/** What holds while the person has set nothing: the picture tells what the scene suggested. */
+/** The effective value while the user has set none, read from the picture. */
 export function suggestion(spec: ParamSpec, picture: PictureSpec | undefined): ParamValue {
   const of = spec.kind === 'number' && spec.suggestion ? SUGGESTED[spec.suggestion] : undefined;
   return picture && of ? of(picture) : spec.default;

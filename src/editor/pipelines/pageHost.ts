@@ -2,7 +2,7 @@ import type { GpuAccess, PipelineHost } from '../../pipelines/host.ts';
 import type { Backend } from '../../render/settings.ts';
 import { workerThreads } from './workerThreads.ts';
 
-/** Pipelines draw beside the picture on show, with a device of their own: what is shown goes on. */
+/** Renders on a device of its own, while the viewport goes on. */
 export const pageHost = (backend: Backend | 'auto'): PipelineHost => ({
   openGpu: async () => openCanvas(backend),
   threads: workerThreads,
@@ -19,6 +19,7 @@ function openCanvas(backend: Backend | 'auto'): GpuAccess {
       onError: (error) => failure.fail(error),
       onLost: (reason) => failure.fail(new Error(reason)),
     },
+    // three.js updates a pass once per frame: a second picture in the same frame would repeat the first.
     nextFrame: () => new Promise((resolve) => requestAnimationFrame(resolve)),
     isShared: true,
     guard: (work) => failure.race(work),
@@ -27,7 +28,7 @@ function openCanvas(backend: Backend | 'auto'): GpuAccess {
   };
 }
 
-/** What ends all work: a device that is lost, samples that cannot be read. */
+/** Errors that end all work: a lost device, unreadable samples. */
 class RendererFailure {
   private reject: (error: Error) => void = () => {};
   private readonly failed = new Promise<never>((_, reject) => {

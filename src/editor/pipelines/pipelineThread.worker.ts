@@ -4,12 +4,12 @@ import { readBlob } from '../loading/readBlob.ts';
 
 setFileReader(readBlob);
 
-/** Messages that come while the pipeline's code is being loaded. */
+/** Messages that arrive while the pipeline's code is being loaded. */
 const early: unknown[] = [];
 let hear = (message: unknown): void => void early.push(message);
 addEventListener('message', ({ data }) => hear(data));
 
-/** A thread of the pipeline that it is named after; workerThreads.ts starts it. */
+/** A thread of the pipeline that the worker is named after, started by workerThreads.ts. */
 void pipelineNamed(self.name).serveThread?.({
   listen: (listener) => {
     hear = listener as (message: unknown) => void;

@@ -1,4 +1,4 @@
-/** What the worker that draws a still (a `StillOrder`, its only message) answers. */
+/** Replies of the worker that renders a still; its only message is a `StillOrder`. */
 export type StillReply =
   | { readonly kind: 'progress'; readonly part: number }
   | { readonly kind: 'done'; readonly pixels: Float32Array<ArrayBuffer> }

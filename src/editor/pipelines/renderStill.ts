@@ -2,10 +2,10 @@ import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import { queueStills, type RenderStill } from '../../nodes/still.ts';
 import type { StillReply } from './protocol.ts';
 
-/** A slider's steps come faster than this, so that only the last of them is drawn [ms]. */
+/** Debounces slider steps, so that only the last is rendered [ms]. */
 const DEBOUNCE = 200;
 
-/** Has pictures drawn in workers, which are ended when they are cancelled, whatever they are doing. */
+/** Renders stills in workers, which are terminated on cancellation. */
 export const renderStillInWorker: RenderStill = queueStills(async (still, { signal, progress }) => {
   progress(0, 'trace');
   await new Promise((done) => setTimeout(done, DEBOUNCE));

@@ -3,10 +3,10 @@ import { openSession, pipelineNamed } from '../../pipelines/registry.ts';
 import type { StillReply } from './protocol.ts';
 import { workerThreads } from './workerThreads.ts';
 
-/** Between two words on how far it is [ms]. */
+/** Interval of progress messages [ms]. */
 const PROGRESS_INTERVAL = 100;
 
-/** Has one picture drawn by threads of its own, so that the page only sends the scene once. */
+/** Renders one picture with threads of its own, so that the page sends the scene only once. */
 addEventListener('message', async ({ data }: MessageEvent<StillOrder>) => {
   try {
     const pixels = await drawStill(data);

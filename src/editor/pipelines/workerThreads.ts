@@ -2,12 +2,12 @@ import { transferables } from '../../graph/evaluation/transferables.ts';
 import type { ThreadHost, WorkerThread } from '../../pipelines/host.ts';
 import type { Scene } from '../../scene/types.ts';
 
-/** Each thread has its own copy of the scene; so much memory they take together at most [bytes]. */
+/** Memory limit for the threads' copies of the scene, together [bytes]. */
 const MAX_SCENE_COPIES_BYTES = 2 ** 30;
-/** Memory for caches of all threads together [bytes]. */
+/** Memory for caches, of all threads [bytes]. */
 const CACHE_BYTES = 2 ** 29;
 
-/** Workers of a worker. Pages mostly may not share memory between them. */
+/** Workers of a worker, without shared memory: most pages may not have that. */
 export const workerThreads: ThreadHost = {
   count: threadsFor,
   cacheBytes: (threads) => CACHE_BYTES / threads,
@@ -16,7 +16,7 @@ export const workerThreads: ThreadHost = {
   explain: (error) => error,
 };
 
-/** One processor is left to the page; of large scenes there are fewer copies. */
+/** One core is left to the page; large scenes get fewer copies. */
 function threadsFor(scene: Scene): number {
   const bytes = transferables(scene).reduce((sum, { byteLength }) => sum + byteLength, 1);
   return Math.max(1, Math.min(navigator.hardwareConcurrency - 1, Math.floor(MAX_SCENE_COPIES_BYTES / bytes)));

@@ -13,7 +13,7 @@ import type { EditorState } from '../state/editor.ts';
 import { exportedName, projectName } from './projectNames.ts';
 import { useSaveProject } from './useSaveProject.ts';
 
-/** Dialogues about the project as a whole. */
+/** Dialogues about the whole project. */
 export function ProjectDialogs(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();
@@ -39,7 +39,7 @@ function Share(): ReactNode {
   return 'link' in shared ? <Link link={shared.link} /> : <NoLink why={shared.why} />;
 }
 
-/** The address of the page with the project in it, or why there can be none. */
+/** A link that contains the project, or the reason why there is none. */
 function linkTo(state: EditorState, t: Translate): { readonly link: string } | { readonly why: string } {
   const { document, origin } = state.history;
   const called = (file: string): string => exportedName(file, origin);
@@ -55,7 +55,7 @@ function linkTo(state: EditorState, t: Translate): { readonly link: string } | {
   }
 }
 
-/** A link has no file name to go by. */
+/** A link has no file name, so the document carries the title. */
 const titleOf = ({ document, origin }: History, name: string): { readonly title?: string } =>
   document.title || origin === '' ? {} : { title: name };
 
@@ -65,7 +65,7 @@ function Link({ link }: { readonly link: string }): ReactNode {
   const [copied, setCopied] = useState(false);
   const copy = () => {
     field.current?.select();
-    // Where the page may not write to the clipboard the link is there to be copied.
+    // If clipboard access is denied, the link is displayed for copying.
     navigator.clipboard?.writeText(link).then(
       () => setCopied(true),
       () => {},

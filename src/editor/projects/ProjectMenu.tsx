@@ -25,10 +25,10 @@ import { DEFAULT_SCENE } from './startup.ts';
 import { useSaveProject } from './useSaveProject.ts';
 import { formatTime, useRestoreSession } from './useSessionRecovery.ts';
 
-/** So many projects of closed tabs are shown. */
+/** Maximum number of closed tabs' projects listed. */
 const MAX_LISTED_SESSIONS = 5;
 
-/** Everything that is done with whole projects. */
+/** Menu of all operations on whole projects. */
 export function ProjectMenu(): ReactNode {
   const { t } = useTexts();
   const open = useOpenFiles();
@@ -137,7 +137,7 @@ function ClosedSessionItems({ earlier }: { readonly earlier: readonly SessionRec
   );
 }
 
-/** Work of tabs that are closed, as of the last look. */
+/** Sessions of closed tabs, as of the last refresh. */
 function useClosedSessions(): readonly [readonly SessionRecord[], () => void] {
   const studio = useEditor();
   const { sessions } = useServices();
@@ -151,7 +151,7 @@ function useClosedSessions(): readonly [readonly SessionRecord[], () => void] {
   return [earlier, look];
 }
 
-/** What the project is called, and whether there is anything that no file holds; to be called otherwise. */
+/** The project's name, editable, with a mark while there are unsaved changes. */
 export function ProjectName(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();

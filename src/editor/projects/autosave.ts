@@ -9,15 +9,15 @@ import { type Editor, type EditorState, isUnsaved } from '../state/editor.ts';
 import { projectName } from './projectNames.ts';
 import { randomId, type SessionRecord, type SessionStore } from './sessionStore.ts';
 
-/** After the last edit, and at the latest after the first [ms]. */
+/** Delay after the last edit, and maximum delay after the first [ms]. */
 const SAVE_DELAY = 300;
 const MAX_SAVE_DELAY = 2000;
-/** Of the files that a person gave, all sets of a session together [bytes]. */
+/** Limit on the user files stored for one session [bytes]. */
 const MAX_SESSION_FILE_BYTES = 2 ** 28;
-/** So many projects that others took the place of, of one tab; so that they do not crowd out the work of closed tabs. */
+/** Number of replaced projects stored per tab, so that they do not displace those of closed tabs. */
 const MAX_REPLACED_PROJECTS = 3;
 
-/** What cannot be kept, and why; told once each. */
+/** What cannot be stored, and why; reported once each. */
 export type AutosaveFailure =
   | { readonly kind: 'work'; readonly why: string }
   | { readonly kind: 'files'; readonly size: string };
@@ -26,38 +26,38 @@ export interface AutosaveOptions {
   readonly studio: Editor;
   readonly observerController: ObserverController;
   readonly localFiles: LocalFiles;
-  /** Undefined: the browser keeps nothing, for this reason. */
+  /** A `refusal` if the browser provides no storage. */
   readonly sessions: SessionStore | { readonly refusal: string };
   readonly id: string;
   readonly address: () => string;
-  /** The session is that of this tab before it was loaded again: these sets are kept already. */
+  /** Ids of file sets already stored, when the tab's session was restored. */
   readonly savedSets?: Iterable<string>;
 }
 
-/** The sets of files of one session that are in the store. */
+/** The file sets of a session that are in the store. */
 interface SavedSets {
   readonly ids: Set<string>;
   bytes: number;
 }
 
 /**
- * Keeps every edit in the browser, a moment after it was made and when the page is left; and what was not saved when another project
- * took its place, since undo begins anew where the page is loaded again.
+ * Stores every edit in the browser shortly after it was made and when the page is closed; also projects with unsaved
+ * changes that were replaced, since undo history does not survive a reload.
  */
 export class Autosave {
-  /** Hears of what cannot be kept. */
+  /** Called when something cannot be stored. */
   onFailure: (unkept: AutosaveFailure) => void = () => {};
-  /** The page came back where it was. */
+  /** Whether the page restored its previous session. */
   readonly isRestored: boolean;
   private readonly options: AutosaveOptions;
   private readonly keptSets: SavedSets;
-  /** Put aside, the oldest first. */
+  /** Ids of replaced projects, oldest first. */
   private readonly aside: string[] = [];
   private readonly told = new Set<AutosaveFailure['kind']>();
-  /** Of the first edit that is not kept yet [ms]. */
+  /** Time of the first edit that is not stored yet [ms]. */
   private since: number | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  /** There is something of this tab in the store, or to be put there. */
+  /** Whether this tab has something in the store, or to be stored. */
   private touched: boolean;
 
   constructor(options: AutosaveOptions) {
@@ -78,7 +78,9 @@ export class Autosave {
     });
   }
 
-  /** Keeps what there is; the page may go at once. Gives whether all of it is kept. */
+  /**
+   * Stores the current state; the page may be closed right after the call. Resolves to whether everything was stored.
+   */
   async saveNow(): Promise<boolean> {
     clearTimeout(this.timer);
     this.since = undefined;
@@ -106,7 +108,7 @@ export class Autosave {
     this.timer = setTimeout(() => void this.saveNow(), Math.max(0, Math.min(SAVE_DELAY, left)));
   }
 
-  /** It is offered in the menu, as the work of closed tabs is. */
+  /** Listed in the menu together with the sessions of closed tabs. */
   private async putAside(state: EditorState): Promise<void> {
     const { sessions } = this.options;
     if ('refusal' in sessions) return;
@@ -134,7 +136,7 @@ export class Autosave {
     };
   }
 
-  /** The document is written although the page may go at once. */
+  /** The write of the document is started first: it completes even while the page is being closed. */
   private async keep(sessions: SessionStore, session: SessionRecord, kept: SavedSets): Promise<void> {
     const written = sessions.save(session);
     await this.keepFiles(sessions, session, kept);
@@ -173,13 +175,13 @@ export class Autosave {
   }
 }
 
-/** Another project was opened; not by doing again what was undone. */
+/** Whether another project was opened (not by undo or redo). */
 function isReplaced({ history: now }: EditorState, { history: before }: EditorState): boolean {
   const step = now.past.at(-1);
   return step?.origins !== undefined && now.past.length > before.past.length && step !== before.future[0];
 }
 
-/** Archives count once, whatever of them is used. */
+/** An archive counts once, however many of its entries are used. */
 function sizeOf(files: UserFiles): number {
   const blobs = new Set([...files.values()].map((file: UserFile) => (file instanceof Blob ? file : file.archive)));
   return [...blobs].reduce((sum, { size }) => sum + size, 0);

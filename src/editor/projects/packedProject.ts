@@ -12,10 +12,10 @@ import { collectServerFiles, fileReader } from '../loading/sceneLoader.ts';
 import { readUserFile, type UserFiles } from '../loading/userFiles.ts';
 import { exportedName, isProject } from './projectNames.ts';
 
-/** What the page holds twice while it packs [bytes]. */
+/** Limit on what the page packs, since it holds it twice [bytes]. */
 const MAX_PACKED_BYTES = 2 ** 29;
 
-/** The files of a project are more than the page packs; `size` and `most` for people. */
+/** The project's files exceed the limit; `size` and `most` are formatted. */
 export class ProjectTooLargeToPack extends Error {
   readonly size: string;
   readonly limit = formatBytes(MAX_PACKED_BYTES);
@@ -26,14 +26,14 @@ export class ProjectTooLargeToPack extends Error {
 }
 
 /**
- * A project with its files as one zip: of those that a person gave the whole set, of those on the server what reading them asks for. Throws
- * a TooMuchToPack; an InputError where a file cannot be read.
+ * A project with its files as one zip: complete sets of user files; of files on the server, those that reading
+ * requests. Throws ProjectTooLargeToPack, or an InputError if a file cannot be read.
  */
 export async function packedProject(document: GraphDocument, origin: string, local: LocalFiles): Promise<Uint8Array> {
   const packing = new ProjectPacker(document, origin, local);
   const names = new Map<string, string>();
   for (const source of referencedFiles(document, nodeLibrary)) names.set(source, await packing.add(source));
-  // What is known of files that are not packed would be of others.
+  // File records describe files under their old names and are dropped.
   const named = renameFiles({ ...document, files: {} }, nodeLibrary, (source) => names.get(source) ?? source);
   return packProjectArchive(named, packing.files);
 }
@@ -43,7 +43,7 @@ class ProjectPacker {
   private readonly document: GraphDocument;
   private readonly origin: string;
   private readonly local: LocalFiles;
-  /** Where the files of a set are, by its key: in the archive itself, or where paths clash, in a folder. */
+  /** Folder of each set in the archive, by its id: the root, or on name clashes a folder. */
   private readonly folders = new Map<string, string>();
   private size = 0;
 
@@ -53,7 +53,7 @@ class ProjectPacker {
     this.local = local;
   }
 
-  /** Adds what a node reads; returns what it is called in the archive. */
+  /** Adds what a node reads; returns its name in the archive. */
   async add(source: string): Promise<string> {
     const parts = parseLocalName(source);
     const path = parts?.rest.slice(1) ?? source;
@@ -74,7 +74,7 @@ class ProjectPacker {
     return scene;
   }
 
-  /** Without the names of archives: what lay in them lies in folders now. */
+  /** Drops archive names, since archives are extracted into folders. */
   private plain(source: string): string {
     return exportedName(source, this.origin)
       .replace(/\.zip\[(.*)\]$/i, '/$1')
@@ -108,7 +108,7 @@ class ProjectPacker {
   }
 }
 
-/** A path in the archive for what is at an address. */
+/** Archive path of a file at an address. */
 const archivePathOf = (address: string): string =>
   address
     .replace(/^[a-z]+:\/\/[^/]*\//i, '')

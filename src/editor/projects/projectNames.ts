@@ -4,30 +4,30 @@ import { type EditorState, sourceOf } from '../state/editor.ts';
 
 const PROJECT_EXTENSION = '.slowlight.json';
 
-/** A project, which is a node graph, by its name. */
+/** Whether a file name is that of a project (a node graph). */
 export const isProject = (path: string): boolean => path.toLowerCase().endsWith(PROJECT_EXTENSION);
 
 const depth = (path: string): number => path.split('/').length;
 
-/** The project among files: the least deep, then by name. Hidden files are none. */
+/** The project among files: the least deep one, then by name; hidden files are skipped. */
 export const findProject = (paths: readonly string[]): string | undefined =>
   paths
     .filter((path) => isProject(path) && !/(^|\/)(\.|__MACOSX\/)/.test(path))
     .sort((a, b) => depth(a) - depth(b) || (a < b ? -1 : 1))[0];
 
-/** What the project is called: by the person, else after the file that it came from, else after its scene. */
+/** Name of a project: the user's title, else its file's name, else its scene's. */
 export function projectName({ history, pictureSource }: Pick<EditorState, 'history' | 'pictureSource'>): string {
   if (history.document.title) return history.document.title;
   const { origin } = history;
   const file = sceneName(origin);
-  // Of an archive: `yard.zip/project.slowlight.json`.
+  // In an archive: `yard.zip/project.slowlight.json`.
   const archive = /([^/]+)\.zip\/[^/]*$/i.exec(origin)?.[1];
   if (isProject(file)) return archive ?? file.slice(0, -PROJECT_EXTENSION.length);
-  // What could not be shown was never opened.
+  // If nothing could be displayed yet, the document's source counts.
   return sceneName(pictureSource.source || sourceOf(history.document)).replace(/\.\w+$/, '');
 }
 
-/** A name that every system takes for a file. */
+/** A file name that is valid on all systems. */
 export const fileName = (name: string, ending: string): string =>
   `${
     name
@@ -37,8 +37,9 @@ export const fileName = (name: string, ending: string): string =>
   }${ending}`;
 
 /**
- * What a project's file calls a scene of this session: `local:3/set/scene.usda` → `set/scene.usda`, what lies with the project in its folder
- * or archive (`origin`) by its path from there, what lies in another archive as the command line has it, `set.zip[scene.usda]`.
+ * The name under which a saved project refers to a scene of this session: `local:3/set/scene.usda` → `set/scene.usda`;
+ * files in the project's folder or archive (`origin`) by their path relative to it; entries of another archive in the
+ * command line's notation, `set.zip[scene.usda]`.
  */
 export function exportedName(source: string, origin: string): string {
   const local = parseLocalName(source);
@@ -51,6 +52,6 @@ export function exportedName(source: string, origin: string): string {
   return path.replace(/^(.*?\.zip)\/(.*)$/i, '$1[$2]');
 }
 
-/** Where a file is that a project at `path` calls `name`, among files by their paths: the other way round. */
+/** The inverse: path of the file that a project at `path` calls `name`. */
 export const importedPath = (path: string, name: string): string =>
   resolvePath(path, name.replace(/^(.*?\.zip)\[(.*)\]$/i, '$1/$2'));

@@ -11,16 +11,16 @@ import { expandArchives, readUserFile, type UserFile, type UserFiles } from '../
 import type { LoadedProject } from '../state/editor.ts';
 import { exportedName, findProject, importedPath } from './projectNames.ts';
 
-/** Beyond this a file is no project, whatever it is called [bytes]. */
+/** Larger files are not read as projects [bytes]. */
 const MAX_PROJECT_BYTES = 2 ** 26;
 
-/** A project that could not be opened: where, and why. */
+/** Why a project could not be opened, and where the error is. */
 export interface OpenError {
   readonly place?: string;
   readonly text: string;
 }
 
-/** What is told of a project that could not be opened; `name`: its file. */
+/** Describes an error on opening the project file `name`. */
 export function openErrorOf(name: string, thrown: unknown): OpenError {
   if (thrown instanceof InputError) return { place: thrown.diagnostic.place, text: thrown.diagnostic.message };
   const text = messageOf(thrown);
@@ -31,12 +31,12 @@ export function openErrorOf(name: string, thrown: unknown): OpenError {
   };
 }
 
-/** What is told of a link that could not be opened; its message names it. */
+/** Describes an error on opening a link. */
 export const linkErrorOf = (thrown: unknown): OpenError => ({ text: messageOf(thrown) });
 
 /**
- * A project among files that a person gave. The files that it names are looked for beside it, then anywhere among these, then among those
- * of this session; the others are left to be found beside the page. Throws an InputError or a DocumentError.
+ * Reads a project among files from the user. The files that it references are searched beside it, then among all given
+ * files, then in this session; others are expected beside the page. Throws an InputError or a DocumentError.
  */
 export async function projectFromFiles(files: UserFiles, path: string, local: LocalFiles): Promise<LoadedProject> {
   const document = parseDocument(await readText(path, files.get(path)!));
@@ -50,7 +50,10 @@ export async function projectFromFiles(files: UserFiles, path: string, local: Lo
   return { document: renameFiles(document, nodeLibrary, found), origin, unsaved: false };
 }
 
-/** A project, or a zip that holds one, at an address; its files are beside it. Throws as `projectFromFiles`, and where the server has none. */
+/**
+ * Reads a project, or a zip that contains one, at an address, with files beside it. Throws as `projectFromFiles`, and
+ * if the server does not have it.
+ */
 export async function projectFromAddress(address: string, local: LocalFiles): Promise<LoadedProject> {
   const response = await fetch(new URL(address, document.baseURI));
   const name = address.slice(address.lastIndexOf('/') + 1);
@@ -66,7 +69,7 @@ export async function projectFromAddress(address: string, local: LocalFiles): Pr
   return projectFromFiles(files, findProjectFile(files, name), local);
 }
 
-/** Throws an InputError where there is none. */
+/** Throws an InputError if there is none. */
 function findProjectFile(files: UserFiles, name: string): string {
   const path = findProject([...files.keys()]);
   if (path === undefined)

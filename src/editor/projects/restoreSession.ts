@@ -6,8 +6,8 @@ import type { LoadedProject } from '../state/editor.ts';
 import type { SessionFiles, SessionRecord } from './sessionStore.ts';
 
 /**
- * Takes what was kept of a session into this one: sets of files under their keys, or under others where these are taken. Throws a
- * DocumentError where the document cannot be read.
+ * Restores a stored session into this one: file sets keep their ids unless these are taken. Throws a DocumentError if
+ * the document cannot be read.
  */
 export function restoreSession(session: SessionRecord, files: SessionFiles, local: LocalFiles): LoadedProject {
   const document = readDocument(session.document);

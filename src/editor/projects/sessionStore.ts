@@ -4,7 +4,7 @@ import type { UserFiles } from '../loading/userFiles.ts';
 
 const vector = z.readonly(z.tuple([z.number(), z.number(), z.number()]));
 
-/** From where, when and how the project is looked at: what is in no document. */
+/** Observer, time and lock: the view state that is in no document. */
 const viewSchema = z.object({
   observer: z.object({
     t: z.number(),
@@ -21,25 +21,25 @@ const viewSchema = z.object({
 
 const sessionSchema = z.object({
   id: z.string(),
-  /** Of the page, with all that follows its path. */
+  /** Path, query and fragment of the page. */
   address: z.string(),
   name: z.string(),
-  /** Read as strictly as a file. */
+  /** Validated like a file. */
   document: z.unknown(),
   origin: z.string(),
   unsaved: z.boolean(),
-  /** When it was kept, in milliseconds since 1970. */
+  /** Time of storing [ms since 1970]. */
   at: z.number(),
-  /** A person was told of it in another tab, and went on without it. */
+  /** Whether it was offered in another tab and not restored. */
   passed: z.boolean(),
   view: z.optional(viewSchema),
 });
 
 export type SessionView = z.infer<typeof viewSchema>;
-/** What a tab holds, so that it comes back there. */
+/** The stored state of a tab. */
 export type SessionRecord = z.infer<typeof sessionSchema>;
 
-/** The sets of files that a session's document refers to, by their keys. */
+/** File sets that a session's document refers to, by id. */
 export type SessionFiles = ReadonlyMap<string, UserFiles>;
 
 interface Schema extends DBSchema {
@@ -47,16 +47,16 @@ interface Schema extends DBSchema {
   files: { key: [session: string, set: string]; value: UserFiles };
 }
 
-/** So many sessions are kept of tabs that are closed: of those with something to be saved, and of the others. */
+/** Number of sessions kept for closed tabs, for those with unsaved changes and for the others each. */
 const MAX_CLOSED_SESSIONS = 8;
-/** How long a tab that is loaded again waits for itself to be gone [ms]. */
+/** How long a reloaded tab waits for its previous page to release the lock [ms]. */
 const LOCK_TIMEOUT = 400;
 
-/** What is kept in the browser, of this tab and of others; no tab writes what another has open. */
+/** Sessions stored in the browser, of this and other tabs; a tab never writes a session that another has open. */
 export class SessionStore {
   private readonly database: IDBPDatabase<Schema>;
 
-  /** Rejects where the browser keeps nothing. */
+  /** Rejects if the browser provides no storage. */
   static async open(): Promise<SessionStore> {
     const database = await openDB<Schema>('slowlight', 1, {
       upgrade: (fresh) => {
@@ -71,7 +71,7 @@ export class SessionStore {
     this.database = database;
   }
 
-  /** Undefined also of what another version left and this one cannot read. */
+  /** Undefined also for records of another version that cannot be read. */
   async get(id: string): Promise<SessionRecord | undefined> {
     return sessionSchema.safeParse(await this.database.get('sessions', id)).data;
   }
@@ -85,7 +85,7 @@ export class SessionStore {
     return new Map(keys.map(([, set], i) => [set, values[i]!]));
   }
 
-  /** Written although the page may go at once. */
+  /** Completes although the page may be closing. */
   async save(session: SessionRecord): Promise<void> {
     const change = this.database.transaction('sessions', 'readwrite');
     const written = change.store.put(session, session.id);
@@ -106,7 +106,9 @@ export class SessionStore {
     ]);
   }
 
-  /** Of tabs that are closed, those with something to be saved first, the latest first; those beyond a number are forgotten. */
+  /**
+   * Sessions of closed tabs, those with unsaved changes first, then latest first; those beyond the limit are deleted.
+   */
   async closedSessions(): Promise<readonly SessionRecord[]> {
     const [all, open] = await Promise.all([this.database.getAll('sessions'), openSessions()]);
     const found = all
@@ -123,13 +125,16 @@ export class SessionStore {
 
 const lockName = (id: string): string => `slowlight.session.${id}`;
 
-/** Takes a session for this tab, as long as it is open; false: another tab has it. Where there are no locks it is believed to be free. */
+/**
+ * Locks a session for this tab's lifetime; resolves to false if another tab has it. Without the Web Locks API it is
+ * assumed to be free.
+ */
 export function acquireSession(id: string): Promise<boolean> {
   if (!navigator.locks) return Promise.resolve(true);
   return new Promise((resolve) => {
     const held = navigator.locks.request(lockName(id), { signal: AbortSignal.timeout(LOCK_TIMEOUT) }, () => {
       resolve(true);
-      // Until the tab is closed.
+      // Held until the tab is closed.
       return new Promise<never>(() => {});
     });
     held.catch(() => resolve(false));
@@ -142,13 +147,13 @@ async function openSessions(): Promise<ReadonlySet<string>> {
   return new Set(held.flatMap(({ name }) => (name?.startsWith(prefix) ? [name.slice(prefix.length)] : [])));
 }
 
-/** A key that no other tab has. */
+/** A random session id. */
 export const randomId = (): string =>
   [...crypto.getRandomValues(new Uint8Array(12))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
 
 const TAB_SESSION_KEY = 'slowlight.session';
 
-/** The session of this tab, also after it was loaded again; undefined where there is none, or the browser does not say. */
+/** Id of this tab's session, which survives a reload; undefined if there is none or storage is not accessible. */
 export function tabSession(): string | undefined {
   try {
     return sessionStorage.getItem(TAB_SESSION_KEY) ?? undefined;
@@ -161,6 +166,6 @@ export function setTabSession(id: string): void {
   try {
     sessionStorage.setItem(TAB_SESSION_KEY, id);
   } catch {
-    // The session is kept all the same, and offered as that of a closed tab.
+    // The session is stored all the same, and offered as that of a closed tab.
   }
 }

@@ -6,33 +6,33 @@ import { linkErrorOf, type OpenError, openErrorOf, projectFromAddress } from './
 import { restoreSession } from './restoreSession.ts';
 import { acquireSession, randomId, SessionStore, type SessionView, setTabSession, tabSession } from './sessionStore.ts';
 
-/** What a page shows that is asked for nothing. */
+/** Scene of a page whose address names none. */
 export const DEFAULT_SCENE = 'examples/street.usda';
 
-/** What a page's address asks for. */
+/** What a page's address requests. */
 export interface StartupRequest {
   /** Address of a scene. */
   readonly scene?: string;
-  /** Address of a project; it comes before the scene. */
+  /** Address of a project; takes precedence over the scene. */
   readonly project?: string;
 }
 
-/** How a tab begins, and under which key it is kept. */
+/** Initial project of a tab, and the id of its session. */
 export interface StartupState {
   readonly project: LoadedProject;
   readonly sessions: SessionStore | { readonly refusal: string };
   readonly id: string;
-  /** Sets of files that are kept under this key already; undefined of a new session. */
+  /** Ids of file sets stored under this session already; undefined for a new session. */
   readonly savedSets?: Iterable<string>;
   readonly view?: SessionView;
-  /** Why it is not what was asked for. */
+  /** Why the requested content is not shown. */
   readonly problem?: OpenError;
 }
 
-/** By which a session is known to be of the same page: with its query and what follows `#`. */
+/** Identifies a session's page: path with query and fragment. */
 export const pageAddress = (): string => location.pathname + location.search + location.hash;
 
-/** Where the tab was, if it was at this address before; else what the address asks for. */
+/** Restores the tab's session if it was at this address; otherwise opens what the address requests. */
 export async function openStartupProject(wanted: StartupRequest, local: LocalFiles): Promise<StartupState> {
   const sessions = await SessionStore.open().catch((error: unknown) => ({ refusal: messageOf(error) }));
   const back = 'refusal' in sessions ? undefined : await restoreTabSession(sessions, local).catch(() => undefined);
@@ -42,7 +42,7 @@ export async function openStartupProject(wanted: StartupRequest, local: LocalFil
   return { sessions, id: own, ...(back ?? (await openRequested(wanted, local))) };
 }
 
-/** The session of this tab; of a tab that is a copy of another a copy, under a key of its own. */
+/** Restores this tab's session; a duplicated tab gets a copy under an id of its own. */
 async function restoreTabSession(
   sessions: SessionStore,
   local: LocalFiles,
@@ -73,10 +73,10 @@ async function openRequested(
   }
 }
 
-/** What a link carries. Throws a DocumentError where it is damaged. */
+/** The project in a link. Throws a DocumentError if it is damaged. */
 export const projectFromLink = (fragment: string): LoadedProject => ({
   document: decodeShareLink(fragment),
-  // Known again by its end: links of two projects differ there.
+  // The end identifies the link: links of different projects differ there.
   origin: `#${fragment.slice(-24)}`,
   unsaved: false,
 });

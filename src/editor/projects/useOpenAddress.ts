@@ -4,7 +4,7 @@ import { useEditor } from '../state/context.tsx';
 import { isProject } from './projectNames.ts';
 import { openErrorOf, projectFromAddress } from './projectSource.ts';
 
-/** Opens what is at an address: a scene in the project, or a project in place of it. */
+/** Opens an address: a scene in the current project, or a project in place of it. */
 export function useOpenAddress(): (address: string) => void {
   const studio = useEditor();
   const { localFiles } = useServices();

@@ -11,9 +11,9 @@ import { exportedName, fileName, projectName } from './projectNames.ts';
 import { openErrorOf } from './projectSource.ts';
 
 export interface SaveProject {
-  /** As a file of words, without what it reads. */
+  /** As a JSON file, without the files that it references. */
   readonly save: () => void;
-  /** As a zip with all that it reads. */
+  /** As a zip with all referenced files. */
   readonly saveWithFiles: () => Promise<void>;
 }
 

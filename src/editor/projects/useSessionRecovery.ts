@@ -9,7 +9,10 @@ import { restoreSession } from './restoreSession.ts';
 import type { SessionRecord } from './sessionStore.ts';
 import { projectFromLink } from './startup.ts';
 
-/** Says what the browser cannot keep, offers the work of a tab that was closed, and opens links that are followed within the page. */
+/**
+ * Reports what cannot be stored, offers the session of a closed tab, and opens project links that are followed within
+ * the page.
+ */
 export function useSessionRecovery(): void {
   const { t, language } = useTexts();
   const studio = useEditor();
@@ -34,7 +37,7 @@ export function useSessionRecovery(): void {
     const offer = async (): Promise<void> => {
       const [latest] = (await sessions.closedSessions()).filter(({ unsaved, passed }) => unsaved && !passed);
       if (!latest) return;
-      // It is offered once; after that it is in the menu.
+      // Offered once; after that it is in the menu only.
       await sessions.save({ ...latest, passed: true });
       const text = say.current('notice.earlier', { when: when.current(latest.at), name: latest.name });
       const action = { text: say.current('notice.continue'), act: () => resume(latest) };
@@ -60,7 +63,7 @@ export function useSessionRecovery(): void {
 export const formatTime = (at: number, language: string): string =>
   new Date(at).toLocaleString(language === 'zh' ? 'zh-CN' : 'en-GB', { dateStyle: 'medium', timeStyle: 'short' });
 
-/** Goes on with the work of a tab that was closed; it is this tab's from then on. */
+/** Restores the session of a closed tab into this one. */
 export function useRestoreSession(): (session: SessionRecord) => void {
   const studio = useEditor();
   const { autosave, sessions, localFiles } = useServices();

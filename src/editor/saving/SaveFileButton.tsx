@@ -6,11 +6,11 @@ import { useSaving } from './savingState.ts';
 import { useSaveFile } from './useSaveFile.ts';
 
 interface SaveFileProps {
-  /** As evaluations name it. */
+  /** Id in evaluation results. */
   readonly node: string;
 }
 
-/** Of the inspector: hands the person the file that a node asks for. */
+/** Inspector button that saves the file of an output node. */
 export function SaveFileButton({ node }: SaveFileProps): ReactNode {
   const { t } = useTexts();
   const save = useSaveFile();
@@ -28,7 +28,7 @@ export function SaveFileButton({ node }: SaveFileProps): ReactNode {
   );
 }
 
-/** The same on a node's card; keys reach that of the inspector. */
+/** The same on a node's card; keyboard users reach the inspector's. */
 export function SaveFileIcon({ node }: SaveFileProps): ReactNode {
   const { t } = useTexts();
   const save = useSaveFile();

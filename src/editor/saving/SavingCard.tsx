@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import { useSaving } from './savingState.ts';
 
-/** What is being made, how far that is, and the way to end it. */
+/** Progress of a file being made, with a cancel button. */
 export function SavingCard(): ReactNode {
   const { t } = useTexts();
   const job = useSaving((state) => state.job);

@@ -12,11 +12,11 @@ import type { Backend } from '../../render/settings.ts';
 import { pageHost } from '../pipelines/pageHost.ts';
 import { MAX_PAGE_BYTES, UnsupportedInPage } from './unsupportedInPage.ts';
 
-/** A file as it is handed to the person. */
+/** A file for download. */
 export interface MadeFile {
   readonly name: string;
   readonly content: Blob;
-  /** What the file cannot hold. */
+  /** Features that the file format cannot hold. */
   readonly losses?: readonly string[];
 }
 
@@ -24,11 +24,11 @@ export interface MakeFileOptions {
   readonly node: string;
   readonly backend: Backend | 'auto';
   readonly signal: AbortSignal;
-  /** Hears which part is done, 0 … 1. */
+  /** Called with the completed fraction, 0 … 1. */
   readonly progress: (part: number) => void;
 }
 
-/** What a node asks for; of several files a zip. Throws a NotHere, a NodeRefusal, or a CancelledError. */
+/** Makes what a node requests; several files become a zip. Throws UnsupportedInPage, NodeRefusal or CancelledError. */
 export async function makeFile(file: RequestedFile, making: MakeFileOptions): Promise<MadeFile> {
   if (file.kind === 'scene') return sceneFile(file, making);
   const picture = pictureSequence(file);
@@ -80,7 +80,7 @@ async function pictureFile(
   return bundleFiles(file.name, files);
 }
 
-/** Draws frame by frame, as long as nobody cancels. */
+/** Renders frame by frame until done or cancelled. */
 async function renderFrames(
   { picture }: ImageOutput | VideoOutput,
   sequence: PictureSequence,
@@ -115,7 +115,7 @@ function throwIfCancelled(signal: AbortSignal): void {
   if (signal.aborted) throw new CancelledError();
 }
 
-/** One file as it is; several, what is packed already among them, as a zip. */
+/** A single file as it is; several as an uncompressed zip, since their formats are compressed already. */
 function bundleFiles(name: string, files: ReadonlyMap<string, Uint8Array>): MadeFile {
   const [only] = files.values();
   if (files.size === 1 && only) return { name: [...files.keys()][0]!, content: new Blob([only.slice()]) };

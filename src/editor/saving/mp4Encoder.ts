@@ -2,34 +2,34 @@ import { i420 } from '../../formats/image/i420.ts';
 import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import { Mp4File } from './mp4File.ts';
 
-/** Bits for each pixel of each frame: films are kept, so they are to be good. */
+/** Bits per pixel and frame: high quality, since films are kept. */
 const BITS_PER_PIXEL = 0.25;
 const MAX_BITRATE = 2e8;
-/** Between frames that can be jumped to [s]. */
+/** Interval of keyframes [s]. */
 const KEYFRAME_INTERVAL = 2;
-/** Frames that may wait for the encoder. */
+/** Frames that may be queued in the encoder. */
 const MAX_QUEUED_FRAMES = 4;
 
-/** What films can be encoded as, the best first. */
+/** Codecs, in order of preference. */
 const CODECS = ['avc1.640034', 'avc1.64003e', 'avc1.42003e', 'vp09.00.51.08', 'vp09.00.62.08'];
 
-/** Makes a film of pictures as they come, where the browser can: every one of them is in it, for as long as it is to be seen. */
+/** Encodes pictures into an MP4 film, if the browser can; no frame is dropped, and each has its exact duration. */
 export class Mp4Encoder {
   private readonly frameSize: PictureSize;
   private readonly fps: number;
   private readonly encoder: VideoEncoder;
   private readonly file: Mp4File;
-  /** What was encoded last is in the file. */
+  /** Resolves when the last encoded chunk is in the file. */
   private filed: Promise<void> = Promise.resolve();
   private readonly fail: (error: unknown) => void;
-  /** Never comes to anything but what went wrong. */
+  /** Never resolves; rejects with an error of the encoder. */
   private readonly failed: Promise<never>;
   private count = 0;
   private bytes = 0;
 
-  /** Undefined where this browser has no encoder for films of that size; `count`: of the frames. */
+  /** Undefined if the browser has no encoder for that size; `count`: number of frames. */
   static async open(size: PictureSize, fps: number, count: number): Promise<Mp4Encoder | undefined> {
-    // Absent from old browsers, and from pages that are not secure, whatever its type says.
+    // Missing in old browsers and on insecure pages, despite its type.
     if (typeof VideoEncoder === 'undefined') return undefined;
     for (const codec of CODECS) {
       const config: VideoEncoderConfig = {
@@ -62,7 +62,7 @@ export class Mp4Encoder {
     this.encoder.configure(config);
   }
 
-  /** What is encoded [bytes]. */
+  /** Encoded size [bytes]. */
   get size(): number {
     return this.bytes;
   }
@@ -85,7 +85,7 @@ export class Mp4Encoder {
       await Promise.race([this.failed, this.dequeued()]);
   }
 
-  /** The whole film. */
+  /** Finishes the film. */
   async finish(): Promise<ArrayBuffer> {
     await Promise.race([this.failed, this.encoder.flush()]);
     await Promise.race([this.failed, this.filed]);

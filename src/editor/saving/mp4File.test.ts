@@ -4,7 +4,7 @@ import { type EncodedFrame, Mp4File } from './mp4File.ts';
 
 const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
-/** The boxes of a file, or in another, with what is in them. */
+/** The boxes of an MP4 file or box, with their content. */
 function boxes(bytes: Uint8Array): [type: string, content: Uint8Array][] {
   const found: [string, Uint8Array][] = [];
   for (let at = 0; at < bytes.length; ) {
@@ -32,7 +32,7 @@ async function fileOf(fps: number, frames: readonly EncodedFrame[]): Promise<Uin
   return new Uint8Array(await film.finish());
 }
 
-/** Seconds at which each frame is decoded, from the durations that the file gives. */
+/** Decoding time of each frame [s], from the file's durations. */
 function times(file: Uint8Array): number[] {
   const scale = viewOf(inside(file, ...TRACK, 'mdhd')!).getUint32(12);
   const runs = numbers(inside(file, ...STBL, 'stts')!, 8);
@@ -55,7 +55,7 @@ describe('a film’s file', () => {
         expect(order.indexOf('moov')).toBeLessThan(order.indexOf('mdat'));
         const sizes = numbers(inside(file, ...STBL, 'stsz')!, 12);
         expect(sizes).toEqual(all.map((frame) => frame.data.length));
-        // Of so few frames one chunk is made.
+        // That few frames are a single chunk.
         let at = viewOf(inside(file, ...STBL, 'stco')!).getUint32(8);
         for (const frame of all) {
           expect([...file.subarray(at, at + frame.data.length)]).toEqual([...frame.data]);

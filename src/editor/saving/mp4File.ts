@@ -2,21 +2,24 @@ import { BufferTarget, EncodedPacket, EncodedVideoPacketSource, Mp4OutputFormat,
 
 export interface Mp4Options {
   readonly codec: 'avc' | 'vp9';
-  /** Frames per second, all of one length. */
+  /** Constant frame rate. */
   readonly fps: number;
-  /** How many there are to be. */
+  /** Expected number of frames. */
   readonly count: number;
 }
 
 export interface EncodedFrame {
   readonly data: Uint8Array;
-  /** Can be decoded by itself. */
+  /** Whether it is a keyframe. */
   readonly key: boolean;
-  /** Its index in the order in which they are seen. */
+  /** Index in display order. */
   readonly index: number;
 }
 
-/** An MP4 file of frames that are encoded already, in the order in which they are decoded; what a player needs stands before the first of them. */
+/**
+ * Muxes encoded frames, given in decoding order, into an MP4 file; the metadata that a player needs precedes the
+ * frames.
+ */
 export class Mp4File {
   private readonly fps: number;
   private readonly target = new BufferTarget();
@@ -35,7 +38,7 @@ export class Mp4File {
     this.output.addVideoTrack(this.frames, { frameRate: fps, maximumPacketCount: count });
   }
 
-  /** `metadata`: as the encoder gives it, with the first at least. */
+  /** `metadata` from the encoder; required with the first frame. */
   async add({ data, key, index }: EncodedFrame, metadata?: EncodedVideoChunkMetadata): Promise<void> {
     const packet = new EncodedPacket(data, key ? 'key' : 'delta', index / this.fps, 1 / this.fps);
     await this.frames.add(packet, metadata);

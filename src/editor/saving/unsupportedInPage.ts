@@ -1,14 +1,14 @@
 import { formatBytes } from '../../formats/diagnostics/inputError.ts';
 
-/** What the page holds until all of it is there [bytes]. */
+/** Limit on what the page buffers until the file is complete [bytes]. */
 export const MAX_PAGE_BYTES = 2 ** 30;
 
 type UnsupportedReason = 'notice.noFilm' | 'notice.tooLarge';
 
-/** What this browser does not do, or no page can; the command line does. */
+/** Something that this browser or any page cannot do; the command line can. */
 export class UnsupportedInPage extends Error {
   readonly why: UnsupportedReason;
-  /** What is filled in where that is told. */
+  /** Fillings of its message. */
   readonly fill = { most: formatBytes(MAX_PAGE_BYTES) };
   constructor(why: UnsupportedReason) {
     super(why);

@@ -15,7 +15,7 @@ import type { MadeFile } from './makeFile.ts';
 import { savingStore } from './savingState.ts';
 import { UnsupportedInPage } from './unsupportedInPage.ts';
 
-/** Makes the file that a node asks for, named as evaluations name it, and hands it to the person; one at a time. */
+/** Makes the file that a node requests, given by its evaluation id, and downloads it; one at a time. */
 export function useSaveFile(): (node: string) => Promise<void> {
   const studio = useEditor();
   const { backend } = useServices();
@@ -52,7 +52,7 @@ async function save({ node, studio, backend, signal, t, said }: SaveFileContext)
   const told = (change: { name?: string; part?: number }): void =>
     savingStore.setState(({ job }) => ({ job: job && { ...job, ...change } }));
   told({ name: file.name });
-  // Few visits need it.
+  // Loaded on demand.
   const { makeFile } = await import('./makeFile.ts');
   const made = await makeFile(file, { node, backend, signal, progress: (part) => told({ part }) });
   download(made.content, made.name);
@@ -67,7 +67,7 @@ function savedText({ name, losses = [] }: MadeFile, { t, said }: Pick<SaveFileCo
   return t('notice.savedLosing', { name, losses: losses.slice(0, MAX_LISTED_LOSSES).map(said).join('; ') + more });
 }
 
-/** What a node asks for; else what keeps it from asking. */
+/** The file that a node requests; throws what prevents it. */
 function requireFile({ target, results }: Evaluation, file: RequestedFile | undefined): RequestedFile {
   if (file) return file;
   const failed = [target, ...results.values()].find((result) => result.status === 'failed');
@@ -93,7 +93,7 @@ function notifyError(studio: Editor, t: Translate, error: unknown): void {
   studio.notify({ kind: 'error', text: message, ...(place && { place }), ...(remedy && { remedy }) });
 }
 
-/** How the command line makes it. */
+/** Shows the equivalent command line. */
 function notifyCommand(studio: Editor, words: (command: string) => string, t: Translate): void {
   const project = fileName(projectName(studio.store.getState()), '.slowlight.json');
   const command = `slowlight render ${/^[\w.-]+$/.test(project) ? project : `'${project.replaceAll("'", "'\\''")}'`}`;

@@ -10,10 +10,10 @@ import { useEditor, useEditorState } from '../state/context.tsx';
 import type { EditorState } from '../state/editor.ts';
 import { Viewport } from '../viewport/Viewport.tsx';
 
-/** The graph comes when it is asked for: opening the page does not wait for it. */
+/** Loaded on demand, so that opening the page does not wait for it. */
 const GraphPanel = lazy(() => import('../graph/GraphPanel.tsx'));
 const Inspector = lazy(() => import('../graph/inspector/Inspector.tsx'));
-/** And the plots of simulations when there are some. */
+/** Loaded when the project has simulations. */
 const EnergyPanel = lazy(() => import('../energy/EnergyPanel.tsx'));
 
 const PANELS = {
@@ -32,13 +32,13 @@ const THEMES = {
 } as const satisfies Record<string, DockviewTheme>;
 
 const SIDE_WIDTH = 308;
-/** Below this the side panel goes under the picture, where that is the longer way. */
+/** Below this width [px], in a portrait window, the side panel goes under the picture. */
 const MIN_SIDE_BY_SIDE_WIDTH = 700;
-/** Of the height of the picture, what the graph takes of it. */
+/** Fraction of the viewport's height that the graph takes. */
 const GRAPH_SHARE = 0.5;
 const LARGE_GRAPH_SHARE = 0.86;
 
-/** The panels, which a person may move, stack and resize. React draws into the elements that dockview keeps. */
+/** Panels that the user can move, stack and resize. React renders into the elements that dockview manages. */
 export function Dock(): ReactNode {
   const host = useRef<HTMLDivElement>(null);
   const [elements, setElements] = useState<Partial<Record<PanelName, HTMLElement>>>({});
@@ -97,7 +97,7 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
 const isNarrow = ({ clientWidth, clientHeight }: HTMLElement): boolean =>
   clientWidth < MIN_SIDE_BY_SIDE_WIDTH && clientWidth < clientHeight;
 
-/** Shows the graph under the picture, and what is chosen of it beside the other panels; where that is too narrow, all in one place. */
+/** Shows the graph under the picture and the inspector beside the other panels; on narrow screens all in one stack. */
 function useGraph(api: DockviewApi | undefined, host: React.RefObject<HTMLDivElement | null>): void {
   const studio = useEditor();
   const shown = useEditorState((state) => state.graph);
@@ -140,7 +140,7 @@ function useGraph(api: DockviewApi | undefined, host: React.RefObject<HTMLDivEle
   }, [api, inspecting, studio]);
 }
 
-/** Plots are there where something is simulated. */
+/** Shows the plots if the project has simulations. */
 function useEnergy(api: DockviewApi | undefined): void {
   const shown = useEditorState(simulates);
   useEffect(() => {
@@ -158,7 +158,7 @@ const simulates = ({ history: { document } }: EditorState): boolean =>
     Object.values(nodes).some(({ type }) => type === 'simulate'),
   );
 
-/** A tab without a cross: panels are always there, but for the graph's, which a button of the header shows and hides. */
+/** A tab without close button: panels are permanent, except for the graph, which a header button toggles. */
 function plainTab(): ITabRenderer {
   const element = document.createElement('span');
   element.className = 'sl-tab';
@@ -184,12 +184,12 @@ function layOut(api: DockviewApi, narrow: boolean): void {
   picture.group.locked = 'no-drop-target';
 }
 
-/** Tabs speak the language of the page. */
+/** Keeps tab titles in the page's language. */
 function useTitles(api: DockviewApi | undefined): void {
   const { t } = useTexts();
   const graph = useEditorState((state) => state.graph);
   const energy = useEditorState(simulates);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: with the graph, and what is simulated, panels are added
+  // biome-ignore lint/correctness/useExhaustiveDependencies: these add panels
   useEffect(() => {
     for (const [name, panel] of Object.entries(PANELS)) api?.getPanel(name)?.api.setTitle(t(panel.title));
   }, [api, t, graph, energy]);

@@ -7,7 +7,7 @@ import { droppedFiles } from '../loading/pickedFiles.ts';
 import { useEditor } from '../state/context.tsx';
 import { useOpenFiles } from './useOpenFiles.ts';
 
-/** The whole page takes files; panels that are dragged about inside it are not files. */
+/** Drop target for files on the whole page; ignores panels that are dragged inside it. */
 export function DropZone(): ReactNode {
   const { t, said } = useTexts();
   const studio = useEditor();

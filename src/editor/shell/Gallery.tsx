@@ -8,7 +8,7 @@ import { isProject } from '../projects/projectNames.ts';
 import { useOpenAddress } from '../projects/useOpenAddress.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 
-/** The example scenes and projects, each with a picture and what to look for. */
+/** Example scenes and projects, each with a thumbnail and what to look for. */
 export function Gallery(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();

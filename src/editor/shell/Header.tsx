@@ -115,7 +115,7 @@ function UndoRedo(): ReactNode {
   );
 }
 
-/** The graph is there for those who ask for it. */
+/** Toggles the graph. */
 function GraphButton(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();

@@ -5,7 +5,7 @@ import type { TextKey } from '../i18n/texts.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import { type KeyRow, KeySection } from './KeySection.tsx';
 
-/** The graph's come with its own code. */
+/** Loaded with the graph's code. */
 const GraphKeys = lazy(() => import('../graph/commands/GraphKeys.tsx'));
 
 type KeyGroup = readonly [title: TextKey, rows: readonly KeyRow[]];
@@ -52,7 +52,7 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
   ],
 ];
 
-/** All keys, over the picture. */
+/** All keyboard shortcuts, over the picture. */
 export function Help(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();

@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import type { TextKey } from '../i18n/texts.ts';
 
-/** What keys do; `OR` stands between such as do the same. */
+/** Keys and what they do; `OR` separates alternatives. */
 export type KeyRow = readonly [keys: readonly string[], what: TextKey];
 export const OR = ' or ';
 
@@ -14,7 +14,7 @@ export function KeyRows({ rows }: { readonly rows: readonly KeyRow[] }): ReactNo
       <Text size="sm">{t(what)}</Text>
       <Group gap={4} wrap="nowrap">
         {keys.map((key, i) => (
-          // biome-ignore lint/suspicious/noArrayIndexKey: the same sign may come twice
+          // biome-ignore lint/suspicious/noArrayIndexKey: the same key may occur twice
           <Key key={i} name={key === OR ? OR : any(key)} />
         ))}
       </Group>

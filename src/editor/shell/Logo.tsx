@@ -1,6 +1,6 @@
 import type { ReactNode } from 'react';
 
-/** A light cone: what comes in is blue, what goes out is red. */
+/** A light cone, with the incoming half blue and the outgoing half red. */
 export const Logo = (): ReactNode => (
   <svg width="22" height="22" viewBox="0 0 22 22" aria-hidden="true">
     <path d="M3 2.5 L19 2.5 L11 11 Z" fill="#e0604c" />

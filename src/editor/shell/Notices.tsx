@@ -10,15 +10,15 @@ import { useEditor, useEditorState } from '../state/context.tsx';
 import type { Notice } from '../state/editor.ts';
 
 const INFO_DURATION = 4000; // [ms]
-/** To read a letter [ms]. */
+/** Additional time per character [ms]. */
 const READING_TIME_PER_CHARACTER = 50;
 
-/** Of missing files; the Scene panel lists all. */
+/** Number of missing files named; the Scene panel lists all. */
 const MAX_NAMED_FILES = 3;
 
 const COLORS = { error: 'red', warning: 'yellow', info: 'teal' } as const;
 
-/** What went wrong, where, and what to do; each until it is put right or put away. */
+/** Notices: what went wrong, where, and what to do; each stays until solved or dismissed. */
 export function Notices(): ReactNode {
   useSceneNotices();
   const notices = useEditorState((state) => state.notices);
@@ -34,7 +34,7 @@ export function Notices(): ReactNode {
   );
 }
 
-/** Says what a newly opened file lacks, for as long as it is open; else that its reader had something to remark. */
+/** Reports missing files of a newly opened scene while it is open; otherwise its diagnostics, if any. */
 function useSceneNotices(): void {
   const { t } = useTexts();
   const studio = useEditor();
@@ -119,7 +119,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
   );
 }
 
-/** A node by what it is called in the graph. */
+/** Title of the node that a notice refers to. */
 function usePlace({ place }: Notice): string | undefined {
   const { any, said } = useTexts();
   const title = useEditorState(({ history }) => (place ? displayTitle(history.document, place) : undefined));

@@ -12,7 +12,7 @@ import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 
 const LOCK_ICONS = { free: IconLockOpen, look: IconEye, fly: IconPlane } as const satisfies Record<Lock, unknown>;
 
-/** Always in sight: lock, speed, γ and the speed of light; then what draws, and the clock that is the observer's own. */
+/** Lock, speed, γ and speed of light; then backend, quality and the observer's proper time. */
 export function StatusBar(): ReactNode {
   const { t } = useTexts();
   return (
@@ -72,7 +72,7 @@ function CruiseButton(): ReactNode {
 
 interface ItemProps {
   readonly label: string;
-  /** Before the value, where there is room. */
+  /** Precedes the value, where space allows. */
   readonly more?: string;
   readonly value: string;
   readonly id: string;
@@ -111,7 +111,7 @@ function Speed(): ReactNode {
   );
 }
 
-/** Names what is not as in nature, as long as it is not. */
+/** Lists unphysical settings while they are active. */
 function Unphysical(): ReactNode {
   const { t, any } = useTexts();
   const document = useEditorState((state) => state.history.document);
@@ -124,7 +124,7 @@ function Unphysical(): ReactNode {
   ) : null;
 }
 
-/** Titles of the parameters that are set to what nature does not have, where they matter. */
+/** Titles of the active parameters with unphysical values. */
 const unphysical = ({ nodes }: GraphDocument): string[] =>
   Object.values(nodes).flatMap((node) => {
     const type = own(nodeLibrary, node.type);
@@ -141,7 +141,7 @@ function Clock(): ReactNode {
   return <Item id="own-time" label={t('status.ownTime')} value={`τ = ${formatSeconds(properTime)}`} />;
 }
 
-/** Nobody sees by how much less than this what is drawn is off [px]. */
+/** Error below which the tessellation is not reported [px]. */
 const MAX_UNNOTICED_ERROR = 0.5;
 
 const BACKENDS = { webgpu: 'WebGPU', webgl: 'WebGL 2' } as const;

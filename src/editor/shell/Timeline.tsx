@@ -7,7 +7,7 @@ import { useServices } from '../services.tsx';
 import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 import { computedUntil } from '../state/simulationRuns.ts';
 
-/** The world's time: play, pause, scrub, loop. */
+/** World time: play, pause, scrub, loop. */
 export function Timeline(): ReactNode {
   const { t } = useTexts();
   return (
@@ -50,7 +50,7 @@ function Scrubber(): ReactNode {
   const time = useTelemetry((live) => live.t);
   const start = useEditorState((state) => state.picture?.scene.startTime ?? 0);
   const end = useEditorState((state) => state.picture?.scene.endTime ?? 0);
-  // Of a motion that is not whole.
+  // End of the computed part, if the motion is incomplete.
   const until = useEditorState(({ interim, results }) => (interim ? computedUntil(results) : end));
   return (
     <>

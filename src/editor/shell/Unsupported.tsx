@@ -3,7 +3,7 @@ import type { ReactNode } from 'react';
 import { useTexts } from '../i18n/i18n.ts';
 import { Logo } from './Logo.tsx';
 
-/** Where nothing can be drawn: why, and what to do. */
+/** Shown if the browser cannot render: why, and what to do. */
 export function Unsupported(): ReactNode {
   const { t } = useTexts();
   return (

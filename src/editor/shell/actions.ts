@@ -7,7 +7,7 @@ import type { Editor } from '../state/editor.ts';
 
 const VIEWS = ['light-cone', 'simultaneity', 'galilean'] as const;
 
-/** What keys and buttons do alike: where the project has no such node, nothing. */
+/** Actions shared by keys and buttons; without the node they do nothing. */
 export const nextView = (studio: Editor): void =>
   change(studio, 'relativity-console', 'view', (now) => next(VIEWS, now), 'param.view');
 
@@ -17,13 +17,13 @@ export const toggleGrid = (studio: Editor): void =>
 export const nextFalseColor = (studio: Editor): void =>
   change(studio, 'false-colour', 'of', (now) => next(['none', ...FALSE_COLOR_QUANTITIES], now), 'param.falseColor');
 
-/** The observer leaves the camera that he rode on. */
+/** Detaches the observer from the camera it rides on. */
 export const leaveCamera = (studio: Editor): void => change(studio, 'scene-camera', 'ride', () => false, 'param.ride');
 
 const next = (values: readonly string[], now: ParamValue | undefined): string =>
   values[(values.indexOf(String(now)) + 1) % values.length]!;
 
-/** Of a type, the node that is nearest to the output. */
+/** Changes a parameter of the node of a type that is nearest to the output. */
 function change(
   studio: Editor,
   typeId: string,

@@ -1,4 +1,4 @@
-/** Gives a file to the person, as the browser does. */
+/** Downloads a file through the browser. */
 export function download(file: Blob, name: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(file);

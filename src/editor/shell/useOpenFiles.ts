@@ -14,8 +14,8 @@ import { useEditor } from '../state/context.tsx';
 import type { EditorState } from '../state/editor.ts';
 
 /**
- * Takes files that a person chose or dropped: a project among them is opened with the others as its files; those that the open scene lacks
- * are added to it, and so are files among which there is no scene; else the best scene among them is opened.
+ * Opens files that the user chose or dropped: a project among them, with the others as its files; files that the open
+ * scene lacks, or files without a scene, are added to the open scene; otherwise the best scene among them.
  */
 export function useOpenFiles(): (files: PickedFiles) => void {
   const studio = useEditor();
@@ -50,8 +50,8 @@ export function useOpenFiles(): (files: PickedFiles) => void {
 }
 
 /**
- * The nodes whose scenes lack some of the files: the one that could not be read, else, since what a picture lacks is told of all its scenes
- * together, all that read. None where the files are something else.
+ * The nodes whose scenes lack some of the files: the node that could not be read; otherwise, since missing files are
+ * reported for all scenes of the picture together, all reading nodes. Empty if the files are unrelated.
  */
 function missingFilesOf({ picture, history, unreadableNode: refused }: EditorState, paths: readonly string[]) {
   const missing = missingPaths(picture?.scene.diagnostics ?? []);

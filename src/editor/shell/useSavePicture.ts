@@ -14,7 +14,7 @@ import { legendTexts, pickedPosition, pickedTexts } from '../viewport/legend/leg
 import type { CapturedPicture } from '../viewport/viewportRenderer.ts';
 import { download } from './download.ts';
 
-/** Saves what the viewport shows, with the legend that lies over it, under a name that tells scene, time and speed. */
+/** Saves the displayed picture with the visible legend, under a name with scene, time and speed. */
 export function useSavePicture(): () => Promise<void> {
   const studio = useEditor();
   const { viewport: stage } = useServices();
@@ -30,7 +30,7 @@ export function useSavePicture(): () => Promise<void> {
   }, [studio, stage, t]);
 }
 
-/** As PNG. A canvas of the page's own, for it has the page's fonts. */
+/** As PNG. Drawn on a canvas of the document, which has the page's fonts. */
 async function composePng({ image, settings: { falseColors } }: CapturedPicture, t: Translate): Promise<Blob> {
   const canvas = document.createElement('canvas');
   canvas.width = image.width;

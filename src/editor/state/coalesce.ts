@@ -1,9 +1,12 @@
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 
-/** After a look comes a pause of so many times as long. */
+/** Pause after a call, as a multiple of its duration. */
 const PAUSE_FACTOR = 3;
 
-/** Looks at work under way whenever it is told that there is something new: one look at a time, always at the latest. */
+/**
+ * Returns a function that requests a call of `look`: one runs at a time, at intervals, and the last request is always
+ * served.
+ */
 export function coalesce(look: () => Promise<void>): () => void {
   let busy = false;
   let again = false;
@@ -23,7 +26,7 @@ export function coalesce(look: () => Promise<void>): () => void {
   };
 }
 
-/** What was looked at has ended. */
+/** The observed evaluation has ended. */
 const ignoreCancelled = (error: unknown): void => {
   if (!(error instanceof CancelledError)) throw error;
 };

@@ -17,7 +17,7 @@ const refused = new InputError({
   message: 'the file is empty',
 });
 
-/** Reads anything at once, refuses `bad.usda`, and never finishes `slow.usda`. */
+/** Reads any file at once, refuses `bad.usda`, and never finishes `slow.usda`. */
 const services: Services = {
   ...workerServices,
   readScene: (source, { signal, progress }) => {

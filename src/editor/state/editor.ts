@@ -13,25 +13,25 @@ import {
 import { CancelledError, type Evaluation, Evaluator } from '../../graph/evaluation/evaluator.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
 import type { NodeProblem } from '../../graph/nodeType.ts';
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { evaluatedPicture } from '../../nodes/pictures/renderSettings.ts';
 import { nearestToOutput, outputNodeId, readNodeParams, readSource } from '../../nodes/project/outputChain.ts';
 import { newProject, openFileCommand, setParamCommand } from '../../nodes/project/projectCommands.ts';
 import type { Services } from '../../nodes/services.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { Backend } from '../../render/settings.ts';
 import type { Lock } from '../flight/flight.ts';
 import { coalesce } from './coalesce.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
 import { simulationRuns } from './simulationRuns.ts';
 
-/** What is taking its time. */
+/** Work in progress. */
 export interface LoadingState {
-  /** In groups by `outer/inner`. */
+  /** In groups `outer/inner`. */
   readonly node: string;
-  /** The file that it reads; else the node again. */
+  /** The file being read; otherwise the node id. */
   readonly source: string;
-  /** 0 … 1; undefined where it cannot be known. */
+  /** 0 … 1; undefined if unknown. */
   readonly part: number | undefined;
   readonly stage: (typeof STAGES)[number];
 }
@@ -43,34 +43,34 @@ export interface Notice {
   readonly text: string;
   readonly place?: string;
   readonly remedy?: NodeProblem['remedy'];
-  /** What else can be done about it. */
+  /** An additional action that the notice offers. */
   readonly action?: { readonly text: string; readonly act: () => void };
-  /** Of the evaluation: goes away when the problem does. */
+  /** Whether it comes from the evaluation and disappears with the problem. */
   readonly ofDocument: boolean;
 }
 
 export type GraphicsStatus = Backend | 'starting' | 'recovering' | 'failed';
 
-/** What the picture was made of. */
+/** What the picture was made from. */
 export interface PictureSource extends Pick<GraphDocument, 'title' | 'lookFor'> {
   /** Where its project came from. */
   readonly origin: string;
-  /** The file that the nearest reading node read; empty where none does. */
+  /** File of the nearest read node; empty if there is none. */
   readonly source: string;
-  /** The parameters of all reading nodes. */
+  /** Parameters of all read nodes. */
   readonly reads: ReturnType<typeof readNodeParams>;
 }
 
-/** Everything the page shows. The document changes by commands alone; the rest is how it is being looked at. */
+/** State of the page. The document changes only by commands; the rest is view state. */
 export interface EditorState {
   readonly history: History;
-  /** What the latest step was when the project was last saved; null: it never was, and there is something to be saved. */
+  /** The latest step at the time of the last save; null: never saved, with changes to be saved. */
   readonly saved: SaveMark | null;
-  /** What the latest evaluation made of each node that it needed; in groups by `outer/inner`. */
+  /** Results of the latest evaluation for all needed nodes; in groups `outer/inner`. */
   readonly results: Evaluation['results'];
-  /** The last good one: it stays while an edit cannot be evaluated. */
+  /** The last valid picture; kept while an edit cannot be evaluated. */
   readonly picture?: PictureSpec;
-  /** The picture and the results show what work has given so far, which goes on, or was cancelled. */
+  /** Whether picture and results are interim: of work in progress, or of cancelled work. */
   readonly interim?: 'running' | 'stopped';
   readonly pictureSource: PictureSource;
   /** The node that could not read its file. */
@@ -83,40 +83,40 @@ export interface EditorState {
   readonly playing: boolean;
   readonly loop: boolean;
   readonly dialog?: 'gallery' | 'help' | 'share' | 'name' | 'palette';
-  /** Only the picture is shown, without the panels. */
+  /** Whether only the picture is shown, without panels. */
   readonly maximized: boolean;
-  /** The node graph is shown beside the picture. */
+  /** Whether the node graph is shown. */
   readonly graph: boolean;
-  /** It has nearly all of the room that is else the picture's. */
+  /** Whether it takes nearly all of the picture's space. */
   readonly graphEnlarged: boolean;
-  /** The inspector is to come to the front. */
+  /** Whether the inspector is to be brought to the front. */
   readonly inspecting: boolean;
 }
 
 export interface Editor {
   readonly store: StoreApi<EditorState>;
   readonly edit: (command: Command, label: string, gesture?: string) => void;
-  /** `node`: as an evaluation names it, in groups by `outer/inner`. */
+  /** `node`: evaluation id, in groups `outer/inner`. */
   readonly set: (node: string, param: string, value: ParamValue | undefined, label: string, gesture?: string) => void;
   readonly endGesture: () => void;
   readonly undo: () => void;
   readonly redo: () => void;
-  /** Opens a scene file in the project; where nothing there reads files, in a new one. */
+  /** Opens a scene file in the project, or in a new project if it has no read node. */
   readonly open: (source: string) => void;
-  /** Puts another project in place, as a step that can be undone. */
+  /** Replaces the project, as an undoable step. */
   readonly openProject: (project: LoadedProject) => void;
-  /** Says that the project as it stands is kept in a file. */
+  /** Marks the current state as saved. */
   readonly markSaved: () => void;
-  /** What a node of the project gives, beside what the output needs; nothing that is shown changes. Throws a CancelledError. */
+  /** Evaluates a node for its own sake; what is displayed does not change. Throws a CancelledError. */
   readonly evaluate: (node: string, signal: AbortSignal) => Promise<Evaluation>;
   /**
-   * Stops reading; the scene before it stays, and the document goes back to it. Of what has given something on its way that is kept, until
-   * `goOn`.
+   * Stops loading: the previous scene stays, and the document reverts to it. Work with interim results keeps them until
+   * `resumeWork`.
    */
   readonly cancelLoading: () => void;
-  /** With the work that was cancelled, from where it was. */
+  /** Continues cancelled work from where it stopped. */
   readonly resumeWork: () => void;
-  /** Gives the key by which the notice can be dismissed. */
+  /** Returns the id by which the notice can be dismissed. */
   readonly notify: (notice: Omit<Notice, 'id' | 'ofDocument'>) => number;
   readonly dismiss: (id: number) => void;
   readonly update: (
@@ -128,11 +128,11 @@ export interface Editor {
 export interface LoadedProject {
   readonly document: GraphDocument;
   readonly origin: string;
-  /** It was never saved as it is. */
+  /** Whether it has unsaved changes. */
   readonly unsaved: boolean;
 }
 
-/** A scene file in a project of its own. */
+/** A new project with a scene file. */
 export const projectOfScene = (source: string): LoadedProject => ({
   document: newProject(source),
   origin: '',
@@ -145,7 +145,7 @@ export interface EditorOptions {
   readonly playing: boolean;
 }
 
-/** The state of the page, around one document. */
+/** Creates the state of the page around one document. */
 export function createEditor({ services, project, playing }: EditorOptions): Editor {
   const store = createStore<EditorState>(() => ({
     history: newHistory(project.document, project.origin),
@@ -196,7 +196,7 @@ export function createEditor({ services, project, playing }: EditorOptions): Edi
       const command = openFileCommand(before.history.document, file);
       if (!command) return openProject(projectOfScene(file));
       edit(command, 'edit.open');
-      // To look at another scene is no work to be saved.
+      // Opening another scene alone is not an unsaved change.
       if (!isUnsaved(before)) store.setState(({ history }) => ({ saved: markOf(history) }));
     },
     openProject,
@@ -220,24 +220,24 @@ export function createEditor({ services, project, playing }: EditorOptions): Edi
   };
 }
 
-/** By which the latest step of a history is known again, whatever is undone and done again; undefined before the first. */
+/** Identifies the latest step of a history across undo and redo; undefined before the first. */
 type SaveMark = History['past'][number]['patches'] | undefined;
 const markOf = ({ past }: History): SaveMark => past.at(-1)?.patches;
-/** Whether there is anything that no file holds. */
+/** Whether there are unsaved changes. */
 export const isUnsaved = ({ history, saved }: Pick<EditorState, 'history' | 'saved'>): boolean =>
   saved === null || markOf(history) !== saved;
 
 type ReadParams = PictureSource['reads'];
 const sameReads = (a: ReadParams, b: ReadParams): boolean => JSON.stringify(a) === JSON.stringify(b);
 
-/** Back to where the same files were read; at most to the beginning. */
+/** Undoes to the step at which the same files were read, or to the beginning. */
 function undoToReads(history: History, reads: ReadParams): History {
   let at = undo(history);
   while (at.past.length > 0 && !sameReads(readNodeParams(at.document), reads)) at = undo(at);
   return at;
 }
 
-/** Sets the reading nodes to what they were. */
+/** Restores the parameters of the read nodes. */
 function restoreReadsCommand(document: GraphDocument, before: ReadParams): Command {
   const commands = Object.entries(readNodeParams(document)).flatMap(([node, params]) => {
     const was = before[node] ?? {};
@@ -247,7 +247,7 @@ function restoreReadsCommand(document: GraphDocument, before: ReadParams): Comma
   return { kind: 'batch', commands };
 }
 
-/** The file that a document's nearest reading node reads; empty where none does. */
+/** File of the read node nearest to the output; empty if there is none. */
 export const sourceOf = (document: GraphDocument): string => readSource(nearestToOutput(document, 'read')?.params);
 
 const NO_OUTPUT_RESULT: NodeResult = {
@@ -261,7 +261,10 @@ const NO_OUTPUT_RESULT: NodeResult = {
 };
 const NO_OUTPUT_EVALUATION: Evaluation = { target: NO_OUTPUT_RESULT, results: new Map([['', NO_OUTPUT_RESULT]]) };
 
-/** Keeps the picture in step with the document: each evaluation takes over what of the last one's work it needs too, and ends the rest. */
+/**
+ * Keeps the picture up to date: each evaluation adopts running work of the previous one that it needs, and cancels the
+ * rest.
+ */
 function startEvaluation(store: StoreApi<EditorState>, services: Services) {
   const evaluator = new Evaluator(nodeLibrary, { heavy: heavyWorkers() });
   const quick: Services = {
@@ -270,9 +273,9 @@ function startEvaluation(store: StoreApi<EditorState>, services: Services) {
   };
   let abort = new AbortController();
   let latest = 0;
-  /** Work that was cancelled stays as far as it came. */
+  /** Whether cancelled work is kept at its interim result. */
   let held = false;
-  /** The picture is of what the work has given that goes on now. */
+  /** Whether the picture shows an interim result of the running work. */
   let seen = false;
 
   const update = async (): Promise<void> => {
@@ -314,11 +317,11 @@ function startEvaluation(store: StoreApi<EditorState>, services: Services) {
   };
   const ask = (node: string, signal: AbortSignal): Promise<Evaluation> => {
     const { document } = store.getState().history;
-    // What the screen shows stays in reach.
+    // The displayed output's results stay cached.
     const output = outputNodeId(document);
     return evaluator.evaluate(document, output === undefined ? [node] : [node, output], services, { signal });
   };
-  /** Ends what goes on; whether the picture is made of that, and stays. */
+  /** Cancels running work; returns whether the picture shows its interim result and stays. */
   const stop = (): boolean => {
     abort.abort();
     if (!seen) return false;
@@ -362,13 +365,13 @@ function applyEvaluation(store: StoreApi<EditorState>, evaluation: Evaluation): 
   }
 }
 
-/** What cannot be made of an interim is told when the work has ended. */
+/** Errors that interim results cause downstream are reported only when the work has ended. */
 function applyInterim(store: StoreApi<EditorState>, evaluation: Evaluation): void {
   const done = [...evaluation.results].filter(([, { status }]) => status === 'done');
   store.setState({ ...pictureUpdate(store, evaluation), interim: 'running', results: new Map(done) });
 }
 
-/** Of a picture, where there is one, and what it was made of. */
+/** The picture and what it was made from, if there is one. */
 function pictureUpdate(store: StoreApi<EditorState>, evaluation: Evaluation): Partial<EditorState> {
   const { document, origin } = store.getState().history;
   const picture = evaluatedPicture(evaluation);

@@ -1,7 +1,7 @@
 import type { RunHeavy } from '../../graph/evaluation/evaluator.ts';
 import { heavyWorkerPool } from '../../graph/evaluation/heavyWorkers.ts';
 
-/** Has heavy nodes evaluated in the page's workers. */
+/** Runs heavy nodes in the page's workers. */
 export const heavyWorkers = (): RunHeavy =>
   heavyWorkerPool(() => {
     const worker = new Worker(new URL('./heavy.worker.ts', import.meta.url), { type: 'module' });

@@ -7,7 +7,7 @@ import { type Services, workerServices } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import { createEditor } from './editor.ts';
 
-/** Heavy work, as the test leads it. */
+/** Heavy work controlled by the test. */
 interface Led extends HeavyRequest {
   readonly give: (name: string) => void;
   readonly end: (name: string, more?: Outputs) => void;

@@ -1,18 +1,18 @@
 import { type Language, preferredLanguage } from '../i18n/i18n.ts';
 
-/** What a person chose about the page itself; kept in the browser, and no part of the document. */
+/** The user's settings of the page itself; stored in the browser, not in the document. */
 export interface Preferences {
   readonly language: Language;
   readonly captions: boolean;
-  /** Of false colours. */
+  /** Whether the legend of false colours is shown. */
   readonly legend: boolean;
-  /** Pictures on the nodes of the graph. */
+  /** Whether nodes of the graph show pictures. */
   readonly nodePictures: boolean;
 }
 
 const PREFERENCES_KEY = 'slowlight.preferences';
 
-/** Nothing kept, or nothing readable (private windows, full disks): the browser's own wishes. */
+/** Without readable preferences (private window, full disk) the browser's settings apply. */
 export function loadPreferences(): Preferences {
   const kept = readStoredPreferences();
   const language =
@@ -29,7 +29,7 @@ export function savePreferences(preferences: Preferences): void {
   try {
     localStorage.setItem(PREFERENCES_KEY, JSON.stringify(preferences));
   } catch {
-    // The page works without; the choice lasts for this visit.
+    // Without storage the choice lasts for this visit.
   }
 }
 

@@ -2,16 +2,16 @@ import type { RunRecord } from '../../dynamics/runRecord.ts';
 import type { GraphDocument } from '../../graph/document/document.ts';
 import type { Evaluation } from '../../graph/evaluation/evaluator.ts';
 
-/** The books of a node's run. */
+/** The run record of a simulate node. */
 export interface SimulationRun {
-  /** As evaluations name the node. */
+  /** Evaluation id of the node. */
   readonly node: string;
   readonly record: RunRecord;
-  /** It was not computed to its end: there is more to come, or it was stopped by a person. */
+  /** Whether the run is incomplete: still being computed, or stopped by the user. */
   readonly interim: boolean;
 }
 
-/** The books of all runs in an evaluation; what others pass on counts where it was made. */
+/** Run records in an evaluation; each counts once, at the node that made it. */
 export function simulationRuns(results: Evaluation['results']): SimulationRun[] {
   const runs = new Map<unknown, SimulationRun>();
   for (const [node, result] of results) {
@@ -21,13 +21,13 @@ export function simulationRuns(results: Evaluation['results']): SimulationRun[] 
   return [...runs.values()];
 }
 
-/** Simulate nodes, outside of groups, that an evaluation did not come to: nothing that was asked for is made of them. */
+/** Top-level simulate nodes that were not evaluated, since no requested output needs them. */
 export const unevaluatedSimulations = ({ nodes }: GraphDocument, results: Evaluation['results']): string[] =>
   Object.keys(nodes).filter((node) => nodes[node]!.type === 'simulate' && !results.has(node));
 
 const isRunRecord = (value: unknown): value is RunRecord =>
   typeof value === 'object' && value !== null && 'kinetic' in value;
 
-/** Of what is still computed, until when there is something [s]. */
+/** Time up to which the run in progress is computed [s]. */
 export const computedUntil = (results: Evaluation['results']): number =>
   Math.min(...simulationRuns(results).flatMap(({ interim, record }) => (interim ? [record.times.at(-1) ?? 0] : [])));

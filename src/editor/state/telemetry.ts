@@ -3,21 +3,21 @@ import { length } from '../../math/vec3.ts';
 import { gamma } from '../../physics/lorentz/boost.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
 
-/** What the instruments show; renewed a few times a second, so that a page full of text does not redraw at every frame. */
+/** Values of the instruments, updated a few times a second, so that the page does not re-render at every frame. */
 export interface Telemetry {
   /** World time [s]. */
   readonly t: number;
-  /** The observer's own clock [s]. */
+  /** Proper time of the observer [s]. */
   readonly properTime: number;
   /** |β| */
   readonly beta: number;
   readonly gamma: number;
   readonly triangles: number;
-  /** How far what is drawn may be from what is seen [px]. */
+  /** Error bound of the displayed picture [px]. */
   readonly tolerance: number;
-  /** What is to be seen next is still being read. */
+  /** Whether the next picture waits for samples that are being read. */
   readonly waiting: boolean;
-  /** What is to be seen next needs shaders that are being compiled. */
+  /** Whether the next picture waits for shaders that are being compiled. */
   readonly preparing: boolean;
 }
 
@@ -36,7 +36,7 @@ export const telemetry = createStore<Telemetry>(() => ({
 
 let lastUpdate = Number.NEGATIVE_INFINITY;
 
-/** `now` [ms] is the frame's time stamp. What changed too recently is shown with a later frame. */
+/** `now` [ms] is the frame's time stamp. Changes within the interval are published with a later frame. */
 export function updateTelemetry(
   state: ObserverState,
   drawn: Pick<Telemetry, 'triangles' | 'tolerance' | 'waiting' | 'preparing'>,

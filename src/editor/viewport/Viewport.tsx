@@ -10,7 +10,7 @@ import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { Legend } from './legend/Legend.tsx';
 import { useViewportRenderer } from './useViewportRenderer.ts';
 
-/** The picture, and what lies over it. */
+/** The picture and its overlays. */
 export function Viewport(): ReactNode {
   const { t } = useTexts();
   const host = useRef<HTMLDivElement>(null);
@@ -21,7 +21,7 @@ export function Viewport(): ReactNode {
   return (
     <div className="sl-viewport" data-opened={shown}>
       <div ref={host} className="sl-picture" role="application" aria-label={t('viewport.label')} data-viewport>
-        {/* A canvas whose context was lost cannot be drawn on again: each life has its own. */}
+        {/* A canvas whose context was lost cannot be reused: each generation gets a new one. */}
         <canvas key={life} ref={canvas} className="sl-canvas" />
       </div>
       {!focused && <StartHint />}
@@ -43,7 +43,7 @@ function StartHint(): ReactNode {
   ) : null;
 }
 
-/** What to look for, in the scene's own words. */
+/** The scene's description: what to look for. */
 function Caption(): ReactNode {
   const { t } = useTexts();
   const [shown, setShown] = useState(() => loadPreferences().captions);
@@ -77,7 +77,7 @@ function Caption(): ReactNode {
   );
 }
 
-/** Shaders being compiled: told where that takes long enough to be noticed (editor.css). */
+/** Shown while shaders compile, if that takes long enough to be noticed (editor.css). */
 function CompilingHint(): ReactNode {
   const { t } = useTexts();
   const preparing = useTelemetry((live) => live.preparing);
@@ -89,26 +89,26 @@ function CompilingHint(): ReactNode {
   ) : null;
 }
 
-/** What is under way, or was stopped. Who pressed a button that goes away with it is not left without a place: the next one has the focus, or the picture. */
+/** Running or stopped work. If the focused button disappears, the focus moves to the next one, or to the picture. */
 function ActivityOverlay({ picture }: { readonly picture: RefObject<HTMLElement | null> }): ReactNode {
   const box = useRef<HTMLDivElement>(null);
   const within = useRef(false);
   const stage = useEditorState(({ loading, interim }) => (loading ? 'busy' : interim));
-  // biome-ignore lint/correctness/useExhaustiveDependencies: buttons come and go with the stage
+  // biome-ignore lint/correctness/useExhaustiveDependencies: these add and remove buttons
   useEffect(() => {
     if (!within.current || document.activeElement !== document.body) return;
     within.current = false;
     (box.current?.querySelector('button') ?? picture.current)?.focus();
   }, [stage, picture]);
   return (
-    // biome-ignore lint/a11y/noStaticElementInteractions: it only hears which of its buttons has the focus
+    // biome-ignore lint/a11y/noStaticElementInteractions: it only tracks which of its buttons has the focus
     <div
       ref={box}
       onFocus={() => {
         within.current = true;
       }}
       onBlur={({ target }) => {
-        // A button that is still there was left; one that is not lost the focus as it was taken away.
+        // If the button still exists it was blurred; otherwise it lost the focus by its removal.
         queueMicrotask(() => {
           if (target.isConnected) within.current = false;
         });
@@ -120,10 +120,10 @@ function ActivityOverlay({ picture }: { readonly picture: RefObject<HTMLElement 
   );
 }
 
-/** What does not read a scene, and may take minutes. */
+/** Stages other than reading a scene, which may take minutes. */
 const LONG_STAGES = { trace: 'viewport.tracing', simulate: 'viewport.simulating' } as const;
 
-/** A scene being read, or the device starting again. */
+/** A scene being read, or the device restarting. */
 function BusyCard(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();
@@ -164,7 +164,7 @@ function BusyCard(): ReactNode {
   ) : null;
 }
 
-/** The picture shows what there was of work that was stopped. */
+/** The picture shows an interim result of stopped work. */
 function StoppedCard(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { meteredExposure } from '../../nodes/pictures/metering.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import { type LightMeterReadings, METER_CELLS } from '../../scene/view/metering.ts';
 import { DEFAULT_SETTINGS } from '../../scene/view/view.ts';
 import { AutoExposure, type MeteredPicture } from './autoExposure.ts';

@@ -1,45 +1,46 @@
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { adaptExposure, exposureForMetering, measuredFalseColorScale } from '../../nodes/pictures/metering.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import { contentKey } from '../../scene/frameGraph/frameGraph.ts';
 import type { LightMeterReadings } from '../../scene/view/metering.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 
-/** Between two measurements [ms], and how many pictures: each waits for the GPU, which has those to draw, and may draw one again. */
+/** Minimum interval of measurements [ms] and in pictures: each waits for the GPU, and may render the picture again. */
 const MIN_METERING_INTERVAL = 80;
 const MIN_FRAMES_BETWEEN = 4;
-/** Nobody sees a smaller change [EV]: the eye is there, and nothing more is drawn. */
+/** Smaller differences are invisible [EV]; adaptation ends and no more frames are drawn. */
 const SETTLED_DIFFERENCE = 0.004;
 
-/** A picture that was drawn, and the way to measure it. */
+/** A rendered picture that can be measured. */
 export interface MeteredPicture {
   readonly picture: PictureSpec;
   readonly viewPoint: ViewPoint;
   readonly settings: RenderSettings;
-  /** Width over height. */
+  /** Aspect ratio, width over height. */
   readonly aspect: number;
   readonly measureLight: () => Promise<LightMeterReadings>;
 }
 
 /**
- * The exposure of the page. The light of what is drawn is measured now and then, without anybody waiting for it, and the exposure goes there
- * as an eye does, in the person's time: also while the world's stands still. A picture that does not change is measured once, so that it comes to rest.
+ * Automatic exposure of the page. The luminance of drawn pictures is measured asynchronously at intervals, and the
+ * exposure adapts like an eye in real time, also with world time paused. A picture that does not change is measured
+ * once, so that it settles.
  */
 export class AutoExposure {
-  /** Without a way between: where less motion is wished for. */
+  /** Whether exposure jumps instead of adapting, with prefers-reduced-motion. */
   private readonly atOnce: boolean;
   private value: number | undefined;
   private target = 0;
   private gauge: LightMeterReadings | undefined;
-  /** The scales of the last measurement. */
+  /** Value ranges of the last measurement. */
   private scaled:
     | { readonly gauge: LightMeterReadings | undefined; readonly scales: Map<FalseColorQuantity, ValueRange> }
     | undefined;
-  /** Drawn, and not measured yet. */
+  /** The drawn picture that is not measured yet. */
   private drawn: MeteredPicture | undefined;
   private known = '';
   private busy = false;
-  /** How often it opened. */
+  /** Generation, incremented by `reset`. */
   private life = 0;
   private since = Number.NEGATIVE_INFINITY;
 
@@ -47,12 +48,12 @@ export class AutoExposure {
     this.atOnce = atOnce;
   }
 
-  /** What the metering adds to the person's own exposure [EV]. */
+  /** Automatic part of the exposure [EV]. */
   exposure({ metering }: PictureSpec): number {
     return metering === 'manual' ? 0 : (this.value ?? 0);
   }
 
-  /** Of false colours: round numbers that hold what was measured last. */
+  /** Value range of a false colour: round numbers that enclose the last measurement. */
   scale(kind: FalseColorQuantity): ValueRange {
     if (!this.scaled || this.scaled.gauge !== this.gauge) this.scaled = { gauge: this.gauge, scales: new Map() };
     const { scales } = this.scaled;
@@ -61,12 +62,12 @@ export class AutoExposure {
     return scale;
   }
 
-  /** Whether all that was drawn is measured, and the eye is where that leads it. */
+  /** Whether the last picture is measured and adaptation has ended. */
   get isSettled(): boolean {
     return !this.drawn && !this.busy && (this.value === undefined || this.value === this.target);
   }
 
-  /** Opens anew: the first measurement from now on is taken as it is, and one of before, should it still come, is none. */
+  /** Restarts: the next measurement applies at once, and pending ones are discarded. */
   reset(): void {
     this.life++;
     this.value = undefined;
@@ -74,11 +75,11 @@ export class AutoExposure {
     this.known = '';
   }
 
-  /** To be told of every picture. */
+  /** Call with every drawn picture. */
   observe(drawn: MeteredPicture): void {
     const { metering, falseColor, frameGraph } = drawn.picture;
     if (metering === 'manual' && falseColor === 'none' && !frameGraph) return;
-    // What is measured does not depend on how it is shown, as long as that is not seen in what a plan makes of it.
+    // Luminance does not depend on display settings, except through frame graphs.
     const { exposure: _, tone: __, falseColors: ___, frameGraph: ____, ...lit } = drawn.settings;
     const what = contentKey([metering, falseColor === 'none', drawn.viewPoint, lit, frameGraph, drawn.aspect]);
     if (what === this.known) return;
@@ -86,7 +87,7 @@ export class AutoExposure {
     this.drawn = drawn;
   }
 
-  /** A step of dt [s] of the person's time; `now` [ms]. Gives what is being measured, for those who would wait for it. */
+  /** Advances by dt [s] of real time; `now` [ms]. Returns the running measurement, if any. */
   advance(dt: number, now: number): Promise<void> | undefined {
     if (this.value !== undefined) {
       const next = this.atOnce ? this.target : adaptExposure(this.value, this.target, dt);

@@ -1,8 +1,8 @@
 import type { Backend } from '../../render/settings.ts';
 
 /**
- * What to draw with: as wanted, where this browser has it; undefined where it has nothing that will do. Left to choose, a WebGPU
- * that is only emulated on the processor gives way to WebGL2, which is several times as fast there.
+ * The backend: the requested one if available, undefined if none is. With `auto`, a software WebGPU adapter is rejected
+ * in favour of WebGL2, which is several times as fast there.
  */
 export async function chooseBackend(wanted: Backend | 'auto'): Promise<Backend | 'auto' | undefined> {
   const webgl = hasWebGl2();
@@ -13,7 +13,7 @@ export async function chooseBackend(wanted: Backend | 'auto'): Promise<Backend |
   return adapter?.info.isFallbackAdapter && webgl ? 'webgl' : 'auto';
 }
 
-/** Whether pictures are drawn on the processor, as far as the browser tells. */
+/** Whether the renderer runs on the CPU, as far as the browser reports it. */
 export function isSoftwareRenderer(): boolean {
   const gl = document.createElement('canvas').getContext('webgl2');
   const name = gl?.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL;
@@ -26,7 +26,7 @@ const hasWebGl2 = (): boolean => document.createElement('canvas').getContext('we
 
 async function findAdapter(): Promise<GPUAdapter | undefined> {
   try {
-    // Absent on pages that are not secure, whatever its type says.
+    // Missing on insecure pages, despite its type.
     const gpu: GPU | undefined = navigator.gpu;
     return (await gpu?.requestAdapter()) ?? undefined;
   } catch {

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { DynamicResolution } from './dynamicResolution.ts';
 
-/** Frames of one length while the picture changes, then a rest. */
+/** Frames of equal duration while the picture changes, then a rest. */
 function run(resolution: DynamicResolution, from: number, frames: number, interval: number): number {
   let now = from;
   for (let i = 0; i < frames; i++) {

@@ -1,29 +1,29 @@
-/** Fewer pixels while the picture moves and frames are slow, all of them as soon as it rests: a slow machine stays flyable. */
+/** Dynamic resolution: fewer pixels while the picture moves and frames are slow, all of them at rest. */
 
 interface QualityLevel {
-  /** Of the pixels' number along each side, 0 … 1. */
+  /** Scale of width and height, 0 … 1. */
   readonly scale: number;
-  /** With what makes a picture more beautiful, and changes nothing in it. */
+  /** Whether costly visual effects are on. */
   readonly fullQuality: boolean;
 }
 
-/** Each takes about half as long as the one before. */
+/** Each takes about half the time of the previous. */
 const QUALITY_LEVELS: readonly QualityLevel[] = [
   { scale: 1, fullQuality: true },
   { scale: 0.7, fullQuality: true },
   { scale: 0.7, fullQuality: false },
   { scale: 0.5, fullQuality: false },
 ];
-/** Frames that take longer [ms] ask for fewer pixels, and shorter ones allow more. */
+/** Frame times above this lower the resolution, and those below the other raise it [ms]. */
 const SLOW_FRAME = 70;
 const FAST_FRAME = 22;
-/** So long without a change [ms], and the picture rests. */
+/** Time without change after which the picture counts as still [ms]. */
 const STILL_AFTER = 250;
-/** Frames between two changes of level, so that each is judged by its own frames. */
+/** Frames between two decisions, so that each level is judged by its own frames. */
 const FRAMES_PER_DECISION = 6;
 
 export class DynamicResolution {
-  /** The level that motion needs on this machine; kept over rests. */
+  /** Level for moving pictures; kept while at rest. */
   private level = 0;
   private moving = false;
   private lastChange = Number.NEGATIVE_INFINITY;
@@ -46,13 +46,13 @@ export class DynamicResolution {
     return QUALITY_LEVELS[this.moving ? this.level : 0]!;
   }
 
-  /** After each frame: whether what is to be seen changed, the time now and since the frame before [ms]. */
+  /** Call after each frame: whether the picture changed, the current time and the frame time [ms]. */
   recordFrame(changed: boolean, now: number, interval: number): void {
     if (!changed) {
       if (now - this.lastChange > STILL_AFTER) this.moving = false;
       return;
     }
-    // The first frames of a motion also carry what the rest before them cost.
+    // The first frames of a motion include work from the rest before.
     if (this.moving) this.judge(interval);
     this.moving = true;
     this.lastChange = now;

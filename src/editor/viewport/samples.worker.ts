@@ -3,8 +3,8 @@ import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { setSampleCacheSize } from '../../scene/streaming/streamedPoints.ts';
 import { readBlob } from '../loading/readBlob.ts';
 
-/** Reads samples that are left in files off the main thread. */
+/** Reads samples that are left in files, off the main thread. */
 setFileReader(readBlob);
-// Each is asked for once.
+// Each sample is requested once.
 setSampleCacheSize(0);
 serveSamples(self);

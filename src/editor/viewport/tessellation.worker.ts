@@ -2,6 +2,6 @@ import { servePlans } from '../../render/tessellation/plan/planServer.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { readBlob } from '../loading/readBlob.ts';
 
-/** Plans pictures off the main thread. */
+/** Plans the tessellation of pictures off the main thread. */
 setFileReader(readBlob);
 servePlans(self);

@@ -4,13 +4,13 @@ import { useServices } from '../services.tsx';
 import { useEditor } from '../state/context.tsx';
 import { ViewportRenderer } from './viewportRenderer.ts';
 
-/** So many losses within so long [ms], and the device is given up. */
+/** After this many losses within this time [ms], rendering is given up. */
 const MAX_LOSSES = 3;
 const LOSS_WINDOW = 60_000;
 
 /**
- * Keeps a renderer on the canvas. When the device or the context is lost, a new life begins with a new canvas: the document,
- * the observer and the time go on where they were. Returns the number of the life, the key of the canvas.
+ * Keeps a renderer on the canvas. After a loss of device or context a new generation starts with a new canvas;
+ * document, observer and time are kept. Returns the generation, for the key of the canvas.
  */
 export function useViewportRenderer(canvas: RefObject<HTMLCanvasElement | null>): number {
   const { t } = useTexts();

@@ -1,5 +1,5 @@
-import type { PictureSpec } from '../../nodes/defineNode.ts';
 import { exposedFrameGraph, renderSettings } from '../../nodes/pictures/renderSettings.ts';
+import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { InteractiveRenderer } from '../../pipelines/interactiveRenderer.ts';
 import { interactivePipeline } from '../../pipelines/registry.ts';
 import type { Backend, Sampling } from '../../render/settings.ts';
@@ -18,10 +18,10 @@ import { DynamicResolution } from './dynamicResolution.ts';
 import { setLegendColors } from './legend/legendState.ts';
 import { ValuePicker } from './legend/valuePicker.ts';
 
-/** Longest step of flight in one frame [s]: after a pause of the page the observer does not leap. */
+/** Maximum flight step of a frame [s], so that the observer does not jump after the page was suspended. */
 const MAX_FLIGHT_STEP = 0.25;
 const MAX_PIXEL_RATIO = 2;
-/** Of work under way the next scene is taken up after so many times as long as the one before took. */
+/** Pause between uploads of interim scenes, as a multiple of the previous upload's duration. */
 const INTERIM_PAUSE_FACTOR = 3;
 
 interface DisplayedView {
@@ -29,33 +29,36 @@ interface DisplayedView {
   readonly settings: RenderSettings;
 }
 
-/** What a picture is to be, and how it is to be drawn. */
+/** A view with its resolution and quality. */
 interface DisplayedFrame extends DisplayedView {
   readonly sampling: Sampling;
 }
 
-/** A picture to be kept: its pixels as it was shown, and of what. */
+/** A captured picture: its pixels as displayed, with its view. */
 export interface CapturedPicture extends DisplayedView {
   readonly image: ImageData;
 }
 
-/** What there is to make pictures of nodes with, beside that which is shown (graph/useNodePictures.ts). */
+/** What node pictures need from the viewport (graph/pictures/useNodePictures.ts). */
 export interface PreviewContext {
   readonly renderer: InteractiveRenderer;
   readonly picture: PictureSpec;
-  /** Another object for every picture that was drawn. */
+  /** Identity changes with every drawn picture. */
   readonly view: DisplayedView;
-  /** It stays as it is for now. */
+  /** Whether the picture is still. */
   readonly isStill: boolean;
-  /** The processor draws, which then cannot do much else. */
+  /** Whether rendering runs on the CPU, which then has little time for anything else. */
   readonly software: boolean;
-  /** Of light that has no tone curve yet [EV]. */
+  /** Exposure for images without a tone curve [EV]. */
   readonly exposure: number;
-  /** A plan as this picture's is exposed. */
+  /** A frame graph with the exposure of this picture. */
   withExposure(plan: FrameGraph): FrameGraph;
 }
 
-/** One canvas with its renderer, from start to loss: draws a frame wherever something has changed, and refines what rests. */
+/**
+ * Renderer of one canvas, from creation to loss: draws a frame when something has changed, and accumulates samples at
+ * rest.
+ */
 export class ViewportRenderer {
   private readonly studio: Editor;
   private readonly pilot: ObserverController;
@@ -65,28 +68,30 @@ export class ViewportRenderer {
   private readonly resolution = new DynamicResolution();
   private readonly eye = new AutoExposure(prefersReducedMotion());
   private readonly reader = new ValuePicker();
-  /** Samples along each side of a pixel that resting pictures come to; undefined: where the processor draws they stay as they are. */
+  /**
+   * Samples per pixel side that still pictures accumulate; undefined on software renderers, which do not accumulate.
+   */
   private readonly finest: number | undefined;
   private scale = 1;
-  /** In the renderer now. */
+  /** Scenes that are uploaded. */
   private scenes: readonly Scene[] = [];
   private uploading = false;
-  /** When the scene was taken up that is not on the canvas yet [ms], and whether it is the one before with a motion that has grown. */
+  /** Start of the current upload [ms], and whether it is the previous scene with a longer motion. */
   private began: number | undefined;
   private grew = false;
-  /** When the next is taken up of work that is under way [ms]. */
+  /** Earliest time for the next upload of an interim scene [ms]. */
   private next = 0;
-  /** On the canvas; undefined while there is nothing of this scene. */
+  /** The displayed frame; undefined while nothing of this scene is displayed. */
   private shown: DisplayedFrame | undefined;
-  /** What was to be seen at the last tick. */
+  /** The requested view at the last tick. */
   private wanted: DisplayedView | undefined;
-  /** The same would not look the same any more. */
+  /** Whether the same view must be drawn again. */
   private stale = false;
   private frame = 0;
   private before: number | undefined;
-  /** Samples of this scene cannot be read any more. */
+  /** Whether samples of this scene can no longer be read. */
   private lost = false;
-  /** Shaders of the picture that is wanted are being compiled. */
+  /** Whether shaders of the requested view are being compiled. */
   private prepares = false;
 
   static async start(
@@ -143,7 +148,7 @@ export class ViewportRenderer {
     this.renderer.dispose();
   }
 
-  /** The picture as it is now, with all its pixels; undefined where there is none. */
+  /** The current picture at full resolution; undefined if there is none. */
   async capture(): Promise<CapturedPicture | undefined> {
     if (this.scale !== 1 || !this.shown) {
       this.scale = 1;
@@ -156,7 +161,7 @@ export class ViewportRenderer {
     return { ...shown, image: new ImageData(pixels, width, height) };
   }
 
-  /** Undefined while nothing is shown, or something else is on its way. */
+  /** Undefined while nothing is displayed or an upload is running. */
   previewContext(): PreviewContext | undefined {
     const { picture } = this.pilot;
     if (!picture || !this.shown || this.uploading || this.prepares || this.waits) return undefined;
@@ -177,7 +182,7 @@ export class ViewportRenderer {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(Math.round(clientWidth * ratio), Math.round(clientHeight * ratio));
-    // Without a picture before the next paint the old one would be stretched.
+    // Draw before the next paint, or the browser stretches the old picture.
     this.draw(true);
   }
 
@@ -188,7 +193,7 @@ export class ViewportRenderer {
     this.follow();
     const step = Math.min(MAX_FLIGHT_STEP, interval / 1000);
     if (!this.waits) this.pilot.advance(step);
-    // What a lost device cannot measure is measured in the next life.
+    // If the device was lost, the next generation measures.
     this.eye.advance(step, now)?.catch(() => {});
     this.resolution.recordFrame(this.draw(false), now, interval);
     if (this.resolution.scale !== this.scale) {
@@ -200,14 +205,17 @@ export class ViewportRenderer {
     updateTelemetry(this.pilot.observer, this.shown ? drawn : { ...drawn, triangles: 0 }, now);
   }
 
-  /** A sample more of what rests, unless something else is on its way; the canvas tells when it has them all, in their own light. */
+  /**
+   * Accumulates a sample of a still view, unless other work is pending; an attribute of the canvas tells when it is
+   * complete and exposure has settled.
+   */
   private refine(): void {
     if (!this.shown || this.uploading || this.prepares || this.waits) return;
     const goesOn = this.finest !== undefined && this.renderer.accumulate?.(this.finest) === true;
     this.canvas.toggleAttribute('data-finest', !goesOn && this.eye.isSettled);
   }
 
-  /** For the legend, what is pointed at. */
+  /** Picks the value for the legend. */
   private read(now: number): void {
     if (!this.shown || this.uploading) return;
     const { width, height } = this.renderer;
@@ -215,7 +223,7 @@ export class ViewportRenderer {
     this.reader.update({ ...this.shown, width, height, pick }, now)?.catch(() => {});
   }
 
-  /** Takes up a new picture; where its scene is another one, after the upload: until then the last one stays. */
+  /** Takes over a new picture; another scene is uploaded first, and the last picture stays until then. */
   private follow(): void {
     const { picture, pictureSource, interim, results } = this.studio.store.getState();
     if (!picture || this.uploading) return;
@@ -254,17 +262,17 @@ export class ViewportRenderer {
   private isPrepared({ viewPoint, settings, sampling }: DisplayedFrame): boolean {
     const preparing = this.renderer.precompile?.(viewPoint, settings, sampling);
     this.prepares = preparing !== undefined;
-    // What a lost device cannot compile the next life does.
+    // If the device was lost, the next generation compiles.
     preparing?.catch(() => {});
     return !preparing;
   }
 
-  /** The next tick draws, also where nothing has changed. */
+  /** Makes the next tick draw even if nothing has changed. */
   private again(): void {
     this.stale = true;
   }
 
-  /** For samples that are to come. */
+  /** Whether samples are pending. */
   private get waits(): boolean {
     return this.renderer.info.waiting && !this.lost;
   }
@@ -275,7 +283,7 @@ export class ViewportRenderer {
     this.studio.notify({ kind: 'error', text: error.message });
   }
 
-  /** Whether what is to be seen has changed, and was drawn. */
+  /** Draws if the view changed; returns whether it did. */
   private draw(always: boolean): boolean {
     const viewPoint = this.pilot.viewPoint();
     const { picture } = this.pilot;
@@ -297,7 +305,7 @@ export class ViewportRenderer {
     if (this.renderer.info.waiting) return false;
     if (this.began !== undefined) {
       const now = performance.now();
-      // The first takes longest, and tells nothing about those that follow.
+      // The first upload takes longest and does not predict the next.
       this.next = this.grew ? now + INTERIM_PAUSE_FACTOR * (now - this.began) : now;
       this.began = undefined;
     }
@@ -307,7 +315,7 @@ export class ViewportRenderer {
     return changes;
   }
 
-  /** How what is wanted is drawn where time is short; until that can be drawn at once, as what was shown before. */
+  /** Settings for the available time; until these can be drawn at once, those displayed before. */
   private affordable(viewPoint: ViewPoint, wanted: RenderSettings, moves: boolean): DisplayedFrame | undefined {
     const { fullQuality } = this.resolution;
     const settings = fullQuality ? wanted : { ...wanted, occlusionRadius: 0 };
@@ -320,6 +328,6 @@ export class ViewportRenderer {
 const sameScenes = (a: readonly Scene[], b: readonly Scene[]): boolean =>
   a.length === b.length && a.every((scene, i) => scene === b[i]);
 
-/** Whether the same is to be seen. Plain data of numbers and short arrays: compared by its text. */
+/** Whether two views are equal. They are plain data, compared as JSON. */
 const sameView = (a: DisplayedView, b: DisplayedView): boolean =>
   contentKey([a.viewPoint, a.settings]) === contentKey([b.viewPoint, b.settings]);

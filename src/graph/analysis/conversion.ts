@@ -5,7 +5,7 @@ type Conversion = (value: unknown) => unknown;
 const identity: Conversion = (value) => value;
 const splat: Conversion = (value) => [value, value, value];
 
-/** From each type to those that it is taken for where they are wanted. */
+/** From each type to those that it converts to. */
 const SOCKET_CONVERSIONS: Readonly<Record<string, Readonly<Record<string, Conversion>>>> = {
   number: { vector: splat, color: splat },
   vector: { color: identity },
@@ -14,7 +14,7 @@ const SOCKET_CONVERSIONS: Readonly<Record<string, Readonly<Record<string, Conver
   image: { mask: identity },
 };
 
-/** How a value of one socket type becomes one of another; undefined where it cannot. */
+/** Conversion of a value from one socket type to another; undefined if there is none. */
 export function conversion(from: string, to: string): Conversion | undefined {
   if (from === to || from === ANY || to === ANY) return identity;
   return Object.hasOwn(SOCKET_CONVERSIONS, from) && Object.hasOwn(SOCKET_CONVERSIONS[from]!, to)

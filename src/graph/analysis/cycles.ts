@@ -1,6 +1,6 @@
 /**
- * The nodes that feed themselves, or lie between such: what is left when all is taken away, again and again, that has nothing before it
- * or nothing after it. `before`: of every node those that feed it.
+ * Nodes in cycles, or between cycles: what remains after repeatedly removing nodes without predecessors or without
+ * successors. `before`: predecessors of each node.
  */
 export function nodesInCycles(before: ReadonlyMap<string, readonly string[]>): ReadonlySet<string> {
   const after = new Map<string, string[]>([...before.keys()].map((id) => [id, []]));
@@ -13,7 +13,7 @@ export function nodesInCycles(before: ReadonlyMap<string, readonly string[]>): R
 
 type NeighborMap = ReadonlyMap<string, readonly string[]>;
 
-/** Takes away what has nothing of `needed` left, until all that is left has. */
+/** Removes nodes without remaining `needed` neighbours until all have one. */
 function removeUnconstrained(left: Set<string>, needed: NeighborMap, needing: NeighborMap): void {
   const counts = new Map<string, number>();
   for (const id of left) counts.set(id, needed.get(id)!.filter((other) => left.has(other)).length);

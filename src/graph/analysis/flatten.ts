@@ -14,17 +14,17 @@ import { nodesInCycles } from './cycles.ts';
 import { inferTypes } from './inferTypes.ts';
 import { type GraphLevel, inputName, levelOf, socketsOf } from './sockets.ts';
 
-/** What feeds an input: an output, or nothing although something is connected. */
+/** Source of an input: an output, or none despite a connection. */
 export type FlatSource =
   | { readonly kind: 'output'; readonly node: string; readonly output: string }
   | { readonly kind: 'nothing'; readonly why: string };
 
 export interface FlatNode {
-  /** `outer/inner` of a node in a group. */
+  /** `outer/inner` for a node in a group. */
   readonly id: string;
   readonly type: string;
   readonly params: GraphNode['params'];
-  /** By input; of one that takes many, in order. What is not connected is not here. */
+  /** By input; for inputs of many edges, in order. Unconnected inputs are absent. */
   readonly inputs: ReadonlyMap<string, readonly FlatSource[]>;
 }
 
@@ -33,28 +33,30 @@ export interface FlatAlias {
   readonly source: FlatSource;
 }
 
-/** A document without groups, bends and muted nodes: what is evaluated. */
+/** A document without groups, reroutes and muted nodes: what is evaluated. */
 export interface FlatGraph {
   readonly nodes: ReadonlyMap<string, FlatNode>;
-  /** For nodes that flattening took out: what their first output was. */
+  /** For nodes removed by flattening: the source of their first output. */
   readonly aliases: ReadonlyMap<string, FlatAlias>;
-  /** Nodes that feed themselves, or lie between such. */
+  /** Nodes in cycles, or between cycles. */
   readonly cycles: ReadonlySet<string>;
 }
 
-/** A level in place: a group that three nodes use is there three times. */
+/** An instance of a level: a group that three nodes use has three. */
 interface Scope extends GraphLevel {
   /** `outer/` */
   readonly prefix: string;
-  /** The level around it, and its node there. */
+  /** The enclosing scope, and the group node in it. */
   readonly parent?: { readonly scope: Scope; readonly node: string };
   readonly inside: Map<string, Scope>;
   readonly incoming: ReadonlyMap<string, readonly GraphEdge[]>;
-  /** The node that carries the group's outputs. */
+  /** The group output node. */
   readonly exit?: string;
 }
 
-/** Opens out the groups of a document and takes out what computes nothing. Throws a DocumentError where that gives too much. */
+/**
+ * Expands the groups of a document and removes pass-through nodes. Throws a DocumentError if the result is too large.
+ */
 export function flatten(document: GraphDocument, registry: Registry): FlatGraph {
   const nodes = new Map<string, FlatNode>();
   const aliases = new Map<string, FlatAlias>();
@@ -77,10 +79,10 @@ export function flatten(document: GraphDocument, registry: Registry): FlatGraph 
 const sourceNodes = (sources: readonly FlatSource[]): string[] =>
   sources.flatMap((source) => (source.kind === 'output' ? [source.node] : []));
 
-/** What is needed on the way back along edges, and what has been found on it. */
+/** Context of tracing back along edges, with a cache. */
 interface TraceContext {
   readonly registry: Registry;
-  /** By `node.output` of what passes on. */
+  /** Sources of pass-through outputs, by `node.output`. */
   readonly known: Map<string, FlatSource | undefined>;
 }
 
@@ -93,7 +95,7 @@ function resolveAlias(scope: Scope, id: string, node: GraphNode, walk: TraceCont
 const isPassThrough = (node: GraphNode): boolean =>
   node.muted === true || [GROUP, GROUP_INPUT, GROUP_OUTPUT, REROUTE].includes(node.type);
 
-/** A level with all groups in it; `total` counts what that makes. */
+/** Expands a level with all groups in it; `total` counts the nodes. */
 function expandScope(level: GraphLevel, prefix: string, parent: Scope['parent'], total: { count: number }): Scope {
   const depth = prefix.split('/').length - 1;
   if (depth > MAX_GROUP_DEPTH)
@@ -114,7 +116,7 @@ function expandScope(level: GraphLevel, prefix: string, parent: Scope['parent'],
 
 const incomingEdgesCache = new WeakMap<Graph['edges'], ReadonlyMap<string, readonly GraphEdge[]>>();
 
-/** The edges that feed each node, those into one socket in their order. */
+/** Incoming edges of each node; those of one socket in order. */
 export function incomingEdges({ edges }: Graph): ReadonlyMap<string, readonly GraphEdge[]> {
   const known = incomingEdgesCache.get(edges);
   if (known) return known;
@@ -143,7 +145,9 @@ function resolveInputs(scope: Scope, id: string, walk: TraceContext): FlatNode['
   return inputs;
 }
 
-/** Follows an edge back through all that passes on, to the node that computes; undefined where nothing is connected there. */
+/**
+ * Follows an edge back through pass-through nodes to the node that computes; undefined if nothing is connected there.
+ */
 function resolveSource(start: Scope, edge: GraphEdge['from'], walk: TraceContext): FlatSource | undefined {
   const { known } = walk;
   const passed = new Set<string>();
@@ -181,7 +185,7 @@ interface OutputLocation {
   readonly output: string;
 }
 
-/** What a node that computes nothing passes on at an output. */
+/** Source of a pass-through node's output. */
 function throughPassThrough(
   at: OutputLocation,
   node: GraphNode,
@@ -206,7 +210,7 @@ function edgeSource(scope: Scope, node: string, input: string): OutputLocation |
   return edge && { scope, ...edge.from };
 }
 
-/** A muted node passes to each output the first connected input of its type. */
+/** A muted node passes to each output the first connected input of the same type. */
 function throughMuted(
   { scope, node: id, output }: OutputLocation,
   node: GraphNode,

@@ -4,12 +4,12 @@ import { ANY, type Registry } from '../nodeType.ts';
 import { conversion } from './conversion.ts';
 import { type GraphLevel, inputSocket, levelOf, type NodeSockets, socketsOf } from './sockets.ts';
 
-/** One end of an edge. */
+/** One end of an edge with its type. */
 interface TypedEndpoint {
-  /** `node.socket`, for people. */
+  /** `node.socket`, for messages. */
   readonly place: string;
   readonly type: string;
-  /** Of a generic socket: what all sockets share that must be of one type with it. */
+  /** For a generic socket: the type variable shared by all sockets that must have the same type. */
   readonly variable?: string;
 }
 
@@ -18,20 +18,20 @@ interface TypeConflict {
   readonly message: string;
 }
 
-/** The types of a level's sockets, the generic ones by what is connected to them, and the edges that do not fit. */
+/** Types of a level's sockets, with generic ones inferred from connections, and the edges that do not fit. */
 export interface LevelTypes {
-  /** `any` where nothing is connected that tells; undefined where there is no such socket. */
+  /** `any` if connections do not determine the type; undefined if there is no such socket. */
   typeOf(node: string, side: 'inputs' | 'outputs', socket: string): string | undefined;
   readonly conflicts: readonly TypeConflict[];
 }
 
-/** `more`: an edge that is tried; it takes the place of the one that feeds the same input. */
+/** `more`: a tentative edge; it replaces the one that feeds the same input. */
 export function inferTypes(level: GraphLevel, registry: Registry, more?: GraphEdge): LevelTypes {
   if (more) return inferLevelTypes(level, registry, more);
   const levels = cachedTypes(level.document, registry);
   const known = levels.get(level.group);
   if (known) return known;
-  // While it is looked into, a group that would hold itself tells nothing.
+  // While a group is being inferred, instances of itself have no types.
   levels.set(level.group, NO_TYPES);
   const found = inferLevelTypes(level, registry);
   levels.set(level.group, found);
@@ -60,10 +60,10 @@ function inferLevelTypes(level: GraphLevel, registry: Registry, more?: GraphEdge
     return from && to ? [{ edge, from, to }] : [];
   });
   for (const { from, to } of typed) if (from.variable && to.variable) variables.unify(from.variable, to.variable);
-  // What flows in tells the type; only where nothing does, what it flows to.
+  // Sources determine a type; only without any, the sinks do.
   for (const { edge, from, to } of typed) {
     if (from.variable || !to.variable) continue;
-    // Of what flows in, that which the rest can become.
+    // Of several sources' types, the one that the others convert to.
     const held = variables.assign(to.variable, from, (other) => conversion(other.type, from.type) !== undefined);
     if (!conversion(from.type, held.type)) conflicts.push({ edge, message: typeMismatch(from, held) });
   }
@@ -82,7 +82,7 @@ function inferLevelTypes(level: GraphLevel, registry: Registry, more?: GraphEdge
   };
 }
 
-/** What flows out of a generic socket: what flows in, or else what can become all that is wanted of it. */
+/** Type of a generic output: that of the source, or else one that converts to all sinks. */
 function sinkType(
   variables: TypeVariables,
   sourced: ReadonlySet<string>,
@@ -121,7 +121,7 @@ function endpointOf(
   return type === ANY ? { place, type, variable: `${id}.${side}.${name}` } : { place, type };
 }
 
-/** What the inside of a group tells of one of its generic sockets. */
+/** Type of a group's generic socket, inferred inside the group. */
 function typeInsideGroup(
   { document }: GraphLevel,
   registry: Registry,
@@ -137,7 +137,7 @@ function typeInsideGroup(
   return inferTypes(inside, registry).typeOf(entry[0], side === 'inputs' ? 'outputs' : 'inputs', name) ?? ANY;
 }
 
-/** Type variables, of which some have been found equal, with the first socket that told what each is. */
+/** Type variables with union–find, and the socket that first determined each type. */
 class TypeVariables {
   private readonly parents = new Map<string, string>();
   private readonly known = new Map<string, TypedEndpoint>();
@@ -147,7 +147,7 @@ class TypeVariables {
     if (first !== second) this.parents.set(first, second);
   }
 
-  /** Says what a variable is, where nothing has before, or where what has gives way; returns what holds. */
+  /** Assigns a type unless one is assigned that does not give way; returns the effective one. */
   assign(variable: string, end: TypedEndpoint, givesWay: (held: TypedEndpoint) => boolean): TypedEndpoint {
     const root = this.find(variable);
     const held = this.known.get(root);
@@ -160,7 +160,7 @@ class TypeVariables {
     return this.known.get(this.find(variable));
   }
 
-  /** The roots of all of which something is known. */
+  /** Roots of all variables with a type. */
   assignedRoots(): ReadonlySet<string> {
     return new Set(this.known.keys());
   }
@@ -168,7 +168,7 @@ class TypeVariables {
   find(variable: string): string {
     let root = variable;
     for (let up = this.parents.get(root); up !== undefined; up = this.parents.get(root)) root = up;
-    // Next time the way is short.
+    // Path compression.
     for (let at = variable; at !== root; ) {
       const up = this.parents.get(at)!;
       this.parents.set(at, root);

@@ -9,16 +9,16 @@ import {
 import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupKeyOf } from '../document/structuralTypes.ts';
 import type { NodeType, ParamSpec, Registry, Socket } from '../nodeType.ts';
 
-/** A level of a document: its own, or the inside of a group. */
+/** A level of a document: the document's own graph or the inside of a group. */
 export interface GraphLevel {
   readonly document: GraphDocument;
   readonly graph: Graph;
-  /** Key of the group; absent of the document's own level. */
+  /** Id of the group; absent for the document's own level. */
   readonly group?: string;
 }
 
 export interface NodeSockets {
-  /** Those of the node's parameters too, under the parameters' names. */
+  /** Including the node's parameters, under their names. */
   readonly inputs: Readonly<Record<string, Socket>>;
   readonly outputs: Readonly<Record<string, Socket>>;
 }
@@ -34,7 +34,7 @@ export const levelsOf = (document: GraphDocument): GraphLevel[] => [
   ...Object.entries(document.groups).map(([group, graph]) => ({ document, graph, group })),
 ];
 
-/** The sockets of a node where it stands; undefined where its type or its group does not exist. */
+/** Sockets of a node in its level; undefined if its type or group does not exist. */
 export function socketsOf(
   { document, group }: GraphLevel,
   node: GraphNode,
@@ -48,7 +48,7 @@ export function socketsOf(
   return type && socketsOfType(type);
 }
 
-/** An input by the name that an edge gives: `name`, or `name.2` of one that takes many. */
+/** The input that an edge refers to: `name`, or `name.2` for inputs of many edges. */
 export function inputSocket({ inputs }: NodeSockets, name: string): Socket | undefined {
   const { base, number } = inputName(name);
   const socket = own(inputs, base);
@@ -73,7 +73,7 @@ const PARAM_TYPES: Readonly<Record<ParamSpec['kind'], string | undefined>> = {
 
 const typeSocketsCache = new WeakMap<object, NodeSockets>();
 
-/** A type's own sockets, and one for each parameter that an edge can drive. */
+/** Sockets of a type, including one for each drivable parameter. */
 export function socketsOfType(type: NodeType): NodeSockets {
   const known = typeSocketsCache.get(type);
   if (known) return known;
@@ -88,7 +88,7 @@ export function socketsOfType(type: NodeType): NodeSockets {
   return sockets;
 }
 
-/** A group's sockets: of the nodes that use it, and of the nodes in it that carry its inputs and outputs. */
+/** Sockets of a group, for its instances and for the group input and output nodes inside. */
 interface GroupSockets {
   readonly outside: NodeSockets;
   readonly entry: NodeSockets;

@@ -14,7 +14,7 @@ import { flatten, incomingEdges } from './flatten.ts';
 import { inferTypes } from './inferTypes.ts';
 import { type GraphLevel, inputName, inputSocket, levelOf, levelsOf, socketsOf } from './sockets.ts';
 
-/** Everything that is wrong with a document as it stands, each at its node (`group/node` in the definition of a group). */
+/** All problems of a document, each at its node (`group/node` in a group's definition). */
 export function validateDocument(document: GraphDocument, registry: Registry): NodeProblem[] {
   const fault = findFault(document) ?? findFlattenFault(document, registry);
   if (fault) return [problemAt('graph.document', 'the project', fault)];
@@ -73,8 +73,8 @@ function checkNode(
 const groupOutputOf = ({ graph }: GraphLevel) => Object.values(graph.nodes).find(({ type }) => type === GROUP_OUTPUT);
 
 /**
- * Why the edge cannot be in a level of the document, or undefined where it can. It need not be there yet; what feeds its input now
- * gives way to it.
+ * Why an edge is not allowed in a level of the document; undefined if it is. The edge need not exist yet; it replaces
+ * the one that feeds its input now.
  */
 export function edgeError(
   document: GraphDocument,
@@ -108,7 +108,7 @@ function socketError(level: GraphLevel, { from, to }: GraphEdge, registry: Regis
 export const isReachable = (graph: Pick<GraphDocument, 'edges'>, from: string, to: string): boolean =>
   reachableFrom(graph, [from]).has(to);
 
-/** All that data flows to from some nodes, with these. */
+/** All nodes that data flows to from the given ones, including these. */
 export function reachableFrom({ edges }: Pick<GraphDocument, 'edges'>, starts: Iterable<string>): ReadonlySet<string> {
   const after = new Map<string, string[]>();
   for (const { from, to } of Object.values(edges)) {
@@ -117,7 +117,7 @@ export function reachableFrom({ edges }: Pick<GraphDocument, 'edges'>, starts: I
     else after.set(from.node, [to.node]);
   }
   const reached = new Set(starts);
-  // What a set is given while it is gone through comes too.
+  // A Set's iteration includes elements added during it.
   for (const node of reached) for (const next of after.get(node) ?? []) reached.add(next);
   return reached;
 }
@@ -136,7 +136,7 @@ function checkConnections(
   type: NodeType,
   isConnected: (input: string) => boolean,
 ): NodeProblem[] {
-  // What edges drive is not known yet, and so not which inputs matter.
+  // Driven parameters are not known yet, so neither are the active inputs.
   const isDriven = Object.keys(type.params).some(isConnected);
   const needed = isDriven && type.needs ? [] : (type.needs?.(resolveParams(type, params)) ?? Object.keys(type.inputs));
   return needed.flatMap((name) => {

@@ -4,19 +4,19 @@ import { CURRENT_VERSION } from './migrations.ts';
 z.config(z.locales.en());
 
 /**
- * The document: the whole state of a project that a person can edit, save and undo. What changes by itself (the time,
- * the observer in flight) is not in it. It is plain JSON; keys are sorted when written, so that files compare well.
+ * The document: the whole state of a project that can be edited, saved and undone. State that changes by itself (time,
+ * the flying observer) is not included. It is plain JSON; keys are sorted when written, to make diffs small.
  */
-/** How many nodes a project may hold, and how many what is made of it when its groups are opened out. */
+/** Maximum number of nodes of a project, as stored and with its groups expanded. */
 export const MAX_NODES = 10_000;
-/** How deep groups may lie in groups. */
+/** Maximum nesting of groups. */
 export const MAX_GROUP_DEPTH = 16;
 const MAX_ARRAY_LENGTH = 100_000;
 const MAX_TEXT_LENGTH = 100_000;
 
-/** What nodes, sockets, parameters and groups are called in a document. */
+/** Ids of nodes, sockets, parameters and groups. */
 export const IDENTIFIER = /^[A-Za-z][A-Za-z0-9_-]{0,63}$/;
-/** A socket; `name.2` is the second edge of one that takes many. */
+/** An input; `name.2` is the second edge of an input that takes many. */
 const INPUT_NAME = /^[A-Za-z][A-Za-z0-9_-]{0,63}(\.[1-9][0-9]{0,3})?$/;
 const NAME_RULE = 'a name is a letter and at most 63 more letters, digits, - or _';
 const identifier = z.string().check(z.regex(IDENTIFIER, NAME_RULE));
@@ -37,13 +37,13 @@ const paramValueSchema = z.union([
 
 const nodeSchema = z.strictObject({
   type: shortText(64),
-  /** Only what differs from the node's defaults. */
+  /** Only values that differ from the node's defaults. */
   params: z.record(identifier, paramValueSchema),
-  /** What a person calls it; else it goes by the title of its type. */
+  /** The user's title; otherwise the type's title is shown. */
   title: z.optional(title),
-  /** Passes on what it gets instead of doing its work. */
+  /** Passes its input through instead of being evaluated. */
   muted: z.optional(z.literal(true)),
-  /** Shown without its parameters. */
+  /** Displayed without its parameters. */
   collapsed: z.optional(z.literal(true)),
 });
 
@@ -62,15 +62,15 @@ const frameSchema = z.strictObject({
   color: z.optional(color),
 });
 
-/** Nodes and what joins them: the document itself, and the inside of each group. */
+/** Nodes and edges: of the document itself, and of each group. */
 const graphShape = {
   nodes: z.record(identifier, nodeSchema),
-  /** Keyed by the input that the edge feeds (`node.input`): an input has at most one source. */
+  /** By the input that the edge feeds (`node.input`): an input has at most one source. */
   edges: z.record(z.string().check(z.maxLength(140)), edgeSchema),
-  /** Where each node stands on the canvas [px]. */
+  /** Position of each node on the canvas [px]. */
   layout: z.record(identifier, point),
   notes: z.record(identifier, noteSchema),
-  /** Nodes that are shown with a frame around them. */
+  /** Frames around nodes. */
   frames: z.record(identifier, frameSchema),
 };
 
@@ -82,13 +82,13 @@ const groupSocketSchema = z.strictObject({
 const groupSchema = z.strictObject({
   title,
   ...graphShape,
-  /** In the order in which they are shown. Inside, nodes of the types `group-input` and `group-output` carry them. */
+  /** In display order. Inside, nodes of types `group-input` and `group-output` have them as sockets. */
   inputs: arrayUpTo(256, groupSocketSchema),
   outputs: arrayUpTo(256, groupSocketSchema),
 });
 
 const fileSchema = z.strictObject({
-  /** SHA-256 of its content, where it is known. */
+  /** SHA-256 of its content, if known. */
   hash: z.optional(z.string().check(z.regex(/^[0-9a-f]{64}$/, 'a hash is 64 digits of 0…9, a…f'))),
   /** [bytes] */
   size: z.optional(z.int().check(z.nonnegative())),
@@ -97,14 +97,14 @@ const fileSchema = z.strictObject({
 export const documentSchema = z.strictObject({
   format: z.literal('slowlight'),
   version: z.literal(CURRENT_VERSION),
-  /** What the project is called. */
+  /** Title of the project. */
   title: z.optional(title),
-  /** What there is to be seen in it, for those who open it. */
+  /** What to look for, for viewers of the project. */
   lookFor: z.optional(text),
   ...graphShape,
-  /** Subgraphs, each used by any number of nodes of the type `group` by its key. */
+  /** Subgraphs by id, each used by any number of `group` nodes. */
   groups: z.record(identifier, groupSchema),
-  /** Scene files that the project refers to, by the name under which nodes read them. */
+  /** Files that the project references, by the names under which nodes read them. */
   files: z.record(shortText(1000), fileSchema),
 });
 
@@ -120,7 +120,7 @@ export type GraphDocument = z.infer<typeof documentSchema>;
 /** One level of a document: its own, or a group's. */
 export type Graph = Pick<GraphDocument, keyof typeof graphShape>;
 
-/** A document that cannot be read, with the place in it. */
+/** A document that cannot be read, with the place of the error. */
 export class DocumentError extends Error {
   constructor(message: string) {
     super(message);
@@ -140,10 +140,10 @@ export const emptyDocument = (): GraphDocument => ({
 
 export const edgeKey = (to: GraphEdge['to']): string => `${to.node}.${to.input}`;
 
-/** What a table holds under a key of its own; a name such as `constructor` is no entry unless it was made one. */
+/** An own property of a table; names such as `constructor` are not found unless defined. */
 export const own = <T>(table: Readonly<Record<string, T>>, key: string): T | undefined =>
   Object.hasOwn(table, key) ? table[key] : undefined;
 
-/** The level of a document that a group is, or the document's own. */
+/** The graph of a group, or the document's own. */
 export const graphIn = (document: GraphDocument, group?: string): Graph | undefined =>
   group === undefined ? document : own(document.groups, group);

@@ -1,7 +1,7 @@
 import type { Registry } from '../nodeType.ts';
 import { type Graph, type GraphDocument, type GraphNode, own } from './document.ts';
 
-/** The names under which nodes of a document read files, each once, in the order of their names. */
+/** Sorted distinct names of the files that nodes of a document read. */
 export function referencedFiles(document: GraphDocument, registry: Registry): string[] {
   const found = new Set<string>();
   renameFiles(document, registry, (file) => {
@@ -11,7 +11,7 @@ export function referencedFiles(document: GraphDocument, registry: Registry): st
   return [...found].sort();
 }
 
-/** The same document, whose nodes and references call their files otherwise. */
+/** The same document with its files renamed. */
 export function renameFiles(
   document: GraphDocument,
   registry: Registry,

@@ -10,7 +10,7 @@ import { parseDocument } from './parse.ts';
 import { serializeDocument } from './serialize.ts';
 import { decodeShareLink, encodeShareLink, isShareLink } from './shareLink.ts';
 
-/** Whatever came out, it is a document or a DocumentError that says where. */
+/** Every input gives a document or a DocumentError with a place. */
 function readOrRefuse<T>(read: () => T): T | undefined {
   try {
     return read();
@@ -21,7 +21,7 @@ function readOrRefuse<T>(read: () => T): T | undefined {
   }
 }
 
-/** A value somewhere in JSON, replaced, doubled or taken away. */
+/** A value in JSON that is replaced, duplicated or removed. */
 interface Damage {
   readonly path: readonly number[];
   readonly by: unknown;
@@ -64,7 +64,7 @@ function damaged(text: string, { path, by }: Damage): string {
   return JSON.stringify(data);
 }
 
-/** That a document which could be read has no surprises left. */
+/** Uses a document in all ways; one that could be read must not fail. */
 async function use(document: GraphDocument): Promise<void> {
   expect(parseDocument(serializeDocument(document))).toEqual(document);
   const problems = validateDocument(document, toys);
@@ -85,7 +85,7 @@ describe('a project', () => {
         fc.integer({ min: 1, max: 4 }),
         async (document, list, version) => {
           const { format, nodes, edges, layout } = document;
-          // Of an earlier version, which is migrated first, or of this one.
+          // Of an earlier version, which is migrated first, or the current one.
           const old =
             version < 3 ? JSON.stringify({ format, version, nodes, edges, layout }) : serializeDocument(document);
           const text = list.reduce(damaged, old);

@@ -1,7 +1,7 @@
 import { edgeKey, type Graph, type GraphDocument, MAX_GROUP_DEPTH, MAX_NODES, own } from './document.ts';
 import { GROUP, groupKeyOf } from './structuralTypes.ts';
 
-/** The first thing by which a document contradicts itself, with its place; undefined where it does not. */
+/** The first inconsistency in a document, with its place; undefined if there is none. */
 export function findFault(document: GraphDocument): string | undefined {
   const levels = [document, ...Object.values(document.groups)];
   const nodes = levels.reduce((sum, level) => sum + Object.keys(level.nodes).length, 0);
@@ -40,7 +40,7 @@ function findDuplicate(sockets: readonly { readonly name: string }[], place: str
   return found === undefined ? undefined : `${place}: there are two of the name "${found}"`;
 }
 
-/** A group that holds itself, over any number of others, or lies too deep. */
+/** A group that contains itself, directly or indirectly, or is nested too deeply. */
 function findRecursion(document: GraphDocument): string | undefined {
   const heights = new Map<string, number>();
   const height = (id: string, above: readonly string[]): number => {
@@ -66,7 +66,7 @@ const depthFault = (id: string) => `groups.${id}: groups lie more than ${MAX_GRO
 
 class RecursionFault extends Error {}
 
-/** The groups that a level's nodes use, each once. */
+/** Distinct groups that a level's nodes use. */
 function usedGroupKeys(graph: Graph | undefined): string[] {
   const used = Object.values(graph?.nodes ?? {}).flatMap((node) => (node.type === GROUP ? [groupKeyOf(node)] : []));
   return [...new Set(used)];

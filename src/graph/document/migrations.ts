@@ -2,14 +2,14 @@ export const CURRENT_VERSION = 4;
 
 type Migration = (data: Record<string, unknown>) => Record<string, unknown>;
 
-/** `MIGRATIONS[n]` turns a document of version n into one of version n + 1. A change of the schema adds one entry. */
+/** `MIGRATIONS[n]` turns a document of version n into version n + 1. Every change of the schema adds an entry. */
 const MIGRATIONS: Readonly<Record<number, Migration>> = {
   1: migrateAdaptToMetering,
   2: migrateToGroupsAndGeometry,
   3: migrateToDeferredLighting,
 };
 
-/** Brings parsed JSON to the current version; what is no document at all is left to the schema to refuse. */
+/** Migrates parsed JSON to the current version; anything that is not a document is left for the schema to refuse. */
 export function migrate(data: unknown, migrations = MIGRATIONS, current = CURRENT_VERSION): unknown {
   if (!isRecord(data)) return data;
   let document = data;
@@ -21,7 +21,7 @@ export function migrate(data: unknown, migrations = MIGRATIONS, current = CURREN
   return document;
 }
 
-/** 1 → 2: the tone map's switch `adapt` gave way to `metering`, whose default is what it was on. */
+/** 1 → 2: the tone map's switch `adapt` became `metering`, whose default equals `adapt` on. */
 function migrateAdaptToMetering(data: Record<string, unknown>): Record<string, unknown> {
   if (!isRecord(data.nodes)) return data;
   const nodes = Object.entries(data.nodes).map(
@@ -39,7 +39,10 @@ function adaptToMetering({ params, ...node }: { params: Record<string, unknown> 
   return { ...node, params: adapt === false ? { ...rest, metering: 'manual' } : rest };
 }
 
-/** 2 → 3: groups, notes, frames and references to files came; what is read is geometry, of which a scene takes any number. */
+/**
+ * 2 → 3: groups, notes, frames and file references were added; reading yields geometry, of which a scene takes any
+ * number.
+ */
 function migrateToGroupsAndGeometry(data: Record<string, unknown>): Record<string, unknown> {
   const { nodes, edges } = data;
   const typeOf = (id: unknown): unknown =>
@@ -67,7 +70,7 @@ function migrateToGroupsAndGeometry(data: Record<string, unknown>): Record<strin
   return { ...data, edges: all, notes: {}, frames: {}, groups: {}, files: {} };
 }
 
-/** 3 → 4: a G-buffer is shaded by a node of its own before its tone map, which knows of no false colours any more: they come after it, from another node. */
+/** 3 → 4: a G-buffer is shaded by a node before its tone map, and false colours are a node after it. */
 function migrateToDeferredLighting(data: Record<string, unknown>): Record<string, unknown> {
   const { groups } = data;
   if (!isRecord(groups)) return migrateLevel(data);
@@ -121,7 +124,7 @@ function withLighting({ nodes, edges, layout }: LevelData, id: string, { params,
   };
 }
 
-/** What stands at the tone map or to its right makes room for a node before it and one after. */
+/** Shifts the tone map and the nodes to its right, to make space for a node before and one after it. */
 function shiftLayout(layout: LevelData['layout'], id: string, before: string, after: string): LevelData['layout'] {
   const at = layout[id];
   if (!Array.isArray(at)) return layout;
@@ -132,7 +135,7 @@ function shiftLayout(layout: LevelData['layout'], id: string, before: string, af
   });
   return { ...Object.fromEntries(moved), [before]: [x, y], [after]: [x + 2 * COLUMN_WIDTH, y] };
 }
-/** From one node to the next [px]. */
+/** Distance between columns [px]. */
 const COLUMN_WIDTH = 240;
 
 const edgeEntry = (from: unknown, node: string, input: string): [string, unknown] => [
@@ -154,7 +157,7 @@ function withoutShadows({ params, ...node }: { readonly params: Record<string, u
   return { ...node, params: rest };
 }
 
-/** What is no text is left to the schema to refuse. */
+/** Non-strings are left for the schema to refuse. */
 const stringOrEmpty = (value: unknown): string => (typeof value === 'string' ? value : '');
 
 const MAKES_GEOMETRY: ReadonlySet<unknown> = new Set(['read', 'retime']);

@@ -3,13 +3,13 @@ import { DocumentError, documentSchema, type GraphDocument } from './document.ts
 import { findFault } from './integrity.ts';
 import { migrate } from './migrations.ts';
 
-/** A project is words, not data: what is longer is none [characters]. */
+/** Larger texts are not projects [characters]. */
 const MAX_PROJECT_LENGTH = 2 ** 24;
-/** What of a place is told: a damaged file may have keys of any length [characters]. */
+/** Maximum length of a place in messages, since keys of damaged files may have any length [characters]. */
 const MAX_PLACE_LENGTH = 200;
 const MAX_VALUE_LENGTH = 80;
 
-/** Reads parsed JSON of any version. Throws a DocumentError with the place of the first fault. */
+/** Reads parsed JSON of any version. Throws a DocumentError with the place of the first error. */
 export function readDocument(data: unknown): GraphDocument {
   const document = parseWithSchema(documentSchema, migrate(data), 'not a Slowlight project');
   const fault = findFault(document);
@@ -19,7 +19,7 @@ export function readDocument(data: unknown): GraphDocument {
 
 export const parseDocument = (text: string): GraphDocument => readDocument(parseJson(text));
 
-/** What a schema makes of data, or a DocumentError with the place. */
+/** Parses data by a schema; throws a DocumentError with the place. */
 export function parseWithSchema<T>(schema: z.ZodMiniType<T>, data: unknown, otherwise: string): T {
   const result = schema.safeParse(data);
   if (result.success) return result.data;
@@ -28,7 +28,7 @@ export function parseWithSchema<T>(schema: z.ZodMiniType<T>, data: unknown, othe
   throw new DocumentError(`${place}: ${issue ? describeIssue(issue.message, data, issue.path) : otherwise}`);
 }
 
-/** What is wrong, and what stands there, where it is short to tell. */
+/** The error, and the offending value if it is short. */
 function describeIssue(message: string, data: unknown, path: readonly PropertyKey[]): string {
   const value = path.reduce<unknown>(
     (within, key) => (within as Record<PropertyKey, unknown> | undefined)?.[key],

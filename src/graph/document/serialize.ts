@@ -1,12 +1,12 @@
 import type { GraphDocument } from './document.ts';
 
-/** What fits into so many characters stands on one line: a node, an edge, a place. */
+/** Values up to this length are written on one line: a node, an edge, a position. */
 const MAX_LINE_LENGTH = 100;
 
-/** The same document always gives the same text, however it was edited. */
+/** Deterministic: equal documents give equal texts, whatever their edit history. */
 export const serializeDocument = (document: GraphDocument): string => `${formatJson(sortKeys(document), '')}\n`;
 
-/** With the keys of every table in the order of their characters. */
+/** Sorts the keys of all tables by code unit. */
 export function sortKeys(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(sortKeys);
   if (typeof value !== 'object' || value === null) return value;
@@ -28,7 +28,7 @@ function formatJson(value: unknown, indent: string): string {
   return `{\n${entries.join(',\n')}\n${indent}}`;
 }
 
-/** On one line, with blanks as people write them. */
+/** On one line, with spaces. */
 function formatInline(value: unknown): string {
   if (Array.isArray(value)) return `[${value.map(formatInline).join(', ')}]`;
   if (typeof value !== 'object' || value === null) return JSON.stringify(value);

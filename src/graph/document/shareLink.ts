@@ -3,17 +3,17 @@ import { DocumentError, type GraphDocument } from './document.ts';
 import { parseDocument } from './parse.ts';
 import { sortKeys } from './serialize.ts';
 
-/** What a link may be long: what browsers, mail and chats pass on whole [characters]. */
+/** Maximum length of a link: what browsers, mail and chat programs pass on in full [characters]. */
 const MAX_LINK_LENGTH = 2 ** 15;
-/** What a link may unpack to [bytes]. */
+/** Maximum unpacked size of a link [bytes]. */
 const MAX_UNPACKED = 2 ** 20;
-/** What is inflated at a time [bytes]: not much more than the bound is ever made, whatever a link says. */
+/** Inflation chunk size [bytes]: output never exceeds the limit by much, whatever the link says. */
 const CHUNK_SIZE = 2 ** 10;
 const FRAGMENT_PREFIX = 'project=';
 
 /**
- * A project as the fragment of a link, `project=…`: its text, deflated, in the letters of base64url (RFC 4648 § 5). The part after `#`
- * never leaves the browser. Throws a DocumentError where the project is too large for a link.
+ * A project as the fragment of a link, `project=…`: its text, deflated, as base64url (RFC 4648 § 5). Browsers do not
+ * send fragments to servers. Throws a DocumentError if the project is too large for a link.
  */
 export function encodeShareLink(document: GraphDocument): string {
   const packed = deflateSync(new TextEncoder().encode(JSON.stringify(sortKeys(document))), { level: 9 });
@@ -25,7 +25,7 @@ export function encodeShareLink(document: GraphDocument): string {
 
 export const isShareLink = (fragment: string): boolean => withoutHash(fragment).startsWith(FRAGMENT_PREFIX);
 
-/** Reads what a link carries, with or without its `#`; checked as strictly as a file. Throws a DocumentError. */
+/** Reads a link's fragment, with or without `#`; validated like a file. Throws a DocumentError. */
 export function decodeShareLink(fragment: string): GraphDocument {
   const text = withoutHash(fragment);
   if (!text.startsWith(FRAGMENT_PREFIX)) throw new DocumentError('the link: it carries no project');

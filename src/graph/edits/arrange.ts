@@ -2,10 +2,10 @@ import { type GraphDocument, graphIn, own } from '../document/document.ts';
 import type { CanvasPoint, Command } from './commands.ts';
 import { type GraphSelection, insideGroup } from './fragment.ts';
 
-/** What of the nodes comes into line. */
+/** The edges or centers to align. */
 export type Alignment = 'left' | 'center' | 'right' | 'top' | 'middle' | 'bottom';
 
-/** A node where it stands, with its size on the canvas [px]. */
+/** A node's position and size on the canvas [px]. */
 interface NodeBox {
   readonly node: string;
   readonly at: CanvasPoint;
@@ -15,7 +15,7 @@ interface NodeBox {
 /** Width and height of a node on the canvas [px]. */
 export type SizeOf = (node: string) => CanvasPoint;
 
-/** Brings the chosen nodes into line with the outermost of them, or with their middle. */
+/** Aligns the selected nodes with the outermost of them, or with their center. */
 export function alignCommand(
   document: GraphDocument,
   selection: GraphSelection,
@@ -24,7 +24,7 @@ export function alignCommand(
 ): Command {
   const boxes = nodeBoxes(document, selection, sizeOf);
   const axis = to === 'left' || to === 'center' || to === 'right' ? 0 : 1;
-  // How far along its size the line goes through each: 0, ½, 1.
+  // Position of the alignment line relative to each node's size: 0, ½, 1.
   const share = to === 'left' || to === 'top' ? 0 : to === 'center' || to === 'middle' ? 0.5 : 1;
   const low = Math.min(...boxes.map(({ at }) => at[axis]));
   const high = Math.max(...boxes.map(({ at, size }) => at[axis] + size[axis]));
@@ -32,7 +32,7 @@ export function alignCommand(
   return moveCommand(selection, boxes, axis, ({ size }) => Math.round(line - share * size[axis]));
 }
 
-/** Spaces the chosen nodes evenly, the outermost where they are. */
+/** Distributes the selected nodes evenly; the outermost stay in place. */
 export function distributeCommand(
   document: GraphDocument,
   selection: GraphSelection,

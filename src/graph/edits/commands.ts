@@ -19,7 +19,7 @@ enablePatches();
 
 export type CanvasPoint = readonly [x: number, y: number];
 
-/** Every edit of a document is one of these; where it has levels, of its own unless it is said to be `inside` a group. */
+/** An edit of a document; applies to the document's own level unless wrapped in `inside` a group. */
 export type Command =
   | {
       readonly kind: 'add-node';
@@ -28,25 +28,25 @@ export type Command =
       readonly at: CanvasPoint;
       readonly params?: Readonly<Record<string, ParamValue>>;
     }
-  /** With their edges. */
+  /** Including their edges. */
   | { readonly kind: 'remove-nodes'; readonly nodes: readonly string[] }
   | { readonly kind: 'move-nodes'; readonly to: Readonly<Record<string, CanvasPoint>> }
   | { readonly kind: 'connect'; readonly edge: GraphEdge }
   | { readonly kind: 'disconnect'; readonly to: GraphEdge['to'] }
-  /** Without a value the parameter goes back to its default. */
+  /** Without a value the parameter is reset to its default. */
   | { readonly kind: 'set-param'; readonly node: string; readonly param: string; readonly value?: ParamValue }
-  /** Without a title the node goes by its type's again. */
+  /** Without a title the type's title is used again. */
   | { readonly kind: 'rename'; readonly node: string; readonly title?: string }
   | { readonly kind: 'mute'; readonly nodes: readonly string[]; readonly muted: boolean }
   | { readonly kind: 'collapse'; readonly nodes: readonly string[]; readonly collapsed: boolean }
-  /** Adds, changes, or without a value removes; so do those that follow. */
+  /** Adds, changes, or without a value removes; also for the following ones. */
   | { readonly kind: 'set-note'; readonly note: string; readonly value?: GraphNote }
   | { readonly kind: 'set-frame'; readonly frame: string; readonly value?: GraphFrame }
   | { readonly kind: 'set-group'; readonly group: string; readonly value?: NodeGroup }
-  /** What the project is called, and what there is to be seen in it. */
+  /** Title or description of the project. */
   | { readonly kind: 'describe'; readonly what: 'title' | 'lookFor'; readonly value?: string }
   | { readonly kind: 'set-file'; readonly file: string; readonly value?: FileReference }
-  /** Adds many nodes at once, with all that belongs to them; none of the keys is taken. */
+  /** Adds many nodes at once with everything that belongs to them; all keys must be free. */
   | { readonly kind: 'insert'; readonly graph: Graph }
   | { readonly kind: 'inside'; readonly group: string; readonly command: Command }
   | { readonly kind: 'batch'; readonly commands: readonly Command[] };
@@ -54,11 +54,11 @@ export type Command =
 export interface Edit {
   readonly document: GraphDocument;
   readonly patches: readonly Patch[];
-  /** Applied to the new document they give exactly the old one. */
+  /** Applied to the new document they restore the old one exactly. */
   readonly inverse: readonly Patch[];
 }
 
-/** A command that does not fit the document it was given for. */
+/** A command that is not valid for the document. */
 export class CommandError extends Error {
   constructor(message: string) {
     super(message);
@@ -66,7 +66,7 @@ export class CommandError extends Error {
   }
 }
 
-/** Throws a CommandError, and changes nothing, where the document that it would give could not be read again. */
+/** Throws a CommandError without effect if the resulting document would be invalid. */
 export function applyCommand(document: GraphDocument, command: Command): Edit {
   const [next, patches, inverse] = produceWithPatches(document, (draft) => applyToDocument(draft, draft, command));
   const fault = needsIntegrityCheck(command) ? findFault(next) : undefined;
@@ -74,7 +74,7 @@ export function applyCommand(document: GraphDocument, command: Command): Edit {
   return { document: next, patches, inverse };
 }
 
-/** Whether the whole document has to be looked at, to be sure of it: how many nodes it has, and that groups hold no circles. */
+/** Whether the whole document must be checked after a command: number of nodes, and cycles of groups. */
 function needsIntegrityCheck(command: Command): boolean {
   if (command.kind === 'batch') return command.commands.some(needsIntegrityCheck);
   if (command.kind === 'inside') return needsIntegrityCheck(command.command);
@@ -163,7 +163,7 @@ function applyToNodes(level: Graph, command: NodeCommand): void {
   }
 }
 
-/** Sets an entry of a table, or takes it out where there is no value. What is the same already is left alone. */
+/** Sets an entry of a table, or removes it without a value; equal values are not touched. */
 function setEntry<Table extends object, Key extends keyof Table & string>(
   table: Table,
   key: Key,
@@ -174,7 +174,7 @@ function setEntry<Table extends object, Key extends keyof Table & string>(
     table[key] = cloneData(value);
 }
 
-/** Of plain data: what a later part of the same command changes must not be the command's own. */
+/** Deep copy of plain data, so that later edits do not modify the command's value. */
 function cloneData<T>(value: T): T {
   if (typeof value !== 'object' || value === null) return value;
   if (Array.isArray(value)) return value.map(cloneData) as T;

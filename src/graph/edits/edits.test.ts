@@ -14,7 +14,7 @@ import { groupCommand } from './group.ts';
 import { executeCommand, newHistory, redo, undo } from './history.ts';
 import { ungroupCommand } from './ungroup.ts';
 
-/** What is evaluated, in words that do not depend on which groups it lies in, nor on the order of keys. */
+/** Description of what is evaluated, independent of groups and of key order. */
 function wiring(document: GraphDocument): string[] {
   const bare = (id: string) => id.slice(id.lastIndexOf('/') + 1);
   const words = (source: FlatSource) =>
@@ -27,7 +27,7 @@ function wiring(document: GraphDocument): string[] {
     .sort();
 }
 
-/** x and y are added, then s is weighed twice and shown. */
+/** x and y are added; then s is scaled twice and shown. */
 const chain = (): GraphDocument =>
   build(
     add('x', 'value', [0, 0]),
@@ -194,7 +194,7 @@ describe('copies', () => {
         const { command, nodes } = pasteFragment(document, fragment);
         const pasted = applyCommand(document, command).document;
         expect(nodes).toHaveLength(chosen.length);
-        // Copied again out of where it was pasted, into nothing, it is what it was.
+        // Copied again from where it was pasted, into an empty document, it is unchanged.
         const again = edited(emptyDocument(), pasteFragment(emptyDocument(), copyFragment(pasted, { nodes })).command);
         const kinds = (graph: GraphDocument) =>
           wiring(graph)

@@ -19,18 +19,18 @@ import type { CanvasPoint, Command } from './commands.ts';
 import { FreshKeys } from './freshKeys.ts';
 import { layoutCenter, rekeyGraph, subgraphOf } from './subgraph.ts';
 
-/** Nodes out of a document, with the groups that they use: what copying puts on the clipboard. */
+/** Nodes of a document with the groups that they use: the clipboard format. */
 const fragmentSchema = z.strictObject({
   ...z.omit(documentSchema, { files: true, title: true, lookFor: true }).shape,
   format: z.literal('slowlight-nodes'),
 });
 export type Fragment = z.infer<typeof fragmentSchema>;
 
-/** What is chosen in a level of a document. */
+/** A selection in a level of a document. */
 export interface GraphSelection {
   readonly nodes: readonly string[];
   readonly notes?: readonly string[];
-  /** Key of the group that the level is; absent of the document's own. */
+  /** Id of the level's group; absent for the document's own level. */
   readonly group?: string;
 }
 
@@ -42,13 +42,13 @@ export function copyFragment(document: GraphDocument, { nodes, notes, group }: G
 
 export const serializeFragment = (fragment: Fragment): string => JSON.stringify(sortKeys(fragment));
 
-/** Reads what was copied, also by an earlier version. Throws a DocumentError with the place of the first fault. */
+/** Parses copied text, also of earlier versions. Throws a DocumentError with the place of the first error. */
 export function parseFragment(text: string): Fragment {
   const data = parseJson(text);
   const isFragment = typeof data === 'object' && data !== null && 'format' in data && data.format === 'slowlight-nodes';
   if (!isFragment) throw new DocumentError('format: these are no nodes of Slowlight');
   const migrated = migrate(data);
-  // A whole document has files; a fragment of an earlier version has none to bring along.
+  // Migrated documents have files; fragments of earlier versions do not.
   if (typeof migrated === 'object' && migrated !== null && 'files' in migrated) delete migrated.files;
   const fragment = parseWithSchema(fragmentSchema, migrated, 'no nodes of Slowlight');
   const fault = findFault({ ...emptyDocument(), ...fragment, format: 'slowlight' });
@@ -58,12 +58,12 @@ export function parseFragment(text: string): Fragment {
 
 export interface Paste {
   readonly command: Command;
-  /** What the nodes are called now: they become the selection. */
+  /** New ids of the nodes, to be selected. */
   readonly nodes: readonly string[];
   readonly notes: readonly string[];
 }
 
-/** Adds a fragment to a level: its middle at `at`, or without that a little beside where it was. */
+/** Inserts a fragment into a level: centered at `at`, or slightly offset from its original position. */
 export function pasteFragment(document: GraphDocument, fragment: Fragment, group?: string, at?: CanvasPoint): Paste {
   const level = graphIn(document, group) ?? document;
   const groups = mergeGroups(document, fragment.groups);
@@ -101,7 +101,7 @@ function freshKeyMapping(level: Graph, fragment: Fragment) {
   };
 }
 
-/** The groups that the nodes of a graph use, and those that these use. */
+/** The groups that a graph's nodes use, directly and indirectly. */
 function usedGroups(document: GraphDocument, graph: Graph): Record<string, NodeGroup> {
   const found = new Map<string, NodeGroup>();
   const open: Graph[] = [graph];
@@ -117,7 +117,7 @@ function usedGroups(document: GraphDocument, graph: Graph): Record<string, NodeG
   return Object.fromEntries(found);
 }
 
-/** Groups that are there already, the same in all they hold, are used; others come under names that are free. */
+/** Reuses existing groups with identical content; others are added under free ids. */
 function mergeGroups(document: GraphDocument, groups: Readonly<Record<string, NodeGroup>>) {
   const fresh = new FreshKeys(document.groups, groups);
   const text = (group: NodeGroup | undefined): string => JSON.stringify(sortKeys(group));
@@ -126,7 +126,7 @@ function mergeGroups(document: GraphDocument, groups: Readonly<Record<string, No
     return held !== undefined && text(held) !== text(groups[key]);
   };
   const clash = Object.keys(groups).some(isTaken);
-  // Where one has to be called otherwise, so do those that use it.
+  // If one must be renamed, so must those that use it.
   const names = new Map(Object.keys(groups).map((key) => [key, clash ? fresh.next(key) : key]));
   const commands = Object.entries(groups).flatMap(([key, group]): Command[] => {
     const name = names.get(key)!;
@@ -136,7 +136,7 @@ function mergeGroups(document: GraphDocument, groups: Readonly<Record<string, No
   return { names, commands };
 }
 
-/** A graph whose nodes use their groups under other names. */
+/** A graph with its group references renamed. */
 function withGroupKeys<G extends Graph>(graph: G, names: ReadonlyMap<string, string>): G {
   const nodes = Object.entries(graph.nodes).map(([id, node]): [string, GraphNode] => {
     const name = node.type === GROUP ? names.get(groupKeyOf(node)) : undefined;

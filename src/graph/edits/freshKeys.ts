@@ -1,7 +1,7 @@
-/** Keys that no one has yet, made of what is asked for: `blur`, `blur2`, `blur3`. */
+/** Unused keys derived from a wanted one: `blur`, `blur2`, `blur3`. */
 export class FreshKeys {
   private readonly taken: Set<string>;
-  /** Where to go on looking for each word. */
+  /** Next number to try for each word. */
   private readonly nextNumber = new Map<string, number>();
 
   constructor(...tables: readonly object[]) {

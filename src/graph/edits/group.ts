@@ -17,17 +17,17 @@ import { type GraphSelection, insideGroup } from './fragment.ts';
 import { FreshKeys } from './freshKeys.ts';
 import { layoutCenter, subgraphOf } from './subgraph.ts';
 
-/** From a group's own nodes to those that carry its inputs and outputs [px]. */
+/** Distance from a group's nodes to its input and output nodes [px]. */
 const BOUNDARY_MARGIN = 260;
 
 export interface Grouping {
   readonly command: Command;
-  /** The node that stands for the selection now. */
+  /** The group node that replaces the selection. */
   readonly node: string;
   readonly group: string;
 }
 
-/** Makes some nodes of a level a group, with a node of it in their place; what was connected to them stays so. */
+/** Groups nodes of a level, replaces them by an instance and preserves connections. */
 export function groupCommand(
   document: GraphDocument,
   { nodes, group: around }: GraphSelection,
@@ -65,7 +65,7 @@ function assertGroupable({ graph }: GraphLevel, chosen: ReadonlySet<string>): vo
     if (node.type === GROUP_INPUT || node.type === GROUP_OUTPUT)
       throw new CommandError(`${id} carries the sockets of the group around it, and stays there`);
   }
-  // Outside, from what the selection feeds back to what feeds it.
+  // Nodes outside that are both fed by the selection and feed it.
   const edges = Object.values(graph.edges);
   const outer = subgraphOf(graph, new Set(Object.keys(graph.nodes).filter((id) => !chosen.has(id))));
   const fed = new Set(
@@ -78,7 +78,7 @@ function assertGroupable({ graph }: GraphLevel, chosen: ReadonlySet<string>): vo
     throw new CommandError(`the group would feed itself over ${through}; take that into it too, or less`);
 }
 
-/** The inside of the group to be, and the edges that its node takes over. */
+/** The content of the new group, and the edges that its node takes over. */
 interface GroupBoundary {
   readonly group: Omit<NodeGroup, 'title'>;
   readonly into: readonly { readonly from: GraphEdge['from']; readonly name: string }[];
@@ -94,7 +94,7 @@ function extractGroup(level: GraphLevel, chosen: ReadonlySet<string>, registry: 
   const inward = edges.filter(({ from, to }) => chosen.has(to.node) && !chosen.has(from.node));
   const outward = edges.filter(({ from, to }) => chosen.has(from.node) && !chosen.has(to.node));
   const typeOf = ({ node, output }: GraphEdge['from']): string => types.typeOf(node, 'outputs', output) ?? ANY;
-  // One socket for each output that is cut off from an input, however many inputs it feeds.
+  // One socket per cut output, however many inputs it feeds.
   const inputs = boundarySockets(inward, typeOf, ({ to }) => inputName(to.input).base);
   const outputs = boundarySockets(outward, typeOf, ({ from }) => from.output);
   const inner = [

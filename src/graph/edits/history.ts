@@ -3,20 +3,20 @@ import type { GraphDocument } from '../document/document.ts';
 import { applyCommand, type Command } from './commands.ts';
 
 interface HistoryStep {
-  /** What the step did, as a key of the catalogue of messages or plain words, for the undo button. */
+  /** What the step did, as a text key or plain text, for the undo button. */
   readonly label: string;
-  /** Steps in a row with the same gesture become one. */
+  /** Consecutive steps of the same gesture are merged. */
   readonly gesture?: string;
   readonly patches: readonly Patch[];
   readonly inverse: readonly Patch[];
-  /** Of a step that put another document in place: where this one and the one before came from. */
+  /** For a replaced document: origins before and after. */
   readonly origins?: readonly [before: string, after: string];
 }
 
-/** A document with the steps that made it. Immutable: every operation gives a new one. */
+/** A document with its undo and redo steps. Immutable. */
 export interface History {
   readonly document: GraphDocument;
-  /** The file, address or link that the document was opened from; empty of one that was made here. */
+  /** File, address or link that the document was opened from; empty for a new one. */
   readonly origin: string;
   readonly past: readonly HistoryStep[];
   readonly future: readonly HistoryStep[];
@@ -30,8 +30,8 @@ export const newHistory = (document: GraphDocument, origin = ''): History => ({
 });
 
 /**
- * Does a command. `gesture` names one continuous action (the drag of one slider): while it lasts its edits coalesce into one
- * step. An edit that changes nothing leaves the history as it is.
+ * Executes a command. `gesture` identifies a continuous interaction (dragging a slider), whose edits coalesce into one
+ * step. An edit without effect leaves the history unchanged.
  */
 export function executeCommand(history: History, command: Command, label: string, gesture?: string): History {
   const { document, patches, inverse } = applyCommand(history.document, command);
@@ -47,7 +47,7 @@ export function executeCommand(history: History, command: Command, label: string
   return { ...history, document, past: [...history.past, { label, gesture, patches, inverse }], future: [] };
 }
 
-/** Puts another document in place, as a step that can be undone like all others. */
+/** Replaces the document as an undoable step. */
 export function replaceDocument(history: History, document: GraphDocument, origin: string, label: string): History {
   const whole = (value: GraphDocument): readonly Patch[] => [{ op: 'replace', path: [], value }];
   const step: HistoryStep = {
@@ -59,7 +59,7 @@ export function replaceDocument(history: History, document: GraphDocument, origi
   return { document, origin, past: [...history.past, step], future: [] };
 }
 
-/** A step with a further edit; what that sets where the last one did takes its place, so that a long drag is no long step. */
+/** Merges an edit into a step; later values of the same entries replace earlier ones, so that long drags stay small. */
 function coalesceStep(step: HistoryStep, patches: readonly Patch[], inverse: readonly Patch[]): HistoryStep {
   const before = step.patches.length - patches.length;
   const replaces =
@@ -72,7 +72,7 @@ function coalesceStep(step: HistoryStep, patches: readonly Patch[], inverse: rea
 
 const setsPath = ({ op, path }: Patch, place: string): boolean => op !== 'remove' && path.join('.') === place;
 
-/** Ends the running gesture: the next edit is a step of its own. */
+/** Ends the running gesture: the next edit is a new step. */
 export function endGesture(history: History): History {
   const last = history.past.at(-1);
   if (!last?.gesture) return history;

@@ -1,14 +1,14 @@
 import { type GraphDocument, graphIn, own } from '../document/document.ts';
 import { GROUP, groupKeyOf } from '../document/structuralTypes.ts';
 
-/** Where a node stands in a document. */
+/** Where a node is in a document. */
 export interface NodeLocation {
-  /** Key of the group whose definition holds it; absent of the document's own level. */
+  /** Id of the group whose definition contains it; absent for the document's own level. */
   readonly group?: string;
   readonly node: string;
 }
 
-/** Where a node stands that an evaluation names: of `outer/inner`, in the definition of the group that `outer` is. */
+/** Location of a node by its evaluation id: for `outer/inner`, in the definition of the group that `outer` uses. */
 export function locateNode(document: GraphDocument, id: string): NodeLocation | undefined {
   const path = id.split('/');
   const node = path.pop()!;

@@ -8,14 +8,14 @@ import {
 } from '../document/document.ts';
 import type { CanvasPoint } from './commands.ts';
 
-/** How the keys of a graph become others. */
+/** New keys of a graph's items. */
 export interface KeyMapping {
   readonly node: (key: string) => string;
   readonly note: (key: string) => string;
   readonly frame: (key: string) => string;
 }
 
-/** The same graph under other keys, and elsewhere by `shift`. */
+/** The same graph with other keys, moved by `shift`. */
 export function rekeyGraph(graph: Graph, { node, note, frame }: KeyMapping, [dx, dy]: CanvasPoint): Graph {
   const moved = ([x, y]: CanvasPoint): [number, number] => [x + dx, y + dy];
   const edges = Object.values(graph.edges).map(
@@ -39,7 +39,7 @@ const table = <From, To>(
   value: (held: From) => To,
 ) => Object.fromEntries(Object.entries(held).map(([name, item]): [string, To] => [key(name), value(item)]));
 
-/** What of a level belongs to some of its nodes: the edges between them, their places, the frames around nothing else. */
+/** The part of a level that belongs to some nodes: edges between them, positions, and frames around only these. */
 export function subgraphOf(graph: Graph, nodes: ReadonlySet<string>, notes: ReadonlySet<string> = new Set()): Graph {
   const within = <T>(held: Readonly<Record<string, T>>, keep: (key: string, item: T) => boolean) =>
     Object.fromEntries(Object.entries(held).filter(([key, item]) => keep(key, item)));
@@ -52,7 +52,7 @@ export function subgraphOf(graph: Graph, nodes: ReadonlySet<string>, notes: Read
   };
 }
 
-/** The middle of where nodes stand; [0, 0] of none. */
+/** Center of positions; [0, 0] for none. */
 export function layoutCenter(places: readonly CanvasPoint[]): CanvasPoint {
   const mean = (axis: 0 | 1): number => {
     const values = places.map((place) => place[axis]);

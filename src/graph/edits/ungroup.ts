@@ -7,11 +7,11 @@ import { layoutCenter, rekeyGraph, subgraphOf } from './subgraph.ts';
 
 export interface Ungrouping {
   readonly command: Command;
-  /** What came out of the group. */
+  /** Ids of the nodes that the group contained. */
   readonly nodes: readonly string[];
 }
 
-/** Puts what a group holds in place of its node; the group itself goes with the last node that uses it. */
+/** Replaces a group node by the group's content; removes the group with its last instance. */
 export function ungroupCommand(document: GraphDocument, node: string, around?: string): Ungrouping {
   const level = graphIn(document, around);
   const held = level && own(level.nodes, node);
@@ -39,7 +39,7 @@ export function ungroupCommand(document: GraphDocument, node: string, around?: s
 const isBoundaryNode = ({ nodes }: Graph, id: string): boolean =>
   nodes[id]?.type === GROUP_INPUT || nodes[id]?.type === GROUP_OUTPUT;
 
-/** How many nodes, anywhere in the document, are of a group. */
+/** Number of instances of a group in the whole document. */
 export const countGroupUses = (document: GraphDocument, group: string): number =>
   [document, ...Object.values(document.groups)]
     .flatMap(({ nodes }) => Object.values(nodes))
@@ -59,10 +59,10 @@ function keyMappingFor(level: Graph, node: string, content: readonly string[], g
   };
 }
 
-/** The edges between what was in the group and what is around it. */
+/** Edges between the group's former content and its surroundings. */
 function reconnectedEdges(level: Graph, node: string, group: Graph, name: (key: string) => string): GraphEdge[] {
   const exit = Object.entries(group.nodes).find(([, { type }]) => type === GROUP_OUTPUT)?.[0];
-  /** What an edge in the group comes from, seen from outside. */
+  /** The source of an edge in the group, as seen from outside. */
   const source = ({ node: id, output }: GraphEdge['from']): GraphEdge['from'] | undefined =>
     group.nodes[id]?.type === GROUP_INPUT
       ? own(level.edges, edgeKey({ node, input: output }))?.from

@@ -14,13 +14,13 @@ import { type NodeCall, Scheduler } from './scheduler.ts';
 import { type EvaluationJob, SharedWork } from './sharedWork.ts';
 
 export interface Evaluation {
-  /** Of the first node that was asked for. */
+  /** Result of the first target. */
   readonly target: NodeResult;
-  /** Of every node that the targets need; in groups by `outer/inner`. */
+  /** Results of all nodes that the targets need; in groups `outer/inner`. */
   readonly results: ReadonlyMap<string, NodeResult>;
 }
 
-/** Thrown out of an evaluation that was cancelled. */
+/** Thrown when an evaluation is cancelled. */
 export class CancelledError extends Error {
   constructor() {
     super('cancelled');
@@ -31,29 +31,29 @@ export class CancelledError extends Error {
 export interface EvaluateOptions {
   readonly signal?: AbortSignalLike;
   readonly progress?: (node: string, ...report: Parameters<ProgressCallback>) => void;
-  /** Told whenever work that is waited for has given an interim. */
+  /** Called when running work that is waited for has an interim result. */
   readonly onInterim?: (node: string) => void;
   /**
-   * Which interims are taken as if they were results. `stopped`: of work that was cancelled, which is then not begun again. `all`: also
-   * of work that is under way, which this evaluation does not keep going. Without: none.
+   * Which interim results are used as if final. `stopped`: those of cancelled work, which is then not restarted. `all`:
+   * also those of running work, which this evaluation does not keep alive. Default: none.
    */
   readonly interims?: 'stopped' | 'all';
 }
 
-/** A heavy node's work, in words that can be sent to another thread. */
+/** Work of a heavy node as a message to another thread. */
 export interface HeavyRequest {
   readonly type: string;
   readonly node: string;
   readonly inputs: Readonly<Record<string, unknown>>;
   readonly params: NodeCall<never>['params'];
-  /** It computes on a GPU. */
+  /** Whether it computes on a GPU. */
   readonly onGpu?: boolean;
-  /** Whether interims are wanted. */
+  /** Whether interim results are requested. */
   readonly interims?: boolean;
   readonly resume?: Outputs;
 }
 
-/** Has heavy nodes evaluated elsewhere. */
+/** Runs heavy nodes elsewhere. */
 export type RunHeavy = (
   order: HeavyRequest,
   work: {
@@ -64,24 +64,24 @@ export type RunHeavy = (
 ) => Promise<Outputs>;
 
 export interface EvaluatorOptions {
-  /** How many results are kept beside those of the latest evaluation, for an undo to find. */
+  /** Number of results cached beyond those of the latest evaluation, for undo. */
   readonly capacity?: number;
-  /** Without: heavy nodes are evaluated where all others are. */
+  /** Default: heavy nodes run in the same thread as others. */
   readonly heavy?: RunHeavy;
 }
 
 /**
- * Evaluates what nodes need and nothing else. A result is kept under the content that made it, so that an edit re-evaluates only what
- * depends on it, and an undo finds the old result again.
+ * Evaluates only what the targets need. Results are cached under the content that made them, so an edit re-evaluates
+ * only what depends on it, and an undo finds the previous results.
  */
 export class Evaluator<Services> {
   private readonly registry: Registry<Services>;
   private readonly heavy: RunHeavy | undefined;
   private readonly results: ResultCache;
-  /** Work under way, by content. */
+  /** Running work, by content. */
   private readonly pending = new Map<string, PendingWork<Services>>();
   private readonly stopped = new InterimCache();
-  /** What the latest evaluation made of interims. */
+  /** Results of the latest evaluation that depend on interim results. */
   private passing: ReadonlyMap<string, NodeResult> = new Map();
   private flat: { readonly of: GraphDocument; readonly graph: FlatGraph } | undefined;
   private latest: LastEvaluation<Services> | undefined;
@@ -92,7 +92,7 @@ export class Evaluator<Services> {
     this.results = new ResultCache(capacity);
   }
 
-  /** `targets`: a node, or several whose results stay in reach together; in groups by `outer/inner`. */
+  /** `targets`: a node, or several whose results stay cached together; in groups `outer/inner`. */
   async evaluate(
     document: GraphDocument,
     targets: string | readonly string[],
@@ -119,7 +119,7 @@ export class Evaluator<Services> {
     return evaluation;
   }
 
-  /** Where nodes stand, and notes, change nothing: then it is the same one as before. */
+  /** Cached while only positions and notes change. */
   private flattened(document: GraphDocument): FlatGraph | NodeResult {
     const { of, graph } = this.flat ?? {};
     if (graph && of?.nodes === document.nodes && of.edges === document.edges && of.groups === document.groups)
@@ -160,14 +160,14 @@ export class Evaluator<Services> {
     return result;
   }
 
-  /** What the evaluation before made of the same interims. */
+  /** What the previous evaluation made of the same interim results. */
   private passed(content: string, { interimResults: passing }: EvaluationJob<Services>): NodeResult | undefined {
     const passed = this.passing.get(content);
     if (passed) passing.set(content, passed);
     return passed;
   }
 
-  /** Waits for the same work of another evaluation; where that was cancelled already, does it. */
+  /** Waits for the same work of another evaluation; if that was cancelled, performs it. */
   private async join(
     { node, shared, result }: PendingWork<Services>,
     call: NodeCall<Services>,
@@ -228,7 +228,7 @@ export class Evaluator<Services> {
 
 const interimResult = (outputs: Outputs): NodeResult => ({ status: 'done', outputs, interim: true });
 
-/** What there is of work under way, as soon as there is something; of such as gives no interims, its result. */
+/** First interim result of running work; its final result if it has no interim results. */
 async function firstInterimOf<Services>(
   { node, shared, result }: PendingWork<Services>,
   id: string,
@@ -237,18 +237,18 @@ async function firstInterimOf<Services>(
   return shared.interim ? interimResult(shared.interim) : resultAtNode(await result, node, id);
 }
 
-/** Work may go on for others after that. */
+/** The work may continue for other evaluations. */
 const rejectOnAbort = (signal: AbortSignalLike): Promise<never> =>
   new Promise((_, reject) => signal.addEventListener('abort', () => reject(new CancelledError())));
 
-/** Work under way, and the node that began it. */
+/** Running work, and the node that started it. */
 interface PendingWork<Services> {
   readonly node: string;
   readonly shared: SharedWork<Services>;
   readonly result: Promise<NodeResult>;
 }
 
-/** The last evaluation, of which all would come out the same. */
+/** The last evaluation, which is reused if nothing changed. */
 interface LastEvaluation<Services> {
   readonly flat: FlatGraph;
   readonly services: Services;
@@ -256,14 +256,17 @@ interface LastEvaluation<Services> {
   readonly evaluation: Evaluation;
 }
 
-/** What is neither done nor refused: a network that is down may be up the next time. And an interim is followed by another. */
+/**
+ * Neither result nor refusal, and not cached: a network error may be gone the next time. Interim results are not cached
+ * either.
+ */
 const UNEXPECTED_ERROR = 'graph.evaluation';
 const isCacheable = (result: NodeResult): boolean =>
   result.status === 'failed'
     ? result.problem.code !== UNEXPECTED_ERROR
     : result.status === 'blocked' || !result.interim;
 
-/** Every value that flows in by itself: each of an input that takes many. */
+/** All input values, with those of multi-edge inputs listed separately. */
 const inputValues = ({ type, inputs }: NodeCall<never>): (readonly [string, unknown])[] =>
   Object.entries(inputs).flatMap(([name, value]) =>
     type.inputs[name]?.many && Array.isArray(value)

@@ -22,7 +22,7 @@ const series: NodeType = {
 };
 const library = { ...toys, series };
 
-/** Threads of which both ends are here; what goes between them is cloned as between any two. */
+/** Both ends of a thread are in this process; messages are structured-cloned as between real threads. */
 const open: MessageChannel[] = [];
 let started = 0;
 let ended = 0;

@@ -4,28 +4,28 @@ import { throttleInterims } from './interim.ts';
 import { transferables } from './transferables.ts';
 
 /**
- * Heavy nodes in another thread: a worker of a page, or one of Node's. Both ends are here; what carries the messages is given. The same
- * code computes there, so the result is the same.
+ * Heavy nodes in another thread: a Web Worker or a Node worker. Both ends are here; the message transport is passed in.
+ * The same code runs there, so results are identical.
  */
 type HeavyResponse =
   | { readonly kind: 'progress'; readonly part: number | undefined; readonly what: string | undefined }
   | { readonly kind: 'interim'; readonly outputs: Outputs }
   | { readonly kind: 'done'; readonly outputs: Outputs }
-  /** `problem` where the node refused its inputs; else something unforeseen. */
+  /** With `problem` if the node refused its inputs; otherwise an unexpected error. */
   | { readonly kind: 'failed'; readonly message: string; readonly problem?: NodeProblem };
 
-/** The thread's own end. */
+/** The thread's end of the channel. */
 export interface HeavyPort {
   listen(hear: (order: HeavyRequest) => void): void;
   reply(reply: HeavyResponse, transfer: ArrayBuffer[]): void;
 }
 
-/** Evaluates what it is told to, one order at a time. */
+/** Serves heavy-node requests, one at a time. */
 export function serveHeavy<Services>(registry: Registry<Services>, services: Services, port: HeavyPort): void {
   port.listen(async ({ type, node, inputs, params, interims, resume }) => {
     const progress = (part: number | undefined, what?: string): void =>
       port.reply({ kind: 'progress', part, what }, []);
-    // It is copied: the work goes on with what it is made of.
+    // Copied, since the work continues with the original.
     const interim = interims && {
       interim: throttleInterims((outputs) => port.reply({ kind: 'interim', outputs }, [])),
     };
@@ -40,22 +40,22 @@ export function serveHeavy<Services>(registry: Registry<Services>, services: Ser
   });
 }
 
-/** A thread that serves, seen from outside. */
+/** The caller's end of a serving thread. */
 export interface HeavyWorker {
   send(order: HeavyRequest): void;
-  /** What it says, and what ends it; called once. */
+  /** Registers the handlers of messages and of failure; called once. */
   listen(hear: (reply: HeavyResponse) => void, fail: (error: Error) => void): void;
   end(): void;
 }
 
-/** A thread that is kept for the next order, and the order that it has. */
+/** A reusable thread, and its current request. */
 interface PooledWorker {
   readonly thread: HeavyWorker;
   hear: (reply: HeavyResponse) => void;
   fail: (error: Error) => void;
 }
 
-/** Has heavy nodes evaluated by threads, one for each at a time; to cancel is to end the thread, whatever it is doing. */
+/** Runs heavy nodes in a pool of threads, one node each; cancelling terminates the thread. */
 export function heavyWorkerPool(start: () => HeavyWorker): RunHeavy {
   const idle: PooledWorker[] = [];
   return (order, { signal, progress, interim }) => {

@@ -7,7 +7,7 @@ import { CancelledError, Evaluator } from './evaluator.ts';
 import { heavyWorkerPool, serveHeavy } from './heavyWorkers.ts';
 import { throttleInterims } from './interim.ts';
 
-/** A run of `tally`, as the test leads it. */
+/** A run of `tally`, controlled by the test. */
 interface Led {
   readonly resume: Outputs | undefined;
   readonly interim: ((number: number) => void) | undefined;
@@ -38,7 +38,7 @@ const library = { ...toys, tally, twice };
 const document = build(add('x', 'value'), add('t', 'tally'), add('d', 'twice'), connect('x.number', 't.a'));
 const doubled = edited(document, connect('t.number', 'd.a'));
 
-/** An evaluation that hears of interims. */
+/** Starts an evaluation that reports interim results. */
 function begin(evaluator: Evaluator<unknown>, of: GraphDocument, target: string, interims?: 'stopped') {
   const abort = new AbortController();
   const told: string[] = [];
@@ -74,7 +74,7 @@ describe('work that takes long', () => {
     expect((await main.ended).target).toEqual({ status: 'done', outputs: { number: 10, run: 2 } });
     expect(await soFar(evaluator, doubled, 'd')).toEqual({ status: 'done', outputs: { number: 10, run: 2 } });
     expect(led).toHaveLength(1);
-    // Its content is the same as the interim's: a result that rests on an interim must not stand for it.
+    // Its content equals that of the interim result; a result that depends on an interim must not be cached for it.
     const three = edited(doubled, add('y', 'value'), set('y', 'value', 3), connect('y.number', 'd.a'));
     expect(await soFar(evaluator, three, 'd')).toEqual({ status: 'done', outputs: { number: 6, run: 3 } });
   });
@@ -109,7 +109,7 @@ describe('work that takes long', () => {
     led[0]!.interim!(3);
     first.abort.abort();
     await expect(first.ended).rejects.toThrow(CancelledError);
-    // Twice: what was made of it is not made again.
+    // Twice: downstream results are cached.
     for (const _ of [1, 2])
       expect((await begin(evaluator, doubled, 'd', 'stopped').ended).target).toEqual({
         status: 'done',
@@ -130,7 +130,7 @@ describe('work that takes long', () => {
     expect(led[2]!.resume).toEqual({ number: 3, own: 'state of 3' });
     led[2]!.end(9);
     expect((await third.ended).target).toMatchObject({ outputs: { number: 18 } });
-    // Other parameters are other work, that goes on from nothing.
+    // Other parameters are other work, which starts from nothing.
     begin(evaluator, edited(doubled, set('t', 'bias', 1)), 'd');
     expect(led[3]!.resume).toBeUndefined();
   });
@@ -192,7 +192,7 @@ it('interims are made the first at once, and then at distances that grow with wh
   const times: number[] = [];
   let spent = 0;
   const interim = throttleInterims(() => {});
-  // The longer the work goes on, the more there is to copy.
+  // The longer the work runs, the more there is to copy.
   const make = (): Outputs => {
     times.push(now);
     const cost = now / 500;

@@ -1,10 +1,13 @@
 import type { Outputs, ReportInterim } from '../nodeType.ts';
 
-/** Between two interims lies at least so long [ms], and so many times as long as the last took to make and send. */
+/** Minimum interval of interim results [ms], and as a multiple of the time that the last took to make and send. */
 const MIN_INTERVAL = 250;
 const COST_RATIO = 25;
 
-/** Gives the first interim at once, and others at distances that grow with what they cost: it stays a few percent of the work. */
+/**
+ * Gives the first interim result at once, and further ones at intervals that grow with their cost, so that they take a
+ * few percent of the time.
+ */
 export function throttleInterims(give: (outputs: Outputs) => void): ReportInterim {
   let next = Number.NEGATIVE_INFINITY;
   return (make) => {
@@ -16,12 +19,12 @@ export function throttleInterims(give: (outputs: Outputs) => void): ReportInteri
   };
 }
 
-/** What there was of so many pieces of work that were cancelled is kept. */
+/** Number of cancelled computations whose interim results are kept. */
 const MAX_KEPT = 4;
 
-/** What there was of cancelled work, under its content. */
+/** Interim results of cancelled work, by content. */
 export class InterimCache {
-  /** The oldest first. */
+  /** Oldest first. */
   private readonly kept = new Map<string, Outputs>();
 
   get(content: string): Outputs | undefined {

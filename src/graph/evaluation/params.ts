@@ -5,17 +5,17 @@ import { failure, type NodeResult } from './resultCache.ts';
 
 export type ParamValues = Readonly<Record<string, ParamValue | undefined>>;
 
-/** The parameters of a node without what edges drive. */
+/** The parameters of a node, excluding driven ones. */
 export interface StoredParams {
   readonly values: ParamValues;
-  /** What tells them from others. */
+  /** Identifies their values. */
   readonly key: string;
   readonly refusal?: { readonly param: string; readonly message: string };
 }
 
 const storedParamsCache = new WeakMap<NodeType, WeakMap<GraphNode['params'], StoredParams>>();
 
-/** Worked out once for each set of parameters, which nobody changes in place. */
+/** Memoized per params object, which is never mutated. */
 export function storedParams(type: NodeType, set: GraphNode['params']): StoredParams {
   const ofType = storedParamsCache.get(type) ?? new WeakMap<GraphNode['params'], StoredParams>();
   storedParamsCache.set(type, ofType);
@@ -36,11 +36,11 @@ function findInvalidParam(type: NodeType, set: GraphNode['params']): Pick<Stored
   return {};
 }
 
-/** A parameter's value as an edge brings it: what is not 0 switches on. */
+/** The value of a driven parameter; for switches, non-zero is on. */
 export const drivenValue = (spec: ParamSpec, value: unknown): ParamValue =>
   spec.kind === 'boolean' && typeof value === 'number' ? value !== 0 : (value as ParamValue);
 
-/** A value that cannot stand for a parameter, with the default as remedy. */
+/** A value that is not valid for a parameter, with the default as remedy. */
 export function paramFailure(node: string, type: NodeType, param: string, message: string): NodeResult {
   const spec = own(type.params, param);
   return failure('graph.param', `${node}.${param}`, message, spec && { node, param, value: spec.default });

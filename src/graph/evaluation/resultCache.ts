@@ -2,21 +2,22 @@ import type { ParamValue } from '../document/document.ts';
 import type { NodeProblem, Outputs } from '../nodeType.ts';
 
 export type NodeResult =
-  /** `interim`: it is, or was made of, what work has given on its way. */
+  /** `interim`: whether it is, or depends on, an interim result. */
   | { readonly status: 'done'; readonly outputs: Outputs; readonly interim?: true }
   | { readonly status: 'failed'; readonly problem: NodeProblem }
-  /** A node before it failed: the first that did. */
+  /** An upstream node failed: the first that did. */
   | { readonly status: 'blocked'; readonly by: string };
 
-/** What identifies the work of a node: the same content gives the same result. */
+/** Identifies the work of a node: equal content gives equal results. */
 export type ContentKey = string;
 
-/** What so many numbers make is told apart by value: a vector, a colour. What is longer, by being the same array. */
+/** Arrays up to this length (vectors, colours) are compared by value, longer ones by identity. */
 const MAX_BY_VALUE = 4;
 
 /**
- * Results under the content that made them: the type, the parameters and the values of the inputs. Numbers and texts are told apart by
- * value, all else by identity, so that 2 + 3 and 4 + 1 lead to the same work. Those of the latest evaluation stay, and some before them.
+ * Results by the content that made them: type, parameters and input values. Numbers and texts are compared by value,
+ * all else by identity, so that 2 + 3 and 4 + 1 lead to the same work downstream. Keeps those of the latest evaluation
+ * and some older ones.
  */
 export class ResultCache {
   private readonly capacity: number;
@@ -25,7 +26,7 @@ export class ResultCache {
   private readonly identities = new WeakMap<object, number>();
   private count = 0;
 
-  /** `capacity`: how many are kept beside those in use. */
+  /** `capacity`: number kept beyond those in use. */
   constructor(capacity: number) {
     this.capacity = capacity;
   }
@@ -34,7 +35,7 @@ export class ResultCache {
     return `${type} ${params} ${inputs.map(([name, value]) => `${name}:${this.identity(value)}`).join(' ')}`;
   }
 
-  /** A problem that stood at the node which first had this content stands at the one that has it now. */
+  /** A cached problem is reported at the node that has the content now. */
   get(content: ContentKey, node: string): NodeResult | undefined {
     const kept = this.kept.get(content);
     if (!kept) return undefined;
@@ -48,7 +49,7 @@ export class ResultCache {
     this.kept.set(content, { result, node });
   }
 
-  /** Forgets the oldest; `used`: how many the evaluation needed that has just ended. */
+  /** Evicts the oldest; `used`: number of results that the last evaluation needed. */
   trim(used: number): void {
     for (const oldest of this.kept.keys()) {
       if (this.kept.size <= used + this.capacity) break;
@@ -68,11 +69,11 @@ export class ResultCache {
 
 const isPrimitive = (value: unknown): boolean => typeof value === 'number' || typeof value === 'string';
 
-/** −0 divides to −∞, so it is not 0. */
+/** −0 differs from 0, since division by it gives −∞. */
 const primitiveKey = (value: unknown): string =>
   typeof value === 'string' ? JSON.stringify(value) : Object.is(value, -0) ? '-0' : String(value);
 
-/** The same result, of another node. */
+/** The same result, attributed to another node. */
 export function resultAtNode(result: NodeResult, before: string, node: string): NodeResult {
   if (result.status !== 'failed' || before === node) return result;
   const { problem } = result;

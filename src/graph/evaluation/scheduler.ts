@@ -7,41 +7,42 @@ import { ANY, type NodeType, valueError } from '../nodeType.ts';
 import { drivenValue, type ParamValues, paramFailure, type StoredParams, storedParams } from './params.ts';
 import { failure, type NodeResult } from './resultCache.ts';
 
-/** What a node's work is done with, when all it needs is there. */
+/** A node's work with all its inputs available. */
 export interface NodeCall<Services> {
   readonly id: string;
   readonly type: NodeType<Services>;
   readonly params: ParamValues;
-  /** What tells the parameters from others. */
+  /** Identifies the parameters' values. */
   readonly paramsKey: string;
   readonly inputs: Readonly<Record<string, unknown>>;
-  /** Something of that is an interim's. */
+  /** Whether any input is or depends on an interim result. */
   readonly interim: boolean;
 }
 
-/** Does a node's work, or finds what it gave before. */
+/** Performs a node's work, or returns a cached result. */
 export type PerformNode<Services> = (call: NodeCall<Services>) => NodeResult | Promise<NodeResult>;
 
-/** A node on its way to its result. */
+/** A node that is being resolved. */
 interface NodeTask<Services> {
   readonly id: string;
   readonly node?: FlatNode;
   readonly type?: NodeType<Services>;
-  /** The parameters come first, for they may say which inputs matter. */
+  /** Parameters come first, since they may determine which inputs are needed. */
   params?: StoredParams;
-  /** How many results it waits for. */
+  /** Number of pending results. */
   waiting: number;
   readonly waiters: NodeTask<Services>[];
   result?: NodeResult;
-  /** What its generic sockets are of. */
+  /** Type of its generic sockets. */
   generic: string;
-  /** Something that it was made of is an interim's. */
+  /** Whether any input so far is interim. */
   interim: boolean;
 }
 
 /**
- * One evaluation: finds what a target needs, and does each node's work when all it needs is there. Nodes do not call one another, so
- * that chains may be of any length; what can be done at once is, and what takes long goes on side by side.
+ * One evaluation: determines what the targets need, and starts each node's work when all its inputs are available.
+ * Nodes do not call each other, so chains can have any length; synchronous work runs at once, asynchronous work
+ * concurrently.
  */
 export class Scheduler<Services> {
   private readonly graph: FlatGraph;
@@ -77,7 +78,7 @@ export class Scheduler<Services> {
     return results;
   }
 
-  /** Of what flattening took out: what flows through it. */
+  /** Result of a node that flattening removed: that of its source. */
   private resultOf({ source, output }: FlatAlias, target: string): NodeResult {
     if (source.kind === 'nothing') return failure('graph.input', target, source.why);
     const { result } = this.tasks.get(source.node)!;
@@ -119,7 +120,7 @@ export class Scheduler<Services> {
     }
   }
 
-  /** What the node is to do, or why it cannot; undefined where it has to wait. */
+  /** The node's call, or its failure; undefined while it has to wait. */
   private callOf(
     task: NodeTask<Services>,
     node: FlatNode,
@@ -159,7 +160,7 @@ export class Scheduler<Services> {
     for (const waiter of task.waiters) if (--waiter.waiting === 0) this.ready.push(waiter);
   }
 
-  /** Whether results are still to come that these inputs need; then the task comes back when they are there. */
+  /** Whether results of these inputs are pending; the task is resumed when they arrive. */
   private waits(task: NodeTask<Services>, node: FlatNode, names: readonly string[]): boolean {
     for (const name of names) {
       for (const source of node.inputs.get(name) ?? []) {
@@ -212,7 +213,7 @@ export class Scheduler<Services> {
     return { values };
   }
 
-  /** What a settled node gives a task, as the type that is wanted, and the type that it was. */
+  /** The value of a settled source, converted to the wanted type, with its original type. */
   private value(
     source: OutputSource,
     task: NodeTask<Services>,
@@ -238,7 +239,7 @@ type OutputSource = Extract<FlatSource, { kind: 'output' }>;
 const blockedBy = (by: string, result: NodeResult | undefined): NodeResult =>
   result?.status === 'blocked' ? result : { status: 'blocked', by };
 
-/** The parameters that edges drive. */
+/** Names of the driven parameters. */
 const drivenParams = (node: FlatNode, type: NodeType<never>): string[] =>
   [...node.inputs.keys()].filter((name) => !own(type.inputs, name) && own(type.params, name));
 

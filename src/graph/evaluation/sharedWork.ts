@@ -1,22 +1,22 @@
 import type { AbortSignalLike, Outputs, ProgressCallback } from '../nodeType.ts';
 import type { NodeResult } from './resultCache.ts';
 
-/** What an evaluation brings along. */
+/** The options and state of one evaluation. */
 export interface EvaluationJob<Services> {
   readonly services: Services;
   readonly signal?: AbortSignalLike;
   readonly progress: (node: string, ...report: Parameters<ProgressCallback>) => void;
   readonly onInterim?: (node: string) => void;
   readonly interims?: 'stopped' | 'all';
-  /** Results that rest on interims: they serve this evaluation and the next, and are not kept. */
+  /** Results that depend on interim results: used by this evaluation and the next, not cached. */
   readonly interimResults: Map<string, NodeResult>;
 }
 
-/** Whom a piece of work is for: all evaluations that need it. It is cancelled when the last of them is, and all hear how far it is. */
+/** Work shared by all evaluations that need it. It is cancelled when the last of them is; all get its progress. */
 export class SharedWork<Services> implements AbortSignalLike {
-  /** What there is so far. */
+  /** The latest interim result. */
   interim: Outputs | undefined;
-  /** When there is something. */
+  /** Resolves with the first interim result. */
   readonly firstInterim: Promise<void>;
   private readonly errands: EvaluationJob<Services>[] = [];
   private readonly tell: ProgressCallback[] = [];
@@ -25,7 +25,7 @@ export class SharedWork<Services> implements AbortSignalLike {
   private begin = (): void => {};
   private ended = false;
 
-  /** `resume`: what there was of the same work, which was cancelled. */
+  /** `resume`: the interim result of the same work, if it was cancelled before. */
   constructor(errand: EvaluationJob<Services>, node: string, resume?: Outputs) {
     this.firstInterim = new Promise((done) => {
       this.begin = done;
@@ -46,7 +46,7 @@ export class SharedWork<Services> implements AbortSignalLike {
     if (this.aborted) return;
     this.interim = interim;
     this.begin();
-    // Not before the evaluation that has just begun this work has begun all that it can.
+    // Deferred until the evaluation that started this work has started everything it can.
     void this.firstInterim.then(() => {
       for (const tell of this.tellInterim) tell();
     });

@@ -1,4 +1,4 @@
-/** The buffers of every typed array inside a value, each once: what can be handed to another thread without a copy. */
+/** The distinct buffers of all typed arrays in a value, for transfer to another thread without copying. */
 export function transferables(value: unknown): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>();
   const seen = new Set<object>();

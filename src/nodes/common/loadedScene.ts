@@ -2,7 +2,7 @@ import { fastestInScene } from '../../scene/motion/fastestInScene.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { LoadedScene } from '../services.ts';
 
-/** A scene that was read, made or changed, with its fastest point. */
+/** A scene with its fastest point. */
 export function toLoadedScene(scene: Scene): LoadedScene {
   const fastest = fastestInScene(scene);
   return fastest ? { scene, fastest } : { scene };

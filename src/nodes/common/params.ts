@@ -5,7 +5,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { matchesPath } from '../../scene/compose/mergeScenes.ts';
 import type { Scene } from '../../scene/types.ts';
 
-/** Which of the things that come in a node is about. */
+/** Path of the objects that a node applies to. */
 export const whichParam: TextParam = { kind: 'text', title: 'param.which', help: 'param.which.help', default: '' };
 
 export const vectorParam = (title: string, value: Vec3, unit?: string): VectorParam => ({
@@ -30,7 +30,7 @@ export const timeParam = (title: string, value: number): NumberParam => ({
 export const nodeRefusal = (code: string, place: string, message: string, remedy?: NodeRefusal['problem']['remedy']) =>
   new NodeRefusal({ severity: 'error', code, place, message, ...(remedy && { remedy }) });
 
-/** Refuses a path at which the scene has nothing, before a node changes nothing without a word. */
+/** Throws a NodeRefusal if the scene has nothing at a path, instead of changing nothing silently. */
 export function assertPathExists(scene: Scene, path: string, node: string): void {
   const paths = [...scene.objects, ...scene.lights].map((thing) => thing.path);
   if (path === '' || paths.some((each) => matchesPath(each, path))) return;
@@ -39,7 +39,7 @@ export function assertPathExists(scene: Scene, path: string, node: string): void
   throw nodeRefusal('geometry.path', `${node}.which`, message, { node, param: 'which', value: '' });
 }
 
-/** Turns about x, then y, then z, by angles in degrees: as USD's rotateXYZ. */
+/** Rotation about x, then y, then z [°], as USD's rotateXYZ. */
 export const rotationXYZ = ([x, y, z]: Vec3): Quat =>
   [
     fromAxisAngle([0, 0, 1], radians(z)),

@@ -7,7 +7,7 @@ import { defineNode } from '../defineNode.ts';
 import { rootPrimPath } from '../geometry/primitives/definePrimitive.ts';
 import { nameParam } from './lightParams.ts';
 
-/** A place to look from, at rest. */
+/** A camera at rest. */
 export const cameraNode = defineNode({
   id: 'camera',
   title: 'node.cameraAt',

@@ -8,7 +8,7 @@ import { defineNode } from '../defineNode.ts';
 import { lengthParam } from '../geometry/primitives/definePrimitive.ts';
 import { brightnessParam, emissionParam, lightBase, lightColorParam, nameParam } from './lightParams.ts';
 
-/** A lamp somewhere, which may move. A rectangle or disc shines towards its −Z. */
+/** A local light, which may move. Rectangle and disk lights emit towards −Z. */
 export const lampNode = defineNode({
   id: 'lamp',
   title: 'node.lamp',

@@ -3,7 +3,7 @@ import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
 import type { LightSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 import { rootPrimPath } from '../geometry/primitives/definePrimitive.ts';
 
-/** What a thing is called in the scene: `/name`. */
+/** Name of the prim: `/name`. */
 export const nameParam = (value: string): TextParam => ({
   kind: 'text',
   title: 'param.name',
@@ -11,7 +11,7 @@ export const nameParam = (value: string): TextParam => ({
   default: value,
 });
 
-/** Of a white surface that it shines on, at rest. */
+/** Colour of the light as reflected by a white surface at rest. */
 export const lightColorParam: ColorParam = { kind: 'color', title: 'param.lightColor', default: [1, 1, 1] };
 
 export const brightnessParam = (title: string, value: number): NumberParam => ({
@@ -25,7 +25,7 @@ export const brightnessParam = (title: string, value: number): NumberParam => ({
   slider: false,
 });
 
-/** What light is made of; a spectrum that is connected comes before it. */
+/** Emission spectrum preset; a connected spectrum takes precedence. */
 export const emissionParam: ChoiceParam = {
   kind: 'choice',
   title: 'param.madeOf',
@@ -34,7 +34,10 @@ export const emissionParam: ChoiceParam = {
   options: [...LIGHT_PRESETS.keys()].map((name) => ({ value: name, title: `light.${name}` })),
 };
 
-/** Path and spectrum of a light; without one where it is daylight, for then its colour tells (spectrum/color/spectrumOfColor.ts). */
+/**
+ * Path and spectrum of a light; daylight has no spectrum, since its colour determines one
+ * (spectrum/color/spectrumOfColor.ts).
+ */
 export function lightBase(name: string, node: string, preset: string, given?: LightSpectrum) {
   const spectrum = given ?? (preset === emissionParam.default ? undefined : LIGHT_PRESETS.get(preset)?.spectrum);
   return { path: rootPrimPath(name, node), ...(spectrum && { spectrum }) };

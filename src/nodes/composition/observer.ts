@@ -2,7 +2,7 @@ import { length } from '../../math/vec3.ts';
 import { nodeRefusal, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** How fast the observer goes when the scene is opened. */
+/** Velocity of the observer when the scene is opened. */
 export const observerNode = defineNode({
   id: 'observer',
   title: 'node.observer',

@@ -6,10 +6,10 @@ import type { LoadedScene } from '../services.ts';
 
 const MIN_SPEED_OF_LIGHT = 0.1;
 const MAX_SPEED_OF_LIGHT = 299_792_458;
-/** Where neither the person nor the file says: a street becomes a relativistic place. */
+/** Used where neither the user nor the file specifies c; makes a street scene relativistic. */
 const DEFAULT_SPEED_OF_LIGHT = 30;
 
-/** How light travels: the one place where a scene's physics is set. */
+/** How light travels: the single place that sets a scene's physics. */
 export const relativityConsoleNode = defineNode({
   id: 'relativity-console',
   title: 'node.console',
@@ -108,11 +108,11 @@ export const relativityConsoleNode = defineNode({
   },
 });
 
-/** The usual one, or as much more as leaves the fastest point at 0.8 c. */
+/** The default speed of light, or a greater one that leaves the fastest point at 0.8 c. */
 const fittingSpeedOfLight = ({ fastest }: LoadedScene): number =>
   Math.max(DEFAULT_SPEED_OF_LIGHT, roundUp((fastest?.speed ?? 0) / 0.8));
 
-/** How far behind its origin a Born-rigid body may reach also depends on c. */
+/** The Rindler horizon, which limits how far a Born-rigid body may extend behind its origin, also depends on c. */
 function assertWithinHorizon({ scene }: LoadedScene, c: number): void {
   const objects = scene.objects.filter(
     ({ motion, authoredIn }) => motion.kind === 'hyperbolic' && authoredIn === 'rest',
@@ -122,7 +122,9 @@ function assertWithinHorizon({ scene }: LoadedScene, c: number): void {
   if (found) throw new NodeRefusal({ severity: 'error', code: found.code, place: found.place, message: found.message });
 }
 
-/** What is accelerated evenly was judged by another speed of light, where the scene suggests none: it never reaches any. */
+/**
+ * Without a suggested c the fastest point was computed with another speed of light; hyperbolic motion never reaches c.
+ */
 function withFastestAt(loaded: LoadedScene, speedOfLight: number): LoadedScene {
   const { scene, fastest } = loaded;
   const evenly = scene.objects.some(({ path, motion }) => path === fastest?.path && motion.kind === 'hyperbolic');
@@ -140,7 +142,7 @@ function assertSubluminal({ fastest }: LoadedScene, c: number, node: string): vo
   throw new NodeRefusal({ severity: 'error', code: 'motion.superluminal', place: fastest.path, message, remedy });
 }
 
-/** To three digits, always upwards, so that it is more than the value itself. */
+/** Rounds up to three digits, so that the result is not below the value. */
 function roundUp(value: number): number {
   if (value <= 0) return 0;
   const unit = 10 ** (Math.floor(Math.log10(value)) - 2);

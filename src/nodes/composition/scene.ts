@@ -3,9 +3,13 @@ import { makeScene } from '../../scene/defaults.ts';
 import type { Light, Scene } from '../../scene/types.ts';
 import { framingCamera } from '../../scene/view/camera.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
-import { defineNode, type TimeRange } from '../defineNode.ts';
+import { defineNode } from '../defineNode.ts';
+import type { TimeRange } from '../socketValues.ts';
 
-/** Composes what is observed: things, lights, when and how fast; with a camera that has all of it in view where none is brought. */
+/**
+ * Composes what is observed: objects, lights, time range and observer; adds a camera with everything in view if there
+ * is none.
+ */
 export const sceneNode = defineNode({
   id: 'scene',
   title: 'node.scene',

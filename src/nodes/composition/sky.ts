@@ -8,7 +8,7 @@ import { brightnessParam, emissionParam, lightBase, lightColorParam, nameParam }
 
 const STARS = { param: 'sky', is: 'stars' } as const;
 
-/** What is seen behind all things: an even sky, or the fixed stars. */
+/** Background of the scene: a uniform sky, or the stars. */
 export const skyNode = defineNode({
   id: 'sky',
   title: 'node.sky',
@@ -35,7 +35,7 @@ export const skyNode = defineNode({
   async evaluate({ spectrum }, { name, sky, color, brightness: strength, madeOf: preset, rotation: angles }, { node }) {
     const light = lightBase(name, node, preset, spectrum);
     if (sky === 'even') return { lights: [{ kind: 'dome', ...light, color: scale(color, strength) }] };
-    // Loaded with the first sky that has stars: the page is light without them.
+    // Loaded with the first starry sky, to keep the page small.
     const { brightStars } = await import('../../scene/stars/brightStars.ts');
     const orientation = multiply(rotationXYZ(angles), EQUATORIAL);
     const gain = relativeLuminance(...scale(color, strength));

@@ -2,7 +2,7 @@ import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
 import { defineNode } from '../defineNode.ts';
 import { emissionParam } from './lightParams.ts';
 
-/** What light is made of: a lamp's, or a blackbody's. */
+/** An emission spectrum: of a lamp or a blackbody. */
 export const spectrumNode = defineNode({
   id: 'spectrum',
   title: 'node.spectrum',

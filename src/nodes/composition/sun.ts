@@ -3,7 +3,7 @@ import { vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { brightnessParam, emissionParam, lightBase, lightColorParam, nameParam } from './lightParams.ts';
 
-/** Light from far away, all from one side. */
+/** A distant light. */
 export const sunNode = defineNode({
   id: 'sun',
   title: 'node.sun',

@@ -2,7 +2,7 @@ import { timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { assertTimeSpan } from '../motion/checkSpan.ts';
 
-/** From when to when a scene is shown. */
+/** Time range in which a scene is shown. */
 export const timeNode = defineNode({
   id: 'time',
   title: 'node.time',

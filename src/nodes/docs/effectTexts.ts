@@ -1,53 +1,53 @@
-/** Names of the effects over a picture (scene/frameGraph/effects.ts) and of their numbers, in English and Chinese. */
+/** Names of the postprocessing effects (scene/frameGraph/effects.ts) and of their arguments, in English and Chinese. */
 export const effectTexts = {
   'effect.gaussianBlur': ['Gaussian blur', '高斯模糊'],
   'effect.gaussianBlur.help': [
-    'Blurs along one direction; two of them, across and down, blur evenly. No light is lost at the edges.',
+    'Blurs along one direction; two of them, horizontal and vertical, blur evenly. No light is lost at the edges.',
     '沿一个方向模糊；横竖各一次即为均匀模糊。画面边缘不损失光。',
   ],
   'effect.bilateralFilter': ['Bilateral filter', '双边滤波'],
   'effect.bilateralFilter.help': [
-    'Smooths noise, of ambient occlusion say, but not across edges of things.',
+    'Smooths noise, such as that of ambient occlusion, but not across the edges of objects.',
     '平滑噪点（例如环境光遮蔽的噪点），但不越过物体的边缘。',
   ],
   'effect.skyBackground': ['Sky background', '天空背景'],
   'effect.skyBackground.help': [
-    'A clear day’s sky where nothing is; distant things fade into it. It rests in the world and has no Doppler shift.',
+    'Fills the background with a clear sky; distant objects fade into it. It is at rest in the world and has no Doppler shift.',
     '在没有物体处画晴天的天空；远处的物体渐渐融入其中。它相对世界静止，没有多普勒频移。',
   ],
   'effect.sharpen': ['Sharpen', '锐化'],
   'effect.sharpen.help': [
-    'Makes edges steeper; without overshoot no halo appears.',
+    'Makes edges steeper; without overshoot there are no halos.',
     '使边缘更陡；不过冲时不产生光晕。',
   ],
   'effect.bloom': ['Bloom', '泛光'],
   'effect.bloom.help': [
-    'Light that a lens or an eye scatters. The picture keeps all its light; there is no threshold.',
+    'Light scattered by a lens or an eye. Conserves the total light; there is no threshold.',
     '镜头或眼睛散射的光。画面的总光量不变，也没有阈值。',
   ],
   'effect.edge': ['Edges', '描边'],
   'effect.edge.help': [
-    'Draws lines where light changes, where things end and where surfaces turn.',
+    'Draws lines where luminance changes, at silhouettes and at creases.',
     '在光变化处、物体边界处和表面转折处画线。',
   ],
   'effect.vignette': ['Vignette', '暗角'],
   'effect.vignette.help': [
-    'Darker towards the corners, by a power of the cosine off the axis: 4 is a thin lens.',
+    'Darkens towards the corners by a power of the cosine of the off-axis angle: 4 is a thin lens.',
     '向四角变暗，按偏离光轴角度余弦的幂：4 次方为薄透镜。',
   ],
   'effect.fog': ['Fog', '雾'],
   'effect.fog.help': [
-    'Fog that rests in the world: it takes light by the way that the light has travelled there, not by how far away a thing appears.',
+    'Fog at rest in the world: attenuates by the path that the light has travelled there, not by the apparent distance.',
     '相对世界静止的雾：按光在世界中走过的路程衰减，而不是按物体看上去的距离。',
   ],
   'effect.depthOfField': ['Depth of field', '景深'],
   'effect.depthOfField.help': [
-    'A thin lens that the observer carries: it focuses by how far away an event is in the observer’s frame.',
+    'A thin lens carried by the observer: focuses by the distance of an event in the observer’s frame.',
     '观察者携带的薄透镜：按事件在观察者参考系中的距离对焦。',
   ],
   'effect.antialiasing': ['Antialiasing', '抗锯齿'],
   'effect.antialiasing.help': [
-    'Smooths the stairs of hard edges in a finished picture. Put it after Tone Map.',
+    'Smooths jagged edges in a finished picture. Place it after Tone Map.',
     '平滑成品画面中硬边的锯齿。宜接在色调映射之后。',
   ],
   'effect.sigma': ['Width (σ)', '宽度（σ）'],
@@ -65,7 +65,7 @@ export const effectTexts = {
   'effect.edgeLight': ['By light', '按光'],
   'effect.edgeDepth': ['By distance', '按距离'],
   'effect.edgeNormal': ['By normals', '按法线'],
-  'effect.edgeUnder': ['Picture beneath', '保留画面'],
+  'effect.edgeUnder': ['Picture opacity', '保留画面'],
   'effect.power': ['Power', '幂'],
   'effect.corner': ['Corner angle (0: camera)', '角落角度（0：相机）'],
   'effect.freePath': ['Mean free path', '平均自由程'],
@@ -73,8 +73,8 @@ export const effectTexts = {
   'effect.overSky': ['Over the sky', '覆盖天空'],
   'effect.focus': ['In focus at', '对焦距离'],
   'effect.aperture': ['Aperture', '光圈直径'],
-  'effect.contrast': ['Least contrast', '最小对比度'],
+  'effect.contrast': ['Minimum contrast', '最小对比度'],
   'effect.search': ['Search along edges', '沿边搜索'],
   'effect.single': ['Spread single pixels', '扩散孤立像素'],
-  'effect.mostBlur': ['Largest blur', '最大模糊'],
+  'effect.mostBlur': ['Maximum blur', '最大模糊'],
 } as const satisfies Record<string, readonly [en: string, zh: string]>;

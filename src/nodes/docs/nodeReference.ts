@@ -5,7 +5,7 @@ import { nodeTexts } from './nodeTexts.ts';
 
 const englishTexts = { ...nodeTexts, ...effectTexts };
 
-/** What a key of the catalogue says in English; what is no key is the word itself. */
+/** The English text of a key; other texts are returned as they are. */
 const englishText = (key: string): string =>
   Object.hasOwn(englishTexts, key) ? englishTexts[key as keyof typeof englishTexts][0] : key;
 
@@ -23,7 +23,7 @@ const INTRODUCTION = [
   'Every parameter but a list is an input too: what is connected to it comes before what is set.',
 ];
 
-/** A page about every node, from what the nodes say of themselves; Markdown. */
+/** Reference page of all nodes, generated from their descriptions; Markdown. */
 export function nodeReference(): string {
   const sections = CATEGORIES.map(([category, title]) => {
     const types = Object.values(nodeLibrary).filter((type) => type.category === category);
@@ -32,7 +32,7 @@ export function nodeReference(): string {
   return [...INTRODUCTION, ...sections].join('\n\n');
 }
 
-/** A node's section: what it does, its sockets, its parameters with units, ranges and defaults. */
+/** Section of one node: help, sockets, parameters with units, ranges and defaults. */
 export function nodePage(type: NodeType): string {
   const params = Object.entries(type.params);
   return [

@@ -2,7 +2,7 @@ import { InputError } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** Takes a simulation from the file that it was written to, so that it is not computed again. */
+/** Reads a simulation's results from the file that they were written to, instead of computing them again. */
 export const cacheNode = defineNode({
   id: 'cache',
   title: 'node.cache',

@@ -7,7 +7,7 @@ import { chargeParam, massParam, penaltyParam, quantityParam, splitByPath } from
 const FREE = { param: 'free', is: true } as const;
 const HELD = { param: 'rods', is: ['pivot', 'chain'] } as const;
 
-/** What nothing gets into: floors, boxes, balls; balls may be free. */
+/** Rigid obstacles: floors, boxes, spheres; spheres may be dynamic. */
 export const colliderNode = defineNode({
   id: 'collider',
   title: 'node.collider',

@@ -2,7 +2,7 @@ import { vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { quantityParam } from './params.ts';
 
-/** What acts on all that is simulated; several add up. */
+/** A field that acts on everything simulated; several add up. */
 export const fieldNode = defineNode({
   id: 'field',
   title: 'node.field',

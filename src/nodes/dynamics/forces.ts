@@ -12,47 +12,47 @@ import { add, length, type Vec3, ZERO } from '../../math/vec3.ts';
 import { nodeRefusal } from '../common/params.ts';
 import type { ColliderMatter, FieldMatter } from './matter.ts';
 
-/** The points of all parts, and what holds them together and stands in their way. World frame, SI units. */
+/** Points of all parts, the springs between them and their obstacles. World frame, SI units. */
 export interface PointCollection {
-  /** x, y, z of one point after the other. */
+  /** x, y, z of each point. */
   readonly x: readonly number[];
   readonly masses: readonly number[];
-  /** 1: it is held. */
+  /** 1 for pinned points. */
   readonly pinned: readonly number[];
   readonly charges: readonly number[];
-  /** The thing that each point is of, where it is of a net; else −1. */
+  /** Index of the object of each point, for points of nets; otherwise −1. */
   readonly bodies: readonly number[];
   readonly nets: readonly Springs[];
   readonly balls: readonly SimulatedSphere[];
   readonly obstacles: readonly PlacedObstacle[];
 }
 
-/** A ball, which its point is the middle of. */
+/** A sphere centered at its point. */
 export interface SimulatedSphere {
   readonly point: number;
   readonly radius: number;
   readonly of: ColliderMatter;
 }
 
-/** An obstacle; where it moves, the points that carry it. */
+/** An obstacle; if it moves, the points that carry it. */
 export interface PlacedObstacle {
   readonly obstacle: Obstacle;
   readonly of: ColliderMatter;
   readonly carriers?: readonly number[];
 }
 
-/** What acts between points that come near: of different things, and of one that is folded. */
+/** Contact between nearby points: of different objects, and of an object that is folded. */
 export interface ProximityContact {
-  /** 0: nothing does [m]. */
+  /** 0: no contact [m]. */
   readonly reach: number;
   /** [N/m] */
   readonly stiffness: number;
 }
 
-/** Most pairs of a ball and a point, and of charges. */
+/** Maximum number of sphere–point pairs, and of pairs of charges. */
 const MAX_PAIRS = 4_000_000;
 
-/** All that acts between and upon the points. Throws a NodeRefusal. */
+/** All forces on and between the points. Throws a NodeRefusal. */
 export function forcesOn(
   all: PointCollection,
   fields: readonly FieldMatter[],
@@ -97,7 +97,7 @@ function concatSprings(nets: readonly Springs[]): Springs {
   return all;
 }
 
-/** Balls against each other and against points of nets; of those that are as hard, one force. */
+/** Contact of spheres with each other and with points of nets; one force for all of equal stiffness. */
 function sphereContactForces({ bodies, balls, pinned }: PointCollection): Force[] {
   const points = bodies.flatMap((body, i) => (body < 0 ? [] : [i]));
   if (balls.length * (points.length + balls.length) > MAX_PAIRS) {

@@ -8,7 +8,7 @@ const stiffnessParam = (title: string, help: string, value = 1000) =>
   quantityParam({ title, help, unit: 'N/m', default: value, step: 1 });
 const BOX = { param: 'pins', is: 'box' } as const;
 
-/** Things as nets of masses and springs: cloth, and what is elastic. */
+/** Objects as mass–spring nets: cloth and elastic solids. */
 export const massSpringNode = defineNode({
   id: 'mass-spring',
   title: 'node.massSpring',

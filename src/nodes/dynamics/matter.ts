@@ -1,82 +1,82 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Scene } from '../../scene/types.ts';
 
-/** What is to be simulated, by parts: descriptions, for other threads compute with them. World frame, SI units. */
+/** Parts of what is to be simulated, as plain data that other threads can use. World frame, SI units. */
 export type Matter = MassSpringMatter | ColliderMatter | FieldMatter;
 
 interface MatterBase {
-  /** The node that describes it, for what is said of it. */
+  /** The node that describes it, for messages. */
   readonly node: string;
 }
 
-/** Things whose points have masses, with springs between them. */
+/** Objects whose vertices have masses, with springs between them. */
 export interface MassSpringMatter extends MatterBase, InitialConditions {
   readonly kind: 'net';
-  /** The things alone, at rest. */
+  /** Only the objects, at rest. */
   readonly scene: Scene;
-  /** [N/m]; 0: no such springs. */
+  /** [N/m]; 0: no springs of that kind. */
   readonly stiffness: {
     readonly structural: number;
     readonly shear: number;
     readonly bending: number;
-    /** From each point to the middle of its thing. */
+    /** From each point to the center of its object. */
     readonly filling: number;
   };
-  /** How long springs are at rest, of what they are at the start. */
+  /** Rest length of springs as a fraction of their initial length. */
   readonly tension: number;
   readonly pins: PinSelection;
-  /** About the middle of each thing [rad/s]. */
+  /** About the center of each object [rad/s]. */
   readonly spin: Vec3;
 }
 
-/** How each thing begins. */
+/** Initial conditions of each object. */
 export interface InitialConditions {
-  /** Of each thing [kg]. */
+  /** Per object [kg]. */
   readonly mass: number;
   /** [m/s] */
   readonly velocity: Vec3;
-  /** Of each thing [C]. */
+  /** Per object [C]. */
   readonly charge: number;
 }
 
-/** Which points are held where they are. */
+/** Which points are pinned. */
 export type PinSelection =
   | { readonly kind: 'none' | 'corners' | 'top' }
   | { readonly kind: 'box'; readonly center: Vec3; readonly size: Vec3 }
-  /** Vertices of the mesh of each thing. */
+  /** Vertices of each object's mesh. */
   | { readonly kind: 'points'; readonly vertices: readonly number[] };
 
-/** Things that nothing gets into. */
+/** Objects that nothing penetrates. */
 export interface ColliderMatter extends MatterBase {
   readonly kind: 'solid';
-  /** The things alone, at rest. */
+  /** Only the objects, at rest. */
   readonly scene: Scene;
   readonly shape: 'plane' | 'box' | 'ball';
   /** [N/m] */
   readonly stiffness: number;
-  /** How much larger than it is shown a ball is for what it touches. */
+  /** Contact radius of a sphere relative to its displayed radius. */
   readonly scale: number;
-  /** How far planes and boxes keep things off [m]. */
+  /** Distance that planes and boxes keep [m]. */
   readonly margin: number;
-  /** Of each thing [C]. */
+  /** Per object [C]. */
   readonly charge: number;
-  /** Of balls that are moved by what they touch; absent: they stand fast. */
+  /** For dynamic spheres; absent: fixed. */
   readonly free?: Omit<InitialConditions, 'charge'> & { readonly rods?: Rods };
 }
 
-/** Springs as stiff as rods that hold balls. */
+/** Stiff springs that hold spheres like rods. */
 export interface Rods {
-  /** Each by its own, or the first alone, and each other by the one before it. */
+  /** `pivot`: each sphere hangs on a rod of its own; `chain`: the first on the pivot, every other on the one before. */
   readonly to: 'pivot' | 'chain';
-  /** From a ball's middle to the fixed place that holds it [m]. */
+  /** From a sphere's center to its pivot, which is fixed [m]. */
   readonly pivot: Vec3;
   /** [N/m] */
   readonly stiffness: number;
-  /** As they are drawn [m]; 0: they are not. */
+  /** Displayed thickness [m]; 0: not displayed. */
   readonly thickness: number;
 }
 
-/** What acts on all that moves. */
+/** Fields that act on everything that moves. */
 export interface FieldMatter extends MatterBase {
   readonly kind: 'field';
   /** [m/s²] */
@@ -87,6 +87,6 @@ export interface FieldMatter extends MatterBase {
   readonly magnetic: Vec3;
   /** [1/s] */
   readonly drag: number;
-  /** Charges act on each other. */
+  /** Whether charges act on each other. */
   readonly coulomb: boolean;
 }

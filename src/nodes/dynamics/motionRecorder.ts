@@ -14,32 +14,35 @@ import type { Diagnostic, Mesh, Motion, Scene, SceneObject } from '../../scene/t
 import { initialPose } from './objects.ts';
 import type { BodyGroup, SimulatedBody } from './setup.ts';
 
-/** What was taken of a run so far: plain data, from which a film goes on. */
+/** The recorded part of a run as plain data, from which recording can continue. */
 export interface RecordedMotion {
-  /** Of each frame, without the state. */
+  /** Records of the frames, without their states. */
   readonly rows: readonly RecordedRow[];
-  /** At the last frame, to the bit. */
+  /** State at the last frame, bit-exact. */
   readonly last: State;
-  /** Of each actor, frame after frame. */
+  /** Per body, the samples of all frames. */
   readonly tracks: readonly MotionTrack[];
 }
 type RecordedRow = Omit<SimulationFrame, 'state'>;
 
-/** Of a deforming thing its vertices, from its origin; of a ball its middle alone, from where it began. */
+/**
+ * For a deforming body its vertices relative to its origin; for a sphere its center alone, relative to its initial
+ * position.
+ */
 interface MotionTrack {
   readonly points: Float32Array[];
   /** [m/s] */
   readonly velocities: Float32Array[];
-  /** None of balls. */
+  /** Absent for spheres. */
   readonly normals: Float32Array[];
 }
 
-/** Straight pieces that are drawn for the cubic between two frames of a ball. */
+/** Line segments that approximate the cubic between two frames of a sphere. */
 const SEGMENTS_PER_FRAME = 4;
-/** Sides of a rod. */
+/** Sides of a rod's tube. */
 const ROD_SIDES = 8;
 
-/** Takes the frames of a run, and shows what they make of things. */
+/** Records the frames of a run and turns them into motions of the scene's objects. */
 export class MotionRecorder {
   private readonly order: RunOptions;
   private readonly rows: RecordedRow[];
@@ -50,7 +53,7 @@ export class MotionRecorder {
   private readonly books: RunRecorder;
   private readonly v: Float64Array;
 
-  /** `before`: goes on from there. */
+  /** `before`: a recording to continue. */
   constructor(order: RunOptions, casts: readonly BodyGroup[], before?: RecordedMotion) {
     this.order = order;
     this.casts = casts;
@@ -64,33 +67,33 @@ export class MotionRecorder {
     this.rows.forEach((row, k) => void this.books.addFrame({ ...row, state: { ...this.last, t: this.timeOf(k) } }));
   }
 
-  /** Frames that were taken. */
+  /** Number of recorded frames. */
   get length(): number {
     return this.rows.length;
   }
 
-  /** The last frame that was taken, or the start; and steps until then. */
+  /** State of the last recorded frame, or the initial one, and the number of steps so far. */
   get latest(): { readonly state: State; readonly steps: number } {
     return { state: this.last, steps: this.rows.at(-1)?.steps ?? 0 };
   }
 
-  /** What was taken so far. */
+  /** The recording so far. */
   recordedMotion = (): RecordedMotion => ({
     rows: this.rows.slice(),
     last: this.last,
     tracks: this.tracks.map(copyTrack),
   });
 
-  /** World time of frame k [s]: by their rate, whose digits are fewer, so that in a file they have whole numbers. */
+  /** World time of frame k [s], computed from the frame rate, whose few digits give short numbers in files. */
   timeOf = (k: number): number => this.order.start.t + k / this.rate;
 
-  /** Frames a second. */
+  /** Frames per second. */
   private get rate(): number {
     return Number((1 / this.order.every).toPrecision(12));
   }
 
   addFrame({ state: { x, p }, ...row }: SimulationFrame): void {
-    // A run that goes on adds up its time from another start: in the last digit it would be another.
+    // A resumed run accumulates time from another start and would differ in the last digit.
     const state = { t: this.timeOf(this.length), x, p };
     this.books.addFrame({ ...row, state });
     velocities(this.order.system, state.p, this.v);
@@ -101,7 +104,7 @@ export class MotionRecorder {
 
   record = (stop?: EarlyStop): RunRecord => this.books.record(stop);
 
-  /** All things as they moved so far; `notes`: what is to be said of it. */
+  /** All objects with their motion so far; `notes`: diagnostics to add. */
   scene(notes: readonly Diagnostic[]): Scene {
     let i = 0;
     const parts = this.casts.map(({ scene, bodies }): Scene => {
@@ -130,7 +133,7 @@ const copyTrack = ({ points, velocities, normals }: MotionTrack): MotionTrack =>
   normals: normals.slice(),
 });
 
-/** How an actor is filmed. */
+/** How a body is recorded. */
 interface BodyRecorder {
   addSample(track: MotionTrack, x: Float64Array, v: Float64Array): void;
   toObject(track: MotionTrack, times: Float64Array, c: number): SceneObject;
@@ -149,7 +152,7 @@ function bodyRecorder(actor: SimulatedBody, start: Float64Array): BodyRecorder {
   }
 }
 
-/** Rests after its only sample, where there is but one. */
+/** Repeats a single sample, so that the body rests. */
 const atLeastTwo = <T>(all: readonly T[]): readonly T[] => (all.length === 1 ? [all[0], all[0]] : all.slice());
 const withRestSample = (times: Float64Array): Float64Array =>
   times.length === 1 ? Float64Array.of(times[0], times[0] + 1) : times;
@@ -190,7 +193,7 @@ function deformingMotion(mesh: Mesh, origin: Vec3, { points, velocities, normals
   return { mesh: { ...mesh, positions: points[0], normals: normals[0] }, motion };
 }
 
-/** A rigid ball keeps its pose but for its place. */
+/** A rigid sphere is translated only. */
 function sphereRecorder(
   { object, point }: Extract<SimulatedBody, { kind: 'ball' }>,
   start: Float64Array,
@@ -211,7 +214,7 @@ function sphereRecorder(
   };
 }
 
-/** Where a ball is, at its frames and between them. */
+/** Position of a sphere at frames and between them. */
 function sampleTrajectory(
   { points, velocities }: MotionTrack,
   times: Float64Array,
@@ -232,7 +235,7 @@ function sampleTrajectory(
   return way;
 }
 
-/** A thin tube from point to point. Its vertices go as the ends do. */
+/** A thin tube between two points. Its vertices move with the ends. */
 function rodRecorder({ of, ends, width }: Extract<SimulatedBody, { kind: 'rod' }>, start: Float64Array): BodyRecorder {
   const [from, to] = ends.map((end) => pointAt(start, end));
   const rest = normalize(sub(to, from), [0, 1, 0]);
@@ -270,7 +273,7 @@ function rodRecorder({ of, ends, width }: Extract<SimulatedBody, { kind: 'rod' }
   };
 }
 
-/** Two rings of vertices, without places. */
+/** Topology of a tube with two rings of vertices; positions are set later. */
 function tubeMesh(material: number): Mesh {
   const indices = Uint32Array.from(
     Array.from({ length: ROD_SIDES }, (_, k) => {

@@ -4,22 +4,22 @@ import { applyPose, poseAt } from '../../scene/motion/motion.ts';
 import type { Pose, SceneObject } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
 
-/** What is flat is thinner than this share of its size. */
+/** Objects thinner than this fraction of their size are flat. */
 export const FLATNESS_TOLERANCE = 1e-3;
 
-/** How a thing lies when a simulation begins, which is at 0 s; c [m/s]. */
+/** Pose of an object at the start of a simulation, at 0 s; c [m/s]. */
 export const initialPose = ({ motion }: SceneObject, c: number): Pose => poseAt(motion, START_TIME, c);
 
 /** [s] */
 export const START_TIME = 0;
 
-/** The way of a place of a thing, x in its own frame; c [m/s]. */
+/** Trajectory of the point x of an object, in its own frame; c [m/s]. */
 export const trajectoryOf =
   ({ motion }: SceneObject, x: Vec3, c: number) =>
   (t: number): Vec3 =>
     applyPose(poseAt(motion, t, c), x);
 
-/** Of its mesh's box, in its own frame. */
+/** Center of its mesh's bounding box, in its own frame. */
 export function meshCenter(object: SceneObject): Vec3 {
   const { min, max } = meshBounds(object);
   return scale(add(min, max), 0.5);
@@ -27,7 +27,7 @@ export function meshCenter(object: SceneObject): Vec3 {
 
 export const isMoving = ({ motion }: SceneObject): boolean => motion.kind !== 'static';
 
-/** Of its mesh, in its own frame. */
+/** Bounds of its mesh, in its own frame. */
 export function meshBounds({ mesh, path }: SceneObject) {
   const bounds = boundingBox(mesh.positions);
   if (!bounds) throw nodeRefusal('matter.empty', path, 'it has no points; leave it out');

@@ -8,7 +8,7 @@ import { nodeRefusal } from '../common/params.ts';
 import type { ColliderMatter } from './matter.ts';
 import { FLATNESS_TOLERANCE, initialPose, meshBounds, meshCenter } from './objects.ts';
 
-/** What a thing is for what would get into it, as it lies when the simulation begins; c [m/s]. */
+/** The obstacle of an object in its initial pose; c [m/s]. */
 export function obstacleOf(object: SceneObject, part: ColliderMatter, c: number): Obstacle {
   const { min, max } = meshBounds(object);
   const pose = initialPose(object, c);
@@ -29,12 +29,15 @@ export function obstacleOf(object: SceneObject, part: ColliderMatter, c: number)
   throw nodeRefusal('collider.plane', object.path, message, { node: part.node, param: 'shape', value: 'box' });
 }
 
-/** Places of a moving obstacle that tell how it lies, in its thing's own frame: its middle, and where it turns the ends of arms along its x and y. */
+/**
+ * Points that carry a moving obstacle and determine its pose, in its object's frame: its center, and if it rotates the
+ * ends of arms along its x and y axes.
+ */
 export function carrierPositions(object: SceneObject, { orientation }: Obstacle, c: number): Vec3[] {
   const middle = meshCenter(object);
   if (!isRotating(object)) return [middle];
   const { min, max } = meshBounds(object);
-  // As far out as it is large: what would go faster than light there is told.
+  // The arms extend to the obstacle's size, so that rotation faster than light is detected.
   const reach = Math.max(...sub(max, min)) / 2;
   const own = multiply(conjugate(initialPose(object, c).orientation), orientation);
   return [middle, addScaled(middle, rotate(own, [1, 0, 0]), reach), addScaled(middle, rotate(own, [0, 1, 0]), reach)];

@@ -7,7 +7,7 @@ import type { LoadedScene } from '../services.ts';
 
 type NumberParamOptions = Pick<NumberParam, 'title' | 'default' | 'unit'> & Partial<NumberParam>;
 
-/** A number without a range that a slider could go through. */
+/** A number without a bounded range for a slider. */
 export const quantityParam = (about: NumberParamOptions): NumberParam => ({
   kind: 'number',
   min: 0,
@@ -17,7 +17,7 @@ export const quantityParam = (about: NumberParamOptions): NumberParam => ({
   ...about,
 });
 
-/** The same, and less than nothing too. */
+/** The same, including negative numbers. */
 export const signedQuantityParam = (about: NumberParamOptions): NumberParam => quantityParam({ min: -1e12, ...about });
 
 export const massParam = quantityParam({
@@ -43,7 +43,7 @@ export const chargeParam = signedQuantityParam({
   step: 1e-9,
 });
 
-/** The things at a path, and all else. They are at rest, or, where these may be, `rigid`. */
+/** Splits off the objects at a path. They must be at rest or, if allowed, `rigid`. */
 export function splitByPath(
   { scene }: LoadedScene,
   which: string,

@@ -5,7 +5,7 @@ import { nodeRefusal } from '../common/params.ts';
 import type { MassSpringMatter } from './matter.ts';
 import { FLATNESS_TOLERANCE } from './objects.ts';
 
-/** The points of a thing that are held. */
+/** The pinned points of an object. */
 export function pinnedPoints(
   points: Float64Array,
   pointOfVertex: Uint32Array,
@@ -38,7 +38,7 @@ export function pinnedPoints(
   }
 }
 
-/** The four upper corners of the box round points. */
+/** The four upper corners of the points' bounding box. */
 function upperCorners(points: Float64Array, up: number): Vec3[] {
   const { min, max } = boundingBox(points)!;
   const [a, b] = [0, 1, 2].filter((k) => k !== up);

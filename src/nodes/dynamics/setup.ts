@@ -22,28 +22,28 @@ import { isMoving, meshBounds, meshCenter, START_TIME, trajectoryOf } from './ob
 import { carrierPositions, obstacleOf } from './obstacles.ts';
 import { pinnedPoints } from './pins.ts';
 
-/** A thing, and which points of the system it follows. */
+/** An object and the points of the system that it follows. */
 export type SimulatedBody =
   | { readonly kind: 'net'; readonly object: SceneObject; readonly pointOfVertex: Uint32Array }
   | { readonly kind: 'ball'; readonly object: SceneObject; readonly point: number }
   | { readonly kind: 'rod'; readonly of: SceneObject; readonly ends: readonly [number, number]; readonly width: number }
-  /** It goes as it goes; `points`: that go with it. */
+  /** Its motion is prescribed; `points`: kinematic points that move with it. */
   | { readonly kind: 'fixed'; readonly object: SceneObject; readonly points: readonly number[] };
 
-/** The things of one part, in the scene that their materials are of. */
+/** The bodies of one part, with the scene that their materials belong to. */
 export interface BodyGroup {
   readonly scene: Scene;
   readonly bodies: readonly SimulatedBody[];
 }
 
-/** What is simulated, and what is shown of it. */
+/** The system to simulate, and the bodies that display it. */
 export interface SimulationSetup {
   readonly system: System;
   readonly start: State;
   readonly bodyGroups: readonly BodyGroup[];
 }
 
-/** Vertices are one point where they are as near as this share of their thing's size. */
+/** Vertices nearer than this fraction of their object's size are one point. */
 const WELD_TOLERANCE = 1e-6;
 
 /** The system that parts make together. Throws a NodeRefusal that names the part, or a SystemError. */
@@ -58,7 +58,7 @@ export function setUpSimulation(parts: readonly Matter[], c: number, touch: Prox
   return { ...builder.finish(fields, touch), bodyGroups: casts };
 }
 
-/** Collects points and what holds them together. */
+/** Collects points, springs and obstacles. */
 class SystemBuilder implements PointCollection {
   private readonly c: number;
   readonly x: number[] = [];
@@ -70,7 +70,7 @@ class SystemBuilder implements PointCollection {
   readonly nets: Springs[] = [];
   readonly balls: SimulatedSphere[] = [];
   readonly obstacles: PlacedObstacle[] = [];
-  /** With how fast each begins [m/s]. */
+  /** With initial velocity [m/s]. */
   private readonly led: (KinematicPoint & { readonly v: Vec3 })[] = [];
   private bodyCount = 0;
 
@@ -110,7 +110,7 @@ class SystemBuilder implements PointCollection {
     return actors;
   }
 
-  /** A point in the middle, tied to all others. */
+  /** Adds a center point with springs to all others. */
   private fill(first: number, points: Float64Array, middle: Vec3, part: MassSpringMatter, share: number): void {
     const count = points.length / 3;
     const center = this.point(middle, part.velocity, part, share, false, -1);
@@ -149,7 +149,7 @@ class SystemBuilder implements PointCollection {
     return { point, center };
   }
 
-  /** One that moves is carried by points that are led, which are told. */
+  /** A moving obstacle is carried by kinematic points, whose indices are returned. */
   private obstacle(object: SceneObject, part: ColliderMatter): readonly number[] {
     const obstacle = obstacleOf(object, part, this.c);
     if (!isMoving(object)) {
@@ -170,7 +170,7 @@ class SystemBuilder implements PointCollection {
     this.led.push({ point, positionAt: (t) => positionAt(line, t, c), v: velocityAt(line, START_TIME, c) });
   }
 
-  /** With a place of a thing, in its own frame. */
+  /** Makes a point follow a point of an object, given in the object's frame. */
   private leadWith(point: number, object: SceneObject, place: Vec3): void {
     const { c } = this;
     const v = velocityAt(originWorldLine(object.motion as RigidMotion), START_TIME, c);
@@ -225,17 +225,17 @@ class SystemBuilder implements PointCollection {
   }
 }
 
-/** A thing that goes as it goes is as large in the world as it is. */
+/** An object with prescribed motion keeps the size that it has in the world. */
 const prescribedBody = (object: SceneObject, points: readonly number[]): SimulatedBody => ({
   kind: 'fixed',
   object: isMoving(object) ? { ...object, authoredIn: 'world' } : object,
   points,
 });
 
-/** What is held and has no thing of its own. */
+/** Properties of pinned points without an object. */
 const PINNED_POINT = { node: '', mass: 1, velocity: ZERO, charge: 0 };
 
-/** The points of a thing in the world as it begins, and the springs between them. */
+/** Points of an object in the world at the start, and the springs between them. */
 function massSpringMesh(object: SceneObject, { stiffness, tension }: MassSpringMatter, c: number) {
   const { positions, indices } = object.mesh;
   const { min, max } = meshBounds(object);

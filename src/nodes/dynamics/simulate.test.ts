@@ -21,7 +21,7 @@ const sets = (node: string, params: Params): Command[] =>
   Object.entries(params).map(([param, value]) => ({ kind: 'set-param', node, param, value }));
 const node = (id: string, type: string, params: Params = {}): Command[] => [add(id, type), ...sets(id, params)];
 
-/** A thing with what it is of, and the node that tells. */
+/** An object with the matter node that it feeds. */
 const matter = (id: string, thing: readonly [string, Params], at: Vec3, kind: string, params: Params): Command[] => [
   ...node(`${id}Shape`, thing[0], { name: id, ...thing[1] }),
   ...node(`${id}At`, 'transform', { position: at }),
@@ -57,7 +57,7 @@ const refusalOf = async (...commands: readonly Command[]) => {
 
 const thing = (scene: Scene, path: string): SceneObject => scene.objects.find((object) => object.path === path)!;
 const placeOf = (object: SceneObject, t: number, c: number): Vec3 => poseAt(object.motion, t, c).position;
-/** The middle of a net's vertices: of a sheet, each of which is a point. */
+/** Mean of a net's vertices: of a sheet, whose vertices are all points. */
 function middleAt(object: SceneObject, t: number, c: number): Vec3 {
   const all = vertexPositions(object, t, c);
   return [0, 1, 2].map(
@@ -347,7 +347,7 @@ describe('a run', () => {
       },
     });
     await expect(stopped).rejects.toThrow(CancelledError);
-    // An evaluation that came before the work noticed would keep it going.
+    // An evaluation before the work notices its cancellation would keep it running.
     await new Promise((resolve) => setTimeout(resolve, 300));
     const early = (await evaluator.evaluate(document, 'run', workerServices, { interims: 'stopped' })).target;
     if (early.status === 'done') seen = early.outputs;
@@ -408,7 +408,7 @@ describe('a run', () => {
   it('refuses what is too much, too fast or not there, with what to do', async () => {
     expect(await refusalOf(...hanging({ rate: 1e6 }))).toMatchObject({ code: 'simulate.frames', place: 'run.rate' });
     expect(await refusalOf(...hanging({ duration: 1e5, rate: 0.1 }))).toMatchObject({ code: 'simulate.steps' });
-    // Here there is none; what it computes is in tests/gpu/compute/compute.test.ts.
+    // Unit tests have no GPU; tests/gpu/compute/compute.test.ts checks its results.
     expect(await refusalOf(...hanging({ method: 'leapfrog', onGpu: true }))).toMatchObject({
       ...{ code: 'simulate.gpu', place: 'run.onGpu', remedy: { param: 'onGpu', value: false } },
       message: 'there is no GPU here that computes (WebGPU); compute it on the processor',
@@ -445,7 +445,7 @@ describe('a run', () => {
 describe('what moves already', () => {
   const [c, u] = [10, 6];
   const thrown = (2 * u) / (1 + (u / c) ** 2);
-  /** A thing that goes along x, to what says what it is. */
+  /** An object that moves along x, connected to the node that gives it a kind of matter. */
   const going = (
     id: string,
     thing: readonly [string, Params],
@@ -475,7 +475,7 @@ describe('what moves already', () => {
     expect(books.fastest.at(-1)! / thrown).toBeCloseTo(1, 4);
     expect(books.kinetic[0]).toBe(0);
     expect(books.stop).toBeUndefined();
-    // It gives energy; nothing is said of any that would come from nowhere.
+    // Pumping changes the energy, so no numerical gain is reported.
     expect(summarizeRun(books).grown).toBeUndefined();
     expect(scene.diagnostics).toEqual([]);
     for (const t of [0, 0.4, 1]) expect(placeOf(thing(scene, '/Mover'), t, c)).toEqual([u * t, 0, 0]);
@@ -501,7 +501,7 @@ describe('what moves already', () => {
     }
     const begun = (9 * 0.5) / Math.hypot(1, (9 * 0.5) / c);
     expect(books.fastest[0]).toBeCloseTo(begun, 9);
-    // All of it is towed along, and nothing outruns light.
+    // The whole net is towed, and nothing exceeds c.
     expect(Math.min(...at(2).filter((_, j) => j % 3 === 0))).toBeGreaterThan(place(2) - place(0) - 2);
     expect(largest(books.fastest)).toBeLessThan(c);
     expect(books.led).toBe(true);
@@ -520,7 +520,7 @@ describe('what moves already', () => {
     });
   });
 
-  /** A paddle through the origin that turns about y, a quarter in `quarter` seconds. */
+  /** A paddle through the origin that rotates about y, a quarter turn in `quarter` seconds. */
   const paddle = (quarter: number): Command[] => {
     const keys = ['0 0 0 0', `${quarter} 0 0 0 0 90 0`];
     return going('Paddle', ['box', { width: 4, height: 1, depth: 0.2 }], ['motion-keyframes', { keys }], 'collider', {
@@ -536,7 +536,7 @@ describe('what moves already', () => {
       ...target,
       ...running(['Paddle', 'Target'], { speedOfLight: c, duration: 0.4, rate: 50, method: 'leapfrog', step: 2e-5 }),
     );
-    // Its front is 0.1 m beside the axis, and the ball's radius with the margin 0.11 m before that.
+    // Its front is 0.1 m beside the axis; contact begins at the ball's radius plus margin, 0.11 m.
     const along = Math.sqrt(1.5 ** 2 + 0.8 ** 2 - 0.21 ** 2);
     const beta = (omega * along) / c;
     expect(books.fastest.at(-1)! / c / ((2 * beta) / (1 + beta ** 2))).toBeCloseTo(1, 2);
@@ -590,7 +590,7 @@ describe('a cache', () => {
         return { scene: await openScene({ read }, source, { interpolation: 'cubic' }) };
       },
     };
-    // What comes in could not be made any more: there is no such thing.
+    // The input can no longer be made: that object does not exist.
     const after = await keptOf(services, ...sets('kept', { file: 'a.usda' }), ...sets('Sheet', { which: '/Gone' }));
     if (after.status !== 'done') throw new Error(JSON.stringify(after));
     expect(asked).toEqual(['a.usda', 'cubic']);

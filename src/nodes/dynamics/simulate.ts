@@ -4,7 +4,7 @@ import type { RecordedMotion } from './motionRecorder.ts';
 import { penaltyParam, quantityParam } from './params.ts';
 import type { SimulationOutputs, SimulationSettings } from './simulation.ts';
 
-/** Those of the source documents, which have corrections, are last. */
+/** The methods of the source documents, which have velocity corrections, are last. */
 const METHODS = [
   { value: 'discrete-gradient', title: 'method.discreteGradient' },
   { value: 'implicit-midpoint', title: 'method.midpoint' },
@@ -17,13 +17,13 @@ const METHODS = [
   { value: 'local-global', title: 'method.localGlobal' },
 ];
 const CORRECTED_METHODS = METHODS.slice(6).map(({ value }) => value);
-/** Those that a GPU can take. */
+/** Methods that run on the GPU. */
 const SPLITTING_METHODS = METHODS.slice(2, 6).map(({ value }) => value);
 
-/** Where it is not in a thread of its own it lets others work, and hears whether it is still wanted, so often [ms]. */
+/** Outside of a worker thread: interval at which it yields and checks for cancellation [ms]. */
 const YIELD_INTERVAL = 50;
 
-/** Computes how matter moves, and keeps books of its energy. */
+/** Computes how matter moves, and records its conserved quantities. */
 export const simulateNode = defineNode({
   id: 'simulate',
   title: 'node.simulate',
@@ -104,7 +104,7 @@ export const simulateNode = defineNode({
   inputs: { matter: { type: 'matter', many: true } },
   outputs: { geometry: { type: 'geometry' }, books: { type: 'books' } },
   async evaluate({ matter }, params, { node, services, progress, interim, resume, signal }) {
-    // Pages evaluate it in a worker: what computes is loaded there.
+    // The page evaluates this in a worker, which loads the solver on demand.
     const { Simulation } = await import('./simulation.ts');
     const simulation = new Simulation(
       matter,
@@ -127,7 +127,7 @@ export const simulateNode = defineNode({
   },
 });
 
-/** What the parameters say; shared with the command line, which simulates by itself. */
+/** Settings from the parameters; shared with the command line, which runs simulations itself. */
 export function simulationSettings(params: Readonly<Record<string, unknown>>): SimulationSettings {
   const { method, correction, mechanics, onGpu, reach, stiffness, ...rest } = params as unknown as SimulateParams;
   return {

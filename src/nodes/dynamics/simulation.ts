@@ -14,40 +14,40 @@ import type { Matter } from './matter.ts';
 import { MotionRecorder, type RecordedMotion } from './motionRecorder.ts';
 import { type BodyGroup, type SimulatedBody, type SimulationSetup, setUpSimulation } from './setup.ts';
 
-/** How a simulation is to be computed. */
+/** How a simulation is computed. */
 export interface SimulationSettings {
-  /** Id of the method. */
+  /** Id of the integration method. */
   readonly method: string;
   /** [m/s] */
   readonly speedOfLight: number;
-  /** By Newton's mechanics, as if c were infinite. */
+  /** Newtonian mechanics, as if c were infinite. */
   readonly newtonian: boolean;
   /** [s] */
   readonly duration: number;
-  /** Frames that are kept of a second. */
+  /** Recorded frames per second. */
   readonly rate: number;
-  /** The longest step [s]; 0: a tenth of what an explicit method can take. */
+  /** Maximum step [s]; 0: a tenth of the stability limit of an explicit method. */
   readonly step: number;
-  /** What steps may get wrong in each second, which they then follow [m, m/s]; 0: they are all alike. */
+  /** Error tolerance per second, for adaptive steps [m, m/s]; 0: fixed steps. */
   readonly tolerance: number;
-  /** By a GPU, in 32-bit numbers. */
+  /** On a GPU, in 32-bit floats. */
   readonly onGpu: boolean;
   readonly touch: ProximityContact;
 }
 
-/** What the node gives; under `reel` what only itself needs, to go on. */
+/** Outputs of the node; `reel` is for resuming only. */
 export interface SimulationOutputs {
   readonly geometry: LoadedScene;
   readonly books: RunRecord;
   readonly reel?: RecordedMotion;
 }
 
-/** Most vertices times frames that are kept: at 36 bytes each. */
+/** Maximum of vertices × frames, at 36 bytes each. */
 const MAX_SAMPLES = 10_000_000;
 const MAX_FRAMES = 100_000;
 const MAX_STEPS = 100_000_000;
 
-/** A run from frame to frame, of what parts make together. */
+/** A run, frame by frame, of the system that parts make together. */
 export class Simulation {
   readonly runOptions: RunOptions;
   private readonly settings: SimulationSettings;
@@ -55,10 +55,10 @@ export class Simulation {
   private readonly recorder: MotionRecorder;
   private readonly bodyGroups: readonly BodyGroup[];
   private stop: EarlyStop | undefined;
-  /** The GPU is a program on the processor. */
+  /** Whether the GPU is a software implementation. */
   private onSoftware = false;
 
-  /** `before`: goes on from there. Throws a NodeRefusal. */
+  /** `before`: a recording to continue. Throws a NodeRefusal. */
   constructor(matter: readonly Matter[], settings: SimulationSettings, node: string, before?: RecordedMotion) {
     const c = settings.newtonian ? Number.POSITIVE_INFINITY : settings.speedOfLight;
     if (matter.every(({ kind }) => kind === 'field'))
@@ -71,17 +71,20 @@ export class Simulation {
     this.recorder = new MotionRecorder(this.runOptions, stage.bodyGroups, before);
   }
 
-  /** Frames that there will be. */
+  /** Number of frames of the complete run. */
   get frames(): number {
     return Math.round(this.runOptions.duration / this.runOptions.every) + 1;
   }
 
-  /** Frames that there are. */
+  /** Number of frames so far. */
   get recordedFrames(): number {
     return this.recorder.length;
   }
 
-  /** Takes further frames, one each time it is asked; `openGpu`: what takes the steps, where a GPU is to. Throws a NodeRefusal where it cannot. */
+  /**
+   * Computes further frames, one per iteration; `openGpu` opens the device if steps are to run on a GPU. Throws a
+   * NodeRefusal if that fails.
+   */
   async *run(openGpu: Services['openGpu']): AsyncGenerator<SimulationFrame, void> {
     if (this.recordedFrames === this.frames) return;
     let gpu: ComputeGpu | undefined;
@@ -106,7 +109,7 @@ export class Simulation {
     const rest: RunOptions = { ...order, since, duration: left, start: { ...start, t: since.t + known * order.every } };
     const running = device ? runOnGpu(device, rest) : integrate(rest);
     try {
-      // The first frame is the one that it goes on from.
+      // The first frame is the one that it resumes from.
       if (length > 0) await running.next();
       for (;;) {
         const { done, value } = await running.next();
@@ -123,12 +126,12 @@ export class Simulation {
     }
   }
 
-  /** Enters a frame that was computed before. */
+  /** Adds a frame that was computed before. */
   addFrame(state: State, steps: number): void {
     this.recorder.addFrame({ state, steps, quantities: conservedQuantities(this.runOptions.system, state) });
   }
 
-  /** All there is so far. */
+  /** Outputs so far. */
   outputs(): SimulationOutputs {
     const { recorder, settings } = this;
     const books: RunRecord = { ...recorder.record(this.stop), ...(settings.onGpu && { onGpu: true }) };
@@ -169,7 +172,7 @@ export class Simulation {
   }
 }
 
-/** Why a run ended, with the thing that it happened to instead of the number of a point. */
+/** The reason why a run ended, with the affected object's name instead of a point index. */
 function withObjectName(stop: EarlyStop, casts: readonly BodyGroup[]): EarlyStop {
   const { point } = stop;
   if (point === undefined) return stop;
@@ -180,7 +183,7 @@ function withObjectName(stop: EarlyStop, casts: readonly BodyGroup[]): EarlyStop
   return stop;
 }
 
-/** What a point is of an actor; undefined where it is of none of its things. */
+/** Description of a point of a body; undefined if it is not one of its points. */
 function pointNameIn(actor: SimulatedBody, point: number): string | undefined {
   switch (actor.kind) {
     case 'net': {
@@ -196,13 +199,13 @@ function pointNameIn(actor: SimulatedBody, point: number): string | undefined {
   }
 }
 
-/** What a GPU cannot do is refused with the way round it. */
+/** Refuses what a GPU cannot do, with an alternative. */
 const gpuRefusal = (node: string, { message }: SystemError): Error =>
   nodeRefusal('simulate.gpu', `${node}.onGpu`, `${message}; compute it on the processor`, {
     ...{ node, param: 'onGpu', value: false },
   });
 
-/** What cannot be a system is refused at the node. */
+/** Turns a SystemError into a refusal at the node. */
 function withSystemErrors<T>(node: string, make: () => T): T {
   try {
     return make();

@@ -4,14 +4,14 @@ import type { Command } from '../../graph/edits/commands.ts';
 import { Evaluator } from '../../graph/evaluation/evaluator.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import { contentKey, frameGraphStructure } from '../../scene/frameGraph/frameGraph.ts';
-import type { PictureSpec } from '../defineNode.ts';
 import { nodeLibrary } from '../library.ts';
 import { evaluatedPicture, renderSettings } from '../pictures/renderSettings.ts';
 import { type Services, workerServices } from '../services.ts';
+import type { PictureSpec } from '../socketValues.ts';
 
 const loaded = { scene: makeScene({ name: 'a', hints: { speedOfLight: 10 } }) };
 
-/** What a graph behind a camera gives. */
+/** Output of a graph behind a camera. */
 async function evaluated(...commands: readonly Command[]) {
   const document = build(
     add('read', 'read'),

@@ -1,6 +1,4 @@
 import {
-  BUFFER_SETTINGS,
-  type BufferSettings,
   contentKey,
   type FrameGraph,
   type FrameGraphBuffer,
@@ -12,18 +10,20 @@ import {
   MAX_STILL_IMAGES,
 } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
-import type { GBufferSpec, ImageSpec, PictureSpec } from '../defineNode.ts';
+import { BUFFER_SETTINGS, type BufferSettings } from '../../scene/view/bufferSettings.ts';
+import type { GBufferSpec, ImageSpec, PictureSpec } from '../socketValues.ts';
 
-/** A picture that is put together of too much. */
+/** A picture with too many parts. */
 export class FrameGraphError extends Error {}
 
-/** Of two, that of which the picture is first of all: the one that relativity has to do with. */
+/** The primary of two G-buffers: the relativistic one. */
 export const primaryGBuffer = (below: GBufferSpec, above: GBufferSpec): GBufferSpec =>
   below.view === 'galilean' && above.view !== 'galilean' ? above : below;
 
 /**
- * The picture whose last step an image is: with its exposure and tone curve apart, which the metering and the antialiasing work on, and with its G-buffers and
- * steps in a list, each once, however often the graph refers to it. Throws a PlanError where there are too many.
+ * The picture whose final pass makes `image`: exposure and tone curve are split off for metering and antialiasing;
+ * G-buffers and passes are listed once each, however often the graph refers to them. Throws a FrameGraphError if there
+ * are too many.
  */
 export function buildPicture(image: ImageSpec): PictureSpec {
   const { gbuffer } = image;
@@ -49,7 +49,7 @@ export function buildPicture(image: ImageSpec): PictureSpec {
   return { ...how, metering, shadows: true, occlusion: true, frameGraph: plan, scenes };
 }
 
-/** By content: what refers to the same is the same. */
+/** A list without duplicates, compared by content. */
 export class UniqueList<T> {
   readonly items: T[] = [];
   private readonly places = new Map<unknown, number>();
@@ -92,7 +92,7 @@ function buildFrameGraph(
 export const frameGraphBuffer = (settings: BufferSettings, scene: number): FrameGraphBuffer =>
   ({ scene, ...Object.fromEntries(BUFFER_SETTINGS.map((name) => [name, settings[name]])) }) as FrameGraphBuffer;
 
-/** Adds the steps that make an image, as far as they are not there; gives where each of its images is. */
+/** Adds the missing passes of an image; returns where each of its images is. */
 export function addPasses(
   image: ImageSpec,
   steps: UniqueList<FrameGraphPass>,
@@ -106,7 +106,10 @@ export function addPasses(
   return places;
 }
 
-/** All that an image is made of, and it: each once, after all that it is made of. A graph may be deep, and what two inputs share is not to be gone through twice. */
+/**
+ * An image with all that it is made from, inputs first, each once. Iterative, since graphs may be deep and share
+ * inputs.
+ */
 function topologicalOrder(image: ImageSpec): Set<ImageSpec> {
   const done = new Set<ImageSpec>();
   const open = [image];

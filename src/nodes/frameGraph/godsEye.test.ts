@@ -36,7 +36,7 @@ it('the preset shows one instant from above, in which the passing train is as mu
   );
   expect(speeds).toHaveLength(5);
   for (const { v, authoredIn } of speeds) {
-    // Wagons are as they were built, and contract of themselves.
+    // Wagons are authored at rest and contract by their motion.
     expect(authoredIn).toBe('rest');
     expect(spacing('Passing')).toBeCloseTo(spacing('Resting') * Math.sqrt(1 - (v / picture.speedOfLight) ** 2), 9);
   }

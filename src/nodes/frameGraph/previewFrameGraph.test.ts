@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { makeScene } from '../../scene/defaults.ts';
 import { MAX_PASSES } from '../../scene/frameGraph/frameGraph.ts';
 import { DEFAULT_SETTINGS } from '../../scene/view/view.ts';
-import type { GBufferSpec, ImageSpec } from '../defineNode.ts';
+import type { GBufferSpec, ImageSpec } from '../socketValues.ts';
 import { buildPicture } from './buildFrameGraph.ts';
 import { previewFrameGraph } from './previewFrameGraph.ts';
 
@@ -34,7 +34,7 @@ const mixed = (below: ImageSpec, above: ImageSpec): ImageSpec => ({
   gbuffer: below.gbuffer,
 });
 
-/** As the page shows a picture of an image. */
+/** The picture in which the page shows a preview of an image. */
 function besideOf(image: ImageSpec) {
   const { frameGraph, scenes } = buildPicture(image);
   return { settings: { ...DEFAULT_SETTINGS, ...(frameGraph && { frameGraph }) }, scenes };

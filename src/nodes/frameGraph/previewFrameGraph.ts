@@ -1,31 +1,33 @@
 import { EFFECTS, type EffectInfo } from '../../scene/frameGraph/effects.ts';
-import { bufferSettings, type FrameGraph, type FrameGraphPass, MAX_PASSES } from '../../scene/frameGraph/frameGraph.ts';
+import { type FrameGraph, type FrameGraphPass, MAX_PASSES } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
-import type { GBufferSpec, ImageSpec } from '../defineNode.ts';
+import { bufferSettings } from '../../scene/view/view.ts';
+import type { GBufferSpec, ImageSpec } from '../socketValues.ts';
 import { addPasses, FrameGraphError, frameGraphBuffer, UniqueList } from './buildFrameGraph.ts';
 
-/** The picture beside which previews are made. */
+/** The picture that previews are rendered with. */
 export interface PreviewBase {
   readonly settings: RenderSettings;
   readonly scenes: readonly Scene[];
 }
 
-/** Where an image or a G-buffer is in a plan. */
+/** Where an image or a G-buffer is in a frame graph. */
 export type PreviewTarget =
   | {
       readonly kind: 'image';
       readonly step: number;
-      /** It is light that no tone curve was over. */
+      /** Whether it is scene-linear, without a tone curve. */
       readonly light: boolean;
-      /** Of a tone curve's image: the light that it is of. */
+      /** For a tone curve's image: where its input is. */
       readonly metered?: number;
     }
   | { readonly kind: 'gbuffer'; readonly buffer: number };
 
 /**
- * One plan with all the images that nodes made, each step once, over the G-buffers of the picture that is shown. `places`: where what is known by a name is in it;
- * without those that take other G-buffers, or more steps than a plan may have. `scale`: how large it is to be drawn, to the picture: lengths in pixels shrink along.
+ * One frame graph with all the images of nodes, each pass once, over the G-buffers of the displayed picture. `places`:
+ * where each named image is in it; images of other G-buffers, and those beyond the pass limit, are left out. `scale`:
+ * preview size relative to the picture; lengths in pixels are scaled along.
  */
 export function previewFrameGraph(
   made: ReadonlyMap<string, ImageSpec | GBufferSpec>,
@@ -61,7 +63,7 @@ export function previewFrameGraph(
   }
 }
 
-/** Whether an image goes on beyond 1: no tone curve was over it. */
+/** Whether an image is scene-linear: no tone curve was applied. */
 function isSceneLinear({ step }: ImageSpec): boolean {
   switch (step.kind) {
     case 'tone':
@@ -77,7 +79,7 @@ function isSceneLinear({ step }: ImageSpec): boolean {
   }
 }
 
-/** Lengths in pixels are of a smaller picture; what a written effect makes of its numbers nobody knows. */
+/** Scales arguments that are lengths in pixels; those of custom effects have no known meaning. */
 function scaleArguments(step: FrameGraphPass, scale: number): FrameGraphPass {
   if (step.kind !== 'effect' || typeof step.effect !== 'string') return step;
   const known: EffectInfo['args'] = EFFECTS[step.effect].args;

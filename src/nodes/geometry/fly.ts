@@ -4,10 +4,11 @@ import { fastestVertex } from '../../scene/motion/fastestVertex.ts';
 import { fly, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
 import type { Scene } from '../../scene/types.ts';
 import { timeParam } from '../common/params.ts';
-import { defineNode, type RelativisticScene } from '../defineNode.ts';
+import { defineNode } from '../defineNode.ts';
 import type { FastestScenePoint } from '../services.ts';
+import type { RelativisticScene } from '../socketValues.ts';
 
-/** Makes a thing fly along a straight line, whatever moved it before. */
+/** Makes an object fly along a straight line, replacing its motion. */
 export const flyNode = defineNode({
   id: 'fly',
   title: 'node.fly',
@@ -82,7 +83,10 @@ function assertCanFly(scene: Scene, path: string, direction: readonly [number, n
   }
 }
 
-/** The fastest of what flies and of the rest; of the rest it is known, unless it was one of those that fly now. */
+/**
+ * The faster of the flying objects and the rest; the fastest point of the rest is known unless it was one of those that
+ * now fly.
+ */
 function fastestAfter({ fastest: before, scene, speedOfLight: c }: RelativisticScene, flown: Scene, path: string) {
   const known = before && !isAtOrBelow(before.path, path) ? before : undefined;
   const changed = new Set(scene.objects);

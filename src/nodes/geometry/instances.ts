@@ -8,7 +8,7 @@ import { countParam, lengthParam } from './primitives/definePrimitive.ts';
 const BLOCK = { param: 'arrangement', is: 'block' } as const;
 const RING = { param: 'arrangement', is: 'ring' } as const;
 
-/** Copies that share their meshes, in rows or round a circle. */
+/** Copies that share their meshes, in rows or around a circle. */
 export const instancesNode = defineNode({
   id: 'instances',
   title: 'node.instances',

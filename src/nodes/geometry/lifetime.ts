@@ -2,7 +2,7 @@ import { withLifetime } from '../../scene/compose/assignMaterial.ts';
 import { assertPathExists, nodeRefusal, timeParam, whichParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** From when to when things are there. */
+/** Time range in which objects exist. */
 export const lifetimeNode = defineNode({
   id: 'lifetime',
   title: 'node.lifetime',

@@ -13,7 +13,7 @@ const fractionParam = (title: string, value: number) =>
   ({ kind: 'number', title, default: value, min: 0, max: 1, step: 0.01 }) as const;
 const CUSTOM_PRESET = { param: 'preset', is: 'own' } as const;
 
-/** What a surface is of. */
+/** A surface material. */
 export const materialNode = defineNode({
   id: 'material',
   title: 'node.material',

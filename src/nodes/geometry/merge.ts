@@ -2,7 +2,7 @@ import { mergeScenes } from '../../scene/compose/mergeScenes.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** Several things together; the first has the say where there can be only one. */
+/** Merges geometry; for what can occur only once the first input wins. */
 export const mergeNode = defineNode({
   id: 'merge',
   title: 'node.merge',

@@ -5,7 +5,7 @@ import { toLoadedScene } from '../common/loadedScene.ts';
 import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** Things at rest moved, all as one body. */
+/** Moves objects at rest, all as one body. */
 export const moveNode = defineNode({
   id: 'move',
   title: 'node.move',
@@ -39,7 +39,7 @@ export const moveNode = defineNode({
   },
 });
 
-/** The range of time holds what is sampled. */
+/** Extends the time range to include a sampled motion. */
 function timeRangeIncluding({ startTime, endTime }: { startTime: number; endTime: number }, motion: RigidMotion) {
   if (motion.kind !== 'sampled') return { startTime, endTime };
   const [first, last] = [motion.times[0]!, motion.times[motion.times.length - 1]!];

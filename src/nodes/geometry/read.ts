@@ -3,7 +3,7 @@ import { InputError } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** Reads a scene file of any kind that `formats/` knows. */
+/** Reads a scene file of any supported format. */
 export const readNode = defineNode({
   id: 'read',
   title: 'node.read',
@@ -45,6 +45,6 @@ export const readNode = defineNode({
   },
 });
 
-/** Options by the sets that they are of; what is no choice is left out. */
+/** Options by variant set; invalid entries are skipped. */
 export const parseVariants = (variants: readonly string[]): ReadonlyMap<string, string> =>
   new Map(variants.flatMap((text) => [parseVariantChoice(text)].filter((choice) => choice !== undefined)));

@@ -4,7 +4,7 @@ import { timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import type { LoadedScene } from '../services.ts';
 
-/** When and how fast a scene's animation runs. */
+/** Time offset and speed of a scene's animation. */
 export const retimeNode = defineNode({
   id: 'retime',
   title: 'node.retime',
@@ -34,7 +34,10 @@ export const retimeNode = defineNode({
   },
 });
 
-/** The fastest point goes by as much faster, at its new time; of hyperbolic motion, which nears c, it is looked for again. */
+/**
+ * The fastest point scales with the speed, at its new time; for hyperbolic motion, which approaches c, it is
+ * recomputed.
+ */
 function retimedFastest(scene: LoadedScene['scene'], before: LoadedScene, speed: number): Pick<LoadedScene, 'fastest'> {
   const point = before.fastest;
   const object = point && scene.objects.find(({ path }) => path === point.path);

@@ -5,7 +5,7 @@ import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { countParam } from './primitives/definePrimitive.ts';
 
-/** Cuts triangles in four, or makes a smooth surface of them. */
+/** Subdivides triangles into four, optionally smoothing the surface. */
 export const subdivideNode = defineNode({
   id: 'subdivide',
   title: 'node.subdivide',
@@ -29,7 +29,7 @@ export const subdivideNode = defineNode({
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
   async evaluate({ geometry: { scene } }, { which, levels, surface }, { node }) {
-    // Pages evaluate it in a worker: what it needs is loaded there.
+    // The page evaluates this in a worker, which loads the code on demand.
     const { canSubdivide, MAX_TRIANGLES, loopSubdivide, midpointSubdivide, trianglesAfter } = await import(
       '../../scene/compose/subdivideObject.ts'
     );

@@ -3,7 +3,7 @@ import { toLoadedScene } from '../common/loadedScene.ts';
 import { rotationXYZ, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** Turns, enlarges and carries everything that comes in, with its motions, lamps and cameras. */
+/** Rotates, scales and translates everything in its input, with motions, lights and cameras. */
 export const transformNode = defineNode({
   id: 'transform',
   title: 'node.transform',

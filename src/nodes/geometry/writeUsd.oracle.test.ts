@@ -15,7 +15,7 @@ import { type LoadedScene, workerServices } from '../services.ts';
 const folder = mkdtempSync(join(tmpdir(), 'slowlight-nodes-'));
 afterAll(() => rmSync(folder, { recursive: true }));
 
-/** World points of a mesh at times, as usd-core has them. */
+/** World points of a mesh at time codes, read by usd-core. */
 const pointsAt = (file: string, path: string, codes: readonly number[]): number[][] =>
   JSON.parse(
     python(
@@ -32,7 +32,7 @@ print(json.dumps([points(code) for code in ${JSON.stringify(codes)}]))`,
     ),
   );
 
-/** A letter that is moved at 0.6 c, its shape given at rest, between t = 1 s and t = 3 s. */
+/** A letter moving at 0.6 c, its shape given at rest, between t = 1 s and t = 3 s. */
 const flying = build(
   ...[add('word', 'solid-text'), add('fly', 'motion-uniform'), add('go', 'move'), add('time', 'time')],
   ...[add('usd', 'write-usd'), set('word', 'text', 'B'), set('go', 'authoredIn', 'rest'), set('fly', 'at', 2)],

@@ -4,7 +4,7 @@ import { checkedFileName } from '../project/outputFiles.ts';
 /** [m/s] */
 const SPEED_OF_LIGHT = 299_792_458;
 
-/** Asks for geometry to be written as USD, and passes it on. */
+/** Requests that geometry is written as USD; passes it through. */
 export const writeUsdNode = defineNode({
   id: 'write-usd',
   title: 'node.writeUsd',

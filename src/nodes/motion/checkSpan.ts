@@ -7,7 +7,7 @@ export function assertTimeSpan({ from, to }: TimeSpan, node: string): void {
   throw nodeRefusal('motion.span', `${node}.to`, `it ends at ${to} s, before it begins at ${from} s`, remedy);
 }
 
-/** Most turns of a motion: each takes some hundred samples. */
+/** Maximum number of turns; each takes some hundred samples. */
 const MAX_TURNS = 1000;
 
 export function assertTurns(rate: number, { from, to }: TimeSpan, node: string): void {

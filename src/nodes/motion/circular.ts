@@ -4,7 +4,7 @@ import { defineNode } from '../defineNode.ts';
 import { lengthParam } from '../geometry/primitives/definePrimitive.ts';
 import { assertTimeSpan, assertTurns } from './checkSpan.ts';
 
-/** Round a circle at one speed. */
+/** Around a circle at constant speed. */
 export const circularNode = defineNode({
   id: 'motion-circular',
   title: 'node.circular',

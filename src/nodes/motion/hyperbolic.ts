@@ -2,7 +2,7 @@ import { IDENTITY_POSE } from '../../scene/defaults.ts';
 import { timeParam, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** With a constant proper acceleration, at rest for a moment. */
+/** Constant proper acceleration, momentarily at rest once. */
 export const hyperbolicNode = defineNode({
   id: 'motion-hyperbolic',
   title: 'node.hyperbolic',

@@ -5,10 +5,10 @@ import { nodeRefusal, rotationXYZ } from '../common/params.ts';
 
 type Numbers = [number, number, number, number, ...([] | [number, number, number])];
 
-/** Most places of a path. */
+/** Maximum number of keys. */
 const MAX_KEYS = 10_000;
 
-/** `x y z` in each text [m]; at least two, no two neighbours the same. */
+/** `x y z` per text [m]; at least two, neighbours distinct. */
 export function parsePathPoints(texts: readonly string[], node: string): Vec3[] {
   const places = texts.map((text, i) => parseNumbers(text, [3], `${node}.places ${i + 1}`) as unknown as Vec3);
   checkCount(places, `${node}.places`);
@@ -23,7 +23,7 @@ export function parsePathPoints(texts: readonly string[], node: string): Vec3[] 
   return places;
 }
 
-/** `t x y z` or `t x y z rx ry rz` in each text [s, m, °]; times rise. */
+/** `t x y z` or `t x y z rx ry rz` per text [s, m, °]; times increase. */
 export function parsePoseKeys(texts: readonly string[], node: string): PoseKey[] {
   const keys = texts.map((text, i): PoseKey => {
     const [time, x, y, z, ...angles] = parseNumbers(text, [4, 7], `${node}.keys ${i + 1}`) as Numbers;

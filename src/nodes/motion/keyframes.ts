@@ -2,7 +2,7 @@ import { keyframedMotion } from '../../scene/compose/motionPaths.ts';
 import { defineNode } from '../defineNode.ts';
 import { parsePoseKeys } from './keyTable.ts';
 
-/** From place to place at given times, straight, turning evenly. */
+/** Through positions at given times, with linear interpolation of position and rotation. */
 export const keyframesNode = defineNode({
   id: 'motion-keyframes',
   title: 'node.keyframes',

@@ -3,7 +3,7 @@ import { defineNode } from '../defineNode.ts';
 import { assertTimeSpan } from './checkSpan.ts';
 import { parsePathPoints } from './keyTable.ts';
 
-/** Along a smooth curve through places, at one speed. */
+/** Along a smooth curve through points, at constant speed. */
 export const pathNode = defineNode({
   id: 'motion-path',
   title: 'node.path',

@@ -3,7 +3,7 @@ import { timeParam, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { assertTimeSpan, assertTurns } from './checkSpan.ts';
 
-/** Turning in its place. */
+/** Rotation in place. */
 export const spinNode = defineNode({
   id: 'motion-spin',
   title: 'node.spin',

@@ -3,7 +3,7 @@ import { scale, type Vec3 } from '../../math/vec3.ts';
 import { timeParam, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** At one velocity, along a straight line, for ever. */
+/** Constant velocity along a straight line, for all time. */
 export const uniformNode = defineNode({
   id: 'motion-uniform',
   title: 'node.uniform',

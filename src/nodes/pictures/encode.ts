@@ -6,10 +6,10 @@ import type { Scene } from '../../scene/types.ts';
 import { observerMetadata, pictureMetadata } from '../../scene/view/pictureMetadata.ts';
 import { AOVS, type AovName, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
 
-/** What a picture is of. */
+/** Metadata of a picture. */
 export interface PictureInfo {
   readonly view: ViewPoint;
-  /** With the exposure and the false colours that it was shown with. */
+  /** With the exposure and false colours of the picture. */
   readonly settings: RenderSettings;
 }
 
@@ -17,14 +17,14 @@ export interface PictureInfo {
 export const frameName = (pattern: string, frame: number): string =>
   pattern.replace(/#+/, (run) => (frame < 0 ? '-' : '') + String(Math.abs(frame)).padStart(run.length, '0'));
 
-/** A picture for a screen, which also tells what it is of. */
+/** Encodes a display picture with its metadata. */
 export const encodePngPicture = (
   size: PictureSize,
   { pixels }: RenderedPicture,
   { view, settings }: PictureInfo,
 ): Uint8Array<ArrayBuffer> => withPngText(encodePng(size.width, size.height, pixels), pictureMetadata(view, settings));
 
-/** Data channels, and what they are of. */
+/** Encodes AOVs with their metadata. */
 export const encodeExrPicture = (
   size: PictureSize,
   { aovs }: RenderedPicture,
@@ -32,7 +32,7 @@ export const encodeExrPicture = (
   scene: Scene,
 ): Uint8Array => encodeExr(size, aovs, scene, { scene: scene.name, ...observerMetadata(view, settings.speedOfLight) });
 
-/** The header names each object, so that the numbers of the `object` channel mean something elsewhere. */
+/** The header names each object, so that the `object` channel can be interpreted elsewhere. */
 function encodeExr(
   size: PictureSize,
   aovs: AovValues,

@@ -2,7 +2,7 @@ import type { PictureRequest, PictureSize } from '../../pipelines/pictureRendere
 import { adaptExposure, exposureForMetering, type MeteringMode } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
 
-/** Sets the exposure of one picture after another, as an eye would that follows them: each by its own light, eased over the scene's time. */
+/** Sets the exposure of consecutive pictures like an adapting eye: metered per picture, eased over scene time. */
 export class ExposureMeter {
   private readonly gauges: PictureMeter;
   private readonly metering: MeteringMode;
@@ -15,7 +15,7 @@ export class ExposureMeter {
     this.size = size;
   }
 
-  /** The exposure that the metering sets for a picture [EV]. */
+  /** Metered exposure of a picture [EV]. */
   async read({ view, settings }: PictureRequest): Promise<number> {
     const { metering, size, last } = this;
     if (metering === 'manual') return 0;

@@ -5,20 +5,20 @@ import type { FalseColorQuantity, FalseColorScale, ValueRange } from '../../spec
 import { measuredFalseColorScale } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
 
-/** Pictures whose colours are to stand for numbers. */
+/** Options of false-colour pictures. */
 export interface FalseColorOptions {
   readonly size: PictureSize;
   readonly falseColour?: FalseColorQuantity;
-  /** The values at both ends of the colours; without it, round numbers that hold what the first picture has. */
+  /** Values at the ends of the colour scale; otherwise round numbers that enclose the first picture's values. */
   readonly falseRange?: ValueRange;
   readonly legend?: boolean;
 }
 
-/** Of the files that are written, with the legend where there is one. */
+/** Size of written files, with the legend if there is one. */
 export const outputSize = ({ size, falseColour, legend }: FalseColorOptions): PictureSize =>
   falseColour && legend ? { ...size, height: size.height + falseColorLegendHeight(size.width, falseColour) } : size;
 
-/** Makes pictures whose colours stand for numbers, where a painter does not from its data. All of a film have the scale of its first. */
+/** Maps data to false colours for renderers that do not. All frames of a film share the scale of the first. */
 export class FalseColorRenderer {
   private readonly painter: PictureRenderer;
   private readonly gauges: PictureMeter;
@@ -34,7 +34,7 @@ export class FalseColorRenderer {
     this.scale = wanted.falseRange;
   }
 
-  /** What the colours of the pictures mean; undefined before the first. */
+  /** Colour scale of the pictures; undefined before the first. */
   get colors(): FalseColorScale | undefined {
     return this.scale && { kind: this.kind, ...this.scale };
   }

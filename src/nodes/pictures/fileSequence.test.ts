@@ -19,7 +19,7 @@ async function sequence(node: string, ...commands: readonly Command[]): Promise<
   return pictureSequence(file);
 }
 
-/** The observer goes at 0.6 c = 6 m/s along −z. */
+/** The observer moves at 0.6 c = 6 m/s along −z. */
 const fast: readonly Command[] = [
   add('start', 'observer'),
   { kind: 'set-param', node: 'start', param: 'beta', value: [0, 0, -0.6] },

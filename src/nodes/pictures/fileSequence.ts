@@ -4,7 +4,7 @@ import { frameTimes, type ImageOutput, type VideoOutput } from '../project/outpu
 import { initialBeta, pictureCamera, renderSettings } from './renderSettings.ts';
 import type { PictureSequence } from './sequence.ts';
 
-/** What is to be drawn for a file, seen by the observer that its project describes. */
+/** The pictures to render for a file, with the observer that its project describes. */
 export function pictureSequence(file: ImageOutput | VideoOutput): PictureSequence {
   const { name, picture, width, height, samples } = file;
   const { fovY, falseColor, metering, speedOfLight } = picture;

@@ -6,7 +6,7 @@ import { measuredFalseColorScale } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
 import { exposedFrameGraph } from './renderSettings.ts';
 
-/** Gives a plan its exposures, and the scales of its false colours: all pictures of a film have those of its first. */
+/** Sets exposures and false-colour scales of a frame graph; all frames of a film share the scales of the first. */
 export class FrameGraphSettings {
   private readonly gauges: PictureMeter;
   private readonly plan: FrameGraph;
@@ -17,7 +17,7 @@ export class FrameGraphSettings {
     this.plan = plan;
   }
 
-  /** `metered`: the exposure that the metering sets [EV]. */
+  /** `metered`: metered exposure [EV]. */
   async read(request: PictureRequest, metered: number): Promise<RenderSettings> {
     this.scales ??= await this.measured(request);
     const plan = exposedFrameGraph(this.plan, metered, (kind) => this.scales?.get(kind));

@@ -6,25 +6,29 @@ import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/f
 import { fitScale } from '../../spectrum/falseColor/falseColorScale.ts';
 
 /**
- * What sets the exposure. `automatic`: the picture's own light. `resting-eye`: the same light without what the observer's velocity does to
- * its brightness, so that this is seen as it is. `manual`: the person alone.
+ * What sets the exposure. `automatic`: the picture's own luminance. `resting-eye`: the luminance without the effect of
+ * the observer's velocity, so that this effect is visible. `manual`: the user alone.
  */
 export type MeteringMode = 'automatic' | 'resting-eye' | 'manual';
 export const METERING_MODES: readonly MeteringMode[] = ['automatic', 'resting-eye', 'manual'];
 
-/** Shares of what is lit at all, from the darkest on: its middle, without shadows and reflections, and its highlights, without the sun's glints. */
+/**
+ * Percentile ranges of the lit pixels: midtones, without shadows and reflections; and highlights, without glints of the
+ * sun.
+ */
 const MIDTONE_RANGE = [0.1, 0.95] as const;
 const HIGHLIGHT_RANGE = [0.98, 0.995] as const;
-/** Luminance that the middle is brought to: what the example scenes have at rest, as their authors lit them. */
+/** Target luminance of the midtones: that of the example scenes at rest, as lit by their authors. */
 const MIDTONE_LUMINANCE = 0.4;
-/** Luminance that the highlights are not brought above: a small bright thing before black space is what the picture is of. */
+/** Upper limit for the highlights, so that a small bright object before black space is exposed for. */
 const HIGHLIGHT_LUMINANCE = 1.25;
-/** In so long an eye makes all but 1/e of its way to another brightness [s]. */
+/** Time constant of adaptation: the difference falls to 1/e [s]. */
 const ADAPTATION_TIME = 0.3;
 
 /**
- * The exposure at which a picture of this light has a middle brightness, or less where its highlights ask for it [EV]: by means over parts of
- * the distribution of log₂ of luminance. It follows the light without steps, and a lamp or a glint does not move it; 0 where nothing is lit.
+ * Exposure that brings the midtones to their target, or less if the highlights require it [EV]; from means over
+ * percentile ranges of log₂ luminance. It varies continuously with the light and is insensitive to lamps and glints; 0
+ * if nothing is lit.
  */
 export function meteredExposure(luminance: ArrayLike<number>): number {
   const stops = Float64Array.from(luminance, Math.log2).filter(Number.isFinite).sort();
@@ -42,8 +46,8 @@ function trimmedMean(sorted: Float64Array, [from, to]: readonly [number, number]
 }
 
 /**
- * The exposure that the metering sets [EV], to which the person's own is added. The gauge's light may be that of another exposure and another
- * tone curve, for it is before both. `aspect`: width over height.
+ * Metered exposure [EV], to which the user's compensation is added. The readings precede exposure and tone curve, so
+ * they are valid for any of these. `aspect`: width over height.
  */
 export function exposureForMetering(
   metering: MeteringMode,
@@ -57,8 +61,9 @@ export function exposureForMetering(
 }
 
 /**
- * Each light divided by what the observer's own velocity makes of white daylight from there: D⁴, and its shift out of the visible. So is the
- * light that somebody at rest receives at the same place and time from the same things.
+ * Luminance divided by the factor that the observer's velocity applies to white daylight from that direction: D⁴, and
+ * its shift out of the visible range. This is what an observer at rest receives at the same event from the same
+ * objects.
  */
 function restFrameLuminance(
   luminance: Float32Array,
@@ -75,11 +80,11 @@ function restFrameLuminance(
   });
 }
 
-/** An eye's way from one exposure to another in dt [s]; both in EV. */
+/** Exposure after dt [s] of adaptation; both in EV. */
 export const adaptExposure = (from: number, to: number, dt: number): number =>
   to + (from - to) * Math.exp(-Math.max(dt, 0) / ADAPTATION_TIME);
 
-/** Which of what is measured false colours stand for. */
+/** The meter reading that each false colour displays. */
 const MEASURED_BY: Readonly<Record<FalseColorQuantity, keyof LightMeterReadings>> = {
   doppler: 'doppler',
   'emission-time': 'time',
@@ -87,6 +92,6 @@ const MEASURED_BY: Readonly<Record<FalseColorQuantity, keyof LightMeterReadings>
   band: 'doppler',
 };
 
-/** The scale of false colours that holds what was measured. */
+/** The false-colour scale that encloses the readings. */
 export const measuredFalseColorScale = (kind: FalseColorQuantity, gauge: LightMeterReadings | undefined): ValueRange =>
   fitScale(kind, gauge ? gauge[MEASURED_BY[kind]] : []);

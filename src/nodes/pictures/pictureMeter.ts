@@ -5,7 +5,7 @@ import { type LightMeterReadings, METER_CELLS, meterPixel } from '../../scene/vi
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorQuantity } from '../../spectrum/falseColor/falseColor.ts';
 
-/** Measures pictures where the page measures them, so that exposures and scales are the same. */
+/** Measures pictures at the same sample positions as the page, so that exposures and scales agree. */
 export class PictureMeter {
   private readonly painter: PictureRenderer;
   private readonly size: PictureSize;
@@ -15,7 +15,7 @@ export class PictureMeter {
     this.size = size;
   }
 
-  /** What false colours of a kind stand for; `radiance`: the light that the metering works on. */
+  /** Values of a false-colour quantity; `radiance`: the luminance that metering uses. */
   async read(view: ViewPoint, settings: RenderSettings, kind: FalseColorQuantity): Promise<LightMeterReadings> {
     const { painter, size } = this;
     if (painter.measureLight) return painter.measureLight(view, settings);
@@ -31,7 +31,7 @@ export class PictureMeter {
   }
 }
 
-/** Of values of all pixels. */
+/** Selects the meter's cells from all pixels. */
 const sampleMeterCells = (values: Float32Array, { width, height }: PictureSize): Float32Array =>
   Float32Array.from(
     { length: METER_CELLS * METER_CELLS },

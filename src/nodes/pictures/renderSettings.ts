@@ -4,27 +4,27 @@ import { type FrameGraph, includesToneMapping } from '../../scene/frameGraph/fra
 import type { SceneCamera } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
-import type { PictureSpec } from '../defineNode.ts';
+import type { PictureSpec } from '../socketValues.ts';
 
-/** The picture that an evaluation of the output node gave; undefined where it failed. */
+/** The picture of an evaluated output node; undefined if it failed. */
 export const evaluatedPicture = ({ target }: Evaluation): PictureSpec | undefined =>
   target.status === 'done' ? (target.outputs.picture as PictureSpec) : undefined;
 
-/** The camera that a picture is taken with; the Scene node sees to it that there is one. */
+/** Camera of a picture; the Scene node ensures that there is one. */
 export const pictureCamera = ({ scene, camera }: PictureSpec): SceneCamera =>
   scene.cameras.find(({ path }) => path === camera) ?? scene.cameras[0]!;
 
 /**
- * The observer's velocity at the start [c], where the camera does not bring it along: as in the page, one who does not ride the camera begins at rest
- * in it; in a film he goes with it.
+ * The observer's initial velocity [c] where the camera does not determine it: as in the page, an observer who does not
+ * ride on the camera starts at rest in it; in a film he moves with it.
  */
 export const initialBeta = ({ scene, ride }: PictureSpec, film: boolean): Vec3 | undefined =>
   scene.hints.beta ?? (ride || film ? undefined : ZERO);
 
-/** The scale that false colours are to have; undefined: none is known yet. */
+/** Scale of a false colour; undefined if not known yet. */
 export type FalseColorScales = (kind: FalseColorQuantity) => ValueRange | undefined;
 
-/** What the renderer needs of a picture; `metered`: the exposure that its metering sets [EV]. */
+/** Renderer settings of a picture; `metered`: metered exposure [EV]. */
 export function renderSettings(
   picture: PictureSpec,
   metered: number,
@@ -53,7 +53,7 @@ export function renderSettings(
   };
 }
 
-/** A plan with the exposures and scales that were measured. */
+/** A frame graph with the measured exposures and scales. */
 export function exposedFrameGraph(plan: FrameGraph, metered: number, scaleOf: FalseColorScales): FrameGraph {
   const steps = plan.passes.map((step) => {
     if (step.kind === 'tone' && step.metering !== 'manual') return { ...step, exposure: step.exposure + metered };

@@ -9,30 +9,31 @@ import { FrameGraphSettings } from './frameGraphSettings.ts';
 import type { MeteringMode } from './metering.ts';
 import { PictureMeter } from './pictureMeter.ts';
 
-/** Pictures of one scene, one after another. */
+/** Consecutive pictures of one scene. */
 export interface PictureSequence extends FalseColorOptions {
   /** Before metering. */
   readonly settings: RenderSettings;
   readonly metering: MeteringMode;
   /** n × n samples per pixel. */
   readonly samples: number;
-  /** Data channels in place of the picture for a screen; none: that. */
+  /** AOVs to write instead of the display picture; empty: the display picture. */
   readonly aovs: readonly AovName[];
   readonly observer: ObserverPath;
   readonly frames: readonly FrameTime[];
 }
 
-/** One of them. */
+/** A picture of the sequence. */
 export interface PictureFrame extends PictureInfo {
   readonly number?: number;
   readonly rendered: RenderedPicture;
-  /** With what the metering set [EV]. */
+  /** Including the metered exposure [EV]. */
   readonly exposure: number;
 }
 
 /**
- * Draws a sequence frame by frame: each is exposed by its own light, eased from that of the one before; scales of false colours are those of the first.
- * `onPart` hears how many frames are done, parts of a frame too. Who stops asking for frames ends the work.
+ * Renders a sequence frame by frame: each frame is metered, and its exposure eased from the previous one's;
+ * false-colour scales are those of the first frame. `onPart` gets the number of finished frames, with fractions. Ending
+ * the iteration ends the work.
  */
 export async function* renderPictureSequence(
   painter: PictureRenderer,
@@ -48,7 +49,7 @@ export async function* renderPictureSequence(
     onPart(i);
     const view = observer(t);
     const request: PictureRequest = { view, settings: plain, samples, pixels: aovs.length === 0, aovs };
-    // Data and light itself have no exposure.
+    // AOVs are not exposed.
     const metered = request.pixels && showsLight(sequence) ? await meter.read(request) : 0;
     const exposure = plain.exposure + metered;
     const settings = composer ? await composer.read(request, metered) : { ...plain, exposure };
@@ -58,5 +59,5 @@ export async function* renderPictureSequence(
   }
 }
 
-/** The others show numbers, whatever their light. */
+/** All others show numbers, which do not depend on exposure. */
 const showsLight = ({ falseColour }: FalseColorOptions): boolean => falseColour === undefined || falseColour === 'band';

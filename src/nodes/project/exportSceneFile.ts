@@ -3,7 +3,7 @@ import { saveScene } from '../../formats/save.ts';
 import { type ExportedScene, exportSampledScene } from '../../formats/write/exportMotion.ts';
 import type { SceneOutput } from './outputFiles.ts';
 
-/** The files of a scene that is to be written as `name`, the one that is named first, and what they cannot hold. */
+/** The files of a scene exported as `name`, with the main file first, and what they cannot hold. */
 export async function exportSceneFile({ scene, sampled }: SceneOutput, name: string): Promise<ExportedScene> {
   const notes = new DiagnosticLog(name);
   const written = await saveScene(sampled ? exportSampledScene(scene, notes) : scene, name);

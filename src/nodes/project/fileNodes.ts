@@ -4,20 +4,23 @@ import type { Evaluation } from '../../graph/evaluation/evaluator.ts';
 import { nodeLibrary } from '../library.ts';
 import type { RequestedFile } from './outputFiles.ts';
 
-/** The output of a node of that type that asks for a file. */
+/** The output of a node type that requests a file. */
 const fileOutputOf = (type: string): string | undefined =>
   Object.entries(own(nodeLibrary, type)?.outputs ?? {}).find(([, socket]) => socket.type === 'file')?.[0];
 
-/** Whether nodes of that type ask for files. */
+/** Whether a node type requests files. */
 export const isFileNode = (type: string): boolean => fileOutputOf(type) !== undefined;
 
-/** The nodes of a project that ask for files, by their types: groups opened out, muted ones left out. Throws a DocumentError. */
+/**
+ * The nodes of a project that request files, with their types: groups expanded, muted nodes skipped. Throws a
+ * DocumentError.
+ */
 export function fileNodesIn(document: GraphDocument): ReadonlyMap<string, string> {
   const flat = [...flatten(document, nodeLibrary).nodes.values()];
   return new Map(flat.filter(({ type }) => fileOutputOf(type)).map(({ id, type }) => [id, type]));
 }
 
-/** What the writers ask for, of those that an evaluation got to. */
+/** Requested files of an evaluation's results. */
 export function requestedFiles(
   { results }: Evaluation,
   writers: ReadonlyMap<string, string>,

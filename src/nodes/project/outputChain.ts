@@ -2,7 +2,7 @@ import { type FlatAlias, type FlatGraph, type FlatNode, flatten } from '../../gr
 import { DocumentError, type GraphDocument, type ParamValue } from '../../graph/document/document.ts';
 import { nodeLibrary } from '../library.ts';
 
-/** The node whose image is the project's: its first output. */
+/** The node whose image is the project's: the first output node. */
 export const outputNodeId = ({ nodes }: GraphDocument): string | undefined =>
   Object.entries(nodes).find(([, { type }]) => type === 'output')?.[0];
 
@@ -23,20 +23,20 @@ function analyzedDocument(document: GraphDocument): OutputChain {
 }
 
 /**
- * The nodes that feed a project's output, with it, the nearest first: groups opened out, muted nodes left out, ids as an evaluation has
- * them. Empty where there is no output.
+ * The nodes that feed a project's output, including it, nearest first: groups expanded, muted nodes skipped, ids as in
+ * evaluations. Empty if there is no output.
  */
 export const nodesFeedingOutput = (document: GraphDocument): readonly FlatNode[] => analyzedDocument(document).chain;
 
-/** What the first output of a group is, or of another node that computes nothing, by its id as an evaluation has it. */
+/** What the first output of a group, or of another structural node, stands for, by its evaluation id. */
 export const firstOutputOf = (document: GraphDocument, id: string): FlatAlias | undefined =>
   analyzedDocument(document).flat?.aliases.get(id);
 
-/** Of a type, the node that is nearest to the output. */
+/** The node of a type that is nearest to the output. */
 export const nearestToOutput = (document: GraphDocument, type: string): FlatNode | undefined =>
   nodesFeedingOutput(document).find((node) => node.type === type);
 
-/** The nodes that read files, by id, with how they do. */
+/** The parameters of all read nodes, by id. */
 export const readNodeParams = (document: GraphDocument): Readonly<Record<string, FlatNode['params']>> =>
   Object.fromEntries(
     nodesFeedingOutput(document).flatMap(({ id, type, params }) => (type === 'read' ? [[id, params]] : [])),
@@ -48,7 +48,7 @@ export const readSource = (params: Readonly<Record<string, ParamValue>> | undefi
 function upstreamNodes(flat: FlatGraph | undefined, output: string | undefined): FlatNode[] {
   const first = output === undefined ? undefined : flat?.nodes.get(output);
   const chain = new Set(first ? [first] : []);
-  // What a set is given while it is gone through comes too.
+  // A Set's iteration includes elements added during it.
   for (const { inputs } of chain) {
     for (const source of [...inputs.values()].flat()) {
       const node = source.kind === 'output' ? flat?.nodes.get(source.node) : undefined;
@@ -58,7 +58,7 @@ function upstreamNodes(flat: FlatGraph | undefined, output: string | undefined):
   return [...chain];
 }
 
-/** Groups that open out to too much feed nothing; the evaluation says so. */
+/** Documents whose groups expand beyond the limit feed nothing; the evaluation reports the error. */
 function tryFlatten(document: GraphDocument): FlatGraph | undefined {
   try {
     return flatten(document, nodeLibrary);

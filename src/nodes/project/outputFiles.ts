@@ -1,29 +1,29 @@
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import type { Scene } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
-import type { PictureSpec } from '../defineNode.ts';
+import type { PictureSpec } from '../socketValues.ts';
 
-/** A file that a project asks for: a description. Who evaluates the project writes it, or offers it. */
+/** Description of a file that a project requests. Whoever evaluates the project writes or downloads it. */
 export type RequestedFile = SceneOutput | ImageOutput | VideoOutput;
 
 export interface SceneOutput {
   readonly kind: 'scene';
-  /** Without folders; its extension tells what it is. */
+  /** Without folders; the extension determines the format. */
   readonly name: string;
   readonly scene: Scene;
-  /** Motions that only this program knows are sampled over the scene’s time, for others to see. */
+  /** Whether motions that USD cannot express are sampled over the scene’s time. */
   readonly sampled: boolean;
 }
 
-/** Pictures that are to be drawn, seen by the observer that the project describes. */
+/** Pictures to render, with the observer that the project describes. */
 interface PictureOutput {
-  /** Without folders; its extension tells what it is. */
+  /** Without folders; the extension determines the format. */
   readonly name: string;
   readonly picture: PictureSpec;
   /** [px] */
   readonly width: number;
   readonly height: number;
-  /** n × n samples per pixel, where the picture is antialiased. */
+  /** n × n samples per pixel, if the picture is antialiased. */
   readonly samples: number;
 }
 
@@ -33,29 +33,29 @@ export interface ImageOutput extends PictureOutput {
   readonly time: number;
 }
 
-/** A film, or a file for each of its frames where `####` in the name takes their numbers. */
+/** A film, or one file per frame if the name contains `####` for the frame number. */
 export interface VideoOutput extends PictureOutput {
   readonly kind: 'video';
-  /** World times of the first frame and of the last, if one falls there [s]. */
+  /** World times of the first frame and of the end, which is included if a frame falls on it [s]. */
   readonly from: number;
   readonly to: number;
   /** Frames per second. */
   readonly fps: number;
-  /** The observer stays in place although there is a velocity. */
+  /** Whether the observer stays in place despite a velocity. */
   readonly hold: boolean;
 }
 
-/** A frame's number, where there are several, and its world time [s]. */
+/** A frame's number, if there are several, and its world time [s]. */
 export interface FrameTime {
   readonly number?: number;
   readonly t: number;
 }
 
-/** How many frames a film has: both ends count. A frame that is missed by rounding alone is there. */
+/** Number of frames, including both ends; a frame that is missed by rounding alone is counted. */
 export const frameCount = ({ from, to, fps }: Pick<VideoOutput, 'from' | 'to' | 'fps'>): number =>
   Math.floor((to - from) * fps + 1e-6) + 1;
 
-/** The frames of what is to be drawn. Frame n is at n/fps, wherever a film begins at a whole number of frames. */
+/** Frame numbers and times. If a film starts at a whole frame, frame n is at n/fps. */
 export function frameTimes(file: ImageOutput | VideoOutput): readonly FrameTime[] {
   if (file.kind === 'image') return [{ t: file.time }];
   const { from, fps } = file;
@@ -65,11 +65,11 @@ export function frameTimes(file: ImageOutput | VideoOutput): readonly FrameTime[
   return Array.from({ length: frameCount(file) }, (_, i) => ({ number: first + i, t: time(i) }));
 }
 
-/** What no system has in the name of a file. */
+/** Characters that file systems do not allow. */
 const FORBIDDEN_CHARACTERS = /[\p{Cc}/\\:*?"<>|]/gu;
 const MAX_NAME_LENGTH = 200;
 
-/** A name as a project may give it: a project can be a stranger’s, and is not to choose where on a disk it writes. */
+/** Validates a file name: projects may come from strangers and must not choose where on the disk they write. */
 export function checkedFileName(name: string, extensions: readonly string[], node: string): string {
   const plain =
     name ===

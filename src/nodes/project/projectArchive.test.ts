@@ -21,7 +21,7 @@ it('a project comes back from its archive, with its files and what they are know
   const packed = await packProjectArchive(document, files);
   const opened = await openProjectArchive(packed, 'street.zip');
   expect(opened.files).toEqual(files);
-  // By Python's hashlib.
+  // Computed by Python's hashlib.
   expect(opened.document.files['set/street.usda']).toEqual({
     size: 9,
     hash: HASH,

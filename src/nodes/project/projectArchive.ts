@@ -8,12 +8,12 @@ import { parseDocument } from '../../graph/document/parse.ts';
 import { serializeDocument } from '../../graph/document/serialize.ts';
 import { nodeLibrary } from '../library.ts';
 
-/** What a project is called in its archive. */
+/** File name of the project in its archive. */
 export const PROJECT_FILE_NAME = 'project.slowlight.json';
 
 /**
- * A project with its files, as one zip. `files`: by the names under which the document refers to them, with what they refer to
- * themselves (textures, layers) beside them.
+ * A project with its files as one zip. `files`: by the names under which the document refers to them, with the files
+ * that these reference (textures, layers) beside them.
  */
 export async function packProjectArchive(
   document: GraphDocument,
@@ -30,7 +30,7 @@ export async function packProjectArchive(
 }
 
 async function fileReference(bytes: Uint8Array): Promise<FileReference> {
-  // A page that is served without encryption has none.
+  // Missing on pages served without encryption.
   if (!crypto.subtle) return { size: bytes.length };
   const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes.slice()));
   return { size: bytes.length, hash: [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('') };
@@ -42,7 +42,10 @@ export interface ProjectArchive {
   readonly files: ReadonlyMap<string, Uint8Array>;
 }
 
-/** Reads what `packProjectArchive` made. Throws an InputError of a damaged archive, a DocumentError of a damaged project. */
+/**
+ * Reads what `packProjectArchive` wrote. Throws an InputError for a damaged archive, a DocumentError for a damaged
+ * project.
+ */
 export async function openProjectArchive(archive: Uint8Array, name: string): Promise<ProjectArchive> {
   const source = await zipSource(memoryFile(archive), name, memorySource({}));
   const folder = `${normalizePath(name)}/`;

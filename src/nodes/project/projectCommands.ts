@@ -12,7 +12,7 @@ import { FreshKeys } from '../../graph/edits/freshKeys.ts';
 import { locateNode } from '../../graph/edits/locateNode.ts';
 import { nearestToOutput, nodesFeedingOutput } from './outputChain.ts';
 
-/** The chain that a new project starts with: node id and type, in the order of the flow. */
+/** Nodes of a new project: id and type, in order of data flow. */
 const DEFAULT_NODES = [
   ['read', 'read'],
   ['retime', 'retime'],
@@ -25,7 +25,7 @@ const DEFAULT_NODES = [
   ['falseColour', 'false-colour'],
   ['output', 'output'],
 ] as const;
-/** The output and the input that join each node of the chain to the next. */
+/** Output and input that connect each node to the next. */
 const DEFAULT_EDGES = [
   ['geometry', 'geometry'],
   ['geometry', 'geometry.1'],
@@ -49,13 +49,16 @@ export function newProject(source = ''): GraphDocument {
   return applyCommand(emptyDocument(), { kind: 'batch', commands: [...nodes, ...edges, ...file] }).document;
 }
 
-/** Sets a parameter of a node that an evaluation names, where its definition is; without a value it goes back to its default. */
+/**
+ * Sets a parameter of a node given by its evaluation id, in the group definition if it is in one; without a value it is
+ * reset to the default.
+ */
 export function setParamCommand(document: GraphDocument, id: string, param: string, value?: ParamValue): Command {
   const { group, node } = locateNode(document, id) ?? { node: id };
   return insideGroup(group, { kind: 'set-param', node, param, ...(value === undefined ? {} : { value }) });
 }
 
-/** What a person set for one scene, and the next one suggests anew: node type and parameter. */
+/** Scene-specific parameters, which the next scene suggests anew: node type and parameter. */
 const SCENE_PARAMS = [
   ['read', 'variants'],
   ['retime', 'speed'],
@@ -67,8 +70,8 @@ const SCENE_PARAMS = [
 ] as const;
 
 /**
- * Opens another file in a project: what the person had set for the last scene gives way to what the new one suggests. Undefined where no
- * node reads a file.
+ * Opens another file in a project; scene-specific parameters are reset to what the new scene suggests. Undefined if
+ * there is no read node.
  */
 export function openFileCommand(document: GraphDocument, source: string): Command | undefined {
   const reader = nearestToOutput(document, 'read');
@@ -88,7 +91,7 @@ export function openFileCommand(document: GraphDocument, source: string): Comman
   };
 }
 
-/** The fly nodes between console and camera, in the order of the flow. */
+/** The fly nodes between console and camera, in order of data flow. */
 export function flyNodesIn(document: GraphDocument): string[] {
   const nodes = new Map(nodesFeedingOutput(document).map((node) => [node.id, node]));
   const flights: string[] = [];
@@ -102,8 +105,8 @@ export function flyNodesIn(document: GraphDocument): string[] {
 }
 
 /**
- * Lets a thing fly, as the node's defaults have it; `at`: the world time at which it passes its place [s]. Does nothing
- * where no camera is given what could fly.
+ * Makes an object fly with the fly node's defaults; `at`: world time at which it passes its position [s]. Does nothing
+ * if there is no node before the camera to attach to.
  */
 export function flyCommand(document: GraphDocument, object: string, at: number): Command {
   const camera = nearestToOutput(document, 'scene-camera');
@@ -121,7 +124,7 @@ export function flyCommand(document: GraphDocument, object: string, at: number):
   return insideGroup(place.group, { kind: 'batch', commands });
 }
 
-/** Takes a flight out: the thing moves as its file says again. */
+/** Removes a flight: the object moves as in its file again. */
 export function removeFlightCommand(document: GraphDocument, id: string): Command {
   const { group, node } = locateNode(document, id) ?? { node: id };
   const commands = [
@@ -131,7 +134,7 @@ export function removeFlightCommand(document: GraphDocument, id: string): Comman
   return insideGroup(group, { kind: 'batch', commands });
 }
 
-/** What a node is fed goes to all that it feeds. */
+/** Connects a node's input directly to all nodes that it feeds. */
 function bypassCommands(level: Graph | undefined, node: string): Command[] {
   const before = level && own(level.edges, `${node}.relativity`);
   if (!before) return [];
@@ -139,7 +142,7 @@ function bypassCommands(level: Graph | undefined, node: string): Command[] {
   return after.map(({ to }) => ({ kind: 'connect', edge: { from: before.from, to } }));
 }
 
-/** Takes all flights out, one after the other. */
+/** Removes all flights one by one. */
 function removeFlightCommands(document: GraphDocument): Command[] {
   const commands: Command[] = [];
   let left = document;

@@ -1,6 +1,6 @@
 import { defineNode } from '../defineNode.ts';
 
-/** Ambient occlusion by itself, as a mask. */
+/** Ambient occlusion as a mask. */
 export const ambientOcclusionNode = defineNode({
   id: 'ambient-occlusion',
   title: 'node.occlusion',

@@ -4,7 +4,7 @@ import { defineNode } from '../defineNode.ts';
 const { title, help, args } = EFFECTS.antialiasing;
 const [contrast, search, single] = args;
 
-/** Hard edges of a finished picture without their stairs. */
+/** Antialiasing (FXAA) of a finished picture. */
 export const antialiasingNode = defineNode({
   id: 'antialiasing',
   title,

@@ -1,6 +1,6 @@
 import { defineNode } from '../defineNode.ts';
 
-/** Shades a G-buffer, each surface in its own rest frame: the light that the observer receives. */
+/** Shades a G-buffer, each surface in its rest frame: the radiance that the observer receives. */
 export const deferredLightingNode = defineNode({
   id: 'deferred-lighting',
   title: 'node.lighting',

@@ -4,7 +4,7 @@ import { defineNode } from '../defineNode.ts';
 const { title, help, args } = EFFECTS['depth-of-field'];
 const [focus, aperture, mostBlur] = args;
 
-/** A lens that is in focus at one distance. */
+/** Depth of field: a lens focused at one distance. */
 export const depthOfFieldNode = defineNode({
   id: 'depth-of-field',
   title,

@@ -1,6 +1,6 @@
 import { defineNode } from '../defineNode.ts';
 
-/** Colours for numbers, over the picture that they are of. */
+/** False colours for a quantity, over the picture. */
 export const falseColorNode = defineNode({
   id: 'false-colour',
   title: 'node.falseColor',

@@ -1,7 +1,7 @@
 import { defineNode } from '../defineNode.ts';
 import { primaryGBuffer } from '../frameGraph/buildFrameGraph.ts';
 
-/** Two images into one. */
+/** Blends two images. */
 export const mixColorNode = defineNode({
   id: 'mix-color',
   title: 'node.mixColor',

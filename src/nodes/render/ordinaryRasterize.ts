@@ -1,7 +1,7 @@
 import { defineNode } from '../defineNode.ts';
 import { rasterizeParams } from './rasterizeParams.ts';
 
-/** What an ordinary renderer draws of the same scene: light takes no time, and motion changes neither places nor colours. */
+/** What a non-relativistic renderer draws of the same scene: light delay, aberration and Doppler shift are off. */
 export const rasterizeNode = defineNode({
   id: 'rasterize',
   title: 'node.rasterizeOrdinary',

@@ -1,7 +1,7 @@
 import { defineNode } from '../defineNode.ts';
 import { buildPictureAt } from './pictureFor.ts';
 
-/** What the screen shows and what is saved. */
+/** The image that is displayed and saved. */
 export const outputNode = defineNode({
   id: 'output',
   title: 'node.output',

@@ -1,8 +1,8 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
-import type { ImageSpec, PictureSpec } from '../defineNode.ts';
 import { buildPicture, FrameGraphError } from '../frameGraph/buildFrameGraph.ts';
+import type { ImageSpec, PictureSpec } from '../socketValues.ts';
 
-/** The picture of an image that comes into `node`; what is put together of too much is refused there. */
+/** The picture of the image that `node` gets; one with too many parts is refused there. */
 export function buildPictureAt(image: ImageSpec, node: string): PictureSpec {
   try {
     return buildPicture(image);

@@ -5,7 +5,7 @@ import { readShaderText } from '../../scene/shaderText/shaderText.ts';
 import { ShaderTextError } from '../../scene/shaderText/sourceLocation.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** Depth of field is a node of its own. */
+/** Depth of field has a node of its own. */
 const BUILTIN_EFFECTS = [
   'gaussian-blur',
   'bilateral-filter',
@@ -27,7 +27,7 @@ fn effect(p: Pixel) -> vec4f {
 
 const ARGUMENT_TITLES = ['param.arg1', 'param.arg2', 'param.arg3', 'param.arg4'] as const;
 
-/** arg1 … arg4: each effect has its own names, units and ranges for them; an effect that somebody writes takes any numbers. */
+/** arg1 … arg4: built-in effects define names, units and ranges of their arguments; custom effects take any numbers. */
 function argumentParam(index: 0 | 1 | 2 | 3) {
   const own = BUILTIN_EFFECTS.flatMap((id) => {
     const args: EffectInfo['args'] = EFFECTS[id].args;
@@ -39,7 +39,7 @@ function argumentParam(index: 0 | 1 | 2 | 3) {
   return { kind: 'number', ...any, as: { param: 'effect', cases } } as const satisfies NumberParam;
 }
 
-/** One effect over an image, which may know of the G-buffer. */
+/** An effect over an image, which may read the G-buffer. */
 export const postProcessNode = defineNode({
   id: 'post-process',
   title: 'node.postProcess',
@@ -88,7 +88,7 @@ export const postProcessNode = defineNode({
   },
 });
 
-/** Throws a NodeRefusal with the line and the column of what cannot be. */
+/** Throws a NodeRefusal with line and column of the error. */
 function parseCustomEffect(text: string, node: string): CustomEffect {
   try {
     readShaderText(text);

@@ -1,6 +1,6 @@
 import type { ParamSpec } from '../../graph/nodeType.ts';
 
-/** What every rasterizer asks for. */
+/** Parameters of all rasterizer nodes. */
 export const rasterizeParams = {
   antialiasing: {
     kind: 'boolean',

@@ -1,7 +1,7 @@
 import { defineNode } from '../defineNode.ts';
 import { rasterizeParams } from './rasterizeParams.ts';
 
-/** Draws what the observer sees into a G-buffer. */
+/** Rasterizes what the observer sees into a G-buffer. */
 export const relativityRasterizeNode = defineNode({
   id: 'relativity-rasterize',
   title: 'node.rasterize',

@@ -3,7 +3,7 @@ import { defineNode } from '../defineNode.ts';
 import { checkedFileName } from '../project/outputFiles.ts';
 import { pictureSizeParams, pictureToSave, samplesParam } from './saveParams.ts';
 
-/** Asks for an image to be written as a picture of one moment, and passes it on. */
+/** Requests that an image is saved as a picture of one moment; passes it through. */
 export const saveImageNode = defineNode({
   id: 'save-image',
   title: 'node.saveImage',
@@ -27,7 +27,7 @@ export const saveImageNode = defineNode({
   },
 });
 
-/** A single picture is no frame of anything. */
+/** A single picture has no frame number. */
 function assertNoFrameNumber(name: string, node: string): void {
   if (!name.includes('#')) return;
   const bare = name.replace(/[._-]?#+/g, '');

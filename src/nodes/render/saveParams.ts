@@ -1,7 +1,7 @@
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import type { NumberParam, ParamSpec } from '../../graph/nodeType.ts';
 import { nodeRefusal } from '../common/params.ts';
-import type { ImageSpec, PictureSpec } from '../defineNode.ts';
+import type { ImageSpec, PictureSpec } from '../socketValues.ts';
 import { buildPictureAt } from './pictureFor.ts';
 
 const MAX_SIDE = 16384;
@@ -18,13 +18,13 @@ const pixelParam = (title: string, value: number): NumberParam => ({
   slider: false,
 });
 
-/** What every node that saves pictures asks for. */
+/** Parameters of all nodes that save pictures. */
 export const pictureSizeParams = {
   width: pixelParam('param.width', 1280),
   height: pixelParam('param.height', 720),
 } as const satisfies Readonly<Record<string, ParamSpec>>;
 
-/** Along each side of a pixel. */
+/** Samples along each side of a pixel. */
 export const samplesParam = (value: number): NumberParam => ({
   kind: 'number',
   title: 'param.samples',
@@ -36,7 +36,7 @@ export const samplesParam = (value: number): NumberParam => ({
   integer: true,
 });
 
-/** The picture that is to be written under `name`; colours that stand for numbers are for a screen. */
+/** The picture to write as `name`; false colours are for display formats only. */
 export function pictureToSave(image: ImageSpec, name: string, node: string): PictureSpec {
   const picture = buildPictureAt(image, node);
   if (extensionOf(name) !== 'exr' || picture.falseColor === 'none') return picture;

@@ -4,10 +4,10 @@ import { defineNode } from '../defineNode.ts';
 import { checkedFileName, frameCount, type VideoOutput } from '../project/outputFiles.ts';
 import { pictureSizeParams, pictureToSave, samplesParam } from './saveParams.ts';
 
-/** Of a film: three quarters of an hour at 24 frames per second. */
+/** Maximum number of frames: three quarters of an hour at 24 frames per second. */
 const MAX_FRAMES = 65_536;
 
-/** Asks for an image to be written as it goes through time, as a film or frame by frame, and passes it on. */
+/** Requests that an image is saved over a time range, as a film or as frames; passes it through. */
 export const saveVideoNode = defineNode({
   id: 'save-video',
   title: 'node.saveVideo',
@@ -58,7 +58,7 @@ function assertFrameRange(span: Pick<VideoOutput, 'from' | 'to' | 'fps'>, node: 
   throw nodeRefusal('file.frames', `${node}.to`, message, { node, param: 'to', value: from + (MAX_FRAMES - 1) / fps });
 }
 
-/** Colours of a film are those of 2 × 2 pixels together. */
+/** Video chroma is subsampled in blocks of 2 × 2 pixels. */
 function assertEvenSize(size: Pick<VideoOutput, 'width' | 'height'>, node: string): void {
   for (const param of ['width', 'height'] as const) {
     if (size[param] % 2 === 0) continue;

@@ -2,7 +2,7 @@ import { NodeRefusal } from '../../graph/nodeType.ts';
 import { radians } from '../../math/angle.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** Where the scene is looked at from. */
+/** The camera that the scene is observed from. */
 export const sceneCameraNode = defineNode({
   id: 'scene-camera',
   title: 'node.camera',

@@ -4,11 +4,12 @@ import { optionsByEffect } from '../../pipelines/options.ts';
 import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import type { Pipeline, StillLimits } from '../../pipelines/pipeline.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
-import { BUFFER_SETTINGS } from '../../scene/frameGraph/frameGraph.ts';
 import { makeStillPixels } from '../../scene/frameGraph/still.ts';
+import { BUFFER_SETTINGS } from '../../scene/view/bufferSettings.ts';
 import { framingCamera, observerFromCamera } from '../../scene/view/camera.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
-import { defineNode, type GBufferSpec } from '../defineNode.ts';
+import { defineNode } from '../defineNode.ts';
+import type { GBufferSpec } from '../socketValues.ts';
 
 const integerParam = (title: string, preset: number, min: number, max: number) =>
   ({ kind: 'number', title, default: preset, min, max, step: 1, integer: true }) as const;
@@ -33,7 +34,7 @@ function optionParams({ options }: Pipeline): Readonly<Record<string, NumberPara
   return Object.fromEntries(specs);
 }
 
-/** A picture by a pipeline, of the scene's camera. */
+/** A picture by a pipeline, from the scene's camera. */
 const stillNode = (pipeline: Pipeline, still: StillLimits) =>
   defineNode({
     id: still.node,
@@ -107,7 +108,7 @@ function assertSize(
   }
 }
 
-/** Where the observer is at time t [s] who begins there: in the camera, with its velocity, or that which the scene wants. */
+/** View point at time t [s] of the initial observer: at the camera, with its velocity or that of the scene's hint. */
 function initialViewPoint({ scene, camera, fovY, speedOfLight }: GBufferSpec, t: number): ViewPoint {
   const found = scene.cameras.find(({ path }) => path === camera) ?? scene.cameras[0] ?? framingCamera(scene);
   const { beta } = scene.hints;
@@ -119,7 +120,7 @@ function initialViewPoint({ scene, camera, fovY, speedOfLight }: GBufferSpec, t:
   };
 }
 
-/** What of the settings light itself depends on. */
+/** The settings that radiance depends on. */
 const lightSettings = (gbuffer: GBufferSpec): RenderSettings => ({
   ...DEFAULT_SETTINGS,
   ...Object.fromEntries(BUFFER_SETTINGS.map((name) => [name, gbuffer[name]])),

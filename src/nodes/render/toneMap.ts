@@ -1,6 +1,6 @@
 import { defineNode } from '../defineNode.ts';
 
-/** Brings linear light to what a screen can show. */
+/** Maps scene-linear radiance to display values. */
 export const toneMapNode = defineNode({
   id: 'tone-map',
   title: 'node.toneMap',

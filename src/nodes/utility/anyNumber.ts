@@ -1,6 +1,6 @@
 import type { NumberParam } from '../../graph/nodeType.ts';
 
-/** A parameter that is any number at all. */
+/** A number parameter without bounds. */
 export const numberParam = <const Title extends string>(title: Title, value = 0) =>
   ({
     kind: 'number',

@@ -1,6 +1,6 @@
 import { defineNode } from '../defineNode.ts';
 
-/** A colour that several inputs share, in linear sRGB. */
+/** A colour for several inputs, linear sRGB. */
 export const colorNode = defineNode({
   id: 'color',
   title: 'node.color',

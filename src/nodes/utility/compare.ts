@@ -12,7 +12,7 @@ const RELATIONS = {
 type Relation = keyof typeof RELATIONS;
 const NAMES = Object.keys(RELATIONS) as Relation[];
 
-/** 1 where a relation between two numbers holds, else 0. */
+/** 1 where a comparison of two numbers holds, else 0. */
 export const compareNode = defineNode({
   id: 'compare',
   title: 'node.compare',

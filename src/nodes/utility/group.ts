@@ -2,7 +2,7 @@ import { GROUP } from '../../graph/document/structuralTypes.ts';
 import { defineNode } from '../defineNode.ts';
 import { neverEvaluated } from './neverEvaluated.ts';
 
-/** Nodes as one node. Its sockets are those of its definition in the document. */
+/** A group as one node. Its sockets are those of its definition in the document. */
 export const groupNode = defineNode({
   id: GROUP,
   title: 'node.group',

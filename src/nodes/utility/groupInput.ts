@@ -2,7 +2,7 @@ import { GROUP_INPUT } from '../../graph/document/structuralTypes.ts';
 import { defineNode } from '../defineNode.ts';
 import { neverEvaluated } from './neverEvaluated.ts';
 
-/** Inside a group: what comes into it. Its outputs are the group’s inputs. */
+/** Inside a group: the group’s inputs, as outputs. */
 export const groupInputNode = defineNode({
   id: GROUP_INPUT,
   title: 'node.groupInput',

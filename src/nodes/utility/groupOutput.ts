@@ -2,7 +2,7 @@ import { GROUP_OUTPUT } from '../../graph/document/structuralTypes.ts';
 import { defineNode } from '../defineNode.ts';
 import { neverEvaluated } from './neverEvaluated.ts';
 
-/** Inside a group: what it gives. Its inputs are the group’s outputs. */
+/** Inside a group: the group’s outputs, as inputs. */
 export const groupOutputNode = defineNode({
   id: GROUP_OUTPUT,
   title: 'node.groupOutput',

@@ -6,7 +6,7 @@ import { arity, OPERATIONS, type Operation } from './operations.ts';
 const NAMES = Object.keys(OPERATIONS) as Operation[];
 const withArity = (least: number): Operation[] => NAMES.filter((name) => arity(name) >= least);
 
-/** One step of arithmetic. */
+/** An arithmetic operation. */
 export const mathNode = defineNode({
   id: 'math',
   title: 'node.math',

@@ -1,7 +1,7 @@
 import { defineNode } from '../defineNode.ts';
 import { numberParam } from './anyNumber.ts';
 
-/** A number that several inputs share. */
+/** A number for several inputs. */
 export const numberNode = defineNode({
   id: 'number',
   title: 'node.number',

@@ -1,4 +1,4 @@
-/** What the math node computes, by the names in its menu. All angles in radians. */
+/** Operations of the math node, by menu names. All angles in radians. */
 export const OPERATIONS = {
   add: (a, b) => a + b,
   subtract: (a, b) => a - b,
@@ -7,7 +7,7 @@ export const OPERATIONS = {
   power: (a, b) => a ** b,
   minimum: (a, b) => Math.min(a, b),
   maximum: (a, b) => Math.max(a, b),
-  /** The rest of a division, between 0 and b also where a is less than 0. */
+  /** Floored remainder: in [0, b) also for negative a. */
   modulo: (a, b) => a - b * Math.floor(a / b),
   /** a + (b − a) · factor */
   mix: (a, b, factor) => a + (b - a) * factor,
@@ -25,7 +25,7 @@ export const OPERATIONS = {
   arccosine: (a) => Math.acos(a),
   /** The angle of the point (b, a). */
   arctangent: (a, b) => Math.atan2(a, b),
-  /** γ = 1/√(1 − β²), without what cancels near 1. */
+  /** γ = 1/√(1 − β²), without cancellation near 1. */
   'gamma-of-beta': (beta) => 1 / Math.sqrt((1 - beta) * (1 + beta)),
   /** β = √(1 − 1/γ²). */
   'beta-of-gamma': (gamma) => Math.sqrt((1 - 1 / gamma) * (1 + 1 / gamma)),
@@ -33,5 +33,5 @@ export const OPERATIONS = {
 
 export type Operation = keyof typeof OPERATIONS;
 
-/** How many values an operation takes. */
+/** Number of operands. */
 export const arity = (operation: Operation): number => OPERATIONS[operation].length;

@@ -2,7 +2,7 @@ import { REROUTE } from '../../graph/document/structuralTypes.ts';
 import { defineNode } from '../defineNode.ts';
 import { neverEvaluated } from './neverEvaluated.ts';
 
-/** A bend in an edge, to keep it clear of others. */
+/** A bend in an edge. */
 export const rerouteNode = defineNode({
   id: REROUTE,
   title: 'node.reroute',

@@ -1,6 +1,6 @@
 import { defineNode } from '../defineNode.ts';
 
-/** The three numbers of a vector or a colour. */
+/** Components of a vector or a colour. */
 export const separateNode = defineNode({
   id: 'separate',
   title: 'node.separate',

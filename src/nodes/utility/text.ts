@@ -1,6 +1,6 @@
 import { defineNode } from '../defineNode.ts';
 
-/** A text that several inputs share. */
+/** A text for several inputs. */
 export const textNode = defineNode({
   id: 'text',
   title: 'node.text',

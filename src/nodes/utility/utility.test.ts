@@ -61,7 +61,7 @@ describe('math', () => {
       fc.property(fc.double({ min: 1e-6, max: 1e3, noNaN: true }), (u) => {
         const [gamma, [beta]] = [gammaOf([u, 0, 0]), velocity([u, 0, 0])];
         expect(OPERATIONS['beta-of-gamma'](gamma)).toBeCloseTo(beta, 9);
-        // β so near 1 has itself lost digits: γ²·ε.
+        // Digits of β are lost near 1: relative error γ²·ε.
         expect(OPERATIONS['gamma-of-beta'](beta) / gamma - 1).toBeLessThan(4e-16 * gamma * gamma + 1e-15);
       }),
     );

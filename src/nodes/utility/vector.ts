@@ -1,7 +1,7 @@
 import { defineNode } from '../defineNode.ts';
 import { numberParam } from './anyNumber.ts';
 
-/** Three numbers as one vector. */
+/** Three numbers as a vector. */
 export const vectorNode = defineNode({
   id: 'vector',
   title: 'node.vector',

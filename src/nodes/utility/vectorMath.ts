@@ -3,7 +3,7 @@ import { nodeRefusal, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { numberParam } from './anyNumber.ts';
 
-/** What the node computes, by the names in its menu. */
+/** Operations by menu names. */
 const OPERATIONS = {
   add,
   subtract: sub,
@@ -15,7 +15,7 @@ const OPERATIONS = {
 } as const satisfies Record<string, (a: Vec3, b: Vec3, factor: number) => Vec3 | number>;
 type Operation = keyof typeof OPERATIONS;
 
-/** One step of arithmetic with vectors. */
+/** A vector operation. */
 export const vectorMathNode = defineNode({
   id: 'vector-math',
   title: 'node.vectorMath',

@@ -18,7 +18,7 @@ import { aberrate, unaberrate } from './aberration.ts';
 import { apparentPosition, apparentPositions, inverseApparentPosition } from './apparentPosition.ts';
 import { observerDoppler } from './doppler.ts';
 
-/** physics.md's formula as it stands, with 300 digits, where nothing cancels. */
+/** The formula of docs/physics.md §3.3 as it stands, with 300 digits, where nothing cancels. */
 function apparentWithManyDigits(dx: Vec3, u: Vec3): number[] {
   const [x, b] = [bigVec(dx), bigVec(u)];
   const g = sqrt(ONE + dotBig(b, b));

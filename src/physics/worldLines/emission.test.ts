@@ -113,7 +113,7 @@ describe('polyline piece', () => {
   });
 });
 
-/** physics.md's quadratic in w = e^{aτ} with 300 digits: the delay, or undefined behind the horizon. */
+/** The quadratic of docs/physics.md §4.4 in w = e^{aτ} with 300 digits: the delay, or undefined behind the horizon. */
 function hyperbolicWithManyDigits(d: Vec3, T: number, a: Vec3): number | undefined {
   const [x, acceleration, time] = [bigVec(d), bigVec(a), big(T)];
   const k = lengthBig(acceleration);

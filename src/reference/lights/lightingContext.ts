@@ -1,23 +1,48 @@
 import { dot, length, type Vec3, ZERO } from '../../math/vec3.ts';
 import { gamma, inverseBoost, properVelocity } from '../../physics/lorentz/boost.ts';
-import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
-import { directLights, distantLightRadius } from '../../scene/lights/sceneLights.ts';
-import { originWorldLine } from '../../scene/motion/motion.ts';
-import type { LocalLight } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import type { Random } from '../sampling/directions.ts';
 import { type RestFrame, restFrame } from '../spectral/restFrame.ts';
-import { type SourceSpectrum, sourceSpectrumOf } from '../spectral/sourceSpectrum.ts';
+import type { SampledRadiance } from '../spectral/sampledRadiance.ts';
+import type { SourceSpectrum } from '../spectral/sourceSpectrum.ts';
+import type { SpectralContext } from '../spectral/spectralContext.ts';
+import type { SkySampler } from './kinds/skySampler.ts';
 import type { LightOptions } from './lightOptions.ts';
-import { type Sky, type Sun, skyOf } from './sky.ts';
 
-/** A lamp, the world line of its centre, and what it shines with. */
-export interface MovingLight {
-  readonly light: LocalLight;
-  readonly line: WorldLine;
+/** Light that arrives at a surface from one direction, or its sample from a small cone. */
+export interface IncidentLight {
+  /** Surface → where it was sent out [m, world]; of distant lights only the direction. */
+  readonly dx: Vec3;
+  /** The same for the ray that tells whether it arrives. */
+  readonly rayDirection: Vec3;
+  /** Part of dx that is free of the light itself. */
+  readonly end: number;
+  /** What sends it out, at rest in that frame: `weight` times its light is the irradiance there of a surface that faces it. */
   readonly sourceSpectrum: SourceSpectrum;
+  readonly sourceFrame: RestFrame;
+  readonly weight: number;
+}
+
+/** A light as rays find it: each kind has those ways in which it is found (kinds/). */
+export interface TracedLight {
+  /** Light of it that arrives at an event, sampled; undefined: none does. Absent of what surfaces find only by their own directions. */
+  sample?(lighting: LightingContext, at: RayOrigin): IncidentLight | undefined;
+  /** Radiance from world directions n (unit) where nothing is in the way. */
+  radiance?(n: Vec3, context: SpectralContext): SampledRadiance;
+  /** Where its radiance is great. */
+  readonly sampler?: SkySampler;
+  /** What the camera alone sees of it in the sky, as a factor of its light from the unit direction n: as a light it has no size. */
+  readonly disc?: { readonly sourceSpectrum: SourceSpectrum; factor(n: Vec3): number };
+}
+
+/** What is behind everything, for an observer at rest in the world. */
+export interface Sky {
+  radiance(n: Vec3, context: SpectralContext): SampledRadiance;
+  /** The discs of distant lights and their glow. */
+  sunDiscs(n: Vec3, context: SpectralContext): SampledRadiance;
+  readonly sampler?: SkySampler;
 }
 
 /** Everything that one sample of a picture asks for while it follows its light back. */
@@ -27,55 +52,14 @@ export interface LightingContext {
   readonly options: LightOptions;
   readonly random: Random;
   readonly sky: Sky;
-  readonly suns: readonly Sun[];
-  readonly localLights: readonly MovingLight[];
+  /** Those that surfaces sample. */
+  readonly directLights: readonly TracedLight[];
   /** Which events light each other. */
   readonly propagation: LightPropagation;
 }
 
 /** Light that takes its time; or, where the picture is of one moment (a slice of u's own time; the world's for u = 0), none. */
 export type LightPropagation = { readonly kind: 'past' } | { readonly kind: 'slice'; readonly u: Vec3 };
-
-/** What a scene shines with is the same for all rays. */
-const known = new WeakMap<TracedScene, Pick<LightingContext, 'sky' | 'suns' | 'localLights'>>();
-
-function sceneLights(traced: TracedScene): Pick<LightingContext, 'sky' | 'suns' | 'localLights'> {
-  const found = known.get(traced);
-  if (found) return found;
-  const lights = directLights(traced.scene);
-  const suns = lights
-    .filter((light) => light.kind === 'distant')
-    .map((light) => ({
-      direction: light.direction,
-      radius: distantLightRadius(light),
-      sourceSpectrum: sourceSpectrumOf(light.color, light.spectrum),
-    }));
-  const localLights = lights
-    .filter((light) => light.kind !== 'distant')
-    .map((light) => ({
-      light,
-      line: originWorldLine(light.motion),
-      sourceSpectrum: sourceSpectrumOf(light.color, light.spectrum),
-    }));
-  const made = { sky: skyOf(traced.scene, suns), suns, localLights };
-  known.set(traced, made);
-  return made;
-}
-
-/** `u`: the observer's γβ. */
-export function createLightingContext(
-  scene: TracedScene,
-  settings: RenderSettings,
-  options: LightOptions,
-  u: Vec3,
-  random: Random,
-): LightingContext {
-  const when: LightPropagation =
-    settings.view === 'light-cone' && settings.lightDelay
-      ? { kind: 'past' }
-      : { kind: 'slice', u: settings.view === 'simultaneity' ? u : ZERO };
-  return { scene, settings, options, random, propagation: when, ...sceneLights(scene) };
-}
 
 /** The rest frame of a velocity [c]; in the views that show no light everything is as at rest. */
 export const restFrameOf = ({ settings }: LightingContext, velocity: Vec3): RestFrame =>

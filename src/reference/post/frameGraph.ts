@@ -1,13 +1,9 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { EFFECTS } from '../../scene/frameGraph/effects.ts';
-import {
-  bufferSettings,
-  type FrameGraph,
-  type FrameGraphPass,
-  inputImages,
-} from '../../scene/frameGraph/frameGraph.ts';
+import { type FrameGraph, type FrameGraphPass, inputImages } from '../../scene/frameGraph/frameGraph.ts';
 import { readShaderText } from '../../scene/shaderText/shaderText.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { bufferSettings } from '../../scene/view/view.ts';
 import { decodeSrgb } from '../../spectrum/display/srgb.ts';
 import { toneMap } from '../../spectrum/display/toneMap.ts';
 import { AOVS_OF_EFFECT_CHANNEL, AOVS_OF_SHADER_CHANNEL, applyEffect } from './effects/applyEffect.ts';

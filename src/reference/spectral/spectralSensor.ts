@@ -39,7 +39,7 @@ export function spectralSensor(shares: DopplerSettings, count: number, shift: nu
 
 /**
  * Light at wavelengths of one frame. What arrives with the shift D was emitted at D λ and has D⁵ of its radiance per wavelength
- * (L_λ′(λ) = D⁵ L_λ(Dλ), physics.md). The shares m of colours and b of beaming make this D^m λ, and D^m D^(4b): D⁵ for m = b = 1, and
+ * (L_λ′(λ) = D⁵ L_λ(Dλ), docs/physics.md §6.1). The shares m of colours and b of beaming make this D^m λ, and D^m D^(4b): D⁵ for m = b = 1, and
  * of whatever is seen D^(4b) over all wavelengths. Lines come as they are, for the eye to see: none is ever hit by chance.
  */
 class WavelengthContext implements SpectralContext {

@@ -6,7 +6,8 @@ import { fromAxisAngle, IDENTITY } from '../../math/quat.ts';
 import { addScaled, cross, dot, length, normalize, type Vec3 } from '../../math/vec3.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import { box, plane, sphere } from '../../scene/mesh/primitives.ts';
-import { createLightingContext, rayBackInside } from '../lights/lightingContext.ts';
+import { createLightingContext } from '../lights/createLightingContext.ts';
+import { rayBackInside } from '../lights/lightingContext.ts';
 import { restFrame } from '../spectral/restFrame.ts';
 import { dielectricFresnel, refracted } from './glass.ts';
 

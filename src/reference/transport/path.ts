@@ -5,7 +5,8 @@ import { maxOfFilter, neutralFilter, scaleFilter } from '../../spectrum/reflecta
 import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
 import { nearestHit, type TracedScene } from '../intersection/tracedScene.ts';
-import { createLightingContext, type LightingContext, rayBack, restFrameOf } from '../lights/lightingContext.ts';
+import { createLightingContext } from '../lights/createLightingContext.ts';
+import { type LightingContext, rayBack, restFrameOf } from '../lights/lightingContext.ts';
 import type { LightOptions } from '../lights/lightOptions.ts';
 import { type Brdf, brdfOf, diffuseLobe, type Lobe, specularLobe } from '../materials/brdf.ts';
 import { type SurfacePoint, surfaceAt } from '../materials/surface.ts';
@@ -43,7 +44,7 @@ export interface PathState extends LightReceiver {
 
 /**
  * The light that arrives along a ray, from s = 0 on: linear sRGB radiance for a receiver with proper velocity u (world frame, units of c). Between two rest
- * frames there is one Doppler factor, so light that is scattered on its way is shifted at each step (physics.md, "Shading"). In the
+ * frames there is one Doppler factor, so light that is scattered on its way is shifted at each step (docs/physics.md §6.2). In the
  * views that show no light, D = 1. One sample of an integral: the mean of many is the picture. `random` in 0 … 1.
  */
 export function radiance(

@@ -4,7 +4,7 @@ import { normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { directLights, sceneDome, sceneNightSky } from '../../scene/lights/sceneLights.ts';
 import { skyIrradiance } from '../../scene/lights/skyGradient.ts';
 import type { DistantLight, DomeLight, NightSky, Scene } from '../../scene/types.ts';
-import type { ColorMode } from '../../scene/view/view.ts';
+import type { ColorMode } from '../../scene/view/bufferSettings.ts';
 import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
 import type * as gpu from '../../shaders/types.ts';
 import type { FilteredBlackbody } from '../../spectrum/doppler/filterPairs.ts';

@@ -13,7 +13,7 @@ export interface ShapingTexels {
 /** Unit −Z of the axes X and Y. */
 export const frontOf = ({ X, Y }: { readonly X: Vec3; readonly Y: Vec3 }): Vec3 => normalize(cross(Y, X)).toVar();
 
-/** Twin of `shaped` of scene/lights/localLights.ts. */
+/** Twin of `shaped` of scene/lights/shaping.ts. */
 export function shapingFactor({ front, inner, outer, focus }: ShapingTexels, out: Vec3): Float {
   const cosine = clamp(dot(front, out), -1, 1).toVar();
   return smoothstep(inner, outer, acos(cosine))

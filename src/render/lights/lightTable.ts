@@ -9,10 +9,10 @@ import {
   velocityAt,
   type WorldLine,
 } from '../../physics/worldLines/worldLine.ts';
-import { projectedArea } from '../../scene/lights/localLights.ts';
+import { projectedArea } from '../../scene/lights/lightKinds.ts';
 import { originWorldLine, poseAt, samplePose } from '../../scene/motion/motion.ts';
 import type { LocalLight } from '../../scene/types.ts';
-import type { ColorMode } from '../../scene/view/view.ts';
+import type { ColorMode } from '../../scene/view/bufferSettings.ts';
 import type * as gpu from '../../shaders/types.ts';
 import type { FilteredBlackbody } from '../../spectrum/doppler/filterPairs.ts';
 import {

@@ -6,7 +6,7 @@ import { frontOf, shapingFactor } from '../lights/lightShaping.ts';
 import type { LightShape } from '../lights/lightTable.ts';
 import { areaSpecular } from './brdf.ts';
 import { faceOutline, type LightOutline, outlineFlux, tubeOutline } from './lightOutline.ts';
-import type { LitSurface } from './localLight.ts';
+import type { LitSurface } from './litSurface.ts';
 import { type AddReflected, dopplerFrom, meanLight, surfaceInLightFrame } from './surfaceInLightFrame.ts';
 
 /** A lamp with a size: half axes and radius [m]. */

@@ -1,24 +1,15 @@
 import { dot, normalize } from 'three/tsl';
-import type { Float, Vec3 } from '../../shaders/types.ts';
+import type { Float } from '../../shaders/types.ts';
 import { IRRADIANCE_POWER, type RadianceAccumulator } from '../color/radiance.ts';
-import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { type LightAtEmission, lightAtEmission } from '../lights/lightAtEmission.ts';
 import { frontOf, shapingFactor } from '../lights/lightShaping.ts';
 import type { LightTexels } from '../lights/lightTable.ts';
-import { incidentSpectrumBetween, type RestFrame } from '../lights/restFrame.ts';
+import { incidentSpectrumBetween } from '../lights/restFrame.ts';
 import { areaLight } from './areaLight.ts';
-import { type Brdf, evaluateBrdf } from './brdf.ts';
+import { evaluateBrdf } from './brdf.ts';
+import type { LitSurface } from './litSurface.ts';
 import { sphereLight } from './sphereLight.ts';
 import type { AddReflected, ReflectedLight } from './surfaceInLightFrame.ts';
-
-/** A surface that a lamp shines on: `dx` observer → surface [m] and `time` after his [m of light], world. */
-export interface LitSurface {
-  readonly brdf: Brdf;
-  readonly dx: Vec3;
-  readonly time: Float;
-  readonly rest: RestFrame;
-  readonly uniforms: FrameUniforms;
-}
 
 /** The share of a lamp's light that gets to a surface past what is in its way. */
 export type LocalLightVisibility = (lamp: LightTexels, seen: LightAtEmission) => Float | undefined;

@@ -29,7 +29,7 @@ export type ShadedSurface = Omit<Surface, 'velocity' | 'object' | 'distance'> & 
 
 /**
  * Radiance that reaches the observer. Everything meets in the rest frame of the emission event: the normal is given there, the directions
- * to light and eye are aberrated into it, and the light arrives with E′ = D_in² E (physics.md, "Shading").
+ * to light and eye are aberrated into it, and the light arrives with E′ = D_in² E (docs/physics.md §6.2).
  * Lambert and GGX with Schlick's Fresnel; sky light is taken as if all of it came along the normal and the mirrored ray, less what neighbours hide.
  */
 export const shade = (

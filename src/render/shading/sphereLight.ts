@@ -19,7 +19,7 @@ import type { LightAtEmission } from '../lights/lightAtEmission.ts';
 import { frontOf, shapingFactor } from '../lights/lightShaping.ts';
 import type { RestFrame } from '../lights/restFrame.ts';
 import { areaSpecular } from './brdf.ts';
-import type { LitSurface } from './localLight.ts';
+import type { LitSurface } from './litSurface.ts';
 import {
   type AddReflected,
   dopplerFrom,

@@ -1,10 +1,6 @@
-import { normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import { normalize, scale } from '../../math/vec3.ts';
 import { distantLightRadius } from '../../scene/lights/sceneLights.ts';
-import type { Material } from '../../scene/types.ts';
 import type { Float, Int } from '../../shaders/types.ts';
-import type { DrawCall } from '../gbuffer/drawCall.ts';
-import type { Body } from '../geometry/bodies.ts';
-import type { ObjectTables } from '../geometry/objectTables.ts';
 import type { Observation } from '../geometry/observation.ts';
 import type { Gpu } from '../gpu/device.ts';
 import type { Environment } from '../lights/environment.ts';
@@ -17,28 +13,10 @@ import {
 } from './distant/parallelReceiver.ts';
 import { StaticDistantShadows } from './distant/staticDistantShadows.ts';
 import { LocalShadows } from './local/localShadows.ts';
-import type { ShadowDetail } from './shadowDetail.ts';
+import type { Occluders } from './occluders.ts';
 
 /** So many suns throw shadows: the environment's first. */
 const MAX_DISTANT_LIGHTS = 2;
-
-/** What may be between a light and a surface. */
-export interface Occluders {
-  readonly bodies: readonly Body[];
-  /** Of whole batches. */
-  readonly drawables: readonly DrawCall[];
-  readonly materials: readonly Material[];
-  readonly points: ObjectTables['points'];
-  readonly detail: ShadowDetail;
-  /** Of the scene [m]. */
-  readonly radius: number;
-}
-
-/** Unit, towards it; and the radius of its disc [rad]. */
-export interface ShadowedDistantLight {
-  readonly direction: Vec3;
-  readonly radius: number;
-}
 
 /**
  * Which sunlight things hold back from each other, in retarded time. What rests is on maps that are made anew only where the observer has gone on;

@@ -1,6 +1,7 @@
 import { fromParts, type Mat4, scaledUniformly } from '../../math/mat4.ts';
 import { multiply, type Quat, rotate, toMatrix } from '../../math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../math/vec3.ts';
+import { lightKind } from '../lights/lightKinds.ts';
 import { transformMesh } from '../mesh/meshOps.ts';
 import { transformPointsInPlace } from '../mesh/transformPoints.ts';
 import { samplePose } from '../motion/motion.ts';
@@ -92,28 +93,8 @@ const linearOf = (orientation: Quat, s: number): Mat4 => scaledUniformly(fromPar
 
 const carried = (vectors: Float32Array, linear: Mat4): Float32Array => transformPointsInPlace(vectors.slice(), linear);
 
-/** Radiance does not change with the scale, so that a lamp of a scaled room lights it as before; a point or line is all of its light. */
+/** Radiance does not change with the scale, so that a light of a scaled room lights it as before; of a point or line `color` is all of its light. */
 function transformLight(light: Light, by: SimilarityTransform): Light {
-  switch (light.kind) {
-    case 'distant':
-      return { ...light, direction: rotate(by.orientation, light.direction) };
-    case 'dome':
-      return light;
-    case 'stars':
-      return { ...light, orientation: multiply(by.orientation, light.orientation) };
-    case 'rect': {
-      const [width, height] = [light.width * by.scale, light.height * by.scale];
-      return { ...light, motion: transformRigidMotion(light.motion, by), width, height };
-    }
-    case 'cylinder': {
-      const color = light.radius === 0 ? scale(light.color, by.scale) : light.color;
-      const [radius, length] = [light.radius * by.scale, light.length * by.scale];
-      return { ...light, motion: transformRigidMotion(light.motion, by), color, radius, length };
-    }
-    default: {
-      const point = light.kind === 'sphere' && light.radius === 0;
-      const color = point ? scale(light.color, by.scale ** 2) : light.color;
-      return { ...light, motion: transformRigidMotion(light.motion, by), color, radius: light.radius * by.scale };
-    }
-  }
+  const turned = lightKind(light).transform(light, by);
+  return 'motion' in turned ? { ...turned, motion: transformRigidMotion(turned.motion, by) } : turned;
 }

@@ -18,7 +18,7 @@ export type EffectChannel =
   | 'direction';
 
 export interface EffectArgument {
-  /** Key of the catalogue of messages. */
+  /** Text key. */
   readonly title: string;
   readonly default: number;
   readonly min: number;

@@ -1,28 +1,13 @@
 import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
-import type { RenderSettings } from '../view/view.ts';
+import type { BufferSettings } from '../view/bufferSettings.ts';
 import type { EffectId, MixMode } from './effects.ts';
 import type { StillPixels } from './still.ts';
 
 /*
- * How a picture is put together: a list of steps, each of which makes an image of those before it. The graph's nodes make such plans; the fast renderer
- * (render/plan/) and the reference (reference/post/frameGraph.ts) carry them out, each in its own way, to the same picture. What is in a plan is plain data.
+ * A frame graph: a list of passes, each of which makes an image from those before it. Built by the nodes; executed by the rasterizer
+ * (render/frameGraph/) and the reference (reference/post/frameGraph.ts), with the same result. Plain data.
  */
-
-/** What of the settings a G-buffer is drawn with. */
-export const BUFFER_SETTINGS = [
-  'view',
-  'lightDelay',
-  'aberration',
-  'colors',
-  'dopplerMix',
-  'beaming',
-  'solver',
-  'iterations',
-  'damping',
-  'speedOfLight',
-] as const satisfies readonly (keyof RenderSettings)[];
-export type BufferSettings = Pick<RenderSettings, (typeof BUFFER_SETTINGS)[number]>;
 
 /** A G-buffer beside that of the picture's own settings, seen by the same observer. */
 export interface FrameGraphBuffer extends BufferSettings {
@@ -92,10 +77,6 @@ export interface FrameGraph {
 export const MAX_PASSES = 64;
 export const MAX_BUFFERS = 4;
 export const MAX_STILL_IMAGES = 4;
-
-/** The settings of a plan's G-buffer. */
-export const bufferSettings = (settings: RenderSettings, buffer: number): RenderSettings =>
-  buffer === 0 ? settings : { ...settings, ...settings.frameGraph?.extraBuffers[buffer - 1] };
 
 /** The images that a step is made of. */
 export function inputImages<Image>(step: FrameGraphPassOf<Image, unknown>): readonly Image[] {

@@ -1,6 +1,6 @@
 import { IDENTITY, rotate } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import type { DomeLight } from '../types.ts';
+import type { DomeLight } from './light.ts';
 
 // A latitude–longitude picture of all directions, as OpenEXR and UsdLux define it: in the dome's own axes its top row is towards +Y, its middle
 // towards +Z, and a quarter of its width to the left of that is +X.

@@ -1,7 +1,9 @@
 import { radians } from '../../math/angle.ts';
 import { normalize, type Vec3 } from '../../math/vec3.ts';
 import { spectrumOfColor } from '../../spectrum/color/spectrumOfColor.ts';
-import type { DistantLight, DomeLight, Light, LocalLight, NightSky, Scene } from '../types.ts';
+import type { Scene } from '../types.ts';
+import type { DistantLight, DomeLight, Light, LocalLight, NightSky } from './light.ts';
+import { isDistantLight, isDomeLight, isLocalLight, isNightSky } from './lightKinds.ts';
 
 // What shines on a scene, and what it is seen against: its own lights, or a clear day's.
 
@@ -49,19 +51,18 @@ function withSpectrum(light: DirectLight): DirectLight {
 
 /** The light all round; a clear day's sky where there is none. */
 export const sceneDome = ({ lights }: Pick<Scene, 'lights'>): DomeLight =>
-  lights.find((light) => light.kind === 'dome') ?? (sceneNightSky({ lights }) ? DARKNESS : DAY_SKY);
+  lights.find(isDomeLight) ?? (sceneNightSky({ lights }) ? DARKNESS : DAY_SKY);
 
 /** Whether the sky may be red: a scene's own may be one of dusk. */
-export const hasDomeLight = ({ lights }: Pick<Scene, 'lights'>): boolean => lights.some(({ kind }) => kind === 'dome');
+export const hasDomeLight = ({ lights }: Pick<Scene, 'lights'>): boolean => lights.some(isDomeLight);
 
 /** Between the stars. */
 const DARKNESS: DomeLight = { kind: 'dome', path: '', color: [0, 0, 0] };
 
 /** The stars, where the scene is under them. */
-export const sceneNightSky = ({ lights }: Pick<Scene, 'lights'>): NightSky | undefined =>
-  lights.find((light) => light.kind === 'stars');
+export const sceneNightSky = ({ lights }: Pick<Scene, 'lights'>): NightSky | undefined => lights.find(isNightSky);
 
-const isDirect = (light: Light): light is DirectLight => light.kind !== 'dome' && light.kind !== 'stars';
+const isDirect = (light: Light): light is DirectLight => isDistantLight(light) || isLocalLight(light);
 
 const sunAlong = (direction: Vec3): DistantLight => ({
   kind: 'distant',

@@ -1,5 +1,5 @@
 import { addScaled, lerp, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
-import type { SkyGradient } from '../types.ts';
+import type { SkyGradient } from './light.ts';
 
 /** Radiance by height: of the zenith, the horizon and the ground. */
 export interface SkyColors extends SkyGradient {

@@ -1,5 +1,6 @@
 import { boundingBox, boundingSphere, finiteBox } from '../bounds/bounds.ts';
-import { makePoints, type PointRecipe, type PointStatistics } from './streamedPoints.ts';
+import type { PointRecipe, PointStatistics } from './storedPoints.ts';
+import { makePoints } from './streamedPoints.ts';
 
 /** The vertex that goes farthest from one sample to the next, and how far [m]; vertex 0 where all rest. */
 export function longestDisplacement(

@@ -1,7 +1,8 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { pointAt } from '../mesh/polygons.ts';
 import type { SampledPointsMotion } from '../types.ts';
-import { makePoint, type StreamedPoints, streamedNormals, streamedPoints } from './streamedPoints.ts';
+import type { StreamedPoints } from './storedPoints.ts';
+import { makePoint, streamedNormals, streamedPoints } from './streamedPoints.ts';
 
 type PointSamples = Pick<SampledPointsMotion, 'points' | 'normals'>;
 

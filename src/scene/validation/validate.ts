@@ -1,6 +1,7 @@
 import { rotate } from '../../math/quat.ts';
 import { dot, length, type Vec3 } from '../../math/vec3.ts';
 import { makeObject } from '../defaults.ts';
+import { isLocalLight, lightKind } from '../lights/lightKinds.ts';
 import { pointAt } from '../mesh/polygons.ts';
 import { isCubic, MAX_CONTROL_SPEED, maxControlSpeed, straightenedPieces } from '../motion/cubicPoints.ts';
 import { fastestVertex } from '../motion/fastestVertex.ts';
@@ -33,7 +34,7 @@ export function validate(scene: Scene, c: number): Diagnostic[] {
     ...duplicatePaths(scene),
     ...scene.objects.flatMap((object) => validateObject(object, findingsOf(object.mesh), c)),
     ...scene.cameras.flatMap((camera) => validateRigidMotion(camera, c)),
-    ...scene.lights.flatMap((light) => ('motion' in light ? validateLocalLight(light, c) : [])),
+    ...scene.lights.flatMap((light) => (isLocalLight(light) ? validateLocalLight(light, c) : [])),
   ];
 }
 
@@ -263,20 +264,19 @@ function validateHorizon({ path, mesh, authoredIn }: SceneObject, motion: Hyperb
   return [problem('error', 'motion.horizon', `motion of ${path}`, message)];
 }
 
-function validateLocalLight(lamp: LocalLight, c: number): Diagnostic[] {
-  const sizes = Object.entries(lamp).flatMap(([name, value]) =>
-    SIZES.has(name) && !(value >= 0 && Number.isFinite(value)) ? [`its ${name} is ${value} m`] : [],
+function validateLocalLight(light: LocalLight, c: number): Diagnostic[] {
+  const sizes: readonly string[] = lightKind(light).sizes;
+  const wrong = Object.entries(light).flatMap(([name, value]) =>
+    sizes.includes(name) && !(value >= 0 && Number.isFinite(value)) ? [`its ${name} is ${value} m`] : [],
   );
-  if (sizes.length > 0)
-    return [problem('error', 'light.size', lamp.path, `${sizes.join(', ')}; give it a size of 0 m or more`)];
-  if (!lamp.color.every(Number.isFinite))
-    return [
-      problem('error', 'light.color', lamp.path, `its colour is ${lamp.color.join(', ')}; give it three numbers`),
-    ];
-  return validateRigidMotion(lamp, c);
+  if (wrong.length > 0)
+    return [problem('error', 'light.size', light.path, `${wrong.join(', ')}; give it a size of 0 m or more`)];
+  if (!light.color.every(Number.isFinite)) {
+    const message = `its colour is ${light.color.join(', ')}; give it three numbers`;
+    return [problem('error', 'light.color', light.path, message)];
+  }
+  return validateRigidMotion(light, c);
 }
-
-const SIZES = new Set(['radius', 'width', 'height', 'length']);
 
 /** The frame of a camera or a light is a point: its own speed is what counts. */
 function validateRigidMotion({ path, motion }: SceneCamera | LocalLight, c: number): Diagnostic[] {

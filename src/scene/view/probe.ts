@@ -7,7 +7,7 @@ import { simultaneitySlice, simultaneousPosition } from '../../physics/worldLine
 import { positionAt, velocityAt, type WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { vertexWorldLine } from '../motion/motion.ts';
 import type { SceneObject } from '../types.ts';
-import type { View } from './view.ts';
+import type { View } from './bufferSettings.ts';
 
 export interface ProbeObserver extends ObserverEvent {
   /** γβ, world frame. */

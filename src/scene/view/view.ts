@@ -3,32 +3,12 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import type { FrameGraph } from '../frameGraph/frameGraph.ts';
-
-/** `light-cone`: what is seen. `simultaneity`: where things are at the observer's own instant. `galilean`: c = ∞. */
-export type View = 'light-cone' | 'simultaneity' | 'galilean';
-export type Solver = 'exact' | 'newton';
-/** `spectral`: light is spectra, and a shift is seen at their wavelengths. `approximate`: light is linear sRGB, and a shift is a tint (dopplerTint.ts). */
-export type ColorMode = 'spectral' | 'approximate';
+import type { BufferSettings } from './bufferSettings.ts';
 
 /** How a picture is made. Every field is plain data, so that a document, a flag or a socket can hold it. */
-export interface RenderSettings {
-  readonly view: View;
-  /** Off: every point is taken at the observer's own world time, as if light were instantaneous. Light-cone view only. */
-  readonly lightDelay: boolean;
-  /** Off: directions are those of the world frame, not the observer's. Light-cone view only. */
-  readonly aberration: boolean;
-  readonly colors: ColorMode;
-  /** 0 … 1: how much of log D reaches the colours. */
-  readonly dopplerMix: number;
-  /** 0 … 1: how much of log D⁴ reaches the brightness. */
-  readonly beaming: number;
+export interface RenderSettings extends BufferSettings {
   /** Suns throw shadows. The reference renderer always has them. */
   readonly shadows: boolean;
-  readonly solver: Solver;
-  /** Newton steps per vertex. */
-  readonly iterations: number;
-  /** Newton step length, 0 < k ≤ 1. */
-  readonly damping: number;
   /** Off: every pixel shows what is at its centre. Else edges are smoothed, moving pictures follow those before, and resting ones get many samples. */
   readonly antialiasing: boolean;
   /** The ground's reference grid, which relativity does not bend. */
@@ -43,8 +23,6 @@ export interface RenderSettings {
   readonly occlusionRadius?: number;
   /** What is made of the light, and of that of other G-buffers, before it is exposed; absent: nothing. */
   readonly frameGraph?: FrameGraph;
-  /** [m/s] */
-  readonly speedOfLight: number;
 }
 
 export const DEFAULT_SETTINGS: RenderSettings = {
@@ -64,6 +42,10 @@ export const DEFAULT_SETTINGS: RenderSettings = {
   tone: 'neutral',
   speedOfLight: 299_792_458,
 };
+
+/** The settings of one of a frame graph's G-buffers; 0 is that of the settings themselves. */
+export const bufferSettings = (settings: RenderSettings, buffer: number): RenderSettings =>
+  buffer === 0 ? settings : { ...settings, ...settings.frameGraph?.extraBuffers[buffer - 1] };
 
 /** The observer's event and the camera there. */
 export interface ViewPoint {

@@ -165,15 +165,15 @@ const recessionTwin: Twin = {
   checks: [relative('1 + v·n', 0, always(1e-4))],
 };
 
-const closingTwin: Twin = {
+const lorentzFactorRatioTwin: Twin = {
   ...observed,
-  name: 'closing',
+  name: 'lorentzFactorRatio',
   cases: (random) =>
     casesOf(observers, EACH, (stratum) => {
       const { u, n } = observerInput(random, stratum);
       return [...u, gammaOf(u), ...velocityInput(n, SPEEDS[Math.floor(random() * SPEEDS.length)])];
     }),
-  // γ − u·v is the relative Lorentz factor of observer and mover over the mover's own.
+  // γ − u·v is the relative Lorentz factor of observer and object divided by the object's own.
   cpu: (input) => {
     const gammaV = 1 / Math.sqrt(input[7]);
     const relativeU = physics.relativeVelocity(scale(vec3At(input, 1), gammaV), vec3At(input, 0));
@@ -216,6 +216,6 @@ export const kinematicsTwins: readonly Twin[] = [
   boostTwin,
   simultaneousPositionTwin,
   recessionTwin,
-  closingTwin,
+  lorentzFactorRatioTwin,
   coneOffsetTwin,
 ];

@@ -3,16 +3,17 @@ import { normalize } from '../../../src/math/vec3.ts';
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import type { RasterRenderer } from '../../../src/render/api.ts';
 import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
-import {
-  bufferSettings,
-  type FrameGraph,
-  type FrameGraphBuffer,
-  type FrameGraphPass,
-} from '../../../src/scene/frameGraph/frameGraph.ts';
+import type { FrameGraph, FrameGraphBuffer, FrameGraphPass } from '../../../src/scene/frameGraph/frameGraph.ts';
 import { makeStillPixels, type StillPixels } from '../../../src/scene/frameGraph/still.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { DistantLight } from '../../../src/scene/types.ts';
-import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
+import {
+  type AovName,
+  bufferSettings,
+  DEFAULT_SETTINGS,
+  type RenderSettings,
+  type ViewPoint,
+} from '../../../src/scene/view/view.ts';
 
 export const SIZE = { width: 64, height: 48 };
 

@@ -28,7 +28,7 @@ import { Wire } from './Wire.tsx';
 
 const NODE_TYPES: NodeTypes = { card: NodeCard, dot: RerouteDot, note: NoteCard, frame: FrameBox };
 const EDGE_TYPES: EdgeTypes = { wire: Wire };
-/** The nodes and edges of the level that is shown. */
+/** Nodes and edges of the shown level. */
 export function GraphCanvas({ panel }: { readonly panel: React.RefObject<HTMLElement | null> }): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();
@@ -98,7 +98,7 @@ export function GraphCanvas({ panel }: { readonly panel: React.RefObject<HTMLEle
 const minimapClass = ({ data, type }: FlowNode): string =>
   'face' in data ? `sl-mini sl-mini-${data.face.category}` : `sl-mini sl-mini-${type}`;
 
-/** Going to a node by Tab chooses it. */
+/** Selects a node that gets the focus by Tab. */
 function selectFocused({ target }: FocusEvent<HTMLElement>): void {
   const id = target.classList.contains('react-flow__node') ? target.dataset.id : undefined;
   if (id === undefined || !target.matches(':focus-visible')) return;

@@ -2,7 +2,7 @@ import { BaseEdge, type EdgeProps, getBezierPath } from '@xyflow/react';
 import { memo, type ReactNode } from 'react';
 import type { WireEdge } from './flowElements.ts';
 
-/** An edge in the colour of what flows through it. */
+/** An edge in the colour of its data type. */
 export const Wire = memo(function Wire(props: EdgeProps<WireEdge>): ReactNode {
   const { id, sourceX, sourceY, targetX, targetY, sourcePosition, targetPosition, data, selected } = props;
   const [path] = getBezierPath({ sourceX, sourceY, targetX, targetY, sourcePosition, targetPosition });

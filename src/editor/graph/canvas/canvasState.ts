@@ -5,7 +5,7 @@ import { GROUP, groupKeyOf } from '../../../graph/document/structuralTypes.ts';
 import type { CanvasPoint } from '../../../graph/edits/commands.ts';
 import type { PendingConnection } from '../commands/connections.ts';
 
-/** What is chosen on the canvas; edges by the inputs that they feed, as the document has them. */
+/** Selection on the canvas; edges are identified by the inputs they feed, as in the document. */
 export interface CanvasSelection {
   readonly nodes: readonly string[];
   readonly notes: readonly string[];
@@ -14,53 +14,53 @@ export interface CanvasSelection {
 }
 export const EMPTY_SELECTION: CanvasSelection = { nodes: [], notes: [], frames: [], edges: [] };
 
-/** What a node is being looked for to do. */
+/** A request to add a node. */
 export interface AddNodeRequest {
-  /** Where on the canvas it is to stand. */
+  /** Where to place it on the canvas. */
   readonly at: CanvasPoint;
-  /** Where the list opens, from the corner of the panel [px]. */
+  /** Position of the list, relative to the panel's corner [px]. */
   readonly from: CanvasPoint;
-  /** The end of an edge that it is to be connected to. */
+  /** The pending connection to attach it to. */
   readonly pending?: PendingConnection;
-  /** Only sockets of this node are offered, for the edge was dropped on it. */
+  /** Restricts the list to sockets of this node, on which the edge was dropped. */
   readonly onto?: string;
 }
 
-/** What the panel does with what it shows; there while it is shown. */
+/** Operations on the visible part of the canvas; set while the panel is mounted. */
 export interface CanvasViewport {
-  /** The middle of what is seen, as a place on the canvas. */
+  /** Center of the visible part, in canvas coordinates. */
   center(): CanvasPoint;
-  /** From a place on the canvas to one in the panel [px]. */
+  /** Canvas coordinates → panel coordinates [px]. */
   toPanel(at: CanvasPoint): CanvasPoint;
-  /** Brings nodes into sight, or all that there is; `swing`: how long that takes [ms]. */
+  /** Fits nodes, or all, into the viewport; `swing`: duration of the transition [ms]. */
   fit(nodes?: readonly string[], swing?: number): void;
   zoom(factor: number): void;
   sizeOf(node: string): CanvasPoint;
-  /** With its picture, also where that has no room now. */
+  /** Size with its picture, also where the picture is currently hidden for lack of space. */
   sizeWithPicture(node: string): CanvasPoint;
   positionOf(node: string): CanvasPoint;
-  /** Brings a node into sight, where it is not. */
+  /** Scrolls a node into view if needed. */
   reveal(node: string): void;
-  /** Whether any of a node is in sight. */
+  /** Whether any part of a node is visible. */
   isVisible(node: string): boolean;
-  /** Gives the focus to a node, or to the canvas. */
+  /** Focuses a node, or the canvas. */
   focus(node?: string): void;
 }
 
-/** How the graph is being looked at. What it holds is the document's alone. */
+/** View state of the graph. Its content is in the document only. */
 export interface CanvasState {
-  /** The nodes of groups that were entered, from the outermost. */
+  /** Ids of the entered group nodes, outermost first. */
   readonly path: readonly string[];
   readonly selection: CanvasSelection;
-  /** An edge that is being drawn. */
+  /** The edge being drawn. */
   readonly pending?: PendingConnection;
-  /** What it fits, by node: `inputs geometry.2`. */
+  /** Sockets that the pending connection fits, by node: `inputs geometry.2`. */
   readonly compatibleSockets?: ReadonlyMap<string, ReadonlySet<string>>;
   readonly adding?: AddNodeRequest;
-  /** A note, frame or node whose words are being written: `note:n1`. */
+  /** The note, frame or node whose text is being edited: `note:n1`. */
   readonly editing?: string;
   readonly viewport?: CanvasViewport;
-  /** Nodes show small pictures of what they made. */
+  /** Whether nodes show pictures of their results. */
   readonly pictures: boolean;
 }
 
@@ -71,7 +71,7 @@ export const canvas = createStore<CanvasState>(() => ({
 }));
 export const useCanvas = <T>(select: (state: CanvasState) => T): T => useStore(canvas, select);
 
-/** The entered groups, as far as the document still has them: an undo may take one away. */
+/** The entered groups that still exist: an undo may remove one. */
 export function existingPath(document: GraphDocument, path: readonly string[]): readonly string[] {
   const found: string[] = [];
   let level = levelOf(document);
@@ -84,7 +84,7 @@ export function existingPath(document: GraphDocument, path: readonly string[]): 
   return found;
 }
 
-/** The level that a path leads to. */
+/** The level at a path. */
 export function levelAt(document: GraphDocument, path: readonly string[]): GraphLevel {
   let level: GraphLevel = { document, graph: document };
   for (const node of existingPath(document, path)) {
@@ -94,10 +94,10 @@ export function levelAt(document: GraphDocument, path: readonly string[]): Graph
   return level;
 }
 
-/** As an evaluation names a node of a level. */
+/** Id of a node of a level in evaluation results. */
 export const flatNodeId = (path: readonly string[], node: string): string => [...path, node].join('/');
 
-/** What of a choice is still there. */
+/** The part of a selection that still exists. */
 export function prunedSelection(
   { graph }: GraphLevel,
   { nodes, notes, frames, edges }: CanvasSelection,

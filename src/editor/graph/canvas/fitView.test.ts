@@ -30,7 +30,7 @@ it('a chain’s end is beside or below the tools, not under them', () => {
     for (const box of [...chain, ...blocks]) expect(apart(shown(box, view), TOOLS)).toBe(true);
     return view.zoom;
   };
-  // The short one needs no room above it; neither needs any for the map, for there is nothing in that corner.
+  // The short graph needs no margin at the top; neither needs one for the minimap, whose corner they leave free.
   expect(zoomOf(20)).toBeCloseTo((312 - 32) / 2500, 12);
   expect(zoomOf(34)).toBeCloseTo((312 - 40 - 32) / 2500, 12);
 });

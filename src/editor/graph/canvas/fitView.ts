@@ -1,28 +1,28 @@
 import type { CanvasPoint } from '../../../graph/edits/commands.ts';
 import { boundingRect, type CanvasRect } from '../cards/cardGeometry.ts';
 
-/** How the canvas is looked at, as React Flow has it: where its origin is in the panel [px of the window], and how large it is. */
+/** Viewport transform as in React Flow: position of the canvas origin in the panel [px of the window] and zoom. */
 export interface ViewportTransform {
   readonly x: number;
   readonly y: number;
   readonly zoom: number;
 }
 
-/** The first sight of a graph, and what is looked at by itself, is no closer than this. */
+/** Maximum zoom of the initial view and of automatic fits. */
 const MAX_FIT_ZOOM = 1.1;
-/** Graphs of hundreds of nodes are all in sight. */
+/** Low enough that graphs of hundreds of nodes fit. */
 export const MIN_ZOOM = 0.03;
-/** Around what is in sight [px of the window]. */
+/** Margin around fitted nodes [px of the window]. */
 const FIT_MARGIN = 16;
-/** Rather than smaller than this, to what it could be, it lies under something. */
+/** If avoiding the overlays shrinks the view below this fraction, nodes may lie under them. */
 const MIN_ZOOM_RATIO = 0.5;
 
-/** From the left, above, from the right and below [px of the window]. */
+/** Left, top, right, bottom [px of the window]. */
 type Insets = readonly [left: number, top: number, right: number, bottom: number];
 
 /**
- * All of some boxes, as large as can be without one under what lies over the canvas (`over`, in the panel). What lies in a corner is passed at its side, or below or
- * above it; or not at all, where the boxes leave that corner free.
+ * The largest view of all boxes that no overlay covers (`over`, in panel coordinates). Overlays in a corner are avoided
+ * at their side, or vertically; or not at all where the boxes leave that corner free.
  */
 export function fitTransform(
   boxes: readonly CanvasRect[],
@@ -41,7 +41,7 @@ export function fitTransform(
   return best.zoom < MIN_ZOOM_RATIO * plain.zoom ? plain : best;
 }
 
-/** The margins that pass each overlay at none, at one or at the other side of it; the first pass none. */
+/** All combinations of margins that avoid each overlay on one of its sides or not at all; the first avoids none. */
 function overlayInsets([width, height]: CanvasPoint, over: readonly CanvasRect[]): readonly Insets[] {
   return over.reduce<readonly Insets[]>(
     (ways, { at: [x, y], size: [wide, high] }) => {

@@ -10,8 +10,8 @@ import type { CardModel } from '../cards/cardModel.ts';
 import type { CanvasSelection } from './canvasState.ts';
 
 /**
- * A level of the document as React Flow has it. It is made anew from the document whenever that changes; what came out the same stays
- * the same object, and is not drawn again.
+ * A level of the document as React Flow elements, derived anew whenever the document changes; elements that come out
+ * equal keep their identity and are not re-rendered.
  */
 export type CardNode = Node<{ readonly face: CardModel; readonly reach: CanvasPoint }, 'card' | 'dot'>;
 export type NoteNode = Node<{ readonly id: string; readonly note: GraphNote }, 'note'>;
@@ -19,7 +19,7 @@ export type FrameNode = Node<{ readonly id: string; readonly frame: GraphFrame }
 export type FlowNode = CardNode | NoteNode | FrameNode;
 export type WireEdge = Edge<{ readonly type: string; readonly conflict: boolean }, 'wire'>;
 
-/** Notes and frames are nodes too, to React Flow; their keys are told from nodes' by what stands before them. */
+/** Notes and frames are React Flow nodes too; prefixes distinguish their ids. */
 const NOTE = 'note:';
 const FRAME = 'frame:';
 
@@ -31,12 +31,12 @@ export function flowItem(id: string): FlowItem {
   return { kind: 'node', key: id };
 }
 
-/** What was made before, under what it was made of. */
+/** Caches items under what they were made from. */
 export class ElementCache<Item> {
   private before = new Map<string, { readonly of: string; readonly item: Item }>();
   private now = new Map<string, { readonly of: string; readonly item: Item }>();
 
-  /** `of`: all that the item depends on. */
+  /** `of`: key of everything that the item depends on. */
   get(id: string, of: string, make: () => Item): Item {
     const before = this.before.get(id);
     const kept = before?.of === of ? before : { of, item: make() };
@@ -44,7 +44,7 @@ export class ElementCache<Item> {
     return kept.item;
   }
 
-  /** Forgets what was not taken since the last time. */
+  /** Drops items that were not requested since the last call. */
   evictUnused(): void {
     this.before = this.now;
     this.now = new Map();
@@ -55,16 +55,16 @@ export interface FlowInput {
   readonly level: GraphLevel;
   readonly cards: ReadonlyMap<string, CardModel>;
   readonly places: Readonly<Record<string, CanvasPoint>>;
-  /** Where notes are while they are dragged. */
+  /** Positions of notes during a drag. */
   readonly notes: Readonly<Record<string, CanvasPoint>>;
   readonly selection: CanvasSelection;
-  /** How far titles may reach beyond their nodes (zoomedOutTitle.ts). */
+  /** How far titles may extend beyond their nodes (zoomedOutTitle.ts). */
   readonly overhangs: ReadonlyMap<string, CanvasPoint>;
-  /** What a node is to screen readers. */
+  /** Accessible name of a node. */
   nameOf(face: CardModel): string;
 }
 
-/** Frames lie under notes, notes under nodes. */
+/** Z-order: frames, notes, nodes. */
 export function flowNodes(scenery: FlowInput, kept: ElementCache<FlowNode>): FlowNode[] {
   const { level, cards: faces, places, selection, overhangs } = scenery;
   const boxOf = (id: string): CanvasRect | undefined => {
@@ -110,7 +110,7 @@ const frameNode = (id: string, frame: GraphFrame, { at, size }: CanvasRect, sele
   selected,
   connectable: false,
   zIndex: -2,
-  // What lies in a frame is reached through it.
+  // Pointer events pass through to what lies in the frame.
   style: { pointerEvents: 'none' },
   dragHandle: '.sl-frame-title',
   ariaLabel: frame.title,
@@ -139,7 +139,7 @@ const cardNode = (face: CardModel, at: CanvasPoint, selected: boolean, reach: Ca
       id: socket.name,
       type: side === 'inputs' ? 'target' : 'source',
       position: side === 'inputs' ? Position.Left : Position.Right,
-      // Edges end at the middle of a mark.
+      // Edges end at the center of the socket mark.
       x: side === 'inputs' ? x : x - SOCKET_SIZE,
       y: y - SOCKET_SIZE / 2,
       width: SOCKET_SIZE,

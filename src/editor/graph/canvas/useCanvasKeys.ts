@@ -5,7 +5,7 @@ import { copySelection, cutSelection, pasteText } from '../commands/clipboard.ts
 import { matchesKeyBinding } from '../commands/keyBindings.ts';
 import { canvas, selectItems } from './canvasState.ts';
 
-/** Keys and the clipboard, where the focus is on the canvas. */
+/** Keyboard shortcuts and clipboard events while the canvas has the focus. */
 export function useCanvasKeys(panel: React.RefObject<HTMLElement | null>): void {
   const studio = useEditor();
   useEffect(() => {
@@ -56,10 +56,10 @@ export function useCanvasKeys(panel: React.RefObject<HTMLElement | null>): void 
 const isWriting = ({ target }: Event): boolean =>
   target instanceof HTMLElement && target.matches('input, textarea, select, [contenteditable]');
 
-/** Whether a key means something here, which then is done. */
+/** Runs the action of a key binding; returns whether there is one. */
 function act(context: ActionContext, event: KeyboardEvent): boolean {
   if (event.key === 'Escape') return stepBack(context);
-  // Buttons on the canvas are pressed with these.
+  // These keys press focused buttons.
   const isButton = event.target instanceof HTMLElement && event.target.matches('button, a');
   if (isButton && (event.key === 'Enter' || event.key === ' ')) return false;
   const action = GRAPH_ACTIONS.find(
@@ -74,7 +74,7 @@ function act(context: ActionContext, event: KeyboardEvent): boolean {
   return nudgeSelection(context, event.key, event.shiftKey);
 }
 
-/** What is chosen is let go; then the group is left. */
+/** Clears the selection; with nothing selected, leaves the group. */
 function stepBack(context: ActionContext): boolean {
   const { selection, path } = context;
   if (canvas.getState().adding) canvas.setState({ adding: undefined });

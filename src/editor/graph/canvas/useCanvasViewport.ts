@@ -10,19 +10,19 @@ import type { FlowNode, WireEdge } from './flowElements.ts';
 
 const TRANSITION_DURATION = 200; // [ms]
 const transitionDuration = (): number => (prefersReducedMotion() ? 0 : TRANSITION_DURATION);
-/** What lies over the canvas. */
+/** Overlays on the canvas. */
 const OVERLAYS = '.sl-graph-tools, .sl-breadcrumb, .react-flow__minimap';
 
 interface ShownGraph {
-  /** With all the pictures that there would be room for elsewhere. */
+  /** Card models with all pictures, also those hidden because they would cover other nodes. */
   readonly whole: ReadonlyMap<string, CardModel>;
   readonly faces: ReadonlyMap<string, CardModel>;
   readonly places: Readonly<Record<string, CanvasPoint>>;
-  /** As they are drawn, with notes and frames. */
+  /** Nodes as drawn, with notes and frames. */
   readonly nodes: readonly FlowNode[];
 }
 
-/** Of some nodes, or of all that there is. */
+/** Rectangles of the given nodes, or of all. */
 const flowRects = (nodes: readonly FlowNode[], ids?: readonly string[]): readonly CanvasRect[] =>
   nodes
     .filter(({ id }) => !ids || ids.includes(id))
@@ -38,7 +38,7 @@ function overlayRects(panel: HTMLElement | null): readonly CanvasRect[] {
   return boxes.filter(({ size }) => size[0] > 0);
 }
 
-/** Lets actions know, and change, what part of the canvas is seen. */
+/** Provides `CanvasViewport` to actions. */
 export function useCanvasViewport(shown: ShownGraph, panel: React.RefObject<HTMLElement | null>): void {
   const flow = useReactFlow<FlowNode, WireEdge>();
   const store = useStoreApi<FlowNode, WireEdge>();
@@ -94,7 +94,7 @@ export function useCanvasViewport(shown: ShownGraph, panel: React.RefObject<HTML
           give('.sl-flow');
           return;
         }
-        // What was just added is drawn first.
+        // Waits until a node that was just added is rendered.
         requestAnimationFrame(() => {
           give(`.react-flow__node[data-id="${node}"]`);
           sight.reveal(node);
@@ -102,7 +102,7 @@ export function useCanvasViewport(shown: ShownGraph, panel: React.RefObject<HTML
       },
     };
     canvas.setState({ viewport: sight });
-    // At first all is in sight, once the panel has its size.
+    // Fits all nodes initially, once the panel has a size.
     const look = (): boolean => {
       if (store.getState().width === 0) return false;
       sight.fit(undefined, 0);

@@ -33,14 +33,14 @@ import {
 } from './flowElements.ts';
 
 type Places = Readonly<Record<string, CanvasPoint>>;
-/** Where things are while they are dragged; the document hears of it when they are let go. */
+/** Positions during a drag; the document is changed when it ends. */
 interface Drag {
   readonly nodes: Places;
   readonly notes: Places;
 }
 const NO_DRAG: Drag = { nodes: {}, notes: {} };
 
-/** The shown level as React Flow wants it, and what becomes of its changes. */
+/** The shown level as React Flow elements, with handlers for its changes. */
 export function useFlow() {
   const level = useLevel();
   const chosen = useCanvas((state) => state.selection);
@@ -157,7 +157,7 @@ interface DragContext {
   readonly faces: ReadonlyMap<string, CardModel>;
 }
 
-/** Where all are that move: what is dragged, and what is in dragged frames. */
+/** Positions of everything that moves: the dragged nodes, and those in dragged frames. */
 function computeDrag(
   moves: readonly (FlowItem & { readonly at: CanvasPoint })[],
   { level, placed, faces }: DragContext,

@@ -2,7 +2,10 @@ import { useEffect, useRef } from 'react';
 import { useEditorState } from '../../state/context.tsx';
 import { useCanvas } from './canvasState.ts';
 
-/** Where what had the focus goes, by an undo or into a group, the canvas has it: keys go on being heard. */
+/**
+ * Focuses the canvas when the focused element was removed (by an undo, or on entering a group), so that shortcuts keep
+ * working.
+ */
 export function useFocusRestore(panel: React.RefObject<HTMLElement | null>): void {
   const last = useRef<EventTarget>(undefined);
   const held = useEditorState((state) => state.history.document);
@@ -15,7 +18,7 @@ export function useFocusRestore(panel: React.RefObject<HTMLElement | null>): voi
     host?.addEventListener('focusin', onFocus);
     return () => host?.removeEventListener('focusin', onFocus);
   }, [panel]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: what is shown changes with these
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the rendered elements change with these
   useEffect(() => {
     const frame = requestAnimationFrame(() => {
       const { current } = last;

@@ -11,13 +11,13 @@ import { connectCommand, hasEdge, reconnectCommand, rerouteCommand } from '../co
 import { canvas, levelAt } from './canvasState.ts';
 import { type FlowNode, flowItem, type WireEdge } from './flowElements.ts';
 
-/** What becomes of edges that are drawn, drawn elsewhere, dropped and bent. */
+/** Handlers for edges that are drawn, reconnected, dropped and bent. */
 export function useWiring(faces: ReadonlyMap<string, CardModel>, panel: React.RefObject<HTMLElement | null>) {
   const studio = useEditor();
   const { screenToFlowPosition } = useReactFlow<FlowNode, WireEdge>();
   const shown = useRef(faces);
   shown.current = faces;
-  /** The edge whose end was taken up. */
+  /** The edge being reconnected. */
   const carried = useRef<GraphEdge>(undefined);
   return useMemo(() => {
     const levelNow = (): GraphLevel => levelAt(studio.store.getState().history.document, canvas.getState().path);
@@ -29,7 +29,7 @@ export function useWiring(faces: ReadonlyMap<string, CardModel>, panel: React.Re
       const box = panel.current?.getBoundingClientRect();
       return box ? [x - box.left, y - box.top] : [x, y];
     };
-    /** Asks what a loose end is to be connected to: a socket of the node that it was dropped on, or a new node. */
+    /** Asks what to connect a dropped edge to: a socket of the node it was dropped on, or a new node. */
     const ask = (event: MouseEvent | TouchEvent, loose: PendingConnection, onto: string | undefined) => {
       const point = 'clientX' in event ? event : event.changedTouches[0]!;
       const at: CanvasPoint = [point.clientX, point.clientY];
@@ -73,7 +73,7 @@ export function useWiring(faces: ReadonlyMap<string, CardModel>, panel: React.Re
       onConnectEnd: (event: MouseEvent | TouchEvent, state: FinalConnectionState) => {
         const { pending } = canvas.getState();
         canvas.setState({ pending: undefined, compatibleSockets: undefined });
-        // Let go where it was taken up: nothing is meant.
+        // Dropped on the socket where the drag started: no change.
         const isBack = state.toHandle !== null && state.toHandle?.nodeId === pending?.node;
         if (pending && !state.isValid && !isBack) dropped(event, pending);
       },
@@ -111,7 +111,7 @@ function edgeOfConnection({
   return { from: { node: source, output: sourceHandle }, to: { node: target, input: targetHandle } };
 }
 
-/** The shown sockets that fit a loose end, by node. Its own node is shown as ever. */
+/** The visible sockets that fit a pending connection, by node. Its own node is not filtered. */
 function findCompatibleSockets(level: GraphLevel, loose: PendingConnection, faces: ReadonlyMap<string, CardModel>) {
   const fits = connectionCheck(level, loose);
   const found = new Map<string, Set<string>>([[loose.node, new Set([`${loose.side} ${loose.socket}`])]]);
@@ -119,7 +119,7 @@ function findCompatibleSockets(level: GraphLevel, loose: PendingConnection, face
     if (id === loose.node) continue;
     const sockets = rows.flatMap(({ input, output }) => (loose.side === 'outputs' ? input : output) ?? []);
     const names = sockets.filter(({ name }) => fits(id, name)).map(({ name }) => `${oppositeSide(loose.side)} ${name}`);
-    // What it is not shown with it may be offered when the edge is dropped on it.
+    // Sockets that are not shown are offered when the edge is dropped on the node.
     if (names.length > 0) found.set(id, new Set(names));
     else if (socketOptions(level, loose, id).length > 0) found.set(id, new Set(['hidden']));
   }

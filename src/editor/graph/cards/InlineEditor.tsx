@@ -4,12 +4,12 @@ import { canvas } from '../canvas/canvasState.ts';
 interface InlineEditorProps {
   readonly label: string;
   readonly words: string;
-  /** Of several lines: Enter begins one, and Ctrl Enter takes what is written. */
+  /** Multiline: Enter inserts a line break, Ctrl Enter accepts. */
   readonly long?: boolean;
   readonly take: (words: string) => void;
 }
 
-/** A field over what is being written; left it takes the words, Escape leaves them as they were. */
+/** A text field in place of the edited text; leaving it accepts, Escape cancels. */
 export function InlineEditor({ label, words, long = false, take }: InlineEditorProps): ReactNode {
   const given = useRef(false);
   const end = (written: string | undefined, key: boolean, field: HTMLElement) => {
@@ -36,7 +36,7 @@ export function InlineEditor({ label, words, long = false, take }: InlineEditorP
   };
   const focus = (field: HTMLInputElement | HTMLTextAreaElement | null) => {
     field?.select();
-    // Where a press began it, the canvas takes the focus with that.
+    // After a pointer press the canvas takes the focus; take it back.
     if (field) requestAnimationFrame(() => document.activeElement !== field && field.select());
   };
   return long ? <textarea ref={focus} {...common} /> : <input ref={focus} {...common} />;

@@ -21,12 +21,12 @@ import { CanvasPixelContext, LINE_HEIGHT, layoutTitle, MAX_PICTURE_PIXEL } from 
 
 const NONE: ReadonlySet<string> = new Set();
 
-/** While an edge is drawn, the node's sockets that it fits; else undefined. */
+/** While an edge is drawn: the node's sockets that it fits; otherwise undefined. */
 function useCompatibleSockets(id: string): ReadonlySet<string> | undefined {
   return useCanvas(({ compatibleSockets }) => compatibleSockets && (compatibleSockets.get(id) ?? NONE));
 }
 
-/** A node: what it is called, its sockets, what of its parameters is set, what it made, and what is wrong. */
+/** A node: title, sockets, set parameters, result and problem. */
 export const NodeCard = memo(function NodeCard({ data: { face, reach } }: NodeProps<CardNode>): ReactNode {
   const fits = useCompatibleSockets(face.id);
   const pixel = useContext(CanvasPixelContext);
@@ -77,7 +77,7 @@ interface ZoomedOutLabelProps {
   readonly pixel: number;
 }
 
-/** What is shown of a node from afar: its title, in the middle of it, or above its picture. */
+/** Label of a zoomed-out node: its title, centered or above its picture. */
 function ZoomedOutLabel({ face, reach, pixel }: ZoomedOutLabelProps): ReactNode {
   const { any } = useTexts();
   const room = titleArea(face, pixel <= MAX_PICTURE_PIXEL);
@@ -92,7 +92,7 @@ function ZoomedOutLabel({ face, reach, pixel }: ZoomedOutLabelProps): ReactNode 
   );
 }
 
-/** Hands over the file that the node asks for. */
+/** Saves the file that the node requests. */
 function SaveMark({ id }: { readonly id: string }): ReactNode {
   const studio = useEditor();
   const flat = useCanvas(({ path }) => flatNodeId(existingPath(studio.store.getState().history.document, path), id));
@@ -120,7 +120,7 @@ function EnterButton({ id }: { readonly id: string }): ReactNode {
   );
 }
 
-/** All at one place, only for edges to end at. */
+/** All at one point; only edge ends are needed. */
 const CollapsedSockets = ({ face }: { readonly face: CardModel }): ReactNode =>
   face.rows.flatMap(({ input, output }) => [
     input && <SocketHandle key={`in ${input.name}`} side="inputs" socket={input} closed unfit={false} />,
@@ -134,7 +134,7 @@ function Body({ face, fits }: { readonly face: CardModel; readonly fits?: Readon
       {(face.rows.length > 0 || face.more > 0) && (
         <div className="sl-node-body">
           {face.rows.map((row, i) => (
-            // biome-ignore lint/suspicious/noArrayIndexKey: rows have no name of their own
+            // biome-ignore lint/suspicious/noArrayIndexKey: rows have no id
             <RowLine key={i} row={row} fits={fits} />
           ))}
           {face.more > 0 && <div className="sl-node-row sl-node-more">{t('graph.more', { count: face.more })}</div>}
@@ -186,7 +186,7 @@ function SocketLabel({ socket }: { readonly socket: SocketModel }): ReactNode {
   );
 }
 
-/** A bend in an edge. */
+/** A reroute: a bend in an edge. */
 export const RerouteDot = memo(function RerouteDot({ data: { face } }: NodeProps<CardNode>): ReactNode {
   const fits = useCompatibleSockets(face.id);
   const { input, output } = face.rows[0] ?? {};

@@ -3,7 +3,7 @@ import { useTexts } from '../../i18n/i18n.ts';
 import { useEditorState } from '../../state/context.tsx';
 import { flatNodeId, useCanvas } from '../canvas/canvasState.ts';
 
-/** How far a node is with what takes long; of a group, what is in it. */
+/** Progress of a node's work, or of the work inside a group. */
 export function NodeProgress({ id }: { readonly id: string }): ReactNode {
   const { t } = useTexts();
   const name = useCanvas(({ path }) => flatNodeId(path, id));

@@ -16,7 +16,7 @@ function setNote(studio: Editor, note: string, value: GraphNote): void {
   studio.edit(insideGroup(group, { kind: 'set-note', note, value }), 'edit.note');
 }
 
-/** Words on the canvas. */
+/** A note on the canvas. */
 export const NoteCard = memo(function NoteCard({ data: { id, note }, selected }: NodeProps<NoteNode>): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();
@@ -51,7 +51,7 @@ export const NoteCard = memo(function NoteCard({ data: { id, note }, selected }:
   );
 });
 
-/** A frame around nodes; it goes where they go, and takes them along by its title. */
+/** A frame around nodes: fits itself to them, and moves them when its title is dragged. */
 export const FrameBox = memo(function FrameBox({ data: { id, frame }, selected }: NodeProps<FrameNode>): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();

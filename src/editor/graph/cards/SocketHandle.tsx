@@ -5,13 +5,13 @@ import type { SocketModel } from './cardModel.ts';
 interface SocketHandleProps {
   readonly side: 'inputs' | 'outputs';
   readonly socket: SocketModel;
-  /** Nothing can be drawn to or from it here. */
+  /** No edge can be drawn to or from it here. */
   readonly closed: boolean;
-  /** An edge is being drawn that does not fit it. */
+  /** The edge being drawn does not fit it. */
   readonly unfit: boolean;
 }
 
-/** A socket's mark: its colour and its form tell the type. */
+/** A socket: its colour and shape show the type. */
 export function SocketHandle({ side, socket, closed, unfit }: SocketHandleProps): ReactNode {
   const isInput = side === 'inputs';
   return (

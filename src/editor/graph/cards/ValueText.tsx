@@ -2,7 +2,7 @@ import type { ReactNode } from 'react';
 import { useTexts } from '../../i18n/i18n.ts';
 import type { DisplayValue } from './displayValue.ts';
 
-/** A value in few words, or as its colour. */
+/** A value as short text, or as its colour. */
 export function ValueText({ of }: { readonly of: DisplayValue }): ReactNode {
   const { any } = useTexts();
   if (of.kind === 'text') return of.text;

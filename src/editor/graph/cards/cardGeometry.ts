@@ -4,26 +4,26 @@ import type { CanvasPoint } from '../../../graph/edits/commands.ts';
 import type { CardModel, SocketModel } from './cardModel.ts';
 
 /**
- * How large nodes are and where their sockets lie [px], known without drawing them: layout, alignment and edges need it,
- * and nothing has to be measured. graph.css draws them by the same figures.
+ * Sizes of nodes and positions of their sockets [px], computed without rendering, for layout, alignment and edges.
+ * graph.css draws with the same figures.
  */
 export const NODE_WIDTH = 200;
 const HEAD_HEIGHT = 30;
 const ROW_HEIGHT = 22;
 const BODY_PADDING = 5;
 const FOOT_HEIGHT = 24;
-/** The picture on a node, with what is between it and the node's foot; and below it how its light is spread. */
+/** Size of a node's picture, with the space below it; and of the luminance histogram below that. */
 export const PICTURE_SIZE: CanvasPoint = [NODE_WIDTH - 12, 106];
 const PICTURE_FOOT = 6;
 const HISTOGRAM_HEIGHT = 44;
-/** A bend in an edge. */
+/** Size of a reroute. */
 const REROUTE_SIZE = 18;
 export const SOCKET_SIZE = 12;
-/** Where there are no rows to put sockets in, they lie at the middle of the head. */
+/** Nodes without rows have their sockets at mid-height of the header. */
 const IN_HEAD = HEAD_HEIGHT / 2;
-/** Below what is in the way of a new node. */
+/** Distance of a new node below the nodes that it would cover. */
 const FREE_GAP = 24;
-/** From a frame to what it is around; above there is its title. */
+/** Margin between a frame and its content; the title is above. */
 const FRAME_MARGIN = 24;
 const FRAME_TITLE = 34;
 
@@ -38,13 +38,13 @@ export function cardSize(face: CardModel): CanvasPoint {
 const pictureHeight = ({ picture }: CardModel): number =>
   picture ? PICTURE_SIZE[1] + PICTURE_FOOT + (picture === 'metered' ? HISTOGRAM_HEIGHT : 0) : 0;
 
-/** What of a node its title has where it is seen from afar: all, or what is above its picture. */
+/** Area for the title of a zoomed-out node: the whole card, or what is above its picture. */
 export function titleArea(face: CardModel, picture: boolean): CanvasPoint {
   const [width, height] = cardSize(face);
   return [width, picture && !face.collapsed ? height - pictureHeight(face) : height];
 }
 
-/** A socket with the middle of its mark, from the node's corner [px]. */
+/** A socket with the center of its mark, relative to the node's corner [px]. */
 interface SocketPosition {
   readonly side: 'inputs' | 'outputs';
   readonly socket: SocketModel;
@@ -70,7 +70,7 @@ export interface CanvasRect {
   readonly size: CanvasPoint;
 }
 
-/** What holds all of some boxes; undefined of none. */
+/** Bounding rectangle; undefined for none. */
 export function boundingRect(boxes: readonly CanvasRect[]): CanvasRect | undefined {
   if (boxes.length === 0) return undefined;
   const least = (axis: 0 | 1) => Math.min(...boxes.map(({ at }) => at[axis]));
@@ -79,7 +79,7 @@ export function boundingRect(boxes: readonly CanvasRect[]): CanvasRect | undefin
   return { at, size: [most(0) - at[0], most(1) - at[1]] };
 }
 
-/** Where a frame is drawn; undefined where it has nothing in it. */
+/** Rectangle of a frame; undefined if the frame is empty. */
 export function frameRect(
   { nodes }: GraphFrame,
   boxOf: (node: string) => CanvasRect | undefined,
@@ -97,7 +97,7 @@ export function frameRect(
 const rectsOverlap = (a: CanvasRect, b: CanvasRect): boolean =>
   [0, 1].every((axis) => a.at[axis]! < b.at[axis]! + b.size[axis]! && b.at[axis]! < a.at[axis]! + a.size[axis]!);
 
-/** Nodes whose pictures would cover another node go without. */
+/** Card models, without pictures that would cover another node. */
 export function withoutCoveringPictures(
   faces: ReadonlyMap<string, CardModel>,
   places: Readonly<Record<string, CanvasPoint>>,
@@ -116,7 +116,7 @@ export function withoutCoveringPictures(
   );
 }
 
-/** A place that nothing covers, straight below a wanted one or at it. */
+/** The first free position at or straight below the wanted one. */
 export function freePosition(wanted: CanvasPoint, size: CanvasPoint, boxes: readonly CanvasRect[]): CanvasPoint {
   const [x] = wanted;
   let [, y] = wanted;

@@ -81,7 +81,7 @@ describe('what a node shows', () => {
       key: 'graph.things',
       fill: { objects: '1', vertices: '24' },
     });
-    // 3 × 0.5 c is more than an observer may have.
+    // 3 × 0.5 c is above the observer's speed limit.
     expect(faces.get('math')!.preview).toEqual({ kind: 'text', text: '1.50000' });
     expect(faces.get('console')!.problem?.message).toContain('1.5 is outside');
     expect(faces.get('camera')!.blocked).toBe(true);

@@ -16,65 +16,67 @@ import { nodeLibrary } from '../../../nodes/library.ts';
 import { type DisplayValue, displayParam } from './displayValue.ts';
 import { hasPicturePreview, hasTextPreview, previewedImage, textPreview } from './resultPreview.ts';
 
-/** A socket as a node shows it. */
+/** A socket as displayed. */
 export interface SocketModel {
-  /** As edges name it: `geometry.2`. */
+  /** Name used by edges: `geometry.2`. */
   readonly name: string;
-  /** Key of the catalogue, or plain words. */
+  /** Text key, or plain text. */
   readonly title: string;
-  /** Of an input that takes many: which of them it is. */
+  /** Index within an input that takes many edges. */
   readonly number?: number;
-  /** What flows through it, as far as the connections tell. */
+  /** Data type, as inferred from the connections. */
   readonly type: string;
   readonly connected: boolean;
 }
 
-/** A line of a node: an input at its left, an output at its right; of a parameter its value. */
+/** A row of a node: an input at the left, an output at the right, a parameter's value. */
 export interface CardRow {
   readonly input?: SocketModel;
   readonly output?: SocketModel;
-  /** Of a parameter: what it is called, and its value where no edge drives it. */
+  /** Title of the parameter, and its value unless an edge drives it. */
   readonly title?: string;
   readonly value?: DisplayValue;
 }
 
-/** All that is shown of a node: plain data, so that what looks the same need not be drawn again. */
+/** Everything displayed of a node, as plain data, so that equal models are not re-rendered. */
 export interface CardModel {
   readonly id: string;
   readonly type: string;
   readonly category: NodeType['category'] | 'unknown';
-  /** As a person called it; else the key of what its type, or its group, is called. */
+  /** The user's title; otherwise the text key of the type or of the group. */
   readonly title: string;
-  /** What its type is called, where the title does not say it. */
+  /** Title of the type, where the title does not already say it. */
   readonly kind?: string;
   readonly muted: boolean;
   readonly collapsed: boolean;
   readonly rows: readonly CardRow[];
-  /** How many set parameters there is no room for. */
+  /** Number of set parameters that are not listed. */
   readonly more: number;
-  /** Whether it has a line for what it made. */
+  /** Whether it has a line for its result. */
   readonly tells: boolean;
   readonly preview?: DisplayValue;
-  /** Whether it shows a picture of what it made, and with it how the light is spread that its tone curve gets. */
+  /**
+   * Whether it shows a picture of its result; `metered`: with the histogram of the luminance that its tone curve gets.
+   */
   readonly picture?: 'plain' | 'metered';
   readonly problem?: Pick<NodeProblem, 'message' | 'place'>;
-  /** It waits for a node that failed. */
+  /** An input comes from a node that failed. */
   readonly blocked: boolean;
 }
 
-/** What faces are made of, besides the nodes. */
+/** What card models are made from, besides the nodes. */
 export interface CardContext {
   readonly level: GraphLevel;
   readonly types: LevelTypes;
   readonly edges: ReadonlyMap<string, ConnectedSockets>;
-  /** Of a node of the level, and of what lies in it. */
+  /** Result of a node of the level, or of a group. */
   resultOf(node: string): NodeResult | undefined;
   problemOf(node: string): NodeProblem | undefined;
-  /** Nodes are to show pictures. */
+  /** Whether nodes show pictures. */
   readonly pictures: boolean;
 }
 
-/** The sockets of a node that are connected. */
+/** The connected sockets of a node. */
 export interface ConnectedSockets {
   readonly inputs: readonly string[];
   readonly outputs: readonly string[];
@@ -98,9 +100,9 @@ export function connectedSockets(edges: Readonly<Record<string, GraphEdge>>): Re
 }
 
 const TONE_MAP = 'tone-map';
-/** How many parameters that are merely set are shown on a node. */
+/** Maximum number of set parameters listed on a node. */
 const MAX_SET_PARAMS = 5;
-/** A group's node that carries its sockets has one more, to which new ones are drawn. */
+/** The socket of a group's input or output node to which new sockets are drawn. */
 export const NEW_SOCKET = 'new-socket';
 
 export function cardModel(id: string, node: GraphNode, around: CardContext): CardModel {
@@ -140,7 +142,7 @@ export function cardModel(id: string, node: GraphNode, around: CardContext): Car
   };
 }
 
-/** Whether a node of an output can show a picture, once it made one. What is muted makes nothing of its own. */
+/** The picture mode of a node, by its output type; none for muted nodes, which have no result of their own. */
 export function pictureModeOf(
   node: GraphNode,
   first: Pick<SocketModel, 'type'> | undefined,
@@ -180,7 +182,7 @@ function resultModel(
 
 type TitledSocket = readonly [name: string, title: string];
 
-/** What a socket without a title goes by: its type, where it is called like that. */
+/** Title of a socket without one: its type, if the name says no more. */
 const titleOfSocket = (name: string, { title, type }: Socket): string =>
   title ?? (name === type ? `type.${name}` : name);
 
@@ -194,7 +196,7 @@ function outputsOf(
   return [...known, ...stray, ...(node.type === GROUP_INPUT ? [[NEW_SOCKET, 'graph.newSocket'] as const] : [])];
 }
 
-/** Without those of parameters. */
+/** Inputs that are not parameters. */
 const ownInputs = (
   node: GraphNode,
   type: NodeType | undefined,
@@ -209,7 +211,7 @@ function inputsOf(inputs: Readonly<Record<string, Socket>>, ends: ConnectedSocke
     const title = titleOfSocket(name, socket);
     if (!socket.many) return [{ name, title, connected: ends.inputs.includes(name) }];
     const taken = connectedNumbers(name, ends);
-    // One is always free.
+    // One free socket is always offered.
     return [...taken, (taken.at(-1) ?? 0) + 1].map((number) => ({
       name: `${name}.${number}`,
       title,
@@ -225,7 +227,7 @@ const connectedNumbers = (name: string, { inputs }: ConnectedSockets): number[] 
     .flatMap(({ base, number }) => (base === name && number !== undefined ? [number] : []))
     .sort((a, b) => a - b);
 
-/** Edges to what is no input: shown, so that they can be taken away. */
+/** Edges to inputs that do not exist: displayed, so that they can be removed. */
 const strayInputs = (
   inputs: Readonly<Record<string, Socket>>,
   type: NodeType | undefined,
@@ -248,7 +250,7 @@ function pairSockets(inputs: readonly SocketModel[], outputs: readonly SocketMod
   }));
 }
 
-/** Parameters that edges drive or a person has set; of utilities all that matter, for to compute is what they are for. */
+/** Parameters that are driven or set; for utility nodes, all that are active. */
 function paramRows(node: GraphNode, type: NodeType, ends: ConnectedSockets, typeOf: (name: string) => string) {
   if (node.type === GROUP) return { rows: [], more: 0 };
   const values = resolveParams(type, node.params);

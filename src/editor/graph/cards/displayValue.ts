@@ -3,18 +3,18 @@ import type { ParamSpec } from '../../../graph/nodeType.ts';
 import { cssColor } from '../../color.ts';
 import { formatNumber } from '../../format.ts';
 
-/** A value in few words. */
+/** A value as short text or a colour. */
 export type DisplayValue =
   | { readonly kind: 'text'; readonly text: string }
-  /** Key of the catalogue, with what is filled in. */
+  /** Text key, with its fillings. */
   | { readonly kind: 'words'; readonly key: string; readonly fill?: Readonly<Record<string, string>> }
-  /** As CSS has it. */
+  /** CSS colour. */
   | { readonly kind: 'color'; readonly css: string };
 
 const MAX_LENGTH = 40;
 const DIGITS = 4;
 
-/** A parameter's value as nodes show it. */
+/** A parameter's value for display. */
 export function displayParam(spec: ParamSpec, value: ParamValue): DisplayValue {
   switch (spec.kind) {
     case 'choice': {

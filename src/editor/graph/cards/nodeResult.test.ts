@@ -17,7 +17,7 @@ const readScene = () => Promise.reject(new Error('there are no files'));
 const evaluated = async (document: GraphDocument) =>
   (await new Evaluator(nodeLibrary).evaluate(document, ['output', 'scene'], { ...workerServices, readScene })).results;
 
-/** A box and what moves it, in place of the file. */
+/** A box with a motion, in place of the file. */
 const boxes = edited(newProject(''), {
   kind: 'batch',
   commands: [

@@ -4,7 +4,7 @@ import type { NodeResult } from '../../../graph/evaluation/resultCache.ts';
 import { firstOutputOf } from '../../../nodes/project/outputChain.ts';
 import type { NodeResults } from './problems.ts';
 
-/** What an evaluation made of a node, by its flat name; of a group, what its first output gives. */
+/** Result of a node, by its id in the evaluation; for a group, that of its first output. */
 export function nodeResultOf(
   results: NodeResults,
   document: GraphDocument,

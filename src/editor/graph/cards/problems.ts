@@ -3,7 +3,7 @@ import type { NodeProblem } from '../../../graph/nodeType.ts';
 
 export type NodeResults = ReadonlyMap<string, NodeResult>;
 
-/** By the flat names of nodes, and of the groups that hold them, the first problem of each. */
+/** The first problem of each node, and of each group that contains one, by the ids of the evaluation. */
 export function problemsByNode(results: NodeResults): ReadonlyMap<string, NodeProblem> {
   const found = new Map<string, NodeProblem>();
   for (const [name, result] of results) {

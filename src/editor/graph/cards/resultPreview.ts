@@ -1,13 +1,13 @@
 import type { NodeResult } from '../../../graph/evaluation/resultCache.ts';
-import type { GBufferSpec, ImageSpec, PictureSpec, RelativisticScene, TimeRange } from '../../../nodes/defineNode.ts';
 import type { LoadedScene } from '../../../nodes/services.ts';
+import type { GBufferSpec, ImageSpec, PictureSpec, RelativisticScene, TimeRange } from '../../../nodes/socketValues.ts';
 import type { MotionPath } from '../../../scene/compose/motionPaths.ts';
 import type { Light } from '../../../scene/types.ts';
 import type { LightSpectrum } from '../../../spectrum/sources/lightSpectrum.ts';
 import { formatCount, formatNumber } from '../../format.ts';
 import { type DisplayValue, displayColor, displayText, formatNumbers } from './displayValue.ts';
 
-/** From each socket type to what is told of a value of it, in a line. */
+/** Formatters of one-line previews, by socket type. */
 const TEXT_PREVIEWS: Readonly<Record<string, (value: never) => DisplayValue>> = {
   geometry: describeScene,
   scene: describeScene,
@@ -23,10 +23,10 @@ const TEXT_PREVIEWS: Readonly<Record<string, (value: never) => DisplayValue>> = 
   text: (value: string) => displayText(value),
 };
 
-/** Whether a line is kept for what flows out of sockets of a type. */
+/** Whether results of a type have a text preview. */
 export const hasTextPreview = (type: string): boolean => Object.hasOwn(TEXT_PREVIEWS, type);
 
-/** What a node made, by its first output. */
+/** Text preview of a node's first output. */
 export function textPreview(result: NodeResult | undefined, output: string, type: string): DisplayValue | undefined {
   if (result?.status !== 'done' || !hasTextPreview(type)) return undefined;
   const value = result.outputs[output];
@@ -35,18 +35,18 @@ export function textPreview(result: NodeResult | undefined, output: string, type
 
 const PICTURE_TYPES: ReadonlySet<string> = new Set(['image', 'mask', 'gbuffer', 'picture']);
 
-/** Whether what flows out of sockets of a type can be shown as a picture. */
+/** Whether results of a type have a picture preview. */
 export const hasPicturePreview = (type: string): boolean => PICTURE_TYPES.has(type);
 
-/** What of a node's output is to be drawn, where there is any. */
+/** The image or G-buffer to draw for a node's output, if any. */
 export function previewedImage(result: NodeResult | undefined, output: string): ImageSpec | GBufferSpec | undefined {
   const value = result?.status === 'done' ? result.outputs[output] : undefined;
   if (typeof value !== 'object' || value === null) return undefined;
-  // A whole picture is of its last image.
+  // A picture is previewed by its final image.
   return 'image' in value ? (value as PictureSpec).image : (value as ImageSpec | GBufferSpec);
 }
 
-/** How many things and vertices; of what has none, how many lights. */
+/** Number of objects and vertices; without objects, number of lights or cameras. */
 function describeScene({ scene: { objects, lights, cameras } }: LoadedScene): DisplayValue {
   if (objects.length === 0 && lights.length > 0) return describeCount('graph.lights', lights.length);
   if (objects.length === 0 && cameras.length > 0) return describeCount('graph.cameras', cameras.length);

@@ -3,30 +3,33 @@ import type { CanvasPoint } from '../../../graph/edits/commands.ts';
 import type { CanvasRect } from './cardGeometry.ts';
 
 /**
- * Seen from afar a node is its title, as large as can be read where there is room for it. Lengths are in pixels of the canvas, but where they are said to be the
- * window's.
+ * Zoomed out, a node shows its title as large as space allows. Lengths are in canvas pixels unless marked as pixels of
+ * the window.
  */
 
-/** Farther away than this zoom nodes show their titles alone. */
+/** Below this zoom nodes show only their titles. */
 const ZOOMED_OUT = 0.6;
-/** In an octave of zoom titles are set anew so many times, not with every frame. */
+/** Title layouts per octave of zoom, instead of one per frame. */
 const STEPS_PER_OCTAVE = 3;
 
-/** What of the canvas a pixel of the window shows, seldom more than it does; undefined where nodes are near. */
+/**
+ * Canvas pixels per window pixel, quantized so that it changes rarely; undefined at zooms where nodes are drawn in
+ * full.
+ */
 export const canvasPixelSize = (zoom: number): number | undefined =>
   zoom < ZOOMED_OUT ? 2 ** (Math.ceil(STEPS_PER_OCTAVE * Math.log2(1 / zoom)) / STEPS_PER_OCTAVE) : undefined;
 
 export const CanvasPixelContext = createContext<number | undefined>(undefined);
 
-/** Where a pixel is more than that, nodes have no pictures, and their titles the room. */
+/** Above this, nodes have no pictures and titles take their space. */
 export const MAX_PICTURE_PIXEL = 4.1;
 
-/** Beyond its node a title reaches no farther, to either side, above and below. */
+/** Maximum extent of a title beyond its node, horizontally and vertically. */
 const MAX_OVERHANG: CanvasPoint = [100, 60];
 
 /**
- * How far titles may reach beyond their nodes: half way to the next, so that no two meet. What is beside and below another lies apart by the wider of both
- * gaps, and only that is shared.
+ * How far titles may extend beyond their nodes: half way to the next, so that no two overlap. Nodes apart in both
+ * directions are separated by the wider gap, and only that is shared.
  */
 export function titleOverhangs(boxes: ReadonlyMap<string, CanvasRect>): ReadonlyMap<string, CanvasPoint> {
   const sorted = [...boxes].map(([id, box]) => ({ id, box, reach: [...MAX_OVERHANG] as [number, number] }));
@@ -44,33 +47,33 @@ export function titleOverhangs(boxes: ReadonlyMap<string, CanvasRect>): Readonly
   return new Map(sorted.map(({ id, reach }) => [id, reach]));
 }
 
-/** Between two boxes along an axis; below nothing where they lie over each other. */
+/** Gap between two boxes along an axis; negative where they overlap. */
 const gap = (a: CanvasRect, b: CanvasRect, axis: 0 | 1): number =>
   Math.max(a.at[axis] - b.at[axis] - b.size[axis], b.at[axis] - a.at[axis] - a.size[axis]);
 
-/** Of letters [px of the window]: what is large enough; what should be, on a node; and what can just be read. */
+/** Font sizes [px of the window]: the maximum, the preferred minimum on a node, and the smallest legible. */
 const MAX_FONT_SIZE = 13;
 const GOOD_FONT_SIZE = 9;
 const MIN_FONT_SIZE = 7.5;
 export const LINE_HEIGHT = 1.1;
-/** From a title to the edge of its node. */
+/** Padding between a title and its node's edge. */
 const TITLE_PADDING = 5;
-/** Of a word that is cut off, so much is worth showing [em]. */
+/** Narrowest part of a truncated word that is worth showing [em]. */
 const MIN_TRUNCATED_WIDTH = 1.6;
 
 export interface ZoomedOutTitle {
-  /** The title; words that are too long for a line with soft hyphens. */
+  /** The title, with soft hyphens in words that are too long for a line. */
   readonly text: string;
-  /** Of its letters. */
+  /** Font size. */
   readonly size: number;
   readonly lines: number;
-  /** What it takes beyond the node on either side, above and below. */
+  /** Extent beyond the node, horizontally and vertically. */
   readonly reach: CanvasPoint;
 }
 
 /**
- * How a title is set on a node, or beyond it where that is too small; words are broken where that is not enough either, and at last cut off. Undefined where
- * nothing of it could be read.
+ * Layout of a node's title on the node, or extending beyond it where it would be too small; if that is not enough words
+ * are hyphenated, then truncated. Undefined if nothing would be legible.
  */
 export function layoutTitle(
   title: string,
@@ -99,7 +102,7 @@ export function layoutTitle(
   return { text: lines > 1 ? hyphenate(title, width) : title, size, lines, reach };
 }
 
-/** With soft hyphens in words that are longer than a line, in pieces of the same length. */
+/** Inserts soft hyphens into words longer than a line, in pieces of equal length. */
 const hyphenate = (title: string, width: number): string =>
   title.replace(/[^\s\p{Script=Han}]+/gu, (word) => {
     const pieces = Math.ceil(wordWidth(word) / (width - HYPHEN_WIDTH));
@@ -111,7 +114,7 @@ const hyphenate = (title: string, width: number): string =>
       .join('\u00ad');
   });
 
-/** How many lines words take in a width; undefined where one is longer than that. [em] */
+/** Number of lines at a width; undefined if a word is wider [em]. */
 function countLines(words: readonly number[], width: number): number | undefined {
   let lines = 1;
   let taken = 0;
@@ -127,7 +130,7 @@ function countLines(words: readonly number[], width: number): number | undefined
   return lines;
 }
 
-/** Of the page's typeface, semi-bold [em]. */
+/** Widths in the page's typeface, semi-bold [em]. */
 const SPACE_WIDTH = 0.28;
 const HYPHEN_WIDTH = 0.46;
 const LETTER_WIDTHS: readonly (readonly [letters: RegExp, width: number])[] = [
@@ -140,6 +143,6 @@ const LETTER_WIDTHS: readonly (readonly [letters: RegExp, width: number])[] = [
 const letterWidth = (letter: string): number => LETTER_WIDTHS.find(([letters]) => letters.test(letter))?.[1] ?? 0.61;
 const wordWidth = (word: string): number => [...word].reduce((width, letter) => width + letterWidth(letter), 0);
 
-/** How wide its words are, between which a title can be broken: after every letter where those are Chinese. */
+/** Widths of the units between which a title can wrap: words, or single Chinese characters. */
 const wordWidths = (title: string): readonly number[] =>
   (title.match(/\p{Script=Han}|[^\s\p{Script=Han}]+/gu) ?? []).map(wordWidth);

@@ -5,7 +5,7 @@ import { type KeyRow, KeyRows, OR } from '../../shell/KeySection.tsx';
 import { GRAPH_ACTIONS } from './actions.ts';
 import { formatKeyBinding, type KeyBinding } from './keyBindings.ts';
 
-/** Of what has keys of its own beside the actions' (useCanvasKeys.ts). */
+/** Keys handled outside of the action table (useCanvasKeys.ts). */
 const OTHERS: readonly KeyRow[] = [
   [['Tab'], 'graph.keys.next'],
   [['←', '→', '↑', '↓'], 'graph.keys.nudge'],
@@ -15,7 +15,7 @@ const OTHERS: readonly KeyRow[] = [
 const either = (keys: readonly KeyBinding[]): string[] =>
   keys.flatMap((each, i) => [...(i > 0 ? [OR] : []), ...formatKeyBinding(each)]);
 
-/** The graph's keys, for the help: those that its actions are called by. */
+/** Key bindings of the graph panel for the help, from its action table. */
 export default function GraphKeyHelp(): ReactNode {
   const { t } = useTexts();
   const rows = [

@@ -28,7 +28,7 @@ const BUTTONS: readonly (readonly [action: string, icon: ReactNode])[] = [
   ['zoom-in', <IconZoomIn key="in" size={17} />],
 ];
 
-/** What is done most, for the mouse. */
+/** Buttons for the most frequent actions. */
 export function Toolbar(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();
@@ -68,7 +68,7 @@ interface ToolProps {
   readonly label: string;
   readonly keys: readonly string[];
   readonly onClick: () => void;
-  /** Of a switch: whether it is on. */
+  /** For a toggle: whether it is on. */
   readonly pressed?: boolean;
   readonly children: ReactNode;
 }

@@ -27,7 +27,7 @@ import { copySelection, cutSelection, pasteText } from './clipboard.ts';
 import { frameCommand, moveItemsCommand, noteCommand, removeCommand } from './edits.ts';
 import type { KeyBinding } from './keyBindings.ts';
 
-/** What actions work on: the level that is shown, and what of it is chosen. */
+/** What actions work on: the shown level and the selection. */
 export interface ActionContext {
   readonly studio: Editor;
   readonly level: GraphLevel;
@@ -36,7 +36,7 @@ export interface ActionContext {
   readonly viewport: CanvasViewport;
 }
 
-/** Undefined while no canvas is shown. */
+/** Returns undefined while no canvas is mounted. */
 export function actionContext(
   studio: Editor,
   { path, selection, viewport: sight }: CanvasState = canvas.getState(),
@@ -54,12 +54,12 @@ export function actionContext(
   );
 }
 
-/** Something that is done on the canvas: keys, buttons, the list of commands and the help are made of this table. */
+/** An action on the canvas; key bindings, buttons, command palette and help are generated from this table. */
 export interface GraphAction {
   readonly id: string;
   readonly title: TextKey;
   readonly keys: readonly KeyBinding[];
-  /** The browser's own keys, which come as events of the clipboard. */
+  /** Handled by the browser, as a clipboard event. */
   readonly native?: boolean;
   isEnabled?(context: ActionContext): boolean;
   run(context: ActionContext): void;
@@ -75,7 +75,7 @@ const groupNode = ({ level, selection }: ActionContext): string | undefined =>
 const editLevel = ({ studio, level }: ActionContext, command: Command, label: TextKey, gesture?: string): void =>
   studio.edit(insideGroup(level.group, command), label, gesture);
 
-/** Tells of what cannot be done, and does nothing. */
+/** Runs an action; a refusal becomes a notice. */
 function notifyOnError({ studio }: ActionContext, act: () => void): void {
   try {
     act();
@@ -85,7 +85,7 @@ function notifyOnError({ studio }: ActionContext, act: () => void): void {
   }
 }
 
-/** Opens the list of nodes that can be added, in the middle or where the pointer was. */
+/** Opens the list of nodes to add, at the center or at the pointer. */
 function openAddNode({ viewport: sight }: ActionContext, at: CanvasPoint = sight.center()): void {
   canvas.setState({ adding: { at, from: sight.toPanel(at) } });
 }
@@ -122,14 +122,14 @@ function ungroupSelection(context: ActionContext): void {
   });
 }
 
-/** Shows the inside of a group's node. */
+/** Shows the inside of a group node. */
 export function enterGroup({ path, viewport: sight }: ActionContext, node: string): void {
   sight.focus();
   canvas.setState({ path: [...path, node], selection: EMPTY_SELECTION });
   requestAnimationFrame(() => sight.fit());
 }
 
-/** Back to one of the levels around; `depth`: how many groups are still entered. */
+/** Returns to an enclosing level; `depth`: number of groups still entered. */
 export function leaveGroup({ path, viewport: sight }: ActionContext, depth: number): void {
   const left = path[depth];
   sight.focus();
@@ -149,7 +149,7 @@ function toggleFlag(context: ActionContext, kind: 'mute' | 'collapse'): void {
   editLevel(context, command, kind === 'mute' ? 'edit.mute' : 'edit.collapse');
 }
 
-/** Lays out what is chosen where it is, or all. */
+/** Lays out the selected nodes in place, or all nodes. */
 function arrangeNodes(context: ActionContext): void {
   const { level, selection, viewport: sight, studio } = context;
   const nodes = selection.nodes.length > 1 ? selection.nodes : Object.keys(level.graph.nodes);
@@ -188,7 +188,7 @@ const distributeAction = (axis: 0 | 1, title: TextKey): GraphAction => ({
     ),
 });
 
-/** A frame around what is chosen. */
+/** Puts a frame around the selection. */
 function frameSelection(context: ActionContext): void {
   const { level, selection, studio } = context;
   const { command, frame: key } = frameCommand(level, selection.nodes, '');
@@ -209,7 +209,7 @@ const firstSelected = ({ nodes, notes, frames }: CanvasSelection): string | unde
     ...frames.map((key) => `frame:${key}`),
   ][0];
 
-/** With what is chosen removed. */
+/** Removes the selection. */
 function removeSelection(context: ActionContext): void {
   const { level, selection, studio } = context;
   context.viewport.focus();
@@ -217,12 +217,12 @@ function removeSelection(context: ActionContext): void {
   selectItems({});
 }
 
-/** Gives the graph nearly all of the picture's room, or back what it took. */
+/** Toggles between the graph taking nearly all of the picture's space and sharing it. */
 function toggleLargeGraph(studio: Editor): void {
   studio.update({ graphEnlarged: !studio.store.getState().graphEnlarged });
 }
 
-/** The next visit has them as they are now. */
+/** Toggles pictures on nodes; saved as a preference. */
 function togglePictures(): void {
   const pictures = !canvas.getState().pictures;
   canvas.setState({ pictures });
@@ -344,7 +344,7 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
   { id: 'zoom-out', title: 'graph.zoomOut', keys: ['-'], run: ({ viewport: sight }) => sight.zoom(0.8) },
 ];
 
-/** How far the arrow keys move what is chosen [px]; with Shift by more. */
+/** Step of the arrow keys [px]; Shift makes it larger. */
 const NUDGE_DIRECTIONS: Readonly<Record<string, CanvasPoint>> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -354,7 +354,7 @@ const NUDGE_DIRECTIONS: Readonly<Record<string, CanvasPoint>> = {
 const NUDGE = 10;
 const LARGE_NUDGE = 50;
 
-/** Moves what is chosen a little; while a key is held, in one step of the history. */
+/** Moves the selection by one step; while a key is held, all steps are one undo step. */
 export function nudgeSelection(
   { level, selection, viewport: sight, studio }: ActionContext,
   key: string,

@@ -6,11 +6,11 @@ import { canvas, levelAt, prunedSelection, selectItems } from '../canvas/canvasS
 import { findFreeCenter, revealNodes } from '../layout/freePosition.ts';
 import { removeCommand } from './edits.ts';
 
-/** Copied nodes are text on the system's clipboard, so that they go from tab to tab, and into a mail. */
+/** Copied nodes are text on the system clipboard, so they can be pasted into other tabs and programs. */
 const shownLevel = (studio: Editor): GraphLevel =>
   levelAt(studio.store.getState().history.document, canvas.getState().path);
 
-/** What is chosen, as text; undefined where nothing is. */
+/** The selection as text; undefined if it is empty. */
 export function copySelection(studio: Editor): string | undefined {
   const level = shownLevel(studio);
   const { nodes, notes } = prunedSelection(level, canvas.getState().selection);
@@ -26,7 +26,7 @@ export function cutSelection(studio: Editor): string | undefined {
   return words;
 }
 
-/** Nodes out of a text, in the middle of what is seen. What is no nodes is refused, with the place of the fault. */
+/** Pastes nodes from text at the center of the viewport. Invalid text is refused with the place of the error. */
 export function pasteText(studio: Editor, words: string): void {
   const level = shownLevel(studio);
   try {

@@ -8,7 +8,7 @@ import { ANY, type NodeType } from '../../../graph/nodeType.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
 import { NEW_SOCKET } from '../cards/cardModel.ts';
 
-/** One end of an edge whose other end is being looked for. */
+/** One end of an edge whose other end is not chosen yet. */
 export interface PendingConnection {
   readonly node: string;
   readonly side: 'inputs' | 'outputs';
@@ -18,14 +18,14 @@ export interface PendingConnection {
 export const oppositeSide = (side: PendingConnection['side']): PendingConnection['side'] =>
   side === 'inputs' ? 'outputs' : 'inputs';
 
-/** The edge between a loose end and a socket of the other side. */
+/** The edge between a pending connection and a socket of the other side. */
 export function edgeBetween({ node, side, socket }: PendingConnection, other: string, name: string): GraphEdge {
   return side === 'outputs'
     ? { from: { node, output: socket }, to: { node: other, input: name } }
     : { from: { node: other, output: name }, to: { node, input: socket } };
 }
 
-/** Asks of sockets whether they fit a loose end; what is dear to find out is found out once. */
+/** Returns a predicate: whether a socket fits the pending connection. Costly checks are cached. */
 export function connectionCheck(
   level: GraphLevel,
   loose: PendingConnection,
@@ -41,7 +41,7 @@ export function connectionCheck(
     if (type === undefined) return false;
     const [from, to] = loose.side === 'outputs' ? [held, type] : [type, held];
     if (!conversion(from, to)) return false;
-    // Sockets of any type take theirs from all that is connected: only the whole level tells.
+    // Sockets of type `any` take their type from all connections, so the whole level must be inferred.
     const isSure =
       from !== ANY &&
       to !== ANY &&
@@ -56,7 +56,7 @@ export function connectionCheck(
 const typeAt = (types: LevelTypes, { node, side, socket }: PendingConnection): string =>
   types.typeOf(node, side, socket) ?? ANY;
 
-/** Nodes to which an edge would close a circle. */
+/** Nodes to which an edge would close a cycle. */
 function nodesClosingCycle(graph: Graph, { node, side }: PendingConnection): ReadonlySet<string> {
   if (side === 'inputs') return reachableFrom(graph, [node]);
   const turned = Object.entries(graph.edges).map(([key, { from, to }]): [string, GraphEdge] => [
@@ -72,14 +72,14 @@ function isGeneric(level: GraphLevel, id: string, side: keyof NodeSockets, name:
   return sockets?.[side][name.split('.')[0]!]?.type === ANY;
 }
 
-/** A socket of a node, which takes what a loose end brings. */
+/** A socket of a node that fits a pending connection. */
 export interface SocketOption {
   readonly socket: string;
-  /** Key of the catalogue, or plain words. */
+  /** Text key, or plain text. */
   readonly title: string;
 }
 
-/** The sockets of a node that fit a loose end, those of parameters last. */
+/** The sockets of a node that fit a pending connection; parameters last. */
 export function socketOptions(level: GraphLevel, loose: PendingConnection, id: string): SocketOption[] {
   const node = own(level.graph.nodes, id);
   const sockets = node && socketsOf(level, node, nodeLibrary);
@@ -92,7 +92,7 @@ export function socketOptions(level: GraphLevel, loose: PendingConnection, id: s
   });
 }
 
-/** After the last that is taken. */
+/** The number after the highest in use. */
 export function freeNumber({ edges }: Graph, node: string, input: string): number {
   const taken = Object.values(edges).flatMap(({ to }) =>
     to.node === node && to.input.startsWith(`${input}.`) ? [Number(to.input.slice(input.length + 1))] : [],
@@ -100,13 +100,13 @@ export function freeNumber({ edges }: Graph, node: string, input: string): numbe
   return Math.max(0, ...taken) + 1;
 }
 
-/** The socket by which a new node of a type would be connected to a loose end; undefined where none fits. */
+/** The socket that connects a new node of a type to a pending connection; undefined if none fits. */
 export function socketFor(level: GraphLevel, type: NodeType, loose: PendingConnection): string | undefined {
   if (type.id === GROUP_INPUT || type.id === GROUP_OUTPUT) return undefined;
   return socketAmong(socketsOfType(type), typeAt(inferTypes(level, nodeLibrary), loose), loose.side);
 }
 
-/** As `socketFor`, of a node of a group that the document has. */
+/** As `socketFor`, for an instance of a group of the document. */
 export function socketForGroup(level: GraphLevel, group: string, loose: PendingConnection): string | undefined {
   const sockets = socketsOf(level, { type: GROUP, params: { group } }, nodeLibrary);
   return sockets && socketAmong(sockets, typeAt(inferTypes(level, nodeLibrary), loose), loose.side);
@@ -115,7 +115,7 @@ export function socketForGroup(level: GraphLevel, group: string, loose: PendingC
 function socketAmong(sockets: NodeSockets, loose: string, side: PendingConnection['side']): string | undefined {
   const entries = Object.entries(sockets[oppositeSide(side)]);
   const convert = (type: string) => (side === 'outputs' ? conversion(loose, type) : conversion(type, loose));
-  // The same type is meant before one that it is turned to.
+  // Prefers the same type to one that needs a conversion.
   const found = entries.find(([, { type }]) => type === loose) ?? entries.find(([, { type }]) => convert(type));
   if (!found) return undefined;
   return found[1].many && side === 'outputs' ? `${found[0]}.1` : found[0];

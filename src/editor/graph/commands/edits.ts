@@ -18,21 +18,21 @@ import type { CanvasSelection } from '../canvas/canvasState.ts';
 import { NEW_SOCKET } from '../cards/cardModel.ts';
 import { edgeBetween, type PendingConnection } from './connections.ts';
 
-/** Commands for what is done on the canvas, each for the level that it is done in. */
+/** Document commands of canvas operations, each for one level. */
 const levelBatch = (level: GraphLevel, commands: readonly Command[]): Command =>
   insideGroup(level.group, { kind: 'batch', commands });
 
 const connectEdge = (edge: GraphEdge): Command => ({ kind: 'connect', edge });
 
-/** A kind of node that can be added: a type, or one of the document's groups. */
+/** A kind of node that can be added: a type, or a group of the document. */
 export interface AddableNode {
   readonly type: string;
   readonly group?: string;
-  /** Connected to the loose end by this socket. */
+  /** Socket that is connected to the pending connection. */
   readonly socket?: string;
 }
 
-/** A new node with its corner at `at`, and what it is called. */
+/** Adds a node with its corner at `at`; also returns its id. */
 export function addNodeCommand(
   level: GraphLevel,
   { type, group, socket }: AddableNode,
@@ -48,7 +48,7 @@ export function addNodeCommand(
   return { node, command: { kind: 'batch', commands } as const };
 }
 
-/** An edge; one that ends at a group's place for new sockets makes one there. */
+/** Adds an edge; one to a group's new-socket placeholder also creates the socket. */
 export function connectCommand(level: GraphLevel, edge: GraphEdge): Command {
   const group = level.group === undefined ? undefined : own(level.document.groups, level.group);
   const enters = edge.from.output === NEW_SOCKET;
@@ -72,7 +72,7 @@ export function connectCommand(level: GraphLevel, edge: GraphEdge): Command {
 const withSocket = (group: NodeGroup, enters: boolean, socket: GroupSocket): NodeGroup =>
   enters ? { ...group, inputs: [...group.inputs, socket] } : { ...group, outputs: [...group.outputs, socket] };
 
-/** An edge drawn elsewhere: the old one goes. */
+/** Replaces an edge by its reconnected form. */
 export const reconnectCommand = (level: GraphLevel, before: GraphEdge, edge: GraphEdge): Command => ({
   kind: 'batch',
   commands: [levelBatch(level, [{ kind: 'disconnect', to: before.to }]), connectCommand(level, edge)],
@@ -92,7 +92,7 @@ const disconnectCommands = ({ graph }: GraphLevel, key: string): Command[] => {
   return edge ? [{ kind: 'disconnect', to: edge.to }] : [];
 };
 
-/** A bend in an edge, with its middle at `at`. */
+/** Inserts a reroute centered at `at`. */
 export function rerouteCommand(level: GraphLevel, edge: GraphEdge, [x, y]: CanvasPoint) {
   const node = new FreshKeys(level.graph.nodes).next(REROUTE);
   const command = levelBatch(level, [
@@ -103,7 +103,7 @@ export function rerouteCommand(level: GraphLevel, edge: GraphEdge, [x, y]: Canva
   return { node, command };
 }
 
-/** A frame around nodes; from other frames they are taken out. */
+/** Adds a frame around nodes, removing them from other frames. */
 export function frameCommand(level: GraphLevel, nodes: readonly string[], title: string) {
   const frame = new FreshKeys(level.graph.frames).next('frame');
   const chosen = new Set(nodes);
@@ -127,7 +127,7 @@ export function noteCommand(level: GraphLevel, at: CanvasPoint) {
   return { note, command: levelBatch(level, [{ kind: 'set-note', note, value }]) };
 }
 
-/** Nodes and notes moved to places. */
+/** Moves nodes and notes. */
 export function moveItemsCommand(
   level: GraphLevel,
   nodes: Readonly<Record<string, CanvasPoint>>,
@@ -142,7 +142,7 @@ export function moveItemsCommand(
   ]);
 }
 
-/** A group's socket under another name, or without one taken away with its edges, wherever the group is used. */
+/** Renames a group's socket; without a name removes it with its edges, in every instance of the group. */
 export function changeSocketCommand(
   level: GraphLevel,
   side: 'inputs' | 'outputs',
@@ -180,7 +180,7 @@ function disconnectOuterEdges({ document, group }: GraphLevel, side: 'inputs' | 
   );
 }
 
-/** Whether the document has the edge, so that nothing need be done. */
+/** Whether the document already has the edge. */
 export const hasEdge = ({ graph }: GraphLevel, edge: GraphEdge): boolean => {
   const held = own(graph.edges, edgeKey(edge.to));
   return held !== undefined && held.from.node === edge.from.node && held.from.output === edge.from.output;

@@ -1,4 +1,4 @@
-/** A combination of keys as tables have it: `Mod+Shift+Z`. `Mod` is Ctrl, and on a Mac also ⌘. */
+/** A key combination as `Mod+Shift+Z`. `Mod` is Ctrl, or ⌘ on a Mac. */
 export type KeyBinding = string;
 
 type KeyEvent = Pick<KeyboardEvent, 'key' | 'code' | 'ctrlKey' | 'metaKey' | 'shiftKey' | 'altKey'>;
@@ -6,13 +6,15 @@ type KeyEvent = Pick<KeyboardEvent, 'key' | 'code' | 'ctrlKey' | 'metaKey' | 'sh
 /** `Mod++` is Ctrl and +. */
 const partsOf = (keys: KeyBinding): string[] => keys.split(/(?<=[^+])\+/);
 
-/** Whether an event is of a combination. Letters go by what they stand for, where that is a letter, and else by where they are. */
+/**
+ * Whether an event matches a binding: by character (`key`) where that is a letter, otherwise by physical key (`code`).
+ */
 export function matchesKeyBinding(event: KeyEvent, keys: KeyBinding): boolean {
   const parts = partsOf(keys);
   const key = parts.pop()!;
   const wants = (modifier: string) => parts.includes(modifier);
   if ((event.ctrlKey || event.metaKey) !== wants('Mod') || event.altKey !== wants('Alt')) return false;
-  // Signs need Shift on some keyboards and not on others.
+  // Whether signs need Shift depends on the keyboard layout.
   const isSign = /^[^\p{L}\p{N}]$/u.test(key) && key !== ' ';
   if (!isSign && event.shiftKey !== wants('Shift')) return false;
   if (key === 'Space') return event.key === ' ';
@@ -31,7 +33,7 @@ const SIGNS: Readonly<Record<string, string>> = {
   Enter: '↵',
 };
 
-/** As people read it: `Ctrl ⇧ Z`. */
+/** For display: `Ctrl ⇧ Z`. */
 export const formatKeyBinding = (keys: KeyBinding): string[] =>
   partsOf(keys).map((part) => (part === 'Mod' ? (isMac() ? '⌘' : 'Ctrl') : (SIGNS[part] ?? part)));
 

@@ -12,7 +12,7 @@ interface GroupSocketsProps {
   readonly side: 'inputs' | 'outputs';
 }
 
-/** The sockets of the group that is entered, to be named and taken away; new ones are drawn. */
+/** The sockets of the entered group, to rename and remove; new ones are made by drawing edges. */
 export function GroupSockets({ level, side }: GroupSocketsProps): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();

@@ -17,7 +17,7 @@ interface InputSourcesProps {
   readonly level: GraphLevel;
 }
 
-/** What feeds each input of a node, to be chosen from all that fits. */
+/** The source of each input of a node, selectable from all outputs that fit. */
 export function InputSources({ id, node, level }: InputSourcesProps): ReactNode {
   const inputs = useMemo(() => {
     const around = {
@@ -90,7 +90,7 @@ function InputSource({ id, level, socket }: InputSourceProps): ReactNode {
   );
 }
 
-/** Every output of the level that an input can be fed with. */
+/** All outputs of the level that fit an input. */
 function compatibleSources(level: GraphLevel, to: { readonly node: string; readonly input: string }) {
   const fits = connectionCheck(level, { node: to.node, side: 'inputs', socket: to.input });
   return Object.entries(level.graph.nodes).flatMap(([node, held]) =>

@@ -19,7 +19,7 @@ import { problemsByNode } from '../cards/problems.ts';
 import { GroupSockets } from './GroupSockets.tsx';
 import { InputSources } from './InputSources.tsx';
 
-/** The chosen node: what it is, what is wrong with it, what feeds it, and its parameters. */
+/** The selected node: type, problem, inputs and parameters. */
 export default function Inspector(): ReactNode {
   const { t } = useTexts();
   const document = useEditorState((state) => state.history.document);
@@ -46,7 +46,7 @@ interface InspectedProps {
   readonly id: string;
   readonly node: GraphNode;
   readonly level: GraphLevel;
-  /** As evaluations name it. */
+  /** Its id in evaluation results. */
   readonly flat: string;
 }
 
@@ -79,7 +79,7 @@ function NodeInspector({ id, node, level, flat }: InspectedProps): ReactNode {
   );
 }
 
-/** What the node, or the group that it is of, is called; it takes the focus where the inspector is asked for. */
+/** Title of the node, or of its group; focused when the inspector is opened by a command. */
 function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { readonly type?: NodeType }): ReactNode {
   const { any, t } = useTexts();
   const studio = useEditor();
@@ -88,7 +88,7 @@ function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { reado
   useEffect(() => {
     if (!inspecting) return;
     studio.update({ inspecting: false });
-    // The panel comes to the front first, and takes the focus.
+    // Focus after the panel has come to the front.
     requestAnimationFrame(() => field.current?.focus());
   }, [inspecting, studio]);
   const group = node.type === GROUP ? own(level.document.groups, groupKeyOf(node)) : undefined;

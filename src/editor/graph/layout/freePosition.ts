@@ -11,7 +11,7 @@ import type { AddableNode } from '../commands/edits.ts';
 
 type Nodes = Pick<Graph, 'nodes' | 'edges'>;
 
-/** As large as nodes can become that are not on the canvas yet: with a picture wherever what they give can be shown as one. */
+/** Sizes of nodes that are not on the canvas yet: with a picture wherever their output type can have one. */
 function estimatedSizes(level: GraphLevel, { nodes, edges }: Nodes): ReadonlyMap<string, CanvasPoint> {
   const typeOf = (id: string, side: 'inputs' | 'outputs', name: string): string | undefined => {
     const sockets = socketsOf(level, nodes[id]!, nodeLibrary)?.[side] ?? {};
@@ -35,7 +35,7 @@ function estimatedSizes(level: GraphLevel, { nodes, edges }: Nodes): ReadonlyMap
   );
 }
 
-/** What is on a level, as the canvas shows it, or where none does, as it would. */
+/** Occupied rectangles of a level, as shown on the canvas, or estimated if it is not shown. */
 function occupiedRects(level: GraphLevel): readonly CanvasRect[] {
   const { graph } = level;
   const { viewport: sight } = canvas.getState();
@@ -49,14 +49,17 @@ function occupiedRects(level: GraphLevel): readonly CanvasRect[] {
     .concat(notes);
 }
 
-/** Where a new node covers nothing that is there. */
+/** A position at which a new node covers nothing. */
 export function findFreePosition(level: GraphLevel, { type, group }: AddableNode, wanted: CanvasPoint): CanvasPoint {
   const node: GraphNode = { type, params: group === undefined ? {} : { group } };
   const size = estimatedSizes(level, { nodes: { added: node }, edges: {} }).get('added') ?? [0, 0];
   return freePosition(wanted, size, occupiedRects(level));
 }
 
-/** Where the middle of nodes that are pasted is to come, as `pasteFragment` has it, so that they cover nothing: around `middle`, or where they were, or below that. */
+/**
+ * Center for pasted nodes (see `pasteFragment`) at which they cover nothing: at or below `middle`, or their original
+ * position.
+ */
 export function findFreeCenter(level: GraphLevel, fragment: Fragment, middle?: CanvasPoint): CanvasPoint {
   const sizes = estimatedSizes(level, fragment);
   const nodes = Object.entries(fragment.layout).map(([id, at]): CanvasRect => ({ at, size: sizes.get(id) ?? [0, 0] }));
@@ -68,7 +71,7 @@ export function findFreeCenter(level: GraphLevel, fragment: Fragment, middle?: C
   return [Math.round(x + free[0] - at[0]), Math.round(y + free[1] - at[1])];
 }
 
-/** Where what was added is not all to be seen, what is seen follows; once it is drawn. */
+/** Scrolls added nodes into view, once rendered. */
 export function revealNodes(nodes: readonly string[]): void {
   requestAnimationFrame(() => {
     const { viewport: sight } = canvas.getState();

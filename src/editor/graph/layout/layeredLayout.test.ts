@@ -12,7 +12,7 @@ const edge = (from: string, to: string): GraphEdge => ({
 const SIZES: Readonly<Record<string, CanvasPoint>> = { tall: [200, 300], wide: [400, 60] };
 const sizeOf = (id: string): CanvasPoint => SIZES[id] ?? [200, 80];
 
-/** Random graphs: the nodes' numbers give the direction of flow, but for some edges back. */
+/** Random graphs: edges go from lower to higher node numbers, except for a few back edges. */
 const graphs = fc
   .record({
     count: fc.integer({ min: 1, max: 30 }),

@@ -2,7 +2,7 @@ import type { Graph, GraphEdge } from '../../../graph/document/document.ts';
 import type { CanvasPoint } from '../../../graph/edits/commands.ts';
 import { boundingRect, type CanvasRect } from '../cards/cardGeometry.ts';
 
-/** Between columns, and between the nodes of one [px]. */
+/** Gaps between columns, and between nodes of a column [px]. */
 const COLUMN_GAP = 90;
 const ROW_GAP = 28;
 const SWEEPS = 6;
@@ -10,9 +10,9 @@ const SWEEPS = 6;
 type Edges = readonly GraphEdge[];
 
 /**
- * Places for nodes so that data flows from left to right: each stands in the column after the last of those that feed it, as near as can
- * be to those that it feeds; within a column in the order of the middle of its neighbours (Sugiyama, Tagawa and Toda 1981). Top left
- * at the origin.
+ * Layered layout with data flowing from left to right: each node is in the column after its last source, as near as
+ * possible to its targets; within a column nodes are ordered by the barycenter of their neighbours (Sugiyama, Tagawa
+ * and Toda 1981). The top left corner is at the origin.
  */
 export function layeredLayout(
   nodes: readonly string[],
@@ -42,14 +42,14 @@ function adjacency(edges: Edges, of: 'from' | 'to'): Adjacency {
   return found;
 }
 
-/** Nodes by column. What is in a circle stands where it was first met. */
+/** Nodes by column. Nodes of a cycle are placed in order of first visit. */
 function columnsOf(nodes: readonly string[], edges: Edges): string[][] {
   const feeding = adjacency(edges, 'to');
   const fed = adjacency(edges, 'from');
   const ranks = new Map<string, number>();
   for (const id of flowOrder(nodes, fed, feeding))
     ranks.set(id, Math.max(-1, ...(feeding.get(id) ?? []).map((before) => ranks.get(before) ?? -1)) + 1);
-  // What nothing feeds stands right before what it feeds, not at the far left.
+  // Nodes without sources go right before their targets, not to the first column.
   for (const id of nodes) {
     if (feeding.has(id)) continue;
     const after = (fed.get(id) ?? []).map((next) => ranks.get(next)!);
@@ -60,7 +60,7 @@ function columnsOf(nodes: readonly string[], edges: Edges): string[][] {
   return columns.filter((column) => column.length > 0);
 }
 
-/** Each after all that feed it (Kahn 1962); then what is left of circles. */
+/** Topological order (Kahn 1962); nodes of cycles follow. */
 function flowOrder(nodes: readonly string[], fed: Adjacency, feeding: Adjacency): ReadonlySet<string> {
   const waiting = new Map(nodes.map((id) => [id, feeding.get(id)?.length ?? 0]));
   const order = new Set(nodes.filter((id) => waiting.get(id) === 0));
@@ -75,7 +75,7 @@ function flowOrder(nodes: readonly string[], fed: Adjacency, feeding: Adjacency)
   return order;
 }
 
-/** Orders each column by the mean place of its neighbours in the column before, then in that after, and so on. */
+/** Orders each column by the mean position of its neighbours in the previous column, then in the next, alternately. */
 function orderByBarycenter(columns: readonly string[][], edges: Edges): string[][] {
   const [before, after] = [adjacency(edges, 'to'), adjacency(edges, 'from')];
   const ordered = columns.map((column) => [...column]);
@@ -99,7 +99,10 @@ function barycenter(of: Adjacency, id: string, places: ReadonlyMap<string, numbe
   return around.reduce((sum, other) => sum + places.get(other)!, 0) / around.length;
 }
 
-/** Columns from left to right; each node as near as can be to the middle of those that feed it, in its column's order. */
+/**
+ * Positions columns from left to right; each node is as near as possible to the center of its sources, keeping the
+ * column's order.
+ */
 function assignPositions(columns: readonly string[][], edges: Edges, sizeOf: (node: string) => CanvasPoint) {
   const feeding = adjacency(edges, 'to');
   const tops = new Map<string, number>();
@@ -126,7 +129,7 @@ function assignPositions(columns: readonly string[][], edges: Edges, sizeOf: (no
   return Object.fromEntries(entries);
 }
 
-/** Tops of a column's nodes, below one another, shifted as one so that on the whole each is where it is wanted. */
+/** Tops of a column's nodes, stacked, and shifted together by the mean offset from their wanted positions. */
 function stackColumn(
   column: readonly string[],
   wanted: readonly (number | undefined)[],
@@ -144,7 +147,7 @@ function stackColumn(
   return tops.map((top) => top + shift);
 }
 
-/** Where the nodes of a level stand: as the document says, and the rest laid out below that. */
+/** Positions of a level's nodes: from the document; nodes without one are laid out below. */
 export function nodePositions(
   graph: Graph,
   sizeOf: (node: string) => CanvasPoint,

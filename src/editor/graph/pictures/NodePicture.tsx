@@ -6,7 +6,7 @@ import type { CardModel } from '../cards/cardModel.ts';
 import { type LuminanceHistogram, STOP_RANGE } from './luminanceHistogram.ts';
 import { useNodePicture } from './nodePictures.ts';
 
-/** What a node made, small; an empty frame until it is drawn. */
+/** Picture of a node's result; an empty frame until it is rendered. */
 export function NodePicture({ face }: { readonly face: CardModel }): ReactNode {
   const { t, any } = useTexts();
   const path = useCanvas((state) => state.path);
@@ -34,7 +34,7 @@ const HEIGHT = 26;
 const at = (stop: number): number => (WIDTH * (stop - FROM)) / (TO - FROM);
 const TICKS = [-8, -4, 0] as const;
 
-/** How the light is spread that a tone curve gets, over stops; white is at 0. */
+/** Histogram of the luminance that the tone curve gets, over stops; white is at 0. */
 function Histogram({ spread }: { readonly spread?: LuminanceHistogram }): ReactNode {
   const { t } = useTexts();
   const fill = spread && { middle: formatNumber(spread.middle, 2), over: formatNumber(100 * spread.over, 2) };
@@ -58,7 +58,7 @@ function Histogram({ spread }: { readonly spread?: LuminanceHistogram }): ReactN
   );
 }
 
-/** Steps as high as the bins are full. */
+/** SVG path of the histogram as steps. */
 function outline(bins: readonly number[]): string {
   const width = WIDTH / bins.length;
   const tops = bins.map(

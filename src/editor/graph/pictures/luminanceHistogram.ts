@@ -1,18 +1,18 @@
-/** How light is spread over stops, as a tone curve gets it: exposed, white at 0. */
+/** Distribution of luminance over stops as the tone curve gets it: exposed, white at 0. */
 export interface LuminanceHistogram {
-  /** From `STOPS[0]` to `STOPS[1]`, evenly; the fullest is 1. What lies beyond is in the outermost. */
+  /** Bins of equal width over `STOP_RANGE`; the fullest is 1. The outermost include all beyond. */
   readonly bins: readonly number[];
-  /** Half of what is lit is below this [EV]; 0 where nothing is. */
+  /** Median of the luminance above 0 [EV]; 0 if there is none. */
   readonly middle: number;
-  /** The share of all that is above white, 0 … 1. */
+  /** Fraction of pixels above white, 0 … 1. */
   readonly over: number;
 }
 
-/** From the darkest to the brightest that is told apart [EV]. */
+/** Range of the histogram [EV]. */
 export const STOP_RANGE: readonly [from: number, to: number] = [-12, 4];
 const BINS = 48;
 
-/** log₂ of luminance · 2^exposure; what has no light at all is in no bin. */
+/** Bins log₂(luminance · 2^exposure); zero luminance is not counted. */
 export function luminanceHistogram(luminance: ArrayLike<number>, exposure: number): LuminanceHistogram {
   const stops = Float64Array.from(luminance, (light) => Math.log2(light) + exposure)
     .filter(Number.isFinite)

@@ -1,6 +1,6 @@
 import { createStore, useStore } from 'zustand';
-import type { GBufferSpec, ImageSpec } from '../../../nodes/defineNode.ts';
 import { type PreviewTarget, previewFrameGraph } from '../../../nodes/frameGraph/previewFrameGraph.ts';
+import type { GBufferSpec, ImageSpec } from '../../../nodes/socketValues.ts';
 import type { InteractiveRenderer, PreviewSource } from '../../../pipelines/interactiveRenderer.ts';
 import type { PreviewRequest } from '../../../render/previews.ts';
 import type { FrameGraph } from '../../../scene/frameGraph/frameGraph.ts';
@@ -8,35 +8,38 @@ import type { PreviewContext } from '../../viewport/viewportRenderer.ts';
 import { PICTURE_SIZE } from '../cards/cardGeometry.ts';
 import { type LuminanceHistogram, luminanceHistogram } from './luminanceHistogram.ts';
 
-/** What a node made, to be looked at. */
+/** Rendered picture of a node's result. */
 export interface NodePictureData {
   readonly image: ImageData;
   readonly spread?: LuminanceHistogram;
-  /** What it is of. */
+  /** The value that it shows. */
   readonly of: ImageSpec | GBufferSpec;
-  /** The picture that was on show when it was made. */
+  /** The viewport's picture at the time of rendering. */
   readonly beside: PreviewContext['view'];
 }
 
-/** Images and G-buffers, by the names that evaluations give their nodes. */
+/** Images and G-buffers by the node ids of evaluations. */
 type NodeImages = ReadonlyMap<string, ImageSpec | GBufferSpec>;
 
-/** By the names that evaluations give nodes. */
+/** By the node ids of evaluations. */
 export const nodePictures = createStore<ReadonlyMap<string, NodePictureData>>(() => new Map());
 export const useNodePicture = (name: string): NodePictureData | undefined =>
   useStore(nodePictures, (pictures) => pictures.get(name));
 
-/** Wider than this a node shows the middle of the picture. */
+/** Wider pictures are cropped to their center. */
 const MAX_ASPECT = PICTURE_SIZE[0] / PICTURE_SIZE[1];
-/** Pixels for one of the page: what is drawn once has no smooth edges but by being made smaller; fewer where the processor draws. */
+/**
+ * Rendered pixels per CSS pixel: single frames have no antialiasing other than downsampling; fewer on a software
+ * renderer.
+ */
 const PIXEL_DENSITY = { hardware: 3, software: 1.5 } as const;
 
-/** Draws nodes' pictures with the renderer of the page, as long as that lives. */
+/** Renders node pictures with the viewport's renderer, for the lifetime of that renderer. */
 export class NodePictureRenderer {
   private previews: PreviewSource | undefined;
   private renderer: InteractiveRenderer | undefined;
 
-  /** `made`: of all nodes that show pictures; `wanted`: of which they are to be drawn now. */
+  /** `made`: results of all nodes with pictures; `wanted`: which of them to render now. */
   async render(made: NodeImages, wanted: ReadonlySet<string>, besides: PreviewContext): Promise<void> {
     const { renderer, view: shown, picture, withExposure } = besides;
     const height = Math.round(PICTURE_SIZE[1] * PIXEL_DENSITY[besides.software ? 'software' : 'hardware']);
@@ -85,7 +88,9 @@ export class NodePictureRenderer {
 
 const requestKey = (order: PreviewRequest): string => JSON.stringify(order);
 
-/** What is to be drawn of a node: its picture, and the light that its tone curve gets; `toned`: what that is exposed by [EV]. */
+/**
+ * Render requests of a node: its picture, and the luminance that its tone curve gets; `toned`: exposure of that [EV].
+ */
 function previewRequests(
   place: PreviewTarget,
   plan: FrameGraph,

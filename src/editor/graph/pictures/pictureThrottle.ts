@@ -1,27 +1,30 @@
-/** Between two drawings while the picture moves, where a GPU draws [ms]. */
+/** Interval between renders while the picture moves, with a hardware GPU [ms]. */
 const MOVING_INTERVAL = 1000;
 
-/** How it stands with the picture that is shown. */
+/** State of the viewport's picture. */
 interface PictureStatus {
-  /** Another object for every picture. */
+  /** Identity changes with every picture. */
   readonly view: object;
   readonly isStill: boolean;
   readonly software: boolean;
 }
 
 /**
- * Decides when the pictures of nodes are drawn: once everything rests. While the picture moves, now and then; where the processor draws, only of what
- * there is none yet, once an edit is over.
+ * Decides when node pictures are rendered: when the view is at rest. While it moves, at intervals; on a software
+ * renderer, only pictures that do not exist yet, after an edit is finished.
  */
 export class PictureThrottle {
   private canvas = '';
   private view: object | undefined;
   private seen: ReadonlyMap<string, object> = new Map();
   private last = Number.NEGATIVE_INFINITY;
-  /** What was drawn last of each, and beside which picture. */
+  /** For each node: the value rendered last, and the viewport's picture at that time. */
   private readonly drawn = new Map<string, { readonly of: object; readonly beside: object }>();
 
-  /** `seen`: what the nodes in sight made, by name; `canvas`: how the canvas is looked at; `now` [ms]. Whoever is allowed to draws. */
+  /**
+   * `seen`: results of the visible nodes by id; `canvas`: the canvas transform; `now` [ms]. The caller renders if it
+   * returns true.
+   */
   shouldRender(
     seen: ReadonlyMap<string, object>,
     canvas: string,

@@ -1,6 +1,6 @@
 import { useStoreApi } from '@xyflow/react';
 import { useEffect, useRef } from 'react';
-import type { GBufferSpec, ImageSpec } from '../../../nodes/defineNode.ts';
+import type { GBufferSpec, ImageSpec } from '../../../nodes/socketValues.ts';
 import { useServices } from '../../services.tsx';
 import { useEditor } from '../../state/context.tsx';
 import type { Editor } from '../../state/editor.ts';
@@ -11,10 +11,10 @@ import { previewedImage } from '../cards/resultPreview.ts';
 import { NodePictureRenderer } from './nodePictures.ts';
 import { PictureThrottle } from './pictureThrottle.ts';
 
-/** Between two looks at whether there is something to be drawn [ms]. */
+/** Polling interval [ms]. */
 const TICK = 200;
 
-/** Keeps the pictures of the nodes in sight those of what they make now. */
+/** Keeps the pictures of visible nodes up to date. */
 export function useNodePictures(faces: ReadonlyMap<string, CardModel>): void {
   const studio = useEditor();
   const { viewport: stage } = useServices();
@@ -37,7 +37,7 @@ export function useNodePictures(faces: ReadonlyMap<string, CardModel>): void {
       const done = () => {
         busy = false;
       };
-      // What a lost device cannot draw is drawn in the next life.
+      // Pictures that failed because the device was lost are rendered after it is recreated.
       painter.render(made, inSight, besides).then(done, done);
     }, TICK);
     return () => {
@@ -47,7 +47,7 @@ export function useNodePictures(faces: ReadonlyMap<string, CardModel>): void {
   }, [on, studio, stage, flow]);
 }
 
-/** Of the level that is shown, what its nodes made, by their names in the evaluation; and which of them are in sight. */
+/** Results of the shown level's nodes by evaluation id, and which of them are visible. */
 function nodesWithPictures(faces: ReadonlyMap<string, CardModel>, studio: Editor) {
   const { history, results } = studio.store.getState();
   const { path, viewport: sight } = canvas.getState();

@@ -15,7 +15,7 @@ import { useNodeItems } from './useNodeItems.ts';
 const WIDTH = 320;
 const HEIGHT = 360;
 
-/** The list of nodes that can be added, at the place where they are wanted. */
+/** The list of nodes that can be added, at the requested place. */
 export function AddNode({
   adding,
   panel,
@@ -83,7 +83,7 @@ function take(studio: Editor, { at, pending, onto }: AddNodeRequest, id: string)
   }
   const addition = addableNodes(level, pending).find((each) => each.id === id);
   if (!addition) return;
-  // By its sockets where the edge ends; else with its middle where it is wanted.
+  // Aligned by its sockets at the edge's end; otherwise centered.
   const shift = pending ? (pending.side === 'outputs' ? 0 : -NODE_WIDTH) : -NODE_WIDTH / 2;
   const place = findFreePosition(level, addition, [at[0] + shift, at[1] - 40]);
   const { node, command } = addCommand(level, addition, place, pending);

@@ -26,7 +26,7 @@ interface PageCommand {
   readonly run: () => void;
 }
 
-/** Everything that can be done, by its name: commands of the page and of the canvas, and every kind of node. */
+/** All commands of the page and the canvas, and all node kinds, by name. */
 export default function CommandPalette(): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();
@@ -85,7 +85,7 @@ function Commands({ close }: { readonly close: () => void }): ReactNode {
   const choose = ({ id, disabled }: QuickPickItem) => {
     if (disabled) return;
     close();
-    // The dialogue gives the focus back first.
+    // The dialogue restores the focus first.
     setTimeout(() => run(id));
   };
   const run = (id: string) => {
@@ -100,7 +100,7 @@ function Commands({ close }: { readonly close: () => void }): ReactNode {
   );
 }
 
-/** In the middle of what is seen of the graph, which is opened where it is not. */
+/** At the center of the graph's viewport; opens the graph if needed. */
 function addNode(studio: Editor, id: string): void {
   const { viewport: sight, path } = canvas.getState();
   const level = levelAt(studio.store.getState().history.document, path);

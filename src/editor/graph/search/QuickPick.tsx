@@ -11,7 +11,7 @@ interface QuickPickProps {
   readonly onClose: () => void;
 }
 
-/** A field with the list of what fits what is written in it: arrow keys go through it, Enter takes. */
+/** A text field with a filtered list: arrow keys select, Enter chooses. */
 export function QuickPick({ label, items, onChoose, onClose }: QuickPickProps): ReactNode {
   const { t } = useTexts();
   const id = useId();
@@ -104,7 +104,7 @@ function QuickPickRow({ item, id, place, active, heading, onChoose, onPoint }: Q
           {heading}
         </div>
       )}
-      {/* biome-ignore lint/a11y/useKeyWithClickEvents: the field above has the keys */}
+      {/* biome-ignore lint/a11y/useKeyWithClickEvents: the text field handles the keys */}
       {/* biome-ignore lint/a11y/useFocusableInteractive: the field above keeps the focus */}
       <div
         id={id}

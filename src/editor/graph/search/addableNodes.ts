@@ -4,7 +4,7 @@ import { nodeLibrary } from '../../../nodes/library.ts';
 import { type PendingConnection, socketFor, socketForGroup } from '../commands/connections.ts';
 import type { AddableNode } from '../commands/edits.ts';
 
-/** A kind of node as lists have it: the key of a type, or `group:` and that of a group. */
+/** A list entry: node type id, or `group:` and the group's id. */
 interface AddableItem extends AddableNode {
   readonly id: string;
   readonly title: string;
@@ -12,7 +12,7 @@ interface AddableItem extends AddableNode {
   readonly category: string;
 }
 
-/** All that can be added to a level; to a loose end only what it can be connected to. */
+/** All kinds of node that can be added to a level; with a pending connection, only those that fit it. */
 export function addableNodes(level: GraphLevel, loose?: PendingConnection): AddableItem[] {
   const types = Object.values(nodeLibrary).flatMap((type): AddableItem[] => {
     const { id, title, help, category } = type;
@@ -30,13 +30,13 @@ export function addableNodes(level: GraphLevel, loose?: PendingConnection): Adda
   return [...types, ...groups];
 }
 
-/** What carries a group's sockets is in groups only, and each of them is there once. */
+/** Group input and output nodes exist in groups only, once each. */
 function isAllowedIn({ graph, group }: GraphLevel, type: string): boolean {
   if (type !== GROUP_INPUT && type !== GROUP_OUTPUT) return true;
   return group !== undefined && !Object.values(graph.nodes).some((node) => node.type === type);
 }
 
-/** Whether a group is another, or has it in it: then it cannot be put into that. */
+/** Whether a group is or contains another, and so cannot be inserted into it. */
 function containsGroup(level: GraphLevel, group: string, other: string | undefined): boolean {
   if (other === undefined) return false;
   if (group === other) return true;

@@ -53,7 +53,7 @@ it('keys are told apart by what is held with them', () => {
   expect(matchesKeyBinding(press('A', { shiftKey: true }), 'Shift+A')).toBe(true);
   expect(matchesKeyBinding(press('a'), 'Shift+A')).toBe(false);
   expect(matchesKeyBinding(press(' '), 'Space')).toBe(true);
-  // A sign is the same with Shift and without; a letter of another script goes by its place.
+  // A sign matches with and without Shift; a letter of another script matches by physical key.
   expect(matchesKeyBinding(press('+', { shiftKey: true }), '+')).toBe(true);
   expect(matchesKeyBinding({ ...press('ь'), code: 'KeyM' }, 'M')).toBe(true);
   expect(matchesKeyBinding(press('ArrowLeft', { altKey: true }), 'Alt+ArrowLeft')).toBe(true);

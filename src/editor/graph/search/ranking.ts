@@ -1,11 +1,11 @@
-/** Something that can be looked for and chosen. */
+/** An entry that can be searched and chosen. */
 export interface QuickPickItem {
   readonly id: string;
   readonly label: string;
-  /** What its kind is called; items of a group follow one another. */
+  /** Heading of its section; entries of a section are consecutive. */
   readonly group: string;
   readonly detail?: string;
-  /** Other words that it is found by, as those of the other language. */
+  /** Further search terms, such as the name in the other language. */
   readonly words?: string;
   readonly keys?: readonly string[];
   readonly category?: string;
@@ -13,8 +13,8 @@ export interface QuickPickItem {
 }
 
 /**
- * The items that every word of a query is found in, best first: those whose name begins with it, then in whose name a word does, then that
- * hold it anywhere. Without a query all, as they come.
+ * Items that match every word of a query, best first: name starts with the query, then a word of the name starts with
+ * it, then it occurs anywhere. Without a query, all in their order.
  */
 export function rankItems(items: readonly QuickPickItem[], query: string): readonly QuickPickItem[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);

@@ -8,7 +8,7 @@ import type { PendingConnection } from '../commands/connections.ts';
 import { addableNodes } from './addableNodes.ts';
 import type { QuickPickItem } from './ranking.ts';
 
-/** The kinds of nodes that can be added, to be looked for by their names in every language, and by what they offer to choose. */
+/** Kinds of nodes that can be added, searchable by their names in all languages and by their options. */
 export function useNodeItems(level: GraphLevel, loose?: PendingConnection): readonly QuickPickItem[] {
   const { any } = useTexts();
   return useMemo(
@@ -27,7 +27,7 @@ export function useNodeItems(level: GraphLevel, loose?: PendingConnection): read
   );
 }
 
-/** What the parameters of a kind of node offer: who looks for bloom finds the node that has it among its effects. */
+/** Titles of a node type's options: searching "bloom" finds the effects node. */
 export const optionTitles = (type: string): string =>
   Object.values(own(nodeLibrary, type)?.params ?? {})
     .flatMap((spec) => (spec.kind === 'choice' ? spec.options : []))

@@ -1,8 +1,8 @@
 import type { MessageCatalogue } from './translateMessage.ts';
 
-/** What is said of all other files: OBJ, PLY, STL, zip, pictures, tables, fonts; written as `sayings/index.ts` tells. */
+/** Messages of all other files: OBJ, PLY, STL, zip, pictures, tables, fonts; see index.ts for the format. */
 export const files: MessageCatalogue = {
-  // Places in files; the last value may be followed by what is said of the place
+  // Places in files; the last value may be followed by a message
   'line {}': '行 {1}',
   '{}: line {}': '{1}：行 {2}',
   '{}: after line {}': '{1}：在此行之后：{2}',

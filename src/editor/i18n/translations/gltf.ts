@@ -1,6 +1,6 @@
 import type { MessageCatalogue } from './translateMessage.ts';
 
-/** What the readers and writers of glTF say; written as `sayings/index.ts` tells. */
+/** Messages of the readers and writers of glTF; see index.ts for the format. */
 export const gltf: MessageCatalogue = {
   // Parts of a file, as places
   'bufferView {}': '缓冲区视图 {1}',
@@ -39,7 +39,7 @@ export const gltf: MessageCatalogue = {
   'the extension {} is left out{}': '扩展 {1} 已去掉{2}',
   '; what uses it is shown without its picture or colour': '；用到它的内容显示时没有其图像或颜色',
 
-  // What its parts must be
+  // Requirements on its parts
   'is {}, not {}': '现为 {1}，而应为{2}',
   'is missing, not {}': '缺失，而应有{1}',
   'a finite number': '有限的数',
@@ -157,7 +157,7 @@ export const gltf: MessageCatalogue = {
   'a turning sun is held where it starts': '转动的太阳固定在起始方向',
   '{}; its light is taken for daylight': '{1}；其光按日光处理',
 
-  // What a file that is written cannot hold
+  // Losses on export
   'glTF has no light from a sky; it is left out': 'glTF 没有天空的光；已将其去掉',
   'its {} is lost: lights of glTF are points{}': '其{1}已丢失：glTF 的灯是点光源{2}',
   'shape, a {},': '形状（{1}）',

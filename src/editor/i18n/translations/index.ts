@@ -5,10 +5,10 @@ import { shaderText } from './shaderText.ts';
 import type { MessageCatalogue } from './translateMessage.ts';
 import { usd } from './usd.ts';
 
-/** Joins of sentences, which have no words but these. */
+/** Patterns that join messages and have no words of their own. */
 const joiningPatterns = { '{}: {}': '{1}：{2}', '{} or {}': '{1} 或 {2}' };
 
-/** What zod says of a project that is not as it should be. */
+/** zod's messages about invalid projects. */
 const zodMessages = {
   'Invalid input': '内容无效',
   'Invalid input: expected {}': '应为{1}',
@@ -28,8 +28,8 @@ const zodMessages = {
 };
 
 /**
- * What the program says of what it cannot do, and of what came of it, in Chinese. In the source a sentence is in English, where it arises; here it is
- * the key, with {} for each value, and {1} in the Chinese stands for the first of them. A test finds the sentences of the source that are missing here.
+ * Chinese translations of messages that the program composes in English. Keys are the English texts with {} for each
+ * value; {1} in the Chinese stands for the first value. A test finds messages of the source that are missing here.
  */
 export const translations: MessageCatalogue = {
   ...joiningPatterns,

@@ -1,6 +1,6 @@
 import type { MessageCatalogue } from './translateMessage.ts';
 
-/** What the project, its nodes and the page say; written as `sayings/index.ts` tells. */
+/** Messages of the project, its nodes and the page; see index.ts for the format. */
 export const program: MessageCatalogue = {
   // The project and its graph
   'the project': '项目',
@@ -186,7 +186,7 @@ export const program: MessageCatalogue = {
     '它的初速度为 {1} m/s，不低于光速 {2} m/s；请降低初速度，或提高模拟的光速',
   'it has no points; leave it out': '它没有点；请去掉它',
 
-  // Things, motions and pictures
+  // Objects, motions and pictures
   '{} c at t = {} s; raise the speed of light to {} m/s or more, or slow it down':
     't = {2} s 时为 {1} c；请把光速提高到 {3} m/s 或以上，或让它慢下来',
   '{} c is not slower than light; take less': '{1} c 不比光慢；请减小',

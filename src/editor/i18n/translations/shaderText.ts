@@ -1,6 +1,6 @@
 import type { MessageCatalogue } from './translateMessage.ts';
 
-/** What is said of shader text that somebody wrote; written as `sayings/index.ts` tells. */
+/** Messages about user-written shader text; see index.ts for the format. */
 export const shaderText: MessageCatalogue = {
   'line {}, column {}: {}': '第 {1} 行第 {2} 列：{3}',
 
@@ -27,7 +27,7 @@ export const shaderText: MessageCatalogue = {
   'this statement is longer than {} operators: give parts of it names':
     '此语句超过 {1} 个运算符：请为其中的部分另设名称',
 
-  // What is not taken, and what to write instead
+  // Unsupported syntax, and what to write instead
   '`{}` is not taken: {}': '不支持 `{1}`：{2}',
   'write a `for` whose count is known: `for (var i = 0; i < 16; i++)`':
     '请写次数已知的 `for`：`for (var i = 0; i < 16; i++)`',
@@ -113,7 +113,7 @@ export const shaderText: MessageCatalogue = {
   '{} has {} components, and is given {}': '{1} 有 {2} 个分量，却给出了 {3} 个',
   'component {} of {} is {}: convert it by {}(…)': '{2} 的第 {1} 个分量的类型是 {3}：请用 {4}(…) 转换',
 
-  // Loops, and how much there may be
+  // Loops and limits
   '`{}` is in no loop': '`{1}` 不在循环中',
   'the loop declares no counter of its own: write `for (var i = 0; i < 16; i++)`':
     '循环没有声明自己的计数变量：请写 `for (var i = 0; i < 16; i++)`',

@@ -1,34 +1,35 @@
-/** Sentences with {} for each value, and how another language says them, with {1} for the first. */
+/** Patterns with {} for each value, and their translations with {1} for the first. */
 export type MessageCatalogue = Readonly<Record<string, string>>;
-/** Says a sentence in another language. */
+/** Translates a message. */
 export type TranslateMessage = (sentence: string) => string;
 
-/** A sentence of the catalogue: what stands between its values, and how another language says it. */
+/** A pattern: the literal parts between its values, and its translation. */
 interface MessagePattern {
   readonly parts: readonly string[];
   readonly translation: string;
-  /** How much of it is fixed. */
+  /** Total length of its literal parts. */
   readonly literalLength: number;
-  /** It has no words of its own. */
+  /** Whether it contains no words of its own. */
   readonly onlyJoins: boolean;
 }
 
-/** Values hold values; who nests them deeper, or makes them longer, makes them up. */
+/** Limits on nested values and on the length of a message; real messages stay below them. */
 const MAX_DEPTH = 6;
 const MAX_LENGTH = 2000;
-/** Sentences of a page that is drawn again are not looked for again. */
+/** Maximum number of cached translations, for messages that are rendered repeatedly. */
 const MAX_CACHED = 10_000;
 
-/** A text in the other language, and how much of it the catalogue knows. */
+/** A translation, and how many characters of the source the catalogue covers. */
 interface TranslatedText {
   readonly text: string;
   readonly knownLength: number;
 }
 
 /**
- * Says in another language what the program says in English, where it arises: {} in a key of the catalogue is any value, {1} in its text the first
- * of them, itself said anew. Of several sentences that fit, the one of which, with its values, most is known; of equals one that only joins others,
- * or the one with the most words of its own. What is not in the catalogue stays as it is.
+ * Returns a translator of English messages: {} in a key of the catalogue matches any value, {1} in its translation is
+ * the first of them, itself translated. Among several matches the one that covers most characters, values included,
+ * wins; at equality a joining pattern, or the one with the longest literals. Messages without a match are returned
+ * unchanged.
  */
 export function messageTranslator(catalogue: MessageCatalogue): TranslateMessage {
   const whole = new Map(Object.entries(catalogue).filter(([key]) => !key.includes('{}')));
@@ -53,14 +54,14 @@ export function messageTranslator(catalogue: MessageCatalogue): TranslateMessage
       const values = matchValues(text, parts)?.map((value) => say(value, depth + 1));
       if (!values) continue;
       const ofValues = values.reduce((sum, value) => sum + value.knownLength, 0);
-      // What only joins others is worth saying where one of them is known.
+      // A joining pattern counts only if one of its values is translated.
       if (weight + ofValues <= best.knownLength || (onlyJoins && ofValues === 0)) continue;
       const filled = other.replace(/\{(\d)\}/g, (_, nth: string) => values[Number(nth) - 1]?.text ?? '');
       best = { text: filled, knownLength: weight + ofValues };
     }
     return best;
   };
-  // A single word is a name, of a node or a file.
+  // Single words are names of nodes or files.
   return (sentence) => (sentence.length > MAX_LENGTH || !sentence.includes(' ') ? sentence : say(sentence, 0).text);
 }
 
@@ -69,7 +70,7 @@ function messagePattern(key: string, other: string): MessagePattern {
   return { parts, translation: other, literalLength: parts.join('').length, onlyJoins: !/\p{L}/u.test(key) };
 }
 
-/** What stands in a sentence between its fixed parts, each of which is looked for as early as it can be; undefined where one is not there. */
+/** Values between the literal parts, each matched as early as possible; undefined if one is missing. */
 function matchValues(sentence: string, parts: readonly string[]): string[] | undefined {
   const [first, ...rest] = parts as [string, ...string[]];
   if (!sentence.startsWith(first)) return undefined;

@@ -23,12 +23,12 @@ const sources = import.meta.glob<string>(
     '../../shell/useSavePicture.ts',
     '!**/*.test.ts',
     '!**/fixtures/**',
-    // Words of the catalogue, the pages about nodes and codes, and programs of the GPU.
+    // UI texts, reference pages and GPU programs.
     '!../../../nodes/docs/{nodeTexts,effectTexts,nodeReference}.ts',
     '!../../../pipelines/maxSize.ts',
     '!../../../formats/diagnostics/diagnosticCodes.ts',
     '!../../../compute/shader.ts',
-    // Lines of the files that are written.
+    // Lines of written files.
     '!../../../formats/usd/write/{materials,prims}.ts',
   ],
   { query: '?raw', import: 'default', eager: true },
@@ -36,7 +36,7 @@ const sources = import.meta.glob<string>(
 
 type Syntax = { readonly type?: string } & Readonly<Record<string, unknown>>;
 
-/** What a text, a template or a sum of them says, with {} for each value; undefined for anything else. */
+/** The text of a literal, template or concatenation with {} for each value; undefined for other expressions. */
 function told(node: Syntax): string | undefined {
   if (node.type === 'Literal') return typeof node.value === 'string' ? node.value : undefined;
   if (node.type === 'TemplateLiteral')
@@ -46,7 +46,7 @@ function told(node: Syntax): string | undefined {
   return left === undefined && right === undefined ? undefined : `${left ?? '{}'}${right ?? '{}'}`;
 }
 
-/** All that a source says anywhere. */
+/** All texts in a source file. */
 function textsIn(file: string, source: string): string[] {
   const texts: string[] = [];
   const walk = (node: unknown): void => {
@@ -65,15 +65,15 @@ function textsIn(file: string, source: string): string[] {
 const texts = Object.entries(sources).flatMap(([file, source]) =>
   textsIn(file, source).map((text) => [file.replace(/^(\.\.\/)+/, ''), text] as const),
 );
-/** Two words of English, or a word beside a value. */
+/** Whether a text contains two English words, or a word beside a value. */
 const reads = (text: string) => /\p{L}{2,},? (?:\p{L}|\{\}|["“(])|(?:\{\}|\}") \p{L}{2,}|\p{L}{2,} \{\}/u.test(text);
-/** Texts that are no words to a person. */
+/** Texts that are not shown to users. */
 const UNSAID = [
-  // Styles, commands, places, and what programmers alone get to read.
+  // CSS classes, commands, paths, and errors for programmers.
   /^(?:sl-|slowlight |time \[s\],steps|no \w+Provider |passes of |\{\}\.(?:places|keys) |\{\} MiB$|\n|\/\/ |# )/,
   // Lines of OBJ and MTL, headings of tables, names of formats.
   /^(?:(?:vn|vt|usemtl|newmtl|mtllib|K[de]|P[rm]|Ni|map_K[de]|norm) \{\}|(?:relative radiance|Radiance HDR|Wavefront OBJ)$)/,
-  // Of USD: lists of names, a prim's line in a file, and keys of what is looked up.
+  // Of USD: name lists, prim lines, and lookup keys.
   /^(?:(?:active|add|assetInfo|bindMaterialAs|comment|elementSize|points|startTimeCode)(?: \w+){2,}|def \{\} "\{\}"|displayColor \{\} \{\}|\{\} clips of \{\})$/,
 ];
 
@@ -81,7 +81,7 @@ const holes = (text: string) => (text.match(/\{\}/g) ?? []).length;
 
 const catalogues = { usd, gltf, files, shaderText, program };
 
-/** Whose sentences those of a file are. */
+/** The catalogue that messages of a file belong to. */
 function catalogueOf(file: string): keyof typeof catalogues {
   const [, of] = /^(formats\/usd|formats\/gltf|formats|scene\/shaderText)\//.exec(file) ?? [];
   if (of === undefined) return 'program';

@@ -1,8 +1,8 @@
 import type { MessageCatalogue } from './translateMessage.ts';
 
-/** What the readers and the composition of USD say; written as `sayings/index.ts` tells. */
+/** Messages of the readers and the composition of USD; see index.ts for the format. */
 export const usd: MessageCatalogue = {
-  // The stage and its things
+  // The stage and its objects
   '{} changes with time; it is held at the start': '{1} 随时间变化；已保持起始时的值',
   'it changes with time; it is held at the start': '它随时间变化；已保持起始时的值',
   'an orthographic camera is read as a perspective one': '正交相机已按透视相机读取',

@@ -7,7 +7,10 @@ import { pickedFiles } from '../../loading/pickedFiles.ts';
 import { useOpenFiles } from '../../shell/useOpenFiles.ts';
 import { Section } from './Section.tsx';
 
-/** Files that the scene asked for and did not find: for what, where they were looked for, and a way to give them. */
+/**
+ * Files that the scene references and that were not found: what for, where they were searched, and a way to supply
+ * them.
+ */
 export function MissingFiles({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode {
   const { t } = useTexts();
   const open = useOpenFiles();

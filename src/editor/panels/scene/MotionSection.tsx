@@ -4,10 +4,10 @@ import { type ReactNode, useMemo, useState } from 'react';
 import type { FlatNode } from '../../../graph/analysis/flatten.ts';
 import type { GraphDocument } from '../../../graph/document/document.ts';
 import { resolveParams } from '../../../graph/nodeType.ts';
-import type { PictureSpec } from '../../../nodes/defineNode.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
 import { nearestToOutput, nodesFeedingOutput } from '../../../nodes/project/outputChain.ts';
 import { flyCommand, flyNodesIn, removeFlightCommand } from '../../../nodes/project/projectCommands.ts';
+import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import type { Scene } from '../../../scene/types.ts';
 import { useTexts } from '../../i18n/i18n.ts';
 import { useServices } from '../../services.tsx';
@@ -15,7 +15,7 @@ import { useEditor, useEditorState } from '../../state/context.tsx';
 import { ParamControl } from '../ParamControl.tsx';
 import { Section } from './Section.tsx';
 
-/** When and how fast the file's animation runs, and what is made to fly besides. */
+/** Time mapping of the file's animation, and a motion added to an object. */
 export function MotionSection({ picture }: { readonly picture: PictureSpec }): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();
@@ -72,7 +72,7 @@ interface MovablePrim {
   readonly label: string;
 }
 
-/** Objects, and the groups that hold several, by their paths. */
+/** Objects, and groups of several objects, by prim path. */
 function useMovablePrims({ objects }: Scene): readonly MovablePrim[] {
   const { t } = useTexts();
   const paths = useMemo(() => objects.map(({ path }) => path).join('\n'), [objects]);
@@ -123,13 +123,15 @@ function FlyParams({ node, things }: { readonly node: string; readonly things: r
   );
 }
 
-/** Of a type, the node that is nearest to the output, where there is one. */
+/** Parameters of the node of a type that is nearest to the output, if there is one. */
 function NearestParams({ type, only }: { readonly type: string; readonly only?: string }): ReactNode {
   const node = useEditorState(({ history }) => nearestToOutput(history.document, type)?.id);
   return node === undefined ? null : <MotionParams node={node} only={only} />;
 }
 
-/** The controls of a node's parameters, but for texts, which have their own here; or of one of them. */
+/**
+ * Controls of a node's parameters except text parameters, which have controls of their own here; or of a single one.
+ */
 function MotionParams({ node: id, only }: { readonly node: string; readonly only?: string }): ReactNode {
   const studio = useEditor();
   const node = useEditorState(({ history }) => nodeAt(history.document, id));

@@ -5,7 +5,7 @@ import { useTexts } from '../../i18n/i18n.ts';
 import { useServices } from '../../services.tsx';
 import { useEditor } from '../../state/context.tsx';
 
-/** The scenes among the files that were given, where there are several. */
+/** The other scenes of the opened archive or folder, if any. */
 export function OtherScenes({ source }: { readonly source: string }): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();

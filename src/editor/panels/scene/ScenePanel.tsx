@@ -1,6 +1,6 @@
 import { Badge, ScrollArea, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
-import type { PictureSpec } from '../../../nodes/defineNode.ts';
+import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import type { Diagnostic } from '../../../scene/types.ts';
 import { formatCount, formatLength, formatSeconds, formatSpeed } from '../../format.ts';
 import { type Translate, useTexts } from '../../i18n/i18n.ts';
@@ -13,7 +13,7 @@ import { OtherScenes } from './OtherScenes.tsx';
 import { Section } from './Section.tsx';
 import { Variants } from './Variants.tsx';
 
-/** What is in the scene that is open, what can be chosen and changed in it, and what its reader had to say. */
+/** Content of the open scene, its variants and motion, and the reader's diagnostics. */
 export function ScenePanel(): ReactNode {
   const { t } = useTexts();
   const picture = useEditorState((state) => state.picture);
@@ -91,7 +91,7 @@ function Figures({ picture }: { readonly picture: PictureSpec }): ReactNode {
 
 const unbroken = (text: string): string => text.replaceAll(' ', '\u00a0');
 
-/** Under a nanometre it is the rounding of the arithmetic. */
+/** Below 1 nm it is rounding error. */
 function pathsRow(error: number | undefined, t: Translate): string | undefined {
   if (error === undefined || !Number.isFinite(error)) return undefined;
   return error < 1e-9 ? t('info.pathsExact') : t('info.pathsTo', { length: formatLength(error) });

@@ -7,7 +7,7 @@ import { useTexts } from '../../i18n/i18n.ts';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import { Section } from './Section.tsx';
 
-/** What the file offers to choose. The scene is read again with the choice, and the observer stays where he is. */
+/** Variant sets of the file. Selecting one reloads the scene; the observer stays in place. */
 export function Variants({ sets }: { readonly sets: readonly VariantSet[] }): ReactNode {
   const { t } = useTexts();
   const studio = useEditor();
@@ -36,7 +36,7 @@ export function Variants({ sets }: { readonly sets: readonly VariantSet[] }): Re
 
 interface VariantSelectProps {
   readonly set: VariantSet;
-  /** By the person; undefined: the file's own choice holds, and choosing can be taken back. */
+  /** The user's selection; undefined: the file's own applies. */
   readonly chosen: string | undefined;
   readonly onChoose: (option: string | null) => void;
 }

@@ -7,7 +7,7 @@ import { useLegend } from '../../state/context.tsx';
 import { setLegendVisible, toggleCrosshair } from './legendState.ts';
 import { type LegendTexts, legendTexts, pickedPosition, pickedTexts } from './legendTexts.ts';
 
-/** What false colours mean, and the value that is pointed at. */
+/** Legend of false colours, with the value at the pointer. */
 export function Legend(): ReactNode {
   const { t } = useTexts();
   const colors = useLegend((state) => state.colors);
@@ -65,7 +65,7 @@ function CrosshairButton({ pressed }: { readonly pressed: boolean }): ReactNode 
   );
 }
 
-/** The colours from end to end, what they mean under them, and a mark at the value that is pointed at. */
+/** Colour bar with its labels, and a mark at the picked value. */
 function Bar({ colors, words }: { readonly colors: FalseColorScale; readonly words: LegendTexts }): ReactNode {
   const reading = useLegend((state) => state.picked);
   const mark = reading && pickedPosition(colors, reading);
@@ -100,10 +100,10 @@ function Bar({ colors, words }: { readonly colors: FalseColorScale; readonly wor
   );
 }
 
-/** Numbers at the ends stay inside. */
+/** Labels at the ends are aligned inwards. */
 const endClass = (part: number): string | undefined => (part < 0.02 ? 'sl-first' : part > 0.98 ? 'sl-last' : undefined);
 
-/** `spoken`: changes are told by screen readers; what the pointer passes is not. */
+/** `spoken`: announced to screen readers; values under a moving pointer are not. */
 function Value({ kind, spoken }: { readonly kind: FalseColorQuantity; readonly spoken: boolean }): ReactNode {
   const { t } = useTexts();
   const reading = useLegend((state) => state.picked);

@@ -1,13 +1,13 @@
 import type { LegendTexts } from './legendTexts.ts';
 
-/** What is written under the bar of a crosshair that is on: the value, of what, and where on the bar it is. */
+/** Texts under the bar while the crosshair is on: value, object, and position on the bar. */
 export interface CrosshairTexts {
   readonly value: string;
   readonly of: string;
   readonly part: number | undefined;
 }
 
-/** Where the page has its legend, in CSS pixels of the picture, and its colours. */
+/** Position of the page's legend on the picture [CSS px], and its colours. */
 export interface LegendStyle {
   readonly x: number;
   readonly y: number;
@@ -18,11 +18,11 @@ export interface LegendStyle {
   readonly font: string;
 }
 
-/** As legend.css has them [px]. */
+/** As in legend.css [px]. */
 const PADDING = { x: 13, y: 9 } as const;
 const BAR_HEIGHT = 12;
 const ROW_HEIGHT = 18;
-/** As high as the buttons beside it, and the room below. */
+/** Height of the buttons beside it, and the gap below. */
 const TITLE_HEIGHT = 26;
 const SWATCH_SIZE = 9;
 const TEXT_SIZE = 11;
@@ -30,7 +30,7 @@ const TITLE_SIZE = 12;
 
 type Context = CanvasRenderingContext2D;
 
-/** As the page shows it over the picture. `element`: the legend, `picture`: what it lies over. */
+/** Style of the displayed legend. `element`: the legend, `picture`: the element below it. */
 export function legendStyleOf(element: HTMLElement, picture: HTMLElement): LegendStyle {
   const [box, under] = [element.getBoundingClientRect(), picture.getBoundingClientRect()];
   const { backgroundColor, color, borderTopColor, fontFamily } = getComputedStyle(element);
@@ -45,7 +45,10 @@ export function legendStyleOf(element: HTMLElement, picture: HTMLElement): Legen
   };
 }
 
-/** Draws a legend into a picture; the context is scaled to CSS pixels. It has no buttons, and a value only of the crosshair, for pointers are not in pictures. */
+/**
+ * Draws a legend into a picture, in a context scaled to CSS pixels: without buttons, and with a value only for the
+ * crosshair.
+ */
 export function drawLegend(context: Context, words: LegendTexts, look: LegendStyle, crosshair?: CrosshairTexts): void {
   const [left, width] = [look.x + PADDING.x, look.width - 2 * PADDING.x];
   context.textBaseline = 'middle';
@@ -122,7 +125,7 @@ function drawMarker(context: Context, x: number, y: number): void {
   context.fillRect(x - 0.5, y - 3, 1, BAR_HEIGHT + 6);
 }
 
-/** The cross of the middle of a picture of this size. */
+/** Draws a crosshair at the center of a picture of this size. */
 export function drawCrosshair(context: Context, width: number, height: number): void {
   const [x, y] = [width / 2, height / 2];
   context.fillStyle = '#000';
@@ -165,7 +168,7 @@ function wrapBands(context: Context, bands: readonly Band[], width: number): Ban
   return rows;
 }
 
-/** Into lines no wider than `width`, where there are spaces. */
+/** Wraps at spaces into lines no wider than `width`. */
 function wrapText(context: Context, text: string, width: number): string[] {
   const lines: string[] = [];
   for (const word of text.split(' ')) {
@@ -176,7 +179,7 @@ function wrapText(context: Context, text: string, width: number): string[] {
   return lines;
 }
 
-/** As much of its end as fits. */
+/** Truncates at the start to fit. */
 function truncateStart(context: Context, text: string, width: number): string {
   let shown = text;
   for (let i = 1; i < text.length && context.measureText(shown).width > width; i++) shown = `…${text.slice(i)}`;

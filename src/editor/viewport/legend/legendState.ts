@@ -2,32 +2,35 @@ import { createStore } from 'zustand/vanilla';
 import type { FalseColorScale } from '../../../spectrum/falseColor/falseColor.ts';
 import { loadPreferences, savePreferences } from '../../state/preferences.ts';
 
-/** A place of the picture, 0 … 1 from its left and from its top. */
+/** A position in the picture, 0 … 1 from its left and top. */
 export type PicturePosition = readonly [x: number, y: number];
 
-/** What is read at a place: the number that the colours stand for, and of what. */
+/** The value behind a false colour at a position, and the prim it is of. */
 export interface PickedValue {
-  /** Not a number: there is nothing of the kind. */
+  /** NaN where the quantity is undefined. */
   readonly value: number;
-  /** Prim path; undefined: the sky. */
+  /** Prim path; undefined for the sky. */
   readonly path: string | undefined;
 }
 
-/** The legend of false colours, and the value that is pointed at; it changes by itself, as the picture does. */
+/** The legend of false colours with the picked value, which changes with the picture. */
 export interface LegendState {
-  /** Of the picture that is shown. */
+  /** Colour scale of the displayed picture. */
   readonly colors?: FalseColorScale;
   readonly pointer?: PicturePosition;
-  /** The value in the middle is told, whatever is pointed at: for those without a pointer, and to read while flying. */
+  /**
+   * Whether the value at the center is shown instead of that at the pointer: without a pointing device, or while
+   * flying.
+   */
   readonly crosshair: boolean;
   readonly picked?: PickedValue;
-  /** Whether it lies over the picture, and so is in saved ones. */
+  /** Whether it is shown, and so drawn into saved pictures. */
   readonly visible: boolean;
 }
 
 export const legendStore = createStore<LegendState>(() => ({ crosshair: false, visible: true }));
 
-/** Says what the colours of the picture mean now. */
+/** Sets the colour scale of the displayed picture. */
 export function setLegendColors(colors: FalseColorScale | undefined): void {
   const { colors: before, picked } = legendStore.getState();
   if (before?.kind === colors?.kind && before?.from === colors?.from && before?.to === colors?.to) return;
@@ -35,17 +38,17 @@ export function setLegendColors(colors: FalseColorScale | undefined): void {
 }
 
 export const setPointer = (pointer: PicturePosition | undefined): void => legendStore.setState({ pointer });
-/** Where the legend is hidden it comes with the crosshair, whose value it tells. */
+/** Turning the crosshair on also shows the legend, which displays its value. */
 export const toggleCrosshair = (): void =>
   legendStore.setState(({ crosshair, visible: shown }) => ({ crosshair: !crosshair || !shown, visible: true }));
 
-/** Kept for the next visit. */
+/** Saved as a preference. */
 export function setLegendVisible(shown: boolean): void {
   legendStore.setState({ visible: shown, ...(!shown && { crosshair: false }) });
   savePreferences({ ...loadPreferences(), legend: shown });
 }
 
-/** Where a value is to be read; undefined: nowhere. */
+/** Position at which to pick; undefined: none. */
 export const pickPosition = ({
   colors,
   pointer,

@@ -10,16 +10,19 @@ import { formatLength, formatNumber } from '../../format.ts';
 import type { Translate } from '../../i18n/i18n.ts';
 import type { PickedValue } from './legendState.ts';
 
-/** Colours of the bar: enough that nobody sees steps. */
+/** Enough stops for a smooth gradient. */
 const GRADIENT_STOPS = 33;
 
-/** What a legend tells, on the page and in a saved picture, in the language of the page. Colours are CSS's, places parts 0 … 1 of the bar. */
+/**
+ * Texts of a legend in the page's language, for page and saved pictures. Colours are CSS colours, positions 0 … 1 along
+ * the bar.
+ */
 export interface LegendTexts {
   readonly title: string;
-  /** From end to end, at equal steps. */
+  /** From end to end, equally spaced. */
   readonly stops: readonly string[];
   readonly ticks: readonly { readonly part: number; readonly text: string }[];
-  /** What the bar shows, for those who do not see it. */
+  /** Text alternative of the bar. */
   readonly range: string;
   readonly bands: readonly { readonly name: string; readonly color: string }[];
 }
@@ -39,12 +42,12 @@ export function legendTexts({ kind, ...scale }: FalseColorScale, t: Translate): 
 
 const css = (rgb: readonly number[]): string => `rgb(${rgb.join(' ')})`;
 
-/** Where on the bar a value is that was read. */
+/** Position of a picked value on the bar. */
 export function pickedPosition({ kind, ...scale }: FalseColorScale, { value }: PickedValue): number | undefined {
   return Number.isNaN(value) ? undefined : Math.min(1, Math.max(0, positionOnScale(kind, value, scale)));
 }
 
-/** A value that was read, and of what. */
+/** A picked value and its object as texts. */
 export const pickedTexts = (kind: FalseColorQuantity, reading: PickedValue, t: Translate) => ({
   value: pickedText(kind, reading, t),
   of: reading.path ?? t('legend.sky'),
@@ -55,14 +58,14 @@ function pickedText(kind: FalseColorQuantity, { value }: PickedValue, t: Transla
   return kind === 'band' ? `${valueText(kind, value)} · ${t(`band.${bandOf(value)}`)}` : valueText(kind, value);
 }
 
-/** With its unit. */
+/** Value with unit. */
 function valueText(kind: FalseColorQuantity, value: number): string {
   if (kind === 'doppler') return `D = ${formatNumber(value)}`;
   if (kind === 'emission-time') return `${formatNumber(value)} s`;
   return kind === 'band' ? formatLength(value) : formatNumber(value);
 }
 
-/** Beside the bar there is little room. */
+/** Short form, for the space beside the bar. */
 function shortText(kind: FalseColorQuantity, value: number, digits: number): string {
   const text = formatNumber(kind === 'band' ? value * 1e9 : value, digits);
   const short = text.includes('.') ? text.replace(/\.?0+$/, '') : text;

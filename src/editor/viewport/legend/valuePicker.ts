@@ -6,10 +6,10 @@ import type { FalseColorQuantity } from '../../../spectrum/falseColor/falseColor
 import { emittedWavelength } from '../../../spectrum/falseColor/spectralBands.ts';
 import { legendStore, type PickedValue, type PicturePosition, pickPosition } from './legendState.ts';
 
-/** Between two readings [ms]. */
+/** Minimum interval of readings [ms]. */
 const MIN_PICK_INTERVAL = 80;
 
-/** What can be asked of a picture that is shown. */
+/** Picking interface of a displayed picture. */
 export interface PickablePicture {
   readonly viewPoint: ViewPoint;
   readonly settings: RenderSettings;
@@ -18,13 +18,13 @@ export interface PickablePicture {
   readonly pick: (x: number, y: number) => Promise<PickResult | undefined>;
 }
 
-/** Reads, for the legend, the number behind the colour at the place that is pointed at: when that or the picture changes, and without anybody waiting. */
+/** Reads the value at the picked position for the legend when position or picture change; asynchronous. */
 export class ValuePicker {
   private known = '';
   private busy = false;
   private since = Number.NEGATIVE_INFINITY;
 
-  /** `now` [ms]. Gives what is being read, for those who would wait for it. */
+  /** `now` [ms]. Returns the running read, if any. */
   update(shown: PickablePicture, now: number): Promise<void> | undefined {
     const place = pickPosition(legendStore.getState());
     const what = JSON.stringify([place, shown]);

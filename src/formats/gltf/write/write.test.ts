@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { fromAxisAngle } from '../../../math/quat.ts';
 import { distance, type Vec3 } from '../../../math/vec3.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../../scene/defaults.ts';
-import { projectedArea } from '../../../scene/lights/localLights.ts';
+import { projectedArea } from '../../../scene/lights/lightKinds.ts';
 import { box } from '../../../scene/mesh/primitives.ts';
 import { vertexPosition } from '../../../scene/motion/motion.ts';
 import { pointsAt } from '../../../scene/streaming/samplePoints.ts';

@@ -2,7 +2,7 @@ import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
 import { KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
 import { shortestRotation } from '../../../math/quat.ts';
 import { scale } from '../../../math/vec3.ts';
-import { projectedArea } from '../../../scene/lights/localLights.ts';
+import { projectedArea } from '../../../scene/lights/lightKinds.ts';
 import type { Light, LocalLight, SampledMotion, Scene, StaticMotion } from '../../../scene/types.ts';
 import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../attributes/spectrumAttribute.ts';
 import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';

@@ -1,7 +1,7 @@
 import { box } from '../../../scene/mesh/primitives.ts';
 import { definePrimitive, lengthParam } from './definePrimitive.ts';
 
-/** A box with its middle at the origin. */
+/** A box centered at the origin. */
 export const boxNode = definePrimitive({
   id: 'box',
   title: 'node.box',

@@ -1,7 +1,7 @@
 import { cone, cylinder } from '../../../scene/mesh/primitives.ts';
 import { axisParam, countParam, definePrimitive, lengthParam } from './definePrimitive.ts';
 
-/** A closed cylinder, or a cone, its middle at the origin. */
+/** A closed cylinder or cone, centered at the origin. */
 export const cylinderNode = definePrimitive({
   id: 'cylinder',
   title: 'node.cylinder',

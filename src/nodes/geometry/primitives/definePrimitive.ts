@@ -16,7 +16,7 @@ export const lengthParam = (title: string, value: number): NumberParam => ({
   slider: false,
 });
 
-/** A number of pieces. */
+/** A number of subdivisions. */
 export const countParam = (title: string, value: number, least: number, most: number): NumberParam => ({
   kind: 'number',
   title,
@@ -42,18 +42,18 @@ export const axisParam = {
 type Params = Readonly<Record<string, ParamSpec>>;
 type Values<P extends Params> = { readonly [K in keyof P]: ParamValueOf<P[K]> };
 
-/** Where a mesh is made, and what helps with it. */
+/** Where a mesh is made, with its services. */
 interface MeshContext {
   readonly node: string;
   readonly services: Services;
 }
 
-/** A node that makes one mesh, at rest at the origin: `/name` of the scene. */
+/** Defines a node that makes one mesh at rest at the origin: `/name` of the scene. */
 export function definePrimitive<const P extends Params>(description: {
   readonly id: string;
   readonly title: string;
   readonly help: string;
-  /** What it is called where nothing else is said. */
+  /** Default prim name. */
   readonly name: string;
   readonly params: P;
   mesh(params: Values<P>, work: MeshContext): Mesh | Promise<Mesh>;
@@ -75,7 +75,7 @@ export function definePrimitive<const P extends Params>(description: {
   });
 }
 
-/** A name as USD has them: letters, digits and _, no digit first. */
+/** A valid USD identifier: letters, digits and _, not starting with a digit. */
 export function rootPrimPath(name: string, node: string): string {
   if (/^[\p{L}_][\p{L}\p{N}_]{0,63}$/u.test(name)) return `/${name}`;
   const message = `"${name}" cannot be a name: letters, digits and _ can, at most 64, and no digit first`;

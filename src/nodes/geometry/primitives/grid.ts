@@ -1,7 +1,7 @@
 import { grid } from '../../../scene/mesh/primitives.ts';
 import { axisParam, countParam, definePrimitive, lengthParam } from './definePrimitive.ts';
 
-/** A flat rectangle of cells, seen from both sides. */
+/** A flat rectangle of cells, double-sided. */
 export const gridNode = definePrimitive({
   id: 'grid',
   title: 'node.grid',

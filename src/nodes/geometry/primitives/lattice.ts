@@ -1,7 +1,7 @@
 import { lattice } from '../../../scene/mesh/lattice.ts';
 import { countParam, definePrimitive, lengthParam } from './definePrimitive.ts';
 
-/** Bars along the edges of cubes, its middle at the origin: what bends at speed is seen best of straight lines. */
+/** Bars along the edges of cubes, centered at the origin; straight lines show relativistic distortion best. */
 export const latticeNode = definePrimitive({
   id: 'lattice',
   title: 'node.lattice',

@@ -5,14 +5,14 @@ import { nodeRefusal } from '../../common/params.ts';
 import type { Services } from '../../services.ts';
 import { definePrimitive, lengthParam } from './definePrimitive.ts';
 
-/** Most letters of a text. */
+/** Maximum number of letters. */
 const MAX_LETTERS = 10_000;
 
-/** In heights of capital letters. */
+/** In cap heights. */
 const capHeightParam = (title: string, help: string, value: number, min: number, max: number) =>
   ({ kind: 'number', title, help, default: value, min, max, step: 0.01 }) as const;
 
-/** A text of solid letters that stands on the ground and faces +z. */
+/** Extruded text that stands on the ground and faces +z. */
 export const solidTextNode = definePrimitive({
   id: 'solid-text',
   title: 'node.solidText',
@@ -41,7 +41,7 @@ export const solidTextNode = definePrimitive({
     },
   },
   async mesh({ text, align, ...measures }, { node, services }) {
-    // Loaded with the first letter: few pictures need them.
+    // Loaded on demand, since few scenes have text.
     const { MAX_TEXT_TRIANGLES, textMesh, textTriangles } = await import('../../../scene/text/textMesh.ts');
     const lines = await glyphLines(text, node, services);
     const style: TextStyle = { ...measures, align: align as TextStyle['align'] };

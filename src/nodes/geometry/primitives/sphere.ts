@@ -1,7 +1,7 @@
 import { sphere } from '../../../scene/mesh/primitives.ts';
 import { axisParam, countParam, definePrimitive, lengthParam } from './definePrimitive.ts';
 
-/** A ball round the origin. */
+/** A sphere around the origin. */
 export const sphereNode = definePrimitive({
   id: 'sphere',
   title: 'node.sphere',

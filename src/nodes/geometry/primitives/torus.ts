@@ -1,7 +1,7 @@
 import { torus } from '../../../scene/mesh/primitives.ts';
 import { axisParam, countParam, definePrimitive, lengthParam } from './definePrimitive.ts';
 
-/** A ring round the axis through the origin. */
+/** A torus around the axis through the origin. */
 export const torusNode = definePrimitive({
   id: 'torus',
   title: 'node.torus',

@@ -1,4 +1,4 @@
-import type { StreamedPoints } from '../../../scene/streaming/streamedPoints.ts';
+import type { StreamedPoints } from '../../../scene/streaming/storedPoints.ts';
 import { InputError } from '../../../scene/types.ts';
 import type { PackedSamples } from './packedSamples.ts';
 import type { SampleReply, SampleRequest } from './sampleServer.ts';

@@ -1,4 +1,4 @@
-import type { StreamedPoints } from '../../../scene/streaming/streamedPoints.ts';
+import type { StreamedPoints } from '../../../scene/streaming/storedPoints.ts';
 import { type Diagnostic, InputError } from '../../../scene/types.ts';
 import { packSample, ROW_TEXELS, rowsOf } from './packedSamples.ts';
 

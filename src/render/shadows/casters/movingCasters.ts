@@ -11,7 +11,7 @@ import { intersect, type Observation, type RelativeEvent } from '../../geometry/
 import { vertexEvent } from '../../geometry/vertexStage.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 import type { ShadowAtlas } from '../atlas/shadowAtlas.ts';
-import type { Occluders } from '../shadowMaps.ts';
+import type { Occluders } from '../occluders.ts';
 import { type CasterPlacement, type LayerProjection, makeCaster } from './casterMesh.ts';
 import { isSolvedPerVertex, linearMapOf, PoseTable, SURROUNDINGS } from './casterPoses.ts';
 

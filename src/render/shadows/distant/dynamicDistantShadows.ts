@@ -14,7 +14,7 @@ import {
   MovingCasters,
   type ObservedCaster,
 } from '../casters/movingCasters.ts';
-import type { Occluders, ShadowedDistantLight } from '../shadowMaps.ts';
+import type { Occluders, ShadowedDistantLight } from '../occluders.ts';
 import {
   type AtlasTile,
   comovingPathToLight,

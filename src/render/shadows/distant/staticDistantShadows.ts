@@ -6,7 +6,7 @@ import { LayerTable } from '../atlas/layerTable.ts';
 import { type AtlasDraw, ShadowAtlas } from '../atlas/shadowAtlas.ts';
 import { makeCaster } from '../casters/casterMesh.ts';
 import { PoseTable } from '../casters/casterPoses.ts';
-import type { Occluders, ShadowedDistantLight } from '../shadowMaps.ts';
+import type { Occluders, ShadowedDistantLight } from '../occluders.ts';
 import { cascadeSizes, cascades, type LightSpaceBox, lightSpaceBox } from './cascades.ts';
 import {
   type AtlasTile,

@@ -16,7 +16,7 @@ import {
 } from '../casters/movingCasters.ts';
 import type { ReceiverEvent } from '../distant/parallelReceiver.ts';
 import { isAlwaysStatic } from '../distant/staticDistantShadows.ts';
-import type { Occluders } from '../shadowMaps.ts';
+import type { Occluders } from '../occluders.ts';
 import { faceCountOf, lightLayer, setLightTiles, tileCenter } from './lightTiles.ts';
 import { CELLS_PER_TILE, isTooNear, perspectiveLayerTexels, sphereLayer } from './perspectiveLayer.ts';
 import { perspectiveEdgeThreshold, perspectiveProjection, type TileGrid } from './perspectiveProjection.ts';

@@ -6,7 +6,7 @@ import type { Observation } from '../../geometry/observation.ts';
 import type { Gpu } from '../../gpu/device.ts';
 import type { LightTable } from '../../lights/lightTable.ts';
 import type { ReceiverEvent, ShadowedLight } from '../distant/parallelReceiver.ts';
-import type { Occluders } from '../shadowMaps.ts';
+import type { Occluders } from '../occluders.ts';
 import { DynamicLocalShadows } from './dynamicLocalShadows.ts';
 import { StaticLocalShadows } from './staticLocalShadows.ts';
 

@@ -9,7 +9,7 @@ import { makeCaster } from '../casters/casterMesh.ts';
 import { PoseTable } from '../casters/casterPoses.ts';
 import type { ReceiverEvent } from '../distant/parallelReceiver.ts';
 import { isAlwaysStatic } from '../distant/staticDistantShadows.ts';
-import type { Occluders } from '../shadowMaps.ts';
+import type { Occluders } from '../occluders.ts';
 import { faceCountOf, lightLayer, setLightTiles } from './lightTiles.ts';
 import { CELLS_PER_TILE, PERSPECTIVE_LAYER_TEXELS } from './perspectiveLayer.ts';
 import { perspectiveEdgeThreshold, perspectiveProjection, type TileGrid } from './perspectiveProjection.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { rotate } from '../../../../math/quat.ts';
 import type { Vec3 } from '../../../../math/vec3.ts';
-import { projectedArea } from '../../../../scene/lights/localLights.ts';
+import { projectedArea } from '../../../../scene/lights/lightKinds.ts';
 import type { LocalLight, Scene } from '../../../../scene/types.ts';
 import { blackbodyColor } from '../../../../spectrum/color/blackbodyColor.ts';
 import { memorySource } from '../../../files/fileSource.ts';

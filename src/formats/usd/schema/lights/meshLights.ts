@@ -4,11 +4,9 @@ import type { Mesh } from '../../../../scene/types.ts';
 import { textAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import { report, type StageContext, targetsOf } from '../context.ts';
-import type { MaterialTable } from '../materials/materialTable.ts';
+import type { MaterialSyncMode, MaterialTable } from '../materials/materialTable.ts';
 import { emissionOf, lightFlag } from './lightInputs.ts';
 
-/** How a light that is a mesh goes with its material (`light:materialSyncMode` of UsdLux). */
-export type MaterialSyncMode = 'materialGlowTintsLight' | 'independent' | 'noMaterialResponse';
 const SYNC_MODES: readonly MaterialSyncMode[] = ['materialGlowTintsLight', 'independent', 'noMaterialResponse'];
 
 /** The prims that light what a GeometryLight's relationship `geometry` leads to, by the path of that. */

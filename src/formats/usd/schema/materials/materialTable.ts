@@ -4,7 +4,6 @@ import { INVISIBLE_BANDS, parseSpectralHints, REFLECTANCE_ATTRIBUTE } from '../.
 import { attributeOf, numberOf, textOf, valueAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import { primAt, report, type StageContext, targetsOf } from '../context.ts';
-import type { MaterialSyncMode } from '../lights/meshLights.ts';
 import { reflectanceOfFile } from '../spectrumFiles.ts';
 import { foreignMaterial, shaderName, surfaceShaders } from './foreignShaders.ts';
 import { isAnimated, type ResolvedInput, resolveInput, shaderId } from './shaderInputs.ts';
@@ -21,6 +20,9 @@ export interface BoundMaterial {
   /** Where its diffuse colour comes from, if it is the mesh's. */
   readonly colors?: ColorPrimvar;
 }
+
+/** How a light that is a mesh goes with its material (`light:materialSyncMode` of UsdLux). */
+export type MaterialSyncMode = 'materialGlowTintsLight' | 'independent' | 'noMaterialResponse';
 
 /** `primvars:displayColor` of a mesh. */
 export interface DisplayColor {

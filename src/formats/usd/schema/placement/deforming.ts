@@ -10,7 +10,8 @@ import { estimateChordError, parabolaVelocities, parabolaVelocityAt } from '../.
 import { pieceAt } from '../../../../scene/motion/motion.ts';
 import { computePointStatistics } from '../../../../scene/streaming/pointStatistics.ts';
 import { readSample } from '../../../../scene/streaming/storedNumbers.ts';
-import { makeNormals, makePoints, type PointRecipe } from '../../../../scene/streaming/streamedPoints.ts';
+import type { PointRecipe } from '../../../../scene/streaming/storedPoints.ts';
+import { makeNormals, makePoints } from '../../../../scene/streaming/streamedPoints.ts';
 import type { Mesh, SampledPointsMotion } from '../../../../scene/types.ts';
 import { report, type StageContext } from '../context.ts';
 import {

@@ -1,4 +1,4 @@
-import { cross, dot, normalize, type Vec3 } from '../../math/vec3.ts';
+import { cross, dot, normalize, type Vec3 } from '../../../math/vec3.ts';
 
 /** A point of a rectangle, chosen evenly over the solid angle [sr] in which it is seen. */
 export interface SphericalSample {

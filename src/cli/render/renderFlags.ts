@@ -1,0 +1,23 @@
+import type { FalseColorOptions } from '../../nodes/pictures/falseColor.ts';
+import type { AovName } from '../../scene/view/view.ts';
+import type { FrameRange } from '../flags/parse.ts';
+import type { PipelineFlags } from '../flags/pipelineFlags.ts';
+import type { SceneFlags } from '../flags/sceneFlags.ts';
+import type { ObserverFlags, SettingFlags } from '../flags/viewFlags.ts';
+
+export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, PipelineFlags, FalseColorOptions {
+  readonly output: string;
+  readonly time?: number;
+  readonly frames?: FrameRange;
+  readonly fps?: number;
+  readonly hold?: boolean;
+  readonly aov?: readonly AovName[];
+  readonly samples?: number;
+  readonly json?: boolean;
+  /** Of a project: `node.param=value`. */
+  readonly set?: readonly string[];
+}
+
+export interface ProjectFilesFlags extends Omit<RenderFlags, 'output'> {
+  readonly folder?: string;
+}

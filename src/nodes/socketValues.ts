@@ -1,0 +1,73 @@
+import type { FrameGraph, FrameGraphPassOf } from '../scene/frameGraph/frameGraph.ts';
+import type { Scene } from '../scene/types.ts';
+import type { ColorMode, Solver, View } from '../scene/view/bufferSettings.ts';
+import type { ToneMapping } from '../spectrum/display/toneMap.ts';
+import type { FalseColorQuantity } from '../spectrum/falseColor/falseColor.ts';
+import type { MeteringMode } from './pictures/metering.ts';
+import type { LoadedScene } from './services.ts';
+
+/** A scene with how light travels in it. */
+export interface RelativisticScene extends LoadedScene {
+  /** [m/s] */
+  readonly speedOfLight: number;
+  /** The observer's maximum speed as a fraction of c. */
+  readonly maxSpeed: number;
+  readonly lightDelay: boolean;
+  readonly aberration: boolean;
+  readonly solver: Solver;
+  readonly iterations: number;
+  readonly damping: number;
+  readonly view: View;
+}
+
+/** A relativistic scene with the camera that observes it. */
+export interface CameraView extends RelativisticScene {
+  /** Prim path; empty: the scene's first camera. */
+  readonly camera: string;
+  /** Whether the observer rides on the file's camera with its velocity instead of flying freely. */
+  readonly ride: boolean;
+  /** Vertical field of view [rad]; undefined: the camera's. */
+  readonly fovY: number | undefined;
+}
+
+/** What the rasterizer is to draw. A description only: the pass runs once per frame. */
+export interface GBufferSpec extends CameraView {
+  readonly colors: ColorMode;
+  readonly dopplerMix: number;
+  readonly beaming: number;
+  readonly antialiasing: boolean;
+  readonly grid: boolean;
+}
+
+/** An image, described by the pass that makes it from others; nothing is rendered before the whole picture is known. */
+export interface ImageSpec {
+  readonly step: FrameGraphPassOf<ImageSpec, GBufferSpec>;
+  /** The primary G-buffer, whose camera, time and speed of light apply to the image. */
+  readonly gbuffer: GBufferSpec;
+}
+
+/** A whole picture, except for time and observer, which change without an evaluation. */
+export interface PictureSpec extends GBufferSpec {
+  readonly shadows: boolean;
+  /** Whether ambient occlusion dims the light of the sky. */
+  readonly occlusion: boolean;
+  readonly tone: ToneMapping;
+  readonly metering: MeteringMode;
+  /** Exposure compensation, added to the metered exposure [EV]. */
+  readonly exposure: number;
+  readonly falseColor: FalseColorQuantity | 'none';
+  /** Present if the picture is more than one shaded G-buffer. */
+  readonly frameGraph?: FrameGraph;
+  /** The final image. */
+  readonly image: ImageSpec;
+  /** Scenes of all G-buffers; the primary one's first. */
+  readonly scenes: readonly Scene[];
+}
+
+/** Time range in which a scene's animation is shown [s]. */
+export interface TimeRange {
+  readonly start: number;
+  readonly end: number;
+  /** Initial world time [s]; absent: the start. */
+  readonly openAt?: number;
+}

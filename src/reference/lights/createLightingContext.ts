@@ -1,0 +1,42 @@
+import { type Vec3, ZERO } from '../../math/vec3.ts';
+import { isDistantLight, isLocalLight } from '../../scene/lights/lightKinds.ts';
+import { directLights } from '../../scene/lights/sceneLights.ts';
+import type { RenderSettings } from '../../scene/view/view.ts';
+import type { TracedScene } from '../intersection/tracedScene.ts';
+import type { Random } from '../sampling/directions.ts';
+import type { LightingContext, LightPropagation } from './lightingContext.ts';
+import type { LightOptions } from './lightOptions.ts';
+import { tracedLight } from './lightTracers.ts';
+import { skyOf } from './sky.ts';
+
+type SceneLights = Pick<LightingContext, 'sky' | 'directLights'>;
+
+/** A scene's lights are the same for all rays. */
+const known = new WeakMap<TracedScene, SceneLights>();
+
+function sceneLights(traced: TracedScene): SceneLights {
+  const found = known.get(traced);
+  if (found) return found;
+  const { scene } = traced;
+  const lights = directLights(scene);
+  const direct = [...lights.filter(isDistantLight), ...lights.filter(isLocalLight)];
+  const sources = direct.map((light) => tracedLight(light, scene));
+  const made = { sky: skyOf(scene, sources), directLights: sources };
+  known.set(traced, made);
+  return made;
+}
+
+/** `u`: the observer's γβ. */
+export function createLightingContext(
+  scene: TracedScene,
+  settings: RenderSettings,
+  options: LightOptions,
+  u: Vec3,
+  random: Random,
+): LightingContext {
+  const propagation: LightPropagation =
+    settings.view === 'light-cone' && settings.lightDelay
+      ? { kind: 'past' }
+      : { kind: 'slice', u: settings.view === 'simultaneity' ? u : ZERO };
+  return { scene, settings, options, random, propagation, ...sceneLights(scene) };
+}

@@ -1,0 +1,123 @@
+import { conjugate, type Quat, rotate } from '../../../math/quat.ts';
+import { length, negate, normalize, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import { apparentPosition, inverseApparentPosition } from '../../../physics/optics/apparentPosition.ts';
+import { pastLightCone } from '../../../physics/worldLines/lightCone.ts';
+import { simultaneitySlice } from '../../../physics/worldLines/simultaneity.ts';
+import { velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
+import { shapingFactor } from '../../../scene/lights/shaping.ts';
+import { originWorldLine, poseAt } from '../../../scene/motion/motion.ts';
+import type { LocalLight } from '../../../scene/types.ts';
+import type { Random } from '../../sampling/directions.ts';
+import type { RestFrame } from '../../spectral/restFrame.ts';
+import { sourceSpectrumOf } from '../../spectral/sourceSpectrum.ts';
+import { type IncidentLight, type LightingContext, type RayOrigin, rayBack, restFrameOf } from '../lightingContext.ts';
+import type { LightTracer } from './lightTracer.ts';
+
+/** A point of a light, chosen at random, as seen from a surface; all in the light's rest frame, on the world's axes. */
+export interface LightSample {
+  /** From the surface to the point [m]. */
+  readonly toward: Vec3;
+  /** Factor of the light's colour; its mean is the solid angle in which the light is seen, or of a point 1/d². */
+  readonly weight: number;
+}
+
+/** `center`: from the surface to the light's middle [m]; `orientation`: of its axes. undefined: nothing of it shines there. */
+export type SampleShape<L extends LocalLight> = (
+  light: L,
+  center: Vec3,
+  orientation: Quat,
+  random: Random,
+) => LightSample | undefined;
+
+/** The same in the light's own frame. `at`: the surface, on the light's axes [m]. */
+export const inOwnFrame =
+  <L extends LocalLight>(sample: (at: Vec3, light: L, random: Random) => LightSample | undefined): SampleShape<L> =>
+  (light, center, orientation, random) => {
+    const at = rotate(conjugate(orientation), negate(center));
+    const local = sample(at, light, random);
+    return local && { ...local, toward: rotate(orientation, local.toward) };
+  };
+
+/** A point that was chosen evenly from a face of the light's XY plane: dΩ = cos θ dA/d². */
+export function areaSample(at: Vec3, spot: Vec3, area: number): LightSample {
+  const toward = sub(spot, at);
+  return { toward, weight: (area * -at[2]) / length(toward) ** 3 };
+}
+
+/** The tracer of a kind of local light, from how points of its shape are chosen. */
+export const localLightTracer = <L extends LocalLight>(sampleShape: SampleShape<L>): LightTracer<L> => ({
+  trace(light) {
+    const moving = {
+      light,
+      line: originWorldLine(light.motion),
+      sourceSpectrum: sourceSpectrumOf(light.color, light.spectrum),
+    };
+    return { sample: (lighting, at) => sampleMovingLight(lighting, moving, at, sampleShape) };
+  },
+});
+
+interface MovingLight<L extends LocalLight> extends Pick<IncidentLight, 'sourceSpectrum'> {
+  readonly light: L;
+  /** Of its centre. */
+  readonly line: WorldLine;
+}
+
+/**
+ * A light where it was when it sent out what arrives. In its own frame it rests at a distance d′ and is seen within a solid angle Ω′ (of a
+ * sphere 2π(1 − √(1 − (radius/d′)²))); so E = D² L Ω′ = D⁴ L Ω, and of a point E = D² I/d′² = D⁴ I/r² where surface and world are one.
+ * Its velocity and its axes are taken as constant while its light crosses it. undefined: none of its light is here yet, or any more.
+ */
+function sampleMovingLight<L extends LocalLight>(
+  lighting: LightingContext,
+  moving: MovingLight<L>,
+  at: RayOrigin,
+  sampleShape: SampleShape<L>,
+): IncidentLight | undefined {
+  const { light, sourceSpectrum } = moving;
+  const emitter = lightAtEmission(lighting, moving, at);
+  if (!emitter) return undefined;
+  const center = apparentPosition(emitter.offset, emitter.frame.u);
+  const sample = shaped(light, emitter.orientation, sampleShape(light, center, emitter.orientation, lighting.random));
+  if (!sample) return undefined;
+  const dx = inverseApparentPosition(sample.toward, emitter.frame.u);
+  const time = at.t + rayBack(lighting, at, dx).dt / lighting.scene.c;
+  if (time < light.lifetime.birth || time > light.lifetime.death) return undefined;
+  return { dx, rayDirection: dx, end: 1 - 1e-9, sourceSpectrum, sourceFrame: emitter.frame, weight: sample.weight };
+}
+
+function shaped({ shaping }: LocalLight, orientation: Quat, sample: LightSample | undefined): LightSample | undefined {
+  if (!sample || !shaping) return sample;
+  const front = rotate(orientation, [0, 0, -1]);
+  const share = shapingFactor(shaping, front, negate(normalize(sample.toward)));
+  return share > 0 ? { ...sample, weight: share * sample.weight } : undefined;
+}
+
+interface LightAtEmission {
+  /** From the surface to its centre [m, world]. */
+  readonly offset: Vec3;
+  /** Its frame then, and how its own axes stand there. */
+  readonly frame: RestFrame;
+  readonly orientation: Quat;
+}
+
+function lightAtEmission(
+  lighting: LightingContext,
+  { line, light }: MovingLight<LocalLight>,
+  { t, x }: RayOrigin,
+): LightAtEmission | undefined {
+  const { propagation, scene } = lighting;
+  const observer = { t, position: x };
+  const event = (): { offset: Vec3; time: number } | undefined => {
+    if (propagation.kind === 'slice') {
+      const { offset, ahead } = simultaneitySlice(line, observer, propagation.u, scene.c);
+      return { offset, time: t + ahead / scene.c };
+    }
+    const found = pastLightCone(line, observer, scene.c);
+    return found && { offset: found.offset, time: t - found.delay / scene.c };
+  };
+  const found = event();
+  if (!found) return undefined;
+  const velocity = scale(velocityAt(line, found.time, scene.c), 1 / scene.c);
+  const { orientation } = poseAt(light.motion, found.time, scene.c);
+  return { offset: found.offset, frame: restFrameOf(lighting, velocity), orientation };
+}

@@ -1,0 +1,30 @@
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
+import type { LightOptions } from './lights/lightOptions.ts';
+
+/** What can be drawn: AOVs, and `picture`, the beauty as a screen shows it: exposed and tone mapped, linear sRGB 0 … 1 (display.ts encodes it). */
+export type OutputLayer = AovName | 'picture';
+
+/** What a picture is to be. */
+export interface TileRequest {
+  readonly view: ViewPoint;
+  readonly settings: RenderSettings;
+  /** Of the whole picture [px]. */
+  readonly width: number;
+  readonly height: number;
+  readonly layers: readonly OutputLayer[];
+  /** n × n samples per pixel of the beauty and the picture. */
+  readonly samples: number;
+  readonly seed: number;
+  readonly light: LightOptions;
+}
+
+/** Pixels x0 ≤ x < x1, y0 ≤ y < y1, from the top left. */
+export interface ImageTile {
+  readonly x0: number;
+  readonly y0: number;
+  readonly x1: number;
+  readonly y1: number;
+}
+
+/** What was asked for: as many values per pixel as the layer has channels, rows from the top. */
+export type TileData = Partial<Record<OutputLayer, Float32Array>>;

@@ -1,0 +1,19 @@
+export interface Texture {
+  /** Where it came from, for messages. */
+  readonly name: string;
+  readonly width: number;
+  readonly height: number;
+  /** RGBA, rows from the top. */
+  readonly data: Uint8Array;
+  readonly colorSpace: 'srgb' | 'linear';
+  readonly filter: 'nearest' | 'linear';
+  readonly wrapS: TextureWrap;
+  readonly wrapT: TextureWrap;
+}
+/** A picture of radiance, for what is brighter than white. */
+export interface RadianceTexture extends Omit<Texture, 'data'> {
+  /** RGBA as halves, linear sRGB of 0 … 65504, rows from the top. */
+  readonly data: Uint16Array;
+}
+/** Outside the picture; `black` is transparent too. */
+export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';

@@ -1,0 +1,82 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { expect, it } from 'vitest';
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+const CODE = ['src', 'tests', 'bench', 'scripts', 'examples'];
+
+/** All files below a folder with one of the extensions, relative to the repository. */
+const filesIn = (folder: string, extension: RegExp): string[] =>
+  readdirSync(join(ROOT, folder), { recursive: true, encoding: 'utf8' })
+    .map((name) => join(folder, name))
+    .filter((path) => extension.test(path) && !path.includes('node_modules'));
+
+const read = (path: string): string => readFileSync(join(ROOT, path), 'utf8');
+const codeFiles = CODE.flatMap((folder) => filesIn(folder, /\.(ts|tsx|mjs|py)$/));
+const pages = [...filesIn('docs', /\.md$/), 'README.md', 'CONTRIBUTING.md'].filter((path) =>
+  existsSync(join(ROOT, path)),
+);
+
+/** Numbers of the sections of a page: of `## 3. Light` and `### 3.2 Aberration` 3 and 3.2. */
+const sectionsOf = (page: string): Set<string> =>
+  new Set(Array.from(read(page).matchAll(/^#{2,} (\d+(?:\.\d+)*)\.? /gm), ([, number]) => number!));
+
+const adrs = new Set(readdirSync(join(ROOT, 'docs/adr')).map((name) => Number.parseInt(name, 10)));
+
+/** Each match of a pattern in the given files for which `holds` is false, with the file that it is in. */
+function broken(files: readonly string[], pattern: RegExp, holds: (match: RegExpMatchArray, file: string) => boolean) {
+  return files.flatMap((file) =>
+    Array.from(read(file).matchAll(pattern))
+      .filter((match) => !holds(match, file))
+      .map(([text]) => `${relative('.', file)}: ${text}`),
+  );
+}
+
+it('a cited section of a page exists', () => {
+  const known = new Map<string, Set<string>>();
+  const sections = (page: string): Set<string> => {
+    const found = known.get(page) ?? (existsSync(join(ROOT, page)) ? sectionsOf(page) : new Set<string>());
+    known.set(page, found);
+    return found;
+  };
+  // Several may follow one page: `docs/physics.md §3.2, §3.3`.
+  const citation = /(docs\/[\w./-]+\.md)((?:,? (?:and )?§\d+(?:\.\d+)*)+)/g;
+  const holds = ([, page, list]: RegExpMatchArray): boolean =>
+    Array.from(list!.matchAll(/\d+(?:\.\d+)*/g)).every(([number]) => sections(page!).has(number));
+  expect(sectionsOf('docs/physics.md').size).toBeGreaterThan(50);
+  expect(broken([...codeFiles, ...pages], citation, holds)).toEqual([]);
+});
+
+it('sections that docs/physics.md itself refers to exist', () => {
+  const sections = sectionsOf('docs/physics.md');
+  // Those of books stand behind a name or a year, as `Jackson §11.4` or `Einstein 1905, §8`.
+  const own = /(?<!(?:Jackson|Rindler|MTW|R&L|HLW|HNW|Wolf) |\d{4}, |ed\., )§(\d+(?:\.\d+)*)/g;
+  expect(Array.from(read('docs/physics.md').matchAll(own)).length).toBeGreaterThan(30);
+  expect(broken(['docs/physics.md'], own, ([, number]) => sections.has(number!))).toEqual([]);
+});
+
+it('a cited decision exists', () => {
+  expect(adrs.size).toBeGreaterThan(20);
+  const holds = ([, number]: RegExpMatchArray): boolean => adrs.has(Number(number));
+  expect(broken([...codeFiles, ...pages], /\bADR (\d+)/g, holds)).toEqual([]);
+});
+
+it('a file that a comment or a page names by its path exists', () => {
+  const path = /(?<![\w/.-])((?:docs|src|tests|bench|scripts)\/[\w./-]+\.(?:md|ts|tsx|mjs|py))\b/g;
+  const holds = ([, file]: RegExpMatchArray): boolean => existsSync(join(ROOT, file!));
+  const here = 'tests/docs/references.test.ts';
+  expect(
+    broken([...codeFiles.filter((file) => file.startsWith('src') && file !== here), ...pages], path, holds),
+  ).toEqual([]);
+});
+
+it('a folder of the program that a page names exists', () => {
+  const path = /`(src\/[\w/-]+)`/g;
+  expect(broken(pages, path, ([, folder]) => existsSync(join(ROOT, folder!)))).toEqual([]);
+});
+
+it('a link from page to page leads to a file', () => {
+  const link = /\]\((?!https?:|#|mailto:)([^)#\s]+)(?:#[^)]*)?\)/g;
+  expect(broken(pages, link, ([, to], page) => existsSync(join(ROOT, dirname(page), to!)))).toEqual([]);
+});
