@@ -10,7 +10,7 @@ import { AUTOMATIC_PIPELINES, PIPELINES, pipelineNamed } from '../../pipelines/r
 import type { Backend } from '../../render/settings.ts';
 import type { AovName } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
-import { parseInteger } from './parse.ts';
+import { parseWithin } from './parse.ts';
 import type { SettingFlags } from './viewFlags.ts';
 
 export interface PipelineFlags {
@@ -55,7 +55,7 @@ function optionsOfAll(): Map<string, { readonly option: PipelineOption; readonly
 
 function addOptionFlag(command: Command, name: string, option: PipelineOption, owners: readonly string[]): void {
   const help = `of ${owners.join(', ')}: ${option.help}`;
-  if (option.kind === 'integer') command.option(`--${name} <n>`, help, parseInteger(option.min, option.max));
+  if (option.kind === 'integer') command.option(`--${name} <n>`, help, parseWithin({ min: option.min, max: option.max, integer: true }));
   else if (option.default) command.option(`--no-${name}`, help);
   else command.option(`--${name}`, help, false);
 }

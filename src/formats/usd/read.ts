@@ -1,16 +1,19 @@
 import { SamplingBudget } from '../../scene/motion/adaptiveSampling.ts';
+import { sampleTimes } from '../../scene/motion/motion.ts';
 import type { Diagnostic, MissingFile, Scene } from '../../scene/types.ts';
 import { DiagnosticList } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import type { FileSource } from '../files/fileSource.ts';
-import type { ReadOptions } from '../registry.ts';
+import type { ReadOptions } from '../readOptions.ts';
 import { AssetFiles } from './assets/assetFiles.ts';
 import { type ComposedStage, composeStage } from './compose/composeStage.ts';
 import { LayerStore } from './compose/layers/layerStore.ts';
 import type { VariantSelection } from './compose/sessionLayer.ts';
+import { report } from './diagnostics.ts';
 import type { Layer } from './layer/layer.ts';
+import { metadataNumber } from './layer/query.ts';
 import { readLayer } from './readLayer.ts';
-import { metadataNumber, report, type StageContext, upAxisOf } from './schema/context.ts';
+import { type StageContext, upAxisOf } from './schema/context.ts';
 import { SampleBudget } from './schema/sampleBudget.ts';
 import { hintsOf } from './schema/slowlightAttributes.ts';
 import { readStage, type StageContents } from './schema/stageReader.ts';
@@ -139,9 +142,10 @@ function timeRange(context: StageContext, { objects, cameras }: StageContents) {
   const end = metadataNumber(context.layer.metadata, 'endTimeCode');
   let [first, last] = [Infinity, -Infinity];
   for (const { motion } of [...objects, ...cameras]) {
-    if (!('times' in motion)) continue;
-    first = Math.min(first, motion.times[0]);
-    last = Math.max(last, motion.times[motion.times.length - 1]);
+    const times = sampleTimes(motion);
+    if (!times) continue;
+    first = Math.min(first, times[0]);
+    last = Math.max(last, times[times.length - 1]);
   }
   const startTime = start !== undefined ? start / context.codesPerSecond : Number.isFinite(first) ? first : 0;
   const endTime = end !== undefined ? end / context.codesPerSecond : Math.max(startTime, last);

@@ -1,5 +1,6 @@
 import type { PictureRequest, PictureSize } from '../../pipelines/pictureRenderer.ts';
-import { adaptExposure, exposureForMetering, type MeteringMode } from './metering.ts';
+import type { MeteringMode } from '../../scene/settings/settings.ts';
+import { adaptExposure, exposureForMetering } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
 
 /** Sets the exposure of consecutive pictures like an adapting eye: metered per picture, eased over scene time. */

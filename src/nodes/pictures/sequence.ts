@@ -1,4 +1,5 @@
 import type { PictureRenderer, PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
+import type { MeteringMode } from '../../scene/settings/settings.ts';
 import type { ObserverPath } from '../../scene/view/observerPath.ts';
 import type { AovName, RenderSettings } from '../../scene/view/view.ts';
 import type { FrameTime } from '../project/outputFiles.ts';
@@ -6,7 +7,6 @@ import type { PictureInfo } from './encode.ts';
 import { ExposureMeter } from './exposureMeter.ts';
 import { type FalseColorOptions, FalseColorRenderer } from './falseColor.ts';
 import { FrameGraphSettings } from './frameGraphSettings.ts';
-import type { MeteringMode } from './metering.ts';
 import { PictureMeter } from './pictureMeter.ts';
 
 /** Consecutive pictures of one scene. */

@@ -5,7 +5,7 @@ import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import type { Pipeline, StillLimits } from '../../pipelines/pipeline.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
 import { makeStillPixels } from '../../scene/frameGraph/still.ts';
-import { BUFFER_SETTINGS } from '../../scene/view/bufferSettings.ts';
+import { BUFFER_SETTINGS } from '../../scene/settings/settings.ts';
 import { framingCamera, observerFromCamera } from '../../scene/view/camera.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
 import { defineNode } from '../defineNode.ts';

@@ -10,9 +10,10 @@ import {
   type WorldLine,
 } from '../../physics/worldLines/worldLine.ts';
 import { projectedArea } from '../../scene/lights/lightKinds.ts';
-import { originWorldLine, poseAt, samplePose } from '../../scene/motion/motion.ts';
+import { originWorldLine, poseAt } from '../../scene/motion/motion.ts';
+import { samplePose } from '../../scene/motion/poses.ts';
+import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { LocalLight } from '../../scene/types.ts';
-import type { ColorMode } from '../../scene/view/bufferSettings.ts';
 import type * as gpu from '../../shaders/types.ts';
 import type { FilteredBlackbody } from '../../spectrum/doppler/filterPairs.ts';
 import {

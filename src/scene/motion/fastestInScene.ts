@@ -1,5 +1,7 @@
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import type { Motion, Scene, SceneObject } from '../types.ts';
-import { fastestVertex } from './fastestVertex.ts';
+import { fastestVertex } from './motion.ts';
+import { motionKind } from './motions.ts';
 
 /** The fastest point of a scene. */
 export interface FastestInScene {
@@ -10,9 +12,6 @@ export interface FastestInScene {
   /** [m/s] */
   readonly speed: number;
 }
-
-/** Of a vacuum [m/s]: where a scene suggests nothing, Born-rigid bodies are judged by it. */
-export const SPEED_OF_LIGHT = 299_792_458;
 
 /** Undefined where nothing moves. Samples of deforming meshes, which are many, are gone through once, whatever scenes they come to be in. */
 export function fastestInScene(scene: Scene): FastestInScene | undefined {
@@ -39,7 +38,7 @@ const known = new WeakMap<Motion, Found>();
 function cachedFastestVertex(object: SceneObject, c: number, range: readonly [number, number], atLeast: number): Found {
   const { motion } = object;
   // The bend of cubics depends on c, which is another in another scene.
-  if (motion.kind !== 'sampled-points' || motion.velocities) return fastestVertex(object, c, range, atLeast);
+  if (!motionKind(motion).keepsFastest(motion)) return fastestVertex(object, c, range, atLeast);
   const found = known.get(motion) ?? fastestVertex(object, c, range);
   known.set(motion, found);
   return found;

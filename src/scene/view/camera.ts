@@ -1,10 +1,11 @@
 import { fromMatrix, type Quat } from '../../math/quat.ts';
 import { add, addScaled, cross, length, negate, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { velocityAt } from '../../physics/worldLines/worldLine.ts';
-import { sceneBounds } from '../bounds/bounds.ts';
+import { sceneBounds } from '../bounds/sceneBounds.ts';
 import { restingAt } from '../defaults.ts';
-import { originWorldLine, poseAt } from '../motion/motion.ts';
+import { originWorldLine, poseAt, sampleTimes } from '../motion/motion.ts';
 import type { Scene, SceneCamera } from '../types.ts';
 
 /** An observer at one moment of a camera's path. */
@@ -26,8 +27,8 @@ export interface CameraState {
 export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: number): CameraState {
   const pose = poseAt(motion, t, c);
   const line = originWorldLine(motion);
-  const last = motion.kind === 'sampled' ? motion.times[motion.times.length - 1] : undefined;
-  const inside = last === t && motion.kind === 'sampled' ? motion.times[motion.times.length - 2] : t;
+  const times = sampleTimes(motion);
+  const inside = times && times[times.length - 1] === t ? times[times.length - 2] : t;
   const v = velocityAt(line, inside, c);
   return { ...pose, u: properVelocity(scale(v, 1 / c)), fovY };
 }
@@ -50,7 +51,7 @@ const FRAMING_FOV = Math.PI / 3;
 
 /** For a scene without a camera: at rest outside it, a little from above, with all that exists at the opening time in view. */
 export function framingCamera(scene: Scene): SceneCamera {
-  const c = scene.hints.speedOfLight ?? 299_792_458;
+  const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   const box = sceneBounds(scene, scene.hints.openAt ?? scene.startTime, c) ?? { min: [-1, -1, -1], max: [1, 1, 1] };
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
   const aside: Vec3 = scene.upAxis === 'Z' ? [0.55, -1, 0] : [0.55, 0, 1];

@@ -3,6 +3,7 @@ import { KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from
 import { shortestRotation } from '../../../math/quat.ts';
 import { scale } from '../../../math/vec3.ts';
 import { projectedArea } from '../../../scene/lights/lightKinds.ts';
+import { poseSamples } from '../../../scene/motion/motion.ts';
 import type { Light, LocalLight, SampledMotion, Scene, StaticMotion } from '../../../scene/types.ts';
 import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../attributes/spectrumAttribute.ts';
 import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
@@ -126,7 +127,8 @@ class GltfWriter {
     node
       .setTranslation([...vectorYUp(this.scene, first.position)])
       .setRotation([...orientationYUp(this.scene, first.orientation)]);
-    if (motion.kind === 'sampled') this.animations.addPoses(node, motion);
+    const samples = poseSamples(motion);
+    if (samples) this.animations.addPoses(node, samples);
     return node;
   }
 

@@ -1,7 +1,8 @@
 import type { Scene } from '../../../scene/types.ts';
 import { hintLines, MaterialWriter, TextureFiles } from './materials.ts';
+import type { WriteContext } from './motionLines.ts';
 import { packUsdz } from './packUsdz.ts';
-import { cameraContent, lightContent, meshContent, type WriteContext } from './prims.ts';
+import { cameraContent, lightContent, meshContent } from './prims.ts';
 import { PrimTree } from './primTree.ts';
 import { double, type Lines } from './usdaText.ts';
 
