@@ -55,7 +55,8 @@ function optionsOfAll(): Map<string, { readonly option: PipelineOption; readonly
 
 function addOptionFlag(command: Command, name: string, option: PipelineOption, owners: readonly string[]): void {
   const help = `of ${owners.join(', ')}: ${option.help}`;
-  if (option.kind === 'integer') command.option(`--${name} <n>`, help, parseWithin({ min: option.min, max: option.max, integer: true }));
+  if (option.kind === 'integer')
+    command.option(`--${name} <n>`, help, parseWithin({ min: option.min, max: option.max, integer: true }));
   else if (option.default) command.option(`--no-${name}`, help);
   else command.option(`--${name}`, help, false);
 }
