@@ -12,7 +12,7 @@ interface ShaderCost {
 
 const SAMPLE_COST = 8;
 
-/** Throws for programs that take too long or recurse; returns the samples taken. `places`: of the functions. */
+/** Throws for programs that take too long or recurse; returns the channels sampled. `places`: of the functions. */
 export function checkCost(
   { functions, effect }: Pick<ShaderProgram, 'functions' | 'effect'>,
   places: readonly SourceLocation[],
